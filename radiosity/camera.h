@@ -1,0 +1,44 @@
+/// The camera of pictures, and what it sees: for each sample the triangle and the point on it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "radiosity/scene.h"
+#include "raster/face.h"
+
+namespace hemitex::radiosity {
+
+struct Camera {
+  glm::dvec3 eye{0.0};
+  glm::dvec3 lookAt{0.0, 0.0, -1.0};
+  glm::dvec3 up{0.0, 1.0, 0.0};
+  double fov = 50;  ///< degrees, vertical, in (0, 180)
+};
+
+/// The face that draws `camera` at width x height pixels (a viewport may be larger than the picture; the scissor is
+/// the picture). The largest side is at most 4096. Throws InputError where the camera has no direction, `up` lies
+/// along it, or the field of view is out of range. Row 0 of the face is the BOTTOM of the picture.
+raster::Face cameraFace(const Scene& scene, const Camera& camera, int width, int height);
+
+/// A camera at a point inside the bounds that sees most of the scene: of a fixed grid of points and directions, the
+/// one that sees the largest area of fronts; the first of equals.
+Camera defaultCamera(const Scene& scene);
+
+/// The triangles whose backs the eye sees, ascending: pictures leave them out, so that one can look into a closed room.
+std::vector<std::uint32_t> trianglesFacingAway(const Scene& scene, const glm::dvec3& eye);
+
+/// What one sample of a picture sees.
+struct Visible {
+  std::uint32_t surface = 0;
+  std::uint32_t triangle = 0;  ///< in Surface::triangles
+  glm::dvec3 weights{0.0};     ///< barycentric, of the point on the triangle
+};
+
+/// What the samples of a picture see, width x height, row 0 at the TOP; nothing where the background is.
+std::vector<std::optional<Visible>> visibleSamples(const Scene& scene, const Camera& camera, int width, int height);
+
+}  // namespace hemitex::radiosity

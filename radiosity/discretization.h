@@ -1,0 +1,92 @@
+/// The discretization: surfaces become texel grids, texels become elements, blocks of texels become patches. No
+/// geometry is cut; all that is stored is how much of the surface lies in each texel (Nielsen and Christensen 2002,
+/// section 3).
+///
+/// Texel (column, row) of a columns x rows grid is the square [column, column+1]/columns x [row, row+1]/rows of the
+/// chart. Its area is the exact area of the surface inside it. A texel without area is a *phantom*. A texel whose
+/// square is covered for less than a quarter merges into its largest neighbour of the same surface: a sliver element
+/// would glow, because the few pixels it is seen in are quantized while its area is tiny. One spill table, from
+/// texels to elements, says where every texel's light goes: to its own element, to the one it merged into, or, for a
+/// phantom (a sample can fall on one at a chart's border), to the nearest element.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "radiosity/scene.h"
+
+namespace hemitex::radiosity {
+
+struct Element {
+  double area = 0;  ///< of the surface inside its texels, in the scene's units squared; above 0
+  std::uint32_t surface = 0;
+  std::uint32_t texel = 0;  ///< row * columns + column of its own texel, the one the others merged into
+  std::uint32_t patch = 0;
+};
+
+/// A block of texels of one surface that shoots as one.
+struct Patch {
+  std::uint32_t surface = 0;
+  int column = 0, row = 0, width = 0, height = 0;    ///< in texels; at the grid's end a block may be smaller
+  std::uint32_t firstElement = 0, elementCount = 0;  ///< in Discretization::patchElements
+};
+
+/// The texels of one surface.
+struct Grid {
+  int columns = 1;
+  int rows = 1;
+  std::uint32_t firstElement = 0, elementCount = 0;  ///< its elements, ordered by texel
+  std::uint32_t firstPatch = 0, patchCount = 0;
+  std::vector<std::uint32_t> spill;  ///< columns * rows: the element each texel gives its light to
+  std::vector<bool> covered;         ///< columns * rows: whether the texel has area
+  std::uint32_t phantoms = 0;        ///< texels without area
+};
+
+struct Discretization {
+  std::vector<Grid> grids;                   ///< one a surface
+  std::vector<Element> elements;             ///< surface by surface, by texel within one
+  std::vector<Patch> patches;                ///< surface by surface, row by row; none without elements
+  std::vector<std::uint32_t> patchElements;  ///< the elements of each patch, ascending
+  /// Per element, of surfaces whose material has a map; empty where no material has one.
+  std::vector<glm::dvec3> mappedReflectance, mappedEmission;
+};
+
+struct DiscretizationSettings {
+  int texels = 16;                                ///< columns and rows of every surface; 1 to 4096
+  std::optional<double> texelSize = {};           ///< instead: the wanted side of a texel in the scene's units, above 0
+  std::map<std::string, int> surfaceTexels = {};  ///< by surface name or family; 1 = not discretized
+  int patch = 4;                                  ///< texels along a patch's side; at least 1
+};
+
+/// Throws InputError on a setting out of range or a name in surfaceTexels that no surface has.
+/// Element areas sum to each surface's area to 1e-12 relative.
+Discretization discretize(const Scene& scene, const DiscretizationSettings& settings);
+
+/// A surface of one texel: it takes one word and no index map, and is Gouraud shaded.
+inline bool isDiscretized(const Grid& grid) { return grid.columns * grid.rows > 1; }
+
+/// Diffuse reflectance and emitted radiosity of an element, maps averaged over it.
+glm::dvec3 reflectance(const Scene& scene, const Discretization& discretization, std::uint32_t element);
+glm::dvec3 emission(const Scene& scene, const Discretization& discretization, std::uint32_t element);
+
+/// A point on a surface with the normal there, and the triangle of the surface that it lies on.
+struct SurfacePoint {
+  glm::dvec3 position;         ///< in the file's units
+  glm::dvec3 normal;           ///< unit
+  std::uint32_t triangle = 0;  ///< in Surface::triangles
+};
+
+/// The centre of a patch, computed from the chart: the surface's point at the middle of the block or, where the chart
+/// has a hole there, in the covered texel nearest to the middle. Always on the surface.
+SurfacePoint patchCentre(const Scene& scene, const Discretization& discretization, const Patch& patch);
+
+/// The centre of an element: the surface's point at the middle of its own texel or, where the chart does not cover
+/// that, at the centroid of the largest piece of the surface inside the texel. Always on the surface.
+SurfacePoint elementCentre(const Scene& scene, const Discretization& discretization, std::uint32_t element);
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,25 @@
+/// A row of form factors: which share of the flux that leaves a patch (or point) reaches each element. Shares are
+/// integers that sum to exactly 2^60, so a closed row is exactly 1 and no order of summation changes it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace hemitex::radiosity {
+
+/// Shares are counted in units of 2^-60.
+inline constexpr int shareBits = 60;
+inline constexpr std::uint64_t wholeShare = std::uint64_t{1} << shareBits;
+
+/// Sparse: only what is seen is stored.
+struct FormFactorRow {
+  std::vector<std::uint32_t> elements;  ///< ascending
+  std::vector<std::uint64_t> shares;    ///< one an element, above 0
+  std::uint64_t background = 0;         ///< left the scene
+  std::uint64_t back = 0;               ///< absorbed by the backs of surfaces
+};
+
+/// The form factor of a share, in [0, 1].
+inline double formFactor(std::uint64_t share) { return static_cast<double>(share) / static_cast<double>(wholeShare); }
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,72 @@
+/// The hemicube (Cohen and Greenberg 1985): half a cube over a patch's centre, whose pixels stand for directions. An
+/// item buffer on its five faces says what is seen in each; the delta form factor of a pixel says how much flux goes
+/// there.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "radiosity/discretization.h"
+#include "radiosity/form_factors.h"
+#include "radiosity/word_layout.h"
+#include "raster/face.h"
+#include "raster/item_buffer_renderer.h"
+
+namespace hemitex::radiosity {
+
+/// The delta form factors of a hemicube with resolution x resolution pixels on its top face, in units of 2^-60. They
+/// are the integrals of cos(theta)/pi over each pixel's solid angle, rounded so that all five faces sum to exactly
+/// 2^60. By symmetry one quadrant of the top and one half of a side say all.
+class DeltaFormFactors {
+ public:
+  /// `resolution` is even, 2 to 4096.
+  explicit DeltaFormFactors(int resolution);
+
+  int resolution() const { return resolution_; }
+  /// Pixel (column, row) of the top face, both in [0, resolution).
+  std::uint64_t top(int column, int row) const;
+  /// Pixel (column, row) of a side face; row 0, up to resolution / 2 - 1, stands on the horizon.
+  std::uint64_t side(int column, int row) const;
+
+ private:
+  int resolution_;
+  std::vector<std::uint64_t> top_, side_;
+};
+
+/// The five faces over a point: top, then the four sides. `position` is relative to the scene's origin, `normal` is
+/// unit; `up`, where it is not zero, turns the hemicube about the normal so that the top face's rows run along it.
+std::array<raster::Face, 5> hemicubeFaces(const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& up,
+                                          double nearDistance, int resolution);
+
+/// The triangles that a hemicube at a point of a surface leaves out, ascending: those of the surface that lie in the
+/// tangent plane, and in two-sided scenes whichever of two coincident sides faces away from the point.
+std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::uint32_t surface, const SurfacePoint& point);
+
+/// A near distance that clips no triangle open: the distance to the nearest triangle that is not skipped, over
+/// sqrt(3), since the face that sees a point at distance d sees it at depth d / sqrt(3) or more.
+double nearDistance(const Scene& scene, const glm::dvec3& point, const std::vector<std::uint32_t>& skipped);
+
+/// Counts item buffers into rows: words to elements through the layout and the spill tables, pixels to shares.
+class HemicubeRows {
+ public:
+  /// All referenced objects must outlive this one.
+  HemicubeRows(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
+               raster::ItemBufferRenderer& renderer, int resolution);
+
+  /// The row of form factors from a point of a surface.
+  FormFactorRow from(std::uint32_t surface, const SurfacePoint& point);
+  /// The row of a patch, from its centre.
+  FormFactorRow ofPatch(std::uint32_t patch);
+
+ private:
+  const Scene& scene_;
+  const Discretization& discretization_;
+  const WordLayout& layout_;
+  raster::ItemBufferRenderer& renderer_;
+  DeltaFormFactors deltas_;
+  std::vector<std::uint64_t> share_;  ///< one an element, all 0 between rows
+};
+
+}  // namespace hemitex::radiosity
