@@ -38,8 +38,8 @@ struct DrawList {
   Blend blend = Blend::ClampedAdd;
 };
 
-/// Throws InputError where the list breaks the rules: an index or a run out of range, overlapping or unordered runs,
-/// an index map of the wrong size, a word wider than the format, or a draw that can produce the background word.
+/// Throws InputError where the list breaks the rules: an index or a run out of range, an index map of the wrong size, a
+/// word wider than the format, or a draw that can produce the background word.
 void validate(const DrawList& list);
 
 }  // namespace hemitex::raster

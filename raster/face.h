@@ -28,6 +28,9 @@ struct Face {
   Scissor scissor;         ///< inside the viewport
 };
 
+/// det(x, y, w) in binary64: its sign says which winding faces the eye (raster rules, 5).
+double determinant(const Face& face);
+
 /// Throws InputError where a face breaks the rules above or det(x, y, w) is zero or not finite.
 void validate(const Face& face);
 

@@ -1,0 +1,24 @@
+/// The exact fallback: what floating point cannot decide at a sample is decided in integers without bound (raster
+/// rules, 6).
+///
+/// Let e_k be the edge values at the sample (integers), A their sum, the doubled area. With b_k = e_k / A,
+///
+///   1/w = sum(e_k / w_k) / A,    u = sum(e_k u_k / w_k) / sum(e_k / w_k).
+///
+/// Multiplying by w_0 w_1 w_2 removes the quotients: with W_0 = w_1 w_2 and so on, D = sum(e_k W_k) and
+/// U = sum(e_k u_k W_k) give 1/w = D / (A w_0 w_1 w_2) and u = U / D. Every binary64 number is an integer times a
+/// power of two, so D and U are integers once the three w and the three u are brought to a common power.
+#pragma once
+
+#include "raster/screen_triangle.h"
+
+namespace hemitex::raster {
+
+/// Whether 1/w of `a` is larger than that of `b` at a sample inside both; false on a tie.
+bool isNearerExactly(const ScreenTriangle& a, const ScreenTriangle& b, int column, int row);
+
+/// clamp(floor(coordinate * size), 0, size - 1) at a sample of `triangle`, where `coordinate` is its u or its v.
+int texelExactly(const ScreenTriangle& triangle, const std::array<double, 3>& coordinate, int size, int column,
+                 int row);
+
+}  // namespace hemitex::raster

@@ -1,0 +1,137 @@
+#include "raster/screen_triangle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hemitex::raster {
+namespace {
+
+constexpr std::int64_t subPixels = 256;         // units a pixel side
+constexpr std::int64_t sample = subPixels / 2;  // a pixel's sample is its centre
+
+struct Snapped {
+  std::int64_t x, y;
+};
+
+/// The sub-pixel position of q = x/w or y/w; the clamp holds what the rounding of the guard band let slip.
+std::int64_t snap(double q, int resolution) {
+  return static_cast<std::int64_t>(std::nearbyint((std::clamp(q, -8.0, 8.0) + 1) * (128.0 * resolution)));
+}
+
+std::int64_t cross(const Snapped& origin, const Snapped& p, const Snapped& q) {
+  return (p.x - origin.x) * (q.y - origin.y) - (p.y - origin.y) * (q.x - origin.x);
+}
+
+std::int64_t floorDivide(std::int64_t numerator, std::int64_t denominator) {
+  const std::int64_t quotient = numerator / denominator;
+  return quotient - (numerator % denominator != 0 && (numerator < 0) != (denominator < 0));
+}
+
+std::int64_t ceilDivide(std::int64_t numerator, std::int64_t denominator) {
+  return -floorDivide(-numerator, denominator);
+}
+
+/// The edge from p to q with the interior on its positive side where `orientation` is 1, on the other where it is -1.
+Edge makeEdge(const Snapped& p, const Snapped& q, std::int64_t orientation) {
+  const std::int64_t a = orientation * (p.y - q.y);
+  const std::int64_t b = orientation * (q.x - p.x);
+  const std::int64_t c = -(a * p.x + b * p.y) + (a + b) * sample;
+  // The interior lies where the value grows: at larger columns for a left edge, at larger rows for a top edge.
+  const bool isLeft = a > 0;
+  const bool isTop = a == 0 && b > 0;
+  return {a * subPixels, b * subPixels, c, isLeft || isTop};
+}
+
+/// Pixels from `first` to `end` whose samples can lie between two sub-pixel positions.
+void pixelRange(std::int64_t low, std::int64_t high, int scissorFirst, int scissorEnd, int& first, int& end) {
+  first = static_cast<int>(std::max<std::int64_t>(scissorFirst, ceilDivide(low - sample, subPixels)));
+  end = static_cast<int>(std::min<std::int64_t>(scissorEnd, floorDivide(high - sample, subPixels) + 1));
+}
+
+/// Snaps three clipped vertices; false where no sample of the scissor rectangle can be covered.
+bool makeScreenTriangle(const Face& face, const std::array<ViewVertex, 3>& vertices, bool mirrored,
+                        ScreenTriangle& triangle) {
+  std::array<Snapped, 3> s;
+  for (std::size_t k = 0; k < 3; ++k)
+    s[k] = {snap(vertices[k].x / vertices[k].w, face.resolution), snap(vertices[k].y / vertices[k].w, face.resolution)};
+  const std::int64_t area = cross(s[0], s[1], s[2]);
+  if (area == 0) return false;
+
+  const auto [left, right] = std::minmax({s[0].x, s[1].x, s[2].x});
+  const auto [top, bottom] = std::minmax({s[0].y, s[1].y, s[2].y});
+  const Scissor& scissor = face.scissor;
+  pixelRange(left, right, scissor.column, scissor.column + scissor.width, triangle.firstColumn, triangle.endColumn);
+  pixelRange(top, bottom, scissor.row, scissor.row + scissor.height, triangle.firstRow, triangle.endRow);
+  if (triangle.firstColumn >= triangle.endColumn || triangle.firstRow >= triangle.endRow) return false;
+
+  triangle.area = std::abs(area);
+  // Raster rules, 5: it faces the eye when the area and the determinant of the rows differ in sign.
+  triangle.facesAway = (area < 0) == mirrored;
+  for (std::size_t k = 0; k < 3; ++k) {
+    triangle.edges[k] = makeEdge(s[(k + 1) % 3], s[(k + 2) % 3], area > 0 ? 1 : -1);
+    triangle.w[k] = vertices[k].w;
+    triangle.u[k] = vertices[k].u;
+    triangle.v[k] = vertices[k].v;
+    triangle.inverseDepth[k] = 1 / vertices[k].w / static_cast<double>(triangle.area);
+  }
+  return true;
+}
+
+/// Wholly beyond one side of the view: no pixel can tell that it was dropped before clipping.
+bool isOutsideView(const std::array<ViewVertex, 3>& p, double nearDistance) {
+  const auto all = [&p](const auto& isOutside) { return isOutside(p[0]) && isOutside(p[1]) && isOutside(p[2]); };
+  return all([=](const ViewVertex& q) { return q.w < nearDistance; }) ||
+         all([](const ViewVertex& q) { return q.x > 2 * std::abs(q.w); }) ||
+         all([](const ViewVertex& q) { return -q.x > 2 * std::abs(q.w); }) ||
+         all([](const ViewVertex& q) { return q.y > 2 * std::abs(q.w); }) ||
+         all([](const ViewVertex& q) { return -q.y > 2 * std::abs(q.w); });
+}
+
+}  // namespace
+
+std::uint64_t appendScreenTriangles(const DrawList& list, const Face& face, const TriangleRun& run,
+                                    std::span<const std::uint32_t> skipped, std::vector<ScreenTriangle>& triangles) {
+  std::uint64_t dropped = 0;
+  const bool mirrored = determinant(face) < 0;
+  auto skip = std::lower_bound(skipped.begin(), skipped.end(), run.first);
+  for (std::uint32_t t = run.first; t < run.end; ++t) {
+    if (skip != skipped.end() && *skip == t) {
+      ++skip;
+      continue;
+    }
+    std::array<ViewVertex, 3> vertices;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t index = list.indices[3 * std::size_t{t} + k];
+      vertices[k] = transform(face, list.positions[index], list.texcoords[index]);
+    }
+    if (!isFinite(vertices[0]) || !isFinite(vertices[1]) || !isFinite(vertices[2])) {
+      ++dropped;
+      continue;
+    }
+    if (isOutsideView(vertices, face.nearDistance)) continue;
+    const ClippedPolygon polygon = clip(vertices, face.nearDistance);
+    for (std::size_t k = 2; k < static_cast<std::size_t>(polygon.count); ++k) {
+      ScreenTriangle triangle;
+      triangle.draw = run.draw;
+      if (makeScreenTriangle(face, {polygon.vertices[0], polygon.vertices[k - 1], polygon.vertices[k]}, mirrored,
+                             triangle))
+        triangles.push_back(triangle);
+    }
+  }
+  return dropped;
+}
+
+Span coveredColumns(const ScreenTriangle& triangle, int row) {
+  std::int64_t first = triangle.firstColumn;
+  std::int64_t end = triangle.endColumn;
+  for (const Edge& edge : triangle.edges) {
+    // Covered where a * column >= threshold: 0 on an inclusive edge, 1 on another, since values are integers.
+    const std::int64_t threshold = (edge.inclusive ? 0 : 1) - (edge.b * row + edge.c);
+    if (edge.a > 0) first = std::max(first, ceilDivide(threshold, edge.a));
+    if (edge.a < 0) end = std::min(end, floorDivide(threshold, edge.a) + 1);
+    if (edge.a == 0 && threshold > 0) return {};
+  }
+  return first < end ? Span{static_cast<int>(first), static_cast<int>(end)} : Span{};
+}
+
+}  // namespace hemitex::raster

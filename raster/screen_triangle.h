@@ -1,0 +1,57 @@
+/// Screen triangles: what is left of a triangle once it was clipped and snapped to the sub-pixel grid (raster rules,
+/// 4 to 6). Coverage and barycentric weights are integers from here on; depth and texture coordinates are rational
+/// functions of them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "raster/clip.h"
+#include "raster/draw_list.h"
+#include "raster/face.h"
+
+namespace hemitex::raster {
+
+/// The edge opposite a vertex, as the line a * column + b * row + c through the pixel samples: positive inside. Its
+/// value over the triangle's doubled area is the barycentric weight of that vertex.
+struct Edge {
+  std::int64_t a, b, c;
+  bool inclusive;  ///< a top or left edge: samples on it are covered
+
+  std::int64_t at(int column, int row) const { return a * column + b * row + c; }
+};
+
+struct ScreenTriangle {
+  std::array<Edge, 3> edges;
+  std::array<double, 3> w, u, v;       ///< at the vertices; w > 0
+  std::array<double, 3> inverseDepth;  ///< 1 / w over the doubled area: 1/w at a sample is the sum of edge times this
+  std::int64_t area;                   ///< doubled, in squared sub-pixels; above 0
+  std::uint32_t draw;                  ///< in DrawList::draws
+  bool facesAway;                      ///< winds clockwise as the eye sees it
+  int firstRow, endRow;                ///< rows that may hold covered samples, inside the scissor rectangle
+  int firstColumn, endColumn;
+};
+
+/// A run of triangles of one draw, by number in DrawList::indices / 3.
+struct TriangleRun {
+  std::uint32_t draw = 0;
+  std::uint32_t first = 0;
+  std::uint32_t end = 0;
+};
+
+/// Appends the screen triangles of a run, in draw order. Triangles in `skipped` (ascending) are left out; returns how
+/// many were dropped because a value was not finite.
+std::uint64_t appendScreenTriangles(const DrawList& list, const Face& face, const TriangleRun& run,
+                                    std::span<const std::uint32_t> skipped, std::vector<ScreenTriangle>& triangles);
+
+/// The columns of a row that a triangle covers, [first, end), limited to its own columns: coverage is convex, so each
+/// edge gives one bound, found by exact integer division.
+struct Span {
+  int first = 0;
+  int end = 0;
+};
+Span coveredColumns(const ScreenTriangle& triangle, int row);
+
+}  // namespace hemitex::raster
