@@ -35,17 +35,25 @@ class DeltaFormFactors {
   std::vector<std::uint64_t> top_, side_;
 };
 
-/// The five faces over a point: top, then the four sides. `position` is relative to the scene's origin, `normal` is
+/// The five faces over a point: top, then the sides that look along the top's +x, +y, -x and -y, rows growing
+/// away from the horizon; all determinants are 1. `position` is relative to the scene's origin, `normal` is
 /// unit; `up`, where it is not zero, turns the hemicube about the normal so that the top face's rows run along it.
 std::array<raster::Face, 5> hemicubeFaces(const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& up,
                                           double nearDistance, int resolution);
+
+/// Triangles of the shooting surface whose corners lie this close to the tangent plane, in extents of the scene, lie
+/// in it: a few units of binary32's roundoff, which is all that drawing them could show.
+inline constexpr double tangentPlaneTolerance = 0x1p-20;
+/// A near distance is never below this many extents of the scene: binary32 positions have no detail there.
+inline constexpr double smallestNearDistance = 0x1p-24;
 
 /// The triangles that a hemicube at a point of a surface leaves out, ascending: those of the surface that lie in the
 /// tangent plane, and in two-sided scenes whichever of two coincident sides faces away from the point.
 std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::uint32_t surface, const SurfacePoint& point);
 
 /// A near distance that clips no triangle open: the distance to the nearest triangle that is not skipped, over
-/// sqrt(3), since the face that sees a point at distance d sees it at depth d / sqrt(3) or more.
+/// sqrt(3), since the face that sees a point at distance d sees it at depth d / sqrt(3) or more. Where a triangle
+/// touches the point it is smallestNearDistance, where nothing is near the scene's extent.
 double nearDistance(const Scene& scene, const glm::dvec3& point, const std::vector<std::uint32_t>& skipped);
 
 /// Counts item buffers into rows: words to elements through the layout and the spill tables, pixels to shares.
@@ -61,6 +69,8 @@ class HemicubeRows {
   FormFactorRow ofPatch(std::uint32_t patch);
 
  private:
+  FormFactorRow count(const std::vector<raster::ItemBuffer>& faces);
+
   const Scene& scene_;
   const Discretization& discretization_;
   const WordLayout& layout_;

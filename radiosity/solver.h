@@ -16,8 +16,8 @@
 namespace hemitex::radiosity {
 
 struct SolverSettings {
-  double residual = 0.001;        ///< stop when unshot flux over emitted flux, bands summed, is at most this
-  std::optional<int> shots = {};  ///< stop after so many shots, whatever the residual
+  double residual = 0.001;        ///< stop when unshot over emitted flux, bands summed, is at most this; >= 0
+  std::optional<int> shots = {};  ///< stop after so many shots at the latest; >= 0
   std::size_t rowCacheBytes = std::size_t{1024} << 20;  ///< rows kept for the next shot of the same patch
 };
 
@@ -44,6 +44,8 @@ using RowSource = std::function<FormFactorRow(std::uint32_t patch)>;
 /// Called after each shot with the number of shots and the residual.
 using Progress = std::function<void(int shots, double residual)>;
 
+/// Starts from the emission of every element and shoots until the settings say stop. The same for any number of
+/// threads and any budget of the row cache.
 Solution solve(const Scene& scene, const Discretization& discretization, const RowSource& rowOf,
                const SolverSettings& settings, const Progress& progress = {});
 
