@@ -1,0 +1,7 @@
+#include "data/generate/models.h"
+
+namespace hemitex::data {
+
+std::vector<Model> allModels() { return {paperRoom(), cornellBox(), pyramidRoom(), curvedRoom()}; }
+
+}  // namespace hemitex::data

@@ -1,0 +1,307 @@
+/// The scenes of data/: the committed files are what the program writes, and the scenes are what they claim to be.
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "data/generate/models.h"
+#include "data/generate/shapes.h"
+
+using namespace hemitex::data;
+
+namespace {
+
+constexpr double pi = 3.141592653589793;
+
+std::string contents(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+Group groupNamed(const Model& model, const std::string& name) {
+  for (const Group& group : model.groups) {
+    if (group.name == name) return group;
+  }
+  throw std::out_of_range(name);
+}
+
+std::vector<Polygon> polygonsOf(const Model& model) {
+  std::vector<Polygon> result;
+  for (const Group& group : model.groups) result.insert(result.end(), group.polygons.begin(), group.polygons.end());
+  return result;
+}
+
+/// The model's polygons without what hangs free (the paper's light), with lids where it is open: the front of the
+/// Cornell box, which faces in, and the undersides of its blocks, which face out.
+std::vector<Polygon> closedPolygons(Model model) {
+  if (model.name == "paper-room") model.groups.pop_back();
+  std::vector<Polygon> polygons = polygonsOf(model);
+  if (model.name == "cornell-box") {
+    polygons.push_back({{{0, 0, 0}, {552.8, 0, 0}, {556, 548.8, 0}, {0, 548.8, 0}}});
+    for (const std::string name : {"short-block", "tall-block"}) {
+      polygons.push_back(reversed(atHeight(groupNamed(model, name).polygons.back(), 0)));
+    }
+  }
+  return polygons;
+}
+
+using Edge = std::array<double, 6>;
+
+Edge edge(const glm::dvec3& from, const glm::dvec3& to) { return {from.x, from.y, from.z, to.x, to.y, to.z}; }
+
+/// How often each directed edge is walked.
+std::map<Edge, int> edgeCounts(const std::vector<Polygon>& polygons) {
+  std::map<Edge, int> counts;
+  for (const Polygon& polygon : polygons) {
+    for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
+      ++counts[edge(polygon.corners[i], polygon.corners[(i + 1) % polygon.corners.size()])];
+    }
+  }
+  return counts;
+}
+
+/// The solid angle of a triangle seen from the origin (van Oosterom and Strackee 1983), positive where one sees its
+/// front, the side on which it winds counter-clockwise.
+double solidAngle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
+  const double numerator = -glm::dot(a, glm::cross(b, c));
+  const double denominator = la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb;
+  return 2 * std::atan2(numerator, denominator);
+}
+
+double solidAngle(const std::vector<Polygon>& polygons, const glm::dvec3& eye) {
+  double sum = 0;
+  for (const Polygon& polygon : polygons) {
+    for (std::size_t i = 2; i < polygon.corners.size(); ++i) {
+      sum += solidAngle(polygon.corners[0] - eye, polygon.corners[i - 1] - eye, polygon.corners[i] - eye);
+    }
+  }
+  return sum;
+}
+
+/// Twice the vector area: its direction is the normal.
+glm::dvec3 twiceArea(const Polygon& polygon) {
+  glm::dvec3 sum{0.0};
+  for (std::size_t i = 2; i < polygon.corners.size(); ++i) {
+    sum += glm::cross(polygon.corners[i - 1] - polygon.corners[0], polygon.corners[i] - polygon.corners[0]);
+  }
+  return sum;
+}
+
+/// The largest distance of a corner from the plane through the first three.
+double warp(const Polygon& polygon) {
+  const auto& corners = polygon.corners;
+  const glm::dvec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+  double largest = 0;
+  for (const glm::dvec3& corner : corners) largest = std::max(largest, std::abs(glm::dot(normal, corner - corners[0])));
+  return largest;
+}
+
+bool isConvex(const Polygon& polygon) {
+  const glm::dvec3 normal = twiceArea(polygon);
+  const std::size_t count = polygon.corners.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::dvec3 in = polygon.corners[(i + 1) % count] - polygon.corners[i];
+    const glm::dvec3 out = polygon.corners[(i + 2) % count] - polygon.corners[(i + 1) % count];
+    if (glm::dot(glm::cross(in, out), normal) <= 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("The committed scenes are what the program writes, byte for byte", "[data]") {
+  for (const Model& model : allModels()) {
+    for (const File& file : files(model)) {
+      INFO(file.name << " differs: run hemitex_data over data/");
+      // Compared outside of CHECK, which would print two whole files.
+      const bool equal = contents(HEMITEX_DATA "/" + file.name) == file.text;
+      CHECK(equal);
+    }
+  }
+}
+
+TEST_CASE("Every OBJ and MTL begins by saying what it is", "[data]") {
+  for (const Model& model : allModels()) {
+    CHECK(files(model)[0].text.substr(0, 2) == "# ");
+    CHECK(files(model)[1].text.substr(0, 2) == "# ");
+  }
+}
+
+TEST_CASE("Every group has a material of its model, and groups have different names", "[data]") {
+  for (const Model& model : allModels()) {
+    std::map<std::string, int> materials, groups;
+    for (const Material& material : model.materials) ++materials[material.name];
+    for (const Group& group : model.groups) {
+      INFO(model.name << ' ' << group.name);
+      CHECK(materials[group.material] == 1);
+      CHECK(++groups[group.name] == 1);
+    }
+  }
+}
+
+TEST_CASE("Reflectances lie in [0, 1), and only the light emits", "[data]") {
+  for (const Model& model : allModels()) {
+    for (const Material& material : model.materials) {
+      INFO(model.name << ' ' << material.name);
+      for (int c = 0; c < 3; ++c) {
+        CHECK(material.reflectance[c] >= 0);
+        CHECK(material.reflectance[c] < 1);
+        CHECK((material.emission[c] > 0) == (material.name == "light"));
+      }
+    }
+  }
+}
+
+TEST_CASE("Every polygon is convex, and planar but for the red wall of the Cornell box", "[data]") {
+  for (const Model& model : allModels()) {
+    for (const Group& group : model.groups) {
+      for (const Polygon& polygon : group.polygons) {
+        INFO(model.name << ' ' << group.name);
+        CHECK(isConvex(polygon));
+        // The corners of the red wall's floor edge are 552.8 and 549.6 from the green wall: 3.2 apart, less the cosine
+        // of the wall's slope, 3.2 / 548.8.
+        const bool isRedWall = group.name == "wall-red";
+        CHECK(warp(polygon) == Approx(isRedWall ? 3.2 : 0.0).margin(isRedWall ? 1e-3 : 1e-12));
+      }
+    }
+  }
+}
+
+// With no vertex on the inside of an edge, a rasterizer that covers shared edges exactly once leaves no hole.
+TEST_CASE("Closed rooms have no gap: every edge is walked once each way", "[data]") {
+  for (const Model& model : allModels()) {
+    const std::map<Edge, int> counts = edgeCounts(closedPolygons(model));
+    int unmatched = 0;
+    for (const auto& [e, count] : counts) {
+      const auto back = counts.find({e[3], e[4], e[5], e[0], e[1], e[2]});
+      if (count != 1 || back == counts.end() || back->second != 1) ++unmatched;
+    }
+    INFO(model.name);
+    CHECK(unmatched == 0);
+  }
+}
+
+// Seen from a point in the air, the fronts of a closed scene fill the sphere. From a point inside a solid the room
+// still counts 4 pi, but the solid's faces turn their backs and count -4 pi. A face wound the wrong way breaks this.
+TEST_CASE("Every face looks into the air", "[data]") {
+  struct Case {
+    Model model;
+    std::vector<glm::dvec3> air;
+    std::vector<glm::dvec3> solid;
+  };
+  const std::vector<Case> cases{
+      {paperRoom(), {{0, 1.5, 1.5}, {0.3, 0.1, -0.3}, {-1.9, 2.95, -1.9}}, {{0.3, 0.9, -0.3}}},
+      {cornellBox(), {{278, 273, 20}, {278, 540, 280}, {20, 20, 540}}, {{185, 80, 170}, {370, 160, 350}}},
+      {pyramidRoom(), {{0, 1.75, 0}, {2.4, 0.1, 2.4}}, {{0, 1.6, 0}, {0.2, 0.1, 0.3}}},
+      {curvedRoom(), {{-2.4, 0.1, 2.4}, {1.05, 0.3, 0}, {1.05, 2, 0}}, {{-0.5, 0.5, 0}, {1, 1.45, 0}}},
+  };
+  for (const Case& c : cases) {
+    INFO(c.model.name);
+    const std::vector<Polygon> polygons = closedPolygons(c.model);
+    for (const glm::dvec3& point : c.air) CHECK(solidAngle(polygons, point) == Approx(4 * pi).margin(1e-9));
+    for (const glm::dvec3& point : c.solid) CHECK(solidAngle(polygons, point) == Approx(0).margin(1e-9));
+  }
+}
+
+TEST_CASE("The paper's room is 13 quads, each a surface, with a box clear of the floor", "[data]") {
+  const Model model = paperRoom();
+  CHECK(model.groups.size() == 13);
+  for (const Group& group : model.groups) {
+    CHECK(group.polygons.size() == 1);
+    CHECK(group.polygons[0].corners.size() == 4);
+  }
+  const Polygon bottom = groupNamed(model, "box-bottom").polygons[0];
+  for (const glm::dvec3& corner : bottom.corners) CHECK(corner.y == 0.4);
+}
+
+TEST_CASE("The paper's light hangs below the ceiling, faces down and is behind no patch's centre", "[data]") {
+  const Model model = paperRoom();
+  const Polygon light = groupNamed(model, "light").polygons[0];
+  const Polygon ceiling = groupNamed(model, "ceiling").polygons[0];
+  for (const glm::dvec3& corner : light.corners) CHECK(corner.y < ceiling.corners[0].y);
+  CHECK(twiceArea(light).y < 0);
+
+  const glm::dvec3 origin = ceiling.corners[0];
+  for (const int patches : {3, 4}) {
+    for (int i = 0; i < patches * patches; ++i) {
+      const double s = (i % patches + 0.5) / patches, t = (i / patches + 0.5) / patches;
+      glm::dvec3 centre = origin + s * (ceiling.corners[1] - origin) + t * (ceiling.corners[3] - origin);
+      centre.y = light.corners[0].y;
+      // Inside the light, all the triangles to its edges would wind the light's way.
+      bool inside = true;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Polygon triangle{{centre, light.corners[k], light.corners[(k + 1) % 4]}};
+        inside = inside && twiceArea(triangle).y < 0;
+      }
+      CHECK_FALSE(inside);
+    }
+  }
+}
+
+TEST_CASE("The light of the Cornell box fills the hole in its ceiling", "[data]") {
+  const Model model = cornellBox();
+  double area = 0;
+  for (const Polygon& polygon : groupNamed(model, "ceiling").polygons) area += glm::length(twiceArea(polygon)) / 2;
+  CHECK(area == Approx(556 * 559.2 - 130 * 105).epsilon(1e-14));
+  CHECK(twiceArea(groupNamed(model, "light").polygons[0]).y == Approx(-2 * 130 * 105).epsilon(1e-14));
+}
+
+TEST_CASE("The camera of the Cornell box has the film and the focal length that were measured", "[data]") {
+  CHECK(std::tan(cornellBox().view.fov / 2 * pi / 180) == Approx(0.0125 / 0.035).epsilon(1e-14));
+}
+
+TEST_CASE("The pyramid is four triangles that meet above the room's middle", "[data]") {
+  const Group pyramid = groupNamed(pyramidRoom(), "pyramid");
+  CHECK(pyramid.polygons.size() == 4);
+  for (const Polygon& side : pyramid.polygons) {
+    CHECK(side.corners.size() == 3);
+    CHECK(side.corners[2] == glm::dvec3{0, 1.7, 0});
+  }
+}
+
+// No two triangles of the chart overlap: each is half a cell of a 50 x 50 grid, and together they fill the unit square.
+TEST_CASE("The wave is 5000 triangles whose texture coordinates fill the unit square", "[data]") {
+  const Group wave = groupNamed(curvedRoom(), "wave");
+  CHECK(wave.polygons.size() == 5000);
+  std::map<std::array<long, 3>, int> halfCells;
+  for (const Polygon& triangle : wave.polygons) {
+    REQUIRE(triangle.texcoords.size() == 3);
+    const glm::dvec2 a = triangle.texcoords[0], b = triangle.texcoords[1], c = triangle.texcoords[2];
+    const double twice = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+    CHECK(twice == Approx(1.0 / 2500).epsilon(1e-12));
+    const glm::dvec2 centroid = (a + b + c) / 3.0 * 50.0;
+    const glm::dvec2 cell = glm::floor(centroid);
+    ++halfCells[{std::lround(cell.x), std::lround(cell.y), centroid.y - cell.y > centroid.x - cell.x ? 1 : 0}];
+    CHECK((cell.x >= 0 && cell.x < 50 && cell.y >= 0 && cell.y < 50));
+  }
+  CHECK(halfCells.size() == 5000);
+}
+
+TEST_CASE("The wave overhangs", "[data]") {
+  int facingDown = 0;
+  for (const Polygon& triangle : groupNamed(curvedRoom(), "wave").polygons) facingDown += twiceArea(triangle).y < 0;
+  CHECK(facingDown > 0);
+}
+
+TEST_CASE("Reading a written number back gives the same bits", "[data]") {
+  Model model;
+  model.name = "numbers";
+  const std::vector<double> values{0.1, 1.0 / 3, 1e-7, 123456789.125, -0.25, 1e-300};
+  for (const double value : values) model.groups.push_back({"g", "m", {{{{value, 0, -0.0}}}}});
+  std::istringstream lines(files(model)[0].text);
+  std::string statement, x, y, z;
+  std::size_t found = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("v ", 0) != 0) continue;
+    std::istringstream(line) >> statement >> x >> y >> z;
+    CHECK(std::stod(x) == values[found++]);
+    CHECK(x.find('e') == std::string::npos);
+    CHECK(z == "0");
+  }
+  CHECK(found == values.size());
+}
