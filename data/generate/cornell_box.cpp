@@ -4,7 +4,6 @@
 ///
 /// Kept as measured: the red wall, whose corners miss a common plane by 3.2 mm, and the front, which is open. Changed:
 /// the light lies in the plane of the ceiling, so it is cut out of it. The blocks stand on the floor without bottoms.
-
 #include <cmath>
 
 #include "data/generate/models.h"
@@ -67,15 +66,16 @@ Model cornellBox() {
   model.about = {
       "The Cornell box, in millimetres, open at the front. Positions are those measured at the Cornell University",
       "Program of Computer Graphics (Cornell Box Data, www.graphics.cornell.edu/online/box/data.html).",
-      "The red wall's corners miss a common plane by 3.2 mm, as measured. The light, which lies in the ceiling's "
-      "plane,",
-      "is cut out of it. Written by hemitex_data.",
+      "The red wall's corners miss a common plane by 3.2 mm, as measured. The light, in the ceiling's plane, is cut "
+      "out",
+      "of it. Written by hemitex_data.",
   };
   model.aboutMaterials = {
       "The paints and the light of the Cornell box, from the spectra measured at the Cornell University Program of",
       "Computer Graphics (Cornell Box Data, www.graphics.cornell.edu/online/box/data.html).",
       "Ke of the light is its spectrum, integrated from 400 to 700 nm against the CIE 1931 2-degree colour matching",
       "functions, in linear sRGB (D65), relative: an emission of 1 at all wavelengths has Y = 1.",
+      "There is no white balance: the light is as warm as it was, x = 0.436, y = 0.418.",
       "Kd of a paint is, band by band, the linear sRGB of the light after one reflection over that of the light: exact",
       "for light reflected once, and 1 for a perfect reflector. No channel left [0, 1), so none was clamped.",
       "Written by hemitex_data.",
