@@ -66,9 +66,8 @@ Model cornellBox() {
   model.about = {
       "The Cornell box, in millimetres, open at the front. Positions are those measured at the Cornell University",
       "Program of Computer Graphics (Cornell Box Data, www.graphics.cornell.edu/online/box/data.html).",
-      "The red wall's corners miss a common plane by 3.2 mm, as measured. The light, in the ceiling's plane, is cut "
-      "out",
-      "of it. Written by hemitex_data.",
+      "The red wall's corners miss a common plane by 3.2 mm, as measured. The light, in the ceiling's plane, is cut",
+      "out of it. Written by hemitex_data.",
   };
   model.aboutMaterials = {
       "The paints and the light of the Cornell box, from the spectra measured at the Cornell University Program of",
