@@ -42,6 +42,10 @@ Edge makeEdge(const Snapped& p, const Snapped& q, std::int64_t orientation) {
   return {a * subPixels, b * subPixels, c, isLeft || isTop};
 }
 
+Coordinate makeCoordinate(const std::array<double, 3>& at) {
+  return {at, std::max({std::abs(at[0]), std::abs(at[1]), std::abs(at[2])})};
+}
+
 /// Pixels from `first` to `end` whose samples can lie between two sub-pixel positions.
 void pixelRange(std::int64_t low, std::int64_t high, int scissorFirst, int scissorEnd, int& first, int& end) {
   first = static_cast<int>(std::max<std::int64_t>(scissorFirst, ceilDivide(low - sample, subPixels)));
@@ -70,10 +74,10 @@ bool makeScreenTriangle(const Face& face, const std::array<ViewVertex, 3>& verti
   for (std::size_t k = 0; k < 3; ++k) {
     triangle.edges[k] = makeEdge(s[(k + 1) % 3], s[(k + 2) % 3], area > 0 ? 1 : -1);
     triangle.w[k] = vertices[k].w;
-    triangle.u[k] = vertices[k].u;
-    triangle.v[k] = vertices[k].v;
     triangle.inverseDepth[k] = 1 / vertices[k].w / static_cast<double>(triangle.area);
   }
+  triangle.u = makeCoordinate({vertices[0].u, vertices[1].u, vertices[2].u});
+  triangle.v = makeCoordinate({vertices[0].v, vertices[1].v, vertices[2].v});
   return true;
 }
 

@@ -19,42 +19,61 @@ struct Fragment {
   const ScreenTriangle* triangle = nullptr;
 };
 
+/// The values of the three edges at a sample. They are integers below 2^49, so binary64 holds them, and steps from
+/// column to column, without rounding.
+using EdgeValues = std::array<double, 3>;
+
+EdgeValues edgeValues(const ScreenTriangle& triangle, int column, int row) {
+  EdgeValues values;
+  for (std::size_t k = 0; k < 3; ++k) values[k] = static_cast<double>(triangle.edges[k].at(column, row));
+  return values;
+}
+
 /// 1/w at a sample. All terms are positive and each passes at most five roundings, so the relative error is below
 /// 6 units of roundoff.
-double inverseDepthAt(const ScreenTriangle& triangle, int column, int row) {
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k)
-    sum += static_cast<double>(triangle.edges[k].at(column, row)) * triangle.inverseDepth[k];
-  return sum;
+double inverseDepthAt(const ScreenTriangle& triangle, const EdgeValues& edge) {
+  return edge[0] * triangle.inverseDepth[0] + edge[1] * triangle.inverseDepth[1] + edge[2] * triangle.inverseDepth[2];
 }
 
 /// The depth test: the larger 1/w wins, on an exact tie the earlier triangle keeps the pixel.
-void offer(Fragment& fragment, const ScreenTriangle& triangle, int column, int row) {
+void offer(Fragment& fragment, const ScreenTriangle& triangle, double inverseDepth, int column, int row) {
   // Two values with relative errors below 6 roundoffs each are in order when they differ by 16.
   constexpr double margin = 16 * unitRoundoff;
-  const double inverseDepth = inverseDepthAt(triangle, column, row);
   const double difference = inverseDepth - fragment.inverseDepth;
   const bool isClear = std::abs(difference) > margin * inverseDepth;
-  if (fragment.triangle == nullptr ||
-      (isClear ? difference > 0 : isNearerExactly(triangle, *fragment.triangle, column, row)))
+  if (isClear ? difference > 0 : isNearerExactly(triangle, *fragment.triangle, column, row))
     fragment = {inverseDepth, &triangle};
 }
 
-/// clamp(floor(coordinate * size), 0, size - 1) at the sample of a fragment.
-int texelAt(const Fragment& fragment, const std::array<double, 3>& coordinate, int size, int column, int row) {
-  const ScreenTriangle& triangle = *fragment.triangle;
-  double sum = 0;
-  double largest = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    sum += static_cast<double>(triangle.edges[k].at(column, row)) * (coordinate[k] * triangle.inverseDepth[k]);
-    largest = std::max(largest, std::abs(coordinate[k]));
+/// Offers the covered samples of a row to its fragments; `fragments` starts at column `firstColumn`.
+void drawRow(const ScreenTriangle& triangle, int row, int firstColumn, Fragment* fragments) {
+  const Span span = coveredColumns(triangle, row);
+  EdgeValues edge = edgeValues(triangle, span.first, row);
+  const EdgeValues step{static_cast<double>(triangle.edges[0].a), static_cast<double>(triangle.edges[1].a),
+                        static_cast<double>(triangle.edges[2].a)};
+  for (int column = span.first; column < span.end; ++column) {
+    offer(fragments[column - firstColumn], triangle, inverseDepthAt(triangle, edge), column, row);
+    for (std::size_t k = 0; k < 3; ++k) edge[k] += step[k];
   }
+}
+
+/// clamp(floor(coordinate * size), 0, size - 1) at the sample of a fragment.
+int texelAt(const Fragment& fragment, const EdgeValues& edge, const Coordinate& coordinate, int size, int column,
+            int row) {
+  const std::array<double, 3>& inverseDepth = fragment.triangle->inverseDepth;
+  const double sum = edge[0] * (coordinate.at[0] * inverseDepth[0]) + edge[1] * (coordinate.at[1] * inverseDepth[1]) +
+                     edge[2] * (coordinate.at[2] * inverseDepth[2]);
   const double position = sum / fragment.inverseDepth * size;
   // The numerator is off by at most 6 roundoffs of largest / w, the denominator by 6 of 1/w, and two roundings follow.
-  const double error = 16 * unitRoundoff * largest * size;
-  const bool isClear = std::abs(position - std::nearbyint(position)) > error;
-  if (!isClear) return texelExactly(triangle, coordinate, size, column, row);
-  return static_cast<int>(std::clamp(std::floor(position), 0.0, size - 1.0));
+  const double error = 16 * unitRoundoff * coordinate.largest * size;
+  if (error < 0.25) {
+    if (position < 1 - error) return 0;
+    if (position > size - 1 + error) return size - 1;
+    const int texel = static_cast<int>(position);
+    const double fraction = position - texel;
+    if (fraction > error && fraction < 1 - error) return texel;
+  }
+  return texelExactly(*fragment.triangle, coordinate.at, size, column, row);
 }
 
 /// The word of a fragment: back, plain offset, or offset and texel blended.
@@ -65,8 +84,9 @@ Word resolve(const DrawList& list, const Fragment& fragment, int column, int row
   if (triangle.facesAway && draw.back) return *draw.back;
   if (!draw.indexMap) return draw.offset;
   const IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
-  const auto i = static_cast<std::size_t>(texelAt(fragment, triangle.u, map.width, column, row));
-  const auto j = static_cast<std::size_t>(texelAt(fragment, triangle.v, map.height, column, row));
+  const EdgeValues edge = edgeValues(triangle, column, row);
+  const auto i = static_cast<std::size_t>(texelAt(fragment, edge, triangle.u, map.width, column, row));
+  const auto j = static_cast<std::size_t>(texelAt(fragment, edge, triangle.v, map.height, column, row));
   return blend(list.format, list.blend, draw.offset, map.words[j * static_cast<std::size_t>(map.width) + i]);
 }
 
@@ -79,20 +99,15 @@ void drawRows(const DrawList& list, const ScreenTriangles& chunks, const Face& f
   const Scissor& scissor = face.scissor;
   const auto width = static_cast<std::size_t>(scissor.width);
   std::vector<Fragment> fragments(static_cast<std::size_t>(endRow - firstRow) * width);
-  const auto at = [&](int column, int row) {
-    return static_cast<std::size_t>(row - firstRow) * width + static_cast<std::size_t>(column - scissor.column);
-  };
   for (const std::vector<ScreenTriangle>& triangles : chunks)
     for (const ScreenTriangle& triangle : triangles)
-      for (int row = std::max(firstRow, triangle.firstRow); row < std::min(endRow, triangle.endRow); ++row) {
-        const Span span = coveredColumns(triangle, row);
-        for (int column = span.first; column < span.end; ++column)
-          offer(fragments[at(column, row)], triangle, column, row);
-      }
+      for (int row = std::max(firstRow, triangle.firstRow); row < std::min(endRow, triangle.endRow); ++row)
+        drawRow(triangle, row, scissor.column, fragments.data() + static_cast<std::size_t>(row - firstRow) * width);
+  const Fragment* fragment = fragments.data();
   Word* word = buffer.words.data() + static_cast<std::size_t>(firstRow - scissor.row) * width;
   for (int row = firstRow; row < endRow; ++row)
     for (int column = scissor.column; column < scissor.column + scissor.width; ++column)
-      *word++ = resolve(list, fragments[at(column, row)], column, row);
+      *word++ = resolve(list, *fragment++, column, row);
 }
 
 /// Consecutive runs that cover the draws in order, cut and gathered into chunks of about `size` triangles: what one
