@@ -29,16 +29,22 @@ struct Material {
 struct Triangle {
   std::array<glm::dvec3, 3> position;  ///< in the file's units, the origin not subtracted; counter-clockwise in front
   std::array<glm::dvec2, 3> chart;     ///< in [0,1]^2, each coordinate exactly a binary32 number: what is drawn
-  std::array<glm::dvec2, 3> texcoord;  ///< the file's coordinates, for material maps; they wrap
+  std::array<glm::dvec2, 3> texcoord;  ///< the file's coordinates, for material maps; they wrap; the chart's without
   std::uint32_t polygon = 0;           ///< the face of the file that it was cut from, counted from 0 over the file
+  /// The file's colours of its corners (`v x y z r g b`), where all three have one: the display colours, sRGB-encoded,
+  /// of a Gouraud shaded surface of a solved scene.
+  std::optional<std::array<glm::dvec3, 3>> cornerColor = {};
 };
 
 struct Surface {
-  std::string name;    ///< unique: the group's name, `/material` behind it where a group has several, `#n` for parts
+  /// Unique: the group's name, `/material` behind it where a group has several, `#n` behind that for parts, `/back` for
+  /// the other side in two-sided scenes; `~2`, `~3`, ... where a name would come again.
+  std::string name;
   std::string family;  ///< the name without `#n`: what a surface is called on the command line
   int material = 0;    ///< in Scene::materials
-  std::vector<Triangle> triangles;  ///< in file order; never empty, none without area
-  std::optional<int> twin = {};     ///< two-sided scenes: the surface that is the other side of this one
+  std::vector<Triangle>
+      triangles;                 ///< in file order; never empty, none without area (see hasArea) here or in the chart
+  std::optional<int> twin = {};  ///< two-sided scenes: the surface that is the other side of this one
 };
 
 struct Scene {
@@ -46,7 +52,8 @@ struct Scene {
   double extent = 0;       ///< the diagonal of the bounds
   std::vector<Material> materials;
   std::vector<Image> images;
-  std::vector<Surface> surfaces;
+  std::vector<Surface>
+      surfaces;  ///< in the order of their first faces; in two-sided scenes all twins follow all fronts
   std::vector<std::string> warnings;  ///< one sentence each, for the user
 };
 
@@ -59,13 +66,15 @@ enum class Charts {
 
 struct SceneSettings {
   Charts charts = Charts::Auto;
-  double maxReflectance = 0.9999;  ///< a reflectance of 1 or more is lowered to this, with a warning; in (0, 1)
+  double maxReflectance = 0.9999;  ///< a reflectance of 1 or more is lowered to this, with a warning; in [0, 1)
   bool twoSided = false;           ///< gives each side of every surface a surface of its own
 };
 
 /// Reads an OBJ file and the MTL files and images it names. Throws InputError, with file and line, on a malformed or
 /// non-finite number, an index out of range, a negative reflectance or emission, or a scene without faces. What can
 /// be mended (degenerate faces, missing materials or textures, reflectances of 1) is mended and told in `warnings`.
+/// A face is degenerate where none of its triangles has area (see hasArea); a triangle without area of another face is
+/// left out in silence.
 /// A scene without emission is no error here: whether light is needed is for the caller to say (see requireEmission).
 Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings = {});
 

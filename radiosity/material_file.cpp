@@ -1,0 +1,47 @@
+#include "radiosity/material_file.h"
+
+#include <tiny_obj_loader.h>
+
+#include <array>
+
+#include "radiosity/text_lines.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+glm::dvec3 readColor(const TextLine& line, const Place& place) {
+  std::array<double, 3> n{};
+  const std::size_t count = readNumbers(line.rest, n, place);
+  const std::string keyword(line.keyword);
+  if (count != 1 && count != 3) fail(place, keyword + " has 3 numbers, or 1 for a grey");
+  const glm::dvec3 color = count == 3 ? glm::dvec3(n[0], n[1], n[2]) : glm::dvec3(n[0]);
+  if (color.r < 0 || color.g < 0 || color.b < 0) fail(place, keyword + " is negative", "light cannot be less than 0");
+  return color;
+}
+
+MapStatement readMap(const TextLine& line) {
+  const std::string rest(line.rest);
+  std::string image;
+  tinyobj::texture_option_t ignored{};
+  tinyobj::ParseTextureNameAndOption(&image, &ignored, rest.c_str());
+  return {image, image != rest};
+}
+
+}  // namespace
+
+std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::filesystem::path& file) {
+  std::vector<MaterialStatement> materials;
+  for (const TextLine& line : splitLines(text)) {
+    const Place place{file, line.number};
+    if (line.keyword == "newmtl") materials.push_back({std::string(line.rest)});
+    if (materials.empty()) continue;
+    MaterialStatement& material = materials.back();
+    if (line.keyword == "Kd") material.reflectance = readColor(line, place);
+    if (line.keyword == "Ke") material.emission = readColor(line, place);
+    if (line.keyword == "map_Kd") material.reflectanceMap = readMap(line);
+    if (line.keyword == "map_Ke") material.emissionMap = readMap(line);
+  }
+  return materials;
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,33 @@
+/// An MTL file as it is written: what radiosity takes of it, the diffuse reflectance and the emission of materials.
+/// Numbers are read and checked here; the options of maps are tinyobjloader's to understand.
+#pragma once
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hemitex::radiosity {
+
+/// A `map_Kd` or `map_Ke`.
+struct MapStatement {
+  std::filesystem::path image;  ///< relative to the material file's folder; empty where the line names none
+  bool hasOptions = false;      ///< such as `-s 2 2`
+};
+
+/// A material, as far as the file says something about it.
+struct MaterialStatement {
+  std::string name;
+  std::optional<glm::dvec3> reflectance = {};  ///< Kd, finite and not negative
+  std::optional<glm::dvec3> emission = {};     ///< Ke, finite and not negative
+  std::optional<MapStatement> reflectanceMap = {};
+  std::optional<MapStatement> emissionMap = {};
+};
+
+/// Reads the text of `file`, materials in its order. Throws InputError with the line on a malformed, non-finite or
+/// negative Kd or Ke, and on one that has neither one number (grey) nor three.
+std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::filesystem::path& file);
+
+}  // namespace hemitex::radiosity
