@@ -137,7 +137,7 @@ class ChartGrid {
 
 ChartTriangle roundedChart(const ChartTriangle& triangle) {
   ChartTriangle rounded = triangle;
-  for (glm::dvec2& p : rounded) p = glm::dvec2(glm::vec2(p));
+  for (glm::dvec2& p : rounded) p = {std::nearbyint(p.x * 0x1p24) * 0x1p-24, std::nearbyint(p.y * 0x1p24) * 0x1p-24};
   return rounded;
 }
 

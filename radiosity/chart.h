@@ -1,10 +1,10 @@
 /// Charts: when do coordinates map a surface into [0,1]^2 so that every texel belongs to one place of the surface?
 ///
-/// They do when every triangle lies inside the square, has area there, and no two overlap. Coordinates are rounded to
-/// binary32, because that is what is drawn, and files print six digits: neither is to make an overlap. So two
-/// triangles overlap only where they penetrate each other by more than `chartTolerance`, that is where no line along
-/// one of their six edges parts them up to that depth (separating axes), and a triangle has area where its height over
-/// its longest edge is above the same tolerance. Charts may be mirrored.
+/// They do when every triangle lies inside the square, has area there, and no two overlap. Coordinates are drawn in
+/// binary32, so they are rounded to multiples of 2^-24, which all are binary32 numbers, and files print six decimals:
+/// neither is to make an overlap. So two triangles overlap only where they penetrate each other by more than
+/// `chartTolerance`, that is where no line along one of their six edges parts them up to that depth (separating axes),
+/// and a triangle has area where its height over its longest edge is above the same tolerance. Charts may be mirrored.
 #pragma once
 
 #include <array>
@@ -16,12 +16,13 @@
 
 namespace hemitex::radiosity {
 
-/// 2^-20: half a unit of the sixth decimal, and eight units in the last place of binary32 below 1.
-inline constexpr double chartTolerance = 0x1p-20;
+/// 1.9e-6. A corner and the edge that it should lie on may each be off by half a unit of the sixth decimal in u and v,
+/// which together is sqrt(2) 1e-6; rounding adds less than 1e-7 to that.
+inline constexpr double chartTolerance = 0x1p-19;
 
 using ChartTriangle = std::array<glm::dvec2, 3>;
 
-/// Coordinates rounded to binary32.
+/// Coordinates rounded to multiples of 2^-24.
 ChartTriangle roundedChart(const ChartTriangle& triangle);
 
 /// A triangle that cannot share a chart with those before it.

@@ -22,7 +22,7 @@ using TrianglePositions = std::array<glm::dvec3, 3>;
 
 struct PlanarPart {
   std::vector<std::uint32_t> triangles;  ///< ascending
-  std::vector<ChartTriangle> charts;     ///< one a triangle, rounded to binary32; none is without area
+  std::vector<ChartTriangle> charts;     ///< one a triangle, rounded (see roundedChart); none is without area
 };
 
 /// Splits triangles, all with area, into planar parts, ordered by their first triangles.

@@ -28,7 +28,8 @@ struct Section {
 Triangle makeTriangle(const ObjFile& obj, std::uint32_t polygonIndex, const std::array<std::uint32_t, 3>& corners) {
   constexpr std::array<glm::dvec2, 4> quad{glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(1, 1), glm::dvec2(0, 1)};
   const ObjPolygon& polygon = obj.polygons[polygonIndex];
-  Triangle triangle{.polygon = polygonIndex};
+  Triangle triangle;
+  triangle.polygon = polygonIndex;
   std::array<glm::dvec3, 3> colors{};
   bool colored = true;
   for (std::size_t k = 0; k < 3; ++k) {

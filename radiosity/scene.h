@@ -28,7 +28,7 @@ struct Material {
 
 struct Triangle {
   std::array<glm::dvec3, 3> position;  ///< in the file's units, the origin not subtracted; counter-clockwise in front
-  std::array<glm::dvec2, 3> chart;     ///< in [0,1]^2, each coordinate exactly a binary32 number: what is drawn
+  std::array<glm::dvec2, 3> chart;     ///< in [0,1]^2, multiples of 2^-24, so binary32 numbers: what is drawn
   std::array<glm::dvec2, 3> texcoord;  ///< the file's coordinates, for material maps; they wrap; the chart's without
   std::uint32_t polygon = 0;           ///< the face of the file that it was cut from, counted from 0 over the file
   /// The file's colours of its corners (`v x y z r g b`), where all three have one: the display colours, sRGB-encoded,

@@ -59,7 +59,7 @@ Outline projected(std::span<const glm::dvec3> polygon, const glm::dvec3& normal)
   const glm::dvec3 cross = glm::cross(n, axis);
   const glm::dvec3 u = cross / glm::length(cross);
   const glm::dvec3 v = glm::cross(n, u);
-  Outline outline{.noise = heightNoise(polygon)};
+  Outline outline{{}, heightNoise(polygon)};
   for (const glm::dvec3& p : polygon)
     outline.points.emplace_back(glm::dot(u, p - polygon[0]), glm::dot(v, p - polygon[0]));
   return outline;
