@@ -1,0 +1,43 @@
+// How long a hemicube takes on one core: from a patch's centre to its row of form factors, over all patches of a scene.
+#include <benchmark/benchmark.h>
+
+#include "radiosity/hemicube.h"
+#include "raster/parallel.h"
+#include "raster/software_renderer.h"
+
+using namespace hemitex;
+using namespace hemitex::radiosity;
+
+namespace {
+
+/// One iteration is one patch's row; the patches take turns.
+void hemicubeRow(benchmark::State& state, const std::string& file) {
+  const raster::ThreadLimit oneThread(1);
+  const Scene scene = loadScene(std::string(HEMITEX_DATA) + "/" + file);
+  DiscretizationSettings settings;
+  settings.texels = static_cast<int>(state.range(1));
+  const Discretization discretization = discretize(scene, settings);
+  const WordLayout layout = layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true);
+  raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
+  HemicubeRows rows(scene, discretization, layout, renderer, static_cast<int>(state.range(0)));
+  std::uint32_t patch = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(rows.ofPatch(patch));
+    patch = (patch + 1) % static_cast<std::uint32_t>(discretization.patches.size());
+  }
+}
+
+void registerScene(const std::string& file) {
+  benchmark::RegisterBenchmark(file.c_str(), [file](benchmark::State& state) { hemicubeRow(state, file); })
+      ->ArgNames({"R", "texels"})
+      ->ArgsProduct({{128, 256, 512}, {24, 256}})
+      ->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  for (const char* file : {"paper-room.obj", "cornell-box.obj", "curved-room.obj"}) registerScene(file);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}
