@@ -1,0 +1,54 @@
+/// Cutting triangles along the lines of a grid with unit cells: texels of a chart, or pixels of an image.
+///
+/// A triangle is cut into rows, each row into cells (Sutherland and Hodgman 1974, one line at a time), so the
+/// cost is that of the pieces, whatever the size of the grid. Every corner of a piece carries barycentric weights of
+/// the triangle. They say all that is affine over it: the share of its area, the point in space, the texture
+/// coordinate; and they are as accurate for a sliver as for any other triangle, since in them every triangle has the
+/// same shape. Both sides of a cut get the same new corners, so nothing is lost or counted twice.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <optional>
+
+namespace hemitex::radiosity {
+
+/// A corner of a piece of a triangle.
+struct PieceCorner {
+  glm::dvec2 grid;    ///< in cells
+  glm::dvec2 weight;  ///< barycentric, of the triangle's corners 1 and 2
+};
+
+/// A convex polygon cut from a triangle. Each of the four sides of a cell adds at most one corner.
+struct Piece {
+  std::array<PieceCorner, 7> corners;
+  std::size_t size = 0;
+};
+
+/// The triangle as a piece of its own, corners in cells.
+Piece wholeTriangle(const std::array<glm::dvec2, 3>& grid);
+
+/// Called with column, row and the piece inside that cell.
+using PieceVisitor = std::function<void(std::int64_t, std::int64_t, const Piece&)>;
+
+/// Visits the pieces of a triangle, row by row. They fill it without overlap: what lies exactly on a line belongs
+/// to one of the two cells. A piece that only touches its cell may be visited, with a share of 0.
+void forEachCell(const std::array<glm::dvec2, 3>& grid, const PieceVisitor& visit);
+
+/// The part of a triangle inside the closed cell [column, column + 1] x [row, row + 1]; empty where there is none.
+Piece clippedToCell(const std::array<glm::dvec2, 3>& grid, std::int64_t column, std::int64_t row);
+
+/// The share of the triangle's area that the piece has, in [0, 1].
+double share(const Piece& piece);
+
+/// The barycentric weights (of corners 1 and 2) of the centroid of a piece that is not empty.
+glm::dvec2 centroid(const Piece& piece);
+
+/// The barycentric weights of a point in a closed triangle of either winding; nothing outside or where the triangle has
+/// no area. A point on the edge of two triangles is in one of them at least, whatever the rounding.
+std::optional<glm::dvec2> weightsAt(const std::array<glm::dvec2, 3>& grid, const glm::dvec2& point);
+
+}  // namespace hemitex::radiosity
