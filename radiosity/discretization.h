@@ -27,6 +27,9 @@ struct Element {
   std::uint32_t surface = 0;
   std::uint32_t texel = 0;  ///< row * columns + column of its own texel, the one the others merged into
   std::uint32_t patch = 0;
+  /// In Surface::triangles: the first that covers the middle of its own texel, else the one with the largest piece
+  /// there.
+  std::uint32_t triangle = 0;
 };
 
 /// A block of texels of one surface that shoots as one.
@@ -52,7 +55,8 @@ struct Discretization {
   std::vector<Element> elements;             ///< surface by surface, by texel within one
   std::vector<Patch> patches;                ///< surface by surface, row by row; none without elements
   std::vector<std::uint32_t> patchElements;  ///< the elements of each patch, ascending
-  /// Per element, of surfaces whose material has a map; empty where no material has one.
+  /// One an element, maps averaged over it and multiplied with the material's values; empty where no surface has a map
+  /// of that kind.
   std::vector<glm::dvec3> mappedReflectance, mappedEmission;
 };
 

@@ -1,0 +1,245 @@
+#include "radiosity/discretization.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "radiosity/map_average.h"
+#include "radiosity/spill.h"
+#include "radiosity/texel_areas.h"
+#include "raster/input_error.h"
+#include "raster/parallel.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+using raster::InputError;
+
+constexpr int mostTexels = 4096;
+/// A mapped reflectance of 1 or more is lowered to this: white would reflect for ever.
+constexpr double mostReflectance = 0.9999;
+
+struct GridSize {
+  int columns, rows;
+};
+
+bool isNamed(const Surface& surface, const std::string& name) { return surface.name == name || surface.family == name; }
+
+std::string someNames(const Scene& scene) {
+  std::string names;
+  std::size_t listed = 0;
+  const std::string* previous = nullptr;
+  for (const Surface& surface : scene.surfaces) {
+    if (previous != nullptr && *previous == surface.family) continue;
+    if (listed++ == 10) return names + ", ...";
+    names += (names.empty() ? "" : ", ") + surface.family;
+    previous = &surface.family;
+  }
+  return names;
+}
+
+void validateTexels(int texels, const std::string& what) {
+  if (texels < 1 || texels > mostTexels)
+    throw InputError(what + " has " + std::to_string(texels) + " texels along a side",
+                     "use 1 to " + std::to_string(mostTexels));
+}
+
+void validate(const Scene& scene, const DiscretizationSettings& settings) {
+  validateTexels(settings.texels, "the discretization");
+  if (settings.texelSize && !(*settings.texelSize > 0 && std::isfinite(*settings.texelSize)))
+    throw InputError("the size of a texel is not above 0", "give a length in the scene's units");
+  if (settings.patch < 1)
+    throw InputError("a patch has " + std::to_string(settings.patch) + " texels along a side", "use 1 or more");
+  for (const auto& [name, texels] : settings.surfaceTexels) {
+    validateTexels(texels, "surface '" + name + "'");
+    const bool exists = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
+                                    [&name = name](const Surface& surface) { return isNamed(surface, name); });
+    if (!exists)
+      throw InputError("the scene has no surface named '" + name + "'", "its surfaces are " + someNames(scene));
+  }
+}
+
+/// The lengths of the chart's two axes on the surface: |dP/du| and |dP/dv|, averaged by area.
+glm::dvec2 chartLengths(const Surface& surface) {
+  glm::dvec2 sum(0);
+  double totalArea = 0;
+  for (const Triangle& triangle : surface.triangles) {
+    const glm::dvec3 p1 = triangle.position[1] - triangle.position[0], p2 = triangle.position[2] - triangle.position[0];
+    const glm::dvec2 c1 = triangle.chart[1] - triangle.chart[0], c2 = triangle.chart[2] - triangle.chart[0];
+    const double determinant = c1.x * c2.y - c1.y * c2.x;
+    if (determinant == 0) continue;
+    const double weight = area(triangle);
+    sum += weight * glm::dvec2(glm::length(c2.y * p1 - c1.y * p2), glm::length(c1.x * p2 - c2.x * p1)) /
+           std::abs(determinant);
+    totalArea += weight;
+  }
+  return totalArea > 0 ? sum / totalArea : sum;
+}
+
+/// Texels of at most the wanted size along an axis. Charts are binary32: a millionth more is not one texel more.
+int texelsAlong(double length, double texelSize) {
+  const double texels = std::ceil(length / texelSize * (1 - 1e-6));
+  return static_cast<int>(std::clamp(texels, 1.0, static_cast<double>(mostTexels)));
+}
+
+GridSize gridSize(const Surface& surface, const DiscretizationSettings& settings) {
+  for (const std::string& name : {surface.name, surface.family})
+    if (const auto found = settings.surfaceTexels.find(name); found != settings.surfaceTexels.end())
+      return {found->second, found->second};
+  if (!settings.texelSize) return {settings.texels, settings.texels};
+  const glm::dvec2 lengths = chartLengths(surface);
+  return {texelsAlong(lengths.x, *settings.texelSize), texelsAlong(lengths.y, *settings.texelSize)};
+}
+
+/// Where every triangle's chart collapses to nothing, the texel with the most area stands for all.
+void coverOneAtLeast(TexelAreas& texels) {
+  if (std::any_of(texels.coverage.begin(), texels.coverage.end(), [](double c) { return c > coverageNoise; })) return;
+  const auto largest = std::max_element(texels.area.begin(), texels.area.end()) - texels.area.begin();
+  texels.coverage[static_cast<std::size_t>(largest)] = 1;
+}
+
+/// Turns texels into elements, ordered by their own texels, and gives every texel's area to the element it spills to.
+void makeElements(const Surface& surface, std::uint32_t number, Discretization& part) {
+  Grid& grid = part.grids.front();
+  TexelAreas texels = texelAreas(surface, grid.columns, grid.rows);
+  coverOneAtLeast(texels);
+  grid.spill = spillTexels(grid.columns, grid.rows, texels.coverage);
+  std::vector<std::uint32_t> elementOf(grid.spill.size());
+  for (std::uint32_t texel = 0; texel < grid.spill.size(); ++texel) {
+    grid.covered.push_back(texels.coverage[texel] > coverageNoise);
+    grid.phantoms += grid.covered[texel] ? 0 : 1;
+    if (grid.spill[texel] != texel) continue;
+    elementOf[texel] = static_cast<std::uint32_t>(part.elements.size());
+    part.elements.push_back({0, number, texel, 0, texels.triangle[texel]});
+  }
+  for (std::uint32_t texel = 0; texel < grid.spill.size(); ++texel) {
+    grid.spill[texel] = elementOf[grid.spill[texel]];
+    part.elements[grid.spill[texel]].area += texels.area[texel];
+  }
+  grid.elementCount = static_cast<std::uint32_t>(part.elements.size());
+}
+
+/// Groups the elements by the block of texels that holds their own texel.
+void makePatches(std::uint32_t surface, int patch, Discretization& part) {
+  Grid& grid = part.grids.front();
+  const int side = std::min(patch, mostTexels);
+  const int blockColumns = (grid.columns + side - 1) / side;
+  const auto blockOf = [&](const Element& element) {
+    const int column = static_cast<int>(element.texel) % grid.columns;
+    const int row = static_cast<int>(element.texel) / grid.columns;
+    return static_cast<std::size_t>(row / side * blockColumns + column / side);
+  };
+  std::vector<std::uint32_t> count(static_cast<std::size_t>(blockColumns * ((grid.rows + side - 1) / side)));
+  for (const Element& element : part.elements) ++count[blockOf(element)];
+  std::vector<std::uint32_t> patchOf(count.size());
+  std::uint32_t first = 0;
+  for (std::size_t block = 0; block < count.size(); ++block) {
+    if (count[block] == 0) continue;
+    const int column = static_cast<int>(block) % blockColumns * side,
+              row = static_cast<int>(block) / blockColumns * side;
+    patchOf[block] = static_cast<std::uint32_t>(part.patches.size());
+    part.patches.push_back(
+        {surface, column, row, std::min(side, grid.columns - column), std::min(side, grid.rows - row), first, 0});
+    first += count[block];
+  }
+  part.patchElements.resize(part.elements.size());
+  for (std::uint32_t element = 0; element < part.elements.size(); ++element) {
+    const std::uint32_t number = patchOf[blockOf(part.elements[element])];
+    Patch& owner = part.patches[number];
+    part.elements[element].patch = number;
+    part.patchElements[owner.firstElement + owner.elementCount++] = element;
+  }
+  grid.patchCount = static_cast<std::uint32_t>(part.patches.size());
+}
+
+bool hasMap(const Scene& scene, std::optional<int> Material::*map) {
+  return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [&](const Surface& surface) {
+    return (scene.materials[static_cast<std::size_t>(surface.material)].*map).has_value();
+  });
+}
+
+/// One value an element: the material's, times the mean of its map where it has one.
+std::vector<glm::dvec3> mappedValues(const Scene& scene, const Surface& surface, const Grid& grid,
+                                     const glm::dvec3& value, const std::optional<int>& map) {
+  if (!map) return std::vector<glm::dvec3>(grid.elementCount, value);
+  std::vector<glm::dvec3> values = averageOverElements(scene.images[static_cast<std::size_t>(*map)], surface, grid);
+  for (glm::dvec3& mean : values) mean *= value;
+  return values;
+}
+
+/// Which kinds of maps the scene's surfaces have.
+struct MapKinds {
+  bool reflectance, emission;
+};
+
+/// The discretization of one surface alone: elements and patches are numbered from 0.
+Discretization discretizeSurface(const Scene& scene, std::uint32_t number, const DiscretizationSettings& settings,
+                                 const MapKinds& kinds) {
+  const Surface& surface = scene.surfaces[number];
+  const Material& material = scene.materials[static_cast<std::size_t>(surface.material)];
+  const GridSize size = gridSize(surface, settings);
+  Discretization part;
+  part.grids.push_back({.columns = size.columns, .rows = size.rows, .spill = {}, .covered = {}});
+  makeElements(surface, number, part);
+  makePatches(number, settings.patch, part);
+  const Grid& grid = part.grids.front();
+  if (kinds.reflectance) {
+    part.mappedReflectance = mappedValues(scene, surface, grid, material.reflectance, material.reflectanceMap);
+    for (glm::dvec3& value : part.mappedReflectance) value = glm::min(value, glm::dvec3(mostReflectance));
+  }
+  if (kinds.emission) part.mappedEmission = mappedValues(scene, surface, grid, material.emission, material.emissionMap);
+  return part;
+}
+
+/// Appends the discretization of one surface to that of the surfaces before it.
+void append(Discretization& whole, Discretization part) {
+  const auto firstElement = static_cast<std::uint32_t>(whole.elements.size());
+  const auto firstPatch = static_cast<std::uint32_t>(whole.patches.size());
+  Grid& grid = part.grids.front();
+  grid.firstElement = firstElement;
+  grid.firstPatch = firstPatch;
+  for (std::uint32_t& element : grid.spill) element += firstElement;
+  for (Element& element : part.elements) element.patch += firstPatch;
+  for (Patch& patch : part.patches) patch.firstElement += firstElement;
+  for (std::uint32_t& element : part.patchElements) element += firstElement;
+  const auto moveTo = [](auto& all, const auto& some) { all.insert(all.end(), some.begin(), some.end()); };
+  whole.grids.push_back(std::move(grid));
+  moveTo(whole.elements, part.elements);
+  moveTo(whole.patches, part.patches);
+  moveTo(whole.patchElements, part.patchElements);
+  moveTo(whole.mappedReflectance, part.mappedReflectance);
+  moveTo(whole.mappedEmission, part.mappedEmission);
+}
+
+}  // namespace
+
+Discretization discretize(const Scene& scene, const DiscretizationSettings& settings) {
+  validate(scene, settings);
+  const MapKinds kinds{hasMap(scene, &Material::reflectanceMap), hasMap(scene, &Material::emissionMap)};
+  std::vector<Discretization> parts(scene.surfaces.size());
+  raster::parallelFor(parts.size(), [&](std::size_t surface) {
+    parts[surface] = discretizeSurface(scene, static_cast<std::uint32_t>(surface), settings, kinds);
+  });
+  std::size_t elements = 0;
+  for (const Discretization& part : parts) elements += part.elements.size();
+  Discretization whole;
+  whole.elements.reserve(elements);
+  whole.patchElements.reserve(elements);
+  for (Discretization& part : parts) append(whole, std::exchange(part, {}));
+  return whole;
+}
+
+glm::dvec3 reflectance(const Scene& scene, const Discretization& discretization, std::uint32_t element) {
+  if (!discretization.mappedReflectance.empty()) return discretization.mappedReflectance[element];
+  const Surface& surface = scene.surfaces[discretization.elements[element].surface];
+  return scene.materials[static_cast<std::size_t>(surface.material)].reflectance;
+}
+
+glm::dvec3 emission(const Scene& scene, const Discretization& discretization, std::uint32_t element) {
+  if (!discretization.mappedEmission.empty()) return discretization.mappedEmission[element];
+  const Surface& surface = scene.surfaces[discretization.elements[element].surface];
+  return scene.materials[static_cast<std::size_t>(surface.material)].emission;
+}
+
+}  // namespace hemitex::radiosity
