@@ -5,7 +5,7 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "radiosity/discretization.h"
@@ -21,6 +21,7 @@ struct WordLayout {
   int indexBits = 0;                    ///< k: 2^k holds the largest index map of a textured surface
   std::vector<raster::Word> offset;     ///< one a surface
   std::vector<std::uint32_t> byOffset;  ///< the surfaces in ascending order of their offsets
+  std::uint32_t textured = 0;           ///< surfaces with an index map; where aligned, the first in byOffset
 };
 
 /// The indices that no texel with area produces, by cause.
@@ -29,8 +30,10 @@ struct Phantoms {
   std::uint64_t alignmentGaps = 0;  ///< indices between the end of an index map and the next aligned offset
 };
 
-/// Throws InputError where the scene does not fit the word (surfaces x 2^k over the format's range, two words
-/// reserved); the advice says which format, or which number of texels, would fit.
+/// `blend` is ClampedAdd or IntegerAdd. Throws InputError where no format has that name, or where the scene does not
+/// fit the word (surfaces x 2^k over the format's range, two words reserved); the advice says which format, or which
+/// number of texels, would fit. Every offset plus index is below the reserved words, and so is what a clamped add makes
+/// of it: clamping only lowers a sum.
 WordLayout layOut(const Discretization& discretization, std::string_view formatName, raster::Blend blend, bool aligned);
 
 Phantoms countPhantoms(const Discretization& discretization, const WordLayout& layout);
@@ -41,7 +44,8 @@ struct SurfaceTexel {
   std::uint32_t texel = 0;
 };
 
-/// The texel a word stands for; nothing for the reserved words and for words that no draw can produce.
+/// The texel a word stands for; nothing for the reserved words and for words that no draw can produce. Where ClampedAdd
+/// changes an unaligned sum, the texel is that of the word it was changed into.
 std::optional<SurfaceTexel> texelOf(const Discretization& discretization, const WordLayout& layout, raster::Word word);
 
 /// The draws of the scene: one a surface, its chart under the shared index map of its size, its back the reserved
