@@ -1,15 +1,15 @@
-/// Scenes built by hand: surfaces from charts and shapes, without a file.
+/// Surfaces built by hand from shapes and charts, and scenes of them.
 #pragma once
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <glm/glm.hpp>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "radiosity/scene.h"
+#include "tests/box_scene.h"
 
 namespace hemitex::tests {
 
@@ -30,12 +30,6 @@ inline radiosity::Triangle triangleOf(const Corner& a, const Corner& b, const Co
 
 inline radiosity::Surface surfaceOf(const std::string& name, std::vector<radiosity::Triangle> triangles) {
   return {.name = name, .family = name, .triangles = std::move(triangles)};
-}
-
-/// Two triangles, cut along the diagonal from the first corner to the third; the corners are those of the chart.
-inline radiosity::Surface quad(const std::string& name, const std::array<glm::dvec3, 4>& corner) {
-  const std::array<Corner, 4> c{{{corner[0], {0, 0}}, {corner[1], {1, 0}}, {corner[2], {1, 1}}, {corner[3], {0, 1}}}};
-  return surfaceOf(name, {triangleOf(c[0], c[1], c[2]), triangleOf(c[0], c[2], c[3])});
 }
 
 /// A parallelogram from a corner along two edges.
@@ -125,24 +119,15 @@ inline radiosity::Surface star(int spikes, unsigned seed) {
   return flat("star", triangles);
 }
 
-/// A scene of surfaces with one grey material; materials can be changed behind it.
+/// A scene of surfaces with one grey material.
 inline radiosity::Scene sceneOf(std::vector<radiosity::Surface> surfaces) {
   radiosity::Scene scene;
   scene.materials.resize(1);
-  glm::dvec3 low(INFINITY), high(-INFINITY);
-  for (const radiosity::Surface& surface : surfaces)
-    for (const radiosity::Triangle& triangle : surface.triangles)
-      for (const glm::dvec3& p : triangle.position) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-      }
-  scene.origin = (low + high) / 2.0;
-  scene.extent = glm::length(high - low);
   scene.surfaces = std::move(surfaces);
-  return scene;
+  return finish(std::move(scene));
 }
 
-/// Six inward faces of the box [0, size]^3, each a parallelogram.
+/// The six faces of the box [low, low + size], seen from inside or from outside.
 inline std::vector<radiosity::Surface> box(const std::string& name, const glm::dvec3& low, const glm::dvec3& size,
                                            bool inwards) {
   const glm::dvec3 x(size.x, 0, 0), y(0, size.y, 0), z(0, 0, size.z);
