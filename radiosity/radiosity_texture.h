@@ -5,6 +5,7 @@
 /// so that bilinear filtering bleeds no black. Above 64 surfaces the charts are packed into shared textures.
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
@@ -33,7 +34,8 @@ struct TextureLayout {
   std::vector<TexturePlace> places;  ///< one a surface
 };
 
-/// One texture a surface up to `separateLimit` surfaces, shared textures of at most 4096 x 4096 above.
+/// One texture a surface up to `separateLimit` surfaces, shared textures of at most 4096 x 4096 above; a surface that
+/// is larger, with its border, has one of its own size.
 TextureLayout layOutTextures(const Scene& scene, const Discretization& discretization, std::size_t separateLimit = 64);
 
 /// A coordinate of the chart of `surface`, in [0,1]^2, as a coordinate of its texture, in [0,1]^2 (v upwards).
@@ -59,8 +61,9 @@ double defaultExposure(const Scene& scene, const Discretization& discretization,
                        const std::vector<glm::dvec3>& radiosity);
 
 /// Radiosity at the corners of every triangle of the scene (in scene order) for Gouraud shading surfaces that are not
-/// discretized: the area-weighted mean over the triangles of such surfaces that share the position and whose normals
-/// differ by less than 30 degrees. Triangles of discretized surfaces hold zeros.
+/// discretized: the area-weighted mean over the triangles of such surfaces that share the position and the material
+/// (radiosity jumps where a material ends) and whose normals differ by less than 30 degrees. Triangles of discretized
+/// surfaces hold zeros. The cost is linear in the triangles, but quadratic in those around one position.
 std::vector<std::array<glm::dvec3, 3>> cornerRadiosity(const Scene& scene, const Discretization& discretization,
                                                        const std::vector<glm::dvec3>& radiosity);
 

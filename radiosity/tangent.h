@@ -1,0 +1,9 @@
+/// The tangent without libm, whose last digits differ between machines.
+#pragma once
+
+namespace hemitex::radiosity {
+
+/// The tangent of an angle in degrees, in [0, 90), to 1e-14 of its value.
+double tangentOfDegrees(double degrees);
+
+}  // namespace hemitex::radiosity
