@@ -146,6 +146,10 @@ TEST_CASE("the centroid of a whole triangle weighs its corners alike", "[clippin
   const glm::dvec2 corner = centroid(clippedToCell({glm::dvec2(0, 0), glm::dvec2(2, 0), glm::dvec2(0, 2)}, 0, 0));
   CHECK(corner.x == Approx(0.25).epsilon(1e-15));
   CHECK(corner.y == Approx(0.25).epsilon(1e-15));
+  // The trapezoid y < 1 - x/2, x < 1: area 3/4, x = (1/2 - 1/6) / (3/4) = 4/9, y = (1 - 1/2 + 1/12) / 2 / (3/4) = 7/18.
+  const glm::dvec2 trapezoid = centroid(clippedToCell({glm::dvec2(0, 0), glm::dvec2(2, 0), glm::dvec2(0, 1)}, 0, 0));
+  CHECK(trapezoid.x == Approx(2.0 / 9).epsilon(1e-15));
+  CHECK(trapezoid.y == Approx(7.0 / 18).epsilon(1e-15));
 }
 
 TEST_CASE("a point on the edge of two triangles is in one of them at least", "[clipping]") {

@@ -170,8 +170,15 @@ TEST_CASE("with a texel size, texels are at most that long, and as few as that a
   CHECK(sizeOf(wall, 0.1) == std::pair(30, 7));
   CHECK(sizeOf(wall, 0.3) == std::pair(10, 3));
   CHECK(sizeOf(wall, 0.299) == std::pair(11, 3));
+  // Coordinates rounded to binary32 may make a length of 3 + 2e-7 out of 3; that is no reason for one texel more.
+  CHECK(sizeOf(parallelogram("wall", {0, 0, 0}, {3 + 2e-7, 0, 0}, {0, 1, 0}), 0.1) == std::pair(30, 10));
   CHECK(sizeOf(wall, 5) == std::pair(1, 1));
-  CHECK(sizeOf(wall, 1e-9) == std::pair(4096, 4096));
+  CHECK(sizeOf(parallelogram("thread", {0, 0, 0}, {3, 0, 0}, {0, 1e-9, 0}), 1e-6) == std::pair(4096, 1));
+  // A mirrored chart has the same lengths.
+  Surface mirrored = wall;
+  for (Triangle& triangle : mirrored.triangles)
+    for (glm::dvec2& chart : triangle.chart) chart.x = 1 - chart.x;
+  CHECK(sizeOf(mirrored, 0.1) == std::pair(30, 7));
   // The length of the chart's axes counts, not how much of the chart is in use.
   CHECK(sizeOf(flat("corner", rectangle({0.25, 0.25}, {0.5, 0.75})), 0.125) == std::pair(8, 8));
 }

@@ -29,6 +29,8 @@ TEST_CASE("a sliver merges into the largest of its neighbours", "[spill]") {
   CHECK(spillTexels(3, 1, {1, 0.1, 1}) == Texels{0, 0, 2});  // the lowest of equals
   // The larger neighbour across an edge, not the still larger one across a corner.
   CHECK(spillTexels(2, 2, {0.1, 0.5, 0.6, 1}) == Texels{2, 1, 2, 3});
+  // With the 0.1 that merged into it, 0.5 is larger than 0.55.
+  CHECK(spillTexels(4, 1, {0.1, 0.5, 0.2, 0.55}) == Texels{1, 1, 1, 3});
   // Across a corner where no neighbour across an edge has area.
   CHECK(spillTexels(2, 2, {0.1, 0, 0, 1}) == Texels{3, 3, 3, 3});
 }

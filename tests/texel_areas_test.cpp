@@ -90,9 +90,12 @@ TEST_CASE("without a triangle over its middle a texel has the triangle of the la
 }
 
 TEST_CASE("a triangle whose chart collapses keeps its area", "[texels]") {
-  Surface surface = flat("flat", rectangle({0, 0}, {1, 1}));
-  surface.triangles.push_back(triangleOf({{0, 0, 1}, {0.5, 0.5}}, {{1, 0, 1}, {0.5, 0.5}}, {{0, 1, 1}, {0.5, 0.5}}));
-  const TexelAreas texels = texelAreas(surface, 4, 4);
-  CHECK(sumOf(texels.area) == Approx(1.5).epsilon(1e-14));
-  CHECK(sumOf(texels.coverage) == Approx(16).epsilon(1e-14));
+  // The whole chart has area 1, and a triangle in one point of it 1/2: also at the upper right, beyond the last texel.
+  for (const glm::dvec2& point : {glm::dvec2(0.5, 0.5), glm::dvec2(0, 1), glm::dvec2(1, 1)}) {
+    Surface surface = flat("flat", rectangle({0, 0}, {1, 1}));
+    surface.triangles.push_back(triangleOf({{0, 0, 1}, point}, {{1, 0, 1}, point}, {{0, 1, 1}, point}));
+    const TexelAreas texels = texelAreas(surface, 4, 4);
+    CHECK(sumOf(texels.area) == Approx(1.5).epsilon(1e-14));
+    CHECK(sumOf(texels.coverage) == Approx(16).epsilon(1e-14));
+  }
 }
