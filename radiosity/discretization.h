@@ -14,7 +14,6 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -61,9 +60,11 @@ struct Discretization {
 };
 
 struct DiscretizationSettings {
-  int texels = 16;                                ///< columns and rows of every surface; 1 to 4096
-  std::optional<double> texelSize = {};           ///< instead: the wanted side of a texel in the scene's units, above 0
-  std::map<std::string, int> surfaceTexels = {};  ///< by surface name or family; 1 = not discretized
+  int texels = 16;  ///< columns and rows of every surface; 1 to 4096
+  /// Instead: the wanted side of a texel in the scene's units, above 0. Columns and rows come from the lengths of the
+  /// chart's axes on the surface, rounded up, 1 to 4096.
+  std::optional<double> texelSize = {};
+  std::map<std::string, int> surfaceTexels = {};  ///< by surface name or, less binding, family; 1 = not discretized
   int patch = 4;                                  ///< texels along a patch's side; at least 1
 };
 
