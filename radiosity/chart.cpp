@@ -14,10 +14,8 @@ bool isInside(const ChartTriangle& triangle) {
                      [](const glm::dvec2& p) { return p.x >= 0 && p.x <= 1 && p.y >= 0 && p.y <= 1; });
 }
 
-bool hasChartArea(const ChartTriangle& t) {
-  const double longest = std::max({glm::length(t[1] - t[0]), glm::length(t[2] - t[1]), glm::length(t[0] - t[2])});
-  return std::fabs(cross(t[1] - t[0], t[2] - t[0])) > chartTolerance * longest;
-}
+/// Exact for rounded coordinates, whose products have 48 bits.
+bool hasChartArea(const ChartTriangle& t) { return cross(t[1] - t[0], t[2] - t[0]) != 0; }
 
 struct Interval {
   double low = 0, high = 0;

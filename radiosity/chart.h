@@ -3,8 +3,8 @@
 /// They do when every triangle lies inside the square, has area there, and no two overlap. Coordinates are drawn in
 /// binary32, so they are rounded to multiples of 2^-24, which all are binary32 numbers, and files print six decimals:
 /// neither is to make an overlap. So two triangles overlap only where they penetrate each other by more than
-/// `chartTolerance`, that is where no line along one of their six edges parts them up to that depth (separating axes),
-/// and a triangle has area where its height over its longest edge is above the same tolerance. Charts may be mirrored.
+/// `chartTolerance`, that is where no line along one of their six edges parts them up to that depth (separating axes).
+/// Charts may be mirrored.
 #pragma once
 
 #include <array>
@@ -33,8 +33,9 @@ struct ChartConflict {
   std::uint32_t other = 0;  ///< the earlier triangle that it overlaps
 };
 
-/// The triangles that have to go, in their order, so that the rest is a chart: each is judged against those before it
-/// that stay. Stops at `limit` of them. Time grows with the triangles where they are about equally large.
+/// The triangles, of rounded coordinates, that have to go, in their order, so that the rest is a chart: each is judged
+/// against those before it that stay. Stops at `limit` of them. Time grows with the triangles where they are about
+/// equally large.
 std::vector<ChartConflict> chartConflicts(std::span<const ChartTriangle> triangles, std::size_t limit = SIZE_MAX);
 
 }  // namespace hemitex::radiosity

@@ -137,7 +137,7 @@ class NumberReader {
   int largestNormalLine_ = 0;  ///< 0: no face has a normal
 };
 
-/// What tinyobjloader calls back about: which polygon belongs to which section, and the material files.
+/// What tinyobjloader calls back about: which polygon belongs to which section.
 struct StructureReader {
   ObjFile& obj;
   std::size_t polygon = 0;  ///< the next one
@@ -163,20 +163,6 @@ struct StructureReader {
   }
 };
 
-/// Notes the material files and reads none: materials are resolved when the whole file is known.
-class MaterialFileNames final : public tinyobj::MaterialReader {
- public:
-  explicit MaterialFileNames(std::vector<std::filesystem::path>& files) : files_(files) {}
-  bool operator()(const std::string& name, std::vector<tinyobj::material_t>*, std::map<std::string, int>*, std::string*,
-                  std::string*) override {
-    if (!name.empty() && std::find(files_.begin(), files_.end(), name) == files_.end()) files_.emplace_back(name);
-    return false;
-  }
-
- private:
-  std::vector<std::filesystem::path>& files_;
-};
-
 tinyobj::callback_t structureCallbacks() {
   tinyobj::callback_t callbacks;
   callbacks.index_cb = [](void* reader, tinyobj::index_t*, int) {
@@ -199,7 +185,7 @@ std::string structureText(const std::vector<TextLine>& lines) {
   std::string text;
   for (const TextLine& line : lines) {
     if (line.keyword == "f") text += "f 1 1 1\n";
-    if (line.keyword == "g" || line.keyword == "o" || line.keyword == "usemtl" || line.keyword == "mtllib") {
+    if (line.keyword == "g" || line.keyword == "o" || line.keyword == "usemtl") {
       text += std::string(line.keyword) + " " + std::string(line.rest) + "\n";
     }
   }
@@ -218,13 +204,15 @@ ObjFile parseObj(std::string_view text, const std::filesystem::path& file) {
   const std::vector<TextLine> lines = splitLines(text);
   ObjFile obj;
   NumberReader numbers(file, obj);
-  for (const TextLine& line : lines) numbers.read(line);
+  for (const TextLine& line : lines) {
+    numbers.read(line);
+    if (line.keyword == "mtllib" && !line.rest.empty()) obj.materialLibraries.emplace_back(line.rest);
+  }
   numbers.checkRanges();
 
   std::istringstream structure(structureText(lines));
   StructureReader reader{obj};
-  MaterialFileNames materialFiles(obj.materialFiles);
-  tinyobj::LoadObjWithCallback(structure, structureCallbacks(), &reader, &materialFiles);
+  tinyobj::LoadObjWithCallback(structure, structureCallbacks(), &reader);
   assert(reader.polygon == obj.polygons.size());
   return obj;
 }

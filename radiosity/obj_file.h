@@ -3,7 +3,7 @@
 ///
 /// The work is shared. Numbers (`v`, `vt`, `vn` and the indices of `f`) are read here, as binary64 and checked, because
 /// the packaged tinyobjloader rounds them, reads `x` and `nan` as 0 and lets indices leave their range. The structure
-/// (`g`, `o`, `usemtl`, `mtllib`) is read by tinyobjloader.
+/// (`g`, `o`, `usemtl`) is read by tinyobjloader.
 #pragma once
 
 #include <cstdint>
@@ -40,9 +40,9 @@ struct ObjFile {
   std::vector<std::optional<glm::dvec3>> colors;  ///< one a position: the r g b of `v x y z r g b`
   std::vector<glm::dvec2> texcoords;              ///< finite
   std::vector<ObjCorner> corners;
-  std::vector<ObjPolygon> polygons;                  ///< in file order
-  std::vector<ObjSection> sections;                  ///< in the order of their first faces
-  std::vector<std::filesystem::path> materialFiles;  ///< what `mtllib` names, relative to the file's folder
+  std::vector<ObjPolygon> polygons;            ///< in file order
+  std::vector<ObjSection> sections;            ///< in the order of their first faces
+  std::vector<std::string> materialLibraries;  ///< what each `mtllib` says: a file, or several between blanks
 };
 
 /// Reads a file. Throws InputError where it cannot be read, and as parseObj.

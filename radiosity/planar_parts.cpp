@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace hemitex::radiosity {
@@ -17,33 +15,32 @@ using Indices = std::vector<std::uint32_t>;
 /// Half-edge 3t + k runs from corner k of triangle t to the next one.
 std::uint32_t nextCorner(std::uint32_t halfEdge) { return halfEdge % 3 == 2 ? halfEdge - 2 : halfEdge + 1; }
 
-/// Gives equal things, neighbours in `order`, the same number.
-template <typename Equal>
-Indices numbered(const Indices& order, Equal equal) {
-  Indices numbers(order.size());
+/// Things with the keys that they are to be told apart by.
+template <typename Key>
+using Keyed = std::vector<std::pair<Key, std::uint32_t>>;
+
+/// Sorts by key, equal ones by index, and gives every thing a number, the same for equal keys.
+template <typename Key>
+Indices sortAndNumber(Keyed<Key>& things) {
+  std::sort(things.begin(), things.end());
+  Indices numbers(things.size());
   std::uint32_t number = 0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i > 0 && !equal(order[i - 1], order[i])) ++number;
-    numbers[order[i]] = number;
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    if (i > 0 && things[i - 1].first != things[i].first) ++number;
+    numbers[things[i].second] = number;
   }
   return numbers;
 }
 
-Indices ascending(std::size_t count) {
-  Indices indices(count);
-  std::iota(indices.begin(), indices.end(), 0u);
-  return indices;
-}
-
 /// A number for each corner, the same for equal positions.
 Indices weld(std::span<const TrianglePositions> triangles) {
-  const auto position = [&](std::uint32_t corner) { return triangles[corner / 3][corner % 3]; };
-  Indices order = ascending(3 * triangles.size());
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const glm::dvec3 p = position(a), q = position(b);
-    return std::tie(p.x, p.y, p.z, a) < std::tie(q.x, q.y, q.z, b);
-  });
-  return numbered(order, [&](std::uint32_t a, std::uint32_t b) { return position(a) == position(b); });
+  Keyed<std::array<double, 3>> corners;
+  for (const TrianglePositions& triangle : triangles) {
+    for (const glm::dvec3& p : triangle) {
+      corners.push_back({{p.x, p.y, p.z}, static_cast<std::uint32_t>(corners.size())});
+    }
+  }
+  return sortAndNumber(corners);
 }
 
 /// The half-edges of each edge, whatever their direction.
@@ -52,24 +49,24 @@ struct Edges {
   Indices first;      ///< of each edge, in halfEdges, and one behind the last
   Indices halfEdges;  ///< edge by edge, ascending
 
-  std::span<const std::uint32_t> around(std::uint32_t halfEdge) const {
-    const std::uint32_t begin = first[edge[halfEdge]], end = first[edge[halfEdge] + 1];
-    return std::span(halfEdges).subspan(begin, end - begin);
+  std::span<const std::uint32_t> around(std::uint32_t e) const {
+    return std::span(halfEdges).subspan(first[e], first[e + 1] - first[e]);
   }
 };
 
 Edges findEdges(std::span<const TrianglePositions> triangles) {
   const Indices vertex = weld(triangles);
-  const auto ends = [&](std::uint32_t h) { return std::minmax(vertex[h], vertex[nextCorner(h)]); };
-  Edges edges;
-  edges.halfEdges = ascending(3 * triangles.size());
-  std::sort(edges.halfEdges.begin(), edges.halfEdges.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return std::pair(ends(a), a) < std::pair(ends(b), b); });
-  edges.edge = numbered(edges.halfEdges, [&](std::uint32_t a, std::uint32_t b) { return ends(a) == ends(b); });
-  for (std::uint32_t i = 0; i < edges.halfEdges.size(); ++i) {
-    if (edges.edge[edges.halfEdges[i]] == edges.first.size()) edges.first.push_back(i);
+  Keyed<std::pair<std::uint32_t, std::uint32_t>> halfEdges;
+  for (std::uint32_t h = 0; h < vertex.size(); ++h) {
+    halfEdges.push_back({std::minmax(vertex[h], vertex[nextCorner(h)]), h});
   }
-  edges.first.push_back(static_cast<std::uint32_t>(edges.halfEdges.size()));
+  Edges edges;
+  edges.edge = sortAndNumber(halfEdges);
+  for (std::uint32_t i = 0; i < halfEdges.size(); ++i) {
+    edges.halfEdges.push_back(halfEdges[i].second);
+    if (edges.edge[halfEdges[i].second] == edges.first.size()) edges.first.push_back(i);
+  }
+  edges.first.push_back(static_cast<std::uint32_t>(halfEdges.size()));
   return edges;
 }
 
@@ -81,7 +78,11 @@ glm::dvec3 unitNormal(const TrianglePositions& t) {
 class Splitter {
  public:
   explicit Splitter(std::span<const TrianglePositions> triangles)
-      : triangles_(triangles), edges_(findEdges(triangles)), part_(triangles.size(), none) {
+      : triangles_(triangles),
+        edges_(findEdges(triangles)),
+        part_(triangles.size(), none),
+        crossedBy_(edges_.first.size() - 1, none),
+        uses_(edges_.first.size() - 1, 0) {
     for (const TrianglePositions& t : triangles) normals_.push_back(unitNormal(t));
   }
 
@@ -128,7 +129,9 @@ class Splitter {
     part_[seed] = number;
     for (std::size_t next = 0; next < found.size(); ++next) {
       for (std::uint32_t k = 0; k < 3; ++k) {
-        for (const std::uint32_t h : edges_.around(3 * found[next] + k)) {
+        const std::uint32_t edge = edges_.edge[3 * found[next] + k];
+        if (std::exchange(crossedBy_[edge], number) == number) continue;
+        for (const std::uint32_t h : edges_.around(edge)) {
           if (part_[h / 3] != none || !isParallel(seed, h / 3)) continue;
           part_[h / 3] = number;
           found.push_back(h / 3);
@@ -150,7 +153,7 @@ class Splitter {
     return {{triangle}, {ChartTriangle{glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)}}};
   }
 
-  std::vector<ChartTriangle> boundingRectangle(const Indices& part) const {
+  std::vector<ChartTriangle> boundingRectangle(const Indices& part) {
     const glm::dvec3 origin = triangles_[part[0]][0];
     const glm::dvec3 normal = normals_[part[0]];
     const glm::dvec3 edge = longestEdge(part);
@@ -176,27 +179,32 @@ class Splitter {
   }
 
   /// The first of the longest boundary edges of a part; any edge where a part that covers itself has none.
-  glm::dvec3 longestEdge(const Indices& part) const {
+  glm::dvec3 longestEdge(const Indices& part) {
+    countUses(part, 1);
     glm::dvec3 longest(0.0);
     for (const std::uint32_t t : part) {
       for (std::uint32_t k = 0; k < 3; ++k) {
         const glm::dvec3 edge = triangles_[t][(k + 1) % 3] - triangles_[t][k];
-        if (isBoundary(3 * t + k) && glm::dot(edge, edge) > glm::dot(longest, longest)) longest = edge;
+        const bool isBoundary = uses_[edges_.edge[3 * t + k]] == 1;
+        if (isBoundary && glm::dot(edge, edge) > glm::dot(longest, longest)) longest = edge;
       }
     }
+    countUses(part, -1);
     return longest == glm::dvec3(0.0) ? triangles_[part[0]][1] - triangles_[part[0]][0] : longest;
   }
 
-  bool isBoundary(std::uint32_t halfEdge) const {
-    const std::span<const std::uint32_t> around = edges_.around(halfEdge);
-    return std::count_if(around.begin(), around.end(),
-                         [&](std::uint32_t h) { return part_[h / 3] == part_[halfEdge / 3]; }) == 1;
+  void countUses(const Indices& part, int change) {
+    for (const std::uint32_t t : part) {
+      for (std::uint32_t k = 0; k < 3; ++k) uses_[edges_.edge[3 * t + k]] += change;
+    }
   }
 
   std::span<const TrianglePositions> triangles_;
   Edges edges_;
   std::vector<glm::dvec3> normals_;
-  Indices part_;  ///< the number of each triangle's part; none while it is free
+  Indices part_;           ///< the number of each triangle's part; none while it is free
+  Indices crossedBy_;      ///< for each edge the last part that grew over it
+  std::vector<int> uses_;  ///< for each edge how many triangles of the part at hand have it
 };
 
 }  // namespace

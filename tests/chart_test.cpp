@@ -107,8 +107,8 @@ TEST_CASE("a triangle outside the square or without area is no part of a chart",
   CHECK(kindOf({o, u, glm::dvec2(-1e-9, 1)}) == Kind::Outside);
   CHECK(kindOf({o, u, glm::dvec2(1e300, -1e300)}) == Kind::Outside);
   CHECK(kindOf({o, u, u}) == Kind::NoArea);
-  CHECK(kindOf({o, u, glm::dvec2(0.5, 0.9 * chartTolerance)}) == Kind::NoArea);
-  CHECK_FALSE(kindOf({o, u, glm::dvec2(0.5, 1.1 * chartTolerance)}));
+  CHECK(kindOf({o, glm::dvec2(0.25, 0.75), glm::dvec2(0x1p-24, 3 * 0x1p-24)}) == Kind::NoArea);
+  CHECK_FALSE(kindOf({o, glm::dvec2(0.25, 0.75), glm::dvec2(0x1p-24, 2 * 0x1p-24)}));
 }
 
 TEST_CASE("triangles in conflict are judged against those that stay", "[chart]") {

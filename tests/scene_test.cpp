@@ -140,7 +140,7 @@ TEST_CASE("coordinates that form no chart give way to planar parts, or are refus
       {"vt 0 0\nvt 1 0\nvt 1 1\n", "f 1/1 2/2 3/3\nf 1 3 4\n", "the face in line 10 has none"},
       {"vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1.5\n", "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n", "line 11 leaves the unit square"},
       {"vt 0 0\nvt 1 0\nvt 1 1\nvt 0.5 0.5\n", "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n", "line 11 has no area"},
-      {"vt 0 0\nvt 1 0\nvt 1 1\nvt 0.6 0\n", "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n", "line 11 overlaps the one in line 10"},
+      {"vt 0 0\nvt 1 0\nvt 1 1\nvt 0.6 0\n", "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n", "line 11 overlaps the face in line 10"},
   }));
   const SceneFiles files("v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\ng sheet\n" + coordinates + faces);
   CHECK(namesOf(files.load()) == Names{"sheet#1", "sheet#2"});
@@ -207,6 +207,12 @@ TEST_CASE("materials are those that faces name, in the order of their first face
   CHECK(namesOf(scene) == Names{"default/red#1", "default/red#2", "default/lamp"});
   CHECK(scene.surfaces[2].material == 1);
   CHECK(scene.warnings.empty());
+}
+
+TEST_CASE("the name of a material file may have blanks", "[scene]") {
+  const SceneFiles files("mtllib my scene.mtl\nusemtl red\n" + cubeVertices + cubeFaces);
+  files.write("my scene.mtl", "newmtl red\nKd 0.7 0.1 0.2\n");
+  CHECK(files.load().materials[0].reflectance == glm::dvec3(0.7, 0.1, 0.2));
 }
 
 TEST_CASE("what is missing is grey 0.5 with a warning", "[scene]") {
