@@ -17,6 +17,9 @@
 namespace hemitex::radiosity {
 namespace {
 
+/// The square of a smaller length would leave the range of binary32, in which everything is drawn.
+constexpr double smallestExtent = 1e-18;
+
 /// What `mtllib` says is one file whose name may have blanks, where there is one; else a file a word.
 std::vector<std::filesystem::path> materialFiles(const ObjFile& obj, const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
@@ -127,7 +130,7 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
   }
   Scene scene;
   const ObjFile obj = readObj(file);
-  const std::vector<Section> sections = cutIntoSections(obj, scene.warnings);
+  std::vector<Section> sections = cutIntoSections(obj, scene.warnings);
   if (sections.empty()) fail({file}, "the scene is empty: it has no face with area");
 
   const MaterialChoice choice = chooseMaterials(sections);
@@ -137,11 +140,13 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
   std::move(found.warnings.begin(), found.warnings.end(), std::back_inserter(scene.warnings));
 
   for (std::size_t s = 0; s < sections.size(); ++s) {
-    addSurfaces(scene, layCharts(sections[s], obj, file, settings.charts), sections[s].family, choice.ofSection[s]);
+    const std::string family = sections[s].family;
+    addSurfaces(scene, layCharts(std::move(sections[s]), obj, file, settings.charts), family, choice.ofSection[s]);
   }
   if (settings.twoSided) addBacks(scene.surfaces);
   makeNamesUnique(scene.surfaces);
   measureBounds(scene);
+  if (scene.extent < smallestExtent) fail({file}, "the scene is smaller than 1e-18 units", "scale it up");
   return scene;
 }
 

@@ -71,11 +71,11 @@ struct SceneSettings {
 };
 
 /// Reads an OBJ file and the MTL files and images it names. Throws InputError, with file and line, on a malformed or
-/// non-finite number, an index out of range, a negative reflectance or emission, or a scene without faces. What can
-/// be mended (degenerate faces, missing materials or textures, reflectances of 1) is mended and told in `warnings`.
-/// A face is degenerate where none of its triangles has area (see hasArea); a triangle without area of another face is
-/// left out in silence.
-/// A scene without emission is no error here: whether light is needed is for the caller to say (see requireEmission).
+/// non-finite number, an index out of range, a negative reflectance or emission, a scene without faces, or one too
+/// small or too large for binary32. What can be mended (degenerate faces, missing materials or textures, reflectances
+/// of 1) is mended and told in `warnings`. A face is degenerate where none of its triangles has area (see hasArea); a
+/// triangle without area of another face is left out in silence. A scene without emission is no error here: whether
+/// light is needed is for the caller to say (see requireEmission).
 Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings = {});
 
 /// Throws InputError where nothing in the scene emits.

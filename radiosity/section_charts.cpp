@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "radiosity/chart.h"
 #include "radiosity/planar_parts.h"
@@ -60,25 +61,23 @@ std::vector<Triangles> layPlanar(const Triangles& triangles) {
   return surfaces;
 }
 
-std::vector<Triangles> lay(const Section& section, const ObjFile& obj, const std::filesystem::path& file,
-                           Charts charts) {
+std::vector<Triangles> lay(Section section, const ObjFile& obj, const std::filesystem::path& file, Charts charts) {
   if (charts == Charts::Planar) return layPlanar(section.triangles);
-  Triangles triangles = section.triangles;
-  const std::optional<std::string> fault = layFromFile(triangles, obj);
+  const std::optional<std::string> fault = layFromFile(section.triangles, obj);
   if (fault && charts == Charts::File) {
     fail({file}, "the texture coordinates of surface '" + section.family + "' form no chart: " + *fault,
          "choose other charts, or mend the coordinates");
   }
   // The corners of a quad are its chart from the start.
-  if (!fault || isLoneQuad(triangles, obj)) return {triangles};
-  return layPlanar(triangles);
+  if (!fault || isLoneQuad(section.triangles, obj)) return {std::move(section.triangles)};
+  return layPlanar(section.triangles);
 }
 
 }  // namespace
 
-std::vector<std::vector<Triangle>> layCharts(const Section& section, const ObjFile& obj,
-                                             const std::filesystem::path& file, Charts charts) {
-  std::vector<Triangles> surfaces = lay(section, obj, file, charts);
+std::vector<std::vector<Triangle>> layCharts(Section section, const ObjFile& obj, const std::filesystem::path& file,
+                                             Charts charts) {
+  std::vector<Triangles> surfaces = lay(std::move(section), obj, file, charts);
   for (Triangles& surface : surfaces) {
     for (Triangle& triangle : surface) {
       if (!obj.polygons[triangle.polygon].textured) triangle.texcoord = triangle.chart;

@@ -13,7 +13,7 @@ namespace hemitex::radiosity {
 /// The triangles of a section with their charts, a vector for each surface that it becomes. Where the file has no
 /// texture coordinates the chart's take their place. Throws InputError, naming `file`, where `charts` asks for
 /// coordinates that form no chart.
-std::vector<std::vector<Triangle>> layCharts(const Section& section, const ObjFile& obj,
-                                             const std::filesystem::path& file, Charts charts);
+std::vector<std::vector<Triangle>> layCharts(Section section, const ObjFile& obj, const std::filesystem::path& file,
+                                             Charts charts);
 
 }  // namespace hemitex::radiosity

@@ -187,6 +187,11 @@ TEST_CASE("a scene without a face is refused", "[scene]") {
   CHECK_THROWS_WITH(load(obj), Catch::Contains("scene.obj") && Catch::Contains("empty"));
 }
 
+TEST_CASE("a scene too small for binary32 is refused", "[scene]") {
+  CHECK_THROWS_WITH(load("v 0 0 0\nv 1e-19 0 0\nv 0 1e-19 0\nf 1 2 3\n"), Catch::Contains("scale it up"));
+  CHECK_NOTHROW(load("v 0 0 0\nv 1e-17 0 0\nv 0 1e-17 0\nf 1 2 3\n"));
+}
+
 TEST_CASE("concave faces keep their area", "[scene]") {
   const Scene scene = load("v 0 0 0\nv 3 0 0\nv 3 1 0\nv 1 1 0\nv 1 3 0\nv 0 3 0\nf 1 2 3 4 5 6\n");
   CHECK(scene.surfaces.size() == 1);
