@@ -14,6 +14,8 @@
 namespace hemitex::radiosity {
 namespace {
 
+constexpr std::uint64_t mostPixels = std::uint64_t{1} << 28;
+
 /// a^(1/5) for a in [0.001, 1], the real root of y^5 = a, by Newton's iteration y <- (4 y + a / y^4) / 5. From y = 1
 /// it falls towards the root by at most a fifth a step, then doubles its digits: y is below 0.26 after no more than
 /// six steps, and has all 53 bits after five more.
@@ -36,26 +38,27 @@ std::array<double, 256> decodedCodes() {
   return values;
 }
 
-/// The file's samples, converted by the reader where they are of another type; none where it fails.
-template <typename Sample>
-std::vector<Sample> readSamples(OIIO::ImageInput& input, OIIO::TypeDesc type) {
+/// Reads samples of one type, decodes them, and makes three channels of them; no pixels where the reader fails.
+template <typename Sample, typename Decode>
+std::vector<glm::dvec3> readPixels(OIIO::ImageInput& input, OIIO::TypeDesc type, const Decode& decode) {
   const OIIO::ImageSpec& spec = input.spec();
-  std::vector<Sample> samples(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-  if (!input.read_image(0, 0, 0, spec.nchannels, type, samples.data())) samples.clear();
-  return samples;
+  const auto channels = static_cast<std::size_t>(spec.nchannels);
+  std::vector<Sample> samples(spec.image_pixels() * channels);
+  if (!input.read_image(0, 0, 0, spec.nchannels, type, samples.data())) return {};
+  std::vector<glm::dvec3> pixels;
+  pixels.reserve(samples.size() / channels);
+  for (std::size_t first = 0; first < samples.size(); first += channels) {
+    const Sample* s = &samples[first];
+    pixels.push_back(channels < 3 ? glm::dvec3(decode(s[0])) : glm::dvec3(decode(s[0]), decode(s[1]), decode(s[2])));
+  }
+  return pixels;
 }
 
-/// The file's channels as linear values.
-std::vector<double> readChannels(OIIO::ImageInput& input) {
-  if (input.spec().format != OIIO::TypeDesc::UINT8) {
-    const std::vector<float> samples = readSamples<float>(input, OIIO::TypeDesc::FLOAT);
-    return {samples.begin(), samples.end()};
-  }
-  const std::vector<std::uint8_t> codes = readSamples<std::uint8_t>(input, OIIO::TypeDesc::UINT8);
+std::vector<glm::dvec3> readLinearPixels(OIIO::ImageInput& input) {
+  if (input.spec().format != OIIO::TypeDesc::UINT8)
+    return readPixels<float>(input, OIIO::TypeDesc::FLOAT, [](float value) { return static_cast<double>(value); });
   const std::array<double, 256> decoded = decodedCodes();
-  std::vector<double> values(codes.size());
-  std::transform(codes.begin(), codes.end(), values.begin(), [&](std::uint8_t code) { return decoded[code]; });
-  return values;
+  return readPixels<std::uint8_t>(input, OIIO::TypeDesc::UINT8, [&](std::uint8_t code) { return decoded[code]; });
 }
 
 OIIO::ImageSpec rgbSpec(const Image& image, OIIO::TypeDesc format, const std::string& colourSpace) {
@@ -99,18 +102,16 @@ Image readImage(const std::filesystem::path& file) {
   config.attribute("oiio:UnassociatedAlpha", 1);  // alpha is dropped, so colours must not be multiplied by it
   const auto input = OIIO::ImageInput::open(file.string(), &config);
   if (!input) throw raster::InputError(file.string(), 0, "cannot be read as an image: " + OIIO::geterror());
-  const std::vector<double> values = readChannels(*input);
-  if (values.empty()) throw raster::InputError(file.string(), 0, "cannot be read: " + input->geterror());
-  if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.image_pixels() > mostPixels)
+    throw raster::InputError(file.string(), 0, "has too many pixels", "scale it down to at most 16384 x 16384");
+  const Image image{spec.width, spec.height, readLinearPixels(*input)};
+  if (image.pixels.empty()) throw raster::InputError(file.string(), 0, "cannot be read: " + input->geterror());
+  const auto isFinite = [](const glm::dvec3& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+  };
+  if (!std::all_of(image.pixels.begin(), image.pixels.end(), isFinite))
     throw raster::InputError(file.string(), 0, "holds a value that is not finite", "repair the image");
-
-  Image image{input->spec().width, input->spec().height, {}};
-  const auto channels = static_cast<std::size_t>(input->spec().nchannels);
-  image.pixels.reserve(values.size() / channels);
-  for (std::size_t first = 0; first < values.size(); first += channels) {
-    const double* value = &values[first];
-    image.pixels.push_back(channels < 3 ? glm::dvec3(value[0]) : glm::dvec3(value[0], value[1], value[2]));
-  }
   return image;
 }
 

@@ -22,7 +22,8 @@ double decodeSrgb(double encoded);
 std::uint8_t encodeSrgb(double linear);
 
 /// Reads an image as linear RGB: 8-bit files are sRGB-decoded, others taken as linear; grey becomes three equal
-/// channels, alpha is dropped. Throws InputError where the file cannot be read or holds a NaN or an infinity.
+/// channels, alpha is dropped. Throws InputError where the file cannot be read, holds a NaN or an infinity, or has more
+/// than 2^28 pixels.
 Image readImage(const std::filesystem::path& file);
 
 /// Writes an 8-bit sRGB PNG: equal pixels give equal files. Throws InputError where the file cannot be written.

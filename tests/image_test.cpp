@@ -131,6 +131,12 @@ TEST_CASE("a file that is no image, or holds a NaN, is the user's fault", "[imag
   CHECK_THROWS_AS(readImage(folder.path / "nan.exr"), raster::InputError);
 }
 
+TEST_CASE("an image that claims more pixels than memory holds is the user's fault", "[image]") {
+  const TemporaryFolder folder;
+  writeBytes(folder.path / "huge.pgm", "P5 60000 60000 255\n");
+  CHECK_THROWS_AS(readImage(folder.path / "huge.pgm"), raster::InputError);
+}
+
 TEST_CASE("a picture that cannot be written throws and leaves nothing behind", "[image]") {
   const TemporaryFolder folder;
   CHECK_THROWS_AS(writePng(folder.path / "absent" / "a.png", everyCode()), raster::InputError);
