@@ -202,11 +202,19 @@ HemicubeRows::HemicubeRows(const Scene& scene, const Discretization& discretizat
       deltas_(resolution),
       share_(discretization.elements.size()) {}
 
+glm::dvec3 HemicubeRows::eyeOver(std::uint32_t surface, const SurfacePoint& point) const {
+  const std::array<glm::dvec3, 3>& corner = scene_.surfaces[surface].triangles[point.triangle].position;
+  const glm::dvec3 inward = (corner[0] + corner[1] + corner[2]) / 3.0 - point.position;
+  const double distance = glm::length(inward);
+  const double share = distance > 0 ? std::min(0.5, eyeMove * scene_.extent / distance) : 0;
+  return point.position + share * inward + eyeLift * scene_.extent * point.normal;
+}
+
 FormFactorRow HemicubeRows::from(std::uint32_t surface, const SurfacePoint& point) {
   const std::vector<std::uint32_t> skipped = skippedTriangles(scene_, surface, point);
-  const double near = nearDistance(scene_, point.position, skipped);
-  const std::array<raster::Face, 5> faces =
-      hemicubeFaces(point.position - scene_.origin, point.normal, glm::dvec3(0), near, deltas_.resolution());
+  const glm::dvec3 eye = eyeOver(surface, point);
+  const std::array<raster::Face, 5> faces = hemicubeFaces(eye - scene_.origin, point.normal, glm::dvec3(0),
+                                                          nearDistance(scene_, eye, skipped), deltas_.resolution());
   return count(renderer_.render(faces, skipped));
 }
 

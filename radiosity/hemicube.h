@@ -44,6 +44,11 @@ std::array<raster::Face, 5> hemicubeFaces(const glm::dvec3& position, const glm:
 /// Triangles of the shooting surface whose corners lie this close to the tangent plane, in extents of the scene, lie
 /// in it: a few units of binary32's roundoff, which is all that drawing them could show.
 inline constexpr double tangentPlaneTolerance = 0x1p-20;
+/// Where surfaces meet at the shooting point, the rounding of positions to binary32 must not put the eye behind one of
+/// them: it is moved into its triangle and lifted off it, by so many extents of the scene. The lift clears shallow
+/// concave folds, the move all but the sharpest ones.
+inline constexpr double eyeMove = 0x1p-19;
+inline constexpr double eyeLift = 0x1p-21;
 /// A near distance is never below this many extents of the scene: binary32 positions have no detail there.
 inline constexpr double smallestNearDistance = 0x1p-24;
 
@@ -69,6 +74,7 @@ class HemicubeRows {
   FormFactorRow ofPatch(std::uint32_t patch);
 
  private:
+  glm::dvec3 eyeOver(std::uint32_t surface, const SurfacePoint& point) const;
   FormFactorRow count(const std::vector<raster::ItemBuffer>& faces);
 
   const Scene& scene_;

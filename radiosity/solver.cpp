@@ -4,12 +4,26 @@
 #include <cassert>
 #include <list>
 #include <map>
-#include <numeric>
 
 namespace hemitex::radiosity {
 namespace {
 
 double bandSum(const glm::dvec3& flux) { return flux.x + flux.y + flux.z; }
+
+/// A sum of fluxes to the last digit however many there are (Kahan 1965): `rest_` holds what rounding cut off so far.
+class FluxSum {
+ public:
+  void add(const glm::dvec3& flux) {
+    const glm::dvec3 term = flux - rest_;
+    const glm::dvec3 sum = sum_ + term;
+    rest_ = (sum - sum_) - term;
+    sum_ = sum;
+  }
+  const glm::dvec3& value() const { return sum_; }
+
+ private:
+  glm::dvec3 sum_{0.0}, rest_{0.0};
+};
 
 /// Rows of form factors within a budget of memory; the row used longest ago goes first. The answer does not depend on
 /// it: a row that was dropped is computed again, to the same bits.
@@ -65,7 +79,7 @@ class Refinement {
     for (std::uint32_t e = 0; e < discretization.elements.size(); ++e) {
       const glm::dvec3 emitted = emission(scene, discretization, e) * discretization.elements[e].area;
       receive(e, emitted);
-      energy_.emitted += emitted;
+      emitted_.add(emitted);
     }
   }
 
@@ -84,17 +98,17 @@ class Refinement {
       const glm::dvec3 arriving = shot * formFactor(row.shares[i]);
       const glm::dvec3 reflected = arriving * reflectance(scene_, discretization_, row.elements[i]);
       receive(row.elements[i], reflected);
-      energy_.absorbed += arriving - reflected;
+      absorbed_.add(arriving - reflected);
     }
-    energy_.lost += shot * formFactor(row.background + row.back);
-    energy_.lostToBacks += shot * formFactor(row.back);
+    lost_.add(shot * formFactor(row.background + row.back));
+    lostToBacks_.add(shot * formFactor(row.back));
   }
 
   /// The account, with what is unshot summed afresh.
   Energy energy() const {
-    Energy energy = energy_;
-    energy.unshot = std::accumulate(patchUnshot_.begin(), patchUnshot_.end(), glm::dvec3(0));
-    return energy;
+    FluxSum unshot;
+    for (const glm::dvec3& flux : patchUnshot_) unshot.add(flux);
+    return {emitted_.value(), absorbed_.value(), unshot.value(), lost_.value(), lostToBacks_.value()};
   }
 
   /// Radiosity of the elements: flux over area.
@@ -114,20 +128,20 @@ class Refinement {
   /// What the elements of a patch have not shot yet, summed afresh so that no rounding of running sums remains.
   glm::dvec3 takeUnshot(std::uint32_t patch) {
     const Patch& shooter = discretization_.patches[patch];
-    glm::dvec3 sum(0);
+    FluxSum sum;
     for (std::uint32_t i = 0; i < shooter.elementCount; ++i) {
       glm::dvec3& unshot = unshot_[discretization_.patchElements[shooter.firstElement + i]];
-      sum += unshot;
+      sum.add(unshot);
       unshot = glm::dvec3(0);
     }
     patchUnshot_[patch] = glm::dvec3(0);
-    return sum;
+    return sum.value();
   }
 
   const Scene& scene_;
   const Discretization& discretization_;
   std::vector<glm::dvec3> flux_, unshot_, patchUnshot_;
-  Energy energy_;
+  FluxSum emitted_, absorbed_, lost_, lostToBacks_;
 };
 
 double residualOf(const Energy& energy) {

@@ -207,6 +207,23 @@ TEST_CASE("unit squares see each other as the closed forms say", "[hemicube]") {
   CHECK(meanFactor(world, "left", "back", 128) == Approx(perpendicular).margin(2e-4));
 }
 
+TEST_CASE("a point on the edge of a concave fold sees no back of the other side", "[hemicube]") {
+  // Two squares that meet at a right angle along z, turned by every angle about it so that rounding to binary32 puts
+  // the meeting line on either side; the eye stands on the line and belongs to the first square.
+  for (int turn = 0; turn < 64; ++turn) {
+    const double angle = 0.1 * turn;
+    const glm::dvec3 x(std::cos(angle), std::sin(angle), 0), y(-std::sin(angle), std::cos(angle), 0), z(0, 0, 1);
+    Scene scene;
+    scene.materials.push_back(tests::material("grey", glm::dvec3(0.5), glm::dvec3(1)));
+    scene.surfaces = {tests::quad("floor", {{glm::dvec3(0), z, x + z, x}}),
+                      tests::quad("wall", {{glm::dvec3(0), y, y + z, z}})};
+    World world(tests::finish(scene), 4, 4);
+    const FormFactorRow row = world.rows(64).from(0, {0.4 * z, y, 0});
+    INFO("turned by " << angle);
+    CHECK(row.back == 0);
+  }
+}
+
 TEST_CASE("the back of a blocker is counted as back, not as an element", "[hemicube]") {
   // A square that hangs in the middle of the room and faces up: the floor sees only its back.
   Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
