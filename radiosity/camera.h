@@ -21,11 +21,14 @@ struct Camera {
 
 /// The face that draws `camera` at width x height pixels (a viewport may be larger than the picture; the scissor is
 /// the picture). The largest side is at most 4096. Throws InputError where the camera has no direction, `up` lies
-/// along it, or the field of view is out of range. Row 0 of the face is the BOTTOM of the picture.
+/// along it, or the field of view is out of range. Row 0 of the face is the BOTTOM of the picture. What is nearer than
+/// 1e-5 of the scene's extent is clipped.
 raster::Face cameraFace(const Scene& scene, const Camera& camera, int width, int height);
 
-/// A camera at a point inside the bounds that sees most of the scene: of a fixed grid of points and directions, the
-/// one that sees the largest area of fronts; the first of equals.
+/// A camera that looks at the middle of the bounds with a field of view of 60 degrees: of a grid of 5 x 5 x 5 points
+/// strictly inside the bounds, the one that sees the largest area of fronts (in 64 x 64 samples); the first of equals.
+/// `up` is +y, and +z where it looks along y. Where no point inside sees a front, as of a box seen from outside, it is
+/// the best of the eight corners of a cube around the bounds. Costs 124 small pictures of the scene.
 Camera defaultCamera(const Scene& scene);
 
 /// The triangles whose backs the eye sees, ascending: pictures leave them out, so that one can look into a closed room.
@@ -38,7 +41,8 @@ struct Visible {
   glm::dvec3 weights{0.0};     ///< barycentric, of the point on the triangle
 };
 
-/// What the samples of a picture see, width x height, row 0 at the TOP; nothing where the background is.
+/// What the samples of a picture see, width x height, row 0 at the TOP; nothing where the background is. Triangles that
+/// face away are looked through.
 std::vector<std::optional<Visible>> visibleSamples(const Scene& scene, const Camera& camera, int width, int height);
 
 }  // namespace hemitex::radiosity

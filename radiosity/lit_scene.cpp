@@ -43,12 +43,12 @@ class Lines {
 
 using Corners = std::array<glm::dvec3, 3>;
 
-/// Display radiosity at the corners of the scene's triangles, and whether a surface needs them: one texture of
-/// constant colour shows the others.
+/// Exposed radiosity at the corners of the scene's triangles, and whether a surface needs them: its texture shows one
+/// colour.
 class GouraudCorners {
  public:
-  GouraudCorners(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& display)
-      : corners_(cornerRadiosity(scene, discretization, display)) {
+  GouraudCorners(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& exposed)
+      : corners_(cornerRadiosity(scene, discretization, exposed)) {
     std::size_t first = 0;
     for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
       first_.push_back(first);
@@ -86,24 +86,25 @@ std::string gouraudMaterial(const TextureLayout& layout) {
 }
 
 std::string objText(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
-                    const GouraudCorners& gouraud, double exposure) {
+                    const GouraudCorners& gouraud) {
   std::vector<std::string> surfaceNames;
   for (const Surface& surface : scene.surfaces) surfaceNames.push_back(surface.name);
   const std::vector<std::string> groups = uniqueFileNames(surfaceNames);
 
+  const std::string mapless = gouraudMaterial(layout);
   std::string text =
       "# A scene lit by radiosity: show it without lights, its textures hold the light.\nmtllib scene.mtl\n";
   Lines positions, texcoords;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const Surface& surface = scene.surfaces[s];
     const std::string& texture = layout.names[static_cast<std::size_t>(layout.places[s].texture)];
-    text += "g " + groups[s] + "\nusemtl " + (gouraud.isNeeded(s) ? gouraudMaterial(layout) : texture) + "\n";
+    text += "g " + groups[s] + "\nusemtl " + (gouraud.isNeeded(s) ? mapless : texture) + "\n";
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
       const Triangle& triangle = surface.triangles[t];
       std::string face = "f";
       for (std::size_t k = 0; k < 3; ++k) {
         std::string position = lineOf("v", triangle.position[k]);
-        if (gouraud.isNeeded(s)) position += lineOf("", encodedColour(exposure * gouraud.at(s, t)[k]));
+        if (gouraud.isNeeded(s)) position += lineOf("", encodedColour(gouraud.at(s, t)[k]));
         const glm::dvec2 uv = textureCoordinate(discretization, layout, s, triangle.chart[k]);
         face += " " + std::to_string(positions.number(text, position)) + "/" +
                 std::to_string(texcoords.number(text, lineOf("vt", uv)));
@@ -124,9 +125,19 @@ std::string mtlText(const TextureLayout& layout) {
   return text + materialText(gouraudMaterial(layout), "");
 }
 
-Image scaled(Image image, double factor) {
-  for (glm::dvec3& pixel : image.pixels) pixel *= factor;
-  return image;
+/// What is displayed of each element, exposed: 1 is the brightest that a display shows.
+std::vector<glm::dvec3> exposedRadiosity(const Scene& scene, const Discretization& discretization,
+                                         const Solution& solution, double exposure) {
+  std::vector<glm::dvec3> exposed = displayRadiosity(scene, discretization, solution);
+  for (glm::dvec3& value : exposed) value *= exposure;
+  return exposed;
+}
+
+using Writer = void (*)(const std::filesystem::path&, const Image&);
+
+void writeTextures(const std::filesystem::path& folder, const TextureLayout& layout, const std::string& ending,
+                   const std::vector<Image>& textures, Writer write) {
+  for (std::size_t t = 0; t < textures.size(); ++t) write(folder / (layout.names[t] + ending), textures[t]);
 }
 
 }  // namespace
@@ -134,15 +145,11 @@ Image scaled(Image image, double factor) {
 void writeLitScene(const std::filesystem::path& folder, const Scene& scene, const Discretization& discretization,
                    const Solution& solution, double exposure) {
   const TextureLayout layout = layOutTextures(scene, discretization);
-  const std::vector<glm::dvec3> display = displayRadiosity(scene, discretization, solution);
-  const std::vector<Image> values = radiosityTextures(discretization, layout, solution.radiosity);
-  const std::vector<Image> shown = filteredTextures(discretization, layout, display);
-  for (std::size_t t = 0; t < layout.names.size(); ++t) {
-    writeExr(folder / (layout.names[t] + ".exr"), values[t]);
-    writePng(folder / (layout.names[t] + ".png"), scaled(shown[t], exposure));
-  }
-  const GouraudCorners gouraud(scene, discretization, display);
-  writeFile(folder / "scene.obj", objText(scene, discretization, layout, gouraud, exposure));
+  const std::vector<glm::dvec3> exposed = exposedRadiosity(scene, discretization, solution, exposure);
+  writeTextures(folder, layout, ".exr", radiosityTextures(discretization, layout, solution.radiosity), writeExr);
+  writeTextures(folder, layout, ".png", filteredTextures(discretization, layout, exposed), writePng);
+  const GouraudCorners gouraud(scene, discretization, exposed);
+  writeFile(folder / "scene.obj", objText(scene, discretization, layout, gouraud));
   writeFile(folder / "scene.mtl", mtlText(layout));
 }
 
