@@ -1,0 +1,16 @@
+/// The commands of the program, one file each: what the command line holds, what is called, what is printed.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "cli/options.h"
+
+namespace hemitex::cli {
+
+/// Each adds its command to the program. `context` outlives the program's line.
+void addSolve(CLI::App& program, Context& context);
+void addRender(CLI::App& program, Context& context);
+void addFormFactors(CLI::App& program, Context& context);
+void addVector(CLI::App& program, Context& context);
+
+}  // namespace hemitex::cli

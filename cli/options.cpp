@@ -1,0 +1,119 @@
+#include "cli/options.h"
+
+#include <limits>
+
+#include "cli/surface_names.h"
+
+namespace hemitex::cli {
+namespace {
+
+constexpr int largestTexels = 4096;
+constexpr int largestResolution = 4096;
+
+}  // namespace
+
+int integerOption(const std::string& name, const std::string& text, int low, int high) {
+  const std::optional<int> value = parseInteger(text);
+  if (value && *value >= low && *value <= high) return *value;
+  const std::string range = high == std::numeric_limits<int>::max()
+                                ? "of at least " + std::to_string(low)
+                                : "from " + std::to_string(low) + " to " + std::to_string(high);
+  throw CLI::ValidationError(name, "`" + text + "` is not a whole number " + range);
+}
+
+double positiveOption(const std::string& name, const std::string& text, double limit) {
+  const std::optional<double> value = parseNumber(text);
+  if (value && *value > 0 && *value < limit) return *value;
+  const std::string below = limit < std::numeric_limits<double>::infinity() ? " and below " + toText(limit) : "";
+  throw CLI::ValidationError(name, "`" + text + "` is not a number above 0" + below);
+}
+
+glm::dvec3 vectorOption(const std::string& name, const std::string& text) {
+  const std::optional<glm::dvec3> value = parseVector(text);
+  if (value) return *value;
+  throw CLI::ValidationError(name, "`" + text + "` is not a vector x,y,z of three finite numbers");
+}
+
+void addSceneOptions(CLI::App& app, SceneOptions& options) {
+  using radiosity::Charts;
+  app.add_option("SCENE", options.file, "Wavefront OBJ file")->required();
+  addChoice<Charts>(app, "--charts", options.settings.charts,
+                    {{"auto", Charts::Auto}, {"file", Charts::File}, {"planar", Charts::Planar}},
+                    "where charts come from (default auto)");
+  addPositive(app, "--max-reflectance", options.settings.maxReflectance, 1.0,
+              "what a reflectance of 1 or more is lowered to (default 0.9999)");
+  app.add_flag("--two-sided", options.settings.twoSided, "give each side of every face a surface of its own");
+}
+
+radiosity::Scene sceneOf(const SceneOptions& options, Console& console) {
+  radiosity::Scene scene = radiosity::loadScene(options.file, options.settings);
+  console.warnings(scene.warnings);
+  console.detail(std::to_string(scene.surfaces.size()) + " surfaces, " +
+                 std::to_string(radiosity::triangleCount(scene)) + " triangles");
+  return scene;
+}
+
+void addDiscretizationOptions(CLI::App& app, radiosity::DiscretizationSettings& settings) {
+  CLI::Option* texels =
+      addInteger(app, "--texels", settings.texels, 1, largestTexels, "texels along a surface's side (default 16)");
+  addPositive(app, "--texel-size", settings.texelSize, std::numeric_limits<double>::infinity(),
+              "instead: the side of a texel in the scene's units")
+      ->excludes(texels);
+  const auto readSurfaces = [&settings](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+      const std::size_t equals = text.rfind('=');
+      if (equals == std::string::npos || equals == 0)
+        throw CLI::ValidationError("--surface", "`" + text + "` is not NAME=N");
+      settings.surfaceTexels[text.substr(0, equals)] =
+          integerOption("--surface", text.substr(equals + 1), 1, largestTexels);
+    }
+  };
+  app.add_option_function<std::vector<std::string>>("--surface", readSurfaces,
+                                                    "texels along the side of one surface (repeatable; 1: not "
+                                                    "discretized)")
+      ->allow_extra_args(false)
+      ->type_name("NAME=N");
+  addInteger(app, "--patch", settings.patch, 1, largestTexels, "elements along a patch's side (default 4)");
+}
+
+radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettings& settings,
+                                           const radiosity::Scene& scene) {
+  for (const auto& [name, texels] : settings.surfaceTexels) surfacesNamed(scene, name);
+  return radiosity::discretize(scene, settings);
+}
+
+void addWordOptions(CLI::App& app, WordOptions& options) {
+  using raster::Blend;
+  std::vector<std::pair<std::string, std::string>> formats;
+  for (const std::string& name : raster::formatNames()) formats.emplace_back(name, name);
+  addChoice<std::string>(app, "--format", options.format, formats, "channels of a word (default r8g8b8a8)");
+  addChoice<Blend>(app, "--blend", options.blend,
+                   {{"clamped-add", Blend::ClampedAdd}, {"integer-add", Blend::IntegerAdd}},
+                   "how offset and index are added (default clamped-add)");
+  app.add_flag("--no-align", options.unaligned, "pack the offsets without alignment");
+}
+
+radiosity::WordLayout layoutOf(const WordOptions& options, const radiosity::Discretization& discretization,
+                               Console& console) {
+  if (options.unaligned && options.blend == raster::Blend::ClampedAdd)
+    console.warning(
+        "offsets without alignment overflow the channels of a clamped add, and light goes to wrong elements; "
+        "use --blend integer-add");
+  return radiosity::layOut(discretization, options.format, options.blend, !options.unaligned);
+}
+
+CLI::Option* addResolution(CLI::App& app, int& resolution) {
+  const auto read = [&resolution](const std::string& text) {
+    const int value = integerOption("--resolution", text, 2, largestResolution);
+    if (value % 2 != 0) throw CLI::ValidationError("--resolution", "`" + text + "` is not even");
+    resolution = value;
+  };
+  return app.add_option_function<std::string>("--resolution", read, "side of a hemicube in pixels (default 256)")
+      ->type_name("R");
+}
+
+CLI::Option* addOutput(CLI::App& app, std::filesystem::path& output, const std::string& help) {
+  return app.add_option("-o,--output", output, help)->required();
+}
+
+}  // namespace hemitex::cli

@@ -1,0 +1,112 @@
+/// Options that several commands share: how they are read, checked and turned into what the library asks for. A value
+/// that is no number, or outside its range, is a usage error that names the option.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/console.h"
+#include "cli/numbers.h"
+#include "radiosity/discretization.h"
+#include "radiosity/scene.h"
+#include "radiosity/word_layout.h"
+#include "raster/word.h"
+
+namespace hemitex::cli {
+
+/// What every command knows. A command that was given leaves its work in `command`, which the program calls once the
+/// whole line is read.
+struct Context {
+  Console console;
+  bool json = false;
+  int threads = 0;  ///< 0: all cores
+  std::function<void()> command;
+};
+
+/// The whole number in [low, high] that an option was given. Throws CLI::ValidationError.
+int integerOption(const std::string& name, const std::string& text, int low, int high);
+/// The number above 0 and below `limit` (which may be infinite) that an option was given. Throws CLI::ValidationError.
+double positiveOption(const std::string& name, const std::string& text, double limit);
+/// The vector that an option was given. Throws CLI::ValidationError.
+glm::dvec3 vectorOption(const std::string& name, const std::string& text);
+
+/// An option with a whole number in [low, high]. `target` is an int or may hold one.
+template <typename Target>
+CLI::Option* addInteger(CLI::App& app, const std::string& name, Target& target, int low, int high,
+                        const std::string& help) {
+  const auto read = [&target, name, low, high](const std::string& text) {
+    target = integerOption(name, text, low, high);
+  };
+  return app.add_option_function<std::string>(name, read, help)->type_name("N");
+}
+
+/// An option with a number above 0 and below `limit`. `target` is a double or may hold one.
+template <typename Target>
+CLI::Option* addPositive(CLI::App& app, const std::string& name, Target& target, double limit,
+                         const std::string& help) {
+  const auto read = [&target, name, limit](const std::string& text) { target = positiveOption(name, text, limit); };
+  return app.add_option_function<std::string>(name, read, help)->type_name("X");
+}
+
+/// An option with a vector `x,y,z`. `target` is a vector or may hold one.
+template <typename Target>
+CLI::Option* addVectorOption(CLI::App& app, const std::string& name, Target& target, const std::string& help) {
+  const auto read = [&target, name](const std::string& text) { target = vectorOption(name, text); };
+  return app.add_option_function<std::string>(name, read, help)->type_name("x,y,z");
+}
+
+/// An option with one of several words, each of which stands for a value.
+template <typename Value>
+CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& target,
+                       const std::vector<std::pair<std::string, Value>>& choices, const std::string& help) {
+  std::string words;
+  for (const auto& choice : choices) words += (words.empty() ? "" : "|") + choice.first;
+  const auto read = [&target, name, choices, words](const std::string& text) {
+    for (const auto& choice : choices)
+      if (choice.first == text) {
+        target = choice.second;
+        return;
+      }
+    throw CLI::ValidationError(name, "`" + text + "` is none of " + words);
+  };
+  return app.add_option_function<std::string>(name, read, help)->type_name(words);
+}
+
+/// The scene, and how it is read.
+struct SceneOptions {
+  std::filesystem::path file;
+  radiosity::SceneSettings settings;
+};
+void addSceneOptions(CLI::App& app, SceneOptions& options);
+/// The scene; what was mended in it is told as warnings.
+radiosity::Scene sceneOf(const SceneOptions& options, Console& console);
+
+/// How surfaces become elements and patches.
+void addDiscretizationOptions(CLI::App& app, radiosity::DiscretizationSettings& settings);
+/// Throws InputError, with names that come near, where a surface that was named is not in the scene.
+radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettings& settings,
+                                           const radiosity::Scene& scene);
+
+/// How elements become words.
+struct WordOptions {
+  std::string format = "r8g8b8a8";
+  raster::Blend blend = raster::Blend::ClampedAdd;
+  bool unaligned = false;
+};
+void addWordOptions(CLI::App& app, WordOptions& options);
+radiosity::WordLayout layoutOf(const WordOptions& options, const radiosity::Discretization& discretization,
+                               Console& console);
+
+/// `--resolution`: the side of a hemicube in pixels, even, 2 to 4096.
+CLI::Option* addResolution(CLI::App& app, int& resolution);
+
+/// `-o`, required.
+CLI::Option* addOutput(CLI::App& app, std::filesystem::path& output, const std::string& help);
+
+}  // namespace hemitex::cli

@@ -1,0 +1,179 @@
+/// `hemitex solve`: progressive radiosity. An OBJ scene goes in; a folder comes out that holds the lit scene for any
+/// viewer of OBJ files, a picture of it, and the numbers.
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <sstream>
+
+#include "cli/camera_options.h"
+#include "cli/commands.h"
+#include "cli/json.h"
+#include "cli/solution_file.h"
+#include "cli/staging.h"
+#include "radiosity/hemicube.h"
+#include "radiosity/lit_scene.h"
+#include "radiosity/picture.h"
+#include "radiosity/radiosity_texture.h"
+#include "radiosity/solver.h"
+#include "radiosity/write_file.h"
+#include "raster/software_renderer.h"
+
+namespace hemitex::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct SolveOptions {
+  SceneOptions scene;
+  radiosity::DiscretizationSettings discretization;
+  std::string discretize = "texture";
+  int resolution = 256;
+  std::string method = "hemicube";
+  WordOptions word;
+  radiosity::SolverSettings solver;
+  CameraOptions camera;
+  std::filesystem::path output;
+};
+
+/// Seconds that the parts of a run took.
+class Stopwatch {
+ public:
+  /// The time since the last lap goes to `name`.
+  void lap(const std::string& name) {
+    const auto now = std::chrono::steady_clock::now();
+    times_[name] = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+  const ordered_json& times() const { return times_; }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  ordered_json times_;
+};
+
+/// The settings that the answer depends on: no path, no thread count.
+ordered_json settingsJson(const SolveOptions& options, const radiosity::Camera& camera, double exposure) {
+  const auto chartsName = [](radiosity::Charts charts) {
+    return charts == radiosity::Charts::Auto ? "auto" : charts == radiosity::Charts::File ? "file" : "planar";
+  };
+  const auto orNull = [](const auto& value) { return value ? ordered_json(*value) : ordered_json(); };
+  return {{"charts", chartsName(options.scene.settings.charts)},
+          {"max_reflectance", options.scene.settings.maxReflectance},
+          {"two_sided", options.scene.settings.twoSided},
+          {"texels", options.discretization.texels},
+          {"texel_size", orNull(options.discretization.texelSize)},
+          {"surface_texels", options.discretization.surfaceTexels},
+          {"patch", options.discretization.patch},
+          {"discretize", options.discretize},
+          {"resolution", options.resolution},
+          {"method", options.method},
+          {"format", options.word.format},
+          {"blend", options.word.blend == raster::Blend::ClampedAdd ? "clamped-add" : "integer-add"},
+          {"align", !options.word.unaligned},
+          {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
+          {"shots", orNull(options.solver.shots)},
+          {"camera", toJson(camera)},
+          {"size", {options.camera.width, options.camera.height}},
+          {"exposure", exposure}};
+}
+
+/// How far the solution is: shots done of those asked for, or the residual's way down, on a logarithmic scale.
+radiosity::Progress progressOf(const radiosity::SolverSettings& settings, Console& console) {
+  return [&settings, &console](int shots, double residual) {
+    const double fraction = settings.shots ? static_cast<double>(shots) / *settings.shots
+                                           : std::log(residual) / std::log(settings.residual);
+    console.progress(fraction, "shot " + std::to_string(shots) + ", unshot " + toText(residual));
+  };
+}
+
+/// A few lines for people.
+std::string summary(const ordered_json& description) {
+  std::ostringstream text;
+  text << description["surfaces"].size() << " surfaces, " << description["elements"] << " elements, "
+       << description["patches"] << " patches, " << description["phantoms"] << " phantom indices\n"
+       << description["shots"] << " shots, residual " << description["residual"] << '\n';
+  for (const auto& [name, flux] : description["energy"].items()) text << name << ' ' << flux.dump() << '\n';
+  return text.str();
+}
+
+radiosity::Solution solutionOf(const SolveOptions& options, const radiosity::Scene& scene,
+                               const radiosity::Discretization& discretization, const radiosity::WordLayout& layout,
+                               Console& console) {
+  raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));
+  radiosity::HemicubeRows rows(scene, discretization, layout, renderer, options.resolution);
+  const auto rowOf = [&rows](std::uint32_t patch) { return rows.ofPatch(patch); };
+  radiosity::Solution solution =
+      radiosity::solve(scene, discretization, rowOf, options.solver, progressOf(options.solver, console));
+  console.endProgress();
+  console.warnings(solution.warnings);
+  return solution;
+}
+
+void solve(const SolveOptions& options, Context& context) {
+  Console& console = context.console;
+  Stopwatch watch;
+  const radiosity::Scene scene = sceneOf(options.scene, console);
+  radiosity::requireEmission(scene, options.scene.file);
+  const radiosity::Camera camera = cameraOf(options.camera, scene, options.scene.file);
+  watch.lap("load_s");
+  const radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
+  const radiosity::WordLayout layout = layoutOf(options.word, discretization, console);
+  watch.lap("discretize_s");
+  Staging staging(options.output);
+  const radiosity::Solution solution = solutionOf(options, scene, discretization, layout, console);
+  watch.lap("solve_s");
+  const double exposure = options.camera.exposure.value_or(
+      radiosity::defaultExposure(scene, discretization, radiosity::displayRadiosity(scene, discretization, solution)));
+  radiosity::writeLitScene(staging.folder(), scene, discretization, solution, exposure);
+  // The picture shows what is in the folder: the textures that any viewer shows.
+  const radiosity::Scene lit = radiosity::loadScene(staging.folder() / "scene.obj");
+  radiosity::writePng(staging.folder() / "render.png",
+                      radiosity::unlitPicture(lit, camera, options.camera.width, options.camera.height));
+  radiosity::writeFile(staging.folder() / "scene.view.json", toText(toJson(camera)));
+  std::ostringstream elements;
+  writeCsv(elements, elementTable(scene, discretization, solution));
+  radiosity::writeFile(staging.folder() / "elements.csv", elements.view());
+  watch.lap("write_s");
+
+  ordered_json description = {{"settings", settingsJson(options, camera, exposure)}};
+  description.update(describe(scene, discretization, layout, solution));
+  description["times"] = watch.times();
+  description["warnings"] = console.given();
+  const std::string text = toText(description);
+  radiosity::writeFile(staging.folder() / "solution.json", text);
+  staging.commit();
+  std::cout << (context.json ? text : summary(description));
+}
+
+}  // namespace
+
+void addSolve(CLI::App& program, Context& context) {
+  const auto options = std::make_shared<SolveOptions>();
+  CLI::App* command = program.add_subcommand("solve", "Light a scene by progressive radiosity");
+  addSceneOptions(*command, options->scene);
+  addOutput(*command, options->output, "folder for the lit scene");
+  addDiscretizationOptions(*command, options->discretization);
+  addChoice<std::string>(*command, "--discretize", options->discretize, {{"texture", "texture"}},
+                         "what makes elements (default texture)");
+  addChoice<std::string>(*command, "--method", options->method, {{"hemicube", "hemicube"}},
+                         "what finds form factors (default hemicube)");
+  addResolution(*command, options->resolution);
+  addWordOptions(*command, options->word);
+  CLI::Option* residual =
+      addPositive(*command, "--residual", options->solver.residual, std::numeric_limits<double>::infinity(),
+                  "stop when unshot over emitted flux is at most this (default 0.001)");
+  addInteger(*command, "--shots", options->solver.shots, 0, std::numeric_limits<int>::max(), "stop after N shots")
+      ->excludes(residual);
+  const auto readCache = [options](const std::string& text) {
+    const int mebibytes = integerOption("--row-cache", text, 0, std::numeric_limits<int>::max());
+    options->solver.rowCacheBytes = static_cast<std::size_t>(mebibytes) << 20;
+  };
+  command->add_option_function<std::string>("--row-cache", readCache, "rows kept for later shots (default 1024)")
+      ->type_name("MIB");
+  addCameraOptions(*command, options->camera);
+  command->callback([options, &context] { context.command = [options, &context] { solve(*options, context); }; });
+}
+
+}  // namespace hemitex::cli
