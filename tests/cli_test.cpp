@@ -1,0 +1,305 @@
+/// The program as whoever scripts it sees it: exit codes, what goes to which stream, what lies in folders afterwards.
+/// Every test runs the built program.
+#include <sys/wait.h>
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/temporary_folder.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string readAll(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  REQUIRE(stream);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void writeAll(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+
+struct Outcome {
+  int exitCode;
+  std::string out, err;
+};
+
+/// Runs `hemitex ARGUMENTS` in a folder of its own, which also holds a small scene.
+class Shell {
+ public:
+  Shell() {
+    writeAll(folder_.path / "room.obj", room);
+    writeAll(folder_.path / "room.mtl", roomMaterials);
+  }
+
+  Outcome run(const std::string& arguments) const {
+    const fs::path out = streams_.path / "out", err = streams_.path / "err";
+    const std::string line = "cd '" + folder_.path.string() + "' && '" HEMITEX_PROGRAM "' " + arguments + " >'" +
+                             out.string() + "' 2>'" + err.string() + "'";
+    const int status = std::system(line.c_str());
+    REQUIRE(WIFEXITED(status));
+    return {WEXITSTATUS(status), readAll(out), readAll(err)};
+  }
+
+  /// The same, where it has to succeed.
+  std::string output(const std::string& arguments) const {
+    const Outcome outcome = run(arguments);
+    INFO(arguments << '\n' << outcome.err);
+    REQUIRE(outcome.exitCode == 0);
+    return outcome.out;
+  }
+
+  fs::path file(const std::string& name) const { return folder_.path / name; }
+
+  /// Every file below the folder, with its content.
+  std::map<std::string, std::string> files() const {
+    std::map<std::string, std::string> contents;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_.path))
+      contents[fs::relative(entry.path(), folder_.path).string()] =
+          entry.is_regular_file() ? readAll(entry.path()) : "a folder";
+    return contents;
+  }
+
+ private:
+  /// A closed cube of side 2 about the origin, seen from inside, one face of which emits.
+  static constexpr const char* room = R"(mtllib room.mtl
+v -1 -1 -1
+v 1 -1 -1
+v 1 1 -1
+v -1 1 -1
+v -1 -1 1
+v 1 -1 1
+v 1 1 1
+v -1 1 1
+usemtl white
+g floor
+f 1 4 8 5
+g left
+f 1 5 6 2
+g right, with "quotes"
+f 4 3 7 8
+g back:1,2
+f 1 2 3 4
+g front
+f 5 8 7 6
+usemtl lamp
+g ceiling/lamp
+f 2 6 7 3
+)";
+  static constexpr const char* roomMaterials = R"(newmtl white
+Kd 0.7 0.5 0.3
+newmtl lamp
+Kd 0 0 0
+Ke 10 10 10
+)";
+
+  hemitex::TemporaryFolder folder_, streams_;
+};
+
+const std::string quickSolve = "solve room.obj --texels 4 --patch 2 --resolution 32 --size 40x30 ";
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The last field of a CSV line.
+double lastNumber(const std::string& line) { return std::stod(line.substr(line.rfind(',') + 1)); }
+
+}  // namespace
+
+TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind", "[cli]") {
+  const auto arguments = GENERATE(as<std::string>{},  //
+      "", "no-such-command", "solve", "solve room.obj", "solve -o out", "solve room.obj -o out --no-such-option",
+      "solve room.obj -o out extra", "solve room.obj -o out --texels 0", "solve room.obj -o out --texels 4097",
+      "solve room.obj -o out --texels 3.5", "solve room.obj -o out --texels ''",
+      "solve room.obj -o out --texels 99999999999", "solve room.obj -o out --texels 4 --texels 5",
+      "solve room.obj -o out --texels 4 --texel-size 0.1", "solve room.obj -o out --texel-size 0",
+      "solve room.obj -o out --texel-size nan", "solve room.obj -o out --patch 0",
+      "solve room.obj -o out --resolution 255", "solve room.obj -o out --resolution 0",
+      "solve room.obj -o out --resolution 4098", "solve room.obj -o out --residual 0",
+      "solve room.obj -o out --residual -1", "solve room.obj -o out --residual nan",
+      "solve room.obj -o out --residual 1e999", "solve room.obj -o out --residual inf",
+      "solve room.obj -o out --residual 0.1x", "solve room.obj -o out --shots -1",
+      "solve room.obj -o out --shots 3 --residual 0.1", "solve room.obj -o out --threads -1",
+      "solve room.obj -o out --format r9g9b9", "solve room.obj -o out --blend add",
+      "solve room.obj -o out --method rays", "solve room.obj -o out --charts none",
+      "solve room.obj -o out --max-reflectance 1", "solve room.obj -o out --surface floor",
+      "solve room.obj -o out --surface =4", "solve room.obj -o out --surface floor=0",
+      "solve room.obj -o out --surface flor=4", "solve room.obj -o out --eye 1,2", "solve room.obj -o out --eye 1,2,3,4",
+      "solve room.obj -o out --eye 1,2,x", "solve room.obj -o out --eye 1,2,nan", "solve room.obj -o out --fov 180",
+      "solve room.obj -o out --size 40", "solve room.obj -o out --size 0x30", "solve room.obj -o out --size 4000x30",
+      "solve room.obj -o out --exposure 0", "solve room.obj -o out --eye 0,0,0 --look-at 0,0,0",
+      "solve room.obj -o out -q -v", "solve room.obj -o room.obj", "solve room.obj -o /proc/none/out",
+      "render room.obj", "render room.obj -o picture.jpg", "render room.obj -o out.png --show nothing",
+      "render room.obj -o room.mtl/picture.png", "formfactors room.obj", "formfactors room.obj --all",
+      "formfactors room.obj --from floor --all --by-surface", "formfactors room.obj --from flor",
+      "formfactors room.obj --from floor:16,0", "formfactors room.obj --from floor:0,-1",
+      "formfactors room.obj --from floor --method analytic", "vector", "vector export room.obj -o out",
+      "vector export room.obj -o out --eye 0,0,0 --normal 0,0,0", "vector render room.obj -o out",
+      "vector render no-such-folder -o out");
+  const Shell shell;
+  const auto before = shell.files();
+  const Outcome outcome = shell.run(arguments);
+  INFO(arguments << '\n' << outcome.err);
+  CHECK(outcome.exitCode == 2);
+  CHECK(outcome.out.empty());
+  CHECK(outcome.err.find("hemitex: error: ") != std::string::npos);
+  CHECK(shell.files() == before);
+}
+
+TEST_CASE("A scene that is wrong is refused with its file and line", "[cli]") {
+  const Shell shell;
+  const auto [text, place] = GENERATE(table<std::string, std::string>({
+      {"v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n", "bad.obj:2: "},
+      {"v 0 0 0\nv 1 0 1e999\nv 0 1 0\nf 1 2 3\n", "bad.obj:2: "},
+      {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "bad.obj:4: "},
+      {"", "bad.obj"},
+      {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "bad.obj"},  // nothing emits
+  }));
+  writeAll(shell.file("bad.obj"), text);
+  const auto before = shell.files();
+  const Outcome outcome = shell.run("solve bad.obj -o out");
+  INFO(outcome.err);
+  CHECK(outcome.exitCode == 2);
+  CHECK(outcome.err.find(place) != std::string::npos);
+  CHECK(outcome.out.empty());
+  CHECK(shell.files() == before);
+}
+
+TEST_CASE("A name that no surface has is answered with the names that come near", "[cli]") {
+  const Outcome outcome = Shell().run("formfactors room.obj --from flor");
+  CHECK(outcome.err.find("`floor`") != std::string::npos);
+}
+
+TEST_CASE("Help and version are printed on stdout, before or after a command", "[cli]") {
+  const Shell shell;
+  for (const char* arguments : {"--help", "solve --help", "render -h", "formfactors --help", "vector --help",
+                                "vector export --help", "vector render --help"})
+    CHECK(shell.output(arguments).find("--threads") != std::string::npos);
+  for (const char* arguments : {"--version", "solve --version", "--version solve", "vector export --version"})
+    CHECK(shell.output(arguments) == "hemitex " HEMITEX_VERSION "\n");
+}
+
+TEST_CASE("A solved folder holds what is promised", "[cli]") {
+  const Shell shell;
+  shell.output(quickSolve + "-o out");
+  for (const char* name : {"scene.obj", "scene.mtl", "render.png", "elements.csv", "solution.json", "scene.view.json"})
+    CHECK(fs::file_size(shell.file("out") / name) > 0);
+
+  // Six faces of 4 x 4 elements and area 4; the fifth field from the end is the area.
+  const auto lines = linesOf(readAll(shell.file("out/elements.csv")));
+  REQUIRE(lines.size() == 1 + 6 * 16);
+  CHECK(lines[0] == "surface,column,row,x,y,z,nx,ny,nz,area,b_r,b_g,b_b");
+  CHECK(lines[1].starts_with("floor,0,0,"));
+  CHECK(lines[2].starts_with("floor,1,0,"));
+  CHECK(lines[1 + 2 * 16].starts_with("\"right, with \"\"quotes\"\"\",0,0,"));
+
+  const json solution = json::parse(readAll(shell.file("out/solution.json")));
+  CHECK(solution["elements"] == 96);
+  CHECK(solution["patches"] == 24);
+  CHECK(solution["residual"] <= 0.001);
+  CHECK(solution["surfaces"].size() == 6);
+  CHECK(solution["settings"]["texels"] == 4);
+  // The lamp's 2 x 2 square emits 10 per unit of area, in every band; what is emitted goes somewhere.
+  for (int band = 0; band < 3; ++band) {
+    const auto& energy = solution["energy"];
+    CHECK(energy["emitted"][band].get<double>() == Approx(40).epsilon(1e-12));
+    const double accounted = energy["absorbed"][band].get<double>() + energy["unshot"][band].get<double>() +
+                             energy["lost"][band].get<double>();
+    CHECK(accounted == Approx(40).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("With --json stdout holds one object and nothing else", "[cli]") {
+  const Shell shell;
+  json solution = json::parse(shell.output(quickSolve + "-o out --json"));
+  CHECK(solution == json::parse(readAll(shell.file("out/solution.json"))));
+  CHECK(json::parse(shell.output("--json render out/scene.obj -o picture.png --size 40x30")).is_object());
+  const json row = json::parse(shell.output("formfactors room.obj --from floor --by-surface --resolution 32 --json"));
+  CHECK(row["row"].size() == 6);
+  const json exported =
+      json::parse(shell.output("vector export room.obj --eye 0,0,0 --normal 0,0,1 --resolution 8 -o vector --json"));
+  CHECK(exported["faces"].size() == 5);
+}
+
+TEST_CASE("Options of the program may stand before or after the command", "[cli]") {
+  const Shell shell;
+  CHECK(shell.run("-q --threads 1 " + quickSolve + "-o out").err.empty());
+  CHECK(shell.run(quickSolve + "-o out -q --threads 1").err.empty());
+  CHECK(!shell.run(quickSolve + "-o out -v").err.empty());
+}
+
+TEST_CASE("Every output but timings is the same bytes for any number of threads", "[cli]") {
+  const auto solved = [](int threads) {
+    const Shell shell;
+    const std::string limit = " --threads " + std::to_string(threads);
+    shell.output(quickSolve + "-o out" + limit);
+    shell.output("render out/scene.obj --size 40x30 -o out/again.png" + limit);
+    shell.output("formfactors room.obj --from floor --resolution 32 >out/row.csv" + limit);
+    auto files = shell.files();
+    json solution = json::parse(files.at("out/solution.json"));
+    solution.erase("times");
+    files["out/solution.json"] = solution.dump();
+    return files;
+  };
+  const auto one = solved(1);
+  CHECK(solved(2) == one);
+  CHECK(solved(7) == one);
+}
+
+TEST_CASE("A run that fails leaves an old result as it was", "[cli]") {
+  const Shell shell;
+  shell.output(quickSolve + "-o out");
+  const auto before = shell.files();
+  CHECK(shell.run(quickSolve + "-o out --surface flor=3").exitCode == 2);
+  CHECK(shell.run("vector render out -o out").exitCode == 2);
+  CHECK(shell.files() == before);
+}
+
+TEST_CASE("The form factors from a surface of a closed room sum to 1", "[cli]") {
+  const Shell shell;
+  // A share has 60 bits and its double 53, so each of up to 96 numbers is rounded by at most half of 2^-53.
+  for (const char* from : {"floor", "floor:3,0", "'ceiling/lamp'", "'back:1,2'"}) {
+    const auto lines = linesOf(shell.output("formfactors room.obj --texels 4 --resolution 32 --from " +
+                                            std::string(from)));
+    CHECK(lines.at(0) == "surface,column,row,area,form_factor");
+    REQUIRE(lines.size() == 1 + 96);
+    double sum = 0;
+    for (std::size_t i = 1; i < lines.size(); ++i) sum += lastNumber(lines[i]);
+    CHECK(sum == Approx(1).margin(96 * 1.2e-16));
+  }
+}
+
+TEST_CASE("The matrix of form factors holds the rows of its surfaces", "[cli]") {
+  const Shell shell;
+  const std::string settings = " --texels 4 --resolution 32 --by-surface";
+  const auto matrix = linesOf(shell.output("formfactors room.obj --all" + settings));
+  const auto row = linesOf(shell.output("formfactors room.obj --from left" + settings));
+  CHECK(matrix.at(0) == "from,to,form_factor");
+  CHECK(row.at(0) == "surface,area,form_factor");
+  REQUIRE(matrix.size() == 1 + 36);
+  REQUIRE(row.size() == 1 + 6);
+  for (std::size_t to = 0; to < 6; ++to) CHECK(lastNumber(matrix[1 + 6 + to]) == lastNumber(row[1 + to]));
+}
+
+TEST_CASE("A test vector is exported without words and rendered in place", "[cli]") {
+  const Shell shell;
+  shell.output("vector export room.obj --eye 0,0,0 --normal 0,0,1 --resolution 8 -o vector");
+  CHECK(fs::exists(shell.file("vector/vector.json")));
+  CHECK_FALSE(fs::exists(shell.file("vector/top.u32")));
+  const std::string faces = shell.output("vector render vector -o vector");
+  CHECK(fs::file_size(shell.file("vector/top.u32")) == 8 * 8 * 4);
+  CHECK(shell.output("vector render vector -o elsewhere") == faces);
+  CHECK(readAll(shell.file("elsewhere/vector.json")) == readAll(shell.file("vector/vector.json")));
+}

@@ -1,0 +1,10 @@
+# cmake -DBUILD=<built hemitex> -DWORK=<scratch folder> -DCOMPILER=<c++> -P check.cmake
+# Installs hemitex into an empty prefix, builds the consumer against it and runs it.
+file(REMOVE_RECURSE ${WORK})
+foreach(step
+    "--install;${BUILD};--prefix;${WORK}/prefix"
+    "-S;${CMAKE_CURRENT_LIST_DIR};-B;${WORK}/build;-DCMAKE_PREFIX_PATH=${WORK}/prefix;-DCMAKE_CXX_COMPILER=${COMPILER}"
+    "--build;${WORK}/build")
+  execute_process(COMMAND ${CMAKE_COMMAND} ${step} COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+execute_process(COMMAND ${WORK}/build/consumer COMMAND_ERROR_IS_FATAL ANY)
