@@ -1,0 +1,100 @@
+#include "reference/device_profile.h"
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "raster/input_error.h"
+
+namespace hemitex::reference {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using raster::InputError;
+
+template <typename Value>
+using Choices = std::vector<std::pair<std::string, Value>>;
+
+template <typename Value>
+void readChoice(const Json& value, const std::string& key, const Choices<Value>& choices, Value& target) {
+  std::string names;
+  for (const auto& [name, choice] : choices) {
+    if (value == name) {
+      target = choice;
+      return;
+    }
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  throw InputError("\"" + key + "\" is " + value.dump(), "use one of " + names);
+}
+
+void readBound(const Json& value, const std::string& key, double& target) {
+  if (!value.is_number() || !std::isfinite(value.get<double>()) || value.get<double>() < 0)
+    throw InputError("\"" + key + "\" is " + value.dump(), "use a number from 0 up");
+  target = value.get<double>();
+}
+
+void readSubpixelBits(const Json& value, const std::string& key, int& target) {
+  if (!value.is_number_integer() || value < 4 || value > 12)
+    throw InputError("\"" + key + "\" is " + value.dump(), "use a whole number from 4 to 12");
+  target = value.get<int>();
+}
+
+void readFlag(const Json& value, const std::string& key, bool& target) {
+  if (!value.is_boolean()) throw InputError("\"" + key + "\" is " + value.dump(), "use true or false");
+  target = value.get<bool>();
+}
+
+void readField(const Json& value, const std::string& key, DeviceProfile& profile) {
+  if (key == "vertex_error") return readBound(value, key, profile.vertexError);
+  if (key == "subpixel_bits") return readSubpixelBits(value, key, profile.subpixelBits);
+  if (key == "snap_rounding")
+    return readChoice(value, key, {{"nearest", SnapRounding::Nearest}, {"truncate", SnapRounding::Truncate}},
+                      profile.snapRounding);
+  if (key == "edge_rule")
+    return readChoice(value, key, {{"top-left", EdgeRule::TopLeft}, {"any", EdgeRule::Any}}, profile.edgeRule);
+  if (key == "texel_precision") return readBound(value, key, profile.texelPrecision);
+  if (key == "depth_format")
+    return readChoice(
+        value, key,
+        {{"float32", DepthFormat::Float32}, {"unorm24", DepthFormat::Unorm24}, {"unorm16", DepthFormat::Unorm16}},
+        profile.depthFormat);
+  if (key == "depth_tolerance") return readBound(value, key, profile.depthTolerance);
+  if (key == "loose_clipping") return readFlag(value, key, profile.looseClipping);
+  throw InputError("\"" + key + "\" is no key of a device profile");
+}
+
+}  // namespace
+
+double depthError(const DeviceProfile& profile) {
+  switch (profile.depthFormat) {
+    case DepthFormat::Float32:
+      return profile.depthTolerance * 0x1p-23;
+    case DepthFormat::Unorm24:
+      return profile.depthTolerance / 0xffffff;
+    case DepthFormat::Unorm16:
+      return profile.depthTolerance / 0xffff;
+  }
+  return 0;
+}
+
+DeviceProfile readProfile(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) throw InputError(file.string(), 0, "cannot be read");
+  try {
+    const Json json = Json::parse(stream);
+    if (!json.is_object()) throw InputError("a device profile is a JSON object");
+    DeviceProfile profile;
+    for (const auto& [key, value] : json.items()) readField(value, key, profile);
+    return profile;
+  } catch (const Json::exception& error) {
+    throw InputError(file.string(), 0, error.what());
+  } catch (const InputError& error) {
+    throw InputError(file.string(), 0, error.what());
+  }
+}
+
+}  // namespace hemitex::reference

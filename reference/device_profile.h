@@ -1,0 +1,45 @@
+/// What a real device may do otherwise than the raster rules and still be right (raster rules, 8). Every bound is one
+/// that a graphics interface or a datasheet states; the verdict (verdict.h) takes them all as worst cases.
+#pragma once
+
+#include <filesystem>
+
+namespace hemitex::reference {
+
+enum class SnapRounding {
+  Nearest,   ///< to the nearest sub-pixel, ties either way
+  Truncate,  ///< down to the next sub-pixel
+};
+
+enum class EdgeRule {
+  TopLeft,  ///< a sample on an edge belongs to the triangle whose top or left edge it is
+  Any,      ///< a sample on an edge may belong to any triangle of it, or to none
+};
+
+enum class DepthFormat { Float32, Unorm24, Unorm16 };
+
+/// The default is a device of the Vulkan and Direct3D class.
+struct DeviceProfile {
+  /// Roundings of the vertex stage, each of 2^-24 of the sum of the sizes of what is added: 4 of ours, and 4 of a
+  /// device that multiplies by a 4x4 matrix, in any order, fused or not.
+  double vertexError = 8;
+  int subpixelBits = 8;  ///< 4 to 12
+  SnapRounding snapRounding = SnapRounding::Nearest;
+  EdgeRule edgeRule = EdgeRule::TopLeft;
+  double texelPrecision = 1.0 / 256;  ///< error of a texture coordinate, in texels
+  DepthFormat depthFormat = DepthFormat::Float32;
+  double depthTolerance = 4;  ///< error of a stored depth, in units in the last place of 1
+  /// Whether triangles that cross a clip plane may be cut at other planes, or in binary32.
+  bool looseClipping = true;
+};
+
+/// The error of a stored depth `1 - n/w`, in its own range from 0 to 1.
+double depthError(const DeviceProfile& profile);
+
+/// Reads a JSON object with any of the keys `vertex_error`, `subpixel_bits`, `snap_rounding` ("nearest", "truncate"),
+/// `edge_rule` ("top-left", "any"), `texel_precision`, `depth_format` ("float32", "unorm24", "unorm16"),
+/// `depth_tolerance`, `loose_clipping`; a key that is absent keeps its default. Throws InputError for another key, a
+/// value of the wrong type or out of range, and a file that cannot be read.
+DeviceProfile readProfile(const std::filesystem::path& file);
+
+}  // namespace hemitex::reference

@@ -1,0 +1,82 @@
+#include "reference/fragments.h"
+
+#include <algorithm>
+
+#include "raster/exact.h"
+#include "raster/screen_triangle.h"
+
+namespace hemitex::reference {
+namespace {
+
+using raster::ScreenTriangle;
+
+/// A screen triangle and the triangle that it is a part of.
+struct Part {
+  ScreenTriangle screen;
+  std::uint32_t triangle;
+};
+
+bool covers(const ScreenTriangle& triangle, int column, int row) {
+  return std::all_of(triangle.edges.begin(), triangle.edges.end(), [=](const raster::Edge& edge) {
+    const std::int64_t value = edge.at(column, row);
+    return value > 0 || (value == 0 && edge.inclusive);
+  });
+}
+
+/// Every screen triangle that covers the sample, in draw order.
+std::vector<Part> partsAt(const raster::DrawList& list, const raster::Face& face, int column, int row) {
+  std::vector<Part> parts;
+  std::vector<ScreenTriangle> screen;
+  for (std::uint32_t draw = 0; draw < list.draws.size(); ++draw) {
+    const std::uint32_t first = list.draws[draw].first / 3;
+    for (std::uint32_t t = first; t < first + list.draws[draw].count / 3; ++t) {
+      screen.clear();
+      raster::appendScreenTriangles(list, face, {draw, t, t + 1}, {}, screen);
+      for (const ScreenTriangle& triangle : screen)
+        if (covers(triangle, column, row)) parts.push_back({triangle, t});
+    }
+  }
+  return parts;
+}
+
+/// Depth, coordinates and word of a part (raster rules, 6 and 7).
+Fragment fragmentOf(const raster::DrawList& list, const Part& part, int column, int row) {
+  const ScreenTriangle& triangle = part.screen;
+  const raster::Draw& draw = list.draws[triangle.draw];
+  double inverse = 0, u = 0, v = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double weight = static_cast<double>(triangle.edges[k].at(column, row)) * triangle.inverseDepth[k];
+    inverse += weight;
+    u += weight * triangle.u.at[k];
+    v += weight * triangle.v.at[k];
+  }
+  Fragment fragment{part.triangle, triangle.draw, triangle.facesAway, 1 / inverse, u / inverse, v / inverse, {}, {}};
+  if (triangle.facesAway && draw.back) {
+    fragment.word = *draw.back;
+  } else if (!draw.indexMap) {
+    fragment.word = draw.offset;
+  } else {
+    const raster::IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
+    const Texel texel{raster::texelExactly(triangle, triangle.u.at, map.width, column, row),
+                      raster::texelExactly(triangle, triangle.v.at, map.height, column, row)};
+    const auto index = static_cast<std::size_t>(texel.row) * static_cast<std::size_t>(map.width) +
+                       static_cast<std::size_t>(texel.column);
+    fragment.texel = texel;
+    fragment.word = raster::blend(list.format, list.blend, draw.offset, map.words[index]);
+  }
+  return fragment;
+}
+
+}  // namespace
+
+std::vector<Fragment> fragmentsAt(const raster::DrawList& list, const raster::Face& face, int column, int row) {
+  std::vector<Part> parts = partsAt(list, face, column, row);
+  std::stable_sort(parts.begin(), parts.end(), [=](const Part& a, const Part& b) {
+    return raster::isNearerExactly(a.screen, b.screen, column, row);
+  });
+  std::vector<Fragment> fragments;
+  for (const Part& part : parts) fragments.push_back(fragmentOf(list, part, column, row));
+  return fragments;
+}
+
+}  // namespace hemitex::reference

@@ -1,0 +1,148 @@
+#include "tests/simulated_device.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "raster/clip.h"
+
+namespace hemitex::tests {
+namespace {
+
+using raster::ViewVertex;
+
+/// In [-1, 1].
+double anyError(std::mt19937& random) { return static_cast<double>(random()) * 0x1p-31 - 1; }
+
+/// Errors belong to a position, so that triangles which share a vertex get the same one.
+std::mt19937 generatorOf(std::uint32_t seed, const glm::vec3& position) {
+  std::seed_seq sequence{seed, std::bit_cast<std::uint32_t>(position.x), std::bit_cast<std::uint32_t>(position.y),
+                         std::bit_cast<std::uint32_t>(position.z)};
+  return std::mt19937(sequence);
+}
+
+ViewVertex disturbed(const SimulatedDevice& device, const raster::Face& face, const glm::vec3& position,
+                     const glm::vec2& texcoord) {
+  ViewVertex vertex = raster::transform(face, position, texcoord);
+  std::mt19937 random = generatorOf(device.seed, position);
+  const auto error = [&](const glm::vec3& row) {
+    double sizes = 0;
+    for (int k = 0; k < 3; ++k)
+      sizes += std::abs(static_cast<double>(row[k])) *
+               (std::abs(static_cast<double>(position[k])) + std::abs(static_cast<double>(face.eye[k])));
+    return anyError(random) * device.profile.vertexError * 0x1p-24 * sizes;
+  };
+  vertex.x += error(face.x);
+  vertex.y += error(face.y);
+  vertex.w += error(face.w);
+  return vertex;
+}
+
+raster::ClippedPolygon clipOn(const SimulatedDevice& device, std::array<ViewVertex, 3> triangle, double nearDistance) {
+  // The guard band is eight times the view: scaled by eight, a triangle is cut at the view instead.
+  const double scale = device.cutsAtView ? 8 : 1;
+  for (ViewVertex& vertex : triangle) {
+    vertex.x *= scale;
+    vertex.y *= scale;
+  }
+  raster::ClippedPolygon polygon = raster::clip(triangle, nearDistance);
+  for (ViewVertex& vertex : polygon.vertices) {
+    vertex.x /= scale;
+    vertex.y /= scale;
+  }
+  return polygon;
+}
+
+double snapOn(const SimulatedDevice& device, double q, int resolution) {
+  const double unit = std::ldexp(256.0, -device.profile.subpixelBits);
+  const double position = (q + 1) * 128 * resolution / unit;
+  const bool nearest = device.profile.snapRounding == reference::SnapRounding::Nearest;
+  return (nearest ? std::nearbyint(position) : std::floor(position)) * unit;
+}
+
+struct DevicePixel {
+  double depth = 2;
+  raster::Word word = 0;
+};
+
+/// A triangle of a fan, snapped, on the whole picture.
+void drawTriangle(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face,
+                  const raster::Draw& draw, const std::array<ViewVertex, 3>& vertices, std::mt19937& random,
+                  std::vector<DevicePixel>& pixels) {
+  std::array<glm::dvec2, 3> s;
+  for (std::size_t k = 0; k < 3; ++k)
+    s[k] = {snapOn(device, vertices[k].x / vertices[k].w, face.resolution) + device.shift,
+            snapOn(device, vertices[k].y / vertices[k].w, face.resolution)};
+  const auto cross = [](const glm::dvec2& p, const glm::dvec2& q) { return p.x * q.y - p.y * q.x; };
+  const double area = cross(s[1] - s[0], s[2] - s[0]);
+  if (area == 0) return;
+  const bool facesAway = (area < 0) == (raster::determinant(face) < 0);
+
+  std::size_t pixel = 0;
+  for (int row = 0; row < face.resolution; ++row)
+    for (int column = 0; column < face.resolution; ++column, ++pixel) {
+      const glm::dvec2 sample(256.0 * column + 128, 256.0 * row + 128);
+      bool covered = true;
+      double inverse = 0, u = 0, v = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec2 &p = s[(k + 1) % 3], &q = s[(k + 2) % 3];
+        const glm::dvec2 along = (area > 0 ? 1.0 : -1.0) * (q - p);
+        const double value = cross(along, sample - p);
+        const bool topOrLeft = along.y < 0 || (along.y == 0 && along.x > 0);
+        covered = covered && (value > 0 || (value == 0 && topOrLeft != device.bottomRight));
+        const double weight = value / std::abs(area) / vertices[k].w;
+        inverse += weight;
+        u += weight * vertices[k].u;
+        v += weight * vertices[k].v;
+      }
+      if (!covered) continue;
+      // Rounding to the format is within half of its unit; the rest of the tolerance is drawn at random.
+      const double depth = 1 - static_cast<double>(face.nearDistance) * inverse +
+                           anyError(random) * reference::depthError(device.profile);
+      if (depth >= pixels[pixel].depth) continue;
+      const auto texel = [&](double coordinate, int size) {
+        const double error = anyError(random) * device.profile.texelPrecision + device.texelShift;
+        return static_cast<std::size_t>(std::clamp(std::floor(coordinate / inverse * size + error), 0.0, size - 1.0));
+      };
+      raster::Word word = draw.offset;
+      if (facesAway && draw.back) {
+        word = *draw.back;
+      } else if (draw.indexMap) {
+        const raster::IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
+        const std::size_t i = texel(u, map.width), j = texel(v, map.height);
+        word =
+            raster::blend(list.format, list.blend, draw.offset, map.words[j * static_cast<std::size_t>(map.width) + i]);
+      }
+      pixels[pixel] = {depth, word};
+    }
+}
+
+}  // namespace
+
+raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face) {
+  const auto side = static_cast<std::size_t>(face.resolution);
+  std::vector<DevicePixel> pixels(side * side, {2, raster::backgroundWord(list.format)});
+  std::mt19937 random(device.seed);
+  for (const raster::Draw& draw : list.draws)
+    for (std::uint32_t first = draw.first; first < draw.first + draw.count; first += 3) {
+      std::array<ViewVertex, 3> corners;
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const std::uint32_t index = list.indices[first + k];
+        corners[k] = disturbed(device, face, list.positions[index], list.texcoords[index]);
+      }
+      const raster::ClippedPolygon polygon = clipOn(device, corners, static_cast<double>(face.nearDistance));
+      for (std::size_t k = 2; k < static_cast<std::size_t>(polygon.count); ++k)
+        drawTriangle(device, list, face, draw, {polygon.vertices[0], polygon.vertices[k - 1], polygon.vertices[k]},
+                     random, pixels);
+    }
+  const raster::Scissor& scissor = face.scissor;
+  raster::ItemBuffer buffer{scissor.width, scissor.height, {}};
+  for (int row = scissor.row; row < scissor.row + scissor.height; ++row)
+    for (int column = scissor.column; column < scissor.column + scissor.width; ++column)
+      buffer.words.push_back(pixels[static_cast<std::size_t>(row) * side + static_cast<std::size_t>(column)].word);
+  return buffer;
+}
+
+}  // namespace hemitex::tests
