@@ -83,7 +83,7 @@ double depthError(const DeviceProfile& profile) {
 
 DeviceProfile readProfile(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  if (!stream) throw InputError(file.string(), 0, "cannot be read");
+  if (!stream || std::filesystem::is_directory(file)) throw InputError(file.string(), 0, "cannot be read");
   try {
     const Json json = Json::parse(stream);
     if (!json.is_object()) throw InputError("a device profile is a JSON object");
