@@ -105,11 +105,17 @@ bool complete(DeviceTriangle& triangle, bool mirrored) {
   return triangle.area != 0 || change > 0;
 }
 
-/// No device cuts what lies inside the view; what leaves it may be cut anywhere from there to the guard band.
-bool isInsideView(const std::array<ViewVertex, 3>& triangle, double nearDistance) {
-  return std::all_of(triangle.begin(), triangle.end(), [=](const ViewVertex& p) {
-    return p.w >= nearDistance && std::abs(p.x) <= p.w && std::abs(p.y) <= p.w;
-  });
+/// No device cuts what lies inside the view whatever its errors; what may leave it may be cut anywhere from there to
+/// the guard band.
+bool staysInView(const std::array<ViewVertex, 3>& corners, const std::array<ViewVertex, 3>& sizes, double nearDistance,
+                 double roundoff) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double pictureError = roundoff * sizes[k].u;
+    const double leastDepth = corners[k].w - roundoff * sizes[k].v;
+    if (leastDepth < nearDistance) return false;
+    if (std::max(std::abs(corners[k].x), std::abs(corners[k].y)) + pictureError > leastDepth) return false;
+  }
+  return true;
 }
 
 /// A triangle after clipping, and the same polygon with its sums of sizes in place of texture coordinates.
@@ -130,7 +136,7 @@ Clipped clipTriangle(const raster::DrawList& list, const raster::Face& face, std
   }
   if (!std::all_of(corners.begin(), corners.end(), raster::isFinite)) return {};
   const double nearDistance = face.nearDistance;
-  if (!loose || isInsideView(corners, nearDistance))
+  if (!loose || staysInView(corners, sizes, nearDistance, roundoff))
     return {raster::clip(corners, nearDistance), raster::clip(sizes, nearDistance), false};
 
   const double picture = std::max({sizes[0].u, sizes[1].u, sizes[2].u});

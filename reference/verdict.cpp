@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 
 #include "raster/parallel.h"
 #include "raster/software_renderer.h"
