@@ -123,10 +123,10 @@ TEST_CASE("a file that is no image, or holds a NaN, is the user's fault", "[imag
   writeBytes(folder.path / "text.png", "this is no image");
   CHECK_THROWS_AS(readImage(folder.path / "text.png"), raster::InputError);
   CHECK_THROWS_AS(readImage(folder.path / "absent.png"), raster::InputError);
-  writePng(folder.path / "whole.png", everyCode());
-  const std::string bytes = bytesOf(folder.path / "whole.png");
-  writeBytes(folder.path / "cut.png", bytes.substr(0, bytes.size() / 2));
-  CHECK_THROWS_AS(readImage(folder.path / "cut.png"), raster::InputError);
+  writeExr(folder.path / "whole.exr", everyCode());
+  const std::string bytes = bytesOf(folder.path / "whole.exr");
+  writeBytes(folder.path / "cut.exr", bytes.substr(0, bytes.size() / 2));
+  CHECK_THROWS_AS(readImage(folder.path / "cut.exr"), raster::InputError);
   writeExr(folder.path / "nan.exr", {1, 1, {{0, std::numeric_limits<double>::quiet_NaN(), 0}}});
   CHECK_THROWS_AS(readImage(folder.path / "nan.exr"), raster::InputError);
 }
@@ -143,4 +143,11 @@ TEST_CASE("a picture that cannot be written throws and leaves nothing behind", "
   std::filesystem::create_directory(folder.path / "folder.png");
   CHECK_THROWS_AS(writePng(folder.path / "folder.png", everyCode()), raster::InputError);
   CHECK(std::filesystem::is_directory(folder.path / "folder.png"));
+}
+
+TEST_CASE("a full disk is noticed, and what is no file of ours is left alone", "[image]") {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("/dev/full", folder.path / "full.png");
+  CHECK_THROWS_AS(writePng(folder.path / "full.png", everyCode()), raster::InputError);
+  CHECK(std::filesystem::is_symlink(folder.path / "full.png"));
 }
