@@ -12,5 +12,8 @@ void addSolve(CLI::App& program, Context& context);
 void addRender(CLI::App& program, Context& context);
 void addFormFactors(CLI::App& program, Context& context);
 void addVector(CLI::App& program, Context& context);
+/// Commands of `vector`.
+void addVectorCheck(CLI::App& vector, Context& context);
+void addVectorExplain(CLI::App& vector, Context& context);
 
 }  // namespace hemitex::cli

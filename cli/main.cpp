@@ -1,5 +1,5 @@
 /// hemitex, the program: radiosity on the command line. Results go to stdout, everything else to stderr; the exit code
-/// is 0 where all went well, 2 where the input or the usage is wrong, 3 where the fault is ours.
+/// is 0 where all went well, 1 where a comparison failed, 2 where the input or the usage is wrong, 3 where the fault is ours.
 #include <iostream>
 #include <new>
 
@@ -11,6 +11,7 @@ namespace {
 
 using namespace hemitex;
 
+constexpr int comparisonFailed = 1;
 constexpr int badInput = 2;
 constexpr int ourFault = 3;
 constexpr int mostThreads = 4096;
@@ -53,7 +54,7 @@ int run(int argc, char** argv, cli::Context& context) {
   const raster::ThreadLimit limit(context.threads);
   context.command();
   if (!std::cout.flush()) throw raster::InputError("standard output cannot be written");
-  return 0;
+  return context.failed ? comparisonFailed : 0;
 }
 
 }  // namespace

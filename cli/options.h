@@ -27,6 +27,7 @@ struct Context {
   bool json = false;
   int threads = 0;  ///< 0: all cores
   std::function<void()> command;
+  bool failed = false;  ///< set by a command whose comparison or verification failed
 };
 
 /// The whole number in [low, high] that an option was given. Throws CLI::ValidationError.

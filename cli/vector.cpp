@@ -1,5 +1,5 @@
 /// `hemitex vector`: test vectors for the authors of backends. `export` writes the draw list of a scene and the five
-/// faces of a hemicube; `render` adds the item buffers that the raster rules demand.
+/// faces of a hemicube; `render` adds the item buffers that the raster rules demand. `check` and `explain` have files of their own.
 #include <array>
 #include <cmath>
 #include <iostream>
@@ -130,6 +130,8 @@ void addVector(CLI::App& program, Context& context) {
   CLI::App* command = program.add_subcommand("vector", "Test vectors for rasterizer backends");
   addExport(*command, context);
   addRenderVector(*command, context);
+  addVectorCheck(*command, context);
+  addVectorExplain(*command, context);
 }
 
 }  // namespace hemitex::cli

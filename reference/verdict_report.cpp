@@ -95,12 +95,6 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string describe(const ErrorPixel& error) {
-  return "pixel " + std::to_string(error.column) + "," + std::to_string(error.row) + ": expected " +
-         std::to_string(error.expected) + " (" + toText(error.expectedOrigin) + "), found " +
-         std::to_string(error.found) + " (" + toText(error.foundOrigin) + ")";
-}
-
 // --- pictures ---
 
 constexpr int gap = 4;  // pixels between pictures
@@ -170,6 +164,14 @@ std::string toText(const WordOrigin& origin) {
   return "no draw";
 }
 
+std::string toText(const ErrorPixel& error) {
+  std::string text = "pixel " + std::to_string(error.column) + "," + std::to_string(error.row) + ": expected " +
+                     std::to_string(error.expected) + " (" + toText(error.expectedOrigin) + "), found " +
+                     std::to_string(error.found) + " (" + toText(error.foundOrigin) + ")";
+  if (error.visible) text += "; triangle " + std::to_string(error.visible->triangle) + " is visible there";
+  return text;
+}
+
 std::vector<ErrorPixel> firstErrors(const TestVector& vector, const Verdict& verdict, std::size_t count) {
   std::vector<ErrorPixel> errors;
   for (std::size_t f = 0; f < verdict.faces.size(); ++f) {
@@ -216,7 +218,7 @@ std::string toJUnit(const Verdict& verdict, const std::vector<ErrorPixel>& error
     ++failures;
     cases += ">\n    <failure message=\"" + std::to_string(wrong) + " pixels are errors\">";
     for (const ErrorPixel& error : errors)
-      if (error.face == face.name) cases += escaped(describe(error)) + '\n';
+      if (error.face == face.name) cases += escaped(toText(error)) + '\n';
     cases += "</failure>\n  </testcase>\n";
   }
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"" + escaped(verdict.vector) + "\" tests=\"" +

@@ -36,6 +36,9 @@ struct ErrorPixel {
   std::optional<Fragment> visible;  ///< none where the rules show the background
 };
 
+/// One line, without the face's name.
+std::string toText(const ErrorPixel& error);
+
 /// The first errors, face by face and row by row, at most `count` of them.
 std::vector<ErrorPixel> firstErrors(const TestVector& vector, const Verdict& verdict, std::size_t count = 10);
 

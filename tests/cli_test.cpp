@@ -119,7 +119,8 @@ double lastNumber(const std::string& line) { return std::stod(line.substr(line.r
 }  // namespace
 
 TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind", "[cli]") {
-  const auto arguments = GENERATE(as<std::string>{},  //
+  const auto arguments = GENERATE(
+      as<std::string>{},  //
       "", "no-such-command", "solve", "solve room.obj", "solve -o out", "solve room.obj -o out --no-such-option",
       "solve room.obj -o out extra", "solve room.obj -o out --texels 0", "solve room.obj -o out --texels 4097",
       "solve room.obj -o out --texels 3.5", "solve room.obj -o out --texels ''",
@@ -136,18 +137,18 @@ TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind"
       "solve room.obj -o out --method rays", "solve room.obj -o out --charts none",
       "solve room.obj -o out --max-reflectance 1", "solve room.obj -o out --surface floor",
       "solve room.obj -o out --surface =4", "solve room.obj -o out --surface floor=0",
-      "solve room.obj -o out --surface flor=4", "solve room.obj -o out --eye 1,2", "solve room.obj -o out --eye 1,2,3,4",
-      "solve room.obj -o out --eye 1,2,x", "solve room.obj -o out --eye 1,2,nan", "solve room.obj -o out --fov 180",
-      "solve room.obj -o out --size 40", "solve room.obj -o out --size 0x30", "solve room.obj -o out --size 4000x30",
-      "solve room.obj -o out --exposure 0", "solve room.obj -o out --eye 0,0,0 --look-at 0,0,0",
-      "solve room.obj -o out -q -v", "solve room.obj -o room.obj", "solve room.obj -o /proc/none/out",
-      "render room.obj", "render room.obj -o picture.jpg", "render room.obj -o out.png --show nothing",
-      "render room.obj -o room.mtl/picture.png", "formfactors room.obj", "formfactors room.obj --all",
-      "formfactors room.obj --from floor --all --by-surface", "formfactors room.obj --from flor",
-      "formfactors room.obj --from floor:16,0", "formfactors room.obj --from floor:0,-1",
-      "formfactors room.obj --from floor --method analytic", "vector", "vector export room.obj -o out",
-      "vector export room.obj -o out --eye 0,0,0 --normal 0,0,0", "vector render room.obj -o out",
-      "vector render no-such-folder -o out");
+      "solve room.obj -o out --surface flor=4", "solve room.obj -o out --eye 1,2",
+      "solve room.obj -o out --eye 1,2,3,4", "solve room.obj -o out --eye 1,2,x", "solve room.obj -o out --eye 1,2,nan",
+      "solve room.obj -o out --fov 180", "solve room.obj -o out --size 40", "solve room.obj -o out --size 0x30",
+      "solve room.obj -o out --size 4000x30", "solve room.obj -o out --exposure 0",
+      "solve room.obj -o out --eye 0,0,0 --look-at 0,0,0", "solve room.obj -o out -q -v", "solve room.obj -o room.obj",
+      "solve room.obj -o /proc/none/out", "render room.obj", "render room.obj -o picture.jpg",
+      "render room.obj -o out.png --show nothing", "render room.obj -o room.mtl/picture.png", "formfactors room.obj",
+      "formfactors room.obj --all", "formfactors room.obj --from floor --all --by-surface",
+      "formfactors room.obj --from flor", "formfactors room.obj --from floor:16,0",
+      "formfactors room.obj --from floor:0,-1", "formfactors room.obj --from floor --method analytic", "vector",
+      "vector export room.obj -o out", "vector export room.obj -o out --eye 0,0,0 --normal 0,0,0",
+      "vector render room.obj -o out", "vector render no-such-folder -o out");
   const Shell shell;
   const auto before = shell.files();
   const Outcome outcome = shell.run(arguments);
@@ -271,8 +272,8 @@ TEST_CASE("The form factors from a surface of a closed room sum to 1", "[cli]") 
   const Shell shell;
   // A share has 60 bits and its double 53, so each of up to 96 numbers is rounded by at most half of 2^-53.
   for (const char* from : {"floor", "floor:3,0", "'ceiling/lamp'", "'back:1,2'"}) {
-    const auto lines = linesOf(shell.output("formfactors room.obj --texels 4 --resolution 32 --from " +
-                                            std::string(from)));
+    const auto lines =
+        linesOf(shell.output("formfactors room.obj --texels 4 --resolution 32 --from " + std::string(from)));
     CHECK(lines.at(0) == "surface,column,row,area,form_factor");
     REQUIRE(lines.size() == 1 + 96);
     double sum = 0;
@@ -302,4 +303,38 @@ TEST_CASE("A test vector is exported without words and rendered in place", "[cli
   CHECK(fs::file_size(shell.file("vector/top.u32")) == 8 * 8 * 4);
   CHECK(shell.output("vector render vector -o elsewhere") == faces);
   CHECK(readAll(shell.file("elsewhere/vector.json")) == readAll(shell.file("vector/vector.json")));
+}
+
+TEST_CASE("vector check passes what the rules draw, fails on one wrong word, and refuses a short file", "[cli]") {
+  const Shell shell;
+  shell.output("vector export room.obj --eye 0.5,0.5,0.01 --normal 0,0,1 --resolution 16 -o vector");
+  shell.output("vector render vector -o device");
+  const std::string check = "vector check vector --candidate device";
+  CHECK(json::parse(shell.output(check + " --json"))["pixels"]["error"] == 0);
+
+  std::string words = readAll(shell.file("device/top.u32"));
+  words[100] = static_cast<char>(words[100] ^ 1);
+  words[103] = static_cast<char>(words[103] ^ 64);
+  writeAll(shell.file("device/top.u32"), words);
+  const Outcome wrong = shell.run(check + " --json --junit report.xml --diff report.png");
+  CHECK(wrong.exitCode == 1);
+  const json report = json::parse(wrong.out);
+  CHECK(report["pixels"]["error"] == 1);
+  CHECK(report["errors"][0]["column"] == 9);  // byte 100 is of word 25: row 1, column 9
+  CHECK(report["errors"][0]["row"] == 1);
+  CHECK(readAll(shell.file("report.xml")).find("failures=\"1\"") != std::string::npos);
+  CHECK(readAll(shell.file("report.png")).substr(1, 3) == "PNG");
+
+  const json explained = json::parse(shell.output("vector explain vector --pixel top,9,1 --json"));
+  CHECK(explained["word"] == report["errors"][0]["expected"]);
+  CHECK(explained["triangles"][0]["word"] == explained["word"]);
+
+  writeAll(shell.file("device/top.u32"), words.substr(4));
+  CHECK(shell.run(check).exitCode == 2);
+  writeAll(shell.file("device/top.u32"), words + "more");
+  CHECK(shell.run(check).exitCode == 2);
+  CHECK(shell.run("vector check vector --candidate nowhere").exitCode == 2);
+  CHECK(shell.run("vector explain vector --pixel top,16,1").exitCode == 2);
+  CHECK(shell.run("vector explain vector --pixel top,1").exitCode == 2);
+  CHECK(shell.run(check + " --profile room.obj").exitCode == 2);
 }
