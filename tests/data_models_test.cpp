@@ -144,7 +144,7 @@ TEST_CASE("Every group has a material of its model, and groups have different na
   }
 }
 
-TEST_CASE("Reflectances lie in [0, 1), and only the light emits", "[data]") {
+TEST_CASE("Reflectances are at least 0 and below 1, and only the light emits", "[data]") {
   for (const Model& model : allModels()) {
     for (const Material& material : model.materials) {
       INFO(model.name << ' ' << material.name);
