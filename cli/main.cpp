@@ -1,5 +1,8 @@
 /// hemitex, the program: radiosity on the command line. Results go to stdout, everything else to stderr; the exit code
-/// is 0 where all went well, 1 where a comparison failed, 2 where the input or the usage is wrong, 3 where the fault is ours.
+/// is 0 where all went well, 1 where a comparison failed, 2 where the input or the usage is wrong, 3 where the fault is
+/// ours.
+#include <csignal>
+#include <cstdlib>
 #include <iostream>
 #include <new>
 
@@ -60,6 +63,7 @@ int run(int argc, char** argv, cli::Context& context) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGABRT, [](int) { std::_Exit(ourFault); });  // an assertion that failed
   cli::Context context;
   try {
     return run(argc, argv, context);

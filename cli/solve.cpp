@@ -121,9 +121,10 @@ void solve(const SolveOptions& options, Context& context) {
   const radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
   const radiosity::WordLayout layout = layoutOf(options.word, discretization, console);
   watch.lap("discretize_s");
-  Staging staging(options.output);
+  Staging{options.output};  // a folder that cannot be written is told before the work, not after it
   const radiosity::Solution solution = solutionOf(options, scene, discretization, layout, console);
   watch.lap("solve_s");
+  Staging staging(options.output);
   const double exposure = options.camera.exposure.value_or(
       radiosity::defaultExposure(scene, discretization, radiosity::displayRadiosity(scene, discretization, solution)));
   radiosity::writeLitScene(staging.folder(), scene, discretization, solution, exposure);

@@ -1,5 +1,6 @@
 /// `hemitex vector`: test vectors for the authors of backends. `export` writes the draw list of a scene and the five
-/// faces of a hemicube; `render` adds the item buffers that the raster rules demand. `check` and `explain` have files of their own.
+/// faces of a hemicube; `render` adds the item buffers that the raster rules demand. `check` and `explain` have files
+/// of their own.
 #include <array>
 #include <cmath>
 #include <iostream>
