@@ -201,6 +201,7 @@ TestVector readJson(const filesystem::path& folder, const Json& json) {
   toInteger(at(json, "rules"), "rules", rulesVersion, rulesVersion);
   TestVector vector;
   vector.name = toText(at(json, "name"), "name");
+  vector.catches = toOptional(json, "catches", toText).value_or("");
   vector.origin = toWideVector(at(json, "origin"), "origin");
   raster::DrawList& list = vector.list;
   for (const Json& bits : toList(at(json, "channels"), "channels"))
@@ -321,6 +322,7 @@ void writeVector(const filesystem::path& folder, const TestVector& vector,
             {"positions", "positions.f32"},
             {"texcoords", "texcoords.f32"},
             {"indices", "indices.u32"}};
+  if (!vector.catches.empty()) json["catches"] = vector.catches;
   json["draws"] = Json::array();
   for (const raster::Draw& draw : list.draws) json["draws"].push_back(toJson(list, draw));
   json["faces"] = Json::array();

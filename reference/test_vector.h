@@ -24,7 +24,8 @@ struct VectorFace {
 
 struct TestVector {
   std::string name;
-  glm::dvec3 origin{0.0};  ///< what was subtracted from the scene
+  std::string catches = {};  ///< one line: the faults that show in it; may be empty
+  glm::dvec3 origin{0.0};    ///< what was subtracted from the scene
   raster::DrawList list;
   std::vector<VectorFace> faces;
 };

@@ -218,7 +218,7 @@ TEST_CASE("a pixel's facing is the side of the plane on which the eye lies", "[r
   for (int repeat = 0; repeat < 500; ++repeat) {
     raster::DrawList list = plainList();
     addDraw(list, 1, 2);
-    const auto point = [&] { return glm::vec3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, 2, 3)); };
+    const auto point = [&] { return glm::vec3{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, 2, 3)}; };
     const glm::vec3 a = point(), b = point(), c = point();
     addTriangle(list, {a, b, c});
     const float side = glm::dot(a, glm::cross(b - a, c - a));
@@ -356,7 +356,7 @@ TEST_CASE("item buffers are the pinned bits for any number of threads", "[render
     addDraw(list, surface << 8, 0xfffffffe, 0);
     for (int t = 0; t < 50; ++t) {
       const auto point = [&] {
-        return glm::vec3(uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -1, 4));
+        return glm::vec3{uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -1, 4)};
       };
       const auto coordinate = [&] { return glm::vec2(uniform(random, 0, 1), uniform(random, 0, 1)); };
       const glm::vec3 a = point(), b = a + 0.3f * point(), c = a + 0.3f * point();
@@ -378,7 +378,7 @@ TEST_CASE("item buffers are the pinned bits for any number of threads", "[render
   }
   CHECK(hashes[0] == hashes[1]);
   CHECK(hashes[0] == hashes[2]);
-  CHECK(hashes[0] == 0xc33bc193bcd4b1c8u);
+  CHECK(hashes[0] == 0x371ce9d26ebca796u);
 }
 
 TEST_CASE("draw lists and faces that break the rules are input errors", "[renderer]") {
