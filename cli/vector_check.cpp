@@ -6,6 +6,7 @@
 #include "cli/table.h"
 #include "radiosity/write_file.h"
 #include "reference/candidate.h"
+#include "reference/verdict_picture.h"
 #include "reference/verdict_report.h"
 
 namespace hemitex::cli {

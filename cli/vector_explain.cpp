@@ -7,7 +7,8 @@
 #include "cli/json.h"
 #include "cli/table.h"
 #include "raster/input_error.h"
-#include "reference/verdict_report.h"
+#include "reference/test_vector.h"
+#include "reference/word_origin.h"
 
 namespace hemitex::cli {
 namespace {
