@@ -144,6 +144,26 @@ Mesh microGrid() {
   return mesh;
 }
 
+/// Four strips over the view: triangle t of a strip has the vertices t, t + 1 and t + 2 and a draw of its own, so that
+/// three draws share a vertex, and each vertex is the first, the second and the last of one triangle at most.
+TestVector strips() {
+  constexpr int resolution = 32;
+  raster::DrawList list = plainList();
+  for (int strip = 0; strip < 4; ++strip) {
+    const auto firstVertex = static_cast<std::uint32_t>(list.positions.size());
+    for (int t = 0; t <= 16; ++t)
+      list.positions.push_back(pixelPoint(resolution, {2 * t, 8 * strip + (t % 2 == 0 ? 0 : 8)}));
+    for (std::uint32_t t = 0; t < 15; ++t) {
+      addDraw(list, static_cast<raster::Word>(list.draws.size() + 1) * 0x107);
+      for (std::uint32_t k = 0; k < 3; ++k) list.indices.push_back(firstVertex + t + k);
+      list.draws.back().count = 3;
+    }
+  }
+  list.texcoords.resize(list.positions.size());
+  return makeVector("shared-vertices", "colour from the wrong provoking vertex, vertices that belong to one draw alone",
+                    std::move(list), {frontFace(resolution, 0.5f)});
+}
+
 }  // namespace
 
 std::vector<TestVector> meshVectors() {
@@ -157,6 +177,7 @@ std::vector<TestVector> meshVectors() {
   addBothOrders(vectors, "sample-grid", "the wrong side of horizontal, vertical and diagonal edges through samples", 16,
                 sampleGrid());
   addBothOrders(vectors, "micro-grid", "triangles smaller than a pixel lost, grown or drawn twice", 16, microGrid());
+  vectors.push_back(strips());
   return vectors;
 }
 

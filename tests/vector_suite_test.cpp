@@ -141,6 +141,19 @@ TEST_CASE("meshes cover what is inside of them exactly once and nothing else, in
     }
 }
 
+TEST_CASE("strips share vertices between draws, each the first and the last of one triangle at most", "[suite]") {
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  const TestVector& vector = named(suite, "shared-vertices");
+  const raster::DrawList& list = vector.list;
+  for (const std::size_t corner : {0u, 2u}) {
+    std::set<std::uint32_t> vertices;
+    for (const raster::Draw& draw : list.draws) CHECK(vertices.insert(list.indices[draw.first + corner]).second);
+  }
+  CHECK(list.positions.size() < list.draws.size() + 9);  // two more a strip than triangles
+  // A strip is a trapezoid 8 rows high with sides of 32 and 28 pixels, and so holds 240 samples.
+  CHECK(countOf(coverCounts(vector), 1) == 4 * 240);
+}
+
 TEST_CASE("a double hit in a mesh shows in the one or the other order of depths", "[suite]") {
   // Move one triangle so that it claims samples of others: in one of the two vectors its number shows there.
   const std::vector<TestVector> suite = reference::vectorSuite();
