@@ -1,6 +1,6 @@
 /// `hemitex vector`: test vectors for the authors of backends. `export` writes the draw list of a scene and the five
-/// faces of a hemicube; `render` adds the item buffers that the raster rules demand. `check` and `explain` have files
-/// of their own.
+/// faces of a hemicube; `render` adds the item buffers that the raster rules demand. The other commands have
+/// files of their own.
 #include <array>
 #include <cmath>
 #include <iostream>
@@ -131,6 +131,7 @@ void addVector(CLI::App& program, Context& context) {
   CLI::App* command = program.add_subcommand("vector", "Test vectors for rasterizer backends");
   addExport(*command, context);
   addRenderVector(*command, context);
+  addVectorSuite(*command, context);
   addVectorCheck(*command, context);
   addVectorExplain(*command, context);
 }

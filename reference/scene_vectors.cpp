@@ -1,8 +1,10 @@
 #include "reference/scene_vectors.h"
 
 #include <string>
+#include <utility>
 
 #include "radiosity/hemicube.h"
+#include "reference/vector_suite.h"
 
 namespace hemitex::reference {
 namespace {
@@ -59,6 +61,12 @@ std::vector<TestVector> sceneVectors(const std::filesystem::path& data) {
         View{"paper-room-wall", {1.98, 1.7, -0.4}, {-1, 0, 0}, {0, 1, 0}, "r8g8b8a8", clamped, true}})
     vectors.push_back(hemicube(room, roomElements, view));
   return vectors;
+}
+
+std::vector<TestVector> wholeSuite(const std::filesystem::path& data) {
+  std::vector<TestVector> suite = vectorSuite();
+  for (TestVector& vector : sceneVectors(data)) suite.push_back(std::move(vector));
+  return suite;
 }
 
 }  // namespace hemitex::reference

@@ -12,4 +12,7 @@ namespace hemitex::reference {
 /// names begin with "scene-" and ascend. Throws InputError where the scenes cannot be read.
 std::vector<TestVector> sceneVectors(const std::filesystem::path& data);
 
+/// The whole suite: vectorSuite(), then sceneVectors(data).
+std::vector<TestVector> wholeSuite(const std::filesystem::path& data);
+
 }  // namespace hemitex::reference

@@ -1,5 +1,7 @@
 #include "reference/vector_suite.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "raster/software_renderer.h"
@@ -32,15 +34,19 @@ std::vector<raster::ItemBuffer> render(const TestVector& vector) {
   return raster::SoftwareRenderer(vector.list).render(faces, {});
 }
 
+std::string wordsHash(std::span<const raster::ItemBuffer> buffers) {
+  std::vector<raster::Word> words;
+  for (const raster::ItemBuffer& buffer : buffers) words.insert(words.end(), buffer.words.begin(), buffer.words.end());
+  return wordsHash(words);
+}
+
 std::string suiteHashes(std::span<const TestVector> suite) {
   std::string lines;
-  std::vector<raster::Word> all;
+  std::vector<raster::ItemBuffer> all;
   for (const TestVector& vector : suite) {
-    std::vector<raster::Word> words;
-    for (const raster::ItemBuffer& buffer : render(vector))
-      words.insert(words.end(), buffer.words.begin(), buffer.words.end());
-    lines += wordsHash(words) + " " + vector.name + "\n";
-    all.insert(all.end(), words.begin(), words.end());
+    std::vector<raster::ItemBuffer> buffers = render(vector);
+    lines += wordsHash(buffers) + " " + vector.name + "\n";
+    std::move(buffers.begin(), buffers.end(), std::back_inserter(all));
   }
   return lines + wordsHash(all) + " suite\n";
 }

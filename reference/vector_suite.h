@@ -19,8 +19,11 @@ std::vector<TestVector> vectorSuite();
 /// The item buffers of a vector's faces, by the reference renderer.
 std::vector<raster::ItemBuffer> render(const TestVector& vector);
 
-/// What a run over a suite says: a line `hash name` a vector, in order, and a last line `hash suite`, hashes as by
-/// wordsHash over the words of all faces.
+/// wordsHash over the words of all faces, in their order.
+std::string wordsHash(std::span<const raster::ItemBuffer> buffers);
+
+/// What a run over a suite says: a line `hash name` a vector, in order, and a last line `hash suite` over the words of
+/// all.
 std::string suiteHashes(std::span<const TestVector> suite);
 
 }  // namespace hemitex::reference

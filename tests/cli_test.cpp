@@ -344,6 +344,25 @@ TEST_CASE("A test vector is exported without words and rendered in place", "[cli
   CHECK(readAll(shell.file("elsewhere/vector.json")) == readAll(shell.file("vector/vector.json")));
 }
 
+TEST_CASE("The vector suite is written as folders, and its table holds the pinned hashes", "[cli]") {
+  const Shell shell;
+  const json vectors = json::parse(shell.output("vector suite -o suite --json"))["vectors"];
+  const std::vector<std::string> pinned = linesOf(readAll(HEMITEX_SUITE_HASHES));
+  REQUIRE(vectors.size() == pinned.size() - 1);  // the last line is over the whole suite
+  for (std::size_t k = 0; k < vectors.size(); ++k) {
+    const std::string name = vectors[k]["name"];
+    CHECK(vectors[k]["hash"].get<std::string>() + " " + name == pinned[k]);
+    const json written = json::parse(readAll(shell.file("suite/" + name + "/vector.json")));
+    CHECK(written["name"] == name);
+    CHECK(written["catches"] == vectors[k]["catches"]);
+    CHECK(fs::exists(shell.file("suite/" + name) / written["faces"][0]["words"]));
+  }
+  // A folder that is there already is filled again.
+  const std::vector<std::string> table = linesOf(shell.output("vector suite -o suite"));
+  CHECK(table.size() == 1 + vectors.size());
+  CHECK(table[0] == "name,catches,hash");
+}
+
 TEST_CASE("vector check passes what the rules draw, fails on one wrong word, and refuses a short file", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0.5,0.5,0.01 --normal 0,0,1 --resolution 16 -o vector");

@@ -19,11 +19,7 @@ using reference::TestVector;
 
 namespace {
 
-std::vector<TestVector> wholeSuite() {
-  std::vector<TestVector> suite = reference::vectorSuite();
-  for (TestVector& vector : reference::sceneVectors(HEMITEX_DATA)) suite.push_back(std::move(vector));
-  return suite;
-}
+std::vector<TestVector> wholeSuite() { return reference::wholeSuite(HEMITEX_DATA); }
 
 const TestVector& named(const std::vector<TestVector>& suite, const std::string& name) {
   const auto found = std::find_if(suite.begin(), suite.end(), [&](const TestVector& v) { return v.name == name; });

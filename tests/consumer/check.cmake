@@ -8,3 +8,6 @@ foreach(step
   execute_process(COMMAND ${CMAKE_COMMAND} ${step} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
 execute_process(COMMAND ${WORK}/build/consumer COMMAND_ERROR_IS_FATAL ANY)
+# The scenes of the vector suite are installed with the program.
+execute_process(COMMAND ${WORK}/prefix/bin/hemitex --quiet vector suite -o ${WORK}/suite
+  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)

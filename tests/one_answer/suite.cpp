@@ -16,9 +16,7 @@ int main(int count, char** arguments) {
     return 2;
   }
   try {
-    std::vector<reference::TestVector> suite = reference::vectorSuite();
-    for (reference::TestVector& vector : reference::sceneVectors(arguments[1])) suite.push_back(std::move(vector));
-    for (const reference::TestVector& vector : suite) {
+    for (const reference::TestVector& vector : reference::wholeSuite(arguments[1])) {
       const std::filesystem::path folder = std::filesystem::path(arguments[2]) / vector.name;
       std::filesystem::create_directories(folder);
       reference::writeVector(folder, vector, reference::render(vector));

@@ -1,0 +1,58 @@
+/// `hemitex vector suite`: every test vector of the suite with its words, a folder each, and what each of them catches.
+#include "reference/vector_suite.h"
+
+#include <iostream>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/json.h"
+#include "cli/staging.h"
+#include "cli/table.h"
+#include "raster/input_error.h"
+#include "reference/scene_vectors.h"
+
+namespace hemitex::cli {
+namespace {
+
+namespace filesystem = std::filesystem;
+
+/// The scenes that come with the program: in share/hemitex beside the folder of the program, built or installed.
+filesystem::path sceneFolder() {
+  const filesystem::path program = filesystem::read_symlink("/proc/self/exe");
+  const filesystem::path folder = program.parent_path().parent_path() / "share" / "hemitex";
+  if (!filesystem::is_directory(folder))
+    throw raster::InputError(folder.string(), 0, "the scenes of the suite are not here",
+                             "keep the program where `cmake --install` puts it");
+  return folder;
+}
+
+void writeSuite(const filesystem::path& output, const Context& context) {
+  const std::vector<reference::TestVector> suite = reference::wholeSuite(sceneFolder());
+  std::vector<std::string> hashes;
+  for (const reference::TestVector& vector : suite) {
+    const std::vector<raster::ItemBuffer> buffers = reference::render(vector);
+    Staging staging(output / vector.name);
+    reference::writeVector(staging.folder(), vector, buffers);
+    staging.commit();
+    hashes.push_back(reference::wordsHash(buffers));
+  }
+  const auto row = [&](std::size_t index) -> std::vector<Cell> {
+    return {suite[index].name, suite[index].catches, hashes[index]};
+  };
+  const Table table{{"name", "catches", "hash"}, suite.size(), row};
+  if (context.json)
+    std::cout << toText({{"vectors", toJson(table)}});
+  else
+    writeCsv(std::cout, table);
+}
+
+}  // namespace
+
+void addVectorSuite(CLI::App& vector, Context& context) {
+  const auto output = std::make_shared<filesystem::path>();
+  CLI::App* command = vector.add_subcommand("suite", "Write every test vector of the suite, a folder each");
+  addOutput(*command, *output, "folder for the vectors");
+  command->callback([output, &context] { context.command = [output, &context] { writeSuite(*output, context); }; });
+}
+
+}  // namespace hemitex::cli
