@@ -1,6 +1,5 @@
 #include "reference/test_vector.h"
 
-#include <bit>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -11,6 +10,7 @@
 #include <tuple>
 
 #include "raster/input_error.h"
+#include "reference/array_file.h"
 
 namespace hemitex::reference {
 namespace {
@@ -19,35 +19,7 @@ using Json = nlohmann::ordered_json;
 using raster::InputError;
 namespace filesystem = std::filesystem;
 
-// The arrays are little-endian; so are all machines that this code is built for.
-static_assert(std::endian::native == std::endian::little);
-
 constexpr int rulesVersion = 1;
-
-// --- raw arrays ---
-
-template <typename T>
-std::vector<T> readArray(const filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file.string(), 0, "cannot be read");
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) throw InputError(file.string(), 0, "cannot be read to its end");
-  if (bytes.size() % sizeof(T) != 0)
-    throw InputError(
-        file.string(), 0,
-        std::to_string(bytes.size()) + " bytes are not whole entries of " + std::to_string(sizeof(T)) + " bytes");
-  std::vector<T> values(bytes.size() / sizeof(T));
-  std::copy(bytes.begin(), bytes.end(), reinterpret_cast<char*>(values.data()));
-  return values;
-}
-
-template <typename T>
-void writeArray(const filesystem::path& file, const std::vector<T>& values) {
-  std::ofstream stream(file, std::ios::binary);
-  stream.write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(values.size() * sizeof(T)));
-  stream.close();
-  if (!stream) throw InputError(file.string(), 0, "cannot be written");
-}
 
 // --- JSON to values; every fault names the key ---
 
