@@ -17,6 +17,7 @@ Json toJson(const ErrorPixel& error) {
   Json json{{"face", error.face},
             {"column", error.column},
             {"row", error.row},
+            {"kind", nameOf(error.kind)},
             {"expected", error.expected},
             {"found", error.found},
             {"expected_from", toText(error.expectedOrigin)},

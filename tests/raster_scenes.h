@@ -7,6 +7,7 @@
 namespace hemitex::tests {
 
 using reference::addDraw;
+using reference::addPixel;
 using reference::addTriangle;
 using reference::countingMap;
 using reference::frontFace;

@@ -49,6 +49,6 @@ TEST_CASE("in JUnit XML each face is a test case that fails where it has errors"
   CHECK(xml.find("<testsuite name=\"a &lt;wall&gt; &amp; &quot;more&quot;\" tests=\"2\" failures=\"1\">") !=
         std::string::npos);
   CHECK(xml.find("name=\"top\"/>") != std::string::npos);
-  CHECK(xml.find("<failure message=\"1 pixels are errors\">pixel 5,4: expected 266 (draw 0 texel 2,2)") !=
+  CHECK(xml.find("<failure message=\"1 pixels are errors\">pixel 5,4, foreign word: expected 266 (draw 0 texel 2,2)") !=
         std::string::npos);
 }
