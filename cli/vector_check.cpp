@@ -3,9 +3,11 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/staging.h"
 #include "cli/table.h"
 #include "radiosity/write_file.h"
 #include "reference/candidate.h"
+#include "reference/minimal_failure.h"
 #include "reference/verdict_picture.h"
 #include "reference/verdict_report.h"
 
@@ -13,7 +15,7 @@ namespace hemitex::cli {
 namespace {
 
 struct CheckOptions {
-  std::filesystem::path vector, candidate, profile, junit, picture;
+  std::filesystem::path vector, candidate, profile, junit, picture, minimal;
 };
 
 /// The counts of each face, as a table.
@@ -28,6 +30,16 @@ Table tableOf(const reference::Verdict& verdict) {
     return cells;
   };
   return {columns, verdict.faces.size(), row};
+}
+
+/// The smallest part of the vector that fails, and beside it the device's word, as a candidate.
+void writeMinimal(const std::filesystem::path& folder, const reference::MinimalFailure& minimal) {
+  Staging staging(folder);
+  reference::writeVector(staging.folder(), minimal.vector, {&minimal.expected, 1});
+  const std::filesystem::path candidate = staging.folder() / "candidate";
+  std::filesystem::create_directory(candidate);
+  reference::writeCandidate(candidate, minimal.vector, {&minimal.found, 1});
+  staging.commit();
 }
 
 void check(const CheckOptions& options, Context& context) {
@@ -48,6 +60,7 @@ void check(const CheckOptions& options, Context& context) {
       std::cout << "error in " << error.face << ": " << toText(error) << '\n';
   }
   context.failed = hasErrors(verdict);
+  if (context.failed && !options.minimal.empty()) writeMinimal(options.minimal, minimize(vector, verdict, profile));
 }
 
 }  // namespace
@@ -60,6 +73,7 @@ void addVectorCheck(CLI::App& vector, Context& context) {
   command->add_option("--profile", options->profile, "what the device may do, as JSON (default: a Vulkan device)");
   command->add_option("--junit", options->junit, "JUnit XML, a test case a face");
   command->add_option("--diff", options->picture, "PNG with expected, found and verdict beside each other");
+  command->add_option("--minimize", options->minimal, "folder for the fewest triangles and the pixel that still fail");
   command->callback([options, &context] { context.command = [options, &context] { check(*options, context); }; });
 }
 

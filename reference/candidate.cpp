@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "raster/input_error.h"
+#include "reference/array_file.h"
 
 namespace hemitex::reference {
 namespace {
@@ -33,6 +34,11 @@ std::vector<raster::ItemBuffer> readCandidate(const filesystem::path& folder, co
   std::vector<raster::ItemBuffer> buffers;
   for (const VectorFace& face : vector.faces) buffers.push_back(readWords(folder / face.words, face.face.scissor));
   return buffers;
+}
+
+void writeCandidate(const filesystem::path& folder, const TestVector& vector,
+                    std::span<const raster::ItemBuffer> buffers) {
+  for (std::size_t f = 0; f < buffers.size(); ++f) writeArray(folder / vector.faces[f].words, buffers[f].words);
 }
 
 }  // namespace hemitex::reference

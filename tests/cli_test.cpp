@@ -383,6 +383,13 @@ TEST_CASE("vector check passes what the rules draw, fails on one wrong word, and
   CHECK(readAll(shell.file("report.xml")).find("failures=\"1\"") != std::string::npos);
   CHECK(readAll(shell.file("report.png")).substr(1, 3) == "PNG");
 
+  CHECK(shell.run(check + " --minimize small").exitCode == 1);
+  const Outcome small = shell.run("vector check small --candidate small/candidate --json");
+  CHECK(small.exitCode == 1);
+  CHECK(json::parse(small.out)["pixels"]["error"] == 1);
+  CHECK(json::parse(small.out)["errors"][0]["kind"] == report["errors"][0]["kind"]);
+  CHECK(fs::file_size(shell.file("small/indices.u32")) <= 2 * 3 * 4);
+
   const json explained = json::parse(shell.output("vector explain vector --pixel top,9,1 --json"));
   CHECK(explained["word"] == report["errors"][0]["expected"]);
   CHECK(explained["triangles"][0]["word"] == explained["word"]);
