@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "raster/clip.h"
@@ -62,12 +63,36 @@ double snapOn(const SimulatedDevice& device, double q, int resolution) {
   return (nearest ? std::nearbyint(position) : std::floor(position)) * unit;
 }
 
+/// A depth as the device computes it and then rounds it to its format, all in all within the profile's error.
+double storedDepth(const SimulatedDevice& device, double depth, std::mt19937& random) {
+  const reference::DeviceProfile& profile = device.profile;
+  const double computed =
+      depth + anyError(random) * reference::depthError(profile) * std::max(0.0, 1 - 0.5 / profile.depthTolerance);
+  const auto rounded = [computed](double largest) { return std::nearbyint(computed * largest) / largest; };
+  switch (profile.depthFormat) {
+    case reference::DepthFormat::Float32:
+      return static_cast<float>(computed);
+    case reference::DepthFormat::Unorm24:
+      return rounded(0xffffff);
+    case reference::DepthFormat::Unorm16:
+      return rounded(0xffff);
+  }
+  return computed;
+}
+
 struct DevicePixel {
   double depth = 2;
   raster::Word word = 0;
 };
 
-/// A triangle of a fan, snapped, on the whole picture.
+/// Pixels [first, end) of a scissor rectangle's side whose samples may lie between the least and the largest position.
+std::pair<int, int> pixelsBetween(double low, double high, int first, int size) {
+  const double end = first + size;
+  return {static_cast<int>(std::clamp(std::floor(low / 256), static_cast<double>(first), end)),
+          static_cast<int>(std::clamp(std::ceil(high / 256), static_cast<double>(first), end))};
+}
+
+/// A triangle of a fan, snapped.
 void drawTriangle(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face,
                   const raster::Draw& draw, const std::array<ViewVertex, 3>& vertices, std::mt19937& random,
                   std::vector<DevicePixel>& pixels) {
@@ -80,9 +105,13 @@ void drawTriangle(const SimulatedDevice& device, const raster::DrawList& list, c
   if (area == 0) return;
   const bool facesAway = (area < 0) == (raster::determinant(face) < 0);
 
-  std::size_t pixel = 0;
-  for (int row = 0; row < face.resolution; ++row)
-    for (int column = 0; column < face.resolution; ++column, ++pixel) {
+  const raster::Scissor& scissor = face.scissor;
+  const auto [left, right] = std::minmax({s[0].x, s[1].x, s[2].x});
+  const auto [top, bottom] = std::minmax({s[0].y, s[1].y, s[2].y});
+  const auto [firstColumn, endColumn] = pixelsBetween(left, right, scissor.column, scissor.width);
+  const auto [firstRow, endRow] = pixelsBetween(top, bottom, scissor.row, scissor.height);
+  for (int row = firstRow; row < endRow; ++row)
+    for (int column = firstColumn; column < endColumn; ++column) {
       const glm::dvec2 sample(256.0 * column + 128, 256.0 * row + 128);
       bool covered = true;
       double inverse = 0, u = 0, v = 0;
@@ -98,10 +127,11 @@ void drawTriangle(const SimulatedDevice& device, const raster::DrawList& list, c
         v += weight * vertices[k].v;
       }
       if (!covered) continue;
-      // Rounding to the format is within half of its unit; the rest of the tolerance is drawn at random.
-      const double depth = 1 - static_cast<double>(face.nearDistance) * inverse +
-                           anyError(random) * reference::depthError(device.profile);
-      if (depth >= pixels[pixel].depth) continue;
+      const double depth = storedDepth(device, 1 - static_cast<double>(face.nearDistance) * inverse, random);
+      DevicePixel& pixel =
+          pixels[static_cast<std::size_t>(row - scissor.row) * static_cast<std::size_t>(scissor.width) +
+                 static_cast<std::size_t>(column - scissor.column)];
+      if (depth >= pixel.depth) continue;
       const auto texel = [&](double coordinate, int size) {
         const double error = anyError(random) * device.profile.texelPrecision + device.texelShift;
         return static_cast<std::size_t>(std::clamp(std::floor(coordinate / inverse * size + error), 0.0, size - 1.0));
@@ -115,15 +145,16 @@ void drawTriangle(const SimulatedDevice& device, const raster::DrawList& list, c
         word =
             raster::blend(list.format, list.blend, draw.offset, map.words[j * static_cast<std::size_t>(map.width) + i]);
       }
-      pixels[pixel] = {depth, word};
+      pixel = {depth, word};
     }
 }
 
 }  // namespace
 
 raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face) {
-  const auto side = static_cast<std::size_t>(face.resolution);
-  std::vector<DevicePixel> pixels(side * side, {2, raster::backgroundWord(list.format)});
+  const raster::Scissor& scissor = face.scissor;
+  std::vector<DevicePixel> pixels(static_cast<std::size_t>(scissor.width) * static_cast<std::size_t>(scissor.height),
+                                  {2, raster::backgroundWord(list.format)});
   std::mt19937 random(device.seed);
   for (const raster::Draw& draw : list.draws)
     for (std::uint32_t first = draw.first; first < draw.first + draw.count; first += 3) {
@@ -137,11 +168,8 @@ raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList&
         drawTriangle(device, list, face, draw, {polygon.vertices[0], polygon.vertices[k - 1], polygon.vertices[k]},
                      random, pixels);
     }
-  const raster::Scissor& scissor = face.scissor;
   raster::ItemBuffer buffer{scissor.width, scissor.height, {}};
-  for (int row = scissor.row; row < scissor.row + scissor.height; ++row)
-    for (int column = scissor.column; column < scissor.column + scissor.width; ++column)
-      buffer.words.push_back(pixels[static_cast<std::size_t>(row) * side + static_cast<std::size_t>(column)].word);
+  for (const DevicePixel& pixel : pixels) buffer.words.push_back(pixel.word);
   return buffer;
 }
 
