@@ -14,6 +14,7 @@
 #include "radiosity/hemicube.h"
 #include "raster/input_error.h"
 #include "raster/software_renderer.h"
+#include "reference/stages.h"
 #include "reference/test_vector.h"
 
 namespace hemitex::cli {
@@ -30,6 +31,7 @@ struct ExportOptions {
   int resolution = 256;
   std::optional<double> nearDistance;
   std::filesystem::path output;
+  bool stages = false;
 };
 
 /// Sides are named by where they look when the top face is seen with `up` upwards.
@@ -77,21 +79,32 @@ void exportVector(const ExportOptions& options, Context& context) {
   const reference::TestVector vector = vectorOf(options, context.console);
   Staging staging(options.output);
   reference::writeVector(staging.folder(), vector, {});
+  if (options.stages) reference::writeStages(staging.folder(), vector);
   staging.commit();
   printFaces(vector, context);
 }
 
-void renderVector(const std::filesystem::path& input, const std::filesystem::path& output, const Context& context) {
-  reference::TestVector vector = reference::readVector(input);
+struct RenderOptions {
+  std::filesystem::path input, output;
+  bool stages = false;
+};
+
+void renderVector(const RenderOptions& options, const Context& context) {
+  reference::TestVector vector = reference::readVector(options.input);
   std::vector<raster::Face> faces;
   for (const reference::VectorFace& face : vector.faces) faces.push_back(face.face);
   raster::SoftwareRenderer renderer(vector.list);
   const std::vector<raster::ItemBuffer> buffers = renderer.render(faces, {});
   for (std::size_t f = 0; f < buffers.size(); ++f) vector.faces[f].hash = reference::wordsHash(buffers[f].words);
-  Staging staging(output);
+  Staging staging(options.output);
   reference::writeVector(staging.folder(), vector, buffers);
+  if (options.stages) reference::writeStages(staging.folder(), vector);
   staging.commit();
   printFaces(vector, context);
+}
+
+void addStages(CLI::App& command, bool& stages) {
+  command.add_flag("--stages", stages, "write what lies between vertices and words, too (stages.json)");
 }
 
 void addExport(CLI::App& parent, Context& context) {
@@ -107,22 +120,20 @@ void addExport(CLI::App& parent, Context& context) {
   command->add_option("--name", options->name, "of the vector (default: the scene's)");
   addDiscretizationOptions(*command, options->discretization);
   addWordOptions(*command, options->word);
+  addStages(*command, options->stages);
   addOutput(*command, options->output, "folder for the vector");
   command->callback(
       [options, &context] { context.command = [options, &context] { exportVector(*options, context); }; });
 }
 
 void addRenderVector(CLI::App& parent, Context& context) {
-  struct Folders {
-    std::filesystem::path input, output;
-  };
-  const auto folders = std::make_shared<Folders>();
+  const auto options = std::make_shared<RenderOptions>();
   CLI::App* command = parent.add_subcommand("render", "Draw a test vector: its words and their hashes");
-  command->add_option("DIR", folders->input, "folder of the vector")->required();
-  addOutput(*command, folders->output, "folder for the vector with its words; may be the same");
-  command->callback([folders, &context] {
-    context.command = [folders, &context] { renderVector(folders->input, folders->output, context); };
-  });
+  command->add_option("DIR", options->input, "folder of the vector")->required();
+  addStages(*command, options->stages);
+  addOutput(*command, options->output, "folder for the vector with its words; may be the same");
+  command->callback(
+      [options, &context] { context.command = [options, &context] { renderVector(*options, context); }; });
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ Table tableOf(const std::vector<reference::Fragment>& fragments) {
     return {std::int64_t{fragment.triangle},
             std::int64_t{fragment.draw},
             fragment.facesAway ? "back" : "front",
-            fragment.w,
+            1 / fragment.inverseDepth,
             fragment.u,
             fragment.v,
             texel(&reference::Texel::column),

@@ -6,27 +6,6 @@
 namespace hemitex::raster {
 namespace {
 
-constexpr double guardBand = 8;
-
-enum class HalfSpace { Near, Right, Left, Top, Bottom };
-
-/// How far inside a half-space a vertex lies; outside is negative.
-double distance(HalfSpace halfSpace, const ViewVertex& p, double nearDistance) {
-  switch (halfSpace) {
-    case HalfSpace::Near:
-      return p.w - nearDistance;
-    case HalfSpace::Right:
-      return guardBand * p.w - p.x;
-    case HalfSpace::Left:
-      return guardBand * p.w + p.x;
-    case HalfSpace::Top:
-      return guardBand * p.w - p.y;
-    case HalfSpace::Bottom:
-      return guardBand * p.w + p.y;
-  }
-  return 0;
-}
-
 /// The point where the edge from `inside` to `outside` leaves a half-space. It always starts from the inside end,
 /// so that two triangles that share the edge get the same point.
 ViewVertex crossing(HalfSpace halfSpace, const ViewVertex& inside, const ViewVertex& outside, double nearDistance) {
@@ -58,6 +37,23 @@ ClippedPolygon clip(const ClippedPolygon& polygon, HalfSpace halfSpace, double n
 
 }  // namespace
 
+double distance(HalfSpace halfSpace, const ViewVertex& p, double nearDistance) {
+  constexpr double guardBand = 8;
+  switch (halfSpace) {
+    case HalfSpace::Near:
+      return p.w - nearDistance;
+    case HalfSpace::Right:
+      return guardBand * p.w - p.x;
+    case HalfSpace::Left:
+      return guardBand * p.w + p.x;
+    case HalfSpace::Top:
+      return guardBand * p.w - p.y;
+    case HalfSpace::Bottom:
+      return guardBand * p.w + p.y;
+  }
+  return 0;
+}
+
 ViewVertex transform(const Face& face, const glm::vec3& position, const glm::vec2& texcoord) {
   const float dx = position.x - face.eye.x, dy = position.y - face.eye.y, dz = position.z - face.eye.z;
   const auto along = [=](const glm::vec3& row) { return (row.x * dx + row.y * dy) + row.z * dz; };
@@ -72,9 +68,7 @@ ClippedPolygon clip(const std::array<ViewVertex, 3>& triangle, double nearDistan
   ClippedPolygon polygon;
   std::copy(triangle.begin(), triangle.end(), polygon.vertices.begin());
   polygon.count = 3;
-  for (const HalfSpace halfSpace :
-       {HalfSpace::Near, HalfSpace::Right, HalfSpace::Left, HalfSpace::Top, HalfSpace::Bottom})
-    polygon = clip(polygon, halfSpace, nearDistance);
+  for (const HalfSpace halfSpace : halfSpaces) polygon = clip(polygon, halfSpace, nearDistance);
   return polygon;
 }
 

@@ -27,6 +27,15 @@ ViewVertex transform(const Face& face, const glm::vec3& position, const glm::vec
 
 bool isFinite(const ViewVertex& vertex);
 
+/// The half-spaces that triangles are clipped to: w >= n, x <= 8w, -x <= 8w, y <= 8w, -y <= 8w.
+enum class HalfSpace { Near, Right, Left, Top, Bottom };
+/// In the order of clipping.
+constexpr std::array<HalfSpace, 5> halfSpaces = {HalfSpace::Near, HalfSpace::Right, HalfSpace::Left, HalfSpace::Top,
+                                                 HalfSpace::Bottom};
+
+/// w - n, 8w - x, 8w + x, 8w - y or 8w + y: what lies outside has a negative one.
+double distance(HalfSpace halfSpace, const ViewVertex& vertex, double nearDistance);
+
 /// Sutherland-Hodgman against the near plane and the guard band, in binary64. All vertices are finite.
 ClippedPolygon clip(const std::array<ViewVertex, 3>& triangle, double nearDistance);
 

@@ -13,11 +13,6 @@ struct Snapped {
   std::int64_t x, y;
 };
 
-/// The sub-pixel position of q = x/w or y/w; the clamp holds what the rounding of the guard band let slip.
-std::int64_t snap(double q, int resolution) {
-  return static_cast<std::int64_t>(std::nearbyint((std::clamp(q, -8.0, 8.0) + 1) * (128.0 * resolution)));
-}
-
 std::int64_t cross(const Snapped& origin, const Snapped& p, const Snapped& q) {
   return (p.x - origin.x) * (q.y - origin.y) - (p.y - origin.y) * (q.x - origin.x);
 }
@@ -92,6 +87,11 @@ bool isOutsideView(const std::array<ViewVertex, 3>& p, double nearDistance) {
 }
 
 }  // namespace
+
+std::int64_t snap(double q, int resolution) {
+  // The clamp holds what the rounding of the guard band let slip.
+  return static_cast<std::int64_t>(std::nearbyint((std::clamp(q, -8.0, 8.0) + 1) * (128.0 * resolution)));
+}
 
 std::uint64_t appendScreenTriangles(const DrawList& list, const Face& face, const TriangleRun& run,
                                     std::span<const std::uint32_t> skipped, std::vector<ScreenTriangle>& triangles) {

@@ -41,6 +41,9 @@ struct ScreenTriangle {
   int firstColumn, endColumn;
 };
 
+/// The sub-pixel position of q = x/w or y/w, 256 a pixel (raster rules, 4).
+std::int64_t snap(double q, int resolution);
+
 /// A run of triangles of one draw, by number in DrawList::indices / 3.
 struct TriangleRun {
   std::uint32_t draw = 0;

@@ -23,20 +23,19 @@ bool covers(const ScreenTriangle& triangle, int column, int row) {
   });
 }
 
-/// Every screen triangle that covers the sample, in draw order.
-std::vector<Part> partsAt(const raster::DrawList& list, const raster::Face& face, int column, int row) {
-  std::vector<Part> parts;
+/// Appends the parts of a triangle that cover the sample.
+void appendParts(const raster::DrawList& list, const raster::Face& face, const DrawnTriangle& drawn, int column,
+                 int row, std::vector<Part>& parts) {
   std::vector<ScreenTriangle> screen;
-  for (std::uint32_t draw = 0; draw < list.draws.size(); ++draw) {
-    const std::uint32_t first = list.draws[draw].first / 3;
-    for (std::uint32_t t = first; t < first + list.draws[draw].count / 3; ++t) {
-      screen.clear();
-      raster::appendScreenTriangles(list, face, {draw, t, t + 1}, {}, screen);
-      for (const ScreenTriangle& triangle : screen)
-        if (covers(triangle, column, row)) parts.push_back({triangle, t});
-    }
-  }
-  return parts;
+  raster::appendScreenTriangles(list, face, {drawn.draw, drawn.triangle, drawn.triangle + 1}, {}, screen);
+  for (const ScreenTriangle& triangle : screen)
+    if (covers(triangle, column, row)) parts.push_back({triangle, drawn.triangle});
+}
+
+void sortByDepth(std::vector<Part>& parts, int column, int row) {
+  std::stable_sort(parts.begin(), parts.end(), [=](const Part& a, const Part& b) {
+    return raster::isNearerExactly(a.screen, b.screen, column, row);
+  });
 }
 
 /// Depth, coordinates and word of a part (raster rules, 6 and 7).
@@ -50,7 +49,7 @@ Fragment fragmentOf(const raster::DrawList& list, const Part& part, int column, 
     u += weight * triangle.u.at[k];
     v += weight * triangle.v.at[k];
   }
-  Fragment fragment{part.triangle, triangle.draw, triangle.facesAway, 1 / inverse, u / inverse, v / inverse, {}, {}};
+  Fragment fragment{part.triangle, triangle.draw, triangle.facesAway, inverse, u / inverse, v / inverse, {}, {}};
   if (triangle.facesAway && draw.back) {
     fragment.word = *draw.back;
   } else if (!draw.indexMap) {
@@ -69,14 +68,31 @@ Fragment fragmentOf(const raster::DrawList& list, const Part& part, int column, 
 
 }  // namespace
 
+std::vector<DrawnTriangle> drawnTriangles(const raster::DrawList& list) {
+  std::vector<DrawnTriangle> drawn;
+  for (std::uint32_t draw = 0; draw < list.draws.size(); ++draw) {
+    const std::uint32_t first = list.draws[draw].first / 3;
+    for (std::uint32_t t = first; t < first + list.draws[draw].count / 3; ++t) drawn.push_back({draw, t});
+  }
+  return drawn;
+}
+
 std::vector<Fragment> fragmentsAt(const raster::DrawList& list, const raster::Face& face, int column, int row) {
-  std::vector<Part> parts = partsAt(list, face, column, row);
-  std::stable_sort(parts.begin(), parts.end(), [=](const Part& a, const Part& b) {
-    return raster::isNearerExactly(a.screen, b.screen, column, row);
-  });
+  std::vector<Part> parts;
+  for (const DrawnTriangle& drawn : drawnTriangles(list)) appendParts(list, face, drawn, column, row, parts);
+  sortByDepth(parts, column, row);
   std::vector<Fragment> fragments;
   for (const Part& part : parts) fragments.push_back(fragmentOf(list, part, column, row));
   return fragments;
+}
+
+std::optional<Fragment> fragmentOf(const raster::DrawList& list, const raster::Face& face, const DrawnTriangle& drawn,
+                                   int column, int row) {
+  std::vector<Part> parts;
+  appendParts(list, face, drawn, column, row, parts);
+  if (parts.empty()) return {};
+  sortByDepth(parts, column, row);
+  return fragmentOf(list, parts.front(), column, row);
 }
 
 }  // namespace hemitex::reference

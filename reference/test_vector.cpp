@@ -11,6 +11,7 @@
 
 #include "raster/input_error.h"
 #include "reference/array_file.h"
+#include "reference/text_file.h"
 
 namespace hemitex::reference {
 namespace {
@@ -244,13 +245,6 @@ Json toJson(const VectorFace& face, const glm::vec3& sharedEye, const std::strin
             {"hash", hash}};
   if (face.face.eye != sharedEye) json["eye"] = toJson(face.face.eye);
   return json;
-}
-
-void writeText(const filesystem::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw InputError(file.string(), 0, "cannot be written");
 }
 
 template <typename Vector>

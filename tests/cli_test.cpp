@@ -344,6 +344,20 @@ TEST_CASE("A test vector is exported without words and rendered in place", "[cli
   CHECK(readAll(shell.file("elsewhere/vector.json")) == readAll(shell.file("vector/vector.json")));
 }
 
+TEST_CASE("Stages lie beside an exported vector, and beside one whose words were drawn", "[cli]") {
+  const Shell shell;
+  shell.output("vector export room.obj --eye 0,0,0 --normal 0,0,1 --resolution 8 --stages -o vector");
+  const json faces = json::parse(readAll(shell.file("vector/stages.json")))["faces"];
+  REQUIRE(faces.size() == 5);
+  CHECK(fs::file_size(shell.file("vector") / faces[0]["triangles"]) == 8 * 8 * 4);
+  CHECK_FALSE(fs::exists(shell.file("vector/top.u32")));
+  shell.output("vector render vector --stages -o rendered");
+  CHECK(readAll(shell.file("rendered/stages.json")) == readAll(shell.file("vector/stages.json")));
+  CHECK(fs::file_size(shell.file("rendered/top.u32")) == 8 * 8 * 4);
+  shell.output("vector render vector -o plain");
+  CHECK_FALSE(fs::exists(shell.file("plain/stages.json")));
+}
+
 TEST_CASE("The vector suite is written as folders, and its table holds the pinned hashes", "[cli]") {
   const Shell shell;
   const json vectors = json::parse(shell.output("vector suite -o suite --json"))["vectors"];

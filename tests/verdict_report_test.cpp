@@ -24,7 +24,7 @@ TEST_CASE("the report counts by face and names the first ten errors", "[verdict]
   CHECK(toText(errors[2].foundOrigin) == "draw 0 texel 0,0");
   REQUIRE(errors[2].visible);
   CHECK(errors[2].visible->triangle == 0);  // column 2 is right of row 1 on the diagonal
-  CHECK(errors[2].visible->w == Approx(1));
+  CHECK(errors[2].visible->inverseDepth == Approx(1));
 
   const auto json = nlohmann::json::parse(toJson(verdict, errors));
   CHECK(json["pass"] == false);
