@@ -117,6 +117,43 @@ TestVector largestViewport() {
                     std::move(list), {first, last});
 }
 
+/// A crumpled sheet, a word a triangle, through a view so narrow that the last bits of the vertex stage measure about
+/// a sub-pixel: whoever rounds otherwise there moves corners, and a few pixels with them.
+TestVector narrowView() {
+  constexpr int cells = 48;
+  constexpr float scale = 2048, third = 1.0f / 3;
+  const glm::vec3 eye(0.1f, -0.2f, 0.3f);
+  const glm::vec3 right(2 * third, 2 * third, -third), rows(-third, 2 * third, 2 * third),
+      forward(2 * third, -third, 2 * third);
+  std::mt19937 random(4096);
+  std::vector<glm::vec3> corners;
+  for (int row = 0; row <= cells; ++row)
+    for (int column = 0; column <= cells; ++column) {
+      const auto across = [&](int cell) {
+        const float position = static_cast<float>(cell) + uniform(random, -0.3f, 0.3f);
+        return (2 * position / cells - 1) / scale;
+      };
+      const float x = across(column), y = across(row), w = uniform(random, 1, 2);
+      corners.push_back(eye + w * (forward + x * right + y * rows));
+    }
+  raster::DrawList list = plainList();
+  list.indexMaps.push_back(countingMap(2 * cells, cells));
+  addDraw(list, 0, {}, 0);
+  for (std::size_t row = 0; row < cells; ++row)
+    for (std::size_t column = 0; column < cells; ++column) {
+      const std::size_t first = row * (cells + 1) + column, next = first + cells + 1;
+      const auto middle = [&](std::size_t texel) {
+        return glm::vec2((static_cast<float>(texel) + 0.5f) / (2 * cells), (static_cast<float>(row) + 0.5f) / cells);
+      };
+      const glm::vec2 upper = middle(2 * column), lower = middle(2 * column + 1);
+      addTriangle(list, {corners[first], corners[next + 1], corners[first + 1]}, {upper, upper, upper});
+      addTriangle(list, {corners[first], corners[next], corners[next + 1]}, {lower, lower, lower});
+    }
+  const Face face{eye, scale * right, scale * rows, forward, 0.5f, cells, {0, 0, cells, cells}};
+  return makeVector("narrow-view", "a vertex stage that fuses multiply-add, sums in another order or in more bits",
+                    std::move(list), {face});
+}
+
 }  // namespace
 
 std::vector<TestVector> viewVectors() {
@@ -126,6 +163,7 @@ std::vector<TestVector> viewVectors() {
           hemicube("five-faces-tilted", "matrices transposed or applied to the eye twice", {0.1f, -0.2f, 0.3f},
                    {2 * third, 2 * third, -third}, {-third, 2 * third, 2 * third}, {2 * third, -third, 2 * third}),
           oddFaces(),
+          narrowView(),
           scissors(),
           smallestViewport(),
           largestViewport()};

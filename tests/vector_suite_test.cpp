@@ -344,3 +344,43 @@ TEST_CASE("the five faces show every wall and the background, and no two faces a
   CHECK(walls.count(0xffffff) == 1);
   CHECK(std::count(buffers[0].words.begin(), buffers[0].words.end(), 0xfffffffe) > 0);
 }
+
+TEST_CASE("the narrow view tells how the vertex stage rounds", "[suite]") {
+  // With the vertices already transformed, and a face that leaves them as they are, another stage can stand in.
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  const TestVector& vector = named(suite, "narrow-view");
+  const raster::Face& face = vector.faces[0].face;
+  const auto wordsBy = [&](const auto& dot) {
+    TestVector transformed = vector;
+    for (glm::vec3& p : transformed.list.positions) p = {dot(face.x, p), dot(face.y, p), dot(face.w, p)};
+    raster::Face& plain = transformed.faces[0].face;
+    plain.eye = glm::vec3(0);
+    plain.x = {1, 0, 0};
+    plain.y = {0, 1, 0};
+    plain.w = {0, 0, 1};
+    return wordsOf(transformed);
+  };
+  const glm::vec3& e = face.eye;
+  const std::vector<Word> words = wordsOf(vector);
+  const auto differing = [&](const std::vector<Word>& found) {
+    std::size_t count = 0;
+    for (std::size_t p = 0; p < words.size(); ++p) count += found[p] != words[p];
+    return count;
+  };
+  const auto byTheRules = [&](const glm::vec3& r, const glm::vec3& p) {
+    return (r.x * (p.x - e.x) + r.y * (p.y - e.y)) + r.z * (p.z - e.z);
+  };
+  const auto otherOrder = [&](const glm::vec3& r, const glm::vec3& p) {
+    return r.x * (p.x - e.x) + (r.y * (p.y - e.y) + r.z * (p.z - e.z));
+  };
+  const auto fused = [&](const glm::vec3& r, const glm::vec3& p) {
+    return std::fma(r.z, p.z - e.z, std::fma(r.y, p.y - e.y, r.x * (p.x - e.x)));
+  };
+  const auto moreBits = [&](const glm::vec3& r, const glm::vec3& p) {
+    return static_cast<float>(glm::dot(glm::dvec3(r), glm::dvec3(p) - glm::dvec3(e)));
+  };
+  CHECK(differing(wordsBy(byTheRules)) == 0);
+  CHECK(differing(wordsBy(otherOrder)) > 0);
+  CHECK(differing(wordsBy(fused)) > 0);
+  CHECK(differing(wordsBy(moreBits)) > 0);
+}
