@@ -86,8 +86,8 @@ TestVector bordersOnSamples() {
 TestVector clampedCoordinates() {
   constexpr int resolution = 48;
   raster::DrawList list = mapped(countingMap(5, 3));
-  addBlock(list, resolution, {0, 0, 48, 40}, 1, {{-1, -1}, {2, 2}});
-  addBlock(list, resolution, {0, 40, 48, 48}, 1, {{-1e6f, -1e6f}, {1e6f, 1e6f}});
+  addBlock(list, resolution, {0, 0, 48, 46}, 1, {{-1, -1}, {2, 2}});
+  addBlock(list, resolution, {0, 46, 48, 48}, 1, {{-1e6f, -1e6f}, {1e6f, 1e6f}});
   return makeVector("clamped-coordinates", "repeated or mirrored index maps, overflow of texel numbers",
                     std::move(list), {frontFace(resolution, 0.5f)});
 }
