@@ -7,8 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "raster/clip.h"
-
 namespace hemitex::tests {
 namespace {
 
@@ -38,6 +36,7 @@ ViewVertex disturbed(const SimulatedDevice& device, const raster::Face& face, co
   vertex.x += error(face.x);
   vertex.y += error(face.y);
   vertex.w += error(face.w);
+  if (device.vertex) device.vertex(vertex);
   return vertex;
 }
 
@@ -81,7 +80,8 @@ double storedDepth(const SimulatedDevice& device, double depth, std::mt19937& ra
 }
 
 struct DevicePixel {
-  double depth = 2;
+  bool isCovered = false;
+  double depth = 0;
   raster::Word word = 0;
 };
 
@@ -92,60 +92,99 @@ std::pair<int, int> pixelsBetween(double low, double high, int first, int size) 
           static_cast<int>(std::clamp(std::ceil(high / 256), static_cast<double>(first), end))};
 }
 
+double cross(const glm::dvec2& p, const glm::dvec2& q) { return p.x * q.y - p.y * q.x; }
+
 /// A triangle of a fan, snapped.
+struct SnappedTriangle {
+  std::array<ViewVertex, 3> vertices;
+  std::array<glm::dvec2, 3> s;
+  double area = 0;
+
+  SnappedTriangle(const SimulatedDevice& device, const std::array<ViewVertex, 3>& fan, int resolution) : vertices(fan) {
+    for (std::size_t k = 0; k < 3; ++k)
+      s[k] = {snapOn(device, fan[k].x / fan[k].w, resolution) + device.shift,
+              snapOn(device, fan[k].y / fan[k].w, resolution)};
+    area = cross(s[1] - s[0], s[2] - s[0]);
+  }
+
+  /// The edge opposite vertex k, its interior on the right where rows grow downwards.
+  glm::dvec2 along(std::size_t k) const { return (area > 0 ? 1.0 : -1.0) * (s[(k + 2) % 3] - s[(k + 1) % 3]); }
+
+  double edgeAt(std::size_t k, const glm::dvec2& position) const { return cross(along(k), position - s[(k + 1) % 3]); }
+
+  double inverseDepthAt(const glm::dvec2& position) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) sum += edgeAt(k, position) / std::abs(area) / vertices[k].w;
+    return sum;
+  }
+
+  glm::dvec2 texcoordAt(const glm::dvec2& position, bool affine) const {
+    double total = 0;
+    glm::dvec2 sum(0.0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double weight = edgeAt(k, position) / (affine ? 1 : vertices[k].w);
+      total += weight;
+      sum += weight * glm::dvec2(vertices[k].u, vertices[k].v);
+    }
+    return sum / total;
+  }
+};
+
+bool covers(const SimulatedDevice& device, const SnappedTriangle& triangle, const glm::dvec2& sample) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const glm::dvec2 along = triangle.along(k);
+    const double value = triangle.edgeAt(k, sample);
+    const bool topOrLeft = along.y < 0 || (along.y == 0 && along.x > 0);
+    if (value < 0 || (value == 0 && topOrLeft == device.bottomRight)) return false;
+  }
+  return true;
+}
+
+raster::Word fetch(const SimulatedDevice& device, const raster::IndexMap& map, const glm::dvec2& texcoord,
+                   std::mt19937& random) {
+  const glm::dvec2 size(map.width, map.height);
+  glm::dvec2 texel = texcoord * size + device.texelShift;
+  for (int axis = 0; axis < 2; ++axis) texel[axis] += anyError(random) * device.profile.texelPrecision;
+  if (device.fetch) return device.fetch(map, texel);
+  texel = glm::clamp(glm::floor(texel), glm::dvec2(0.0), size - 1.0);
+  return map.words[static_cast<std::size_t>(texel.y * size.x + texel.x)];
+}
+
+raster::Word shade(const SimulatedDevice& device, const raster::DrawList& list, const raster::Draw& draw,
+                   bool facesAway, const glm::dvec2& texcoord, std::mt19937& random) {
+  if (facesAway && draw.back) return *draw.back;
+  if (!draw.indexMap) return draw.offset;
+  const raster::IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
+  const raster::Word texel = fetch(device, map, texcoord, random);
+  return device.blend ? device.blend(draw.offset, texel) : raster::blend(list.format, list.blend, draw.offset, texel);
+}
+
 void drawTriangle(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face,
                   const raster::Draw& draw, const std::array<ViewVertex, 3>& vertices, std::mt19937& random,
                   std::vector<DevicePixel>& pixels) {
-  std::array<glm::dvec2, 3> s;
-  for (std::size_t k = 0; k < 3; ++k)
-    s[k] = {snapOn(device, vertices[k].x / vertices[k].w, face.resolution) + device.shift,
-            snapOn(device, vertices[k].y / vertices[k].w, face.resolution)};
-  const auto cross = [](const glm::dvec2& p, const glm::dvec2& q) { return p.x * q.y - p.y * q.x; };
-  const double area = cross(s[1] - s[0], s[2] - s[0]);
-  if (area == 0) return;
-  const bool facesAway = (area < 0) == (raster::determinant(face) < 0);
-
+  const SnappedTriangle triangle(device, vertices, face.resolution);
+  if (triangle.area == 0) return;
+  const bool facesAway = (triangle.area < 0) == (raster::determinant(face) < 0);
   const raster::Scissor& scissor = face.scissor;
+  const auto& s = triangle.s;
   const auto [left, right] = std::minmax({s[0].x, s[1].x, s[2].x});
   const auto [top, bottom] = std::minmax({s[0].y, s[1].y, s[2].y});
   const auto [firstColumn, endColumn] = pixelsBetween(left, right, scissor.column, scissor.width);
   const auto [firstRow, endRow] = pixelsBetween(top, bottom, scissor.row, scissor.height);
   for (int row = firstRow; row < endRow; ++row)
     for (int column = firstColumn; column < endColumn; ++column) {
-      const glm::dvec2 sample(256.0 * column + 128, 256.0 * row + 128);
-      bool covered = true;
-      double inverse = 0, u = 0, v = 0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const glm::dvec2 &p = s[(k + 1) % 3], &q = s[(k + 2) % 3];
-        const glm::dvec2 along = (area > 0 ? 1.0 : -1.0) * (q - p);
-        const double value = cross(along, sample - p);
-        const bool topOrLeft = along.y < 0 || (along.y == 0 && along.x > 0);
-        covered = covered && (value > 0 || (value == 0 && topOrLeft != device.bottomRight));
-        const double weight = value / std::abs(area) / vertices[k].w;
-        inverse += weight;
-        u += weight * vertices[k].u;
-        v += weight * vertices[k].v;
-      }
-      if (!covered) continue;
-      const double depth = storedDepth(device, 1 - static_cast<double>(face.nearDistance) * inverse, random);
+      const glm::dvec2 corner(256.0 * column, 256.0 * row);
+      if (!covers(device, triangle, corner + device.sample)) continue;
+      const double inverseDepth = triangle.inverseDepthAt(corner + device.sample);
+      const double depth = storedDepth(device, 1 - static_cast<double>(face.nearDistance) * inverseDepth, random);
       DevicePixel& pixel =
           pixels[static_cast<std::size_t>(row - scissor.row) * static_cast<std::size_t>(scissor.width) +
                  static_cast<std::size_t>(column - scissor.column)];
-      if (depth >= pixel.depth) continue;
-      const auto texel = [&](double coordinate, int size) {
-        const double error = anyError(random) * device.profile.texelPrecision + device.texelShift;
-        return static_cast<std::size_t>(std::clamp(std::floor(coordinate / inverse * size + error), 0.0, size - 1.0));
-      };
-      raster::Word word = draw.offset;
-      if (facesAway && draw.back) {
-        word = *draw.back;
-      } else if (draw.indexMap) {
-        const raster::IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
-        const std::size_t i = texel(u, map.width), j = texel(v, map.height);
-        word =
-            raster::blend(list.format, list.blend, draw.offset, map.words[j * static_cast<std::size_t>(map.width) + i]);
-      }
-      pixel = {depth, word};
+      const bool passes = device.passes ? device.passes(depth, pixel.depth) : depth < pixel.depth;
+      if (pixel.isCovered && !passes) continue;
+      const glm::dvec2 texcoord = triangle.texcoordAt(corner + device.shading, device.affine);
+      const raster::Word word = shade(device, list, draw, facesAway, texcoord, random);
+      pixel = {true, depth, device.store ? device.store(pixel.word, word) : word};
     }
 }
 
@@ -154,7 +193,7 @@ void drawTriangle(const SimulatedDevice& device, const raster::DrawList& list, c
 raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face) {
   const raster::Scissor& scissor = face.scissor;
   std::vector<DevicePixel> pixels(static_cast<std::size_t>(scissor.width) * static_cast<std::size_t>(scissor.height),
-                                  {2, raster::backgroundWord(list.format)});
+                                  {false, 0, raster::backgroundWord(list.format)});
   std::mt19937 random(device.seed);
   for (const raster::Draw& draw : list.draws)
     for (std::uint32_t first = draw.first; first < draw.first + draw.count; first += 3) {

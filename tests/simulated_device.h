@@ -3,6 +3,9 @@
 /// and the clipping that it disturbs.
 #pragma once
 
+#include <functional>
+
+#include "raster/clip.h"
 #include "raster/draw_list.h"
 #include "raster/face.h"
 #include "reference/device_profile.h"
@@ -12,10 +15,20 @@ namespace hemitex::tests {
 struct SimulatedDevice {
   reference::DeviceProfile profile;  ///< how large its errors are
   std::uint32_t seed = 0;
-  bool cutsAtView = false;   ///< clips at the sides of the view instead of the guard band
-  bool bottomRight = false;  ///< gives samples on edges to the wrong triangle
-  double shift = 0;          ///< of all vertices along the rows, in sub-pixels: a fault
-  double texelShift = 0;     ///< of all texture coordinates, in texels: a fault
+  bool cutsAtView = false;  ///< clips at the sides of the view instead of the guard band
+
+  // Faults: a device is right where they have their defaults. A function that is empty does what is right.
+  double shift = 0;                                   ///< of all vertices along the rows, in sub-pixels
+  double texelShift = 0;                              ///< of all texture coordinates, in texels
+  std::function<void(raster::ViewVertex&)> vertex{};  ///< changes what the vertex stage gives
+  bool bottomRight = false;                           ///< gives samples on edges to the wrong triangle
+  glm::dvec2 sample{128, 128};                        ///< of coverage and depth, in sub-pixels
+  glm::dvec2 shading{128, 128};                       ///< of texture coordinates
+  bool affine = false;                                ///< interpolates them without perspective
+  std::function<bool(double, double)> passes{};       ///< of a depth and the one stored
+  std::function<raster::Word(const raster::IndexMap&, const glm::dvec2&)> fetch{};  ///< at (u N, v M)
+  std::function<raster::Word(raster::Word, raster::Word)> blend{};                  ///< of offset and texel
+  std::function<raster::Word(raster::Word, raster::Word)> store{};  ///< of the target's word and the fragment's
 };
 
 raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face);
