@@ -48,16 +48,18 @@ void check(const CheckOptions& options, Context& context) {
   const reference::TestVector vector = reference::readVector(options.vector);
   const reference::Verdict verdict = judge(vector, reference::readCandidate(options.candidate, vector), profile);
   const std::vector<reference::ErrorPixel> errors = firstErrors(vector, verdict);
+  const std::vector<reference::Finding> findings = diagnose(vector, verdict);
 
-  if (!options.junit.empty()) radiosity::writeFile(options.junit, toJUnit(verdict, errors));
+  if (!options.junit.empty()) radiosity::writeFile(options.junit, toJUnit(verdict, errors, findings));
   if (!options.picture.empty())
     radiosity::writePng(options.picture, toPicture(verdict, raster::backgroundWord(vector.list.format)));
   if (context.json) {
-    std::cout << toJson(verdict, errors);
+    std::cout << toJson(verdict, errors, findings);
   } else {
     writeCsv(std::cout, tableOf(verdict));
     for (const reference::ErrorPixel& error : errors)
       std::cout << "error in " << error.face << ": " << toText(error) << '\n';
+    if (!findings.empty()) std::cout << "diagnosis: " << toText(findings) << '\n';
   }
   context.failed = hasErrors(verdict);
   if (context.failed && !options.minimal.empty()) writeMinimal(options.minimal, minimize(vector, verdict, profile));

@@ -31,6 +31,13 @@ Json toJson(const ErrorPixel& error) {
   return json;
 }
 
+Json toJson(const Finding& finding) {
+  return {{"fault", finding.fault},
+          {"variant", finding.variant},
+          {"agreement", finding.agreement},
+          {"advice", finding.advice}};
+}
+
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -52,7 +59,8 @@ std::string escaped(const std::string& text) {
 
 }  // namespace
 
-std::string toJson(const Verdict& verdict, const std::vector<ErrorPixel>& errors) {
+std::string toJson(const Verdict& verdict, const std::vector<ErrorPixel>& errors,
+                   const std::vector<Finding>& findings) {
   Json json{{"vector", verdict.vector}, {"pass", !hasErrors(verdict)}, {"pixels", toJson(countVerdicts(verdict))}};
   json["faces"] = Json::array();
   for (const FaceVerdict& face : verdict.faces) {
@@ -62,10 +70,14 @@ std::string toJson(const Verdict& verdict, const std::vector<ErrorPixel>& errors
   }
   json["errors"] = Json::array();
   for (const ErrorPixel& error : errors) json["errors"].push_back(toJson(error));
+  json["diagnosis"] = Json::array();
+  for (const Finding& finding : findings) json["diagnosis"].push_back(toJson(finding));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-std::string toJUnit(const Verdict& verdict, const std::vector<ErrorPixel>& errors) {
+std::string toJUnit(const Verdict& verdict, const std::vector<ErrorPixel>& errors,
+                    const std::vector<Finding>& findings) {
+  const std::string diagnosis = findings.empty() ? "" : escaped("diagnosis: " + toText(findings)) + '\n';
   std::string cases;
   int failures = 0;
   for (const FaceVerdict& face : verdict.faces) {
@@ -76,7 +88,7 @@ std::string toJUnit(const Verdict& verdict, const std::vector<ErrorPixel>& error
       continue;
     }
     ++failures;
-    cases += ">\n    <failure message=\"" + std::to_string(wrong) + " pixels are errors\">";
+    cases += ">\n    <failure message=\"" + std::to_string(wrong) + " pixels are errors\">" + diagnosis;
     for (const ErrorPixel& error : errors)
       if (error.face == face.name) cases += escaped(toText(error)) + '\n';
     cases += "</failure>\n  </testcase>\n";

@@ -26,7 +26,7 @@ TEST_CASE("the report counts by face and names the first ten errors", "[verdict]
   CHECK(errors[2].visible->triangle == 0);  // column 2 is right of row 1 on the diagonal
   CHECK(errors[2].visible->inverseDepth == Approx(1));
 
-  const auto json = nlohmann::json::parse(toJson(verdict, errors));
+  const auto json = nlohmann::json::parse(toJson(verdict, errors, {}));
   CHECK(json["pass"] == false);
   CHECK(json["pixels"]["error"] == 17);
   CHECK(json["pixels"]["exact"] == 96 - 17);
@@ -41,11 +41,34 @@ TEST_CASE("the report counts by face and names the first ten errors", "[verdict]
   CHECK(last.row == 4);
 }
 
+TEST_CASE("the report names the diagnosis, and both where two cannot be told apart", "[verdict]") {
+  JudgedWall judged;
+  judged.found[0].words[0] = 0;
+  const reference::Verdict verdict = judged.verdict();
+  const std::vector<reference::Finding> findings{{"depth test off", "", 0.96, "turn it on"},
+                                                 {"padded rows", "64 bytes", 1, "set pack & unpack alignment"}};
+  const std::string text =
+      "either depth test off (96.0 % agreement): turn it on; or padded rows, 64 bytes (100.0 % agreement): set pack ";
+  CHECK(toText(findings) == text + "& unpack alignment");
+
+  const auto json = nlohmann::json::parse(toJson(verdict, {}, findings));
+  REQUIRE(json["diagnosis"].size() == 2);
+  CHECK(json["diagnosis"][1]["fault"] == "padded rows");
+  CHECK(json["diagnosis"][1]["variant"] == "64 bytes");
+  CHECK(json["diagnosis"][0]["agreement"] == 0.96);
+  CHECK(json["diagnosis"][0]["advice"] == "turn it on");
+  CHECK(nlohmann::json::parse(toJson(verdict, {}, {}))["diagnosis"].empty());
+
+  CHECK(toJUnit(verdict, {}, findings).find("diagnosis: " + text + "&amp; unpack alignment\n</failure>") !=
+        std::string::npos);
+  CHECK(toJUnit(verdict, {}, {}).find("diagnosis") == std::string::npos);
+}
+
 TEST_CASE("in JUnit XML each face is a test case that fails where it has errors", "[verdict]") {
   JudgedWall judged;
   judged.found[1].words[5] = 0;
   const reference::Verdict verdict = judged.verdict();
-  const std::string xml = toJUnit(verdict, firstErrors(judged.vector, verdict));
+  const std::string xml = toJUnit(verdict, firstErrors(judged.vector, verdict), {});
   CHECK(xml.find("<testsuite name=\"a &lt;wall&gt; &amp; &quot;more&quot;\" tests=\"2\" failures=\"1\">") !=
         std::string::npos);
   CHECK(xml.find("name=\"top\"/>") != std::string::npos);
