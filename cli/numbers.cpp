@@ -16,6 +16,13 @@ std::optional<Number> parseAll(std::string_view text) {
   return value;
 }
 
+template <typename Number>
+std::string shortest(Number value) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  return {digits.data(), end};
+}
+
 }  // namespace
 
 std::optional<double> parseNumber(std::string_view text) {
@@ -39,10 +46,7 @@ std::optional<glm::dvec3> parseVector(std::string_view text) {
   return vector;
 }
 
-std::string toText(double value) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  return {digits.data(), end};
-}
+std::string toText(double value) { return shortest(value); }
+std::string toText(float value) { return shortest(value); }
 
 }  // namespace hemitex::cli

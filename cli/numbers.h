@@ -18,5 +18,6 @@ std::optional<glm::dvec3> parseVector(std::string_view text);
 
 /// The shortest decimal that reads back to the same number.
 std::string toText(double value);
+std::string toText(float value);
 
 }  // namespace hemitex::cli

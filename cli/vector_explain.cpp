@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/derivation_text.h"
 #include "cli/json.h"
 #include "cli/table.h"
 #include "raster/input_error.h"
@@ -74,8 +75,9 @@ void explain(const std::filesystem::path& folder, const Pixel& pixel, const Cont
   const reference::TestVector vector = reference::readVector(folder);
   const raster::Face& face = faceOf(vector, pixel).face;
   requireInside(face.scissor, pixel);
-  const std::vector<reference::Fragment> fragments = reference::fragmentsAt(vector.list, face, pixel.column, pixel.row);
-  const raster::Word word = fragments.empty() ? raster::backgroundWord(vector.list.format) : fragments.front().word;
+  const auto derivation = reference::derive(vector.list, face, pixel.column, pixel.row);
+  const auto fragments = reference::fragmentsAt(vector.list, face, pixel.column, pixel.row);
+  const raster::Word word = derivation ? derivation->word : raster::backgroundWord(vector.list.format);
   const std::string origin = toText(reference::originOf(vector.list, word));
   if (context.json) {
     std::cout << toText({{"face", pixel.face},
@@ -83,13 +85,14 @@ void explain(const std::filesystem::path& folder, const Pixel& pixel, const Cont
                          {"row", pixel.row},
                          {"word", word},
                          {"from", origin},
+                         {"derivation", derivation ? toJson(*derivation) : nlohmann::ordered_json()},
                          {"triangles", toJson(tableOf(fragments))}});
     return;
   }
   std::cout << "pixel " << pixel.column << ',' << pixel.row << " of " << pixel.face << " holds " << word << ": "
             << origin << "\n";
-  if (fragments.empty()) return;
-  std::cout << "triangles that cover it, nearest first:\n";
+  if (!derivation) return;
+  std::cout << toText(*derivation, vector.list, face) << "triangles that cover it, nearest first:\n";
   writeCsv(std::cout, tableOf(fragments));
 }
 

@@ -47,7 +47,23 @@ void pixelRange(std::int64_t low, std::int64_t high, int scissorFirst, int sciss
   end = static_cast<int>(std::min<std::int64_t>(scissorEnd, floorDivide(high - sample, subPixels) + 1));
 }
 
-/// Snaps three clipped vertices; false where no sample of the scissor rectangle can be covered.
+/// Wholly beyond one side of the view: no pixel can tell that it was dropped before clipping.
+bool isOutsideView(const std::array<ViewVertex, 3>& p, double nearDistance) {
+  const auto all = [&p](const auto& isOutside) { return isOutside(p[0]) && isOutside(p[1]) && isOutside(p[2]); };
+  return all([=](const ViewVertex& q) { return q.w < nearDistance; }) ||
+         all([](const ViewVertex& q) { return q.x > 2 * std::abs(q.w); }) ||
+         all([](const ViewVertex& q) { return -q.x > 2 * std::abs(q.w); }) ||
+         all([](const ViewVertex& q) { return q.y > 2 * std::abs(q.w); }) ||
+         all([](const ViewVertex& q) { return -q.y > 2 * std::abs(q.w); });
+}
+
+}  // namespace
+
+std::int64_t snap(double q, int resolution) {
+  // The clamp holds what the rounding of the guard band let slip.
+  return static_cast<std::int64_t>(std::nearbyint((std::clamp(q, -8.0, 8.0) + 1) * (128.0 * resolution)));
+}
+
 bool makeScreenTriangle(const Face& face, const std::array<ViewVertex, 3>& vertices, bool mirrored,
                         ScreenTriangle& triangle) {
   std::array<Snapped, 3> s;
@@ -74,23 +90,6 @@ bool makeScreenTriangle(const Face& face, const std::array<ViewVertex, 3>& verti
   triangle.u = makeCoordinate({vertices[0].u, vertices[1].u, vertices[2].u});
   triangle.v = makeCoordinate({vertices[0].v, vertices[1].v, vertices[2].v});
   return true;
-}
-
-/// Wholly beyond one side of the view: no pixel can tell that it was dropped before clipping.
-bool isOutsideView(const std::array<ViewVertex, 3>& p, double nearDistance) {
-  const auto all = [&p](const auto& isOutside) { return isOutside(p[0]) && isOutside(p[1]) && isOutside(p[2]); };
-  return all([=](const ViewVertex& q) { return q.w < nearDistance; }) ||
-         all([](const ViewVertex& q) { return q.x > 2 * std::abs(q.w); }) ||
-         all([](const ViewVertex& q) { return -q.x > 2 * std::abs(q.w); }) ||
-         all([](const ViewVertex& q) { return q.y > 2 * std::abs(q.w); }) ||
-         all([](const ViewVertex& q) { return -q.y > 2 * std::abs(q.w); });
-}
-
-}  // namespace
-
-std::int64_t snap(double q, int resolution) {
-  // The clamp holds what the rounding of the guard band let slip.
-  return static_cast<std::int64_t>(std::nearbyint((std::clamp(q, -8.0, 8.0) + 1) * (128.0 * resolution)));
 }
 
 std::uint64_t appendScreenTriangles(const DrawList& list, const Face& face, const TriangleRun& run,
@@ -129,7 +128,8 @@ Span coveredColumns(const ScreenTriangle& triangle, int row) {
   std::int64_t first = triangle.firstColumn;
   std::int64_t end = triangle.endColumn;
   for (const Edge& edge : triangle.edges) {
-    // Covered where a * column >= threshold: 0 on an inclusive edge, 1 on another, since values are integers.
+    // Covered where a * column >= threshold: 0 on an inclusive edge, 1 on another, since values
+    // are integers.
     const std::int64_t threshold = (edge.inclusive ? 0 : 1) - (edge.b * row + edge.c);
     if (edge.a > 0) first = std::max(first, ceilDivide(threshold, edge.a));
     if (edge.a < 0) end = std::min(end, floorDivide(threshold, edge.a) + 1);

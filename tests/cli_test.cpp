@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "reference/simple_draws.h"
+#include "reference/test_vector.h"
 #include "tests/temporary_folder.h"
 
 namespace {
@@ -343,6 +345,69 @@ TEST_CASE("A test vector is exported without words and rendered in place", "[cli
   CHECK(fs::file_size(shell.file("vector/top.u32")) == 8 * 8 * 4);
   CHECK(shell.output("vector render vector -o elsewhere") == faces);
   CHECK(readAll(shell.file("elsewhere/vector.json")) == readAll(shell.file("vector/vector.json")));
+}
+
+TEST_CASE("vector explain derives a word from the vertices to the blend", "[cli]") {
+  // A triangle from w = 2 to w = 0 is cut at n = 1/2, a quarter of the way from its far corner, where x/w is 1 and -1
+  // and y/w is 2. In units of 1/256 pixel the sample lies at 1152/4096 of the picture's width and 1152/6144 of the
+  // height of what is left: b = (9/32, 17/32, 6/32), 1/w = (9 + 17)/64 + 6/16 = 25/32, and u/w = 9/64 + 9/64 as well as
+  // v/w = 9/32 give u = v = 9/25. Behind it stands a wall at w = 4.
+  using namespace hemitex;
+  reference::TestVector vector;
+  vector.name = "by-hand";
+  raster::DrawList& list = vector.list;
+  list.format = {{8, 8}};
+  list.indexMaps.push_back(reference::countingMap(4, 4));
+  for (raster::Word& word : list.indexMaps[0].words) word *= 0x102;
+  reference::addDraw(list, 0x10fa, {}, 0);
+  reference::addTriangle(list, {{2, -2, 2}, {-2, -2, 2}, {0, 2, 0}}, {{1, 0}, {0, 0}, {0.5f, 1}});
+  reference::addDraw(list, 7);
+  reference::addTriangle(list, {{-8, -8, 4}, {-8, 24, 4}, {24, -8, 4}});
+  vector.faces.push_back({"front", reference::frontFace(16, 0.5f), "front.u32", {}});
+  const Shell shell;
+  fs::create_directory(shell.file("vector"));
+  reference::writeVector(shell.file("vector"), vector, {});
+
+  CHECK(shell.output("vector explain vector --pixel front,4,4") == R"(pixel 4,4 of front holds 5631: no draw
+vertices of triangle 0 of draw 0: d = P - E, then x = X.d, y = Y.d, w = W.d in binary32
+  E (0, 0, 0), X (1, 0, 0), Y (0, 1, 0), W (0, 0, 1)
+  vertex 0: P (2, -2, 2), d (2, -2, 2), (x, y, w) = (2, -2, 2), (u, v) = (1, 0)
+  vertex 1: P (-2, -2, 2), d (-2, -2, 2), (x, y, w) = (-2, -2, 2), (u, v) = (0, 0)
+  vertex 2: P (0, 2, 0), d (0, 2, 0), (x, y, w) = (0, 2, 0), (u, v) = (0.5, 1)
+clip to w >= n = 0.5 and |x|, |y| <= 8w: cut by w >= n, y <= 8w; triangle 1 of the 2 that are left
+  corner 0: (x, y, w) = (2, -2, 2), (u, v) = (1, 0)
+  corner 1: (x, y, w) = (-2, -2, 2), (u, v) = (0, 0)
+  corner 2: (x, y, w) = (-0.5, 1, 0.5), (u, v) = (0.375, 0.75)
+snap: q = (x/w, y/w), held to [-8, 8]; s = nearbyint((q + 1) 128 R) with R = 16
+  corner 0: q = (1, -1), s = (4096, 0)
+  corner 1: q = (-1, -1), s = (0, 0)
+  corner 2: q = (-1, 2), s = (0, 6144)
+cover: sample (1152, 1152), doubled area A = -25165824 and det(X, Y, W) > 0: it faces the eye
+  edge from corner 1 to 2: e0 = 7077888, inside
+  edge from corner 2 to 0: e1 = 13369344, inside
+  edge from corner 0 to 1: e2 = 4718592, inside
+interpolate: b = e / |A| = (0.28125, 0.53125, 0.1875)
+  1/w = sum of b/w = 0.78125
+  (u, v) = sum of b (u, v)/w over 1/w = (0.36, 0.36)
+depth: triangle 1 of draw 1 comes next with 1/w = 0.25, which is less by 0.53125
+texel: (u N, v M) = (1.44, 1.44) with N x M = 4 x 4; floor, held to the map: (1, 1) holds 1290
+blend: clamped add of offset 4346 and texel 1290
+  channel 0, 8 bits: 250 + 10 = 260, clamped to 255
+  channel 1, 8 bits: 16 + 5 = 21
+  word 5631
+triangles that cover it, nearest first:
+triangle,draw,facing,w,u,v,column,row,word
+0,0,front,1.28,0.36,0.36,1,1,5631
+1,1,front,4,0,0,,,7
+)");
+  const json derivation = json::parse(shell.output("vector explain vector --pixel front,4,4 --json"))["derivation"];
+  CHECK(derivation["clip"] == json::parse(R"({"cut_by": ["near", "top"], "piece": 0, "pieces": 2})"));
+  CHECK(derivation["corners"][2]["snapped"] == json({0, 6144}));
+  CHECK(derivation["weights"] == json({0.28125, 0.53125, 0.1875}));
+  CHECK(derivation["inverse_depth"] == 0.78125);
+  CHECK(derivation["texel"]["index"] == 1290);
+  CHECK(derivation["runner_up"]["difference"] == 0.53125);
+  CHECK(derivation["word"] == 5631);
 }
 
 TEST_CASE("Stages lie beside an exported vector, and beside one whose words were drawn", "[cli]") {
