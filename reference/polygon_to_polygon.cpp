@@ -38,7 +38,8 @@ Plane planeOf(std::span<const glm::dvec3> polygon) {
   return {polygon[0], {component(sum.x), component(sum.y), component(sum.z)}, static_cast<double>(size / 2)};
 }
 
-/// The part of a polygon in front of a plane; heights up to `slack` count as 0.
+/// The part of a polygon in front of a plane. Heights up to `slack` count as 0: without it, what is coplanar but for
+/// rounding would go through all rules in wide numbers before it came out as nothing.
 Polygon inFrontOf(const Plane& plane, const Polygon& polygon, double slack) {
   const auto heightOf = [&](const glm::dvec3& corner) {
     const double height = glm::dot(plane.normal, corner - plane.point);

@@ -182,11 +182,16 @@ TEST_CASE("a polygon edge-on, behind, or with its back to the point is not seen"
   CHECK(pointToPolygon({-1, 1, 0}, up, wall.corners()) == 0);     // on its corner
   CHECK(pointToPolygon({0.3, 1, 0.5}, up, wall.corners()) == 0);  // inside it
   CHECK(pointToPolygon({0.3, 1, 0.5}, {0, -1, 0}, wall.corners()) == 0);
-  // In a slanted plane, up to rounding.
-  const glm::dvec3 normal = glm::normalize(glm::dvec3(1, 2, 3)), u = glm::normalize(glm::cross(normal, up));
-  const Parallelogram slanted{5.0 * u, u, glm::cross(normal, u)};
-  CHECK(pointToPolygon(origin, normal, slanted.corners()) == 0);
-  CHECK(pointToPolygon(origin, normal, slanted.reversed().corners()) == 0);
+}
+
+TEST_CASE("a polygon in the horizon is not seen, whatever the rounding of its slant", "[form factors]") {
+  std::mt19937 random(5);
+  for (int i = 0; i < 200; ++i) {
+    const glm::dvec3 normal = randomDirection(random), u = glm::normalize(glm::cross(normal, randomDirection(random)));
+    const Parallelogram level{3.0 * u, 0.5 * u, glm::cross(normal, u)};
+    CHECK(fromOrigin(level, normal) == 0);
+    CHECK(fromOrigin(level.reversed(), normal) == 0);
+  }
 }
 
 TEST_CASE("a point that comes close to an upright polygon's edge comes to see half of its sky filled",

@@ -233,8 +233,19 @@ TEST_CASE("coplanar polygons, and backs, exchange nothing", "[form factors]") {
   CHECK(polygonToPolygon(floor, reversed(ceiling)) == 0);
   CHECK(polygonToPolygon(floor, floorOf(rectangle(1, 2, 0, 1))) == 0);
   CHECK(polygonToPolygon(floor, floor) == 0);
-  const glm::dmat3 turn{{0.48, 0.6, 0.64}, {-0.8, 0.6, 0}, {-0.36, -0.48, 0.8}};  // all but a rotation
-  const Polygon slanted = moved(floor, turn, {0.1, 0.2, 0.3}, 1),
-                beside = moved(floorOf(rectangle(1, 2, 0, 1)), turn, {0.1, 0.2, 0.3}, 1);
-  CHECK(polygonToPolygon(slanted, beside) == 0);
+}
+
+TEST_CASE("a plane cut into pieces exchanges nothing, whatever the rounding of its slant", "[form factors]") {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> angle(0, 2 * std::numbers::pi);
+  for (int i = 0; i < 100; ++i) {
+    const double a = angle(random), b = angle(random);
+    const glm::dmat3 aboutZ{{std::cos(a), std::sin(a), 0}, {-std::sin(a), std::cos(a), 0}, {0, 0, 1}};
+    const glm::dmat3 aboutX{{1, 0, 0}, {0, std::cos(b), std::sin(b)}, {0, -std::sin(b), std::cos(b)}};
+    const glm::dmat3 turn = aboutX * aboutZ;
+    const glm::dvec3 by(std::cos(b), std::sin(a), a);
+    const Polygon here = moved(floorOf(rectangle(0, 1, 0, 1)), turn, by, 1);
+    for (const AxisRectangle& beside : {rectangle(1, 2, 0, 1), rectangle(1, 2, 1, 3), rectangle(4, 5, 0, 1)})
+      CHECK(polygonToPolygon(here, moved(floorOf(beside), turn, by, 1)) == 0);
+  }
 }
