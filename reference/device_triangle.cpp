@@ -83,10 +83,11 @@ struct Placement {
 double cross(const glm::dvec2& p, const glm::dvec2& q) { return p.x * q.y - p.y * q.x; }
 
 /// The doubled area is cross(s0, s1) + cross(s1, s2) + cross(s2, s0). Moving s_k by e_k changes it by the sums of
-/// cross(e_k, s_{k+1} - s_{k-1}) and cross(e_k, e_{k+1}).
+/// cross(e_k, s_{k+1} - s_{k-1}) and cross(e_k, e_{k+1}). The latter is the doubled area of a triangle in a box of the
+/// sides 2 reach: at most that of the box.
 double largestChangeOfArea(const DeviceTriangle& triangle) {
   const glm::dvec2& reach = triangle.reach;
-  double change = 6 * reach.x * reach.y;
+  double change = 4 * reach.x * reach.y;
   for (std::size_t k = 0; k < 3; ++k) {
     const glm::dvec2 side = glm::abs(triangle.vertices[(k + 1) % 3].position - triangle.vertices[k].position);
     change += side.x * reach.y + side.y * reach.x;

@@ -16,8 +16,8 @@ struct Candidate {
   Region region;
   bool covers;  ///< by the rules
 
-  double nearest() const { return region.nearest * (1 + triangle->depthSlack); }
-  double farthest() const { return region.farthest * (1 - std::min(1.0, triangle->depthSlack)); }
+  double nearest() const { return triangle->depthSlack < 1 ? region.nearest / (1 - triangle->depthSlack) : HUGE_VAL; }
+  double farthest() const { return region.farthest / (1 + triangle->depthSlack); }
 };
 
 std::vector<Candidate> candidatesAt(const Judge& judge, std::span<const DeviceTriangle* const> triangles,
@@ -123,10 +123,11 @@ TexelRange texelRange(const Judge& judge, const Candidate& candidate, int axis, 
   const std::array<DeviceVertex, 3>& vertices = candidate.triangle->vertices;
   const auto coordinate = [axis](const DeviceVertex& v) { return axis == 0 ? v.view.u : v.view.v; };
   const auto [low, high] = std::minmax({coordinate(vertices[0]), coordinate(vertices[1]), coordinate(vertices[2])});
-  // u is an average of the vertices' with weights b/w. Errors of w by a factor within 1 - e and 1 + e change each
-  // normalized weight by a factor up to (1 + e)/(1 - e), hence u by less than 2e/(1 - e) of the spread.
-  const double slack = candidate.triangle->depthSlack;
-  const double drift = slack < 0.5 ? 2 * slack / (1 - slack) * (high - low) : high - low;
+  // u is an average of the vertices' with weights b/w. Errors of w by a factor within 1 - e and 1 + e change the ratio
+  // of two weights by a factor up to r = (1 + e)/(1 - e), and with it a normalized weight p to p r / (p r + 1 - p) at
+  // most. That is at most (sqrt(r) - 1)/(sqrt(r) + 1) = e/(1 + sqrt(1 - e^2)) more, and so is u in terms of its spread.
+  const double slack = std::min(candidate.triangle->depthSlack, 1.0);
+  const double drift = slack / (1 + std::sqrt(1 - slack * slack)) * (high - low);
   const auto texel = [size](double position) {
     return static_cast<std::size_t>(std::clamp(std::floor(position), 0.0, size - 1.0));
   };

@@ -28,13 +28,26 @@ TEST_CASE("a profile keeps the defaults of the keys it does not name", "[verdict
   CHECK(reference::depthError(profile) == 4.0 / 65535);
 }
 
+TEST_CASE("a depth's error is in units in the last place of 1 of its format", "[verdict]") {
+  using reference::DepthFormat;
+  for (const auto& [format, unit] :
+       {std::pair(DepthFormat::Float32, 1 / 8388608.0), std::pair(DepthFormat::Unorm24, 1 / 16777215.0),
+        std::pair(DepthFormat::Unorm16, 1 / 65535.0)}) {
+    reference::DeviceProfile profile;
+    profile.depthFormat = format;
+    profile.depthTolerance = 3;
+    CHECK(reference::depthError(profile) == Approx(3 * unit).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("a profile with an unknown key or a wrong value is an input error", "[verdict]") {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path / "profile.json";
-  for (const char* json : {R"({"subpixel_bit": 8})", R"({"subpixel_bits": 8.5})", R"({"subpixel_bits": 3})",
-                           R"({"subpixel_bits": "8"})", R"({"vertex_error": -1})", R"({"vertex_error": 1e999})",
-                           R"({"texel_precision": null})", R"({"snap_rounding": "up"})", R"({"edge_rule": 1})",
-                           R"({"depth_format": "float"})", R"({"loose_clipping": 1})", R"([])", R"({)", ""}) {
+  for (const char* json :
+       {R"({"subpixel_bit": 8})", R"({"subpixel_bits": 8.5})", R"({"subpixel_bits": 3})", R"({"subpixel_bits": 13})",
+        R"({"subpixel_bits": "8"})", R"({"vertex_error": -1})", R"({"vertex_error": 1e999})",
+        R"({"texel_precision": null})", R"({"snap_rounding": "up"})", R"({"edge_rule": 1})",
+        R"({"depth_format": "float"})", R"({"loose_clipping": 1})", R"([])", R"({)", ""}) {
     std::ofstream(file) << json;
     INFO(json);
     CHECK_THROWS_AS(reference::readProfile(file), InputError);
@@ -64,8 +77,16 @@ TEST_CASE("a candidate's buffers are read, and refused where they do not hold on
   write(32);
   const std::vector<raster::ItemBuffer> buffers = reference::readCandidate(folder.path, vector);
   REQUIRE(buffers.size() == 1);
+  CHECK(buffers[0].width == 4);
+  CHECK(buffers[0].height == 2);
   CHECK(buffers[0].words.size() == 8);
   CHECK(buffers[0].words[1] == 0x07060504u);  // little-endian
+
+  vector.faces.push_back({"other", face, "other.u32", ""});
+  CHECK_THROWS_AS(reference::readCandidate(folder.path, vector), InputError);
+  std::ofstream(folder.path / "other.u32", std::ios::binary) << std::string(32, '\1');
+  CHECK(reference::readCandidate(folder.path, vector)[1].words[0] == 0x01010101u);
+  vector.faces.pop_back();
 
   std::filesystem::remove(file);
   std::filesystem::create_directory(file);

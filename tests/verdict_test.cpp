@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "reference/pixel_judge.h"
 #include "tests/simulated_device.h"
 #include "tests/triangle_families.h"
 
@@ -200,4 +201,85 @@ TEST_CASE("the surface behind is explained by depth within the tolerance, an err
     const auto counts = countsOf(list, face, found, profile);
     CHECK(count(counts, e < 0x1p-14f ? PixelVerdict::Depth : PixelVerdict::Error) == 256);
   }
+}
+
+TEST_CASE("a pixel's verdict depends on no tile, neighbour or scissor rectangle", "[verdict]") {
+  // Triangles all over a view of five by five tiles, and through a rectangle that begins and ends inside tiles; every
+  // word is a neighbour's. Brute force judges each pixel alone, by all triangles.
+  std::mt19937 random(4);
+  raster::DrawList list = tests::plainList();
+  for (raster::Word word = 0; word < 40; ++word) {
+    const glm::vec3 middle(tests::uniform(random, -1, 1), tests::uniform(random, -1, 1), 1);
+    const auto corner = [&] {
+      return middle + glm::vec3(tests::uniform(random, -0.4f, 0.4f), tests::uniform(random, -0.4f, 0.4f), 0);
+    };
+    const glm::vec3 a = corner(), b = corner(), c = corner();
+    tests::addDraw(list, word);
+    tests::addTriangle(list, {a, b, c});
+  }
+  DeviceProfile profile;
+  profile.vertexError = 10000;  // about ten sub-pixels
+  profile.looseClipping = false;
+  for (const raster::Scissor& scissor : {raster::Scissor{0, 0, 80, 80}, raster::Scissor{7, 21, 66, 38}}) {
+    raster::Face face = tests::frontFace(80);
+    face.scissor = scissor;
+    raster::ItemBuffer found = tests::drawOne(list, face);
+    std::rotate(found.words.begin(), found.words.begin() + 1, found.words.end());
+    const reference::Verdict verdict = reference::judge(vectorOf(list, face), {&found, 1}, profile);
+    const raster::ItemBuffer& expected = verdict.faces[0].expected;
+
+    const auto triangles = placeTriangles(list, face, profile, false, [](const auto&) { return true; });
+    std::vector<const reference::DeviceTriangle*> all;
+    for (const reference::DeviceTriangle& triangle : triangles) all.push_back(&triangle);
+    const reference::Judge judge = makeJudge(list, face, profile);
+    reference::VerdictCounts counts{};
+    std::size_t pixel = 0;
+    bool holds = true;
+    for (int row = scissor.row; row < scissor.row + scissor.height; ++row)
+      for (int column = scissor.column; column < scissor.column + scissor.width; ++column, ++pixel) {
+        const PixelVerdict alone = found.words[pixel] == expected.words[pixel]
+                                       ? PixelVerdict::Exact
+                                       : judgeWord(judge, all, reference::sampleOf(column, row), found.words[pixel]);
+        holds &= verdict.faces[0].pixels[pixel] == alone;
+        ++counts[static_cast<std::size_t>(alone)];
+      }
+    CHECK(holds);
+    CHECK(counts == countVerdicts(verdict));
+    for (const PixelVerdict kind : {PixelVerdict::Exact, PixelVerdict::Coverage, PixelVerdict::Error})
+      CHECK(count(counts, kind) > 10);
+  }
+}
+
+TEST_CASE("what only loose clipping explains is an error where a profile forbids it", "[verdict]") {
+  std::mt19937 random(5);
+  std::uint64_t loose = 0;
+  for (std::uint32_t draw = 0; draw < 200; ++draw) {
+    const tests::DrawnCase drawn = tests::triangleFamilies()[5].make(random);
+    const raster::ItemBuffer found = tests::drawOn({{}, draw, true}, drawn.list, drawn.face);
+    DeviceProfile forbidding;
+    forbidding.looseClipping = false;
+    auto allowed = countsOf(drawn.list, drawn.face, found);
+    const auto forbidden = countsOf(drawn.list, drawn.face, found, forbidding);
+    CHECK(count(forbidden, PixelVerdict::LooseClipping) == 0);
+    loose += count(allowed, PixelVerdict::LooseClipping);
+    std::swap(allowed[static_cast<std::size_t>(PixelVerdict::LooseClipping)],
+              allowed[static_cast<std::size_t>(PixelVerdict::Error)]);
+    CHECK(allowed == forbidden);
+  }
+  CHECK(loose > 0);
+}
+
+TEST_CASE("one error in the last face of many fails the whole", "[verdict]") {
+  const Wall wall;
+  reference::TestVector vector = vectorOf(wall.list, wall.face);
+  vector.faces.push_back(vector.faces[0]);
+  vector.faces[1].face.x = -vector.faces[1].face.x;
+  std::vector<raster::ItemBuffer> found;
+  for (const reference::VectorFace& face : vector.faces) found.push_back(tests::drawOne(wall.list, face.face));
+  CHECK_FALSE(hasErrors(reference::judge(vector, found, {})));
+  found[1].words[255] = 5;
+  const reference::Verdict verdict = reference::judge(vector, found, {});
+  CHECK(hasErrors(verdict));
+  CHECK(count(countVerdicts(verdict), PixelVerdict::Error) == 1);
+  CHECK(count(countVerdicts(verdict), PixelVerdict::Exact) == 511);
 }
