@@ -6,11 +6,11 @@
 #include <bit>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "raster/input_error.h"
+#include "reference/text_file.h"
 
 namespace hemitex::reference {
 
@@ -20,10 +20,7 @@ static_assert(std::endian::native == std::endian::little);
 /// The numbers of a whole file.
 template <typename T>
 std::vector<T> readArray(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw raster::InputError(file.string(), 0, "cannot be read");
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) throw raster::InputError(file.string(), 0, "cannot be read to its end");
+  const std::string bytes = readText(file);
   if (bytes.size() % sizeof(T) != 0)
     throw raster::InputError(
         file.string(), 0,

@@ -1,13 +1,13 @@
 #include "reference/device_profile.h"
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "raster/input_error.h"
+#include "reference/text_file.h"
 
 namespace hemitex::reference {
 namespace {
@@ -82,10 +82,9 @@ double depthError(const DeviceProfile& profile) {
 }
 
 DeviceProfile readProfile(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream || std::filesystem::is_directory(file)) throw InputError(file.string(), 0, "cannot be read");
+  const std::string text = readText(file);
   try {
-    const Json json = Json::parse(stream);
+    const Json json = Json::parse(text);
     if (!json.is_object()) throw InputError("a device profile is a JSON object");
     DeviceProfile profile;
     for (const auto& [key, value] : json.items()) readField(value, key, profile);

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -260,10 +259,10 @@ std::vector<float> flatten(const std::vector<Vector>& values) {
 
 TestVector readVector(const filesystem::path& folder) {
   const filesystem::path file = folder / "vector.json";
-  std::ifstream stream(file);
-  if (!stream) throw InputError(file.string(), 0, "cannot be read", "a test vector is a folder with a vector.json");
+  if (!filesystem::is_regular_file(file))
+    throw InputError(file.string(), 0, "is missing or not a file", "a test vector is a folder with a vector.json");
   try {
-    return readJson(folder, Json::parse(stream));
+    return readJson(folder, Json::parse(readText(file)));
   } catch (const Json::exception& error) {
     throw InputError(file.string(), 0, error.what());
   } catch (const InputError& error) {

@@ -1,10 +1,21 @@
 #include "reference/text_file.h"
 
 #include <fstream>
+#include <iterator>
 
 #include "raster/input_error.h"
 
 namespace hemitex::reference {
+
+std::string readText(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw raster::InputError(file.string(), 0, "cannot be read");
+  try {
+    return {std::istreambuf_iterator<char>(stream), {}};
+  } catch (const std::ios_base::failure& error) {  // that of a folder, too
+    throw raster::InputError(file.string(), 0, "cannot be read to its end");
+  }
+}
 
 void writeText(const std::filesystem::path& file, const std::string& text) {
   std::ofstream stream(file, std::ios::binary);

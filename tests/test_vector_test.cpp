@@ -142,3 +142,14 @@ TEST_CASE("truncated arrays and missing vectors are input errors", "[vector]") {
   std::filesystem::resize_file(folder.path / "positions.f32", 24);
   CHECK_THROWS_AS(reference::readVector(folder.path), raster::InputError);
 }
+
+TEST_CASE("a folder in the place of a vector's file is an input error", "[vector]") {
+  for (const char* file : {"vector.json", "positions.f32", "texcoords.f32", "indices.u32", "map-0-4x2.u32"}) {
+    const TemporaryFolder folder;
+    writeVector(folder.path, sample(), {});
+    std::filesystem::remove(folder.path / file);
+    std::filesystem::create_directory(folder.path / file);
+    INFO(file);
+    CHECK_THROWS_AS(reference::readVector(folder.path), raster::InputError);
+  }
+}
