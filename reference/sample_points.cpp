@@ -24,7 +24,7 @@ SamplePoint SamplePoints::at(std::size_t randomization, std::size_t index) const
   return point;
 }
 
-Estimate meanOf(std::span<const double> values) {
+Measurement meanOf(std::span<const double> values) {
   assert(values.size() >= 2);
   const auto count = static_cast<double>(values.size());
   double sum = 0, squares = 0;

@@ -35,12 +35,12 @@ class SamplePoints {
 };
 
 /// A value that was sampled.
-struct Estimate {
+struct Measurement {
   double value = 0;
   double standardError = 0;  ///< one standard deviation of the value
 };
 
 /// The mean of independent estimates of a value, at least two.
-Estimate meanOf(std::span<const double> values);
+Measurement meanOf(std::span<const double> values);
 
 }  // namespace hemitex::reference
