@@ -120,10 +120,11 @@ Estimate<Real> contourIntegral(const glm::dvec3& point, const glm::dvec3& unitNo
 
 }  // namespace
 
-double pointToPolygon(const glm::dvec3& point, const glm::dvec3& normal, std::span<const glm::dvec3> polygon) {
+double pointToPolygon(const glm::dvec3& point, const glm::dvec3& normal, std::span<const glm::dvec3> polygon,
+                      double absoluteError) {
   assert(polygon.size() >= 3);
   const Estimate<double> fast = contourIntegral<double>(point, normal, polygon);
-  if (fast.isCertain()) return fast.value;
+  if (fast.isCertain() || fast.error <= absoluteError) return std::max(fast.value, 0.0);
   if (fast.value < -fast.error) return 0;
   const Estimate<Wide> careful = contourIntegral<Wide>(point, normal, polygon);
   return careful.isCertain() ? static_cast<double>(careful.value) : 0;

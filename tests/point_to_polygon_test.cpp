@@ -204,3 +204,15 @@ TEST_CASE("a point that comes close to an upright polygon's edge comes to see ha
     CHECK(seen > 0.5 - 2 * gap - 1e-15);
   }
 }
+
+TEST_CASE("an absolute error that is allowed is kept to, and the cost of many digits saved", "[form factors]") {
+  // A triangle of a square that hangs low over the point, seen from under the other half: little and uncertain.
+  for (const double gap : {1e-2, 1e-4, 1e-6})
+    for (const double allowed : {1e-13, 1e-10, 1e-7})
+      for (int i = 0; i < 20; ++i) {
+        const glm::dvec3 point(0.05 * i, 0.4, 0);
+        const std::vector<glm::dvec3> half{{0, 0, gap}, {0, 1, gap}, {1, 1, gap}};
+        const double exact = pointToPolygon(point, up, half);
+        CHECK(std::abs(pointToPolygon(point, up, half, allowed) - exact) <= allowed + 1e-9 * exact);
+      }
+}

@@ -47,7 +47,7 @@ TEST_CASE("no two randomizations, of one seed or of others, share a shift", "[sa
 
 TEST_CASE("the standard error is that of the mean", "[samples]") {
   // Of 1, 2, 3, 4: variance 5/3, over four values.
-  const Estimate mean = meanOf(std::vector<double>{1, 2, 3, 4});
+  const Measurement mean = meanOf(std::vector<double>{1, 2, 3, 4});
   CHECK(mean.value == 2.5);
   CHECK(mean.standardError == Approx(std::sqrt(5.0 / 12)).epsilon(1e-15));
   CHECK(meanOf(std::vector<double>{0.1, 0.1, 0.1}).standardError < 1e-16);
