@@ -1,4 +1,7 @@
-/// `hemitex vector check`: the item buffers of a device against the raster rules, pixel by pixel.
+/// `hemitex vector check`: the item buffers of a device against the raster rules, pixel by pixel, for one vector or for
+/// a whole suite.
+#include <algorithm>
+#include <functional>
 #include <iostream>
 #include <memory>
 
@@ -14,22 +17,66 @@
 namespace hemitex::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct CheckOptions {
-  std::filesystem::path vector, candidate, profile, junit, picture, minimal;
+  fs::path vector, candidate, profile, junit, picture, minimal;
 };
 
-/// The counts of each face, as a table.
-Table tableOf(const reference::Verdict& verdict) {
-  std::vector<std::string> columns{"face"};
+bool isVector(const fs::path& folder) { return fs::exists(folder / "vector.json"); }
+
+/// The folders of a suite's vectors, in the order of their names; of a vector, or what should be one, the folder
+/// itself.
+std::vector<fs::path> vectorFolders(const fs::path& folder) {
+  if (isVector(folder) || !fs::is_directory(folder)) return {folder};
+  std::vector<fs::path> folders;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (isVector(entry.path())) folders.push_back(entry.path());
+  std::sort(folders.begin(), folders.end());
+  return folders.empty() ? std::vector{folder} : folders;
+}
+
+/// Counts by verdict, a row each of what is named.
+Table tableOf(const std::string& what, std::size_t size, const std::function<std::string(std::size_t)>& nameAt,
+              const std::function<reference::VerdictCounts(std::size_t)>& countsAt) {
+  std::vector<std::string> columns{what};
   for (std::size_t k = 0; k < reference::pixelVerdicts; ++k)
     columns.push_back(nameOf(static_cast<reference::PixelVerdict>(k)));
-  const auto row = [&verdict](std::size_t index) {
-    std::vector<Cell> cells{verdict.faces[index].name};
-    for (const std::uint64_t count : countVerdicts(verdict.faces[index]))
-      cells.emplace_back(static_cast<std::int64_t>(count));
+  const auto row = [=](std::size_t index) {
+    std::vector<Cell> cells{nameAt(index)};
+    for (const std::uint64_t count : countsAt(index)) cells.emplace_back(static_cast<std::int64_t>(count));
     return cells;
   };
-  return {columns, verdict.faces.size(), row};
+  return {columns, size, row};
+}
+
+void printVector(const reference::Report& report, bool asJson) {
+  if (asJson) {
+    std::cout << toJson(report);
+    return;
+  }
+  const std::vector<reference::FaceVerdict>& faces = report.verdict.faces;
+  writeCsv(std::cout, tableOf(
+                          "face", faces.size(), [&](std::size_t f) { return faces[f].name; },
+                          [&](std::size_t f) { return countVerdicts(faces[f]); }));
+  for (const reference::ErrorPixel& error : report.errors)
+    std::cout << "error in " << error.face << ": " << toText(error) << '\n';
+  if (!report.findings.empty()) std::cout << "diagnosis: " << toText(report.findings) << '\n';
+}
+
+void printSuite(const std::vector<reference::Report>& reports, bool asJson) {
+  if (asJson) {
+    std::cout << reference::toJson(reports);
+    return;
+  }
+  writeCsv(std::cout, tableOf(
+                          "vector", reports.size(), [&](std::size_t k) { return reports[k].verdict.vector; },
+                          [&](std::size_t k) { return countVerdicts(reports[k].verdict); }));
+  for (const reference::Report& report : reports)
+    if (!report.errors.empty())
+      std::cout << "error in " << report.verdict.vector << ", " << report.errors[0].face << ": "
+                << toText(report.errors[0]) << '\n';
+  if (const auto common = reference::commonFault(reports)) std::cout << "diagnosis: " << toText(*common) << '\n';
 }
 
 /// The smallest part of the vector that fails, and beside it the device's word, as a candidate.
@@ -45,24 +92,27 @@ void writeMinimal(const std::filesystem::path& folder, const reference::MinimalF
 void check(const CheckOptions& options, Context& context) {
   const reference::DeviceProfile profile =
       options.profile.empty() ? reference::DeviceProfile{} : reference::readProfile(options.profile);
-  const reference::TestVector vector = reference::readVector(options.vector);
-  const reference::Verdict verdict = judge(vector, reference::readCandidate(options.candidate, vector), profile);
-  const std::vector<reference::ErrorPixel> errors = firstErrors(vector, verdict);
-  const std::vector<reference::Finding> findings = diagnose(vector, verdict);
+  const std::vector<fs::path> folders = vectorFolders(options.vector);
+  const bool isSuite = folders != std::vector{options.vector};
+  std::vector<reference::TestVector> vectors;
+  std::vector<reference::Report> reports;
+  for (const fs::path& folder : folders) {
+    vectors.push_back(reference::readVector(folder));
+    const fs::path candidate = isSuite ? options.candidate / folder.filename() : options.candidate;
+    reports.push_back(reportOn(vectors.back(), reference::readCandidate(candidate, vectors.back()), profile));
+  }
+  const auto failing = std::find_if(reports.begin(), reports.end(),
+                                    [](const reference::Report& report) { return hasErrors(report.verdict); });
+  context.failed = failing != reports.end();
 
-  if (!options.junit.empty()) radiosity::writeFile(options.junit, toJUnit(verdict, errors, findings));
+  const std::size_t shown = context.failed ? static_cast<std::size_t>(failing - reports.begin()) : 0;
+  const reference::TestVector& vector = vectors[shown];
+  const reference::Verdict& verdict = reports[shown].verdict;
+  if (!options.junit.empty()) radiosity::writeFile(options.junit, toJUnit(reports));
   if (!options.picture.empty())
     radiosity::writePng(options.picture, toPicture(verdict, raster::backgroundWord(vector.list.format)));
-  if (context.json) {
-    std::cout << toJson(verdict, errors, findings);
-  } else {
-    writeCsv(std::cout, tableOf(verdict));
-    for (const reference::ErrorPixel& error : errors)
-      std::cout << "error in " << error.face << ": " << toText(error) << '\n';
-    if (!findings.empty()) std::cout << "diagnosis: " << toText(findings) << '\n';
-  }
-  context.failed = hasErrors(verdict);
   if (context.failed && !options.minimal.empty()) writeMinimal(options.minimal, minimize(vector, verdict, profile));
+  isSuite ? printSuite(reports, context.json) : printVector(reports.front(), context.json);
 }
 
 }  // namespace
@@ -70,12 +120,17 @@ void check(const CheckOptions& options, Context& context) {
 void addVectorCheck(CLI::App& vector, Context& context) {
   const auto options = std::make_shared<CheckOptions>();
   CLI::App* command = vector.add_subcommand("check", "Judge a device's words: exact, explained, or an error (exit 1)");
-  command->add_option("DIR", options->vector, "folder of the vector")->required();
-  command->add_option("--candidate", options->candidate, "folder with the device's words")->required();
+  command->add_option("DIR", options->vector, "folder of the vector, or of a suite of vectors")->required();
+  command
+      ->add_option("--candidate", options->candidate, "folder with the device's words; of a suite, a folder a vector")
+      ->required();
   command->add_option("--profile", options->profile, "what the device may do, as JSON (default: a Vulkan device)");
-  command->add_option("--junit", options->junit, "JUnit XML, a test case a face");
-  command->add_option("--diff", options->picture, "PNG with expected, found and verdict beside each other");
-  command->add_option("--minimize", options->minimal, "folder for the fewest triangles and the pixel that still fail");
+  command->add_option("--junit", options->junit, "JUnit XML: a test suite a vector, a test case a face");
+  command->add_option(
+      "--diff", options->picture,
+      "PNG with expected, found and verdict beside each other; of a suite, its first vector that fails");
+  command->add_option("--minimize", options->minimal,
+                      "folder for the fewest triangles and the pixel that still fail; of a suite likewise");
   command->callback([options, &context] { context.command = [options, &context] { check(*options, context); }; });
 }
 

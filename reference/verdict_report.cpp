@@ -1,5 +1,6 @@
 #include "reference/verdict_report.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace hemitex::reference {
@@ -57,10 +58,8 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-}  // namespace
-
-std::string toJson(const Verdict& verdict, const std::vector<ErrorPixel>& errors,
-                   const std::vector<Finding>& findings) {
+Json jsonOf(const Report& report) {
+  const Verdict& verdict = report.verdict;
   Json json{{"vector", verdict.vector}, {"pass", !hasErrors(verdict)}, {"pixels", toJson(countVerdicts(verdict))}};
   json["faces"] = Json::array();
   for (const FaceVerdict& face : verdict.faces) {
@@ -69,33 +68,93 @@ std::string toJson(const Verdict& verdict, const std::vector<ErrorPixel>& errors
     json["faces"].push_back(entry);
   }
   json["errors"] = Json::array();
-  for (const ErrorPixel& error : errors) json["errors"].push_back(toJson(error));
+  for (const ErrorPixel& error : report.errors) json["errors"].push_back(toJson(error));
   json["diagnosis"] = Json::array();
-  for (const Finding& finding : findings) json["diagnosis"].push_back(toJson(finding));
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  for (const Finding& finding : report.findings) json["diagnosis"].push_back(toJson(finding));
+  return json;
 }
 
-std::string toJUnit(const Verdict& verdict, const std::vector<ErrorPixel>& errors,
-                    const std::vector<Finding>& findings) {
-  const std::string diagnosis = findings.empty() ? "" : escaped("diagnosis: " + toText(findings)) + '\n';
+std::string textOf(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
+
+/// The test suite of one vector.
+std::string testSuite(const Report& report) {
+  const Verdict& verdict = report.verdict;
+  const std::string diagnosis = report.findings.empty() ? "" : escaped("diagnosis: " + toText(report.findings)) + '\n';
   std::string cases;
   int failures = 0;
   for (const FaceVerdict& face : verdict.faces) {
     const std::uint64_t wrong = countVerdicts(face)[static_cast<std::size_t>(PixelVerdict::Error)];
-    cases += "  <testcase classname=\"" + escaped(verdict.vector) + "\" name=\"" + escaped(face.name) + "\"";
+    cases += "    <testcase classname=\"" + escaped(verdict.vector) + "\" name=\"" + escaped(face.name) + "\"";
     if (wrong == 0) {
       cases += "/>\n";
       continue;
     }
     ++failures;
-    cases += ">\n    <failure message=\"" + std::to_string(wrong) + " pixels are errors\">" + diagnosis;
-    for (const ErrorPixel& error : errors)
+    cases += ">\n      <failure message=\"" + std::to_string(wrong) + " pixels are errors\">" + diagnosis;
+    for (const ErrorPixel& error : report.errors)
       if (error.face == face.name) cases += escaped(toText(error)) + '\n';
-    cases += "</failure>\n  </testcase>\n";
+    cases += "</failure>\n    </testcase>\n";
   }
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"" + escaped(verdict.vector) + "\" tests=\"" +
-         std::to_string(verdict.faces.size()) + "\" failures=\"" + std::to_string(failures) + "\">\n" + cases +
-         "</testsuite>\n";
+  return "  <testsuite name=\"" + escaped(verdict.vector) + "\" tests=\"" + std::to_string(verdict.faces.size()) +
+         "\" failures=\"" + std::to_string(failures) + "\">\n" + cases + "  </testsuite>\n";
+}
+
+}  // namespace
+
+Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile) {
+  Report report{judge(vector, found, profile), {}, {}};
+  report.errors = firstErrors(vector, report.verdict);
+  report.findings = diagnose(vector, report.verdict);
+  return report;
+}
+
+std::optional<CommonFault> commonFault(std::span<const Report> reports) {
+  std::vector<CommonFault> faults;
+  std::size_t failures = 0;
+  for (const Report& report : reports) {
+    failures += hasErrors(report.verdict);
+    for (const Finding& finding : report.findings) {
+      const auto isSame = [&](const CommonFault& common) { return common.finding.fault == finding.fault; };
+      auto place = std::find_if(faults.begin(), faults.end(), isSame);
+      if (place == faults.end()) place = faults.insert(place, {finding, 0, 0});
+      ++place->vectors;
+    }
+  }
+  if (faults.empty()) return {};
+  CommonFault common = *std::max_element(
+      faults.begin(), faults.end(), [](const CommonFault& a, const CommonFault& b) { return a.vectors < b.vectors; });
+  common.failures = failures;
+  return common;
+}
+
+std::string toText(const CommonFault& common) {
+  return common.finding.fault + ", named by " + std::to_string(common.vectors) + " of " +
+         std::to_string(common.failures) + " vectors that fail: " + common.finding.advice;
+}
+
+std::string toJson(const Report& report) { return textOf(jsonOf(report)); }
+
+std::string toJson(std::span<const Report> reports) {
+  Json vectors = Json::array();
+  VerdictCounts sums{};
+  for (const Report& report : reports) {
+    vectors.push_back(jsonOf(report));
+    const VerdictCounts counts = countVerdicts(report.verdict);
+    for (std::size_t k = 0; k < pixelVerdicts; ++k) sums[k] += counts[k];
+  }
+  Json diagnosis;
+  if (const std::optional<CommonFault> common = commonFault(reports)) {
+    diagnosis = toJson(common->finding);
+    diagnosis.update({{"vectors", common->vectors}, {"failures", common->failures}});
+  }
+  const bool pass = sums[static_cast<std::size_t>(PixelVerdict::Error)] == 0;
+  return textOf({{"pass", pass}, {"pixels", toJson(sums)}, {"vectors", vectors}, {"diagnosis", diagnosis}});
+}
+
+std::string toJUnit(std::span<const Report> reports) {
+  std::string suites;
+  for (const Report& report : reports) suites += testSuite(report);
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n" + suites + "</testsuites>\n";
 }
 
 }  // namespace hemitex::reference

@@ -443,6 +443,38 @@ TEST_CASE("The vector suite is written as folders, and its table holds the pinne
   CHECK(table[0] == "name,catches,hash");
 }
 
+TEST_CASE("vector check judges a suite of vectors as one", "[cli]") {
+  const Shell shell;
+  for (const std::string name : {"near", "far"}) {
+    shell.output("vector export room.obj --eye 0.5,0.5," + std::string(name == "near" ? "0.01" : "0.3") +
+                 " --normal 0,0,1 --resolution 16 --name " + name + " -o suite/" + name);
+    shell.output("vector render suite/" + name + " -o device/" + name);
+  }
+  const std::string check = "vector check suite --candidate device";
+  const std::vector<std::string> right = linesOf(shell.output(check));
+  REQUIRE(right.size() == 3);
+  CHECK(right[0].substr(0, 13) == "vector,exact,");
+  CHECK(right[1].substr(0, 8) == "far,768,");  // 16 x 16 pixels, and four times 16 x 8
+
+  std::string words = readAll(shell.file("device/near/top.u32"));
+  for (std::size_t byte = 0; byte < words.size(); byte += 4) std::reverse(&words[byte], &words[byte] + 4);
+  writeAll(shell.file("device/near/top.u32"), words);
+  const Outcome wrong = shell.run(check + " --json --junit report.xml --diff report.png --minimize small");
+  CHECK(wrong.exitCode == 1);
+  const json report = json::parse(wrong.out);
+  CHECK(report["vectors"][0]["pass"] == true);
+  CHECK(report["vectors"][1]["pass"] == false);
+  const std::string xml = readAll(shell.file("report.xml"));
+  CHECK(xml.find("<testsuite name=\"far\" tests=\"5\" failures=\"0\">") != std::string::npos);
+  CHECK(xml.find("<testsuite name=\"near\" tests=\"5\" failures=\"1\">") != std::string::npos);
+  CHECK(shell.run("vector check small --candidate small/candidate").exitCode == 1);
+
+  fs::remove_all(shell.file("device/far"));
+  CHECK(shell.run(check).exitCode == 2);
+  fs::create_directory(shell.file("empty"));
+  CHECK(shell.run("vector check empty --candidate device").exitCode == 2);
+}
+
 TEST_CASE("vector check names the fault where errors are systematic", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0.5,0.5,0.01 --normal 0,0,1 --resolution 16 -o vector");

@@ -7,6 +7,7 @@
 #include "tests/judged_wall.h"
 
 using namespace hemitex;
+using reference::Report;
 using reference::toText;
 using tests::JudgedWall;
 
@@ -26,7 +27,7 @@ TEST_CASE("the report counts by face and names the first ten errors", "[verdict]
   CHECK(errors[2].visible->triangle == 0);  // column 2 is right of row 1 on the diagonal
   CHECK(errors[2].visible->inverseDepth == Approx(1));
 
-  const auto json = nlohmann::json::parse(toJson(verdict, errors, {}));
+  const auto json = nlohmann::json::parse(toJson(Report{verdict, errors, {}}));
   CHECK(json["pass"] == false);
   CHECK(json["pixels"]["error"] == 17);
   CHECK(json["pixels"]["exact"] == 96 - 17);
@@ -47,31 +48,60 @@ TEST_CASE("the report names the diagnosis, and both where two cannot be told apa
   const reference::Verdict verdict = judged.verdict();
   const std::vector<reference::Finding> findings{{"depth test off", "", 0.96, "turn it on"},
                                                  {"padded rows", "64 bytes", 1, "set pack & unpack alignment"}};
+  const Report named{verdict, {}, findings}, unnamed{verdict, {}, {}};
   const std::string text =
       "either depth test off (96.0 % agreement): turn it on; or padded rows, 64 bytes (100.0 % agreement): set pack ";
   CHECK(toText(findings) == text + "& unpack alignment");
 
-  const auto json = nlohmann::json::parse(toJson(verdict, {}, findings));
+  const auto json = nlohmann::json::parse(toJson(named));
   REQUIRE(json["diagnosis"].size() == 2);
   CHECK(json["diagnosis"][1]["fault"] == "padded rows");
   CHECK(json["diagnosis"][1]["variant"] == "64 bytes");
   CHECK(json["diagnosis"][0]["agreement"] == 0.96);
   CHECK(json["diagnosis"][0]["advice"] == "turn it on");
-  CHECK(nlohmann::json::parse(toJson(verdict, {}, {}))["diagnosis"].empty());
+  CHECK(nlohmann::json::parse(toJson(unnamed))["diagnosis"].empty());
 
-  CHECK(toJUnit(verdict, {}, findings).find("diagnosis: " + text + "&amp; unpack alignment\n</failure>") !=
+  CHECK(reference::toJUnit({&named, 1}).find("diagnosis: " + text + "&amp; unpack alignment\n</failure>") !=
         std::string::npos);
-  CHECK(toJUnit(verdict, {}, {}).find("diagnosis") == std::string::npos);
+  CHECK(reference::toJUnit({&unnamed, 1}).find("diagnosis") == std::string::npos);
 }
 
 TEST_CASE("in JUnit XML each face is a test case that fails where it has errors", "[verdict]") {
   JudgedWall judged;
   judged.found[1].words[5] = 0;
   const reference::Verdict verdict = judged.verdict();
-  const std::string xml = toJUnit(verdict, firstErrors(judged.vector, verdict), {});
+  const Report report{verdict, firstErrors(judged.vector, verdict), {}};
+  const std::string xml = reference::toJUnit({&report, 1});
   CHECK(xml.find("<testsuite name=\"a &lt;wall&gt; &amp; &quot;more&quot;\" tests=\"2\" failures=\"1\">") !=
         std::string::npos);
   CHECK(xml.find("name=\"top\"/>") != std::string::npos);
   CHECK(xml.find("<failure message=\"1 pixels are errors\">pixel 5,4, foreign word: expected 266 (draw 0 texel 2,2)") !=
         std::string::npos);
+}
+
+TEST_CASE("of several vectors the report names the fault that most of those that fail have in common", "[verdict]") {
+  JudgedWall right, wrong;
+  wrong.found[0].words[0] = 0;
+  const reference::Finding dithering{"dithering", "", 0.95, "turn it off"},
+      linear{"linear filtering", "", 1, "nearest"};
+  const std::vector<Report> reports{{wrong.verdict(), {}, {dithering, linear}},
+                                    {right.verdict(), {}, {}},
+                                    {wrong.verdict(), {}, {linear}},
+                                    {wrong.verdict(), {}, {}}};
+  const std::optional<reference::CommonFault> common = reference::commonFault(reports);
+  REQUIRE(common);
+  CHECK(toText(*common) == "linear filtering, named by 2 of 3 vectors that fail: nearest");
+  CHECK_FALSE(reference::commonFault({&reports[1], 1}));
+
+  const auto json = nlohmann::json::parse(reference::toJson(reports));
+  CHECK(json["pass"] == false);
+  CHECK(json["pixels"]["error"] == 3);
+  CHECK(json["vectors"].size() == 4);
+  CHECK(json["vectors"][1]["pass"] == true);
+  CHECK(json["diagnosis"]["fault"] == "linear filtering");
+  CHECK(json["diagnosis"]["vectors"] == 2);
+  CHECK(json["diagnosis"]["failures"] == 3);
+  const auto passed = nlohmann::json::parse(reference::toJson(std::span(&reports[1], 1)));
+  CHECK(passed["pass"] == true);
+  CHECK(passed["diagnosis"].is_null());
 }
