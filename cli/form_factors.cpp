@@ -1,21 +1,18 @@
-/// `hemitex formfactors`: which share of the light that leaves a surface reaches which element, as CSV or JSON.
-///
-/// A surface shoots from its patches, so its row is the mean of its patches' rows, weighted by their areas. Shares are
-/// integers and add up exactly within a row; only the mean over patches is taken in binary64, in the patches' order.
+/// `hemitex formfactors`: which share of the light that leaves a surface reaches which element, as CSV or JSON; for the
+/// matrix of all surfaces also what holds for every such matrix, and by how much this one misses it.
+#include <algorithm>
 #include <iostream>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/form_factor_methods.h"
 #include "cli/json.h"
 #include "cli/surface_names.h"
 #include "cli/table.h"
-#include "radiosity/hemicube.h"
-#include "raster/input_error.h"
-#include "raster/software_renderer.h"
+#include "reference/matrix_checks.h"
 
 namespace hemitex::cli {
 namespace {
@@ -26,141 +23,133 @@ struct FormFactorOptions {
   WordOptions word;
   std::string method = "hemicube";
   int resolution = 256;
+  RayOptions rays;
   std::string from;
   bool bySurface = false;
   bool all = false;
 };
 
-/// What the columns of the output stand for: elements, or families of surfaces.
-struct Receivers {
-  std::vector<std::uint32_t> ofElement;  ///< the receiver that each element belongs to
-  std::vector<double> area;              ///< one a receiver
-};
-
-Receivers elementsAsReceivers(const radiosity::Discretization& discretization) {
-  Receivers receivers{std::vector<std::uint32_t>(discretization.elements.size()), {}};
-  std::iota(receivers.ofElement.begin(), receivers.ofElement.end(), 0U);
-  for (const radiosity::Element& element : discretization.elements) receivers.area.push_back(element.area);
-  return receivers;
+RowMethod methodOf(const FormFactorOptions& options, const radiosity::Scene& scene,
+                   const radiosity::Discretization& discretization, const Receivers& receivers, Console& console) {
+  if (options.method == "rays") return rayMethod(scene, discretization, receivers, options.rays);
+  return hemicubeMethod(scene, discretization, receivers, options.word, options.resolution, console);
 }
 
-Receivers familiesAsReceivers(const radiosity::Discretization& discretization, const Families& families) {
-  Receivers receivers{{}, std::vector<double>(families.names.size(), 0.0)};
-  for (const radiosity::Element& element : discretization.elements) {
-    receivers.ofElement.push_back(families.ofSurface[element.surface]);
-    receivers.area[receivers.ofElement.back()] += element.area;
-  }
-  return receivers;
+/// What was asked for, beside the numbers.
+nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
+  if (options.method == "rays")
+    return {{"method", options.method}, {"samples", options.rays.samples}, {"aimed", options.rays.aimed}};
+  return {{"method", options.method}, {"resolution", options.resolution}};
 }
 
-/// The mean of rows of form factors.
-struct MeanRow {
-  std::vector<double> formFactor;  ///< one a receiver
-  double background = 0;           ///< left the scene
-  double back = 0;                 ///< absorbed by the backs of surfaces
-};
-
-void addRow(MeanRow& mean, const radiosity::FormFactorRow& row, const Receivers& receivers, double weight) {
-  std::vector<std::uint64_t> share(receivers.area.size(), 0);
-  for (std::size_t i = 0; i < row.elements.size(); ++i) share[receivers.ofElement[row.elements[i]]] += row.shares[i];
-  for (std::size_t r = 0; r < share.size(); ++r) mean.formFactor[r] += weight * radiosity::formFactor(share[r]);
-  mean.background += weight * radiosity::formFactor(row.background);
-  mean.back += weight * radiosity::formFactor(row.back);
+/// The columns behind those that say from where to where.
+void appendValue(std::vector<Cell>& cells, const Row& row, std::size_t receiver) {
+  cells.emplace_back(row.formFactor[receiver]);
+  if (!row.standardError.empty()) cells.emplace_back(row.standardError[receiver]);
 }
-
-double patchArea(const radiosity::Discretization& discretization, std::uint32_t patch) {
-  const radiosity::Patch& block = discretization.patches[patch];
-  double area = 0;
-  for (std::uint32_t i = 0; i < block.elementCount; ++i)
-    area += discretization.elements[discretization.patchElements[block.firstElement + i]].area;
-  return area;
-}
-
-/// The row of one element, from its centre, or of whole surfaces, averaged over their patches.
-MeanRow meanRow(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                radiosity::HemicubeRows& rows, const Source& source, const Receivers& receivers) {
-  MeanRow mean{std::vector<double>(receivers.area.size(), 0.0)};
-  if (source.element) {
-    const auto centre = radiosity::elementCentre(scene, discretization, *source.element);
-    addRow(mean, rows.from(source.surfaces.front(), centre), receivers, 1.0);
-    return mean;
-  }
-  std::vector<std::uint32_t> patches;
-  for (const std::uint32_t surface : source.surfaces) {
-    const radiosity::Grid& grid = discretization.grids[surface];
-    for (std::uint32_t p = 0; p < grid.patchCount; ++p) patches.push_back(grid.firstPatch + p);
-  }
-  double area = 0;
-  for (const std::uint32_t patch : patches) area += patchArea(discretization, patch);
-  for (const std::uint32_t patch : patches)
-    addRow(mean, rows.ofPatch(patch), receivers, patchArea(discretization, patch) / area);
-  return mean;
+std::vector<std::string> withValue(std::vector<std::string> columns, const Row& row) {
+  columns.emplace_back("form_factor");
+  if (!row.standardError.empty()) columns.emplace_back("standard_error");
+  return columns;
 }
 
 /// A table of form factors, one row a receiver: element by element, or family by family.
-Table tableOf(const radiosity::Scene& scene, const radiosity::Discretization& discretization, const MeanRow& mean) {
-  const auto row = [&](std::size_t index) -> std::vector<Cell> {
+Table tableOf(const radiosity::Scene& scene, const radiosity::Discretization& discretization, const Row& row) {
+  const auto cells = [&](std::size_t index) {
     const radiosity::Element& element = discretization.elements[index];
     const auto columns = static_cast<std::uint32_t>(discretization.grids[element.surface].columns);
-    return {scene.surfaces[element.surface].name, std::int64_t{element.texel % columns},
-            std::int64_t{element.texel / columns}, element.area, mean.formFactor[index]};
+    std::vector<Cell> line{scene.surfaces[element.surface].name, std::int64_t{element.texel % columns},
+                           std::int64_t{element.texel / columns}, element.area};
+    appendValue(line, row, index);
+    return line;
   };
-  return {{"surface", "column", "row", "area", "form_factor"}, discretization.elements.size(), row};
+  return {withValue({"surface", "column", "row", "area"}, row), discretization.elements.size(), cells};
 }
 
-Table tableOf(const Families& families, const Receivers& receivers, const MeanRow& mean) {
-  const auto row = [&](std::size_t index) -> std::vector<Cell> {
-    return {families.names[index], receivers.area[index], mean.formFactor[index]};
+Table tableOf(const Families& families, const Receivers& receivers, const Row& row) {
+  const auto cells = [&](std::size_t index) {
+    std::vector<Cell> line{families.names[index], receivers.area[index]};
+    appendValue(line, row, index);
+    return line;
   };
-  return {{"surface", "area", "form_factor"}, families.names.size(), row};
+  return {withValue({"surface", "area"}, row), families.names.size(), cells};
+}
+
+Table tableOf(const Families& families, const std::vector<Row>& matrix) {
+  const std::size_t count = families.names.size();
+  const auto cells = [&families, &matrix, count](std::size_t index) {
+    std::vector<Cell> line{families.names[index / count], families.names[index % count]};
+    appendValue(line, matrix[index / count], index % count);
+    return line;
+  };
+  return {withValue({"from", "to"}, matrix.front()), count * count, cells};
 }
 
 void printRow(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
-              const radiosity::Discretization& discretization, radiosity::HemicubeRows& rows) {
+              const radiosity::Discretization& discretization) {
   const Source source = sourceNamed(scene, discretization, options.from);
   const Families families = familiesOf(scene);
   const Receivers receivers =
       options.bySurface ? familiesAsReceivers(discretization, families) : elementsAsReceivers(discretization);
-  const MeanRow mean = meanRow(scene, discretization, rows, source, receivers);
-  context.console.message("from " + options.from + ": " + toText(mean.background) + " leaves the scene, " +
-                          toText(mean.back) + " meets backs of faces");
-  const Table table = options.bySurface ? tableOf(families, receivers, mean) : tableOf(scene, discretization, mean);
+  const Row row = methodOf(options, scene, discretization, receivers, context.console)(source);
+  context.console.message("from " + options.from + ": " + toText(row.background) + " leaves the scene, " +
+                          toText(row.back) + " meets backs of faces");
+  const Table table = options.bySurface ? tableOf(families, receivers, row) : tableOf(scene, discretization, row);
   if (!context.json) return writeCsv(std::cout, table);
-  std::cout << toText({{"from", options.from},
-                       {"method", options.method},
-                       {"resolution", options.resolution},
-                       {"row", toJson(table)},
-                       {"background", mean.background},
-                       {"back", mean.back}});
+  nlohmann::ordered_json result{{"from", options.from}};
+  result.update(settingsOf(options));
+  result.update({{"row", toJson(table)}, {"background", row.background}, {"back", row.back}});
+  std::cout << toText(result);
+}
+
+reference::MatrixChecks checksOf(const std::vector<Row>& matrix, const Receivers& receivers) {
+  reference::FormFactorMatrix factors{matrix.size(), {}};
+  for (const Row& row : matrix)
+    factors.factors.insert(factors.factors.end(), row.formFactor.begin(), row.formFactor.end());
+  return reference::checkMatrix(factors, receivers.area);
+}
+
+void tellChecks(const std::vector<Row>& matrix, const reference::MatrixChecks& checks, const Families& families,
+                Console& console) {
+  const auto most = [&](double Row::*share) {
+    const auto row =
+        std::max_element(matrix.begin(), matrix.end(), [&](const Row& a, const Row& b) { return a.*share < b.*share; });
+    return toText((*row).*share) + " (from " + families.names[static_cast<std::size_t>(row - matrix.begin())] + ")";
+  };
+  console.message("rows sum to " + toText(checks.smallestRowSum) + " ... " + toText(checks.largestRowSum));
+  console.message("at most " + most(&Row::background) + " leaves the scene, at most " + most(&Row::back) +
+                  " meets backs of faces");
+  console.message("reciprocity is missed by at most " + toText(checks.reciprocity) + " of the smaller area's light (" +
+                  families.names[checks.from] + ", " + families.names[checks.to] + ")");
 }
 
 void printMatrix(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
-                 const radiosity::Discretization& discretization, radiosity::HemicubeRows& rows) {
+                 const radiosity::Discretization& discretization) {
   const Families families = familiesOf(scene);
   const Receivers receivers = familiesAsReceivers(discretization, families);
+  const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context.console);
   const std::size_t count = families.names.size();
-  std::vector<MeanRow> matrix;
+  std::vector<Row> matrix;
   for (std::size_t from = 0; from < count; ++from) {
     context.console.progress(static_cast<double>(from) / static_cast<double>(count), families.names[from]);
-    matrix.push_back(meanRow(scene, discretization, rows, {families.surfaces[from]}, receivers));
+    matrix.push_back(rowFrom({families.surfaces[from]}));
   }
   context.console.endProgress();
-  const auto row = [&](std::size_t index) -> std::vector<Cell> {
-    return {families.names[index / count], families.names[index % count],
-            matrix[index / count].formFactor[index % count]};
-  };
-  const Table table{{"from", "to", "form_factor"}, count * count, row};
+  const reference::MatrixChecks checks = checksOf(matrix, receivers);
+  tellChecks(matrix, checks, families, context.console);
+  const Table table = tableOf(families, matrix);
   if (!context.json) return writeCsv(std::cout, table);
-  std::cout << toText({{"method", options.method}, {"resolution", options.resolution}, {"matrix", toJson(table)}});
+  nlohmann::ordered_json result = settingsOf(options);
+  result.update({{"matrix", toJson(table)},
+                 {"row_sums", {checks.smallestRowSum, checks.largestRowSum}},
+                 {"reciprocity", checks.reciprocity}});
+  std::cout << toText(result);
 }
 
 void print(const FormFactorOptions& options, Context& context) {
   const radiosity::Scene scene = sceneOf(options.scene, context.console);
   const radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
-  const radiosity::WordLayout layout = layoutOf(options.word, discretization, context.console);
-  raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));
-  radiosity::HemicubeRows rows(scene, discretization, layout, renderer, options.resolution);
-  (options.all ? printMatrix : printRow)(options, context, scene, discretization, rows);
+  (options.all ? printMatrix : printRow)(options, context, scene, discretization);
 }
 
 }  // namespace
@@ -174,8 +163,13 @@ void addFormFactors(CLI::App& program, Context& context) {
   CLI::Option* bySurface = command->add_flag("--by-surface", options->bySurface, "add up the elements of a surface");
   CLI::Option* all = command->add_flag("--all", options->all, "from every surface to every surface");
   all->needs(bySurface)->excludes(from);
-  addChoice<std::string>(*command, "--method", options->method, {{"hemicube", "hemicube"}}, "how they are found");
+  addChoice<std::string>(*command, "--method", options->method, {{"hemicube", "hemicube"}, {"rays", "rays"}},
+                         "how they are found (default hemicube)");
   addResolution(*command, options->resolution);
+  addInteger(*command, "--samples", options->rays.samples, 64, 1 << 28,
+             "rays a row, or with --aimed points that they leave from (default 65536)");
+  command->add_flag("--aimed", options->rays.aimed,
+                    "rays: aim at each receiver, from closed forms, instead of all over the hemisphere; slow for many");
   addDiscretizationOptions(*command, options->discretization);
   addWordOptions(*command, options->word);
   command->callback([options, &context] {

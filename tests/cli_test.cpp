@@ -149,9 +149,10 @@ TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind"
       "render room.obj -o out.png --show nothing", "render room.obj -o room.mtl/picture.png", "formfactors room.obj",
       "formfactors room.obj --all", "formfactors room.obj --from floor --all --by-surface",
       "formfactors room.obj --from flor", "formfactors room.obj --from floor:16,0",
-      "formfactors room.obj --from floor:0,-1", "formfactors room.obj --from floor --method analytic", "vector",
-      "vector export room.obj -o out", "vector export room.obj -o out --eye 0,0,0 --normal 0,0,0",
-      "vector render room.obj -o out", "vector render no-such-folder -o out");
+      "formfactors room.obj --from floor:0,-1", "formfactors room.obj --from floor --method analytic",
+      "formfactors room.obj --from floor --method rays --samples 63", "vector", "vector export room.obj -o out",
+      "vector export room.obj -o out --eye 0,0,0 --normal 0,0,0", "vector render room.obj -o out",
+      "vector render no-such-folder -o out");
   const Shell shell;
   const auto before = shell.files();
   const Outcome outcome = shell.run(arguments);
@@ -251,6 +252,7 @@ TEST_CASE("Every output but timings is the same bytes for any number of threads"
     shell.output(quickSolve + "-o out" + limit);
     shell.output("render out/scene.obj --size 40x30 -o out/again.png" + limit);
     shell.output("formfactors room.obj --from floor --resolution 32 >out/row.csv" + limit);
+    shell.output("formfactors room.obj --from floor --method rays --samples 1024 >out/rays.csv" + limit);
     auto files = shell.files();
     json solution = json::parse(files.at("out/solution.json"));
     solution.erase("times");
@@ -334,6 +336,51 @@ TEST_CASE("The matrix of form factors holds the rows of its surfaces", "[cli]") 
   REQUIRE(matrix.size() == 1 + 36);
   REQUIRE(row.size() == 1 + 6);
   for (std::size_t to = 0; to < 6; ++to) CHECK(lastNumber(matrix[1 + 6 + to]) == lastNumber(row[1 + to]));
+}
+
+TEST_CASE("The form factors that rays measure stand beside their standard errors", "[cli]") {
+  // The faces of a cube: 0.1998 to the one opposite (Howell C-11), and a quarter of the rest to each of the others.
+  const Shell shell;
+  for (const std::string settings : {"", " --aimed", " --texels 3"}) {
+    const auto lines =
+        linesOf(shell.output("formfactors room.obj --from floor --by-surface --method rays --samples 8192" + settings));
+    REQUIRE(lines.size() == 1 + 6);
+    CHECK(lines[0] == "surface,area,form_factor,standard_error");
+    for (const std::string& line : lines) {
+      if (line.starts_with("surface")) continue;
+      const double error = lastNumber(line), value = lastNumber(line.substr(0, line.rfind(',')));
+      const double exact = line.starts_with("floor") ? 0 : line.starts_with("ceiling") ? 0.199824896 : 0.200043776;
+      INFO(settings << ": " << line);
+      CHECK(std::abs(value - exact) <= 4 * error + 1e-9);
+      CHECK(error < 0.01);
+    }
+  }
+  const auto elements = linesOf(shell.output("formfactors room.obj --from floor:1,2 --texels 4 --method rays"));
+  CHECK(elements.at(0) == "surface,column,row,area,form_factor,standard_error");
+  CHECK(elements.size() == 1 + 96);
+  const json row = json::parse(shell.output("formfactors room.obj --from floor --by-surface --method rays --json"));
+  CHECK(row["samples"] == 65536);
+  CHECK(row["row"][1]["standard_error"].get<double>() > 0);
+}
+
+TEST_CASE("The matrix of form factors is checked by what holds for all", "[cli]") {
+  // In a closed cube rows sum to 1; rays break reciprocity by their errors, some 1e-3 each, hemicubes by theirs.
+  const Shell shell;
+  for (const std::string method : {"rays", "hemicube"}) {
+    const std::string command = "formfactors room.obj --all --by-surface --json --method " + method;
+    const Outcome outcome = shell.run(command);
+    REQUIRE(outcome.exitCode == 0);
+    const json result = json::parse(outcome.out);
+    CHECK(result["matrix"].size() == 36);
+    CHECK(result["matrix"][1].contains("standard_error") == (method == "rays"));
+    CHECK(result["row_sums"][0].get<double>() == Approx(1).epsilon(1e-12));
+    CHECK(result["row_sums"][1].get<double>() == Approx(1).epsilon(1e-12));
+    CHECK(result["reciprocity"].get<double>() < 0.01);
+    CHECK(outcome.err.find("rows sum to ") != std::string::npos);
+    CHECK(outcome.err.find("at most 0 (from ") != std::string::npos);
+    CHECK(outcome.err.find("reciprocity is missed by at most ") != std::string::npos);
+    CHECK(shell.run(command + " -q").err.empty());
+  }
 }
 
 TEST_CASE("A test vector is exported without words and rendered in place", "[cli]") {

@@ -1,0 +1,133 @@
+#include "cli/form_factor_methods.h"
+
+#include <memory>
+#include <numeric>
+
+#include "radiosity/hemicube.h"
+#include "raster/software_renderer.h"
+#include "reference/ray_form_factors.h"
+
+namespace hemitex::cli {
+namespace {
+
+void addRow(Row& mean, const radiosity::FormFactorRow& row, const Receivers& receivers, double weight) {
+  std::vector<std::uint64_t> share(receivers.area.size(), 0);
+  for (std::size_t i = 0; i < row.elements.size(); ++i) share[receivers.ofElement[row.elements[i]]] += row.shares[i];
+  for (std::size_t r = 0; r < share.size(); ++r) mean.formFactor[r] += weight * radiosity::formFactor(share[r]);
+  mean.background += weight * radiosity::formFactor(row.background);
+  mean.back += weight * radiosity::formFactor(row.back);
+}
+
+double patchArea(const radiosity::Discretization& discretization, std::uint32_t patch) {
+  const radiosity::Patch& block = discretization.patches[patch];
+  double area = 0;
+  for (std::uint32_t i = 0; i < block.elementCount; ++i)
+    area += discretization.elements[discretization.patchElements[block.firstElement + i]].area;
+  return area;
+}
+
+/// The row of one element, from its centre, or of whole surfaces, averaged over their patches.
+Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+            radiosity::HemicubeRows& rows, const Source& source, const Receivers& receivers) {
+  Row mean{.formFactor = std::vector<double>(receivers.area.size(), 0.0), .standardError = {}};
+  if (source.element) {
+    const auto centre = radiosity::elementCentre(scene, discretization, *source.element);
+    addRow(mean, rows.from(source.surfaces.front(), centre), receivers, 1.0);
+    return mean;
+  }
+  std::vector<std::uint32_t> patches;
+  for (const std::uint32_t surface : source.surfaces) {
+    const radiosity::Grid& grid = discretization.grids[surface];
+    for (std::uint32_t p = 0; p < grid.patchCount; ++p) patches.push_back(grid.firstPatch + p);
+  }
+  double area = 0;
+  for (const std::uint32_t patch : patches) area += patchArea(discretization, patch);
+  for (const std::uint32_t patch : patches)
+    addRow(mean, rows.ofPatch(patch), receivers, patchArea(discretization, patch) / area);
+  return mean;
+}
+
+/// What hemicubes are drawn with.
+struct Hemicubes {
+  radiosity::WordLayout layout;
+  raster::SoftwareRenderer renderer;
+  radiosity::HemicubeRows rows;
+
+  Hemicubes(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+            radiosity::WordLayout wordLayout, int resolution)
+      : layout(std::move(wordLayout)),
+        renderer(radiosity::makeDrawList(scene, discretization, layout)),
+        rows(scene, discretization, layout, renderer, resolution) {}
+};
+
+/// Where whole surfaces receive, they are not cut into texels.
+struct Rays {
+  radiosity::Discretization receiving;
+  reference::Receivers receivers;
+  reference::RayFormFactors formFactors;
+  reference::SurfacePieces shooting;
+
+  Rays(const radiosity::Scene& scene, const radiosity::Discretization& discretization, const Receivers& asked)
+      : receiving(asked.ofSurface.empty() ? discretization : radiosity::discretize(scene, {.texels = 1})),
+        receivers{static_cast<std::uint32_t>(asked.area.size()),
+                  asked.ofSurface.empty() ? asked.ofElement : asked.ofSurface},
+        formFactors(scene, receiving),
+        shooting(reference::surfacePieces(scene, discretization)) {}
+};
+
+std::vector<std::uint32_t> elementsOf(const radiosity::Discretization& discretization, const Source& source) {
+  if (source.element) return {*source.element};
+  std::vector<std::uint32_t> elements;
+  for (const std::uint32_t surface : source.surfaces) {
+    const std::vector<std::uint32_t> own = reference::elementsOfSurface(discretization, surface);
+    elements.insert(elements.end(), own.begin(), own.end());
+  }
+  return elements;
+}
+
+}  // namespace
+
+Receivers elementsAsReceivers(const radiosity::Discretization& discretization) {
+  Receivers receivers{std::vector<std::uint32_t>(discretization.elements.size()), {}, {}};
+  std::iota(receivers.ofElement.begin(), receivers.ofElement.end(), 0U);
+  for (const radiosity::Element& element : discretization.elements) receivers.area.push_back(element.area);
+  return receivers;
+}
+
+Receivers familiesAsReceivers(const radiosity::Discretization& discretization, const Families& families) {
+  Receivers receivers{{}, families.ofSurface, std::vector<double>(families.names.size(), 0.0)};
+  for (const radiosity::Element& element : discretization.elements) {
+    receivers.ofElement.push_back(families.ofSurface[element.surface]);
+    receivers.area[receivers.ofElement.back()] += element.area;
+  }
+  return receivers;
+}
+
+RowMethod hemicubeMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                         const Receivers& receivers, const WordOptions& word, int resolution, Console& console) {
+  const auto hemicubes =
+      std::make_shared<Hemicubes>(scene, discretization, layoutOf(word, discretization, console), resolution);
+  return [&scene, &discretization, &receivers, hemicubes](const Source& source) {
+    return meanRow(scene, discretization, hemicubes->rows, source, receivers);
+  };
+}
+
+RowMethod rayMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                    const Receivers& receivers, const RayOptions& options) {
+  const auto rays = std::make_shared<Rays>(scene, discretization, receivers);
+  return [&discretization, rays, options](const Source& source) {
+    const reference::Shooter shooter = reference::areaShooter(rays->shooting, elementsOf(discretization, source));
+    const auto measure = options.aimed ? &reference::RayFormFactors::aimed : &reference::RayFormFactors::overHemisphere;
+    const reference::MeasuredRow measured =
+        (rays->formFactors.*measure)(shooter, rays->receivers, {.samples = options.samples});
+    Row row{
+        .formFactor = {}, .standardError = {}, .background = measured.background.value, .back = measured.back.value};
+    for (const reference::Measurement& receiver : measured.receivers) {
+      row.formFactor.push_back(receiver.value);
+      row.standardError.push_back(receiver.standardError);
+    }
+    return row;
+  };
+}
+
+}  // namespace hemitex::cli
