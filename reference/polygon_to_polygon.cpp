@@ -234,7 +234,7 @@ double polygonToPolygon(std::span<const glm::dvec3> from, std::span<const glm::d
   const double unit = extentFrom(from[0], from, to);
   const Polygon a = moved(from, from[0], unit), b = moved(to, from[0], unit);
   const Plane planeA = planeOf(a), planeB = planeOf(b);
-  const double slack = 4 * std::numeric_limits<double>::epsilon();
+  const double slack = 1e-13;
   const Polygon frontA = inFrontOf(planeB, a, slack), frontB = inFrontOf(planeA, b, slack);
   if (frontA.size() < 3 || frontB.size() < 3) return 0;
   return exchangeArea(frontA, frontB) / planeA.area;

@@ -24,8 +24,8 @@ namespace hemitex::reference {
 
 /// The share of the flux leaving `from` that reaches `to`, blockers not looked at: two convex planar polygons that wind
 /// counter-clockwise in front and do not pass through each other. The relative error is below 1e-9 for the numbers as
-/// given. What rises no more than 1e-15 of the polygons' extent above the other's plane counts as in it: 0 for coplanar
-/// polygons, and for those that show each other their backs.
+/// given. What rises no more than 1e-13 of the polygons' extent above the other's plane counts as in it: 0 for polygons
+/// that are coplanar but for rounding, and for those that show each other their backs.
 ///
 /// Source of the contour integral: Sparrow, A new and simpler formulation for radiative angle factors (1963); its
 /// closed form, which is not used here: Schroeder and Hanrahan, On the form factor between two polygons (1993).
