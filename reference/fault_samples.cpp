@@ -111,7 +111,7 @@ std::vector<Fault> sampleFaults(const TestVector& vector) {
             {"those that face the eye", culled(Facing::Front)}}},
           {"front and back exchanged",
            "a mirrored view, det(X, Y, W) < 0, turns windings over: look at the front face",
-           {{"", withFacing([](Facing facing) { return facing == Facing::Front ? Facing::Back : Facing::Front; })},
+           {{"", withFacing(otherSide)},
             {"all taken for fronts", withFacing([](Facing) { return Facing::Front; })},
             {"all taken for backs", withFacing([](Facing) { return Facing::Back; })}}},
           {"wrong fill rule",

@@ -10,8 +10,6 @@ namespace {
 
 using raster::Face;
 
-Facing otherSide(Facing facing) { return facing == Facing::Front ? Facing::Back : Facing::Front; }
-
 /// `change` applied to the view of face `which`, or of every face where `which` is negative.
 template <typename Change>
 StagedDevice withViews(int which, const Change& change) {
@@ -61,10 +59,10 @@ std::vector<Variant> reorderings(const std::vector<VectorFace>& faces) {
   return variants;
 }
 
-/// Views turned about their axes by quarters, one face or all.
+/// Views turned about their axes by quarters: one face, or all of several.
 std::vector<Variant> turns(const std::vector<VectorFace>& faces) {
   std::vector<Variant> variants;
-  for (int which = -1; which < static_cast<int>(faces.size()); ++which)
+  for (int which = faces.size() > 1 ? -1 : 0; which < static_cast<int>(faces.size()); ++which)
     for (int quarters = 1; quarters < 4; ++quarters) {
       const std::string name = which < 0 ? "all" : faces[static_cast<std::size_t>(which)].name;
       variants.push_back({name + " by " + std::to_string(90 * quarters) + " degrees", withViews(which, [=](Face& face) {

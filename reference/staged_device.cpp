@@ -66,18 +66,24 @@ Setup setUp(const StagedDevice& device, const DeviceTriangle& triangle, const ra
   return setup;
 }
 
+/// Coordinates that later stages can count with: extrapolated to a sample that the triangle does not cover, a quotient
+/// may have any size or no value.
+glm::dvec2 held(const glm::dvec2& coordinates) {
+  constexpr double largest = 1e9;
+  const auto hold = [=](double x) { return std::isnan(x) ? 0.0 : std::clamp(x, -largest, largest); };
+  return {hold(coordinates.x), hold(coordinates.y)};
+}
+
 Lookup lookUp(const Setup& setup, const glm::dvec2& position) {
   const std::array<double, 3> edges = setup.edgesAt(position);
   const double total = dot(edges, setup.weights);
-  Lookup lookup{glm::dvec2(dot(edges, setup.u), dot(edges, setup.v)) / total, {}, {}};
+  const glm::dvec2 at = glm::dvec2(dot(edges, setup.u), dot(edges, setup.v)) / total;
   const auto change = [&](int axis) {
     std::array<double, 3> slopes;
     for (std::size_t k = 0; k < 3; ++k) slopes[k] = subPixels * setup.edges[k].slope[axis];
-    return (glm::dvec2(dot(slopes, setup.u), dot(slopes, setup.v)) - lookup.at * dot(slopes, setup.weights)) / total;
+    return (glm::dvec2(dot(slopes, setup.u), dot(slopes, setup.v)) - at * dot(slopes, setup.weights)) / total;
   };
-  lookup.perColumn = change(0);
-  lookup.perRow = change(1);
-  return lookup;
+  return {held(at), held(change(0)), held(change(1))};
 }
 
 struct Sample {

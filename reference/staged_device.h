@@ -18,6 +18,9 @@ namespace hemitex::reference {
 
 enum class Facing { Front, Back, Culled };
 
+/// What a triangle is taken for whose winding is read the wrong way.
+inline Facing otherSide(Facing facing) { return facing == Facing::Front ? Facing::Back : Facing::Front; }
+
 /// Where a fragment looks into its index map: (u, v), and how they change to the next column and to the next row.
 struct Lookup {
   glm::dvec2 at, perColumn, perRow;
