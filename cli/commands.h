@@ -16,5 +16,6 @@ void addVector(CLI::App& program, Context& context);
 void addVectorSuite(CLI::App& vector, Context& context);
 void addVectorCheck(CLI::App& vector, Context& context);
 void addVectorExplain(CLI::App& vector, Context& context);
+void addVectorCalibrate(CLI::App& vector, Context& context);
 
 }  // namespace hemitex::cli

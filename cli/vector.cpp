@@ -145,6 +145,7 @@ void addVector(CLI::App& program, Context& context) {
   addVectorSuite(*command, context);
   addVectorCheck(*command, context);
   addVectorExplain(*command, context);
+  addVectorCalibrate(*command, context);
 }
 
 }  // namespace hemitex::cli

@@ -1,5 +1,6 @@
 #include "reference/device_profile.h"
 
+#include <cassert>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -17,6 +18,19 @@ using raster::InputError;
 
 template <typename Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
+
+const Choices<SnapRounding> roundings{{"nearest", SnapRounding::Nearest}, {"truncate", SnapRounding::Truncate}};
+const Choices<EdgeRule> edgeRules{{"top-left", EdgeRule::TopLeft}, {"any", EdgeRule::Any}};
+const Choices<DepthFormat> depthFormats{
+    {"float32", DepthFormat::Float32}, {"unorm24", DepthFormat::Unorm24}, {"unorm16", DepthFormat::Unorm16}};
+
+template <typename Value>
+std::string nameOf(Value value, const Choices<Value>& choices) {
+  for (const auto& [name, choice] : choices)
+    if (choice == value) return name;
+  assert(false);
+  return {};
+}
 
 template <typename Value>
 void readChoice(const Json& value, const std::string& key, const Choices<Value>& choices, Value& target) {
@@ -51,17 +65,10 @@ void readFlag(const Json& value, const std::string& key, bool& target) {
 void readField(const Json& value, const std::string& key, DeviceProfile& profile) {
   if (key == "vertex_error") return readBound(value, key, profile.vertexError);
   if (key == "subpixel_bits") return readSubpixelBits(value, key, profile.subpixelBits);
-  if (key == "snap_rounding")
-    return readChoice(value, key, {{"nearest", SnapRounding::Nearest}, {"truncate", SnapRounding::Truncate}},
-                      profile.snapRounding);
-  if (key == "edge_rule")
-    return readChoice(value, key, {{"top-left", EdgeRule::TopLeft}, {"any", EdgeRule::Any}}, profile.edgeRule);
+  if (key == "snap_rounding") return readChoice(value, key, roundings, profile.snapRounding);
+  if (key == "edge_rule") return readChoice(value, key, edgeRules, profile.edgeRule);
   if (key == "texel_precision") return readBound(value, key, profile.texelPrecision);
-  if (key == "depth_format")
-    return readChoice(
-        value, key,
-        {{"float32", DepthFormat::Float32}, {"unorm24", DepthFormat::Unorm24}, {"unorm16", DepthFormat::Unorm16}},
-        profile.depthFormat);
+  if (key == "depth_format") return readChoice(value, key, depthFormats, profile.depthFormat);
   if (key == "depth_tolerance") return readBound(value, key, profile.depthTolerance);
   if (key == "loose_clipping") return readFlag(value, key, profile.looseClipping);
   throw InputError("\"" + key + "\" is no key of a device profile");
@@ -79,6 +86,18 @@ double depthError(const DeviceProfile& profile) {
       return profile.depthTolerance / 0xffff;
   }
   return 0;
+}
+
+std::string toJson(const DeviceProfile& profile) {
+  const Json json{{"vertex_error", profile.vertexError},
+                  {"subpixel_bits", profile.subpixelBits},
+                  {"snap_rounding", nameOf(profile.snapRounding, roundings)},
+                  {"edge_rule", nameOf(profile.edgeRule, edgeRules)},
+                  {"texel_precision", profile.texelPrecision},
+                  {"depth_format", nameOf(profile.depthFormat, depthFormats)},
+                  {"depth_tolerance", profile.depthTolerance},
+                  {"loose_clipping", profile.looseClipping}};
+  return json.dump(2) + "\n";
 }
 
 DeviceProfile readProfile(const std::filesystem::path& file) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace hemitex::reference {
 
@@ -31,6 +32,8 @@ struct DeviceProfile {
   double depthTolerance = 4;  ///< error of a stored depth, in units in the last place of 1
   /// Whether triangles that cross a clip plane may be cut at other planes, or in binary32.
   bool looseClipping = true;
+
+  bool operator==(const DeviceProfile&) const = default;
 };
 
 /// The error of a stored depth `1 - n/w`, in its own range from 0 to 1.
@@ -41,5 +44,8 @@ double depthError(const DeviceProfile& profile);
 /// `depth_tolerance`, `loose_clipping`; a key that is absent keeps its default. Throws InputError for another key, a
 /// value of the wrong type or out of range, and a file that cannot be read.
 DeviceProfile readProfile(const std::filesystem::path& file);
+
+/// The profile as readProfile reads it, with all keys.
+std::string toJson(const DeviceProfile& profile);
 
 }  // namespace hemitex::reference

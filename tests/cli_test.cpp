@@ -394,6 +394,46 @@ TEST_CASE("A test vector is exported without words and rendered in place", "[cli
   CHECK(readAll(shell.file("elsewhere/vector.json")) == readAll(shell.file("vector/vector.json")));
 }
 
+TEST_CASE("vector calibrate finds the profile of the reference renderer, and none of a device that fits none",
+          "[cli]") {
+  const Shell shell;
+  const json vectors = json::parse(shell.output("vector calibrate --probes probes --json"))["vectors"];
+  CHECK(vectors.size() >= 10);
+  for (const json& vector : vectors) {
+    const std::string name = vector["name"];
+    CHECK_FALSE(fs::exists(shell.file("probes/" + name + "/front.u32")));
+    shell.output("vector render probes/" + name + " -o device/" + name);
+  }
+  const std::string calibrate = "vector calibrate probes --candidate device -o profile.json";
+  const json found = json::parse(shell.output(calibrate + " --json"));
+  CHECK(found["faults"].empty());
+  CHECK(found["profile"] == json::parse(readAll(shell.file("profile.json"))));
+  CHECK(found["profile"]["subpixel_bits"] == 8);
+  CHECK(found["profile"]["snap_rounding"] == "nearest");
+  CHECK(found["profile"]["edge_rule"] == "top-left");
+  CHECK(linesOf(shell.output(calibrate)).at(2) == "subpixel_bits,8");
+  shell.output("vector check device/edge-rule --candidate device/edge-rule --profile profile.json");
+
+  fs::remove(shell.file("profile.json"));
+  writeAll(shell.file("device/edge-rule/front.u32"), std::string(256 * 4, 'x'));
+  const Outcome faulty = shell.run(calibrate);
+  CHECK(faulty.exitCode == 1);
+  CHECK(faulty.out.find("coverage: ") == 0);
+  CHECK_FALSE(fs::exists(shell.file("profile.json")));
+
+  fs::remove(shell.file("device/edge-rule/front.u32"));
+  CHECK(shell.run(calibrate).exitCode == 2);
+  fs::copy(shell.file("probes/snapping-5/positions.f32"), shell.file("probes/snapping-4/positions.f32"),
+           fs::copy_options::overwrite_existing);
+  const Outcome strange = shell.run(calibrate);
+  CHECK(strange.exitCode == 2);
+  CHECK(strange.err.find("--probes") != std::string::npos);
+  for (const char* arguments : {"", " probes", " probes -o profile.json", " probes --candidate device",
+                                " --probes again probes --candidate device -o profile.json", " --probes again -o out"})
+    CHECK(shell.run(std::string("vector calibrate") + arguments).exitCode == 2);
+  CHECK_FALSE(fs::exists(shell.file("again")));
+}
+
 TEST_CASE("vector explain derives a word from the vertices to the blend", "[cli]") {
   // A triangle from w = 2 to w = 0 is cut at n = 1/2, a quarter of the way from its far corner, where x/w is 1 and -1
   // and y/w is 2. In units of 1/256 pixel the sample lies at 1152/4096 of the picture's width and 1152/6144 of the

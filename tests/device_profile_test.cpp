@@ -40,6 +40,19 @@ TEST_CASE("a depth's error is in units in the last place of 1 of its format", "[
   }
 }
 
+TEST_CASE("a profile that was written reads back the same", "[verdict]") {
+  using namespace reference;
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path / "profile.json";
+  for (const DeviceProfile& profile :
+       {DeviceProfile{},
+        DeviceProfile{0.1, 12, SnapRounding::Truncate, EdgeRule::Any, 0x1.8p-13, DepthFormat::Unorm24, 2.5, false},
+        DeviceProfile{.depthFormat = DepthFormat::Unorm16}}) {
+    std::ofstream(file) << toJson(profile);
+    CHECK(readProfile(file) == profile);
+  }
+}
+
 TEST_CASE("a profile with an unknown key or a wrong value is an input error", "[verdict]") {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path / "profile.json";
