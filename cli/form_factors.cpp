@@ -13,6 +13,7 @@
 #include "cli/surface_names.h"
 #include "cli/table.h"
 #include "reference/matrix_checks.h"
+#include "reference/matrix_smoothing.h"
 
 namespace hemitex::cli {
 namespace {
@@ -27,6 +28,7 @@ struct FormFactorOptions {
   std::string from;
   bool bySurface = false;
   bool all = false;
+  bool smooth = false;
 };
 
 RowMethod methodOf(const FormFactorOptions& options, const radiosity::Scene& scene,
@@ -102,11 +104,21 @@ void printRow(const FormFactorOptions& options, Context& context, const radiosit
   std::cout << toText(result);
 }
 
-reference::MatrixChecks checksOf(const std::vector<Row>& matrix, const Receivers& receivers) {
+reference::FormFactorMatrix factorsOf(const std::vector<Row>& matrix) {
   reference::FormFactorMatrix factors{matrix.size(), {}};
   for (const Row& row : matrix)
     factors.factors.insert(factors.factors.end(), row.formFactor.begin(), row.formFactor.end());
-  return reference::checkMatrix(factors, receivers.area);
+  return factors;
+}
+
+/// Smooths the values; their standard errors stay those of the measurement.
+reference::MatrixDifference smooth(std::vector<Row>& matrix, const Receivers& receivers) {
+  const reference::FormFactorMatrix raw = factorsOf(matrix);
+  const reference::FormFactorMatrix result = reference::smoothed(raw, receivers.area);
+  for (std::size_t i = 0; i < matrix.size(); ++i)
+    std::copy_n(result.factors.begin() + static_cast<std::ptrdiff_t>(i * matrix.size()), matrix.size(),
+                matrix[i].formFactor.begin());
+  return reference::difference(raw, result);
 }
 
 void tellChecks(const std::vector<Row>& matrix, const reference::MatrixChecks& checks, const Families& families,
@@ -135,11 +147,17 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
     matrix.push_back(rowFrom({families.surfaces[from]}));
   }
   context.console.endProgress();
-  const reference::MatrixChecks checks = checksOf(matrix, receivers);
+  nlohmann::ordered_json result = settingsOf(options);
+  if (options.smooth) {
+    const reference::MatrixDifference moved = smooth(matrix, receivers);
+    context.console.message("smoothing moved form factors by at most " + toText(moved.largest) + ", by " +
+                            toText(moved.rootMeanSquare) + " in the root mean square");
+    result["smoothing"] = {{"largest", moved.largest}, {"root_mean_square", moved.rootMeanSquare}};
+  }
+  const reference::MatrixChecks checks = reference::checkMatrix(factorsOf(matrix), receivers.area);
   tellChecks(matrix, checks, families, context.console);
   const Table table = tableOf(families, matrix);
   if (!context.json) return writeCsv(std::cout, table);
-  nlohmann::ordered_json result = settingsOf(options);
   result.update({{"matrix", toJson(table)},
                  {"row_sums", {checks.smallestRowSum, checks.largestRowSum}},
                  {"reciprocity", checks.reciprocity}});
@@ -163,6 +181,8 @@ void addFormFactors(CLI::App& program, Context& context) {
   CLI::Option* bySurface = command->add_flag("--by-surface", options->bySurface, "add up the elements of a surface");
   CLI::Option* all = command->add_flag("--all", options->all, "from every surface to every surface");
   all->needs(bySurface)->excludes(from);
+  command->add_flag("--smooth", options->smooth, "move the matrix to reciprocity, least squares; its row sums stay")
+      ->needs(all);
   addChoice<std::string>(*command, "--method", options->method, {{"hemicube", "hemicube"}, {"rays", "rays"}},
                          "how they are found (default hemicube)");
   addResolution(*command, options->resolution);

@@ -150,9 +150,9 @@ TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind"
       "formfactors room.obj --all", "formfactors room.obj --from floor --all --by-surface",
       "formfactors room.obj --from flor", "formfactors room.obj --from floor:16,0",
       "formfactors room.obj --from floor:0,-1", "formfactors room.obj --from floor --method analytic",
-      "formfactors room.obj --from floor --method rays --samples 63", "vector", "vector export room.obj -o out",
-      "vector export room.obj -o out --eye 0,0,0 --normal 0,0,0", "vector render room.obj -o out",
-      "vector render no-such-folder -o out");
+      "formfactors room.obj --from floor --method rays --samples 63", "formfactors room.obj --from floor --smooth",
+      "vector", "vector export room.obj -o out", "vector export room.obj -o out --eye 0,0,0 --normal 0,0,0",
+      "vector render room.obj -o out", "vector render no-such-folder -o out");
   const Shell shell;
   const auto before = shell.files();
   const Outcome outcome = shell.run(arguments);
@@ -380,6 +380,18 @@ TEST_CASE("The matrix of form factors is checked by what holds for all", "[cli]"
     CHECK(outcome.err.find("at most 0 (from ") != std::string::npos);
     CHECK(outcome.err.find("reciprocity is missed by at most ") != std::string::npos);
     CHECK(shell.run(command + " -q").err.empty());
+
+    const Outcome smooth = shell.run(command + " --smooth");
+    CHECK(smooth.err.find("smoothing moved form factors by at most ") != std::string::npos);
+    const json smoothed = json::parse(smooth.out);
+    CHECK(smoothed["reciprocity"].get<double>() < 1e-12);
+    CHECK(smoothed["row_sums"][0].get<double>() == Approx(1).epsilon(1e-12));
+    double largest = 0;
+    for (std::size_t i = 0; i < 36; ++i)
+      largest = std::max(largest, std::abs(smoothed["matrix"][i]["form_factor"].get<double>() -
+                                           result["matrix"][i]["form_factor"].get<double>()));
+    CHECK(smoothed["smoothing"]["largest"].get<double>() == largest);
+    CHECK((largest > 1e-6 && largest < 0.01));
   }
 }
 
