@@ -5,15 +5,16 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <memory>
 
 #include "cli/commands.h"
 #include "cli/json.h"
+#include "cli/renderers.h"
 #include "cli/staging.h"
 #include "cli/table.h"
 #include "radiosity/hemicube.h"
 #include "raster/input_error.h"
-#include "raster/software_renderer.h"
 #include "reference/stages.h"
 #include "reference/test_vector.h"
 
@@ -86,6 +87,7 @@ void exportVector(const ExportOptions& options, Context& context) {
 
 struct RenderOptions {
   std::filesystem::path input, output;
+  Device device = Device::Software;
   bool stages = false;
 };
 
@@ -93,8 +95,7 @@ void renderVector(const RenderOptions& options, const Context& context) {
   reference::TestVector vector = reference::readVector(options.input);
   std::vector<raster::Face> faces;
   for (const reference::VectorFace& face : vector.faces) faces.push_back(face.face);
-  raster::SoftwareRenderer renderer(vector.list);
-  const std::vector<raster::ItemBuffer> buffers = renderer.render(faces, {});
+  const std::vector<raster::ItemBuffer> buffers = makeRenderer(vector.list, options.device)->render(faces, {});
   for (std::size_t f = 0; f < buffers.size(); ++f) vector.faces[f].hash = reference::wordsHash(buffers[f].words);
   Staging staging(options.output);
   reference::writeVector(staging.folder(), vector, buffers);
@@ -130,6 +131,12 @@ void addRenderVector(CLI::App& parent, Context& context) {
   const auto options = std::make_shared<RenderOptions>();
   CLI::App* command = parent.add_subcommand("render", "Draw a test vector: its words and their hashes");
   command->add_option("DIR", options->input, "folder of the vector")->required();
+  const std::map<std::string, Device> devices{{"software", Device::Software},
+                                              {"opengl", Device::OpenGl},
+                                              {"opengl-fixed-function", Device::OpenGlFixedFunction}};
+  command->add_option("--device", options->device, "what draws it (default: software, by the rules)")
+      ->transform(CLI::CheckedTransformer(devices).description(""))
+      ->type_name("software|opengl|opengl-fixed-function");
   addStages(*command, options->stages);
   addOutput(*command, options->output, "folder for the vector with its words; may be the same");
   command->callback(

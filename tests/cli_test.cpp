@@ -542,6 +542,17 @@ TEST_CASE("The vector suite is written as folders, and its table holds the pinne
   CHECK(table[0] == "name,catches,hash");
 }
 
+TEST_CASE("A test vector is drawn on another device where there is one", "[cli]") {
+  const Shell shell;
+  shell.output("vector export room.obj --eye 0.5,0.5,0.01 --normal 0,0,1 --resolution 16 -o vector");
+  CHECK(shell.run("vector render vector --device abacus -o device").exitCode == 2);
+  const Outcome drawn = shell.run("vector render vector --device opengl -o device");
+  if (drawn.exitCode == 0)
+    CHECK(shell.run("vector check vector --candidate device").exitCode == 0);
+  else
+    CHECK((drawn.exitCode == 2 && drawn.err.find("OpenGL") != std::string::npos));
+}
+
 TEST_CASE("vector check judges a suite of vectors as one", "[cli]") {
   const Shell shell;
   for (const std::string name : {"near", "far"}) {
