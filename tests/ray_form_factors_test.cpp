@@ -393,6 +393,16 @@ TEST_CASE("in two-sided scenes both sides receive and nothing meets a back", "[r
     }
 }
 
+TEST_CASE("a receiver that no ray met may still be worth two", "[ray form factors]") {
+  // A square of a thousandth of the side: 3e-7 of the light, of which 1024 rays show nothing.
+  const Interval side{0.5, 0.501};
+  const double exact = parallelRectangles(unitSquare, {side, side}, 0.5);
+  const Measurement estimate = measured(unblocked("tiny", facingUp(unitSquare), facingDown({side, side}, 0.5), exact),
+                                        bothEstimators[0], {1 << 10});
+  CHECK(estimate.value == 0);
+  CHECK(estimate.standardError == 2.0 / 1024);
+}
+
 TEST_CASE("gaps of a millionth of the side lose no light", "[ray form factors]") {
   const double gap = 1e-6, exact = parallelRectangles(unitSquare, unitSquare, gap);
   const Case close = unblocked("close", facingUp(unitSquare), facingDown(unitSquare, gap), exact);

@@ -86,7 +86,7 @@ TEST_CASE("the mean cosine over the directions into a polygon is its form factor
   const SamplePoints points(1 << 14, 0);
   int byArea = 0;
   for (int repeat = 0; repeat < 40; ++repeat) {
-    const double height = std::pow(10.0, random.uniform(-3, 2)), size = std::pow(10.0, random.uniform(-2.5, 0.5));
+    const double height = std::pow(10.0, random.uniform(-3, 5)), size = std::pow(10.0, random.uniform(-3, 0.5));
     std::vector<glm::dvec3> polygon;
     const int corners = 3 + repeat % 5;
     for (int k = 0; k < corners; ++k) {  // clockwise from above: seen from below it winds the other way
@@ -94,14 +94,20 @@ TEST_CASE("the mean cosine over the directions into a polygon is its form factor
       polygon.emplace_back(0.3 + size * std::cos(angle), 0.2 + 0.6 * size * std::sin(angle), height);
     }
     const glm::dvec3 point(0), normal = glm::normalize(glm::dvec3(0.2, -0.1, 1));
-    double sum = 0;
+    double sum = 0, farthest = 0;  // outside the polygon, in its size
     for (std::size_t i = 0; i < points.count(); ++i) {
       const SamplePoint sample = points.at(0, i);
       const Aim aim = aimInto(polygon, point, sample[0], sample[1]);
       sum += std::max(0.0, glm::dot(aim.direction, normal)) * aim.solidAngle / M_PI;
       byArea += aim.solidAngle < 1e-6;
+      const glm::dvec3 met = aim.direction * (height / aim.direction.z);
+      for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const glm::dvec3 edge = polygon[(k + 1) % polygon.size()] - polygon[k];
+        farthest = std::max(farthest, glm::cross(edge, met - polygon[k]).z / glm::length(edge) / size);
+      }
     }
     INFO("height " << height << ", size " << size);
+    CHECK(farthest < 1e-14 * (height + 1) / size + 1e-9);
     CHECK(sum / 16384 == Approx(pointToPolygon(point, normal, polygon)).epsilon(3e-4));
   }
   CHECK(byArea > 0);
