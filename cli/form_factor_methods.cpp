@@ -5,6 +5,7 @@
 
 #include "radiosity/hemicube.h"
 #include "raster/software_renderer.h"
+#include "reference/analytic_form_factors.h"
 #include "reference/ray_form_factors.h"
 
 namespace hemitex::cli {
@@ -14,8 +15,8 @@ void addRow(Row& mean, const radiosity::FormFactorRow& row, const Receivers& rec
   std::vector<std::uint64_t> share(receivers.area.size(), 0);
   for (std::size_t i = 0; i < row.elements.size(); ++i) share[receivers.ofElement[row.elements[i]]] += row.shares[i];
   for (std::size_t r = 0; r < share.size(); ++r) mean.formFactor[r] += weight * radiosity::formFactor(share[r]);
-  mean.background += weight * radiosity::formFactor(row.background);
-  mean.back += weight * radiosity::formFactor(row.back);
+  *mean.background += weight * radiosity::formFactor(row.background);
+  *mean.back += weight * radiosity::formFactor(row.back);
 }
 
 double patchArea(const radiosity::Discretization& discretization, std::uint32_t patch) {
@@ -29,7 +30,10 @@ double patchArea(const radiosity::Discretization& discretization, std::uint32_t 
 /// The row of one element, from its centre, or of whole surfaces, averaged over their patches.
 Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
             radiosity::HemicubeRows& rows, const Source& source, const Receivers& receivers) {
-  Row mean{.formFactor = std::vector<double>(receivers.area.size(), 0.0), .standardError = {}};
+  Row mean{.formFactor = std::vector<double>(receivers.area.size(), 0.0),
+           .standardError = {},
+           .background = 0.0,
+           .back = 0.0};
   if (source.element) {
     const auto centre = radiosity::elementCentre(scene, discretization, *source.element);
     addRow(mean, rows.from(source.surfaces.front(), centre), receivers, 1.0);
@@ -73,6 +77,18 @@ struct Rays {
                   asked.ofSurface.empty() ? asked.ofElement : asked.ofSurface},
         formFactors(scene, receiving),
         shooting(reference::surfacePieces(scene, discretization)) {}
+};
+
+/// Whole surfaces are not cut into texels, neither where they shoot nor where they receive: fewer pieces, the same
+/// sums.
+struct Polygons {
+  radiosity::Discretization whole;
+  reference::SurfacePieces ofWhole, ofTexels;
+
+  Polygons(const radiosity::Scene& scene, const radiosity::Discretization& discretization)
+      : whole(radiosity::discretize(scene, {.texels = 1})),
+        ofWhole(reference::surfacePieces(scene, whole)),
+        ofTexels(reference::surfacePieces(scene, discretization)) {}
 };
 
 std::vector<std::uint32_t> elementsOf(const radiosity::Discretization& discretization, const Source& source) {
@@ -126,6 +142,25 @@ RowMethod rayMethod(const radiosity::Scene& scene, const radiosity::Discretizati
       row.formFactor.push_back(receiver.value);
       row.standardError.push_back(receiver.standardError);
     }
+    return row;
+  };
+}
+
+RowMethod analyticMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                         const Receivers& receivers) {
+  const auto polygons = std::make_shared<Polygons>(scene, discretization);
+  return [&discretization, &receivers, polygons](const Source& source) {
+    const bool areElements = receivers.ofSurface.empty();
+    const std::vector<double> values =
+        reference::analyticRow(source.element ? polygons->ofTexels : polygons->ofWhole,
+                               elementsOf(source.element ? discretization : polygons->whole, source),
+                               areElements ? polygons->ofTexels : polygons->ofWhole);
+    const std::vector<std::uint32_t>& receiverOf = areElements ? receivers.ofElement : receivers.ofSurface;
+    Row row{.formFactor = std::vector<double>(receivers.area.size(), 0.0),
+            .standardError = {},
+            .background = {},
+            .back = {}};
+    for (std::size_t i = 0; i < values.size(); ++i) row.formFactor[receiverOf[i]] += values[i];
     return row;
   };
 }

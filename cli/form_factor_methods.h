@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,8 @@ Receivers familiesAsReceivers(const radiosity::Discretization& discretization, c
 struct Row {
   std::vector<double> formFactor;
   std::vector<double> standardError;  ///< empty where the method has none
-  double background = 0;              ///< left the scene
-  double back = 0;                    ///< absorbed by the backs of surfaces
+  std::optional<double> background;   ///< left the scene; none where the method does not look at blockers
+  std::optional<double> back;         ///< absorbed by the backs of surfaces; likewise
 };
 
 /// The row that leaves a source. Whatever it was made from outlives it.
@@ -49,5 +50,9 @@ struct RayOptions {
 /// Sources shoot from their whole area.
 RowMethod rayMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                     const Receivers& receivers, const RayOptions& options);
+
+/// Sources shoot from their whole area, and nothing stands in the way.
+RowMethod analyticMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                         const Receivers& receivers);
 
 }  // namespace hemitex::cli

@@ -31,9 +31,12 @@ struct FormFactorOptions {
   bool smooth = false;
 };
 
+const std::string blockersIgnored = "blockers are not looked at";
+
 RowMethod methodOf(const FormFactorOptions& options, const radiosity::Scene& scene,
                    const radiosity::Discretization& discretization, const Receivers& receivers, Console& console) {
   if (options.method == "rays") return rayMethod(scene, discretization, receivers, options.rays);
+  if (options.method == "analytic") return analyticMethod(scene, discretization, receivers);
   return hemicubeMethod(scene, discretization, receivers, options.word, options.resolution, console);
 }
 
@@ -41,6 +44,7 @@ RowMethod methodOf(const FormFactorOptions& options, const radiosity::Scene& sce
 nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
   if (options.method == "rays")
     return {{"method", options.method}, {"samples", options.rays.samples}, {"aimed", options.rays.aimed}};
+  if (options.method == "analytic") return {{"method", options.method}};
   return {{"method", options.method}, {"resolution", options.resolution}};
 }
 
@@ -94,13 +98,16 @@ void printRow(const FormFactorOptions& options, Context& context, const radiosit
   const Receivers receivers =
       options.bySurface ? familiesAsReceivers(discretization, families) : elementsAsReceivers(discretization);
   const Row row = methodOf(options, scene, discretization, receivers, context.console)(source);
-  context.console.message("from " + options.from + ": " + toText(row.background) + " leaves the scene, " +
-                          toText(row.back) + " meets backs of faces");
+  context.console.message(
+      "from " + options.from + ": " +
+      (row.background ? toText(*row.background) + " leaves the scene, " + toText(*row.back) + " meets backs of faces"
+                      : blockersIgnored));
   const Table table = options.bySurface ? tableOf(families, receivers, row) : tableOf(scene, discretization, row);
   if (!context.json) return writeCsv(std::cout, table);
   nlohmann::ordered_json result{{"from", options.from}};
   result.update(settingsOf(options));
-  result.update({{"row", toJson(table)}, {"background", row.background}, {"back", row.back}});
+  result.update({{"row", toJson(table)}});
+  if (row.background) result.update({{"background", *row.background}, {"back", *row.back}});
   std::cout << toText(result);
 }
 
@@ -123,14 +130,15 @@ reference::MatrixDifference smooth(std::vector<Row>& matrix, const Receivers& re
 
 void tellChecks(const std::vector<Row>& matrix, const reference::MatrixChecks& checks, const Families& families,
                 Console& console) {
-  const auto most = [&](double Row::*share) {
+  const auto most = [&](std::optional<double> Row::*share) {
     const auto row =
         std::max_element(matrix.begin(), matrix.end(), [&](const Row& a, const Row& b) { return a.*share < b.*share; });
-    return toText((*row).*share) + " (from " + families.names[static_cast<std::size_t>(row - matrix.begin())] + ")";
+    return toText(*((*row).*share)) + " (from " + families.names[static_cast<std::size_t>(row - matrix.begin())] + ")";
   };
   console.message("rows sum to " + toText(checks.smallestRowSum) + " ... " + toText(checks.largestRowSum));
-  console.message("at most " + most(&Row::background) + " leaves the scene, at most " + most(&Row::back) +
-                  " meets backs of faces");
+  console.message(matrix.front().background ? "at most " + most(&Row::background) + " leaves the scene, at most " +
+                                                  most(&Row::back) + " meets backs of faces"
+                                            : blockersIgnored);
   console.message("reciprocity is missed by at most " + toText(checks.reciprocity) + " of the smaller area's light (" +
                   families.names[checks.from] + ", " + families.names[checks.to] + ")");
 }
@@ -183,7 +191,8 @@ void addFormFactors(CLI::App& program, Context& context) {
   all->needs(bySurface)->excludes(from);
   command->add_flag("--smooth", options->smooth, "move the matrix to reciprocity, least squares; its row sums stay")
       ->needs(all);
-  addChoice<std::string>(*command, "--method", options->method, {{"hemicube", "hemicube"}, {"rays", "rays"}},
+  addChoice<std::string>(*command, "--method", options->method,
+                         {{"hemicube", "hemicube"}, {"rays", "rays"}, {"analytic", "analytic"}},
                          "how they are found (default hemicube)");
   addResolution(*command, options->resolution);
   addInteger(*command, "--samples", options->rays.samples, 64, 1 << 28,

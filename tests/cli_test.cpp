@@ -149,7 +149,7 @@ TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind"
       "render room.obj -o out.png --show nothing", "render room.obj -o room.mtl/picture.png", "formfactors room.obj",
       "formfactors room.obj --all", "formfactors room.obj --from floor --all --by-surface",
       "formfactors room.obj --from flor", "formfactors room.obj --from floor:16,0",
-      "formfactors room.obj --from floor:0,-1", "formfactors room.obj --from floor --method analytic",
+      "formfactors room.obj --from floor:0,-1", "formfactors room.obj --from floor --method guess",
       "formfactors room.obj --from floor --method rays --samples 63", "formfactors room.obj --from floor --smooth",
       "vector", "vector export room.obj -o out", "vector export room.obj -o out --eye 0,0,0 --normal 0,0,0",
       "vector render room.obj -o out", "vector render no-such-folder -o out");
@@ -361,6 +361,49 @@ TEST_CASE("The form factors that rays measure stand beside their standard errors
   const json row = json::parse(shell.output("formfactors room.obj --from floor --by-surface --method rays --json"));
   CHECK(row["samples"] == 65536);
   CHECK(row["row"][1]["standard_error"].get<double>() > 0);
+}
+
+TEST_CASE("Analytic form factors are the closed forms', and say that blockers are not looked at", "[cli]") {
+  // Faces of a cube: Howell C-11 and C-14 with all lengths equal, from the mean over the floor or over one of its
+  // texels.
+  const Shell shell;
+  const Outcome outcome = shell.run("formfactors room.obj --from floor --by-surface --method analytic");
+  CHECK(outcome.exitCode == 0);
+  CHECK(outcome.err.find("blockers are not looked at") != std::string::npos);
+  const auto lines = linesOf(outcome.out);
+  REQUIRE(lines.size() == 1 + 6);
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const bool isFloor = lines[i].starts_with("floor"), isOpposite = lines[i].starts_with("ceiling");
+    const double exact = isFloor ? 0 : isOpposite ? 0.199824895698387 : 0.200043776075403;
+    INFO(lines[i]);
+    CHECK(lastNumber(lines[i]) == Approx(exact).epsilon(1e-9));
+  }
+  for (const char* from : {"floor", "floor:1,2"}) {
+    const auto elements =
+        linesOf(shell.output("formfactors room.obj --texels 4 --method analytic --from " + std::string(from)));
+    REQUIRE(elements.size() == 1 + 96);
+    double sum = 0;
+    for (std::size_t i = 1; i < elements.size(); ++i) sum += lastNumber(elements[i]);
+    CHECK(sum == Approx(1).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("The paper's room without its shadows: hemicubes and closed forms agree on what nothing hides", "[cli]") {
+  // From the light no ray to these surfaces meets the box; a part of the floor is behind it. A hemicube of 256 pixels
+  // misses a few of them along a surface's rim, each of up to 1/(pi 128^2) = 2e-5.
+  const Shell shell;
+  const std::string command = "formfactors " HEMITEX_DATA "/paper-room.obj --from light --by-surface --json --method ";
+  const json analytic = json::parse(shell.output(command + "analytic"))["row"];
+  const json hemicube = json::parse(shell.output(command + "hemicube"))["row"];
+  REQUIRE(analytic.size() == 13);
+  for (std::size_t i = 0; i < analytic.size(); ++i) {
+    const auto name = analytic[i]["surface"].get<std::string>();
+    const double excess = analytic[i]["form_factor"].get<double>() - hemicube[i]["form_factor"].get<double>();
+    INFO(name << " " << excess);
+    if (name == "floor") CHECK(excess > 0.05);
+    for (const char* lit : {"wall-front", "wall-left", "ceiling", "box-top", "box-front", "box-left"})
+      if (name == lit) CHECK(std::abs(excess) < 2e-4);
+  }
 }
 
 TEST_CASE("The matrix of form factors is checked by what holds for all", "[cli]") {
