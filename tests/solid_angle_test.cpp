@@ -51,7 +51,7 @@ TEST_CASE("directions fill a spherical triangle evenly", "[solid angle]") {
   // but for those on a cut that crosses the net. Large triangles, small ones and slivers.
   Random random;
   const SamplePoints points(1 << 12, 3);
-  for (int repeat = 0; repeat < 60; ++repeat) {
+  for (std::size_t repeat = 0; repeat < 60; ++repeat) {
     const double size = std::pow(10.0, random.uniform(-3, 0)), width = std::pow(10.0, random.uniform(-3, 0));
     const glm::dvec3 a = random.direction(), side = random.direction();
     const glm::dvec3 b = glm::normalize(a + size * side),
@@ -67,7 +67,7 @@ TEST_CASE("directions fill a spherical triangle evenly", "[solid angle]") {
         int inside = 0;
         double farthest = 0;
         for (std::size_t i = 0; i < points.count(); ++i) {
-          const SamplePoint point = points.at(repeat % 32, i);
+          const SamplePoint point = points.at(repeat % randomizations, i);
           const glm::dvec3 direction = directionIn(turned, point[0], point[1]);
           farthest = std::max(farthest, outside(whole, direction));
           inside += outside(part, direction) == 0;
