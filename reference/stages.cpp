@@ -132,7 +132,7 @@ void writeStages(const std::filesystem::path& folder, const TestVector& vector) 
     write("piece_snapped", "i32", stages.pieceSnapped);
     faces.push_back(std::move(json));
   }
-  writeText(folder / "stages.json", Json{{"faces", faces}}.dump(2) + "\n");
+  writeText(folder / "stages.json", Json{{"faces", faces}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace hemitex::reference

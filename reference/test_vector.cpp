@@ -301,7 +301,8 @@ void writeVector(const filesystem::path& folder, const TestVector& vector,
   writeArray(folder / "indices.u32", list.indices);
   for (std::size_t m = 0; m < list.indexMaps.size(); ++m)
     writeArray(folder / mapFileName(list.indexMaps[m], m), list.indexMaps[m].words);
-  writeText(folder / "vector.json", json.dump(2) + "\n");
+  // Names that are not UTF-8 are mended, not refused.
+  writeText(folder / "vector.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 std::string wordsHash(std::span<const raster::Word> words) {

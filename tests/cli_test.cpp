@@ -446,6 +446,9 @@ TEST_CASE("A test vector is exported without words and rendered in place", "[cli
   const std::string faces = shell.output("vector render vector -o vector");
   CHECK(fs::file_size(shell.file("vector/top.u32")) == 8 * 8 * 4);
   CHECK(shell.output("vector render vector -o elsewhere") == faces);
+  // A name that is not UTF-8 is mended.
+  shell.output("vector export room.obj --eye 0,0,0 --normal 0,0,1 --resolution 8 --name \xe9 -o latin");
+  CHECK(json::parse(readAll(shell.file("latin/vector.json")))["name"] == "\xef\xbf\xbd");
   CHECK(readAll(shell.file("elsewhere/vector.json")) == readAll(shell.file("vector/vector.json")));
 }
 
