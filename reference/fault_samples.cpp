@@ -10,7 +10,15 @@ using raster::Word;
 
 StagedDevice withFacing(const std::function<Facing(Facing)>& facing) {
   StagedDevice device;
-  device.facing = facing;
+  device.facing = [=](Facing side, const raster::Face&) { return facing(side); };
+  return device;
+}
+
+StagedDevice withMirroredViewsTurnedOver() {
+  StagedDevice device;
+  device.facing = [](Facing side, const raster::Face& view) {
+    return raster::determinant(view) < 0 ? otherSide(side) : side;
+  };
   return device;
 }
 
@@ -112,6 +120,7 @@ std::vector<Fault> sampleFaults(const TestVector& vector) {
           {"front and back exchanged",
            "a mirrored view, det(X, Y, W) < 0, turns windings over: look at the front face",
            {{"", withFacing(otherSide)},
+            {"in mirrored views", withMirroredViewsTurnedOver()},
             {"all taken for fronts", withFacing([](Facing) { return Facing::Front; })},
             {"all taken for backs", withFacing([](Facing) { return Facing::Back; })}}},
           {"wrong fill rule",

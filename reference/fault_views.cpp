@@ -27,7 +27,7 @@ template <typename Change>
 std::vector<Variant> flippedViews(const Change& change) {
   const StagedDevice device = withViews(-1, change);
   StagedDevice turnedOver = device;
-  turnedOver.facing = otherSide;
+  turnedOver.facing = [](Facing side, const Face&) { return otherSide(side); };
   return {{"", device}, {"and with it the winding of front faces", turnedOver}};
 }
 
@@ -73,6 +73,45 @@ std::vector<Variant> turns(const std::vector<VectorFace>& faces) {
   return variants;
 }
 
+/// A view through which position p of the viewport, in pixels, shows at stretch * p + shift.
+void place(Face& face, const glm::vec2& stretch, const glm::vec2& shift) {
+  const glm::vec2 middle = stretch + 2.0f * shift / static_cast<float>(face.resolution) - 1.0f;
+  face.x = stretch.x * face.x + middle.x * face.w;
+  face.y = stretch.y * face.y + middle.y * face.w;
+}
+
+glm::vec2 cornerOf(const Face& face) { return {face.scissor.column, face.scissor.row}; }
+
+StagedDevice withScissorAsViewport() {
+  return withViews(-1, [](Face& face) {
+    const glm::vec2 size(face.scissor.width, face.scissor.height);
+    place(face, size / static_cast<float>(face.resolution), cornerOf(face));
+  });
+}
+
+/// The scissor rectangle's pixels from the viewport's first; with a scissor test those outside it are background.
+std::vector<Variant> readBackFromFirst(raster::Word background) {
+  const StagedDevice untested = withViews(-1, [](Face& face) { place(face, {1, 1}, cornerOf(face)); });
+  StagedDevice tested = untested;
+  tested.readBack = [=](const Face& face, raster::ItemBuffer& buffer) {
+    for (int row = 0, pixel = 0; row < buffer.height; ++row)
+      for (int column = 0; column < buffer.width; ++column, ++pixel)
+        if (column < face.scissor.column || row < face.scissor.row)
+          buffer.words[static_cast<std::size_t>(pixel)] = background;
+  };
+  return {{"drawn without a scissor test", untested}, {"drawn with a scissor test", tested}};
+}
+
+StagedDevice withFirstEye() {
+  StagedDevice device;
+  device.camera = [](std::span<const Face> faces, std::size_t f) {
+    Face face = faces[f];
+    face.eye = faces[0].eye;
+    return face;
+  };
+  return device;
+}
+
 /// Rows or columns of the words file in reverse.
 StagedDevice withPicture(bool reversedRows) {
   StagedDevice device;
@@ -102,7 +141,16 @@ std::vector<Fault> viewFaults(const TestVector& vector) {
           {"faces swapped", "draw each face with its own rows X, Y, W and write it into its own words file",
            reorderings(vector.faces)},
           {"faces turned", "take X as right and Y as the direction of rows for each face: no face shares them",
-           turns(vector.faces)}};
+           turns(vector.faces)},
+          {"viewport set to the scissor rectangle",
+           "the viewport is resolution x resolution pixels: a side face keeps a part of it, not scaled",
+           {{"", withScissorAsViewport()}}},
+          {"scissor rectangle read back from the wrong corner",
+           "read from column and row of the scissor rectangle, not from (0, 0)",
+           readBackFromFirst(raster::backgroundWord(vector.list.format))},
+          {"a face's own eye ignored",
+           "each face is seen from its own eye: look for one that is set once for all",
+           {{"", withFirstEye()}}}};
 }
 
 }  // namespace hemitex::reference

@@ -102,7 +102,7 @@ class FaceDrawing {
   }
 
   void draw(const DeviceTriangle& triangle) {
-    const Facing facing = device_.facing(triangle.facesAway ? Facing::Back : Facing::Front);
+    const Facing facing = device_.facing(triangle.facesAway ? Facing::Back : Facing::Front, view_);
     if (facing == Facing::Culled) return;
     const Setup setup = setUp(device_, triangle, view_.scissor);
     for (int row = setup.first.y; row < setup.end.y; ++row)

@@ -37,7 +37,8 @@ struct StagedDevice {
   std::function<raster::Face(std::span<const raster::Face>, std::size_t)> camera =
       [](std::span<const raster::Face> faces, std::size_t f) { return faces[f]; };
 
-  std::function<Facing(Facing)> facing = [](Facing side) { return side; };
+  /// What a triangle is taken for, in the view that it is seen through.
+  std::function<Facing(Facing, const raster::Face&)> facing = [](Facing side, const raster::Face&) { return side; };
 
   /// Whether samples on an edge are covered. The edge runs along `direction` with the interior on its right where rows
   /// grow downwards: a top edge runs to the right, a left edge up.

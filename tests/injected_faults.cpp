@@ -64,6 +64,42 @@ Word byteAt(Word word, Word shift) { return word >> shift & 255; }
 
 // --- views and pictures ---
 
+/// The viewport is the scissor rectangle: -1 and 1 are its borders.
+Buffers scissorAsViewport(const TestVector& vector, SimulatedDevice device) {
+  Buffers buffers;
+  for (const reference::VectorFace& drawn : vector.faces) {
+    const raster::Face& face = drawn.face;
+    const auto placed = [&](double x, double w, int first, int size) {
+      const double pixels = first * w + size * (x + w) / 2;  // times w
+      return 2 * pixels / face.resolution - w;
+    };
+    device.vertex = [&](raster::ViewVertex& v) {
+      v.x = placed(v.x, v.w, face.scissor.column, face.scissor.width);
+      v.y = placed(v.y, v.w, face.scissor.row, face.scissor.height);
+    };
+    buffers.push_back(drawOn(device, vector.list, face));
+  }
+  return buffers;
+}
+
+/// The scissor rectangles in targets as large as their viewports, of which the first pixels are read.
+Buffers firstPixelsOfTargets(const TestVector& vector, const SimulatedDevice& device) {
+  Buffers buffers = drawAll(device, vector);
+  for (std::size_t f = 0; f < buffers.size(); ++f) {
+    const raster::Scissor& scissor = vector.faces[f].face.scissor;
+    const int resolution = vector.faces[f].face.resolution;
+    std::vector<Word> target(static_cast<std::size_t>(resolution * resolution),
+                             raster::backgroundWord(vector.list.format));
+    std::vector<Word>& words = buffers[f].words;
+    const auto rowOf = [&](int column, int row) { return target.begin() + row * resolution + column; };
+    for (int row = 0; row < scissor.height; ++row)
+      std::copy_n(words.begin() + row * scissor.width, scissor.width, rowOf(scissor.column, scissor.row + row));
+    for (int row = 0; row < scissor.height; ++row)
+      std::copy_n(rowOf(0, row), scissor.width, words.begin() + row * scissor.width);
+  }
+  return buffers;
+}
+
 std::vector<Injection> viewInjections() {
   const auto flippedRows = [](TestVector& vector) {
     for (reference::VectorFace& face : vector.faces) face.face.y = -face.face.y;
@@ -85,11 +121,23 @@ std::vector<Injection> viewInjections() {
                   }),
           onInput("faces swapped", "five-faces",
                   [](TestVector& vector) { std::swap(vector.faces[2].face, vector.faces[3].face); }),
-          onInput("faces turned", "five-faces", [](TestVector& vector) {
-            raster::Face& top = vector.faces[0].face;
-            const glm::vec3 x = top.x;
-            top.x = -top.y;
-            top.y = x;
+          onInput("faces turned", "five-faces",
+                  [](TestVector& vector) {
+                    raster::Face& top = vector.faces[0].face;
+                    const glm::vec3 x = top.x;
+                    top.x = -top.y;
+                    top.y = x;
+                  }),
+          {"viewport set to the scissor rectangle", "scissors", scissorAsViewport},
+          {"viewport set to the scissor rectangle", "five-faces", scissorAsViewport},
+          onInput("scissor rectangle read back from the wrong corner", "scissors",
+                  [](TestVector& vector) {
+                    for (reference::VectorFace& face : vector.faces)
+                      face.face.scissor.column = face.face.scissor.row = 0;
+                  }),
+          {"scissor rectangle read back from the wrong corner", "scissors", firstPixelsOfTargets},
+          onInput("a face's own eye ignored", "odd-faces", [](TestVector& vector) {
+            for (reference::VectorFace& face : vector.faces) face.face.eye = vector.faces[0].face.eye;
           })};
 }
 
@@ -113,13 +161,22 @@ Buffers multisampled(const TestVector& vector, SimulatedDevice device) {
   return resolved;
 }
 
+void turnTriangles(TestVector& vector) {
+  std::vector<std::uint32_t>& indices = vector.list.indices;
+  for (std::size_t i = 0; i < indices.size(); i += 3) std::swap(indices[i], indices[i + 1]);
+}
+
+/// The second face of the vector is mirrored, and sees triangles turned over.
+Buffers turnedInMirror(const TestVector& vector, const SimulatedDevice& device) {
+  TestVector turned = vector;
+  turnTriangles(turned);
+  return {drawOn(device, vector.list, vector.faces[0].face), drawOn(device, turned.list, vector.faces[1].face)};
+}
+
 std::vector<Injection> sampleInjections() {
   return {onWords("triangles missing", "five-faces", everyWord([](Word) { return 0xffffffffu; })),
-          onInput("front and back exchanged", "backs",
-                  [](TestVector& vector) {
-                    std::vector<std::uint32_t>& indices = vector.list.indices;
-                    for (std::size_t i = 0; i < indices.size(); i += 3) std::swap(indices[i], indices[i + 1]);
-                  }),
+          onInput("front and back exchanged", "backs", turnTriangles),
+          {"front and back exchanged", "backs", turnedInMirror},
           onDevice("wrong fill rule", "sample-grid-later-nearer",
                    [](SimulatedDevice& device) { device.bottomRight = true; }),
           onDevice("sample at the pixel corner", "five-faces",
