@@ -49,7 +49,11 @@ void Staging::commit() {
     }
     std::vector<fs::path> names;
     for (const fs::directory_entry& entry : fs::directory_iterator(staged_)) names.push_back(entry.path().filename());
-    for (const fs::path& name : names) fs::rename(staged_ / name, final_ / name);
+    for (const fs::path& name : names) {
+      // A folder cannot be moved onto one that holds files.
+      if (fs::is_directory(staged_ / name)) fs::remove_all(final_ / name);
+      fs::rename(staged_ / name, final_ / name);
+    }
   } catch (const fs::filesystem_error& error) {
     throw raster::InputError(final_.string(), 0, "the result cannot be put here: " + error.code().message());
   }

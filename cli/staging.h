@@ -19,7 +19,7 @@ class Staging {
 
   /// Where to write the files.
   const std::filesystem::path& folder() const { return staged_; }
-  /// Moves the files to their final names; files of the same names are replaced, others stay.
+  /// Moves the files to their final names; files and folders of the same names are replaced, others stay.
   void commit();
 
  private:

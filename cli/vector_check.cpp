@@ -9,6 +9,7 @@
 #include "cli/staging.h"
 #include "cli/table.h"
 #include "radiosity/write_file.h"
+#include "raster/input_error.h"
 #include "reference/candidate.h"
 #include "reference/minimal_failure.h"
 #include "reference/verdict_picture.h"
@@ -34,6 +35,21 @@ std::vector<fs::path> vectorFolders(const fs::path& folder) {
     if (isVector(entry.path())) folders.push_back(entry.path());
   std::sort(folders.begin(), folders.end());
   return folders.empty() ? std::vector{folder} : folders;
+}
+
+/// Every vector of a suite needs its answer; a backend that is on its way sees at once which are missing.
+void requireAnswers(const std::vector<fs::path>& vectors, const fs::path& candidate) {
+  std::string missing;
+  std::size_t count = 0;
+  for (const fs::path& vector : vectors) {
+    if (fs::is_directory(candidate / vector.filename())) continue;
+    missing += (count++ == 0 ? "" : ", ") + vector.filename().string();
+  }
+  if (count > 0)
+    throw raster::InputError(
+        candidate.string(), 0,
+        "has no folder for " + std::to_string(count) + " of " + std::to_string(vectors.size()) + " vectors: " + missing,
+        "a device answers a suite with a folder a vector; delete those vectors that it cannot draw");
 }
 
 /// Counts by verdict, a row each of what is named.
@@ -69,9 +85,11 @@ void printSuite(const std::vector<reference::Report>& reports, bool asJson) {
     std::cout << reference::toJson(reports);
     return;
   }
-  writeCsv(std::cout, tableOf(
-                          "vector", reports.size(), [&](std::size_t k) { return reports[k].verdict.vector; },
-                          [&](std::size_t k) { return countVerdicts(reports[k].verdict); }));
+  const auto nameAt = [&](std::size_t k) { return k < reports.size() ? reports[k].verdict.vector : "all"; };
+  const auto countsAt = [&](std::size_t k) {
+    return k < reports.size() ? countVerdicts(reports[k].verdict) : countVerdicts(reports);
+  };
+  writeCsv(std::cout, tableOf("vector", reports.size() + 1, nameAt, countsAt));
   for (const reference::Report& report : reports)
     if (!report.errors.empty())
       std::cout << "error in " << report.verdict.vector << ", " << report.errors[0].face << ": "
@@ -94,6 +112,7 @@ void check(const CheckOptions& options, Context& context) {
       options.profile.empty() ? reference::DeviceProfile{} : reference::readProfile(options.profile);
   const std::vector<fs::path> folders = vectorFolders(options.vector);
   const bool isSuite = folders != std::vector{options.vector};
+  if (isSuite) requireAnswers(folders, options.candidate);
   std::vector<reference::TestVector> vectors;
   std::vector<reference::Report> reports;
   for (const fs::path& folder : folders) {

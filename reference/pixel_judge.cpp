@@ -192,7 +192,9 @@ PixelVerdict judgeWord(const Judge& judge, std::span<const DeviceTriangle* const
   for (const Candidate& candidate : candidates) {
     const double nearest = candidate.nearest() + judge.depthTolerance;
     if (nearest < certain || !mayGive(judge, candidate, found)) continue;
-    if (&candidate == expected) return PixelVerdict::Texel;
+    // Of two triangles in one place, rounding may take the wrong one for the rules'; without a texel the other won.
+    const bool hasTexel = judge.list.draws[candidate.triangle->draw].indexMap.has_value();
+    if (&candidate == expected) return hasTexel ? PixelVerdict::Texel : PixelVerdict::Depth;
     const bool passesExpected = candidate.covers && nearest >= expected->farthest();
     if (passesExpected) verdict = PixelVerdict::Depth;
     if (verdict == PixelVerdict::Error) verdict = PixelVerdict::Coverage;

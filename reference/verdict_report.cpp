@@ -108,6 +108,15 @@ Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> fo
   return report;
 }
 
+VerdictCounts countVerdicts(std::span<const Report> reports) {
+  VerdictCounts sums{};
+  for (const Report& report : reports) {
+    const VerdictCounts counts = countVerdicts(report.verdict);
+    for (std::size_t k = 0; k < pixelVerdicts; ++k) sums[k] += counts[k];
+  }
+  return sums;
+}
+
 std::optional<CommonFault> commonFault(std::span<const Report> reports) {
   std::vector<CommonFault> faults;
   std::size_t failures = 0;
@@ -124,6 +133,7 @@ std::optional<CommonFault> commonFault(std::span<const Report> reports) {
   CommonFault common = *std::max_element(
       faults.begin(), faults.end(), [](const CommonFault& a, const CommonFault& b) { return a.vectors < b.vectors; });
   common.failures = failures;
+  if (20 * common.vectors < failures) return {};
   return common;
 }
 
@@ -136,12 +146,8 @@ std::string toJson(const Report& report) { return textOf(jsonOf(report)); }
 
 std::string toJson(std::span<const Report> reports) {
   Json vectors = Json::array();
-  VerdictCounts sums{};
-  for (const Report& report : reports) {
-    vectors.push_back(jsonOf(report));
-    const VerdictCounts counts = countVerdicts(report.verdict);
-    for (std::size_t k = 0; k < pixelVerdicts; ++k) sums[k] += counts[k];
-  }
+  for (const Report& report : reports) vectors.push_back(jsonOf(report));
+  const VerdictCounts sums = countVerdicts(reports);
   Json diagnosis;
   if (const std::optional<CommonFault> common = commonFault(reports)) {
     diagnosis = toJson(common->finding);

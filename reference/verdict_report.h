@@ -22,6 +22,9 @@ struct Report {
 /// The report on what a device drew: judge, firstErrors and diagnose.
 Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile);
 
+/// Over all faces of all vectors.
+VerdictCounts countVerdicts(std::span<const Report> reports);
+
 /// The fault that the most of several failing vectors name; one vector may not tell two faults apart, another does.
 struct CommonFault {
   Finding finding;           ///< of the first vector that names it
@@ -29,7 +32,8 @@ struct CommonFault {
   std::size_t failures = 0;  ///< vectors with errors
 };
 
-/// Of equals the first that is named; nothing where no vector names any.
+/// Of equals the first that is named. Nothing where fewer than one in twenty of the vectors that fail name one: a fault
+/// that is known by chance alone misleads.
 std::optional<CommonFault> commonFault(std::span<const Report> reports);
 
 /// "linear filtering, named by 3 of 4 vectors that fail: set both filters ...".

@@ -608,8 +608,9 @@ TEST_CASE("vector check judges a suite of vectors as one", "[cli]") {
   }
   const std::string check = "vector check suite --candidate device";
   const std::vector<std::string> right = linesOf(shell.output(check));
-  REQUIRE(right.size() == 3);
+  REQUIRE(right.size() == 4);
   CHECK(right[0].substr(0, 13) == "vector,exact,");
+  CHECK(right[3] == "all,1536,0,0,0,0,0");
   CHECK(right[1].substr(0, 8) == "far,768,");  // 16 x 16 pixels, and four times 16 x 8
 
   std::string words = readAll(shell.file("device/near/top.u32"));
@@ -624,9 +625,14 @@ TEST_CASE("vector check judges a suite of vectors as one", "[cli]") {
   CHECK(xml.find("<testsuite name=\"far\" tests=\"5\" failures=\"0\">") != std::string::npos);
   CHECK(xml.find("<testsuite name=\"near\" tests=\"5\" failures=\"1\">") != std::string::npos);
   CHECK(shell.run("vector check small --candidate small/candidate").exitCode == 1);
+  // What is left of an earlier failure gives way to the next.
+  CHECK(shell.run(check + " --minimize small").exitCode == 1);
+  CHECK(shell.run("vector check small --candidate small/candidate").exitCode == 1);
 
   fs::remove_all(shell.file("device/far"));
-  CHECK(shell.run(check).exitCode == 2);
+  const Outcome missing = shell.run(check);
+  CHECK(missing.exitCode == 2);
+  CHECK(missing.err.find("has no folder for 1 of 2 vectors: far;") != std::string::npos);
   fs::create_directory(shell.file("empty"));
   CHECK(shell.run("vector check empty --candidate device").exitCode == 2);
 }

@@ -92,6 +92,12 @@ TEST_CASE("of several vectors the report names the fault that most of those that
   REQUIRE(common);
   CHECK(toText(*common) == "linear filtering, named by 2 of 3 vectors that fail: nearest");
   CHECK_FALSE(reference::commonFault({&reports[1], 1}));
+  // One of twenty counts, one of twenty-one is chance.
+  std::vector<Report> many(20, reports[3]);
+  many[7] = reports[2];
+  CHECK(reference::commonFault(many));
+  many.push_back(reports[3]);
+  CHECK_FALSE(reference::commonFault(many));
 
   const auto json = nlohmann::json::parse(reference::toJson(reports));
   CHECK(json["pass"] == false);

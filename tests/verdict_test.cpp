@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <functional>
 
 #include "reference/pixel_judge.h"
+#include "reference/vector_suite.h"
 #include "tests/simulated_device.h"
 #include "tests/triangle_families.h"
 
@@ -282,4 +284,20 @@ TEST_CASE("one error in the last face of many fails the whole", "[verdict]") {
   CHECK(hasErrors(verdict));
   CHECK(count(countVerdicts(verdict), PixelVerdict::Error) == 1);
   CHECK(count(countVerdicts(verdict), PixelVerdict::Exact) == 511);
+}
+
+TEST_CASE("a triangle without an index map is never explained by a texel", "[verdict]") {
+  // Every triangle lies on others, their corners in another order. A device that lets the later ones win shows words of
+  // equal depth, whichever of them rounding takes for the rules' own.
+  for (const reference::TestVector& vector : reference::vectorSuite()) {
+    if (vector.name != "same-triangle") continue;
+    SimulatedDevice later;
+    later.passes = std::less_equal<double>();
+    std::vector<raster::ItemBuffer> found;
+    for (const reference::VectorFace& face : vector.faces) found.push_back(drawOn(later, vector.list, face.face));
+    const reference::VerdictCounts counts = countVerdicts(judge(vector, found, {}));
+    CHECK(count(counts, PixelVerdict::Depth) > 100);
+    CHECK(count(counts, PixelVerdict::Texel) == 0);
+    CHECK(count(counts, PixelVerdict::Error) == 0);
+  }
 }
