@@ -1,6 +1,8 @@
-/// Faults of words in memory: the order of channels and bytes, the length of rows, and colours that are no numbers.
+/// Faults of words in memory: the order of channels and bytes, lost bits, the length of rows, and colours that are no
+/// numbers.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "reference/fault_themes.h"
@@ -39,6 +41,13 @@ StagedDevice withWords(const WordChange& change) {
     for (Word& word : buffer.words) word = change(word);
   };
   return device;
+}
+
+/// One change wherever words pass.
+std::vector<Variant> withAny(const WordChange& change) {
+  return {{"in words files", withWords(change)},
+          {"in index maps", withTexels(change)},
+          {"in offsets", withOffsets(change)}};
 }
 
 // --- channels ---
@@ -86,6 +95,34 @@ std::vector<Variant> byteOrders(const raster::WordFormat& format) {
   const auto cut = [=](Word word) { return reversed(word) & all; };
   return {
       {"in words files", withWords(reversed)}, {"in index maps", withTexels(cut)}, {"in offsets", withOffsets(cut)}};
+}
+
+// --- numbers and constants ---
+
+/// The nearest number of 24 significant bits; what rounds to 2^32 is held at 2^32 - 1.
+Word throughBinary32(Word word) {
+  return static_cast<Word>(std::min(static_cast<double>(static_cast<float>(word)), 4294967295.0));
+}
+
+/// The fourth channel all ones, or no word at all where there is none.
+std::optional<Word> opaqueBlack(const raster::WordFormat& format) {
+  const std::vector<Channel> channels = colourChannelsOf(format);
+  if (channels.size() < 4) return {};
+  return channels[3].largest() << channels[3].shift;
+}
+
+std::vector<Variant> opaqueAlphas(const raster::WordFormat& format) {
+  const std::optional<Word> alpha = opaqueBlack(format);
+  if (!alpha) return {};
+  return withAny([=](Word word) { return word | *alpha; });
+}
+
+std::vector<Variant> otherBackgrounds(const raster::WordFormat& format) {
+  const Word background = raster::backgroundWord(format);
+  const auto with = [=](Word clear) { return withWords([=](Word word) { return word == background ? clear : word; }); };
+  std::vector<Variant> variants{{"zeros", with(0)}};
+  if (const std::optional<Word> black = opaqueBlack(format)) variants.push_back({"opaque black", with(*black)});
+  return variants;
 }
 
 // --- rows ---
@@ -222,6 +259,11 @@ std::vector<Fault> memoryFaults(const TestVector& vector) {
        swaps(format, withWords)},
       {"byte order", "arrays are little-endian: write and read words with their least significant byte first",
        byteOrders(format)},
+      {"words through binary32", "a binary32 holds 24 bits: pass larger words as integers or as channels",
+       withAny(throughBinary32)},
+      {"alpha forced to opaque", "the fourth channel is a part of the word: ask for formats with alpha, and write it",
+       opaqueAlphas(format)},
+      {"background not cleared", "clear the target to all ones, the background word", otherBackgrounds(format)},
       {"padded rows", "rows follow each other without a gap: set pack and unpack alignment to 1, or copy row by row",
        paddings(format)},
       {"sRGB encoding", "ask for linear formats of textures and target, and turn framebuffer encoding off",

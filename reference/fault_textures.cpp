@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "reference/fault_themes.h"
 
@@ -173,6 +174,15 @@ Variant reordered(const std::string& name, const std::function<glm::dvec2(const 
   return {name, device};
 }
 
+/// Maps whose rows are cut at the wrong length.
+StagedDevice withSizesExchanged() {
+  StagedDevice device;
+  device.upload = [](raster::DrawList& list) {
+    for (IndexMap& map : list.indexMaps) std::swap(map.width, map.height);
+  };
+  return device;
+}
+
 }  // namespace
 
 std::vector<Fault> textureFaults(const TestVector& vector) {
@@ -200,6 +210,9 @@ std::vector<Fault> textureFaults(const TestVector& vector) {
              reordered("", [](const IndexMap& map,
                               const glm::dvec2& texel) { return glm::dvec2(map.width - 1 - texel.x, texel.y); })
                  .device}}},
+          {"width and height of the index map exchanged",
+           "a map is `height` rows of `width` words: look at the size of the upload",
+           {{"", withSizesExchanged()}}},
           {"index map not sampled",
            "texel 0 everywhere: an incomplete texture, or one that is not bound, reads as zero",
            {{"", withFetch([](const IndexMap&, const Lookup&) { return Word{0}; })}}}};

@@ -5,11 +5,10 @@
 
 namespace hemitex::reference {
 
-std::vector<Fault> viewFaults(
-    const TestVector& vector);  ///< flipped, exchanged, turned and misplaced faces and pictures
+std::vector<Fault> viewFaults(const TestVector& vector);     ///< flipped, exchanged, turned, moved views and pictures
 std::vector<Fault> sampleFaults(const TestVector& vector);   ///< facing, coverage and depth
 std::vector<Fault> textureFaults(const TestVector& vector);  ///< how index maps are looked up
 std::vector<Fault> blendFaults(const TestVector& vector);    ///< offsets, and how they meet texels and the target
-std::vector<Fault> memoryFaults(const TestVector& vector);   ///< words in memory: channels, bytes, rows, colours
+std::vector<Fault> memoryFaults(const TestVector& vector);   ///< words in memory: channels, bytes, bits, rows, colours
 
 }  // namespace hemitex::reference

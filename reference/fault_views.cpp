@@ -124,6 +124,17 @@ StagedDevice withPicture(bool reversedRows) {
   return device;
 }
 
+/// Words files column by column.
+StagedDevice withColumnsFirst() {
+  StagedDevice device;
+  device.readBack = [](const Face&, raster::ItemBuffer& buffer) {
+    const std::vector<raster::Word> rows = buffer.words;
+    const auto width = static_cast<std::size_t>(buffer.width), height = static_cast<std::size_t>(buffer.height);
+    for (std::size_t k = 0; k < rows.size(); ++k) buffer.words[k] = rows[k % height * width + k / height];
+  };
+  return device;
+}
+
 }  // namespace
 
 std::vector<Fault> viewFaults(const TestVector& vector) {
@@ -138,6 +149,9 @@ std::vector<Fault> viewFaults(const TestVector& vector) {
           {"picture mirrored",
            "write column 0 first in every row: look at how rows are read back",
            {{"", withPicture(false)}}},
+          {"picture transposed",
+           "write row by row: look at the order of rows and columns where words are read back",
+           {{"", withColumnsFirst()}}},
           {"faces swapped", "draw each face with its own rows X, Y, W and write it into its own words file",
            reorderings(vector.faces)},
           {"faces turned", "take X as right and Y as the direction of rows for each face: no face shares them",

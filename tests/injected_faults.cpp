@@ -1,6 +1,7 @@
 #include "tests/injected_faults.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace hemitex::tests {
@@ -119,6 +120,13 @@ std::vector<Injection> viewInjections() {
                     for (std::size_t p = 0; p < words.size(); ++p)
                       if (p % width < width / 2) std::swap(words[p], words[p / width * width + width - 1 - p % width]);
                   }),
+          onWords("picture transposed", "five-faces",
+                  [](std::vector<Word>& words, std::size_t width) {
+                    std::vector<Word> columns;
+                    for (std::size_t column = 0; column < width; ++column)
+                      for (std::size_t p = column; p < words.size(); p += width) columns.push_back(words[p]);
+                    words = columns;
+                  }),
           onInput("faces swapped", "five-faces",
                   [](TestVector& vector) { std::swap(vector.faces[2].face, vector.faces[3].face); }),
           onInput("faces turned", "five-faces",
@@ -232,6 +240,10 @@ std::vector<Injection> textureInjections() {
     const auto cut = [](double texel, int size) { return std::floor(texel / size * 256) / 256 * size; };
     return texelOf(map, cut(at.x, map.width), cut(at.y, map.height));
   };
+  const auto cutAtHeight = [](const raster::IndexMap& map, const glm::dvec2& at) {
+    const raster::IndexMap cut{map.height, map.width, map.words};
+    return texelOf(cut, at.x / map.width * cut.width, at.y / map.height * cut.height);
+  };
   return {onDevice("affine instead of perspective interpolation", "perspective-twist",
                    [](SimulatedDevice& device) { device.affine = true; }),
           onDevice("linear filtering", "five-faces", fetching(bilinear)),
@@ -244,6 +256,7 @@ std::vector<Injection> textureInjections() {
                     raster::IndexMap& map = vector.list.indexMaps[0];
                     for (std::size_t p = 0; p < 5; ++p) std::swap(map.words[p], map.words[p + 10]);
                   }),
+          onDevice("width and height of the index map exchanged", "rectangular-map", fetching(cutAtHeight)),
           onDevice("index map not sampled", "five-faces",
                    fetching([](const raster::IndexMap&, const glm::dvec2&) { return Word{0}; }))};
 }
@@ -310,6 +323,12 @@ Word encoded(Word word) {
   return channel(0) | channel(8) | channel(16) | (word & 0xff000000);
 }
 
+/// 24 significant bits.
+Word throughBinary32(Word word) {
+  const double unit = std::ldexp(1.0, std::max(0, static_cast<int>(std::bit_width(word)) - 24));
+  return static_cast<Word>(std::min(std::nearbyint(word / unit) * unit, 4294967295.0));
+}
+
 std::vector<Injection> memoryInjections() {
   const std::string layout = "layout-r8g8b8a8";
   return {onInput("channels swapped in the texture (BGRA)", layout,
@@ -323,6 +342,10 @@ std::vector<Injection> memoryInjections() {
           onWords("channels swapped in the target (BGRA)", layout, everyWord(bgra)),
           onWords("byte order", layout,
                   everyWord([](Word w) { return w >> 24 | (w >> 8 & 0xff00) | (w << 8 & 0xff0000) | w << 24; })),
+          onWords("words through binary32", layout, everyWord(throughBinary32)),
+          onWords("alpha forced to opaque", layout, everyWord([](Word w) { return w | 0xff000000; })),
+          onWords("background not cleared", "five-faces", everyWord([](Word w) { return w == 0xffffffff ? 0 : w; })),
+          onWords("background not cleared", layout, everyWord([](Word w) { return w == 0xffffffff ? 0xff000000 : w; })),
           onWords("padded rows", "rectangular-map",
                   [](std::vector<Word>& words, std::size_t width) {
                     std::vector<Word> padded;  // 42 words a row, padded to 48: 3 times 64 bytes
