@@ -78,7 +78,8 @@ void explain(const std::filesystem::path& folder, const Pixel& pixel, const Cont
   const auto derivation = reference::derive(vector.list, face, pixel.column, pixel.row);
   const auto fragments = reference::fragmentsAt(vector.list, face, pixel.column, pixel.row);
   const raster::Word word = derivation ? derivation->word : raster::backgroundWord(vector.list.format);
-  const std::string origin = toText(reference::originOf(vector.list, word));
+  const auto draw = derivation ? std::optional(fragments.front().draw) : std::nullopt;
+  const std::string origin = toText(reference::originOf(vector.list, word, draw));
   if (context.json) {
     std::cout << toText({{"face", pixel.face},
                          {"column", pixel.column},

@@ -39,7 +39,8 @@ ErrorPixel errorAt(const raster::DrawList& list, const VectorFace& face, int col
   const std::vector<Fragment> fragments = fragmentsAt(list, face.face, column, row);
   const std::optional<Fragment> visible = fragments.empty() ? std::nullopt : std::optional(fragments.front());
   const raster::Word expected = visible ? visible->word : raster::backgroundWord(list.format);
-  const WordOrigin expectedOrigin = originOf(list, expected), foundOrigin = originOf(list, found);
+  const std::optional<std::uint32_t> draw = visible ? std::optional(visible->draw) : std::nullopt;
+  const WordOrigin expectedOrigin = originOf(list, expected, draw), foundOrigin = originOf(list, found, draw);
   const ErrorKind kind = kindOf(list, visible, foundOrigin);
   return {face.name, column, row, kind, expected, found, expectedOrigin, foundOrigin, visible};
 }

@@ -51,9 +51,11 @@ std::optional<WordOrigin> originIn(const raster::DrawList& list, const std::vect
 
 }  // namespace
 
-WordOrigin originOf(const raster::DrawList& list, Word word) {
+WordOrigin originOf(const raster::DrawList& list, Word word, std::optional<std::uint32_t> likely) {
   if (word == raster::backgroundWord(list.format)) return {WordOrigin::Kind::Background, 0, {}};
   const std::vector<TexelIndex> maps(list.indexMaps.begin(), list.indexMaps.end());
+  if (likely)
+    if (const auto origin = originIn(list, maps, *likely, word)) return *origin;
   for (std::uint32_t draw = 0; draw < list.draws.size(); ++draw)
     if (const auto origin = originIn(list, maps, draw, word)) return *origin;
   return {};

@@ -26,3 +26,17 @@ TEST_CASE("an error is named by what the device shows in place of what", "[verdi
   CHECK(kindAt(1, 1, 0x110) == ErrorKind::ForeignWord);
   CHECK(kindAt(7, 1, 0x110) == ErrorKind::ForeignWord);
 }
+
+TEST_CASE("where several draws give a word, the one that is visible there is meant", "[verdict]") {
+  // Draw 1 gives the words of draw 0, and lies before it.
+  JudgedWall wall;
+  raster::DrawList& list = wall.vector.list;
+  tests::addDraw(list, 0x100, {}, 0);
+  tests::addTriangle(list, {{-0.5, -0.5, 0.5}, {0.5, -0.5, 0.5}, {-0.5, 0.5, 0.5}}, {{0, 0}, {1, 0}, {0, 1}});
+  const reference::ErrorPixel error = errorAt(list, wall.vector.faces[0], 1, 1, 0x10f);
+  REQUIRE(error.visible);
+  CHECK(error.visible->draw == 1);
+  CHECK(error.expectedOrigin.draw == 1);
+  CHECK(error.foundOrigin.draw == 1);
+  CHECK(error.kind == ErrorKind::WrongElement);
+}
