@@ -126,20 +126,15 @@ void addExport(CLI::App& parent, Context& context) {
       [options, &context] { context.command = [options, &context] { exportVector(*options, context); }; });
 }
 
-Device deviceOption(const std::string& name) {
-  if (name == "software") return Device::Software;
-  if (name == "opengl") return Device::OpenGl;
-  if (name == "opengl-fixed-function") return Device::OpenGlFixedFunction;
-  throw CLI::ValidationError("--device", "`" + name + "` is not software, opengl or opengl-fixed-function");
-}
-
 void addRenderVector(CLI::App& parent, Context& context) {
   const auto options = std::make_shared<RenderOptions>();
   CLI::App* command = parent.add_subcommand("render", "Draw a test vector: its words and their hashes");
   command->add_option("DIR", options->input, "folder of the vector")->required();
-  const auto readDevice = [options](const std::string& name) { options->device = deviceOption(name); };
-  command->add_option_function<std::string>("--device", readDevice, "what draws it (default: software, by the rules)")
-      ->type_name("software|opengl|opengl-fixed-function");
+  addChoice<Device>(*command, "--device", options->device,
+                    {{"software", Device::Software},
+                     {"opengl", Device::OpenGl},
+                     {"opengl-fixed-function", Device::OpenGlFixedFunction}},
+                    "what draws it (default software, by the rules)");
   addStages(*command, options->stages);
   addOutput(*command, options->output, "folder for the vector with its words; may be the same");
   command->callback(

@@ -7,22 +7,13 @@
 #include <map>
 #include <utility>
 
+#include "reference/fragments.h"
+
 namespace hemitex::reference {
 namespace {
 
-/// A triangle of a draw; draws may share indices, so a triangle alone is not enough.
-struct DrawnTriangle {
-  std::uint32_t draw;
-  std::uint32_t triangle;
-};
+/// Draws may share indices, so a triangle alone is not enough.
 using DrawnTriangles = std::vector<DrawnTriangle>;
-
-DrawnTriangles allTriangles(const raster::DrawList& list) {
-  DrawnTriangles triangles;
-  for (std::uint32_t d = 0; d < list.draws.size(); ++d)
-    for (std::uint32_t i = 0; i < list.draws[d].count; i += 3) triangles.push_back({d, (list.draws[d].first + i) / 3});
-  return triangles;
-}
 
 /// New numbers for the few of many that are still in use, in the order of their first use.
 class Renumbering {
@@ -161,7 +152,7 @@ MinimalFailure minimize(const TestVector& vector, const Verdict& verdict, const 
   std::erase_if(failures, [=](const Failure& failure) { return failure.kind != kind; });
   failures.resize(std::min(failures.size(), attempts));
 
-  const DrawnTriangles all = allTriangles(vector.list);
+  const DrawnTriangles all = drawnTriangles(vector.list);
   const Failure* best = nullptr;
   DrawnTriangles fewest;
   for (const Failure& failure : failures) {
