@@ -6,8 +6,8 @@
 #include <numeric>
 #include <random>
 
-#include "raster/software_renderer.h"
 #include "tests/box_scene.h"
+#include "tests/hemicube_world.h"
 
 using namespace hemitex;
 using namespace hemitex::radiosity;
@@ -31,20 +31,7 @@ double pixel(const Corner& corner, double x0, double x1, double y0, double y1) {
   return corner(x1, y1) - corner(x0, y1) - corner(x1, y0) + corner(x0, y0);
 }
 
-struct World {
-  Scene scene;
-  Discretization discretization;
-  WordLayout layout;
-  raster::SoftwareRenderer renderer;
-
-  World(Scene s, int texels, int patch)
-      : scene(std::move(s)),
-        discretization(discretize(scene, {.texels = texels, .patch = patch})),
-        layout(layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true)),
-        renderer(makeDrawList(scene, discretization, layout)) {}
-
-  HemicubeRows rows(int resolution) { return {scene, discretization, layout, renderer, resolution}; }
-};
+using World = tests::HemicubeWorld;
 
 std::uint64_t sum(const FormFactorRow& row) {
   return std::accumulate(row.shares.begin(), row.shares.end(), row.background + row.back);

@@ -1,0 +1,26 @@
+/// A discretized scene with all that hemicubes are drawn with.
+#pragma once
+
+#include <utility>
+
+#include "radiosity/hemicube.h"
+#include "raster/software_renderer.h"
+
+namespace hemitex::tests {
+
+struct HemicubeWorld {
+  radiosity::Scene scene;
+  radiosity::Discretization discretization;
+  radiosity::WordLayout layout;
+  raster::SoftwareRenderer renderer;
+
+  HemicubeWorld(radiosity::Scene s, int texels, int patch)
+      : scene(std::move(s)),
+        discretization(radiosity::discretize(scene, {.texels = texels, .patch = patch})),
+        layout(radiosity::layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true)),
+        renderer(radiosity::makeDrawList(scene, discretization, layout)) {}
+
+  radiosity::HemicubeRows rows(int resolution) { return {scene, discretization, layout, renderer, resolution}; }
+};
+
+}  // namespace hemitex::tests
