@@ -29,7 +29,28 @@ RadiosityError errorOfRange(const radiosity::Discretization& discretization, std
   return {missed / flux, std::sqrt(squares / area) / mean, largest / mean};
 }
 
+/// The element of a grid at the centre of a texel of another grid over the same chart.
+std::uint32_t elementAtCentre(const radiosity::Grid& grid, const radiosity::Grid& other, std::uint32_t texel) {
+  const auto along = [](std::uint32_t index, int count, int otherCount) {
+    return (2 * index + 1) * static_cast<std::uint32_t>(count) / (2 * static_cast<std::uint32_t>(otherCount));
+  };
+  const auto otherColumns = static_cast<std::uint32_t>(other.columns);
+  const std::uint32_t column = along(texel % otherColumns, grid.columns, other.columns);
+  const std::uint32_t row = along(texel / otherColumns, grid.rows, other.rows);
+  return grid.spill[row * static_cast<std::uint32_t>(grid.columns) + column];
+}
+
 }  // namespace
+
+std::vector<glm::dvec3> onOtherGrids(const radiosity::Discretization& discretization,
+                                     std::span<const glm::dvec3> radiosity, const radiosity::Discretization& other) {
+  assert(radiosity.size() == discretization.elements.size() && discretization.grids.size() == other.grids.size());
+  std::vector<glm::dvec3> result;
+  for (const radiosity::Element& element : other.elements)
+    result.push_back(
+        radiosity[elementAtCentre(discretization.grids[element.surface], other.grids[element.surface], element.texel)]);
+  return result;
+}
 
 RadiosityError errorOf(const radiosity::Discretization& discretization, std::span<const glm::dvec3> found,
                        std::span<const glm::dvec3> truth) {

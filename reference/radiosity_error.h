@@ -16,6 +16,13 @@ struct RadiosityError {
   double maximum = 0;       ///< the largest |b - truth| of an element, over the area's mean of truth
 };
 
+/// A solution on one discretization as the elements of another one of the same scene see it: each has the radiosity of
+/// the element that the centre of its own texel lies in. Where the fine grids divide the coarse ones and no texels have
+/// merged that is the solution itself, so comparing it with a truth on fine grids also counts what pieces of constant
+/// radiosity cannot show.
+std::vector<glm::dvec3> onOtherGrids(const radiosity::Discretization& discretization,
+                                     std::span<const glm::dvec3> radiosity, const radiosity::Discretization& other);
+
 /// Of all elements. Both hold a radiosity an element.
 RadiosityError errorOf(const radiosity::Discretization& discretization, std::span<const glm::dvec3> found,
                        std::span<const glm::dvec3> truth);
