@@ -44,7 +44,7 @@ RowMethod methodOf(const FormFactorOptions& options, const radiosity::Scene& sce
 nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
   if (options.method == "rays")
     return {{"method", options.method}, {"samples", options.rays.samples}, {"aimed", options.rays.aimed}};
-  if (options.method == "analytic") return {{"method", options.method}};
+  if (options.method == "analytic") return {{"method", options.method}, {"blockers_ignored", true}};
   return {{"method", options.method}, {"resolution", options.resolution}};
 }
 
@@ -201,8 +201,10 @@ void addFormFactors(CLI::App& program, Context& context) {
                     "rays: aim at each receiver, from closed forms, instead of all over the hemisphere; slow for many");
   addDiscretizationOptions(*command, options->discretization);
   addWordOptions(*command, options->word);
-  command->callback([options, &context] {
+  command->callback([options, command, &context] {
     if (options->from.empty() && !options->all) throw CLI::RequiredError("--from, or --all --by-surface,");
+    if (options->method != "hemicube") refuseUnused(*command, hemicubeOptions(), options->method);
+    if (options->method != "rays") refuseUnused(*command, {"--samples", "--aimed"}, options->method);
     context.command = [options, &context] { print(*options, context); };
   });
 }

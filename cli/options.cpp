@@ -112,6 +112,14 @@ CLI::Option* addResolution(CLI::App& app, int& resolution) {
       ->type_name("R");
 }
 
+std::vector<std::string> hemicubeOptions() { return {"--resolution", "--format", "--blend", "--no-align"}; }
+
+void refuseUnused(const CLI::App& app, const std::vector<std::string>& options, const std::string& method) {
+  for (const std::string& option : options)
+    if (app.get_option(option)->count() > 0)
+      throw CLI::ValidationError(option, "has no use with --method " + method + "; leave one of them out");
+}
+
 CLI::Option* addOutput(CLI::App& app, std::filesystem::path& output, const std::string& help) {
   return app.add_option("-o,--output", output, help)->required();
 }

@@ -107,6 +107,11 @@ radiosity::WordLayout layoutOf(const WordOptions& options, const radiosity::Disc
 /// `--resolution`: the side of a hemicube in pixels, even, 2 to 4096.
 CLI::Option* addResolution(CLI::App& app, int& resolution);
 
+/// What hemicubes are drawn with: `--resolution` and the options of words.
+std::vector<std::string> hemicubeOptions();
+/// Throws CLI::ValidationError where one of the options was given though a method has no use for it.
+void refuseUnused(const CLI::App& app, const std::vector<std::string>& options, const std::string& method);
+
 /// `-o`, required.
 CLI::Option* addOutput(CLI::App& app, std::filesystem::path& output, const std::string& help);
 

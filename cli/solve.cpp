@@ -1,5 +1,6 @@
 /// `hemitex solve`: progressive radiosity. An OBJ scene goes in; a folder comes out that holds the lit scene for any
 /// viewer of OBJ files, a picture of it, and the numbers.
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -19,6 +20,7 @@
 #include "radiosity/solver.h"
 #include "radiosity/write_file.h"
 #include "raster/software_renderer.h"
+#include "reference/ray_rows.h"
 
 namespace hemitex::cli {
 namespace {
@@ -31,11 +33,14 @@ struct SolveOptions {
   std::string discretize = "texture";
   int resolution = 256;
   std::string method = "hemicube";
+  int samples = 1 << 16;
   WordOptions word;
   radiosity::SolverSettings solver;
   CameraOptions camera;
   std::filesystem::path output;
 };
+
+bool usesRays(const SolveOptions& options) { return options.method == "rays"; }
 
 /// Seconds that the parts of a run took.
 class Stopwatch {
@@ -67,8 +72,9 @@ ordered_json settingsJson(const SolveOptions& options, const radiosity::Camera& 
           {"surface_texels", options.discretization.surfaceTexels},
           {"patch", options.discretization.patch},
           {"discretize", options.discretize},
-          {"resolution", options.resolution},
+          {"resolution", usesRays(options) ? ordered_json() : ordered_json(options.resolution)},
           {"method", options.method},
+          {"samples", usesRays(options) ? ordered_json(options.samples) : ordered_json()},
           {"format", options.word.format},
           {"blend", options.word.blend == raster::Blend::ClampedAdd ? "clamped-add" : "integer-add"},
           {"align", !options.word.unaligned},
@@ -101,11 +107,20 @@ std::string summary(const ordered_json& description) {
 radiosity::Solution solutionOf(const SolveOptions& options, const radiosity::Scene& scene,
                                const radiosity::Discretization& discretization, const radiosity::WordLayout& layout,
                                Console& console) {
-  raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));
-  radiosity::HemicubeRows rows(scene, discretization, layout, renderer, options.resolution);
-  const auto rowOf = [&rows](std::uint32_t patch) { return rows.ofPatch(patch); };
-  radiosity::Solution solution =
-      radiosity::solve(scene, discretization, rowOf, options.solver, progressOf(options.solver, console));
+  const auto solveBy = [&](auto& rows) {
+    const auto rowOf = [&rows](std::uint32_t patch) { return rows.ofPatch(patch); };
+    return radiosity::solve(scene, discretization, rowOf, options.solver, progressOf(options.solver, console));
+  };
+  const auto byRays = [&] {
+    reference::RayRows rows(scene, discretization, {.rays = options.samples, .start = reference::RayStart::Area});
+    return solveBy(rows);
+  };
+  const auto byHemicubes = [&] {
+    raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));
+    radiosity::HemicubeRows rows(scene, discretization, layout, renderer, options.resolution);
+    return solveBy(rows);
+  };
+  radiosity::Solution solution = usesRays(options) ? byRays() : byHemicubes();
   console.endProgress();
   console.warnings(solution.warnings);
   return solution;
@@ -148,6 +163,19 @@ void solve(const SolveOptions& options, Context& context) {
   std::cout << (context.json ? text : summary(description));
 }
 
+/// `--samples`: a power of two, so that every ray is a whole share of the light.
+void addSamples(CLI::App& app, int& samples) {
+  const auto read = [&samples](const std::string& text) {
+    const int value = integerOption("--samples", text, 64, 1 << 24);
+    if (!std::has_single_bit(static_cast<unsigned>(value)))
+      throw CLI::ValidationError("--samples", "`" + text + "` is not a power of two");
+    samples = value;
+  };
+  app.add_option_function<std::string>("--samples", read,
+                                       "rays a patch, spread over it; a power of two (default 65536)")
+      ->type_name("N");
+}
+
 }  // namespace
 
 void addSolve(CLI::App& program, Context& context) {
@@ -158,9 +186,11 @@ void addSolve(CLI::App& program, Context& context) {
   addDiscretizationOptions(*command, options->discretization);
   addChoice<std::string>(*command, "--discretize", options->discretize, {{"texture", "texture"}},
                          "what makes elements (default texture)");
-  addChoice<std::string>(*command, "--method", options->method, {{"hemicube", "hemicube"}},
-                         "what finds form factors (default hemicube)");
+  addChoice<std::string>(
+      *command, "--method", options->method, {{"hemicube", "hemicube"}, {"rays", "rays"}},
+      "what finds form factors (default hemicube); what rays find differs between machines in the last digits");
   addResolution(*command, options->resolution);
+  addSamples(*command, options->samples);
   addWordOptions(*command, options->word);
   CLI::Option* residual =
       addPositive(*command, "--residual", options->solver.residual, std::numeric_limits<double>::infinity(),
@@ -174,7 +204,11 @@ void addSolve(CLI::App& program, Context& context) {
   command->add_option_function<std::string>("--row-cache", readCache, "rows kept for later shots (default 1024)")
       ->type_name("MIB");
   addCameraOptions(*command, options->camera);
-  command->callback([options, &context] { context.command = [options, &context] { solve(*options, context); }; });
+  command->callback([options, command, &context] {
+    refuseUnused(*command, usesRays(*options) ? hemicubeOptions() : std::vector<std::string>{"--samples"},
+                 options->method);
+    context.command = [options, &context] { solve(*options, context); };
+  });
 }
 
 }  // namespace hemitex::cli

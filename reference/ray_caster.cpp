@@ -1,14 +1,12 @@
 #include "reference/ray_caster.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <future>
 #include <limits>
-#include <stdexcept>
 #include <vector>
+
+#include "reference/embree_tree.h"
 
 namespace hemitex::reference {
 namespace {
@@ -92,36 +90,16 @@ std::vector<Target> targetsOf(const radiosity::Scene& scene) {
   return targets;
 }
 
-/// Embree's objects are counted by hand.
-struct Release {
-  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-};
-
-struct Tree {
-  std::unique_ptr<RTCDeviceTy, Release> device;
-  std::unique_ptr<RTCSceneTy, Release> scene;
-};
-
 /// The tree asks for the targets as long as it lives.
-Tree treeOver(std::vector<Target>& targets) {
-  Tree tree;
-  tree.device.reset(rtcNewDevice(nullptr));
-  if (!tree.device) throw std::runtime_error("Embree does not run on this machine");
-  tree.scene.reset(rtcNewScene(tree.device.get()));
-  rtcSetSceneFlags(tree.scene.get(), RTC_SCENE_FLAG_ROBUST);
-  RTCGeometry geometry = rtcNewGeometry(tree.device.get(), RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(targets.size()));
-  rtcSetGeometryUserData(geometry, targets.data());
-  rtcSetGeometryBoundsFunction(geometry, giveBounds, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, ask);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(tree.scene.get(), geometry);
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(tree.scene.get());
-  if (rtcGetDeviceError(tree.device.get()) != RTC_ERROR_NONE)
-    throw std::runtime_error("Embree cannot build its tree over the scene");
-  return tree;
+EmbreeTree treeOver(std::vector<Target>& targets) {
+  return embreeTree([&targets](RTCDevice device) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(targets.size()));
+    rtcSetGeometryUserData(geometry, targets.data());
+    rtcSetGeometryBoundsFunction(geometry, giveBounds, nullptr);
+    rtcSetGeometryIntersectFunction(geometry, ask);
+    return geometry;
+  });
 }
 
 }  // namespace
@@ -137,14 +115,11 @@ std::array<glm::dvec3, 3> inFrame(const radiosity::Scene& scene, const radiosity
 
 struct RayCaster::Implementation {
   std::vector<Target> targets;
-  Tree tree;
+  EmbreeTree tree;
 };
 
-/// Embree builds its tree in tasks that flush subnormal numbers to 0, and oneTBB hands that mode on to every later loop
-/// of the thread that called. So a thread of its own calls.
 RayCaster::RayCaster(const radiosity::Scene& scene) : implementation_(new Implementation{targetsOf(scene), {}}) {
-  Implementation& our = *implementation_;
-  our.tree = std::async(std::launch::async, [&our] { return treeOver(our.targets); }).get();
+  implementation_->tree = treeOver(implementation_->targets);
 }
 
 RayCaster::~RayCaster() = default;

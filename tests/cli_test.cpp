@@ -137,20 +137,27 @@ TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind"
       "solve room.obj -o out --residual 0.1x", "solve room.obj -o out --shots -1",
       "solve room.obj -o out --shots 3 --residual 0.1", "solve room.obj -o out --threads -1",
       "solve room.obj -o out --format r9g9b9", "solve room.obj -o out --blend add",
-      "solve room.obj -o out --method rays", "solve room.obj -o out --charts none",
-      "solve room.obj -o out --max-reflectance 1", "solve room.obj -o out --surface floor",
-      "solve room.obj -o out --surface =4", "solve room.obj -o out --surface floor=0",
-      "solve room.obj -o out --surface flor=4", "solve room.obj -o out --eye 1,2",
-      "solve room.obj -o out --eye 1,2,3,4", "solve room.obj -o out --eye 1,2,x", "solve room.obj -o out --eye 1,2,nan",
-      "solve room.obj -o out --fov 180", "solve room.obj -o out --size 40", "solve room.obj -o out --size 0x30",
-      "solve room.obj -o out --size 4000x30", "solve room.obj -o out --exposure 0",
+      "solve room.obj -o out --method guess", "solve room.obj -o out --samples 1024",
+      "solve room.obj -o out --method rays --samples 63", "solve room.obj -o out --method rays --samples 96",
+      "solve room.obj -o out --method rays --resolution 64", "solve room.obj -o out --method rays --format r5g6b5",
+      "solve room.obj -o out --charts none", "solve room.obj -o out --max-reflectance 1",
+      "solve room.obj -o out --surface floor", "solve room.obj -o out --surface =4",
+      "solve room.obj -o out --surface floor=0", "solve room.obj -o out --surface flor=4",
+      "solve room.obj -o out --eye 1,2", "solve room.obj -o out --eye 1,2,3,4", "solve room.obj -o out --eye 1,2,x",
+      "solve room.obj -o out --eye 1,2,nan", "solve room.obj -o out --fov 180", "solve room.obj -o out --size 40",
+      "solve room.obj -o out --size 0x30", "solve room.obj -o out --size 4000x30", "solve room.obj -o out --exposure 0",
       "solve room.obj -o out --eye 0,0,0 --look-at 0,0,0", "solve room.obj -o out -q -v", "solve room.obj -o room.obj",
       "solve room.obj -o /proc/none/out", "render room.obj", "render room.obj -o picture.jpg",
       "render room.obj -o out.png --show nothing", "render room.obj -o room.mtl/picture.png", "formfactors room.obj",
       "formfactors room.obj --all", "formfactors room.obj --from floor --all --by-surface",
       "formfactors room.obj --from flor", "formfactors room.obj --from floor:16,0",
       "formfactors room.obj --from floor:0,-1", "formfactors room.obj --from floor --method guess",
-      "formfactors room.obj --from floor --method rays --samples 63", "formfactors room.obj --from floor --smooth",
+      "formfactors room.obj --from floor --method rays --samples 63",
+      "formfactors room.obj --from floor --samples 1024", "formfactors room.obj --from floor --aimed",
+      "formfactors room.obj --from floor --method analytic --aimed",
+      "formfactors room.obj --from floor --method rays --resolution 64",
+      "formfactors room.obj --from floor --method analytic --resolution 64",
+      "formfactors room.obj --from floor --method rays --no-align", "formfactors room.obj --from floor --smooth",
       "vector", "vector export room.obj -o out", "vector export room.obj -o out --eye 0,0,0 --normal 0,0,0",
       "vector render room.obj -o out", "vector render no-such-folder -o out");
   const Shell shell;
@@ -226,6 +233,29 @@ TEST_CASE("A solved folder holds what is promised", "[cli]") {
   }
 }
 
+TEST_CASE("A solution by rays is that by hemicubes, but for what both miss", "[cli]") {
+  // Rays start all over a patch, a hemicube stands on its centre, which from beside an edge is 1 % of the light off.
+  const Shell shell;
+  const std::string settings = "solve room.obj --texels 4 --patch 1 --size 40x30 --json ";
+  const json rays = json::parse(shell.output(settings + "--method rays --samples 16384 -o rays"));
+  const json hemicubes = json::parse(shell.output(settings + "--resolution 256 -o hemicubes"));
+  CHECK(rays["settings"]["method"] == "rays");
+  CHECK(rays["settings"]["samples"] == 16384);
+  CHECK(rays["settings"]["resolution"].is_null());
+  CHECK(hemicubes["settings"]["samples"].is_null());
+  CHECK(rays["energy"]["lost"] == json({0, 0, 0}));
+  const auto byRays = linesOf(readAll(shell.file("rays/elements.csv"))),
+             byHemicubes = linesOf(readAll(shell.file("hemicubes/elements.csv")));
+  REQUIRE(byRays.size() == byHemicubes.size());
+  double difference = 0, whole = 0;
+  for (std::size_t i = 1; i < byRays.size(); ++i) {
+    difference += std::abs(lastNumber(byRays[i]) - lastNumber(byHemicubes[i]));
+    whole += lastNumber(byHemicubes[i]);
+  }
+  CHECK(difference < 0.015 * whole);
+  CHECK(shell.output("solve --help").find("differs between machines") != std::string::npos);
+}
+
 TEST_CASE("With --json stdout holds one object and nothing else", "[cli]") {
   const Shell shell;
   json solution = json::parse(shell.output(quickSolve + "-o out --json"));
@@ -253,10 +283,13 @@ TEST_CASE("Every output but timings is the same bytes for any number of threads"
     shell.output("render out/scene.obj --size 40x30 -o out/again.png" + limit);
     shell.output("formfactors room.obj --from floor --resolution 32 >out/row.csv" + limit);
     shell.output("formfactors room.obj --from floor --method rays --samples 1024 >out/rays.csv" + limit);
+    shell.output("solve room.obj --method rays --samples 1024 --texels 4 --size 40x30 -o rays" + limit);
     auto files = shell.files();
-    json solution = json::parse(files.at("out/solution.json"));
-    solution.erase("times");
-    files["out/solution.json"] = solution.dump();
+    for (const char* name : {"out/solution.json", "rays/solution.json"}) {
+      json solution = json::parse(files.at(name));
+      solution.erase("times");
+      files[name] = solution.dump();
+    }
     return files;
   };
   const auto one = solved(1);
@@ -378,6 +411,8 @@ TEST_CASE("Analytic form factors are the closed forms', and say that blockers ar
     INFO(lines[i]);
     CHECK(lastNumber(lines[i]) == Approx(exact).epsilon(1e-9));
   }
+  const json row = json::parse(shell.output("formfactors room.obj --from floor --method analytic --texels 1 --json"));
+  CHECK(row["blockers_ignored"] == true);
   for (const char* from : {"floor", "floor:1,2"}) {
     const auto elements =
         linesOf(shell.output("formfactors room.obj --texels 4 --method analytic --from " + std::string(from)));

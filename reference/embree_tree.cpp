@@ -1,0 +1,33 @@
+#include "reference/embree_tree.h"
+
+#include <future>
+#include <stdexcept>
+
+namespace hemitex::reference {
+namespace {
+
+EmbreeTree build(const std::function<RTCGeometry(RTCDevice)>& make) {
+  EmbreeTree tree;
+  tree.device.reset(rtcNewDevice(nullptr));
+  if (!tree.device) throw std::runtime_error("Embree does not run on this machine");
+  tree.scene.reset(rtcNewScene(tree.device.get()));
+  rtcSetSceneFlags(tree.scene.get(), RTC_SCENE_FLAG_ROBUST);
+  RTCGeometry geometry = make(tree.device.get());
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(tree.scene.get(), geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(tree.scene.get());
+  if (rtcGetDeviceError(tree.device.get()) != RTC_ERROR_NONE)
+    throw std::runtime_error("Embree cannot build its tree over the scene");
+  return tree;
+}
+
+}  // namespace
+
+/// Embree builds in tasks that flush subnormal numbers to 0, and oneTBB hands that mode on to every later loop of the
+/// thread that called. So a thread of its own calls.
+EmbreeTree embreeTree(const std::function<RTCGeometry(RTCDevice)>& make) {
+  return std::async(std::launch::async, [&make] { return build(make); }).get();
+}
+
+}  // namespace hemitex::reference

@@ -1,0 +1,237 @@
+// Rows by packets of rays: closed forms, the slow rays, exact sums, and starts that meet nothing of their own.
+#include "reference/ray_rows.h"
+
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "raster/parallel.h"
+#include "reference/point_to_polygon.h"
+#include "reference/ray_form_factors.h"
+#include "reference/rectangle_form_factors.h"
+#include "tests/hand_scenes.h"
+
+using namespace hemitex;
+using namespace hemitex::reference;
+using namespace hemitex::radiosity;
+
+namespace {
+
+struct World {
+  Scene scene;
+  Discretization discretization;
+
+  explicit World(Scene s, int texels = 1, int patch = 4)
+      : scene(std::move(s)), discretization(discretize(scene, {.texels = texels, .patch = patch})) {}
+
+  RayRows rows(int rays, RayStart start) const { return {scene, discretization, {.rays = rays, .start = start}}; }
+};
+
+constexpr RayStart bothStarts[] = {RayStart::Centre, RayStart::Area};
+
+std::uint64_t sum(const FormFactorRow& row) {
+  return std::accumulate(row.shares.begin(), row.shares.end(), row.background + row.back);
+}
+
+/// The form factors to all elements.
+std::vector<double> factors(const World& world, const FormFactorRow& row) {
+  std::vector<double> result(world.discretization.elements.size());
+  for (std::size_t i = 0; i < row.elements.size(); ++i) result[row.elements[i]] = formFactor(row.shares[i]);
+  return result;
+}
+
+/// The standard deviation of a form factor by so many rays, were they independent.
+double byChance(double factor, int rays) { return std::sqrt(factor * (1 - factor) / rays); }
+
+bool areEqual(const FormFactorRow& a, const FormFactorRow& b) {
+  return a.elements == b.elements && a.shares == b.shares && a.background == b.background && a.back == b.back;
+}
+
+/// A closed room with a box on its floor (without a face that would lie on it) and a sheet that hangs in it.
+Scene furnishedRoom() {
+  std::vector<Surface> surfaces = tests::box("room", {0, 0, 0}, {4, 3, 2}, true);
+  const std::vector<Surface> box = tests::box("box", {1, 1, 0}, {1, 1, 1}, false);
+  surfaces.insert(surfaces.end(), box.begin() + 1, box.end());
+  surfaces.push_back(tests::parallelogram("sheet", {2.5, 0.5, 1.5}, {1, 0, 0}, {0, 1, 0.2}));
+  return tests::sceneOf(std::move(surfaces));
+}
+
+}  // namespace
+
+TEST_CASE("a row by rays is exactly one, and every share a whole number of rays", "[ray rows]") {
+  const World world(furnishedRoom(), 4, 2);
+  for (const RayStart start : bothStarts)
+    for (const int rays : {16, 1 << 11}) {
+      RayRows rows = world.rows(rays, start);
+      for (std::uint32_t patch = 0; patch < world.discretization.patches.size(); ++patch) {
+        const FormFactorRow row = rows.ofPatch(patch);
+        CHECK(sum(row) == wholeShare);
+        CHECK(row.background == 0);
+        CHECK(std::is_sorted(row.elements.begin(), row.elements.end()));
+        bool areWhole = row.elements.size() == row.shares.size();
+        for (const std::uint64_t share : row.shares) areWhole &= share > 0 && share % (wholeShare / rays) == 0;
+        CHECK(areWhole);
+      }
+    }
+}
+
+TEST_CASE("rows by rays are the closed forms, better than by chance", "[ray rows]") {
+  // A closed cube of 6 x 9 elements. From a patch's centre a value is off by less than four standard deviations of
+  // chance; rays that are spread evenly err by chance only along the outlines of elements, so that in the root mean
+  // square they halve what chance would do.
+  constexpr int rays = 1 << 14;
+  const World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 3);
+  const SurfacePieces pieces = surfacePieces(world.scene, world.discretization);
+  RayRows rows = world.rows(rays, RayStart::Centre);
+  double squares = 0, expected = 0;
+  for (std::uint32_t patch = 0; patch < world.discretization.patches.size(); ++patch) {
+    const Patch& block = world.discretization.patches[patch];
+    const SurfacePoint centre = patchCentre(world.scene, world.discretization, block);
+    const std::vector<double> row = factors(world, rows.ofPatch(patch));
+    for (std::uint32_t e = 0; e < row.size(); ++e) {
+      double exact = 0;
+      for (const SurfacePiece& piece : pieces.of(e))
+        exact += pointToPolygon(inFrame(world.scene, centre.position), centre.normal, piece.corner);
+      CHECK(std::abs(row[e] - exact) <= 4 * byChance(exact, rays));
+      squares += std::pow(row[e] - exact, 2);
+      expected += std::pow(byChance(exact, rays), 2);
+    }
+  }
+  CHECK(std::sqrt(squares / expected) < 0.5);
+}
+
+TEST_CASE("rays spread over an area take the mean of its points", "[ray rows]") {
+  // Parallel unit squares, Howell C-11, and a blocker over half of them that hides exactly a half (see
+  // ray_form_factors_test.cpp), from its back: what it hides, it absorbs.
+  constexpr int rays = 1 << 16;
+  const AxisRectangle square{{0, 1}, {0, 1}};
+  for (const double gap : {0.1, 1.0}) {
+    const World world(tests::sceneOf({tests::parallelogram("under", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                                      tests::parallelogram("over", {0, 0, gap}, {0, 1, 0}, {1, 0, 0}),
+                                      tests::parallelogram("half", {-9, -9, gap / 2}, {9.5, 0, 0}, {0, 20, 0})}));
+    const double open = parallelRectangles(square, square, gap);
+    const FormFactorRow row = world.rows(rays, RayStart::Area).ofPatch(0);
+    CHECK(std::abs(factors(world, row)[1] - open / 2) <= 4 * byChance(open / 2, rays));
+    const double toBlocker = parallelRectangles(square, {{-9, 0.5}, {-9, 11}}, gap / 2);
+    CHECK(std::abs(formFactor(row.back) - toBlocker) <= 4 * byChance(toBlocker, rays));
+    // All from the centre: half of what a point sees.
+    const double point = elementToParallelRectangle({{-0.5, 0.5}, {-0.5, 0.5}}, gap);
+    const FormFactorRow centre = world.rows(rays, RayStart::Centre).ofPatch(0);
+    CHECK(std::abs(factors(world, centre)[1] - point / 2) <= 4 * byChance(point / 2, rays));
+  }
+}
+
+TEST_CASE("the fast rays measure what the slow ones do", "[ray rows]") {
+  // Standard errors of the slow ones are larger than those of as many fast rays, of which there are four times as many.
+  constexpr int samples = 1 << 13;
+  const World world(furnishedRoom(), 4, 2);
+  const RayFormFactors slow(world.scene, world.discretization);
+  const Receivers receivers = everyElement(world.discretization);
+  std::size_t beyond = 0, values = 0;
+  for (const RayStart start : bothStarts) {
+    RayRows rows = world.rows(4 * samples, start);
+    for (std::uint32_t patch = 0; patch < world.discretization.patches.size(); patch += 3) {
+      const Patch& block = world.discretization.patches[patch];
+      const Shooter shooter =
+          start == RayStart::Area
+              ? areaShooter(slow.pieces(), elementsOfPatch(world.discretization, patch))
+              : pointShooter(world.scene, block.surface, patchCentre(world.scene, world.discretization, block));
+      const MeasuredRow measured = slow.overHemisphere(shooter, receivers, {samples, patch});
+      const FormFactorRow row = rows.ofPatch(patch);
+      const std::vector<double> fast = factors(world, row);
+      const auto differ = [&](const Measurement& measurement, double value) {
+        return std::abs(measurement.value - value) > 4 * std::sqrt(2.0) * measurement.standardError + 1e-9;
+      };
+      for (std::uint32_t e = 0; e < fast.size(); ++e) beyond += differ(measured.receivers[e], fast[e]);
+      beyond += differ(measured.back, formFactor(row.back));
+      values += fast.size() + 1;
+    }
+  }
+  INFO(beyond << " of " << values);
+  CHECK(beyond <= values / 500);
+}
+
+TEST_CASE("no ray meets what it starts on, nor the back of a wall beside its start", "[ray rows]") {
+  // A room turned every way, so that rounding to binary32 puts edges on either side of each other. Starts lie all over
+  // its faces, up to their edges.
+  for (int turn = 0; turn < 32; ++turn) {
+    const double a = 0.1 + 0.2 * turn, b = 0.7 * turn;
+    const glm::dmat3 aboutZ(std::cos(a), std::sin(a), 0, -std::sin(a), std::cos(a), 0, 0, 0, 1);
+    const glm::dmat3 aboutX(1, 0, 0, 0, std::cos(b), std::sin(b), 0, -std::sin(b), std::cos(b));
+    Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
+    for (Surface& surface : scene.surfaces)
+      for (Triangle& triangle : surface.triangles)
+        for (glm::dvec3& corner : triangle.position) corner = aboutX * (aboutZ * corner);
+    const World world(tests::finish(std::move(scene)));
+    RayRows rows = world.rows(1 << 12, RayStart::Area);
+    for (std::uint32_t patch = 0; patch < 6; ++patch) {
+      const FormFactorRow row = rows.ofPatch(patch);
+      INFO("turn " << turn << ", patch " << patch);
+      CHECK(row.back == 0);
+      CHECK(row.background == 0);
+      CHECK(row.elements.size() == 5);
+      CHECK(factors(world, row)[patch] == 0);
+    }
+  }
+}
+
+TEST_CASE("in two-sided scenes rays of packets pass backs, whose twins are met", "[ray rows]") {
+  // A sheet half way between two squares, with a twin: each square sees one side of it, as large as itself.
+  constexpr int rays = 1 << 14;
+  const AxisRectangle square{{0, 1}, {0, 1}};
+  Scene scene = tests::sceneOf({tests::parallelogram("under", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                                tests::parallelogram("over", {0, 0, 1}, {0, 1, 0}, {1, 0, 0}),
+                                tests::parallelogram("sheet", {0, 0, 0.5}, {0, 1, 0}, {1, 0, 0}),
+                                tests::parallelogram("twin", {0, 0, 0.5}, {1, 0, 0}, {0, 1, 0})});
+  scene.surfaces[2].twin = 3;
+  scene.surfaces[3].twin = 2;
+  const World world(scene);
+  RayRows rows = world.rows(rays, RayStart::Area);
+  const double exact = parallelRectangles(square, square, 0.5);
+  for (const auto& [from, to] : {std::pair<std::uint32_t, std::uint32_t>{0, 2}, {1, 3}}) {
+    const FormFactorRow row = rows.ofPatch(from);
+    CHECK(row.elements == std::vector{to});
+    CHECK(std::abs(factors(world, row)[to] - exact) <= 4 * byChance(exact, rays));
+    CHECK(row.back == 0);
+  }
+  for (const auto& [from, to] : {std::pair<std::uint32_t, std::uint32_t>{2, 0}, {3, 1}})
+    CHECK(rows.ofPatch(from).elements == std::vector{to});
+}
+
+TEST_CASE("rows by rays are the same bits for any number of threads", "[ray rows]") {
+  // Bumps of some thousand triangles on top of each other: which of them a ray meets is up to Embree's tree, and that
+  // must not depend on who builds it.
+  Surface first = tests::bump(40), second = first;
+  second.name = second.family = "again";
+  Scene scene = tests::sceneOf({first, second, tests::parallelogram("lid", {0, 0, 2}, {0, 2, 0}, {3, 0, 0})});
+  const World world(std::move(scene), 8);
+  const auto rowsOf = [&](int threads) {
+    const raster::ThreadLimit limit(threads);
+    std::vector<FormFactorRow> result;
+    for (const RayStart start : bothStarts) {
+      RayRows rows = world.rows(1 << 13, start);
+      for (std::uint32_t patch = 0; patch < world.discretization.patches.size(); ++patch)
+        result.push_back(rows.ofPatch(patch));
+    }
+    return result;
+  };
+  const std::vector<FormFactorRow> one = rowsOf(1);
+  for (const int threads : {2, 7}) {
+    const std::vector<FormFactorRow> other = rowsOf(threads);
+    CHECK(std::equal(one.begin(), one.end(), other.begin(), other.end(), areEqual));
+  }
+}
+
+TEST_CASE("packets of rays leave the arithmetic of the threads as it was", "[ray rows]") {
+  // Embree computes with subnormal numbers flushed to 0; no thread of the program may be left so.
+  const World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)));
+  world.rows(1 << 14, RayStart::Centre).ofPatch(0);
+  std::atomic<int> flushed = 0;
+  raster::parallelFor(1000, [&](std::size_t) {
+    volatile double smallest = std::numeric_limits<double>::min();
+    flushed += smallest / 2 == 0;
+  });
+  CHECK(flushed == 0);
+}
