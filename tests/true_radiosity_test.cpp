@@ -41,7 +41,7 @@ TEST_CASE("the truth of a furnace is E over 1 minus r, within the error that it 
   glm::dvec3 flux(0);
   for (std::size_t e = 0; e < exact.size(); ++e) flux += discretization.elements[e].area * truth.radiosity[e];
   for (int band = 0; band < 3; ++band) CHECK(flux[band] == Approx(6 * exact[0][band]).epsilon(1e-12));
-  // Of 96 elements' errors, strongly correlated, two independent means: within a factor of 1.5 of each other.
+  // Two means of 96 sizes of errors: within a factor of 1.5. What is reflected again comes evenly and adds little.
   CHECK(error.fluxWeighted > 0);
   CHECK(error.fluxWeighted < 1.5 * truth.error.fluxWeighted);
   CHECK(error.fluxWeighted > truth.error.fluxWeighted / 1.5);
@@ -66,6 +66,23 @@ TEST_CASE("sixteen times the samples expect a fourth of the error or less", "[tr
   const double few = truthOf(scene, 4, {1 << 11}).error.fluxWeighted;
   const double many = truthOf(scene, 4, {1 << 15}).error.fluxWeighted;
   CHECK(many < few / 3);
+}
+
+TEST_CASE("the expected error is that of other seeds, and the spread that of the matrix", "[truth]") {
+  // Two independent truths differ by root 2 times the error of each. Where flux is spread unevenly (the upper square
+  // emits nothing) it is the emitter's rays that decide.
+  const TrueRadiosity one = truthOf(twoSquares(), 6, {1 << 10, 1}), other = truthOf(twoSquares(), 6, {1 << 10, 2});
+  const Discretization discretization = discretize(twoSquares(), {.texels = 6});
+  const double differs = errorOf(discretization, one.radiosity, other.radiosity).fluxWeighted / std::sqrt(2.0);
+  CHECK(differs == Approx(one.error.fluxWeighted).epsilon(0.25));
+  CHECK(differs == Approx(other.error.fluxWeighted).epsilon(0.25));
+  double squares = 0, expected = 0;
+  for (std::size_t i = 0; i < one.matrix.factors.size(); ++i) {
+    squares += std::pow(one.matrix.factors[i] - other.matrix.factors[i], 2);
+    expected += std::pow(one.spread.factors[i], 2) + std::pow(other.spread.factors[i], 2);
+  }
+  // Root mean squares over some 2600 pairs that see each other.
+  CHECK(std::sqrt(squares) == Approx(std::sqrt(expected)).epsilon(0.1));
 }
 
 TEST_CASE("the truth is the same bits for any number of threads, and other bits for other seeds", "[truth]") {
