@@ -67,22 +67,22 @@ struct Origin {
   glm::vec3 x, y, normal;
 };
 
-/// The axes are turned by `angle` about the normal.
-Origin originAt(const ShootingPoint& point, const glm::dvec3& middle, double angle) {
+/// `turn` is the place of the axis x on the unit circle about the normal.
+Origin originAt(const ShootingPoint& point, const glm::dvec3& middle, const glm::dvec2& turn) {
   const glm::dvec3 inward = middle - point.position;
   const double distance = glm::length(inward);
   const double share = distance > 0 ? std::min(0.5, radiosity::eyeMove / distance) : 0;
   const glm::dvec3 axis = std::abs(point.normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 right = glm::normalize(glm::cross(axis, point.normal)), up = glm::cross(point.normal, right);
-  return {point.position + share * inward + radiosity::eyeLift * point.normal,
-          std::cos(angle) * right + std::sin(angle) * up, std::cos(angle) * up - std::sin(angle) * right, point.normal};
+  return {point.position + share * inward + radiosity::eyeLift * point.normal, turn.x * right + turn.y * up,
+          turn.x * up - turn.y * right, point.normal};
 }
 
-/// The angles of patches are spread evenly over the circle, and those of patches that follow each other far apart: the
+/// The turns of patches are spread evenly over the circle, and those of patches that follow each other far apart: the
 /// multiples of the golden section.
-double angleOf(std::uint32_t patch) {
-  const double turns = patch * 0.6180339887498949;
-  return 2 * pi * (turns - std::floor(turns));
+glm::dvec2 turnOf(std::uint32_t patch) {
+  const double turns = patch * 0.6180339887498949, angle = 2 * pi * (turns - std::floor(turns));
+  return {std::cos(angle), std::sin(angle)};
 }
 
 void aim(RTCRayHit16& packet, std::size_t i, const Origin& from, const glm::vec3& local) {
@@ -224,12 +224,12 @@ radiosity::FormFactorRow RayRows::Implementation::count() {
 radiosity::FormFactorRow RayRows::ofPatch(std::uint32_t patch) {
   Implementation& our = *implementation_;
   const Shooter shooter = our.shooterOf(patch);
-  const double angle = angleOf(patch);
+  const glm::dvec2 turn = turnOf(patch);
   const auto originOf = [&](const glm::vec2& square) {
     const ShootingPoint point = shootingPoint(shooter, square.x, square.y);
     const Place& place = our.places[point.triangle];
     const auto corner = inFrame(our.scene, our.scene.surfaces[place.surface].triangles[place.triangle]);
-    return originAt(point, (corner[0] + corner[1] + corner[2]) / 3.0, angle);
+    return originAt(point, (corner[0] + corner[1] + corner[2]) / 3.0, turn);
   };
   const Origin centre = originOf({0.5F, 0.5F});
   const auto shoot = [&](std::size_t first) {

@@ -3,10 +3,10 @@
 /// its own where a solution asks for rays. It is no ground truth: that is RayFormFactors, slower by far.
 ///
 /// Directions are a low-discrepancy sequence in projected solid angle, so each ray carries the same share of the light.
-/// With a power of two of them that is an integer of units of 2^-60: a row sums to exactly one, and a row of 2^16 rays
-/// is known to a few 1e-3 of the light (the sum of all errors of a row; it falls a little slower than one over the
-/// number of rays). Every patch turns the directions about its normal by an angle of its own, so that what one patch
-/// misses the next one meets.
+/// With a power of two of them that is an integer of units of 2^-60: a row sums to exactly one. To the 4,000 elements
+/// of the Cornell box 2^16 rays err by 2 % of the light in all (the sum of |F - truth|), four times as many by 2.7
+/// times less. Every patch turns the directions about its normal by an angle of its own, so that what one patch misses
+/// the next one meets.
 ///
 /// The start rule: as a hemicube's eye, a ray starts moved into its triangle by `eyeMove` and lifted off it by
 /// `eyeLift` (radiosity/hemicube.h). That clears all that rounding to binary32 can do, by 2^-26 of the scene's extent

@@ -1,0 +1,125 @@
+#include "reference/row_comparison.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <memory>
+
+#include "radiosity/hemicube.h"
+#include "radiosity/word_layout.h"
+#include "raster/software_renderer.h"
+#include "reference/ray_rows.h"
+#include "reference/shooter.h"
+
+namespace hemitex::reference {
+namespace {
+
+using RowOfPatch = std::function<radiosity::FormFactorRow(std::uint32_t)>;
+
+/// A way to find rows, and what was measured of it.
+struct Contender {
+  RowOfPatch rowOf;
+  RowQuality quality;
+  std::vector<double> seconds;  ///< one a repeat, all rows together
+};
+
+std::vector<MeasuredRow> trueRows(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                                  const std::vector<std::uint32_t>& patches, int samples) {
+  const RayFormFactors rays(scene, discretization);
+  const Receivers receivers = everyElement(discretization);
+  std::vector<MeasuredRow> rows;
+  for (const std::uint32_t patch : patches) {
+    const radiosity::Patch& block = discretization.patches[patch];
+    const Shooter shooter = pointShooter(scene, block.surface, radiosity::patchCentre(scene, discretization, block));
+    rows.push_back(rays.aimed(shooter, receivers, {.samples = samples}));
+  }
+  return rows;
+}
+
+double sumOfStandardErrors(const MeasuredRow& row) {
+  double sum = 0;
+  for (const Measurement& receiver : row.receivers) sum += receiver.standardError;
+  return sum;
+}
+
+void race(std::vector<Contender>& contenders, const std::vector<std::uint32_t>& patches,
+          const std::vector<MeasuredRow>& truth, int repeats) {
+  using Clock = std::chrono::steady_clock;
+  for (int repeat = 0; repeat < repeats; ++repeat)
+    for (Contender& contender : contenders) {
+      Clock::duration spent{};
+      for (std::size_t p = 0; p < patches.size(); ++p) {
+        const Clock::time_point start = Clock::now();
+        const radiosity::FormFactorRow row = contender.rowOf(patches[p]);
+        spent += Clock::now() - start;
+        if (repeat == 0)
+          contender.quality.error += distanceToTruth(row, truth[p]) / static_cast<double>(patches.size());
+      }
+      contender.seconds.push_back(std::chrono::duration<double>(spent).count());
+    }
+  for (Contender& contender : contenders) {
+    const auto middle = contender.seconds.begin() + repeats / 2;
+    std::nth_element(contender.seconds.begin(), middle, contender.seconds.end());
+    contender.quality.seconds = *middle / static_cast<double>(patches.size());
+  }
+}
+
+}  // namespace
+
+double distanceToTruth(const radiosity::FormFactorRow& row, const MeasuredRow& truth) {
+  double error = 0;
+  std::size_t next = 0;
+  for (std::uint32_t element = 0; element < truth.receivers.size(); ++element) {
+    const bool isSeen = next < row.elements.size() && row.elements[next] == element;
+    error += std::abs((isSeen ? radiosity::formFactor(row.shares[next++]) : 0) - truth.receivers[element].value);
+  }
+  return error;
+}
+
+std::vector<std::uint32_t> spreadPatches(const radiosity::Discretization& discretization, std::size_t count) {
+  const std::size_t all = discretization.patches.size(), taken = std::min(count, all);
+  std::vector<std::uint32_t> patches;
+  for (std::size_t i = 0; i < taken; ++i)
+    patches.push_back(static_cast<std::uint32_t>((2 * i + 1) * all / (2 * taken)));
+  return patches;
+}
+
+std::optional<double> errorAtTime(const std::vector<RowQuality>& qualities, double seconds) {
+  const auto later = std::find_if(qualities.begin(), qualities.end(),
+                                  [seconds](const RowQuality& quality) { return quality.seconds >= seconds; });
+  if (later == qualities.begin() || later == qualities.end()) return std::nullopt;
+  const RowQuality &slow = *later, &fast = *(later - 1);
+  const double share = std::log(seconds / fast.seconds) / std::log(slow.seconds / fast.seconds);
+  return fast.error * std::pow(slow.error / fast.error, share);
+}
+
+RowComparison compareRows(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                          const RowComparisonSettings& settings) {
+  RowComparison result;
+  result.patches = spreadPatches(discretization, settings.points);
+  const std::vector<MeasuredRow> truth = trueRows(scene, discretization, result.patches, settings.truthSamples);
+  for (const MeasuredRow& row : truth)
+    result.truthError += sumOfStandardErrors(row) / static_cast<double>(truth.size());
+
+  const radiosity::WordLayout layout = radiosity::layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true);
+  raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));
+  std::vector<Contender> contenders;
+  for (const int resolution : settings.resolutions) {
+    const auto rows = std::make_shared<radiosity::HemicubeRows>(scene, discretization, layout, renderer, resolution);
+    contenders.push_back({[rows](std::uint32_t patch) { return rows->ofPatch(patch); }, {.size = resolution}, {}});
+  }
+  for (const int count : settings.rays) {
+    const auto rows =
+        std::make_shared<RayRows>(scene, discretization, RayRowSettings{.rays = count, .start = RayStart::Centre});
+    contenders.push_back({[rows](std::uint32_t patch) { return rows->ofPatch(patch); }, {.size = count}, {}});
+  }
+  race(contenders, result.patches, truth, settings.repeats);
+  for (std::size_t i = 0; i < contenders.size(); ++i)
+    (i < settings.resolutions.size() ? result.hemicubes : result.rays).push_back(contenders[i].quality);
+  for (const RowQuality& hemicube : result.hemicubes)
+    result.raysInItsTime.push_back(errorAtTime(result.rays, hemicube.seconds));
+  return result;
+}
+
+}  // namespace hemitex::reference
