@@ -42,13 +42,20 @@ std::uint32_t elementAtCentre(const radiosity::Grid& grid, const radiosity::Grid
 
 }  // namespace
 
-std::vector<glm::dvec3> onOtherGrids(const radiosity::Discretization& discretization,
-                                     std::span<const glm::dvec3> radiosity, const radiosity::Discretization& other) {
-  assert(radiosity.size() == discretization.elements.size() && discretization.grids.size() == other.grids.size());
+std::vector<std::uint32_t> elementsUnder(const radiosity::Discretization& coarse,
+                                         const radiosity::Discretization& fine) {
+  assert(coarse.grids.size() == fine.grids.size());
+  std::vector<std::uint32_t> elements;
+  for (const radiosity::Element& element : fine.elements)
+    elements.push_back(elementAtCentre(coarse.grids[element.surface], fine.grids[element.surface], element.texel));
+  return elements;
+}
+
+std::vector<glm::dvec3> onOtherGrids(const radiosity::Discretization& coarse, std::span<const glm::dvec3> radiosity,
+                                     const radiosity::Discretization& fine) {
+  assert(radiosity.size() == coarse.elements.size());
   std::vector<glm::dvec3> result;
-  for (const radiosity::Element& element : other.elements)
-    result.push_back(
-        radiosity[elementAtCentre(discretization.grids[element.surface], other.grids[element.surface], element.texel)]);
+  for (const std::uint32_t element : elementsUnder(coarse, fine)) result.push_back(radiosity[element]);
   return result;
 }
 

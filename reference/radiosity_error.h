@@ -1,6 +1,7 @@
 /// How far a solution is from the truth.
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
@@ -16,12 +17,15 @@ struct RadiosityError {
   double maximum = 0;       ///< the largest |b - truth| of an element, over the area's mean of truth
 };
 
-/// A solution on one discretization as the elements of another one of the same scene see it: each has the radiosity of
-/// the element that the centre of its own texel lies in. Where the fine grids divide the coarse ones and no texels have
-/// merged that is the solution itself, so comparing it with a truth on fine grids also counts what pieces of constant
-/// radiosity cannot show.
-std::vector<glm::dvec3> onOtherGrids(const radiosity::Discretization& discretization,
-                                     std::span<const glm::dvec3> radiosity, const radiosity::Discretization& other);
+/// For every element of `fine`, the element of another discretization of the same scene that the centre of its own
+/// texel lies in. Where the fine grids divide the coarse ones and no texels have merged, fine elements lie whole in it.
+std::vector<std::uint32_t> elementsUnder(const radiosity::Discretization& coarse,
+                                         const radiosity::Discretization& fine);
+
+/// A solution as the elements of another discretization see it (see elementsUnder). Compared with a truth on finer
+/// grids it also counts what pieces of constant radiosity cannot show.
+std::vector<glm::dvec3> onOtherGrids(const radiosity::Discretization& coarse, std::span<const glm::dvec3> radiosity,
+                                     const radiosity::Discretization& fine);
 
 /// Of all elements. Both hold a radiosity an element.
 RadiosityError errorOf(const radiosity::Discretization& discretization, std::span<const glm::dvec3> found,

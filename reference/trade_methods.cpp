@@ -1,0 +1,66 @@
+#include "reference/trade_methods.h"
+
+#include <memory>
+
+#include "radiosity/hemicube.h"
+#include "radiosity/word_layout.h"
+#include "raster/software_renderer.h"
+#include "reference/ray_rows.h"
+
+namespace hemitex::reference {
+namespace {
+
+using radiosity::Discretization;
+using radiosity::RowSource;
+using radiosity::Scene;
+
+/// What hemicubes are drawn with.
+struct Hemicubes {
+  radiosity::WordLayout layout;
+  raster::SoftwareRenderer renderer;
+  radiosity::HemicubeRows rows;
+
+  Hemicubes(const Scene& scene, const Discretization& discretization, int resolution)
+      : layout(radiosity::layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true)),
+        renderer(radiosity::makeDrawList(scene, discretization, layout)),
+        rows(scene, discretization, layout, renderer, resolution) {}
+};
+
+/// A square and four halves of it.
+double hemicubePixels(int resolution) { return 3.0 * resolution * resolution; }
+
+TradeMethod hemicubeMethod() {
+  const auto rows = [](const Scene& scene, const Discretization& discretization, int resolution) -> RowSource {
+    const auto hemicubes = std::make_shared<Hemicubes>(scene, discretization, resolution);
+    return [hemicubes](std::uint32_t patch) { return hemicubes->rows.ofPatch(patch); };
+  };
+  const auto bytes = [](int resolution) {
+    return static_cast<std::size_t>(hemicubePixels(resolution)) * sizeof(raster::Word);
+  };
+  return {"hemicube", "resolution", 2, 4096, {32, 64, 128, 256, 512, 1024, 2048}, hemicubePixels, bytes, rows};
+}
+
+TradeMethod rayMethod(const std::string& name, RayStart start) {
+  const auto rows = [start](const Scene& scene, const Discretization& discretization, int rays) -> RowSource {
+    const auto rayRows = std::make_shared<RayRows>(scene, discretization, RayRowSettings{rays, start});
+    return [rayRows](std::uint32_t patch) { return rayRows->ofPatch(patch); };
+  };
+  // A direction and a place to start from.
+  const auto bytes = [](int rays) { return static_cast<std::size_t>(rays) * 5 * sizeof(float); };
+  return {name,
+          "rays",
+          16,
+          1 << 24,
+          {1 << 8, 1 << 10, 1 << 12, 1 << 14, 1 << 16, 1 << 18, 1 << 20},
+          [](int rays) { return static_cast<double>(rays); },
+          bytes,
+          rows};
+}
+
+}  // namespace
+
+std::vector<TradeMethod> tradeMethods() {
+  return {hemicubeMethod(), rayMethod("centre-rays", RayStart::Centre), rayMethod("area-rays", RayStart::Area)};
+}
+
+}  // namespace hemitex::reference

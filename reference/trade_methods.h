@@ -1,0 +1,31 @@
+/// The methods whose speed and accuracy are compared: each finds the rows of patches, at one setting that says how much
+/// it does. A new method is one more entry of the list.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "radiosity/discretization.h"
+#include "radiosity/scene.h"
+#include "radiosity/solver.h"
+
+namespace hemitex::reference {
+
+struct TradeMethod {
+  std::string name;                       ///< one word, as on the command line
+  std::string setting;                    ///< what its number is called; always a power of two
+  int least, most;                        ///< of the numbers that it can be given
+  std::vector<int> measured;              ///< the numbers that are compared where no others are asked for, ascending
+  std::function<double(int)> directions;  ///< in which a row looks, at a setting: pixels or rays
+  std::function<std::size_t(int)> bufferBytes;  ///< of item buffers, or of the rays of a row
+  /// Ready to find rows; scene and discretization must outlive it.
+  std::function<radiosity::RowSource(const radiosity::Scene&, const radiosity::Discretization&, int)> rows;
+};
+
+/// `hemicube`: from the centre of a patch, its setting the resolution. `centre-rays`: rays from the same points, so
+/// that what differs is how directions are looked into. `area-rays`: rays from all over a patch.
+std::vector<TradeMethod> tradeMethods();
+
+}  // namespace hemitex::reference
