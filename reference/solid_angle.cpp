@@ -8,6 +8,8 @@ namespace hemitex::reference {
 namespace {
 
 constexpr double smallSolidAngle = 1e-6;
+/// How far inside a triangle a direction has to be, in barycentric weights.
+constexpr double insideBy = 0x1p-24;
 
 double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
@@ -50,6 +52,19 @@ Aim aimByArea(std::span<const glm::dvec3> polygon, const glm::dvec3& point, doub
   return {offset / distance, sum * foreshortening / (distance * distance)};
 }
 
+/// The direction, or one just inside the triangle of these corners (relative to the point). Where two corners are all
+/// but opposite, as those of a sliver seen from its own width away, cosines have too few digits: one direction in
+/// a few hundred would lie on the border or beyond it, where a ray meets a neighbour or nothing.
+glm::dvec3 movedInside(const glm::dvec3& direction, const std::array<glm::dvec3, 3>& corner) {
+  const auto& [a, b, c] = corner;
+  const glm::dvec3 volume(glm::dot(direction, glm::cross(b, c)), glm::dot(direction, glm::cross(c, a)),
+                          glm::dot(direction, glm::cross(a, b)));
+  const glm::dvec3 weight = volume / (volume.x + volume.y + volume.z);
+  if (std::min({weight.x, weight.y, weight.z}) >= insideBy) return direction;
+  const glm::dvec3 inside = glm::max(weight, glm::dvec3(insideBy));
+  return glm::normalize(inside.x * a + inside.y * b + inside.z * c);
+}
+
 }  // namespace
 
 double solidAngle(const SphericalTriangle& triangle) {
@@ -78,8 +93,9 @@ Aim aimInto(std::span<const glm::dvec3> polygon, const glm::dvec3& point, double
   double sum = 0;
   for (std::size_t i = 0; i + 2 < corner.size(); ++i) upTo.push_back(sum += solidAngle(triangle(i)));
   if (sum < smallSolidAngle) return aimByArea(polygon, point, x, y);
-  const Choice choice = choose(upTo, x);
-  return {directionIn(triangle(choice.index), choice.within, y), sum};
+  const auto [i, within] = choose(upTo, x);
+  const std::array<glm::dvec3, 3> flat{polygon[0] - point, polygon[i + 1] - point, polygon[i + 2] - point};
+  return {movedInside(directionIn(triangle(i), within, y), flat), sum};
 }
 
 }  // namespace hemitex::reference

@@ -112,3 +112,21 @@ TEST_CASE("the mean cosine over the directions into a polygon is its form factor
   }
   CHECK(byArea > 0);
 }
+
+TEST_CASE("every direction into a sliver lies inside it, however near it is", "[solid angle]") {
+  // Half a strip of length 1, as far away as it is wide: seen under a tenth of all directions, its ends all but
+  // opposite. A ray that went along its border would as well meet the other half.
+  const SamplePoints points(1 << 14, 0);
+  for (const double width : {1e-3, 1e-6, 1e-8}) {
+    const std::vector<glm::dvec3> sliver{{-0.3, -width, width}, {0.7, width, width}, {0.7, -width, width}};
+    int inside = 0;
+    for (std::size_t i = 0; i < points.count(); ++i) {
+      const SamplePoint sample = points.at(0, i);
+      const Aim aim = aimInto(sliver, glm::dvec3(0, 0.1 * width, 0), sample[0], sample[1]);
+      const glm::dvec2 met = glm::dvec2(aim.direction) / aim.direction.z + glm::dvec2(0, 0.1);  // in widths
+      inside += met.y > -1 && met.x * width < 0.7 && met.y < 2 * (met.x * width + 0.3) - 1;
+    }
+    INFO("width " << width);
+    CHECK(inside == 1 << 14);
+  }
+}
