@@ -2,12 +2,16 @@
 
 #include <tiny_obj_loader.h>
 
+#include <algorithm>
 #include <array>
 
 #include "radiosity/text_lines.h"
 
 namespace hemitex::radiosity {
 namespace {
+
+/// What surfaces make of more, reflecting it for ever, would leave the range of binary32, which images hold.
+constexpr double largestEmission = 1e30;
 
 glm::dvec3 readColor(const TextLine& line, const Place& place) {
   std::array<double, 3> n{};
@@ -17,6 +21,13 @@ glm::dvec3 readColor(const TextLine& line, const Place& place) {
   const glm::dvec3 color = count == 3 ? glm::dvec3(n[0], n[1], n[2]) : glm::dvec3(n[0]);
   if (color.r < 0 || color.g < 0 || color.b < 0) fail(place, keyword + " is negative", "light cannot be less than 0");
   return color;
+}
+
+glm::dvec3 readEmission(const TextLine& line, const Place& place) {
+  const glm::dvec3 emission = readColor(line, place);
+  if (std::max({emission.r, emission.g, emission.b}) > largestEmission)
+    fail(place, "Ke is above 1e30", "scale the light down");
+  return emission;
 }
 
 MapStatement readMap(const TextLine& line) {
@@ -37,7 +48,7 @@ std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::
     if (materials.empty()) continue;
     MaterialStatement& material = materials.back();
     if (line.keyword == "Kd") material.reflectance = readColor(line, place);
-    if (line.keyword == "Ke") material.emission = readColor(line, place);
+    if (line.keyword == "Ke") material.emission = readEmission(line, place);
     if (line.keyword == "map_Kd") material.reflectanceMap = readMap(line);
     if (line.keyword == "map_Ke") material.emissionMap = readMap(line);
   }

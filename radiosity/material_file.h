@@ -21,13 +21,13 @@ struct MapStatement {
 struct MaterialStatement {
   std::string name;
   std::optional<glm::dvec3> reflectance = {};  ///< Kd, finite and not negative
-  std::optional<glm::dvec3> emission = {};     ///< Ke, finite and not negative
+  std::optional<glm::dvec3> emission = {};     ///< Ke, 0 to 1e30
   std::optional<MapStatement> reflectanceMap = {};
   std::optional<MapStatement> emissionMap = {};
 };
 
 /// Reads the text of `file`, materials in its order. Throws InputError with the line on a malformed, non-finite or
-/// negative Kd or Ke, and on one that has neither one number (grey) nor three.
+/// negative Kd or Ke, on one that has neither one number (grey) nor three, and on a Ke above 1e30.
 std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::filesystem::path& file);
 
 }  // namespace hemitex::radiosity

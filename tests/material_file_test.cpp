@@ -25,6 +25,7 @@ TEST_CASE("what is wrong in an MTL file is refused with its line", "[material]")
       {"newmtl a\nKd spectral red.rfl\n", 2, "'spectral' is not a number"},
       {"newmtl a\r\nKd 0.5 0.5 -0.1\r\n", 2, "Kd is negative"},
       {"newmtl a\nKd 1 1 1\nnewmtl b\nKe -1e-300 0 0\n", 4, "Ke is negative"},
+      {"newmtl a\nKe 1 1e30 1.001e30\n", 2, "Ke is above 1e30"},
   }));
   CAPTURE(text);
   try {
