@@ -13,8 +13,19 @@
 /// at a corner, so no ray meets the plane that it leaves, nor the back of a wall that rises from its start. What lies
 /// lower than that is not seen: blockers and receivers within 5e-7 extents of the patch.
 ///
-/// Backs of faces block, but for those whose twins stand for them. Of faces on each other any may be met, always the
-/// same one in the same scene. The same bits for any number of threads; none are promised between machines.
+/// Backs of faces block, but for those whose twins stand for them. The same bits for any number of threads; none are
+/// promised between machines.
+///
+/// What rays miss:
+/// - A receiver of less light than one ray: mostly it gets nothing, rarely all that a ray carries. Of 200 receivers of
+///   1e-8 of the light 2^16 rays meet none, 2^20 one, 2^24 28. Of the elements that a patch of the Cornell box sees,
+///   2^17 rays miss 4 %, with 2e-4 of the light; a hemicube of 256 pixels misses as many.
+/// - Slivers narrower than 1e-6 extents, which binary32 thins: to 85 % of their light at 1e-7, 71 % at 3e-8.
+/// - Faces on each other: whichever Embree's rounding puts first, in turned scenes a speckle of both. It is always the
+///   same in the same scene.
+/// - Hardly a gap between triangles that share an edge: of 4e8 rays in closed rooms none slips out, of as many aimed at
+///   edges three, between 200,000 triangles. Without Embree's robust flag it would be one in 10^6, and 1 to 3 % at
+///   edges.
 #pragma once
 
 #include <cstdint>

@@ -49,6 +49,16 @@ bool areEqual(const FormFactorRow& a, const FormFactorRow& b) {
   return a.elements == b.elements && a.shares == b.shares && a.background == b.background && a.back == b.back;
 }
 
+/// Turned about z and then about x, by angles in radians.
+Scene turned(Scene scene, double aboutZ, double aboutX) {
+  const double a = std::cos(aboutZ), b = std::sin(aboutZ), c = std::cos(aboutX), d = std::sin(aboutX);
+  const glm::dmat3 first(a, b, 0, -b, a, 0, 0, 0, 1), then(1, 0, 0, 0, c, d, 0, -d, c);
+  for (Surface& surface : scene.surfaces)
+    for (Triangle& triangle : surface.triangles)
+      for (glm::dvec3& corner : triangle.position) corner = then * (first * corner);
+  return tests::finish(std::move(scene));
+}
+
 /// A closed room with a box on its floor (without a face that would lie on it) and a sheet that hangs in it.
 Scene furnishedRoom() {
   std::vector<Surface> surfaces = tests::box("room", {0, 0, 0}, {4, 3, 2}, true);
@@ -157,14 +167,7 @@ TEST_CASE("no ray meets what it starts on, nor the back of a wall beside its sta
   // A room turned every way, so that rounding to binary32 puts edges on either side of each other. Starts lie all over
   // its faces, up to their edges.
   for (int turn = 0; turn < 32; ++turn) {
-    const double a = 0.1 + 0.2 * turn, b = 0.7 * turn;
-    const glm::dmat3 aboutZ(std::cos(a), std::sin(a), 0, -std::sin(a), std::cos(a), 0, 0, 0, 1);
-    const glm::dmat3 aboutX(1, 0, 0, 0, std::cos(b), std::sin(b), 0, -std::sin(b), std::cos(b));
-    Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
-    for (Surface& surface : scene.surfaces)
-      for (Triangle& triangle : surface.triangles)
-        for (glm::dvec3& corner : triangle.position) corner = aboutX * (aboutZ * corner);
-    const World world(tests::finish(std::move(scene)));
+    const World world(turned(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 0.1 + 0.2 * turn, 0.7 * turn));
     RayRows rows = world.rows(1 << 12, RayStart::Area);
     for (std::uint32_t patch = 0; patch < 6; ++patch) {
       const FormFactorRow row = rows.ofPatch(patch);
@@ -175,6 +178,75 @@ TEST_CASE("no ray meets what it starts on, nor the back of a wall beside its sta
       CHECK(factors(world, row)[patch] == 0);
     }
   }
+}
+
+TEST_CASE("no ray slips between the triangles of a closed room", "[ray rows]") {
+  // A cube whose faces are cut into 2 x 32 x 32 triangles, turned so that hardly a corner is a binary32 number.
+  constexpr int steps = 32;
+  std::vector<Surface> surfaces;
+  for (const Surface& face : tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)).surfaces) {
+    const std::array<glm::dvec3, 3>& corner = face.triangles[0].position;
+    const glm::dvec3 u = (corner[1] - corner[0]) / double(steps), v = (corner[2] - corner[1]) / double(steps);
+    std::vector<Triangle> triangles;
+    for (int i = 0; i < steps; ++i)
+      for (int j = 0; j < steps; ++j) {
+        const auto at = [&](int column, int row) {
+          return tests::Corner{corner[0] + double(column) * u + double(row) * v,
+                               glm::dvec2(column, row) / double(steps)};
+        };
+        triangles.push_back(tests::triangleOf(at(i, j), at(i + 1, j), at(i + 1, j + 1)));
+        triangles.push_back(tests::triangleOf(at(i, j), at(i + 1, j + 1), at(i, j + 1)));
+      }
+    surfaces.push_back(tests::surfaceOf(face.name, std::move(triangles)));
+  }
+  const World world(turned(tests::sceneOf(std::move(surfaces)), 0.3, 0.7));
+  for (const RayStart start : bothStarts) {
+    RayRows rows = world.rows(1 << 17, start);
+    for (std::uint32_t patch = 0; patch < 6; ++patch) {
+      const FormFactorRow row = rows.ofPatch(patch);
+      CHECK(row.background == 0);
+      CHECK(row.back == 0);
+      CHECK(factors(world, row)[patch] == 0);
+    }
+  }
+}
+
+TEST_CASE("a receiver of less light than a ray is missed, or gets all that a ray carries", "[ray rows]") {
+  // Squares of side a at (x, y, 1) facing down get a^2 cos^4 / pi of the light of the point below the origin; with
+  // their size, 1e-8 each.
+  std::vector<Surface> surfaces{tests::parallelogram("floor", {-0.5, -0.5, 0}, {1, 0, 0}, {0, 1, 0})};
+  for (int i = 0; i < 100; ++i) {
+    const double x = -0.45 + 0.1 * (i % 10), y = -0.45 + 0.1 * (i / 10);
+    const double side = std::sqrt(1e-8 * M_PI) * (x * x + y * y + 1);
+    surfaces.push_back(tests::parallelogram("receiver" + std::to_string(i), {x, y, 1}, {0, side, 0}, {side, 0, 0}));
+  }
+  const World world(tests::sceneOf(std::move(surfaces)));
+  CHECK(world.rows(1 << 12, RayStart::Centre).ofPatch(0).elements.empty());
+  constexpr int rays = 1 << 20;
+  const FormFactorRow row = world.rows(rays, RayStart::Centre).ofPatch(0);
+  CHECK(row.elements.size() < 5);  // 1.05 on average
+  for (const std::uint64_t share : row.shares) CHECK(share == wholeShare / rays);
+}
+
+TEST_CASE("slivers of a millionth of their length are met as often as others", "[ray rows]") {
+  // 64 strips that cross over the middle of a floor: to the point there a few 1e-5 of its light, known in closed form.
+  constexpr double width = 1e-6;
+  std::vector<Surface> surfaces{tests::parallelogram("floor", {-0.5, -0.5, 0}, {1, 0, 0}, {0, 1, 0})};
+  for (int i = 0; i < 64; ++i) {
+    const double angle = 0.05 * i;
+    const glm::dvec3 along(std::cos(angle), std::sin(angle), 0), across(-width * along.y, width * along.x, 0);
+    surfaces.push_back(
+        tests::parallelogram("strip", glm::dvec3(0, 0, 0.3 + 0.004 * i) - 0.5 * (along + across), across, along));
+  }
+  const World world(tests::sceneOf(std::move(surfaces)));
+  double exact = 0;
+  for (const SurfacePiece& piece : surfacePieces(world.scene, world.discretization).pieces)
+    exact += pointToPolygon(inFrame(world.scene, {0, 0, 0}), {0, 0, 1}, piece.corner);
+  constexpr int rays = 1 << 20;
+  const FormFactorRow row = world.rows(rays, RayStart::Centre).ofPatch(0);
+  const double found = formFactor(std::accumulate(row.shares.begin(), row.shares.end(), std::uint64_t{0}));
+  CHECK(std::abs(found - exact) <= 4 * byChance(exact, rays));
+  CHECK(row.back == 0);
 }
 
 TEST_CASE("in two-sided scenes rays of packets pass backs, whose twins are met", "[ray rows]") {
