@@ -10,6 +10,19 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// The multipliers of a symmetric exchange whose rows miss so much of their sums.
+Eigen::VectorXd multipliers(const Eigen::MatrixXd& exchange, const Eigen::VectorXd& missing) {
+  const Eigen::VectorXd sums = exchange.rowwise().sum();
+  // In units of each surface's own exchange, so that the smallest is not taken for rounding of the largest.
+  const Eigen::VectorXd unit = sums.unaryExpr([](double sum) { return sum > 0 ? 1 / std::sqrt(sum) : 0; });
+  Eigen::MatrixXd equations = exchange;
+  equations.diagonal() += sums;
+  equations = unit.asDiagonal() * equations * unit.asDiagonal();
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(equations);
+  const Eigen::VectorXd right = unit.cwiseProduct(missing), first = solver.solve(right);
+  return unit.cwiseProduct(first + solver.solve(right - equations * first));
+}
+
 }  // namespace
 
 FormFactorMatrix smoothed(const FormFactorMatrix& matrix, std::span<const double> area) {
@@ -18,17 +31,16 @@ FormFactorMatrix smoothed(const FormFactorMatrix& matrix, std::span<const double
   const Eigen::Map<const Eigen::VectorXd> areas(area.data(), size);
   const Eigen::MatrixXd exchanged =
       areas.asDiagonal() * Eigen::Map<const RowMajor>(matrix.factors.data(), size, size).cwiseMax(0.0);
-  const Eigen::MatrixXd mean = (exchanged + exchanged.transpose()) / 2;
-
-  const Eigen::VectorXd sums = mean.rowwise().sum(), missing = exchanged.rowwise().sum() - sums;
-  Eigen::MatrixXd equations = mean;
-  equations.diagonal() += sums;
-  const Eigen::VectorXd x = equations.completeOrthogonalDecomposition().solve(missing);
-
+  Eigen::MatrixXd mean = (exchanged + exchanged.transpose()) / 2, moved;
+  for (bool isBelow = true; isBelow;) {
+    const Eigen::VectorXd missing = exchanged.rowwise().sum() - mean.rowwise().sum();
+    const Eigen::VectorXd x = multipliers(mean, missing);
+    moved = mean.array() * (1 + (x.rowwise().replicate(size) + x.transpose().colwise().replicate(size)).array());
+    isBelow = (moved.array() < 0).any();
+    mean = (moved.array() < 0).select(0, mean);
+  }
   FormFactorMatrix result{matrix.size, std::vector<double>(matrix.factors.size())};
-  for (Eigen::Index i = 0; i < size; ++i)
-    for (Eigen::Index j = 0; j < size; ++j)
-      result.factors[static_cast<std::size_t>(i * size + j)] = mean(i, j) * (1 + x[i] + x[j]) / areas[i];
+  Eigen::Map<RowMajor>(result.factors.data(), size, size) = areas.cwiseInverse().asDiagonal() * moved;
   return result;
 }
 

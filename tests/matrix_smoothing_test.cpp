@@ -1,6 +1,7 @@
 // Smoothing: reciprocal afterwards, sums kept, nothing moved without need, and nearer to the truth.
 #include "reference/matrix_smoothing.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
@@ -104,6 +105,56 @@ TEST_CASE("smoothing brings errors of chance nearer to the truth", "[smoothing]"
   }
   // Two measurements of each value have half the variance of one; the sums are known besides.
   CHECK(smooth < 0.5 * raw);
+}
+
+TEST_CASE("a surface however small keeps its row sum", "[smoothing]") {
+  // Six surfaces, one of which shrinks, all that it exchanges with it.
+  for (const double share : {1e-4, 1e-8, 1e-12, 1e-16, 1e-20}) {
+    std::mt19937 random(7);
+    Truth right = truth(random);
+    std::vector<double> exchanged(size * size);
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t j = 0; j < size; ++j)
+        exchanged[i * size + j] = right.area[i] * right.matrix.factors[i * size + j] * (i == 2 || j == 2 ? share : 1);
+    for (std::size_t i = 0; i < size; ++i) {
+      right.area[i] = 0;
+      for (std::size_t j = 0; j < size; ++j) right.area[i] += exchanged[i * size + j];
+      for (std::size_t j = 0; j < size; ++j)
+        right.matrix.factors[i * size + j] = exchanged[i * size + j] / right.area[i];
+    }
+    const MatrixChecks checks = checkMatrix(smoothed(measured(right, random), right.area), right.area);
+    INFO(share);
+    CHECK(std::abs(checks.smallestRowSum - 1) < 1e-14);
+    CHECK(std::abs(checks.largestRowSum - 1) < 1e-14);
+  }
+}
+
+TEST_CASE("nothing is smoothed to below 0", "[smoothing]") {
+  // With one number a pair, three sums t say all: S_12 = (t_1 + t_2 - t_3) / 2, here -0.2. Without that pair the third
+  // row asks for more than the others give. What they miss is c (s_1, s_2, -s_3), s the sums of the mean of both ways,
+  // with c = (t_1 + t_2 - t_3) / (s_1 + s_2 + s_3) = -0.4 / 1.8.
+  const std::vector<double> area{1, 1, 1};
+  const FormFactorMatrix smooth = smoothed({3, {0, 0.1, 0.3, 0.1, 0, 0.3, 0.6, 0.6, 0}}, area);
+  CHECK(smooth.factors[1] == 0);
+  CHECK(smooth.factors[2] == Approx(0.4 + 0.4 / 1.8 * 0.45).epsilon(1e-14));
+  CHECK(smooth.factors[5] == Approx(smooth.factors[2]).epsilon(1e-14));
+
+  // 64 rays a row between surfaces of areas 1 to 1000 are often as coarse as that.
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int repeat = 0; repeat < 200; ++repeat) {
+    Truth right = truth(random);
+    FormFactorMatrix counted = right.matrix;
+    for (std::size_t i = 0; i < size; ++i) right.area[i] = std::pow(10, 3 * uniform(random));
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t j = 0; j < size; ++j) {
+        const double factor = right.matrix.factors[i * size + j] * std::min(1.0, right.area[j] / right.area[i]);
+        counted.factors[i * size + j] = std::poisson_distribution<int>(64 * factor)(random) / 64.0;
+      }
+    const FormFactorMatrix result = smoothed(counted, right.area);
+    CHECK(*std::min_element(result.factors.begin(), result.factors.end()) >= 0);
+    CHECK(checkMatrix(result, right.area).reciprocity < 1e-14);
+  }
 }
 
 TEST_CASE("two surfaces that see only each other get the mean of both ways", "[smoothing]") {
