@@ -10,8 +10,10 @@
 /// - Aimed: at each point of the shooter the form factor of every receiver is known in closed form but for its blockers,
 ///   and a ray towards it says whether there are any. Where nothing is hidden only the average over the shooter is
 ///   sampled, which is smooth: standard errors of 1e-5 of the value with 2^16 points, 1e-6 with 2^20. Where a blocker
-///   hides a part, 1e-3 and 1e-4. Time grows with points times pieces of receivers. Use it for few, small or near
-///   receivers, and where digits count. A value that is 0, for all is hidden, may come out below 0 by its error.
+///   hides a part, 1e-3 and 1e-4. What happens on less of the shooter than one point stands for may be missed, and no
+///   standard error tells: at a gap of a millionth of the side it is the light that leaves between the rims, 2e-6 of
+///   all. Time grows with points times pieces of receivers. Use it for few, small or near receivers, and where digits
+///   count. A value that is 0, for all is hidden, may come out below 0 by its error.
 ///
 /// Faces that lie on each other do not see each other (the epsilon rule): what leaves the floor under a box meets the
 /// backs of the box's sides.

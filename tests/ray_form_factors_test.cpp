@@ -407,6 +407,14 @@ TEST_CASE("gaps of a millionth of the side lose no light", "[ray form factors]")
   const double gap = 1e-6, exact = parallelRectangles(unitSquare, unitSquare, gap);
   const Case close = unblocked("close", facingUp(unitSquare), facingDown(unitSquare, gap), exact);
   CHECK(std::abs(measured(close, &RayFormFactors::overHemisphere, {1 << 14}).value - exact) < 1e-4);
+  // What leaves between the rims leaves from a strip that few points lie in, if any.
+  for (const double narrow : {1e-6, 1e-5, 1e-4}) {
+    const double closed = parallelRectangles(unitSquare, unitSquare, narrow);
+    const Measurement aimed =
+        measured(unblocked("narrow", facingUp(unitSquare), facingDown(unitSquare, narrow), closed),
+                 &RayFormFactors::aimed, {1 << 13});
+    CHECK(std::abs(aimed.value - closed) <= 4 * aimed.standardError + (1 - closed));
+  }
   const Case hidden = blocked("close, half hidden", gap, {{-1, 0.5}, {-1, 2}}, 0.5);
   CHECK(agrees(measured(hidden, &RayFormFactors::overHemisphere, {1 << 14}), hidden.exact));
 }
