@@ -73,7 +73,7 @@ struct DiscretizationSettings {
 Discretization discretize(const Scene& scene, const DiscretizationSettings& settings);
 
 /// A surface of one texel: it takes one word and no index map, and is Gouraud shaded.
-inline bool isDiscretized(const Grid& grid) { return grid.columns * grid.rows > 1; }
+inline bool isDiscretized(const Grid& grid) { return grid.columns > 1 || grid.rows > 1; }
 
 /// Diffuse reflectance and emitted radiosity of an element, maps averaged over it.
 glm::dvec3 reflectance(const Scene& scene, const Discretization& discretization, std::uint32_t element);

@@ -14,6 +14,7 @@
 #include "reference/ray_form_factors.h"
 #include "tests/hand_scenes.h"
 #include "tests/hemicube_world.h"
+#include "tests/outline_bound.h"
 
 using namespace hemitex;
 using namespace hemitex::radiosity;
@@ -202,34 +203,6 @@ Scene withOccluder(Scene scene, std::mt19937& random) {
   return tests::finish(std::move(scene));
 }
 
-/// A bound on how far the shares of samples are from the integral over a convex polygon: a closed convex curve of
-/// length L around a part of a grid of unit width holds as many grid points as its area, but for L/2 + 1 (Jarnik). So
-/// half a pixel, times the density of the form factor, is integrated along the polygon's outline on the hemicube.
-double outlineBound(const SurfacePoint& point, const std::vector<glm::dvec3>& polygon, int pixels) {
-  const auto faces = hemicubeFaces(point.position, point.normal, glm::dvec3(0), 1, pixels);
-  constexpr int steps = 1000;
-  double bound = 5 * formFactor(DeltaFormFactors(pixels).top(pixels / 2, pixels / 2));
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const glm::dvec3 step = (polygon[(i + 1) % polygon.size()] - polygon[i]) / double(steps);
-    for (int s = 0; s < steps; ++s) {
-      const glm::dvec3 d = polygon[i] + (s + 0.5) * step - point.position;
-      const double height = glm::dot(d, point.normal);
-      if (height <= 0) continue;
-      const auto depth = [&d](const raster::Face& face) { return glm::dot(glm::dvec3(face.w), d); };
-      const raster::Face& face =
-          *std::max_element(faces.begin(), faces.end(),
-                            [&](const raster::Face& a, const raster::Face& b) { return depth(a) < depth(b); });
-      // On the face: d / w. A step moves it by (step - (step along w) d / w) / w. The density is cos^2 / (pi s^2) on
-      // the top, and generally (height / w) / (pi s^4), s the distance to the point on the face.
-      const double w = depth(face);
-      const glm::dvec3 at = d / w;
-      const double length = glm::length(step - glm::dot(glm::dvec3(face.w), step) * at) / w;
-      bound += length / pixels * (height / w) / (M_PI * glm::dot(at, at) * glm::dot(at, at));
-    }
-  }
-  return bound;
-}
-
 using Estimator = reference::MeasuredRow (reference::RayFormFactors::*)(const reference::Shooter&,
                                                                         const reference::Receivers&,
                                                                         const reference::Sampling&) const;
@@ -293,7 +266,7 @@ TEST_CASE("a room turned any way has the closed form's factors within the pixels
               std::tie(world.scene.surfaces[s].triangles[0].position, world.scene.surfaces[s].triangles[1].position);
           const std::vector<glm::dvec3> polygon{first[0], first[1], first[2], second[2]};
           const double exact = reference::pointToPolygon(centre.position, centre.normal, polygon);
-          CHECK(std::abs(factor[s] - exact) <= outlineBound(centre, polygon, resolution));
+          CHECK(std::abs(factor[s] - exact) <= tests::outlineBound(centre, polygon, resolution));
         }
       }
     }
