@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "radiosity/hemicube.h"
+#include "radiosity/patch_splitting.h"
 #include "raster/software_renderer.h"
 #include "reference/analytic_form_factors.h"
 #include "reference/ray_form_factors.h"
@@ -51,17 +52,19 @@ Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& disc
   return mean;
 }
 
-/// What hemicubes are drawn with.
+/// What hemicubes are drawn with, and the discretization whose patches they stand on.
 struct Hemicubes {
   radiosity::WordLayout layout;
   raster::SoftwareRenderer renderer;
+  radiosity::Discretization split;
   radiosity::HemicubeRows rows;
 
   Hemicubes(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-            radiosity::WordLayout wordLayout, int resolution)
+            radiosity::WordLayout wordLayout, const HemicubeOptions& options)
       : layout(std::move(wordLayout)),
         renderer(radiosity::makeDrawList(scene, discretization, layout)),
-        rows(scene, discretization, layout, renderer, resolution) {}
+        split(radiosity::splitPatches(scene, discretization, layout, renderer, options.split)),
+        rows(scene, split, layout, renderer, options.resolution, options.orientation) {}
 };
 
 /// Where whole surfaces receive, they are not cut into texels.
@@ -120,11 +123,12 @@ Receivers familiesAsReceivers(const radiosity::Discretization& discretization, c
 }
 
 RowMethod hemicubeMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                         const Receivers& receivers, const WordOptions& word, int resolution, Console& console) {
+                         const Receivers& receivers, const WordOptions& word, const HemicubeOptions& options,
+                         Console& console) {
   const auto hemicubes =
-      std::make_shared<Hemicubes>(scene, discretization, layoutOf(word, discretization, console), resolution);
-  return [&scene, &discretization, &receivers, hemicubes](const Source& source) {
-    return meanRow(scene, discretization, hemicubes->rows, source, receivers);
+      std::make_shared<Hemicubes>(scene, discretization, layoutOf(word, discretization, console), options);
+  return [&scene, &receivers, hemicubes](const Source& source) {
+    return meanRow(scene, hemicubes->split, hemicubes->rows, source, receivers);
   };
 }
 

@@ -37,9 +37,10 @@ using RowMethod = std::function<Row(const Source&)>;
 
 /// A surface shoots from its patches, so its row is the mean of its patches' rows, weighted by their areas. Shares are
 /// integers and add up exactly within a row; only the mean over patches is taken in binary64, in the patches' order. A
-/// texel shoots from its centre.
+/// texel shoots from its centre, by an aligned hemicube.
 RowMethod hemicubeMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                         const Receivers& receivers, const WordOptions& word, int resolution, Console& console);
+                         const Receivers& receivers, const WordOptions& word, const HemicubeOptions& options,
+                         Console& console);
 
 /// How rays measure.
 struct RayOptions {

@@ -112,7 +112,24 @@ CLI::Option* addResolution(CLI::App& app, int& resolution) {
       ->type_name("R");
 }
 
-std::vector<std::string> hemicubeOptions() { return {"--resolution", "--format", "--blend", "--no-align"}; }
+void addHemicubeOptions(CLI::App& app, HemicubeOptions& options) {
+  using radiosity::Orientation;
+  addResolution(app, options.resolution);
+  addChoice<Orientation>(app, "--orientation", options.orientation,
+                         {{"aligned", Orientation::Aligned}, {"turned", Orientation::Turned}},
+                         "hemicubes all alike, or each turned about its normal (default turned)");
+  addPositive(app, "--split", options.split, std::numeric_limits<double>::infinity(),
+              "quarter patches while more than this share of their light would come straight back to them from white "
+              "surroundings (default 0.025); 1 or more splits none");
+}
+
+std::string nameOf(radiosity::Orientation orientation) {
+  return orientation == radiosity::Orientation::Aligned ? "aligned" : "turned";
+}
+
+std::vector<std::string> hemicubeOptionNames() {
+  return {"--resolution", "--orientation", "--split", "--format", "--blend", "--no-align"};
+}
 
 void refuseUnused(const CLI::App& app, const std::vector<std::string>& options, const std::string& method) {
   for (const std::string& option : options)

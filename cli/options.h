@@ -14,6 +14,7 @@
 #include "cli/console.h"
 #include "cli/numbers.h"
 #include "radiosity/discretization.h"
+#include "radiosity/hemicube.h"
 #include "radiosity/scene.h"
 #include "radiosity/word_layout.h"
 #include "raster/word.h"
@@ -107,8 +108,17 @@ radiosity::WordLayout layoutOf(const WordOptions& options, const radiosity::Disc
 /// `--resolution`: the side of a hemicube in pixels, even, 2 to 4096.
 CLI::Option* addResolution(CLI::App& app, int& resolution);
 
-/// What hemicubes are drawn with: `--resolution` and the options of words.
-std::vector<std::string> hemicubeOptions();
+/// How hemicubes look at the scene.
+struct HemicubeOptions {
+  int resolution = 256;
+  radiosity::Orientation orientation = radiosity::Orientation::Turned;
+  double split = 0.025;  ///< see radiosity::splitPatches
+};
+void addHemicubeOptions(CLI::App& app, HemicubeOptions& options);
+std::string nameOf(radiosity::Orientation orientation);
+
+/// What hemicubes are drawn with: their options and those of words.
+std::vector<std::string> hemicubeOptionNames();
 /// Throws CLI::ValidationError where one of the options was given though a method has no use for it.
 void refuseUnused(const CLI::App& app, const std::vector<std::string>& options, const std::string& method);
 

@@ -15,6 +15,7 @@
 #include "cli/staging.h"
 #include "radiosity/hemicube.h"
 #include "radiosity/lit_scene.h"
+#include "radiosity/patch_splitting.h"
 #include "radiosity/picture.h"
 #include "radiosity/radiosity_texture.h"
 #include "radiosity/solver.h"
@@ -31,7 +32,7 @@ struct SolveOptions {
   SceneOptions scene;
   radiosity::DiscretizationSettings discretization;
   std::string discretize = "texture";
-  int resolution = 256;
+  HemicubeOptions hemicubes;
   std::string method = "hemicube";
   int samples = 1 << 16;
   WordOptions word;
@@ -64,6 +65,7 @@ ordered_json settingsJson(const SolveOptions& options, const radiosity::Camera& 
     return charts == radiosity::Charts::Auto ? "auto" : charts == radiosity::Charts::File ? "file" : "planar";
   };
   const auto orNull = [](const auto& value) { return value ? ordered_json(*value) : ordered_json(); };
+  const auto ofHemicubes = [&](const auto& value) { return usesRays(options) ? ordered_json() : ordered_json(value); };
   return {{"charts", chartsName(options.scene.settings.charts)},
           {"max_reflectance", options.scene.settings.maxReflectance},
           {"two_sided", options.scene.settings.twoSided},
@@ -72,8 +74,10 @@ ordered_json settingsJson(const SolveOptions& options, const radiosity::Camera& 
           {"surface_texels", options.discretization.surfaceTexels},
           {"patch", options.discretization.patch},
           {"discretize", options.discretize},
-          {"resolution", usesRays(options) ? ordered_json() : ordered_json(options.resolution)},
           {"method", options.method},
+          {"resolution", ofHemicubes(options.hemicubes.resolution)},
+          {"orientation", ofHemicubes(nameOf(options.hemicubes.orientation))},
+          {"split", ofHemicubes(options.hemicubes.split)},
           {"samples", usesRays(options) ? ordered_json(options.samples) : ordered_json()},
           {"format", options.word.format},
           {"blend", options.word.blend == raster::Blend::ClampedAdd ? "clamped-add" : "integer-add"},
@@ -104,9 +108,14 @@ std::string summary(const ordered_json& description) {
   return text.str();
 }
 
-radiosity::Solution solutionOf(const SolveOptions& options, const radiosity::Scene& scene,
-                               const radiosity::Discretization& discretization, const radiosity::WordLayout& layout,
-                               Console& console) {
+/// A solution, and the discretization whose patches shot.
+struct Solved {
+  radiosity::Discretization discretization;
+  radiosity::Solution solution;
+};
+
+Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radiosity::Discretization discretization,
+                const radiosity::WordLayout& layout, Console& console) {
   const auto solveBy = [&](auto& rows) {
     const auto rowOf = [&rows](std::uint32_t patch) { return rows.ofPatch(patch); };
     return radiosity::solve(scene, discretization, rowOf, options.solver, progressOf(options.solver, console));
@@ -116,14 +125,16 @@ radiosity::Solution solutionOf(const SolveOptions& options, const radiosity::Sce
     return solveBy(rows);
   };
   const auto byHemicubes = [&] {
+    const HemicubeOptions& hemicubes = options.hemicubes;
     raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));
-    radiosity::HemicubeRows rows(scene, discretization, layout, renderer, options.resolution);
+    discretization = radiosity::splitPatches(scene, std::move(discretization), layout, renderer, hemicubes.split);
+    radiosity::HemicubeRows rows(scene, discretization, layout, renderer, hemicubes.resolution, hemicubes.orientation);
     return solveBy(rows);
   };
   radiosity::Solution solution = usesRays(options) ? byRays() : byHemicubes();
   console.endProgress();
   console.warnings(solution.warnings);
-  return solution;
+  return {std::move(discretization), std::move(solution)};
 }
 
 void solve(const SolveOptions& options, Context& context) {
@@ -133,11 +144,13 @@ void solve(const SolveOptions& options, Context& context) {
   radiosity::requireEmission(scene, options.scene.file);
   const radiosity::Camera camera = cameraOf(options.camera, scene, options.scene.file);
   watch.lap("load_s");
-  const radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
-  const radiosity::WordLayout layout = layoutOf(options.word, discretization, console);
+  radiosity::Discretization unsplit = discretizationOf(options.discretization, scene);
+  const radiosity::WordLayout layout = layoutOf(options.word, unsplit, console);
   watch.lap("discretize_s");
   Staging{options.output};  // a folder that cannot be written is told before the work, not after it
-  const radiosity::Solution solution = solutionOf(options, scene, discretization, layout, console);
+  const Solved solved = solvedBy(options, scene, std::move(unsplit), layout, console);
+  const radiosity::Discretization& discretization = solved.discretization;
+  const radiosity::Solution& solution = solved.solution;
   watch.lap("solve_s");
   Staging staging(options.output);
   const double exposure = options.camera.exposure.value_or(
@@ -189,7 +202,7 @@ void addSolve(CLI::App& program, Context& context) {
   addChoice<std::string>(
       *command, "--method", options->method, {{"hemicube", "hemicube"}, {"rays", "rays"}},
       "what finds form factors (default hemicube); what rays find differs between machines in the last digits");
-  addResolution(*command, options->resolution);
+  addHemicubeOptions(*command, options->hemicubes);
   addSamples(*command, options->samples);
   addWordOptions(*command, options->word);
   CLI::Option* residual =
@@ -205,7 +218,7 @@ void addSolve(CLI::App& program, Context& context) {
       ->type_name("MIB");
   addCameraOptions(*command, options->camera);
   command->callback([options, command, &context] {
-    refuseUnused(*command, usesRays(*options) ? hemicubeOptions() : std::vector<std::string>{"--samples"},
+    refuseUnused(*command, usesRays(*options) ? hemicubeOptionNames() : std::vector<std::string>{"--samples"},
                  options->method);
     context.command = [options, &context] { solve(*options, context); };
   });

@@ -36,6 +36,8 @@ struct Patch {
   std::uint32_t surface = 0;
   int column = 0, row = 0, width = 0, height = 0;    ///< in texels; at the grid's end a block may be smaller
   std::uint32_t firstElement = 0, elementCount = 0;  ///< in Discretization::patchElements
+  int halvings = 0;  ///< how often its side was halved, for it is near to what it lights (see patch_splitting.h)
+  int points = 1;    ///< along its side: it shoots from points x points of them; more than 1 only for a single texel
 };
 
 /// The texels of one surface.
@@ -85,6 +87,9 @@ struct SurfacePoint {
   glm::dvec3 normal;           ///< unit
   std::uint32_t triangle = 0;  ///< in Surface::triangles
 };
+
+/// The point of a triangle of a surface with these barycentric weights, of its corners 1 and 2.
+SurfacePoint pointOn(const Surface& surface, std::uint32_t triangle, const glm::dvec2& weights);
 
 /// The centre of a patch, computed from the chart: the surface's point at the middle of the block or, where the chart
 /// has a hole there, in the covered texel nearest to the middle. Always on the surface.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace hemitex::radiosity {
@@ -21,5 +22,14 @@ struct FormFactorRow {
 
 /// The form factor of a share, in [0, 1].
 inline double formFactor(std::uint64_t share) { return static_cast<double>(share) / static_cast<double>(wholeShare); }
+
+/// A row from one of several points, and the area that shoots from there.
+struct WeightedRow {
+  FormFactorRow row;
+  double area = 0;  ///< above 0
+};
+
+/// The mean of rows, weighted by area. It sums to exactly 2^60 again: the largest share takes what rounding left.
+FormFactorRow meanOf(std::span<const WeightedRow> rows);
 
 }  // namespace hemitex::radiosity

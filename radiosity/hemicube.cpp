@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "radiosity/patch_points.h"
+
 namespace hemitex::radiosity {
 namespace {
 
@@ -84,6 +86,14 @@ glm::dvec3 tangentAlong(const glm::dvec3& normal, const glm::dvec3& up) {
                           : a.y <= a.z             ? glm::dvec3(0, 1, 0)
                                                    : glm::dvec3(0, 0, 1);
   return tangentAlong(normal, axis);
+}
+
+/// The direction at right angles to a normal that lies a share of a quarter turn from the first axis there: of a
+/// circle's rational points, which need no sine that would differ between machines. Not quite even, which does not
+/// matter.
+glm::dvec3 quarterTurn(const glm::dvec3& normal, double share) {
+  const glm::dvec3 x = tangentAlong(normal, glm::dvec3(0)), y = glm::cross(normal, x);
+  return (1 - share * share) * x + 2 * share * y;
 }
 
 /// The squared distance from a point to a triangle: to the plane where the point projects inside, else to an edge.
@@ -193,14 +203,27 @@ double nearDistance(const Scene& scene, const glm::dvec3& point, const std::vect
   return std::clamp(std::sqrt(nearest / 3), smallestNearDistance * scene.extent, scene.extent);
 }
 
+double turnOf(std::uint32_t patch, int point) {
+  // The golden section and its square, in units of 2^-32; the product wraps around to the fraction.
+  const std::uint32_t turn = patch * 0x9e3779b9U + static_cast<std::uint32_t>(point) * 0x61c88647U;
+  return turn * 0x1p-32;
+}
+
 HemicubeRows::HemicubeRows(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
-                           raster::ItemBufferRenderer& renderer, int resolution)
+                           raster::ItemBufferRenderer& renderer, int resolution, Orientation orientation)
     : scene_(scene),
       discretization_(discretization),
       layout_(layout),
       renderer_(renderer),
-      deltas_(resolution),
+      resolution_(resolution),
+      orientation_(orientation),
       share_(discretization.elements.size()) {}
+
+const DeltaFormFactors& HemicubeRows::deltasAfter(int halvings) {
+  const int halved = resolution_ >> halvings;
+  const int resolution = std::min(resolution_, std::max(smallestResolution, halved + halved % 2));
+  return deltas_.try_emplace(resolution, resolution).first->second;
+}
 
 glm::dvec3 HemicubeRows::eyeOver(std::uint32_t surface, const SurfacePoint& point) const {
   const std::array<glm::dvec3, 3>& corner = scene_.surfaces[surface].triangles[point.triangle].position;
@@ -210,20 +233,35 @@ glm::dvec3 HemicubeRows::eyeOver(std::uint32_t surface, const SurfacePoint& poin
   return point.position + share * inward + eyeLift * scene_.extent * point.normal;
 }
 
-FormFactorRow HemicubeRows::from(std::uint32_t surface, const SurfacePoint& point) {
+FormFactorRow HemicubeRows::draw(std::uint32_t surface, const SurfacePoint& point, const glm::dvec3& up, int halvings) {
+  const DeltaFormFactors& deltas = deltasAfter(halvings);
   const std::vector<std::uint32_t> skipped = skippedTriangles(scene_, surface, point);
   const glm::dvec3 eye = eyeOver(surface, point);
-  const std::array<raster::Face, 5> faces = hemicubeFaces(eye - scene_.origin, point.normal, glm::dvec3(0),
-                                                          nearDistance(scene_, eye, skipped), deltas_.resolution());
-  return count(renderer_.render(faces, skipped));
+  const std::array<raster::Face, 5> faces =
+      hemicubeFaces(eye - scene_.origin, point.normal, up, nearDistance(scene_, eye, skipped), deltas.resolution());
+  return count(renderer_.render(faces, skipped), deltas);
 }
 
-FormFactorRow HemicubeRows::ofPatch(std::uint32_t patch) {
-  const Patch& shooter = discretization_.patches[patch];
-  return from(shooter.surface, patchCentre(scene_, discretization_, shooter));
+FormFactorRow HemicubeRows::from(std::uint32_t surface, const SurfacePoint& point) {
+  return draw(surface, point, glm::dvec3(0), 0);
 }
 
-FormFactorRow HemicubeRows::count(const std::vector<raster::ItemBuffer>& faces) {
+FormFactorRow HemicubeRows::ofPatch(std::uint32_t number) {
+  const Patch& patch = discretization_.patches[number];
+  const auto rowFrom = [&](const SurfacePoint& point, int index, int halvings) {
+    const glm::dvec3 up =
+        orientation_ == Orientation::Aligned ? glm::dvec3(0) : quarterTurn(point.normal, turnOf(number, index));
+    return draw(patch.surface, point, up, halvings);
+  };
+  if (patch.points == 1) return rowFrom(patchCentre(scene_, discretization_, patch), 0, patch.halvings);
+  std::vector<WeightedRow> rows;
+  int index = 0;
+  for (const ShootingBlock& block : shootingBlocks(scene_, discretization_, patch))
+    rows.push_back({rowFrom(block.centre, index++, patch.halvings), block.area});
+  return meanOf(rows);
+}
+
+FormFactorRow HemicubeRows::count(const std::vector<raster::ItemBuffer>& faces, const DeltaFormFactors& deltas) {
   FormFactorRow row;
   const auto add = [&](raster::Word word, std::uint64_t share) {
     if (word == raster::backWord(layout_.format)) {
@@ -249,7 +287,7 @@ FormFactorRow HemicubeRows::count(const std::vector<raster::ItemBuffer>& faces) 
           run = *word;
           share = 0;
         }
-        share += face == 0 ? deltas_.top(i, j) : deltas_.side(i, j);
+        share += face == 0 ? deltas.top(i, j) : deltas.side(i, j);
       }
     add(run, share);
   }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <map>
 #include <vector>
 
 #include "radiosity/discretization.h"
@@ -49,6 +50,8 @@ inline constexpr double tangentPlaneTolerance = 0x1p-20;
 /// concave folds, the move all but the sharpest ones.
 inline constexpr double eyeMove = 0x1p-19;
 inline constexpr double eyeLift = 0x1p-21;
+/// Halving stops here: below, a hemicube's pixels are as wide as what it is to tell apart.
+inline constexpr int smallestResolution = 16;
 /// A near distance is never below this many extents of the scene: binary32 positions have no detail there.
 inline constexpr double smallestNearDistance = 0x1p-24;
 
@@ -61,28 +64,44 @@ std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::uint32_t su
 /// touches the point it is smallestNearDistance, where nothing is near the scene's extent.
 double nearDistance(const Scene& scene, const glm::dvec3& point, const std::vector<std::uint32_t>& skipped);
 
+/// How hemicubes stand over patches.
+enum class Orientation {
+  Aligned,  ///< all alike
+  Turned,   ///< each turned about its normal by an angle of its own: what falls between the pixels of one patch meets
+            ///< those of the next, instead of being missed by all that see it from along the same axis
+};
+
+/// Where along a quarter turn a patch's hemicube stands, in [0, 1): multiples of the golden section, which leave no
+/// large gap however many of them there are (Weyl 1916; the faces repeat after a quarter).
+double turnOf(std::uint32_t patch, int point);
+
 /// Counts item buffers into rows: words to elements through the layout and the spill tables, pixels to shares.
 class HemicubeRows {
  public:
   /// All referenced objects must outlive this one.
   HemicubeRows(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
-               raster::ItemBufferRenderer& renderer, int resolution);
+               raster::ItemBufferRenderer& renderer, int resolution, Orientation orientation = Orientation::Aligned);
 
   /// The row of form factors from a point of a surface.
   FormFactorRow from(std::uint32_t surface, const SurfacePoint& point);
-  /// The row of a patch, from its centre.
+  /// The row of a patch, from its centre or as the mean of its points. A part of a split patch shoots less light, so
+  /// that coarser hemicubes do: the resolution is halved as often as the side was, down to smallestResolution.
   FormFactorRow ofPatch(std::uint32_t patch);
 
  private:
+  FormFactorRow draw(std::uint32_t surface, const SurfacePoint& point, const glm::dvec3& up, int halvings);
   glm::dvec3 eyeOver(std::uint32_t surface, const SurfacePoint& point) const;
-  FormFactorRow count(const std::vector<raster::ItemBuffer>& faces);
+  FormFactorRow count(const std::vector<raster::ItemBuffer>& faces, const DeltaFormFactors& deltas);
+  const DeltaFormFactors& deltasAfter(int halvings);
 
   const Scene& scene_;
   const Discretization& discretization_;
   const WordLayout& layout_;
   raster::ItemBufferRenderer& renderer_;
-  DeltaFormFactors deltas_;
-  std::vector<std::uint64_t> share_;  ///< one an element, all 0 between rows
+  int resolution_;
+  Orientation orientation_;
+  std::map<int, DeltaFormFactors> deltas_;  ///< by resolution, made when first asked for
+  std::vector<std::uint64_t> share_;        ///< one an element, all 0 between rows
 };
 
 }  // namespace hemitex::radiosity

@@ -8,13 +8,6 @@
 namespace hemitex::radiosity {
 namespace {
 
-SurfacePoint pointOn(const Surface& surface, std::uint32_t number, const glm::dvec2& weights) {
-  const Triangle& triangle = surface.triangles[number];
-  const glm::dvec3 position = triangle.position[0] + weights.x * (triangle.position[1] - triangle.position[0]) +
-                              weights.y * (triangle.position[2] - triangle.position[0]);
-  return {position, normal(triangle), number};
-}
-
 struct TexelPlace {
   int column, row;
   glm::dvec2 middle;  ///< in texels
@@ -42,6 +35,13 @@ std::uint32_t nearestElement(const Discretization& discretization, const Patch& 
 }
 
 }  // namespace
+
+SurfacePoint pointOn(const Surface& surface, std::uint32_t number, const glm::dvec2& weights) {
+  const Triangle& triangle = surface.triangles[number];
+  const glm::dvec3 position = triangle.position[0] + weights.x * (triangle.position[1] - triangle.position[0]) +
+                              weights.y * (triangle.position[2] - triangle.position[0]);
+  return {position, normal(triangle), number};
+}
 
 /// Looks at every triangle of the surface, as the hemicube that is drawn from there does as well.
 SurfacePoint patchCentre(const Scene& scene, const Discretization& discretization, const Patch& patch) {

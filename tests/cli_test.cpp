@@ -131,7 +131,9 @@ TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind"
       "solve room.obj -o out --texels 4 --texel-size 0.1", "solve room.obj -o out --texel-size 0",
       "solve room.obj -o out --texel-size nan", "solve room.obj -o out --patch 0",
       "solve room.obj -o out --resolution 255", "solve room.obj -o out --resolution 0",
-      "solve room.obj -o out --resolution 4098", "solve room.obj -o out --residual 0",
+      "solve room.obj -o out --resolution 4098", "solve room.obj -o out --split 0", "solve room.obj -o out --split -1",
+      "solve room.obj -o out --split nan", "solve room.obj -o out --orientation up",
+      "solve room.obj -o out --method rays --split 0.1", "solve room.obj -o out --residual 0",
       "solve room.obj -o out --residual -1", "solve room.obj -o out --residual nan",
       "solve room.obj -o out --residual 1e999", "solve room.obj -o out --residual inf",
       "solve room.obj -o out --residual 0.1x", "solve room.obj -o out --shots -1",
@@ -156,6 +158,7 @@ TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind"
       "formfactors room.obj --from floor --samples 1024", "formfactors room.obj --from floor --aimed",
       "formfactors room.obj --from floor --method analytic --aimed",
       "formfactors room.obj --from floor --method rays --resolution 64",
+      "formfactors room.obj --from floor --method analytic --orientation turned",
       "formfactors room.obj --from floor --method analytic --resolution 64",
       "formfactors room.obj --from floor --method rays --no-align", "formfactors room.obj --from floor --smooth",
       "vector", "vector export room.obj -o out", "vector export room.obj -o out --eye 0,0,0 --normal 0,0,0",
@@ -205,7 +208,7 @@ TEST_CASE("Help and version are printed on stdout, before or after a command", "
 
 TEST_CASE("A solved folder holds what is promised", "[cli]") {
   const Shell shell;
-  shell.output(quickSolve + "-o out");
+  shell.output(quickSolve + "--split 1 -o out");
   for (const char* name : {"scene.obj", "scene.mtl", "render.png", "elements.csv", "solution.json", "scene.view.json"})
     CHECK(fs::file_size(shell.file("out") / name) > 0);
 

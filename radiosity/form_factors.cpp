@@ -1,0 +1,65 @@
+#include "radiosity/form_factors.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace hemitex::radiosity {
+namespace {
+
+/// A row whose shares are not whole yet.
+struct Sums {
+  std::vector<std::uint32_t> elements;  ///< ascending
+  std::vector<double> shares;
+  double background = 0, back = 0;
+};
+
+/// Both lists of elements ascend, so one walk along both adds them.
+Sums sum(const Sums& sums, const FormFactorRow& row, double weight) {
+  Sums result{{},
+              {},
+              sums.background + weight * static_cast<double>(row.background),
+              sums.back + weight * static_cast<double>(row.back)};
+  result.elements.reserve(sums.elements.size() + row.elements.size());
+  result.shares.reserve(sums.elements.size() + row.elements.size());
+  std::size_t i = 0, j = 0;
+  while (i < sums.elements.size() || j < row.elements.size()) {
+    const bool fromSums = j == row.elements.size() || (i < sums.elements.size() && sums.elements[i] <= row.elements[j]);
+    const bool fromRow = i == sums.elements.size() || (j < row.elements.size() && row.elements[j] <= sums.elements[i]);
+    result.elements.push_back(fromSums ? sums.elements[i] : row.elements[j]);
+    double share = 0;
+    if (fromSums) share += sums.shares[i++];
+    if (fromRow) share += weight * static_cast<double>(row.shares[j++]);
+    result.shares.push_back(share);
+  }
+  return result;
+}
+
+std::uint64_t rounded(double share) { return static_cast<std::uint64_t>(std::nearbyint(share)); }
+
+/// Gives the largest share what is missing to the whole, which is far less than that share.
+void close(FormFactorRow& row) {
+  const std::uint64_t total = std::accumulate(row.shares.begin(), row.shares.end(), row.background + row.back);
+  std::uint64_t* largest = row.background > row.back ? &row.background : &row.back;
+  for (std::uint64_t& share : row.shares)
+    if (share > *largest) largest = &share;
+  *largest += wholeShare - total;
+}
+
+}  // namespace
+
+FormFactorRow meanOf(std::span<const WeightedRow> rows) {
+  assert(!rows.empty());
+  const double area = std::accumulate(rows.begin(), rows.end(), 0.0,
+                                      [](double sum, const WeightedRow& weighted) { return sum + weighted.area; });
+  Sums sums;
+  for (const WeightedRow& weighted : rows) sums = sum(sums, weighted.row, weighted.area / area);
+  FormFactorRow mean{std::move(sums.elements), {}, rounded(sums.background), rounded(sums.back)};
+  for (const double share : sums.shares) mean.shares.push_back(rounded(share));
+  close(mean);
+  return mean;
+}
+
+}  // namespace hemitex::radiosity
