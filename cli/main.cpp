@@ -41,6 +41,7 @@ int run(int argc, char** argv, cli::Context& context) {
   cli::addSolve(program, context);
   cli::addRender(program, context);
   cli::addFormFactors(program, context);
+  cli::addTradeoff(program, context);
   cli::addVector(program, context);
   try {
     program.parse(argc, argv);

@@ -117,9 +117,10 @@ std::vector<TradeChoice> tradeChoices(const std::vector<TradeMethod>& methods, c
     const std::vector<int>& settings = methods[m].measured;
     for (const int setting : settings) choices.push_back({m, setting, texels.front(), patches.front()});
     for (const int t : texels)
-      for (const int p : patches)
-        if (p <= t && std::pair{t, p} != std::pair{texels.front(), patches.front()})
-          choices.push_back({m, settings[settings.size() / 2], t, p});
+      for (const int p : patches) {
+        if (p > t || std::pair{t, p} == std::pair{texels.front(), patches.front()}) continue;
+        for (std::size_t i = 0; i <= settings.size() / 2; ++i) choices.push_back({m, settings[i], t, p});
+      }
   }
   return choices;
 }

@@ -22,8 +22,8 @@
 namespace hemitex::reference {
 
 /// Of each choice; but once it takes longer than `longTime` seconds, it is not repeated.
-inline constexpr int tradeRounds = 5;
-inline constexpr double longTime = 2;
+inline constexpr int tradeRounds = 3;
+inline constexpr double longTime = 1;
 /// Solutions go on until so much of the emitted light is left unshot: less than the errors that are measured.
 inline constexpr double tradeResidual = 1e-4;
 
@@ -34,7 +34,7 @@ struct TradeChoice {
 };
 
 /// Every method at every of its settings on grids of the first number of texels and the first size of a patch; at the
-/// setting in the middle of its list with all others as well. Patches larger than a surface are left out.
+/// settings up to the middle of its list on all others as well. Patches larger than a surface are left out.
 std::vector<TradeChoice> tradeChoices(const std::vector<TradeMethod>& methods, const std::vector<int>& texels,
                                       const std::vector<int>& patches);
 

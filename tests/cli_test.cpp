@@ -161,7 +161,12 @@ TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind"
       "formfactors room.obj --from floor --method analytic --orientation turned",
       "formfactors room.obj --from floor --method analytic --resolution 64",
       "formfactors room.obj --from floor --method rays --no-align", "formfactors room.obj --from floor --smooth",
-      "vector", "vector export room.obj -o out", "vector export room.obj -o out --eye 0,0,0 --normal 0,0,0",
+      "tradeoff room.obj", "tradeoff -o out", "tradeoff room.obj -o out --texels 6,4",
+      "tradeoff room.obj -o out --texels 4,", "tradeoff room.obj -o out --texels 32",
+      "tradeoff room.obj -o out --patch 0", "tradeoff room.obj -o out --method guess",
+      "tradeoff room.obj -o out --method hemicube=48", "tradeoff room.obj -o out --method hemicube=1",
+      "tradeoff room.obj -o out --method area-rays=", "tradeoff room.obj -o out --samples 127", "vector",
+      "vector export room.obj -o out", "vector export room.obj -o out --eye 0,0,0 --normal 0,0,0",
       "vector render room.obj -o out", "vector render no-such-folder -o out");
   const Shell shell;
   const auto before = shell.files();
@@ -199,8 +204,8 @@ TEST_CASE("A name that no surface has is answered with the names that come near"
 
 TEST_CASE("Help and version are printed on stdout, before or after a command", "[cli]") {
   const Shell shell;
-  for (const char* arguments : {"--help", "solve --help", "render -h", "formfactors --help", "vector --help",
-                                "vector export --help", "vector render --help"})
+  for (const char* arguments : {"--help", "solve --help", "render -h", "formfactors --help", "tradeoff --help",
+                                "vector --help", "vector export --help", "vector render --help"})
     CHECK(shell.output(arguments).find("--threads") != std::string::npos);
   for (const char* arguments : {"--version", "solve --version", "--version solve", "vector export --version"})
     CHECK(shell.output(arguments) == "hemitex " HEMITEX_VERSION "\n");
@@ -346,6 +351,58 @@ TEST_CASE("A solved folder shows the grids that were solved", "[cli]") {
   INFO(show << ' ' << grids);
   const bool isSame = readAll(shell.file("solved.png")) == readAll(shell.file("bare.png"));
   CHECK(isSame);
+}
+
+namespace {
+
+/// Without what differs from run to run.
+json withoutTimes(json value) {
+  if (value.is_object()) value.erase("times");
+  for (json& part : value)
+    if (part.is_structured()) part = withoutTimes(part);
+  return value;
+}
+
+}  // namespace
+
+TEST_CASE("The trade is a table, an object and a page, and all but times are the same for any number of threads",
+          "[cli]") {
+  const Shell shell;
+  const std::string quick =
+      "tradeoff room.obj --texels 4,2 --patch 2,1 --samples 256 --method hemicube=32,64 --method centre-rays=64 ";
+  shell.output(quick + "-o one --threads 1");
+  const json result = json::parse(shell.output(quick + "-o three --threads 3 --json"));
+  const json one = json::parse(readAll(shell.file("one/tradeoff.json")));
+  CHECK(withoutTimes(one) == withoutTimes(result));
+  CHECK(result == json::parse(readAll(shell.file("three/tradeoff.json"))));
+  CHECK(std::distance(fs::directory_iterator(shell.file("one")), {}) == 3);
+
+  // Six faces: 4 x 4 texels in patches of 2 and 1, 2 x 2 in patches of 2 and 1. Hemicubes at both settings on the
+  // first, and on the others at those up to the middle of two, which is the second; rays at their only one.
+  CHECK(result["scene"] == "room.obj");
+  CHECK(result["truth"]["elements"] == 96);
+  REQUIRE(result["choices"].size() == 4 * (2 + 1));
+  const auto lines = linesOf(readAll(shell.file("one/tradeoff.csv")));
+  REQUIRE(lines.size() == 1 + 4 * (2 + 1));
+  CHECK(lines[1].starts_with("hemicube,resolution,32,3072,4,2,96,24,"));
+  for (const json& choice : result["choices"]) {
+    CHECK(choice["radiosity_error"]["flux_weighted"] > 0);
+    CHECK(choice["row_error"]["relative_l1"] > 0);
+    CHECK(choice["bytes"]["rows"] > 0);
+    CHECK(choice["times"]["median_s"] > 0);
+  }
+  CHECK(result["same_points"]["hemicubes"].size() == 2);
+  CHECK(result["same_points"]["rays"].size() == 1);
+  // What is named within an error is no further off, and on the Pareto front.
+  for (const json& level : result["times"]["within"]) {
+    if (level["choice"].is_null()) continue;
+    const json& choice = result["choices"][level["choice"].get<std::size_t>()];
+    CHECK(choice["radiosity_error"]["flux_weighted"] <= level["error"]);
+    CHECK(choice["times"]["pareto"] == true);
+  }
+  const std::string page = readAll(shell.file("one/report.html"));
+  CHECK(page.find("{{") == std::string::npos);
+  CHECK(page.find(readAll(shell.file("one/tradeoff.json"))) != std::string::npos);
 }
 
 TEST_CASE("The form factors from a surface of a closed room sum to 1", "[cli]") {

@@ -121,12 +121,13 @@ TEST_CASE("more directions bring every method nearer to the truth", "[tradeoff]"
   }
 }
 
-TEST_CASE("choices are all settings on the first grids, and the middle one on the others", "[tradeoff]") {
+TEST_CASE("choices are all settings on the first grids, and those up to the middle on the others", "[tradeoff]") {
   TradeMethod method = tradeMethods().front();
   method.measured = {32, 64, 128};
   const std::vector<TradeChoice> choices = tradeChoices({method}, {8, 2}, {4, 1});
   // 8 texels have patches of 4 and 1, 2 texels of 1 alone.
-  const std::vector<std::array<int, 3>> expected{{32, 8, 4}, {64, 8, 4}, {128, 8, 4}, {64, 8, 1}, {64, 2, 1}};
+  const std::vector<std::array<int, 3>> expected{{32, 8, 4}, {64, 8, 4}, {128, 8, 4}, {32, 8, 1},
+                                                 {64, 8, 1}, {32, 2, 1}, {64, 2, 1}};
   REQUIRE(choices.size() == expected.size());
   for (std::size_t i = 0; i < choices.size(); ++i)
     CHECK(std::array{choices[i].setting, choices[i].texels, choices[i].patch} == expected[i]);

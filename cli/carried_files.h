@@ -1,0 +1,10 @@
+/// Files that the program carries inside, so that what it writes needs nothing beside it. They are put there when it is
+/// built (carried_files.cpp.in).
+#pragma once
+
+namespace hemitex::cli {
+
+extern const char* const pageText;      ///< tradeoff_page.html
+extern const char* const chartLibrary;  ///< Chart.js, minified, with its licence
+
+}  // namespace hemitex::cli
