@@ -1,8 +1,11 @@
 #include "reference/trade_methods.h"
 
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "radiosity/hemicube.h"
+#include "radiosity/patch_splitting.h"
 #include "radiosity/word_layout.h"
 #include "raster/software_renderer.h"
 #include "reference/ray_rows.h"
@@ -14,34 +17,49 @@ using radiosity::Discretization;
 using radiosity::RowSource;
 using radiosity::Scene;
 
+/// As much of its light as a patch may get straight back unless `solve` is told otherwise.
+constexpr double splitLikeSolve = 0.025;
+
+/// How hemicubes stand, and which patches are split for them.
+struct HemicubeStyle {
+  std::string name;
+  radiosity::Orientation orientation;
+  std::optional<double> mostReturning;  ///< see radiosity::splitPatches
+  std::vector<int> measured;
+};
+
 /// What hemicubes are drawn with.
 struct Hemicubes {
   radiosity::WordLayout layout;
   raster::SoftwareRenderer renderer;
-  radiosity::HemicubeRows rows;
+  std::optional<radiosity::HemicubeRows> rows;
 
-  Hemicubes(const Scene& scene, const Discretization& discretization, int resolution)
+  Hemicubes(const Scene& scene, Discretization& discretization, int resolution, const HemicubeStyle& style)
       : layout(radiosity::layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true)),
-        renderer(radiosity::makeDrawList(scene, discretization, layout)),
-        rows(scene, discretization, layout, renderer, resolution) {}
+        renderer(radiosity::makeDrawList(scene, discretization, layout)) {
+    if (style.mostReturning)
+      discretization =
+          radiosity::splitPatches(scene, std::move(discretization), layout, renderer, *style.mostReturning);
+    rows.emplace(scene, discretization, layout, renderer, resolution, style.orientation);
+  }
 };
 
 /// A square and four halves of it.
 double hemicubePixels(int resolution) { return 3.0 * resolution * resolution; }
 
-TradeMethod hemicubeMethod() {
-  const auto rows = [](const Scene& scene, const Discretization& discretization, int resolution) -> RowSource {
-    const auto hemicubes = std::make_shared<Hemicubes>(scene, discretization, resolution);
-    return [hemicubes](std::uint32_t patch) { return hemicubes->rows.ofPatch(patch); };
+TradeMethod hemicubeMethod(const HemicubeStyle& style) {
+  const auto rows = [style](const Scene& scene, Discretization& discretization, int resolution) -> RowSource {
+    const auto hemicubes = std::make_shared<Hemicubes>(scene, discretization, resolution, style);
+    return [hemicubes](std::uint32_t patch) { return hemicubes->rows->ofPatch(patch); };
   };
   const auto bytes = [](int resolution) {
     return static_cast<std::size_t>(hemicubePixels(resolution)) * sizeof(raster::Word);
   };
-  return {"hemicube", "resolution", 2, 4096, {32, 64, 128, 256, 512, 1024, 2048}, hemicubePixels, bytes, rows};
+  return {style.name, "resolution", 2, 4096, style.measured, hemicubePixels, bytes, rows};
 }
 
 TradeMethod rayMethod(const std::string& name, RayStart start) {
-  const auto rows = [start](const Scene& scene, const Discretization& discretization, int rays) -> RowSource {
+  const auto rows = [start](const Scene& scene, Discretization& discretization, int rays) -> RowSource {
     const auto rayRows = std::make_shared<RayRows>(scene, discretization, RayRowSettings{rays, start});
     return [rayRows](std::uint32_t patch) { return rayRows->ofPatch(patch); };
   };
@@ -60,7 +78,12 @@ TradeMethod rayMethod(const std::string& name, RayStart start) {
 }  // namespace
 
 std::vector<TradeMethod> tradeMethods() {
-  return {hemicubeMethod(), rayMethod("centre-rays", RayStart::Centre), rayMethod("area-rays", RayStart::Area)};
+  using radiosity::Orientation;
+  const std::vector<int> few{32, 64, 128, 256, 512};
+  return {hemicubeMethod({"hemicube", Orientation::Aligned, {}, {32, 64, 128, 256, 512, 1024, 2048}}),
+          hemicubeMethod({"turned-hemicube", Orientation::Turned, {}, few}),
+          hemicubeMethod({"split-hemicube", Orientation::Turned, splitLikeSolve, few}),
+          rayMethod("centre-rays", RayStart::Centre), rayMethod("area-rays", RayStart::Area)};
 }
 
 }  // namespace hemitex::reference

@@ -20,12 +20,17 @@ struct TradeMethod {
   std::vector<int> measured;              ///< the numbers that are compared where no others are asked for, ascending
   std::function<double(int)> directions;  ///< in which a row looks, at a setting: pixels or rays
   std::function<std::size_t(int)> bufferBytes;  ///< of item buffers, or of the rays of a row
-  /// Ready to find rows; scene and discretization must outlive it.
-  std::function<radiosity::RowSource(const radiosity::Scene&, const radiosity::Discretization&, int)> rows;
+  /// Ready to find the rows of the patches of a discretization, which it may split on the way. Scene and discretization
+  /// must outlive it.
+  std::function<radiosity::RowSource(const radiosity::Scene&, radiosity::Discretization&, int)> rows;
 };
 
-/// `hemicube`: from the centre of a patch, its setting the resolution. `centre-rays`: rays from the same points, so
-/// that what differs is how directions are looked into. `area-rays`: rays from all over a patch.
+/// - `hemicube`: from the centre of a patch, its setting the resolution.
+/// - `turned-hemicube`: each turned about its normal by an angle of its own.
+/// - `split-hemicube`: turned, and patches that are near to what they light are split (see
+/// radiosity/patch_splitting.h).
+/// - `centre-rays`: rays from the same points as hemicubes, so that what differs is how directions are looked into.
+/// - `area-rays`: rays from all over a patch.
 std::vector<TradeMethod> tradeMethods();
 
 }  // namespace hemitex::reference

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -17,13 +16,6 @@ using radiosity::FormFactorRow;
 using radiosity::Scene;
 using Rows = std::vector<std::optional<FormFactorRow>>;
 
-/// What the choices on the same grids are compared with.
-struct Grids {
-  Discretization discretization;
-  PatchRows trueRows;
-  std::vector<double> flux;  ///< that leaves each patch in truth, bands summed
-};
-
 std::vector<double> patchFlux(const Discretization& fine, const TrueRadiosity& truth, const Discretization& coarse) {
   const std::vector<std::uint32_t> under = elementsUnder(coarse, fine);
   std::vector<double> flux(coarse.patches.size());
@@ -34,32 +26,29 @@ std::vector<double> patchFlux(const Discretization& fine, const TrueRadiosity& t
   return flux;
 }
 
-Grids gridsOf(const Scene& scene, const Discretization& fine, const TrueRadiosity& truth, int texels, int patch) {
-  Discretization discretization = radiosity::discretize(scene, {.texels = texels, .patch = patch});
-  PatchRows rows = patchRows(truth.matrix, fine, discretization);
-  std::vector<double> flux = patchFlux(fine, truth, discretization);
-  return {std::move(discretization), std::move(rows), std::move(flux)};
-}
-
+/// Cannot be moved: the source of rows knows the discretization.
 struct TimedSolution {
+  Discretization discretization;  ///< whose patches shot
   radiosity::RowSource rowOf;
   radiosity::Solution solution;
   Rows rows;  ///< of the patches that shot
   double seconds = 0;
-};
 
-TimedSolution solveTimed(const Scene& scene, const TradeMethod& method, int setting, const Grids& grids) {
-  TimedSolution timed{.rowOf = {}, .solution = {}, .rows = Rows(grids.discretization.patches.size())};
-  const auto start = std::chrono::steady_clock::now();
-  timed.rowOf = method.rows(scene, grids.discretization, setting);
-  const auto keepRow = [&](std::uint32_t patch) {
-    timed.rows[patch] = timed.rowOf(patch);
-    return *timed.rows[patch];
-  };
-  timed.solution = radiosity::solve(scene, grids.discretization, keepRow, {.residual = tradeResidual});
-  timed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return timed;
-}
+  TimedSolution(const Scene& scene, const TradeMethod& method, const TradeChoice& choice)
+      : discretization(radiosity::discretize(scene, {.texels = choice.texels, .patch = choice.patch})) {
+    const auto start = std::chrono::steady_clock::now();
+    rowOf = method.rows(scene, discretization, choice.setting);
+    rows.resize(discretization.patches.size());
+    const auto keepRow = [this](std::uint32_t patch) {
+      rows[patch] = rowOf(patch);
+      return *rows[patch];
+    };
+    solution = radiosity::solve(scene, discretization, keepRow, {.residual = tradeResidual});
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+  TimedSolution(const TimedSolution&) = delete;
+  TimedSolution& operator=(const TimedSolution&) = delete;
+};
 
 std::size_t bytesOf(const Rows& rows) {
   std::size_t bytes = 0;
@@ -75,24 +64,26 @@ std::size_t bytesOf(const Discretization& discretization) {
   return bytes;
 }
 
-/// All that is no time.
+/// All that is no time. The rows of patches that have not shot though there is light are asked for here.
 TradeMeasurement judge(const Discretization& fine, const TrueRadiosity& truth, const TradeMethod& method,
-                       const TradeChoice& choice, const Grids& grids, TimedSolution timed) {
+                       const TradeChoice& choice, TimedSolution& timed) {
+  const Discretization& discretization = timed.discretization;
   TradeMeasurement measurement;
   measurement.choice = choice;
-  measurement.elements = grids.discretization.elements.size();
-  measurement.patches = grids.discretization.patches.size();
+  measurement.elements = discretization.elements.size();
+  measurement.patches = discretization.patches.size();
   measurement.rows = static_cast<std::size_t>(
       std::count_if(timed.rows.begin(), timed.rows.end(), [](const auto& row) { return row.has_value(); }));
   measurement.shots = timed.solution.shots;
-  measurement.error =
-      errorOf(fine, onOtherGrids(grids.discretization, timed.solution.radiosity, fine), truth.radiosity);
+  measurement.error = errorOf(fine, onOtherGrids(discretization, timed.solution.radiosity, fine), truth.radiosity);
   measurement.bufferBytes = method.bufferBytes(choice.setting);
   measurement.rowBytes = bytesOf(timed.rows);
-  measurement.elementBytes = bytesOf(grids.discretization);
+  measurement.elementBytes = bytesOf(discretization);
+  const std::vector<double> flux = patchFlux(fine, truth, discretization);
   for (std::uint32_t patch = 0; patch < timed.rows.size(); ++patch)
-    if (!timed.rows[patch] && grids.flux[patch] > 0) timed.rows[patch] = timed.rowOf(patch);
-  measurement.rowError = rowError(patchRows(timed.rows, grids.discretization), grids.trueRows, grids.flux);
+    if (!timed.rows[patch] && flux[patch] > 0) timed.rows[patch] = timed.rowOf(patch);
+  measurement.rowError =
+      rowError(patchRows(timed.rows, discretization), patchRows(truth.matrix, fine, discretization), flux);
   measurement.radiosity = std::move(timed.solution.radiosity);
   return measurement;
 }
@@ -136,23 +127,16 @@ std::vector<TradeMeasurement> measureTradeoff(const Scene& scene, const Discreti
                                               const TrueRadiosity& truth, const std::vector<TradeMethod>& methods,
                                               const std::vector<TradeChoice>& choices,
                                               const std::function<void(std::size_t, std::size_t)>& progress) {
-  std::map<std::pair<int, int>, Grids> grids;
-  for (const TradeChoice& choice : choices)
-    if (const std::pair key{choice.texels, choice.patch}; !grids.contains(key))
-      grids.emplace(key, gridsOf(scene, fine, truth, choice.texels, choice.patch));
-
   std::vector<TradeMeasurement> measurements;
   for (std::size_t done = 0; done < choices.size() * tradeRounds; ++done) {
     if (progress) progress(done, choices.size() * tradeRounds);
     const std::size_t i = done % choices.size();
-    const TradeChoice& choice = choices[i];
-    const Grids& own = grids.at({choice.texels, choice.patch});
+    const TradeMethod& method = methods[choices[i].method];
     const bool isFirst = i == measurements.size();
     if (!isFirst && measurements[i].seconds.front() > longTime) continue;
-    TimedSolution timed = solveTimed(scene, methods[choice.method], choice.setting, own);
-    const double took = timed.seconds;
-    if (isFirst) measurements.push_back(judge(fine, truth, methods[choice.method], choice, own, std::move(timed)));
-    measurements[i].seconds.push_back(took);
+    TimedSolution timed(scene, method, choices[i]);
+    if (isFirst) measurements.push_back(judge(fine, truth, method, choices[i], timed));
+    measurements[i].seconds.push_back(timed.seconds);
   }
   markFront(measurements);
   return measurements;

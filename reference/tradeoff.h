@@ -40,8 +40,8 @@ std::vector<TradeChoice> tradeChoices(const std::vector<TradeMethod>& methods, c
 
 struct TradeMeasurement {
   TradeChoice choice;
-  std::size_t elements = 0, patches = 0;
-  std::size_t rows = 0;  ///< patches that shot
+  std::size_t elements = 0, patches = 0;  ///< patches as the method split them
+  std::size_t rows = 0;                   ///< patches that shot
   int shots = 0;
   RowError rowError;  ///< of the rows of all patches that light leaves, as the truth has it
   RadiosityError error;

@@ -26,7 +26,7 @@ Scene litCube() {
 
 /// The rows that a matrix holds, all of them times `factor`.
 TradeMethod rowsOfTruth(const TrueRadiosity& truth, const Discretization& fine, double factor) {
-  const auto rows = [&truth, &fine, factor](const Scene&, const Discretization& own, int) -> radiosity::RowSource {
+  const auto rows = [&truth, &fine, factor](const Scene&, Discretization& own, int) -> radiosity::RowSource {
     const auto all = std::make_shared<PatchRows>(patchRows(truth.matrix, fine, own));
     return [all, factor](std::uint32_t patch) {
       FormFactorRow row;
@@ -119,6 +119,21 @@ TEST_CASE("more directions bring every method nearer to the truth", "[tradeoff]"
     INFO(methods[m].name);
     CHECK(found[2 * m + 1].rowError.relativeL1 < found[2 * m].rowError.relativeL1);
   }
+}
+
+TEST_CASE("a method may split patches, and its rows are those of the parts", "[tradeoff]") {
+  // In a cube whose walls are one patch each, walls are too near to each other.
+  const Measured measured;
+  std::vector<TradeMethod> methods = tradeMethods();
+  std::erase_if(methods, [](const TradeMethod& method) { return method.name.find("hemicube") == std::string::npos; });
+  REQUIRE(methods.size() == 3);
+  const std::vector<TradeMeasurement> found = measureTradeoff(measured.scene, measured.fine, measured.truth, methods,
+                                                              {{0, 128, 4, 4}, {1, 128, 4, 4}, {2, 128, 4, 4}});
+  CHECK(found[0].patches == 6);
+  CHECK(found[1].patches == 6);
+  CHECK(found[2].patches > 6);
+  CHECK(found[2].elements == 96);
+  CHECK(found[2].error.fluxWeighted < found[0].error.fluxWeighted / 2);
 }
 
 TEST_CASE("choices are all settings on the first grids, and those up to the middle on the others", "[tradeoff]") {
