@@ -8,6 +8,8 @@ namespace hemitex::radiosity {
 namespace {
 
 constexpr double angleTolerance = 1e-4;
+/// Edges whose squared lengths differ by no more, relative, are equally long: a scene far from zero rounds them so.
+constexpr double lengthTolerance = 1e-6;
 constexpr std::uint32_t none = UINT32_MAX;
 
 using Indices = std::vector<std::uint32_t>;
@@ -186,7 +188,7 @@ class Splitter {
       for (std::uint32_t k = 0; k < 3; ++k) {
         const glm::dvec3 edge = triangles_[t][(k + 1) % 3] - triangles_[t][k];
         const bool isBoundary = uses_[edges_.edge[3 * t + k]] == 1;
-        if (isBoundary && glm::dot(edge, edge) > glm::dot(longest, longest)) longest = edge;
+        if (isBoundary && glm::dot(edge, edge) > (1 + lengthTolerance) * glm::dot(longest, longest)) longest = edge;
       }
     }
     countUses(part, -1);

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <numeric>
 #include <random>
+#include <sstream>
 #include <tuple>
 
 #include "radiosity/solver.h"
@@ -15,6 +17,7 @@
 #include "tests/hand_scenes.h"
 #include "tests/hemicube_world.h"
 #include "tests/outline_bound.h"
+#include "tests/temporary_folder.h"
 
 using namespace hemitex;
 using namespace hemitex::radiosity;
@@ -244,6 +247,74 @@ TEST_CASE("a scene turned by quarters has the same rows of form factors", "[meta
     }
     INFO(comparison.changed << " of " << comparison.same + comparison.changed << " rows changed");
     comparison.check();
+  }
+}
+
+TEST_CASE("a scene that is scaled or moved has the same rows, to the bit where its numbers stay exact",
+          "[metamorphic]") {
+  // Numbers that are multiples of 2^-10 are still exact 2^20 away, and powers of two scale every bit of the work.
+  const auto moved = [](Scene scene, double scale, double by) {
+    for (Surface& surface : scene.surfaces)
+      for (Triangle& triangle : surface.triangles)
+        for (glm::dvec3& corner : triangle.position) corner = scale * (glm::round(corner * 0x1p10) * 0x1p-10 + by);
+    return tests::finish(std::move(scene));
+  };
+  for (const NamedScene& named : tableOfScenes()) {
+    INFO(named.name);
+    World world(moved(named.scene, 1, 0), 8, 4);
+    HemicubeRows rows = world.rows(resolution);
+    for (const auto& [scale, by] : {std::pair{0x1p-20, 0.0}, {0x1p20, 0.0}, {1.0, 0x1p20}, {0x1p-20, -0x1p20}}) {
+      World other(moved(named.scene, scale, by), 8, 4);
+      HemicubeRows otherRows = other.rows(resolution);
+      for (const std::uint32_t patch : somePatches(world.discretization))
+        CHECK(sharesOf(other, otherRows.ofPatch(patch)) == sharesOf(world, rows.ofPatch(patch)));
+    }
+  }
+}
+
+TEST_CASE("a file whose vertices are scaled or moved has the same surfaces and elements", "[metamorphic]") {
+  const TemporaryFolder folder;
+  const auto loaded = [&](const std::string& name, double scale, double by) {
+    std::ifstream file(HEMITEX_DATA "/" + name + ".obj");
+    std::ofstream written(folder.path / "scene.obj");
+    written.precision(17);
+    for (std::string line; std::getline(file, line);) {
+      std::istringstream words(line);
+      std::string keyword;
+      glm::dvec3 p;
+      if (words >> keyword >> p.x >> p.y >> p.z && keyword == "v") {
+        p = scale * p + by;
+        written << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
+      } else {
+        written << line << '\n';
+      }
+    }
+    written.close();
+    return loadScene(folder.path / "scene.obj");
+  };
+  const auto namesOf = [](const Scene& scene) {
+    std::vector<std::string> names;
+    for (const Surface& surface : scene.surfaces) names.push_back(surface.name);
+    return names;
+  };
+  for (const std::string name : {"cornell-box", "paper-room", "pyramid-room", "curved-room"}) {
+    INFO(name);
+    const Scene scene = loaded(name, 1, 0);
+    const Discretization discretization = discretize(scene, {.texels = 8});
+    for (const auto& [scale, by] : {std::pair{1e-6, 0.0}, {1e6, 0.0}, {1.0, 1e3}, {1.0, 1e6}, {1.0, 1e8}}) {
+      INFO("scaled by " << scale << ", moved by " << by);
+      const Scene other = loaded(name, scale, by);
+      CHECK(namesOf(other) == namesOf(scene));
+      CHECK(triangleCount(other) == triangleCount(scene));
+      const Discretization changed = discretize(other, {.texels = 8});
+      REQUIRE(changed.elements.size() == discretization.elements.size());
+      // A coordinate is rounded by 2^-53 of its size, which is 1e-8 of lengths of 1 at 1e8.
+      double worst = 0;
+      for (std::size_t e = 0; e < changed.elements.size(); ++e)
+        worst =
+            std::max(worst, std::abs(changed.elements[e].area / (scale * scale) / discretization.elements[e].area - 1));
+      CHECK(worst < 1e-5);
+    }
   }
 }
 
