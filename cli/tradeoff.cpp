@@ -31,7 +31,7 @@ struct TradeoffOptions {
 
 constexpr int mostTexels = 4096;
 
-constexpr int mostSamePointsResolution = 1024;
+constexpr int mostSamePointsResolution = 1024, mostSamePointsRays = 1 << 22;
 
 /// `16,8,4`.
 std::vector<int> integersOption(const std::string& name, const std::string& text, int low, int high) {
@@ -78,20 +78,23 @@ ordered_json settingsJson(const TradeoffOptions& options) {
           {"methods", std::move(methods)}};
 }
 
-/// Hemicubes and rays from the same points, at the settings of these methods; nothing where one of them was not asked
-/// for. The finest hemicubes would take longer than
-/// all the rest.
+/// Hemicubes and rays from the same points, at the settings of these methods, and with as many rays as take the time of
+/// the finest; nothing where one of them was not asked for. Yet finer hemicubes would take longer than all the rest.
 std::optional<reference::RowComparison> comparisonOf(const std::vector<reference::TradeMethod>& methods,
                                                      const radiosity::Scene& scene,
                                                      const radiosity::Discretization& discretization) {
   reference::RowComparisonSettings settings{
-      .resolutions = {}, .rays = {}, .points = 12, .truthSamples = 1 << 9, .repeats = 3};
+      .hemicubes = {}, .turnedHemicubes = {}, .rays = {}, .points = 12, .truthSamples = 1 << 9, .repeats = 3};
   for (const reference::TradeMethod& method : methods)
     for (const int setting : method.measured) {
-      if (method.name == "hemicube" && setting <= mostSamePointsResolution) settings.resolutions.push_back(setting);
+      const bool isLongest = setting > mostSamePointsResolution;
+      if (method.name == "hemicube" && !isLongest) settings.hemicubes.push_back(setting);
+      if (method.name == "turned-hemicube" && !isLongest) settings.turnedHemicubes.push_back(setting);
       if (method.name == "centre-rays") settings.rays.push_back(setting);
     }
-  if (settings.resolutions.empty() || settings.rays.empty()) return std::nullopt;
+  if (settings.hemicubes.empty() || settings.rays.empty()) return std::nullopt;
+  if (settings.hemicubes.back() == mostSamePointsResolution && settings.rays.back() < mostSamePointsRays)
+    settings.rays.push_back(mostSamePointsRays);
   return reference::compareRows(scene, discretization, settings);
 }
 

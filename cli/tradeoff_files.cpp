@@ -45,15 +45,22 @@ ordered_json toJson(const std::vector<reference::RowQuality>& qualities) {
   return list;
 }
 
-ordered_json toJson(const reference::RowComparison& comparison) {
-  ordered_json hemicubes = toJson(comparison.hemicubes);
+/// Hemicubes beside the error of rays in the same time.
+ordered_json toJson(const std::vector<reference::RowQuality>& hemicubes,
+                    const std::vector<reference::RowQuality>& rays) {
+  ordered_json list = toJson(hemicubes);
   for (std::size_t i = 0; i < hemicubes.size(); ++i) {
-    const std::optional<double>& error = comparison.raysInItsTime[i];
-    hemicubes[i]["times"]["error_of_rays"] = error ? ordered_json(*error) : ordered_json();
+    const std::optional<double> error = reference::errorAtTime(rays, hemicubes[i].seconds);
+    list[i]["times"]["error_of_rays"] = error ? ordered_json(*error) : ordered_json();
   }
+  return list;
+}
+
+ordered_json toJson(const reference::RowComparison& comparison) {
   return {{"points", comparison.patches.size()},
           {"truth_error", comparison.truthError},
-          {"hemicubes", std::move(hemicubes)},
+          {"hemicubes", toJson(comparison.hemicubes, comparison.rays)},
+          {"turned_hemicubes", toJson(comparison.turnedHemicubes, comparison.rays)},
           {"rays", toJson(comparison.rays)}};
 }
 

@@ -20,6 +20,7 @@ using RowOfPatch = std::function<radiosity::FormFactorRow(std::uint32_t)>;
 /// A way to find rows, and what was measured of it.
 struct Contender {
   RowOfPatch rowOf;
+  std::vector<RowQuality>& group;  ///< that it is one of
   RowQuality quality;
   std::vector<double> seconds;  ///< one a repeat, all rows together
 };
@@ -105,20 +106,25 @@ RowComparison compareRows(const radiosity::Scene& scene, const radiosity::Discre
   const radiosity::WordLayout layout = radiosity::layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true);
   raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));
   std::vector<Contender> contenders;
-  for (const int resolution : settings.resolutions) {
-    const auto rows = std::make_shared<radiosity::HemicubeRows>(scene, discretization, layout, renderer, resolution);
-    contenders.push_back({[rows](std::uint32_t patch) { return rows->ofPatch(patch); }, {.size = resolution}, {}});
-  }
+  const auto addHemicubes = [&](const std::vector<int>& resolutions, radiosity::Orientation orientation,
+                                std::vector<RowQuality>& group) {
+    for (const int resolution : resolutions) {
+      const auto rows =
+          std::make_shared<radiosity::HemicubeRows>(scene, discretization, layout, renderer, resolution, orientation);
+      contenders.push_back(
+          {[rows](std::uint32_t patch) { return rows->ofPatch(patch); }, group, {.size = resolution}, {}});
+    }
+  };
+  addHemicubes(settings.hemicubes, radiosity::Orientation::Aligned, result.hemicubes);
+  addHemicubes(settings.turnedHemicubes, radiosity::Orientation::Turned, result.turnedHemicubes);
   for (const int count : settings.rays) {
     const auto rows =
         std::make_shared<RayRows>(scene, discretization, RayRowSettings{.rays = count, .start = RayStart::Centre});
-    contenders.push_back({[rows](std::uint32_t patch) { return rows->ofPatch(patch); }, {.size = count}, {}});
+    contenders.push_back(
+        {[rows](std::uint32_t patch) { return rows->ofPatch(patch); }, result.rays, {.size = count}, {}});
   }
   race(contenders, result.patches, truth, settings.repeats);
-  for (std::size_t i = 0; i < contenders.size(); ++i)
-    (i < settings.resolutions.size() ? result.hemicubes : result.rays).push_back(contenders[i].quality);
-  for (const RowQuality& hemicube : result.hemicubes)
-    result.raysInItsTime.push_back(errorAtTime(result.rays, hemicube.seconds));
+  for (const Contender& contender : contenders) contender.group.push_back(contender.quality);
   return result;
 }
 

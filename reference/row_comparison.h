@@ -1,5 +1,6 @@
 /// Hemicubes and rays at equal time: rows of form factors from the same points, each against the true row of its point,
-/// with the time that it took. What a hemicube is worth is what as many rays as fit into its time are not.
+/// with the time that it took. What a hemicube is worth is what as many rays as fit into its time are not
+/// (errorAtTime).
 #pragma once
 
 #include <cstdint>
@@ -31,7 +32,8 @@ struct RowQuality {
 std::optional<double> errorAtTime(const std::vector<RowQuality>& qualities, double seconds);
 
 struct RowComparisonSettings {
-  std::vector<int> resolutions = {128, 256, 512, 1024};
+  std::vector<int> hemicubes = {128, 256, 512, 1024};        ///< resolutions of those that stand all alike
+  std::vector<int> turnedHemicubes = {128, 256, 512, 1024};  ///< and of those that are turned (see Orientation)
   std::vector<int> rays = {1 << 10, 1 << 12, 1 << 14, 1 << 16, 1 << 18, 1 << 20, 1 << 22};
   std::size_t points = 24;
   int truthSamples = 1 << 10;  ///< of the aimed rays that true rows are measured with
@@ -41,8 +43,7 @@ struct RowComparisonSettings {
 struct RowComparison {
   std::vector<std::uint32_t> patches;  ///< from whose centres all rows leave
   double truthError = 0;               ///< of the true rows themselves: the sum of their standard errors, the mean
-  std::vector<RowQuality> hemicubes, rays;
-  std::vector<std::optional<double>> raysInItsTime;  ///< one a hemicube: the error of rays that take as long
+  std::vector<RowQuality> hemicubes, turnedHemicubes, rays;
 };
 
 /// Everything in turns, so that whatever else the machine does falls on all alike.

@@ -42,21 +42,29 @@ TEST_CASE("hemicubes and rays are compared with the truth, by errors that are th
           "[row comparison]") {
   const radiosity::Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
   const auto discretization = radiosity::discretize(scene, {.texels = 4, .patch = 2});
-  const RowComparisonSettings settings{
-      .resolutions = {32, 128}, .rays = {64, 1 << 12, 1 << 16}, .points = 6, .truthSamples = 64, .repeats = 1};
+  const RowComparisonSettings settings{.hemicubes = {32, 128},
+                                       .turnedHemicubes = {128},
+                                       .rays = {64, 1 << 12, 1 << 16},
+                                       .points = 6,
+                                       .truthSamples = 64,
+                                       .repeats = 1};
   const RowComparison first = compareRows(scene, discretization, settings),
                       second = compareRows(scene, discretization, settings);
   CHECK(first.patches.size() == 6);
   CHECK(first.truthError < 1e-12);  // nothing stands in the way, so closed forms say all
   REQUIRE(first.hemicubes.size() == 2);
   REQUIRE(first.rays.size() == 3);
-  REQUIRE(first.raysInItsTime.size() == 2);
-  for (const auto& [a, b] : {std::pair{first.hemicubes, second.hemicubes}, {first.rays, second.rays}})
+  REQUIRE(first.turnedHemicubes.size() == 1);
+  for (const auto& [a, b] : {std::pair{first.hemicubes, second.hemicubes},
+                             {first.turnedHemicubes, second.turnedHemicubes},
+                             {first.rays, second.rays}})
     for (std::size_t i = 0; i < a.size(); ++i) {
       CHECK(a[i].size == b[i].size);
       CHECK(a[i].error == b[i].error);
       CHECK(a[i].seconds > 0);
     }
+  // Pixels along the outlines of elements are all right or all wrong together, unless the hemicube is turned.
+  CHECK(first.turnedHemicubes[0].error < first.hemicubes[1].error);
   // Errors fall with the pixels along a side, and faster than with the root of the number of rays.
   CHECK(first.hemicubes[1].error < first.hemicubes[0].error / 3);
   CHECK(first.rays[1].error < first.rays[0].error / 8);
