@@ -13,10 +13,10 @@
 ///     times                      median_s, rounds_s, and what depends on them: pareto, whether it is on the front
 ///
 /// `same_points`: rows of hemicubes and rays from the same points (see reference/row_comparison.h): `points`,
-/// `truth_error`, and in `hemicubes` and `rays` objects with `size`, `error` and `times`; null where one of the two is
-/// not measured. `warnings`. And `times`: `truth_s`, `all_s`, `threads` (0: all), and `within`, for some errors the
-/// number of the fastest choice that is at most so far off, or null. Without what is named `times` it is the same for
-/// every run.
+/// `truth_error`, and in `hemicubes`, `turned_hemicubes` and `rays` objects with `size`, `error` and `times` (`row_s`,
+/// and of hemicubes `error_of_rays` in the same time, or null); null where one of the two is not measured. `warnings`.
+/// And `times`: `truth_s`, `all_s`, `threads` (0: all), and `within`, for some errors the number of the fastest choice
+/// that is at most so far off, or null. Without what is named `times` it is the same for every run.
 ///
 /// tradeoff.csv: the choices, one a line.
 #pragma once
