@@ -71,10 +71,9 @@ reference::TradeMethod methodOption(const std::string& text, const std::vector<r
 ordered_json settingsJson(const TradeoffOptions& options) {
   ordered_json methods;
   for (const reference::TradeMethod& method : options.methods) methods[method.name] = method.measured;
-  return {{"texels", options.texels},
-          {"patch", options.patches},
-          {"samples", options.samples},
-          {"residual", reference::tradeResidual},
+  return {{"texels", options.texels},         {"patch", options.patches},
+          {"samples", options.samples},       {"residual", reference::tradeResidual},
+          {"rounds", reference::tradeRounds}, {"once_above_s", reference::longTime},
           {"methods", std::move(methods)}};
 }
 
