@@ -7,6 +7,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "radiosity/write_file.h"
 #include "raster/input_error.h"
@@ -127,7 +128,11 @@ void writeExr(const std::filesystem::path& file, const Image& image) {
   std::vector<float> values;
   values.reserve(3 * image.pixels.size());
   for (const glm::dvec3& pixel : image.pixels)
-    for (int band = 0; band < 3; ++band) values.push_back(static_cast<float>(pixel[band]));
+    for (int band = 0; band < 3; ++band) {
+      if (pixel[band] > std::numeric_limits<float>::max())
+        throw raster::InputError(file.string(), 0, "cannot hold a value above 3.4e38", "scale the light down");
+      values.push_back(static_cast<float>(pixel[band]));
+    }
   writeEncoded(file, "openexr", rgbSpec(image, OIIO::TypeDesc::FLOAT, "Linear"), values.data());
 }
 

@@ -28,7 +28,8 @@ Image readImage(const std::filesystem::path& file);
 
 /// Writes an 8-bit sRGB PNG: equal pixels give equal files. Throws InputError where the file cannot be written.
 void writePng(const std::filesystem::path& file, const Image& image);
-/// Writes a 32-bit float linear RGB EXR: equal pixels give equal files. Throws as writePng.
+/// Writes a 32-bit float linear RGB EXR: equal pixels give equal files. Throws as writePng, and where a
+/// value is above what 32 bits hold.
 void writeExr(const std::filesystem::path& file, const Image& image);
 
 }  // namespace hemitex::radiosity

@@ -151,3 +151,13 @@ TEST_CASE("a full disk is noticed, and what is no file of ours is left alone", "
   CHECK_THROWS_AS(writePng(folder.path / "full.png", everyCode()), raster::InputError);
   CHECK(std::filesystem::is_symlink(folder.path / "full.png"));
 }
+
+TEST_CASE("an EXR refuses what 32 bits do not hold, and keeps what they do", "[image]") {
+  const TemporaryFolder folder;
+  const double most = std::numeric_limits<float>::max();
+  writeExr(folder.path / "most.exr", {1, 1, {{most, -most, 0}}});
+  CHECK(readImage(folder.path / "most.exr").pixels == std::vector{glm::dvec3(most, -most, 0)});
+  CHECK_THROWS_WITH(writeExr(folder.path / "more.exr", {1, 1, {{0, 1.01 * most, 0}}}),
+                    Catch::Contains("more.exr") && Catch::Contains("scale the light down"));
+  CHECK_FALSE(std::filesystem::exists(folder.path / "more.exr"));
+}
