@@ -120,7 +120,7 @@ void addHemicubeOptions(CLI::App& app, HemicubeOptions& options) {
                          "hemicubes all alike, or each turned about its normal (default turned)");
   addPositive(app, "--split", options.split, std::numeric_limits<double>::infinity(),
               "quarter patches while more than this share of their light would come straight back to them from white "
-              "surroundings (default 0.025); 1 or more splits none");
+              "surroundings (default 0.0125); 1 or more splits none");
 }
 
 std::string nameOf(radiosity::Orientation orientation) {

@@ -112,7 +112,7 @@ CLI::Option* addResolution(CLI::App& app, int& resolution);
 struct HemicubeOptions {
   int resolution = 256;
   radiosity::Orientation orientation = radiosity::Orientation::Turned;
-  double split = 0.025;  ///< see radiosity::splitPatches
+  double split = 0.0125;  ///< see radiosity::splitPatches
 };
 void addHemicubeOptions(CLI::App& app, HemicubeOptions& options);
 std::string nameOf(radiosity::Orientation orientation);

@@ -21,6 +21,7 @@
 #include "radiosity/solver.h"
 #include "radiosity/write_file.h"
 #include "raster/software_renderer.h"
+#include "reference/error_bound.h"
 #include "reference/ray_rows.h"
 
 namespace hemitex::cli {
@@ -37,6 +38,7 @@ struct SolveOptions {
   int samples = 1 << 16;
   WordOptions word;
   radiosity::SolverSettings solver;
+  std::optional<double> maxError;
   CameraOptions camera;
   std::filesystem::path output;
 };
@@ -72,7 +74,8 @@ ordered_json settingsJson(const SolveOptions& options, const radiosity::Camera& 
           {"texels", options.discretization.texels},
           {"texel_size", orNull(options.discretization.texelSize)},
           {"surface_texels", options.discretization.surfaceTexels},
-          {"patch", options.discretization.patch},
+          {"patch", options.discretization.patches ? ordered_json() : ordered_json(options.discretization.patch)},
+          {"patches", orNull(options.discretization.patches)},
           {"discretize", options.discretize},
           {"method", options.method},
           {"resolution", ofHemicubes(options.hemicubes.resolution)},
@@ -82,6 +85,7 @@ ordered_json settingsJson(const SolveOptions& options, const radiosity::Camera& 
           {"format", options.word.format},
           {"blend", options.word.blend == raster::Blend::ClampedAdd ? "clamped-add" : "integer-add"},
           {"align", !options.word.unaligned},
+          {"max_error", orNull(options.maxError)},
           {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
           {"shots", orNull(options.solver.shots)},
           {"camera", toJson(camera)},
@@ -104,6 +108,7 @@ std::string summary(const ordered_json& description) {
   text << description["surfaces"].size() << " surfaces, " << description["elements"] << " elements, "
        << description["patches"] << " patches, " << description["phantoms"] << " phantom indices\n"
        << description["shots"] << " shots, residual " << description["residual"] << '\n';
+  if (description.contains("expected_error")) text << "expected error " << description["expected_error"] << '\n';
   for (const auto& [name, flux] : description["energy"].items()) text << name << ' ' << flux.dump() << '\n';
   return text.str();
 }
@@ -133,24 +138,56 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
   };
   radiosity::Solution solution = usesRays(options) ? byRays() : byHemicubes();
   console.endProgress();
-  console.warnings(solution.warnings);
   return {std::move(discretization), std::move(solution)};
 }
 
-void solve(const SolveOptions& options, Context& context) {
+/// Settings as they were given, or as they were chosen for a bound on the error.
+struct Settings {
+  SolveOptions options;
+  std::optional<double> expectedError = {};  ///< where they were chosen
+};
+
+Settings settingsFor(const SolveOptions& asked, const radiosity::Scene& scene, Console& console) {
+  if (!asked.maxError) return {asked};
+  SolveOptions options = asked;
+  options.solver.residual = reference::residualFor(*asked.maxError);
+  const int texels = asked.discretization.texels;
+  const auto setEffort = [&](const reference::Effort& effort) {
+    options.discretization.patches = effort.patches;
+    options.hemicubes.resolution = effort.resolution;
+    options.hemicubes.split = effort.split;
+  };
+  const auto solveWith = [&](const reference::Effort& effort) {
+    setEffort(effort);
+    radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
+    const radiosity::WordLayout layout = layoutOf(options.word, discretization, console);
+    return solvedBy(options, scene, std::move(discretization), layout, console).solution.radiosity;
+  };
+  const reference::ErrorBoundChoice choice =
+      reference::chooseEffort(scene, discretizationOf(asked.discretization, scene), texels, solveWith, *asked.maxError);
+  setEffort(choice.effort);
+  // What was asked for a surface binds more than what was chosen.
+  options.discretization.surfaceTexels.insert(choice.surfaceTexels.begin(), choice.surfaceTexels.end());
+  return {options, choice.expectedError};
+}
+
+void solve(const SolveOptions& asked, Context& context) {
   Console& console = context.console;
   Stopwatch watch;
-  const radiosity::Scene scene = sceneOf(options.scene, console);
-  radiosity::requireEmission(scene, options.scene.file);
-  const radiosity::Camera camera = cameraOf(options.camera, scene, options.scene.file);
+  const radiosity::Scene scene = sceneOf(asked.scene, console);
+  radiosity::requireEmission(scene, asked.scene.file);
+  const radiosity::Camera camera = cameraOf(asked.camera, scene, asked.scene.file);
   watch.lap("load_s");
+  Staging{asked.output};  // a folder that cannot be written is told before the work, not after it
+  const auto [options, expectedError] = settingsFor(asked, scene, console);
+  if (expectedError) watch.lap("choose_s");
   radiosity::Discretization unsplit = discretizationOf(options.discretization, scene);
   const radiosity::WordLayout layout = layoutOf(options.word, unsplit, console);
   watch.lap("discretize_s");
-  Staging{options.output};  // a folder that cannot be written is told before the work, not after it
   const Solved solved = solvedBy(options, scene, std::move(unsplit), layout, console);
   const radiosity::Discretization& discretization = solved.discretization;
   const radiosity::Solution& solution = solved.solution;
+  console.warnings(solution.warnings);
   watch.lap("solve_s");
   Staging staging(options.output);
   const double exposure = options.camera.exposure.value_or(
@@ -168,6 +205,7 @@ void solve(const SolveOptions& options, Context& context) {
 
   ordered_json description = {{"settings", settingsJson(options, camera, exposure)}};
   description.update(describe(scene, discretization, layout, solution));
+  if (expectedError) description["expected_error"] = *expectedError;
   description["times"] = watch.times();
   description["warnings"] = console.given();
   const std::string text = toText(description);
@@ -216,10 +254,18 @@ void addSolve(CLI::App& program, Context& context) {
   };
   command->add_option_function<std::string>("--row-cache", readCache, "rows kept for later shots (default 1024)")
       ->type_name("MIB");
+  CLI::Option* maxError = addPositive(
+      *command, "--max-error", options->maxError, 1,
+      "let the error of the elements' radiosity be at most this share of all light, weighted by flux: resolution, "
+      "patches, splits, residual and coarser index maps than --texels are chosen for it");
+  for (const char* chosen :
+       {"--resolution", "--orientation", "--split", "--patch", "--texel-size", "--residual", "--shots", "--samples"})
+    maxError->excludes(command->get_option(chosen));
   addCameraOptions(*command, options->camera);
   command->callback([options, command, &context] {
     refuseUnused(*command, usesRays(*options) ? hemicubeOptionNames() : std::vector<std::string>{"--samples"},
                  options->method);
+    if (usesRays(*options)) refuseUnused(*command, {"--max-error"}, options->method);
     context.command = [options, &context] { solve(*options, context); };
   });
 }

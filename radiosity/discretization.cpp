@@ -51,6 +51,8 @@ void validate(const Scene& scene, const DiscretizationSettings& settings) {
     throw InputError("the size of a texel is not above 0", "give a length in the scene's units");
   if (settings.patch < 1)
     throw InputError("a patch has " + std::to_string(settings.patch) + " texels along a side", "use 1 or more");
+  if (settings.patches && *settings.patches < 1)
+    throw InputError("a surface has " + std::to_string(*settings.patches) + " patches along a side", "use 1 or more");
   for (const auto& [name, texels] : settings.surfaceTexels) {
     validateTexels(texels, "surface '" + name + "'");
     const bool exists = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
@@ -120,10 +122,16 @@ void makeElements(const Surface& surface, std::uint32_t number, Discretization& 
   grid.elementCount = static_cast<std::uint32_t>(part.elements.size());
 }
 
+/// The texels along the side of a surface's patches.
+int patchSide(const GridSize& size, const DiscretizationSettings& settings) {
+  if (!settings.patches) return std::min(settings.patch, mostTexels);
+  const int longer = std::max(size.columns, size.rows);
+  return std::max(1, longer / *settings.patches);
+}
+
 /// Groups the elements by the block of texels that holds their own texel.
-void makePatches(std::uint32_t surface, int patch, Discretization& part) {
+void makePatches(std::uint32_t surface, int side, Discretization& part) {
   Grid& grid = part.grids.front();
-  const int side = std::min(patch, mostTexels);
   const int blockColumns = (grid.columns + side - 1) / side;
   const auto blockOf = [&](const Element& element) {
     const int column = static_cast<int>(element.texel) % grid.columns;
@@ -182,7 +190,7 @@ Discretization discretizeSurface(const Scene& scene, std::uint32_t number, const
   Discretization part;
   part.grids.push_back({.columns = size.columns, .rows = size.rows, .spill = {}, .covered = {}});
   makeElements(surface, number, part);
-  makePatches(number, settings.patch, part);
+  makePatches(number, patchSide(size, settings), part);
   const Grid& grid = part.grids.front();
   if (kinds.reflectance) {
     part.mappedReflectance = mappedValues(scene, surface, grid, material.reflectance, material.reflectanceMap);

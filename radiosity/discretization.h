@@ -68,6 +68,7 @@ struct DiscretizationSettings {
   std::optional<double> texelSize = {};
   std::map<std::string, int> surfaceTexels = {};  ///< by surface name or, less binding, family; 1 = not discretized
   int patch = 4;                                  ///< texels along a patch's side; at least 1
+  std::optional<int> patches = {};  ///< instead: patches along the longer side of every surface's grid; at least 1
 };
 
 /// Throws InputError on a setting out of range or a name in surfaceTexels that no surface has.

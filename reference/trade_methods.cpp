@@ -18,7 +18,7 @@ using radiosity::RowSource;
 using radiosity::Scene;
 
 /// As much of its light as a patch may get straight back unless `solve` is told otherwise.
-constexpr double splitLikeSolve = 0.025;
+constexpr double splitLikeSolve = 0.0125;
 
 /// How hemicubes stand, and which patches are split for them.
 struct HemicubeStyle {

@@ -131,7 +131,10 @@ TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind"
       "solve room.obj -o out --texels 4 --texel-size 0.1", "solve room.obj -o out --texel-size 0",
       "solve room.obj -o out --texel-size nan", "solve room.obj -o out --patch 0",
       "solve room.obj -o out --resolution 255", "solve room.obj -o out --resolution 0",
-      "solve room.obj -o out --resolution 4098", "solve room.obj -o out --split 0", "solve room.obj -o out --split -1",
+      "solve room.obj -o out --resolution 4098", "solve room.obj -o out --split 0",
+      "solve room.obj -o out --max-error 0", "solve room.obj -o out --max-error 1",
+      "solve room.obj -o out --max-error 0.1 --resolution 64", "solve room.obj -o out --max-error 0.1 --patch 2",
+      "solve room.obj -o out --max-error 0.1 --method rays", "solve room.obj -o out --split -1",
       "solve room.obj -o out --split nan", "solve room.obj -o out --orientation up",
       "solve room.obj -o out --method rays --split 0.1", "solve room.obj -o out --residual 0",
       "solve room.obj -o out --residual -1", "solve room.obj -o out --residual nan",
@@ -209,6 +212,29 @@ TEST_CASE("Help and version are printed on stdout, before or after a command", "
     CHECK(shell.output(arguments).find("--threads") != std::string::npos);
   for (const char* arguments : {"--version", "solve --version", "--version solve", "vector export --version"})
     CHECK(shell.output(arguments) == "hemitex " HEMITEX_VERSION "\n");
+}
+
+TEST_CASE("A bound on the error chooses the settings, which say what they are", "[cli]") {
+  const Shell shell;
+  const std::string given = "solve room.obj --texels 4 --size 40x30 --json ";
+  const json loose = json::parse(shell.output(given + "--max-error 0.2 -o loose"));
+  const json tight = json::parse(shell.output(given + "--max-error 0.03 -o tight"));
+  for (const json* solution : {&loose, &tight}) {
+    CHECK((*solution)["expected_error"] <= (*solution)["settings"]["max_error"]);
+    CHECK((*solution)["settings"]["patch"].is_null());
+    CHECK((*solution)["residual"] <= (*solution)["settings"]["residual"]);
+  }
+  CHECK(loose["settings"]["residual"] == 0.02);
+  CHECK(loose["settings"]["resolution"] <= tight["settings"]["resolution"]);
+  CHECK(loose["settings"]["split"] > tight["settings"]["split"]);
+  CHECK(shell.output("solve room.obj --texels 4 --size 40x30 --max-error 0.2 -o text").find("expected error") !=
+        std::string::npos);
+
+  // Out of reach: one message with what is in reach, and nothing is left behind.
+  const Outcome outcome = shell.run("solve room.obj --texels 4 --max-error 1e-9 -o out");
+  CHECK(outcome.exitCode == 2);
+  CHECK(outcome.err.find("out of reach") != std::string::npos);
+  CHECK_FALSE(fs::exists(shell.file("out")));
 }
 
 TEST_CASE("A solved folder holds what is promised", "[cli]") {

@@ -15,8 +15,11 @@ struct HemicubeWorld {
   raster::SoftwareRenderer renderer;
 
   HemicubeWorld(radiosity::Scene s, int texels, int patch)
+      : HemicubeWorld(std::move(s), radiosity::DiscretizationSettings{.texels = texels, .patch = patch}) {}
+
+  HemicubeWorld(radiosity::Scene s, const radiosity::DiscretizationSettings& settings)
       : scene(std::move(s)),
-        discretization(radiosity::discretize(scene, {.texels = texels, .patch = patch})),
+        discretization(radiosity::discretize(scene, settings)),
         layout(radiosity::layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true)),
         renderer(radiosity::makeDrawList(scene, discretization, layout)) {}
 
