@@ -15,6 +15,7 @@
 #include "cli/numbers.h"
 #include "radiosity/discretization.h"
 #include "radiosity/hemicube.h"
+#include "radiosity/patch_splitting.h"
 #include "radiosity/scene.h"
 #include "radiosity/word_layout.h"
 #include "raster/word.h"
@@ -112,7 +113,7 @@ CLI::Option* addResolution(CLI::App& app, int& resolution);
 struct HemicubeOptions {
   int resolution = 256;
   radiosity::Orientation orientation = radiosity::Orientation::Turned;
-  double split = 0.0125;  ///< see radiosity::splitPatches
+  double split = radiosity::defaultMostReturning;  ///< see radiosity::splitPatches
 };
 void addHemicubeOptions(CLI::App& app, HemicubeOptions& options);
 std::string nameOf(radiosity::Orientation orientation);

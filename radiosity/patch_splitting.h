@@ -25,6 +25,9 @@
 
 namespace hemitex::radiosity {
 
+/// As much of its light as comes straight back to a patch unless something else is asked for. On the scenes of data/ an
+/// error of 1 % takes no more, and further splits buy little.
+inline constexpr double defaultMostReturning = 0.0125;
 /// No side is halved more often than this.
 inline constexpr int mostHalvings = 4;
 

@@ -17,9 +17,6 @@ using radiosity::Discretization;
 using radiosity::RowSource;
 using radiosity::Scene;
 
-/// As much of its light as a patch may get straight back unless `solve` is told otherwise.
-constexpr double splitLikeSolve = 0.0125;
-
 /// How hemicubes stand, and which patches are split for them.
 struct HemicubeStyle {
   std::string name;
@@ -82,7 +79,7 @@ std::vector<TradeMethod> tradeMethods() {
   const std::vector<int> few{32, 64, 128, 256, 512};
   return {hemicubeMethod({"hemicube", Orientation::Aligned, {}, {32, 64, 128, 256, 512, 1024, 2048}}),
           hemicubeMethod({"turned-hemicube", Orientation::Turned, {}, few}),
-          hemicubeMethod({"split-hemicube", Orientation::Turned, splitLikeSolve, few}),
+          hemicubeMethod({"split-hemicube", Orientation::Turned, radiosity::defaultMostReturning, few}),
           rayMethod("centre-rays", RayStart::Centre), rayMethod("area-rays", RayStart::Area)};
 }
 
