@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <sstream>
 #include <tuple>
 
 #include "raster/input_error.h"
@@ -118,8 +119,9 @@ ErrorBoundChoice chooseEffort(const radiosity::Scene& scene, const radiosity::Di
   });
   if (enough == ladder.end()) {
     const double inReach = ladder.back().errorOverDifference * difference / (1 - hiddenShare);
-    throw raster::InputError("an error of at most " + std::to_string(bound) + " is out of reach for this scene",
-                             "ask for " + std::to_string(std::ceil(inReach * 1e4) / 1e4) + ", or for fewer texels");
+    std::ostringstream advice;
+    advice << "ask for " << std::ceil(inReach * 1e4) / 1e4 << ", or for fewer texels";
+    throw raster::InputError("so small an error is out of reach for this scene", advice.str());
   }
   return {enough->effort, coarserMaps(scene, finest, texels, enough->effort.patches, second, hiddenShare * bound),
           enough->errorOverDifference * difference + hiddenShare * bound};

@@ -159,4 +159,13 @@ inline std::vector<radiosity::Surface> tableOfSurfaces() {
           star(500, 2)};
 }
 
+/// A closed room with a box on its floor (without a face that would lie on it) and a sheet that hangs in it.
+inline radiosity::Scene furnishedRoom() {
+  std::vector<radiosity::Surface> surfaces = box("room", {0, 0, 0}, {4, 3, 2}, true);
+  const std::vector<radiosity::Surface> onFloor = box("box", {1, 1, 0}, {1, 1, 1}, false);
+  surfaces.insert(surfaces.end(), onFloor.begin() + 1, onFloor.end());
+  surfaces.push_back(parallelogram("sheet", {2.5, 0.5, 1.5}, {1, 0, 0}, {0, 1, 0.2}));
+  return sceneOf(std::move(surfaces));
+}
+
 }  // namespace hemitex::tests

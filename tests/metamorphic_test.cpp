@@ -32,18 +32,9 @@ struct NamedScene {
   Scene scene;
 };
 
-/// A closed room with a box on its floor (without a face that would lie on it) and a sheet that hangs in it.
-Scene furnishedRoom() {
-  std::vector<Surface> surfaces = tests::box("room", {0, 0, 0}, {4, 3, 2}, true);
-  const std::vector<Surface> box = tests::box("box", {1, 1, 0}, {1, 1, 1}, false);
-  surfaces.insert(surfaces.end(), box.begin() + 1, box.end());
-  surfaces.push_back(tests::parallelogram("sheet", {2.5, 0.5, 1.5}, {1, 0, 0}, {0, 1, 0.2}));
-  return tests::sceneOf(std::move(surfaces));
-}
-
 std::vector<NamedScene> tableOfScenes() {
   std::vector<NamedScene> scenes{{"cube", tests::closedCube(glm::dvec3(0.5), glm::dvec3(1))},
-                                 {"furnished room", furnishedRoom()}};
+                                 {"furnished room", tests::furnishedRoom()}};
   for (const std::string name : {"cornell-box", "paper-room", "pyramid-room", "curved-room"})
     scenes.push_back({name, loadScene(HEMITEX_DATA "/" + name + ".obj")});
   return scenes;

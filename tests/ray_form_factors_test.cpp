@@ -124,15 +124,6 @@ bool sameBits(const MeasuredRow& a, const MeasuredRow& b) {
          same(a.back, b.back) && same(a.background, b.background);
 }
 
-/// A closed room with a box on its floor (without a face that would lie on it) and a sheet that hangs in it.
-Scene furnishedRoom() {
-  std::vector<Surface> surfaces = tests::box("room", {0, 0, 0}, {4, 3, 2}, true);
-  const std::vector<Surface> box = tests::box("box", {1, 1, 0}, {1, 1, 1}, false);
-  surfaces.insert(surfaces.end(), box.begin() + 1, box.end());
-  surfaces.push_back(tests::parallelogram("sheet", {2.5, 0.5, 1.5}, {1, 0, 0}, {0, 1, 0.2}));
-  return tests::sceneOf(std::move(surfaces));
-}
-
 }  // namespace
 
 TEST_CASE("rays agree with closed forms within their standard errors", "[ray form factors]") {
@@ -234,7 +225,7 @@ TEST_CASE("a million samples: the hemisphere to 2e-4, aimed rays to 1e-4 of the 
 TEST_CASE("rays are the same bits for any number of threads", "[ray form factors]") {
   const auto rows = [](int threads) {
     const raster::ThreadLimit limit(threads);
-    const World world(furnishedRoom(), 3);
+    const World world(tests::furnishedRoom(), 3);
     const Receivers receivers = everyElement(world.discretization);
     return std::pair{world.rays.overHemisphere(world.surface(1), receivers, {1 << 13}),
                      world.rays.aimed(world.surface(1), receivers, {1 << 9})};
@@ -250,7 +241,7 @@ TEST_CASE("rays are the same bits for any number of threads", "[ray form factors
 TEST_CASE("a scene that is moved or scaled has the same form factors, to the bit where its numbers are exact",
           "[ray form factors]") {
   const auto rows = [](double scale, double offset) {
-    Scene scene = furnishedRoom();
+    Scene scene = tests::furnishedRoom();
     scene.surfaces.pop_back();  // the sheet, whose corners are no binary fractions
     for (Surface& surface : scene.surfaces)
       for (Triangle& triangle : surface.triangles)
@@ -270,7 +261,7 @@ TEST_CASE("a scene that is moved or scaled has the same form factors, to the bit
 }
 
 TEST_CASE("in a closed room nothing is lost but to backs", "[ray form factors]") {
-  const World world(furnishedRoom(), 2);
+  const World world(tests::furnishedRoom(), 2);
   const Receivers receivers = everyElement(world.discretization);
   for (std::uint32_t surface = 0; surface < world.scene.surfaces.size(); ++surface) {
     const MeasuredRow row = world.rays.overHemisphere(world.surface(surface), receivers, {1 << 12});
@@ -295,7 +286,7 @@ TEST_CASE("in a closed room nothing is lost but to backs", "[ray form factors]")
 
 TEST_CASE("what leaves one surface for another is what would come back", "[ray form factors]") {
   // Reciprocity: area times form factor is the same both ways.
-  const World world(furnishedRoom());
+  const World world(tests::furnishedRoom());
   const Receivers receivers = everyElement(world.discretization);
   const std::size_t count = receivers.count;
   for (const Estimator estimator : bothEstimators) {
@@ -332,7 +323,7 @@ TEST_CASE("a point's factors are the closed forms of the elements it sees", "[ra
 }
 
 TEST_CASE("a patch's factors are the means of its elements' by area", "[ray form factors]") {
-  const World world(furnishedRoom(), 3, 2);
+  const World world(tests::furnishedRoom(), 3, 2);
   const Patch& patch = world.discretization.patches[4];
   const std::vector<std::uint32_t> elements = elementsOfPatch(world.discretization, 4);
   REQUIRE(elements.size() == patch.elementCount);
@@ -357,7 +348,7 @@ TEST_CASE("a patch's factors are the means of its elements' by area", "[ray form
 }
 
 TEST_CASE("receivers may be groups of elements, and one alone gets what it gets among all", "[ray form factors]") {
-  const World world(furnishedRoom(), 2);
+  const World world(tests::furnishedRoom(), 2);
   const Receivers every = everyElement(world.discretization);
   Receivers families{2, std::vector<std::uint32_t>(every.count, Receivers::none)};
   for (std::uint32_t e = 0; e < every.count; ++e) families.ofElement[e] = world.discretization.elements[e].surface < 6;

@@ -59,19 +59,10 @@ Scene turned(Scene scene, double aboutZ, double aboutX) {
   return tests::finish(std::move(scene));
 }
 
-/// A closed room with a box on its floor (without a face that would lie on it) and a sheet that hangs in it.
-Scene furnishedRoom() {
-  std::vector<Surface> surfaces = tests::box("room", {0, 0, 0}, {4, 3, 2}, true);
-  const std::vector<Surface> box = tests::box("box", {1, 1, 0}, {1, 1, 1}, false);
-  surfaces.insert(surfaces.end(), box.begin() + 1, box.end());
-  surfaces.push_back(tests::parallelogram("sheet", {2.5, 0.5, 1.5}, {1, 0, 0}, {0, 1, 0.2}));
-  return tests::sceneOf(std::move(surfaces));
-}
-
 }  // namespace
 
 TEST_CASE("a row by rays is exactly one, and every share a whole number of rays", "[ray rows]") {
-  const World world(furnishedRoom(), 4, 2);
+  const World world(tests::furnishedRoom(), 4, 2);
   for (const RayStart start : bothStarts)
     for (const int rays : {16, 1 << 11}) {
       RayRows rows = world.rows(rays, start);
@@ -136,7 +127,7 @@ TEST_CASE("rays spread over an area take the mean of its points", "[ray rows]") 
 TEST_CASE("the fast rays measure what the slow ones do", "[ray rows]") {
   // Standard errors of the slow ones are larger than those of as many fast rays, of which there are four times as many.
   constexpr int samples = 1 << 13;
-  const World world(furnishedRoom(), 4, 2);
+  const World world(tests::furnishedRoom(), 4, 2);
   const RayFormFactors slow(world.scene, world.discretization);
   const Receivers receivers = everyElement(world.discretization);
   std::size_t beyond = 0, values = 0;
