@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
 namespace hemitex::radiosity {
 namespace {
@@ -56,8 +55,12 @@ FormFactorRow meanOf(std::span<const WeightedRow> rows) {
                                       [](double sum, const WeightedRow& weighted) { return sum + weighted.area; });
   Sums sums;
   for (const WeightedRow& weighted : rows) sums = sum(sums, weighted.row, weighted.area / area);
-  FormFactorRow mean{std::move(sums.elements), {}, rounded(sums.background), rounded(sums.back)};
-  for (const double share : sums.shares) mean.shares.push_back(rounded(share));
+  FormFactorRow mean{{}, {}, rounded(sums.background), rounded(sums.back)};
+  for (std::size_t i = 0; i < sums.shares.size(); ++i) {
+    if (rounded(sums.shares[i]) == 0) continue;
+    mean.elements.push_back(sums.elements[i]);
+    mean.shares.push_back(rounded(sums.shares[i]));
+  }
   close(mean);
   return mean;
 }

@@ -30,6 +30,7 @@ struct WeightedRow {
 };
 
 /// The mean of rows, weighted by area. It sums to exactly 2^60 again: the largest share takes what rounding left.
+/// Elements whose share rounds to nothing are left out.
 FormFactorRow meanOf(std::span<const WeightedRow> rows);
 
 }  // namespace hemitex::radiosity

@@ -253,10 +253,13 @@ FormFactorRow HemicubeRows::ofPatch(std::uint32_t number) {
         orientation_ == Orientation::Aligned ? glm::dvec3(0) : quarterTurn(point.normal, turnOf(number, index));
     return draw(patch.surface, point, up, halvings);
   };
-  if (patch.points == 1) return rowFrom(patchCentre(scene_, discretization_, patch), 0, patch.halvings);
+  const std::vector<ShootingBlock> blocks =
+      patch.points == 1 ? std::vector<ShootingBlock>() : shootingBlocks(scene_, discretization_, patch);
+  // A texel with next to no area may have none left in any block, to within rounding.
+  if (blocks.empty()) return rowFrom(patchCentre(scene_, discretization_, patch), 0, patch.halvings);
   std::vector<WeightedRow> rows;
   int index = 0;
-  for (const ShootingBlock& block : shootingBlocks(scene_, discretization_, patch))
+  for (const ShootingBlock& block : blocks)
     rows.push_back({rowFrom(block.centre, index++, patch.halvings), block.area});
   return meanOf(rows);
 }

@@ -72,3 +72,12 @@ TEST_CASE("The mean of equal rows is that row, bit for bit", "[form_factors]") {
   CHECK(mean.background == row.background);
   CHECK(mean.back == row.back);
 }
+
+TEST_CASE("A share that rounds to nothing is left out of the mean", "[form_factors]") {
+  // A unit of 2^-60 seen from a thousandth of the area: its share is 0, and no element of a row has that.
+  const FormFactorRow faint{{4}, {1}, wholeShare - 1, 0}, nothing{{}, {}, wholeShare, 0};
+  const std::vector<WeightedRow> rows{{faint, 1}, {nothing, 999}};
+  const FormFactorRow mean = meanOf(rows);
+  CHECK(mean.elements.empty());
+  CHECK(mean.background == wholeShare);
+}
