@@ -1,8 +1,8 @@
 /// Splitting patches that are near to what they light.
 ///
 /// A hemicube sees from one point, and shoots for the whole patch as if all of it were there. That is right where the
-/// patch is small for its distance; two parallel squares a side apart exchange 20 % more than that, at half the
-/// distance 33 % (Baum, Rushmeier and Winget 1989 give the cases). So a patch is quartered while it is too near.
+/// patch is small for its distance. Between two parallel squares a side apart it is 20 % too much, at half a side 33 %
+/// (the cases of Baum, Rushmeier and Winget 1989). So a patch is quartered while it is too near.
 ///
 /// How near it is, its own row says. With A the areas, F_ij A_i / A_j is by reciprocity F_ji, the share of what patch j
 /// sends out that reaches i, so
@@ -32,8 +32,8 @@ inline constexpr double defaultMostReturning = 0.0125;
 inline constexpr int mostHalvings = 4;
 
 /// The discretization with every patch quartered until no more than `mostReturning` of its light comes straight back;
-/// 1 splits none. Elements stay what they are. `layout` is that of the discretization; the renderer draws its draw
-/// list.
+/// 1 or more splits none. Elements stay what they are. `layout` is that of the discretization; the renderer draws its
+/// draw list.
 Discretization splitPatches(const Scene& scene, Discretization discretization, const WordLayout& layout,
                             raster::ItemBufferRenderer& renderer, double mostReturning);
 

@@ -43,7 +43,7 @@ struct ErrorBoundChoice {
 /// The radiosity of every element at an effort, all index maps at their finest.
 using SolveWith = std::function<std::vector<glm::dvec3>(const Effort&)>;
 
-/// The share of all unshot flux that solutions may leave for a bound: a tenth of it.
+/// The share of all emitted flux that may stay unshot for a bound on the error: a tenth of the bound.
 double residualFor(double bound);
 
 /// The least effort whose expected error is within `bound`, above 0. Elements and patches of `finest` are those of

@@ -78,12 +78,8 @@ Origin originAt(const ShootingPoint& point, const glm::dvec3& middle, const glm:
           turn.x * up - turn.y * right, point.normal};
 }
 
-/// The turns of patches are spread evenly over the circle, and those of patches that follow each other far apart: the
-/// multiples of the golden section.
-glm::dvec2 turnOf(std::uint32_t patch) {
-  const double turns = patch * 0.6180339887498949, angle = 2 * pi * (turns - std::floor(turns));
-  return {std::cos(angle), std::sin(angle)};
-}
+/// The place on the unit circle of the turn that hemicubes have, too; all of the circle, for rays know no symmetry.
+glm::dvec2 onCircle(double turn) { return {std::cos(2 * pi * turn), std::sin(2 * pi * turn)}; }
 
 void aim(RTCRayHit16& packet, std::size_t i, const Origin& from, const glm::vec3& local) {
   const glm::vec3 direction = local.x * from.x + local.y * from.y + local.z * from.normal;
@@ -224,7 +220,7 @@ radiosity::FormFactorRow RayRows::Implementation::count() {
 radiosity::FormFactorRow RayRows::ofPatch(std::uint32_t patch) {
   Implementation& our = *implementation_;
   const Shooter shooter = our.shooterOf(patch);
-  const glm::dvec2 turn = turnOf(patch);
+  const glm::dvec2 turn = onCircle(radiosity::turnOf(patch, 0));
   const auto originOf = [&](const glm::vec2& square) {
     const ShootingPoint point = shootingPoint(shooter, square.x, square.y);
     const Place& place = our.places[point.triangle];
