@@ -20,14 +20,6 @@ void addRow(Row& mean, const radiosity::FormFactorRow& row, const Receivers& rec
   *mean.back += weight * radiosity::formFactor(row.back);
 }
 
-double patchArea(const radiosity::Discretization& discretization, std::uint32_t patch) {
-  const radiosity::Patch& block = discretization.patches[patch];
-  double area = 0;
-  for (std::uint32_t i = 0; i < block.elementCount; ++i)
-    area += discretization.elements[discretization.patchElements[block.firstElement + i]].area;
-  return area;
-}
-
 /// The row of one element, from its centre, or of whole surfaces, averaged over their patches.
 Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
             radiosity::HemicubeRows& rows, const Source& source, const Receivers& receivers) {
@@ -46,9 +38,10 @@ Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& disc
     for (std::uint32_t p = 0; p < grid.patchCount; ++p) patches.push_back(grid.firstPatch + p);
   }
   double area = 0;
-  for (const std::uint32_t patch : patches) area += patchArea(discretization, patch);
+  for (const std::uint32_t patch : patches) area += radiosity::patchArea(discretization, discretization.patches[patch]);
   for (const std::uint32_t patch : patches)
-    addRow(mean, rows.ofPatch(patch), receivers, patchArea(discretization, patch) / area);
+    addRow(mean, rows.ofPatch(patch), receivers,
+           radiosity::patchArea(discretization, discretization.patches[patch]) / area);
   return mean;
 }
 

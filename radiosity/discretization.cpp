@@ -250,4 +250,11 @@ glm::dvec3 emission(const Scene& scene, const Discretization& discretization, st
   return scene.materials[static_cast<std::size_t>(surface.material)].emission;
 }
 
+double patchArea(const Discretization& discretization, const Patch& patch) {
+  double area = 0;
+  for (std::uint32_t i = 0; i < patch.elementCount; ++i)
+    area += discretization.elements[discretization.patchElements[patch.firstElement + i]].area;
+  return area;
+}
+
 }  // namespace hemitex::radiosity

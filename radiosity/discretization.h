@@ -82,6 +82,9 @@ inline bool isDiscretized(const Grid& grid) { return grid.columns > 1 || grid.ro
 glm::dvec3 reflectance(const Scene& scene, const Discretization& discretization, std::uint32_t element);
 glm::dvec3 emission(const Scene& scene, const Discretization& discretization, std::uint32_t element);
 
+/// The area of a patch's elements.
+double patchArea(const Discretization& discretization, const Patch& patch);
+
 /// A point on a surface with the normal there, and the triangle of the surface that it lies on.
 struct SurfacePoint {
   glm::dvec3 position;         ///< in the file's units

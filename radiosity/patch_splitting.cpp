@@ -13,12 +13,6 @@ namespace {
 /// Of the hemicubes that say how near a patch is.
 constexpr int scoutResolution = 32;
 
-std::vector<double> patchAreas(const Discretization& discretization) {
-  std::vector<double> area(discretization.patches.size(), 0.0);
-  for (const Element& element : discretization.elements) area[element.patch] += element.area;
-  return area;
-}
-
 /// A part of a patch: a block of texels and the elements whose own texels lie there.
 struct Part {
   Patch block;
@@ -33,9 +27,10 @@ class Splitter {
       : scene_(scene),
         discretization_(discretization),
         rows_(scene, discretization, layout, renderer, scoutResolution),
-        patchArea_(patchAreas(discretization)),
         share_(discretization.patches.size()),
-        mostReturning_(mostReturning) {}
+        mostReturning_(mostReturning) {
+    for (const Patch& patch : discretization.patches) patchArea_.push_back(patchArea(discretization, patch));
+  }
 
   /// Appends what becomes of a part.
   void split(const Part& part, std::vector<Part>& parts) {
@@ -118,7 +113,7 @@ class Splitter {
   const Scene& scene_;
   const Discretization& discretization_;
   HemicubeRows rows_;
-  std::vector<double> patchArea_;
+  std::vector<double> patchArea_;     ///< one a patch
   std::vector<std::uint64_t> share_;  ///< one a patch, all 0 between rows
   double mostReturning_;
 };
