@@ -3,9 +3,7 @@
 #include <memory>
 #include <numeric>
 
-#include "radiosity/hemicube.h"
-#include "radiosity/patch_splitting.h"
-#include "raster/software_renderer.h"
+#include "radiosity/drawn_rows.h"
 #include "reference/analytic_form_factors.h"
 #include "reference/ray_form_factors.h"
 
@@ -44,21 +42,6 @@ Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& disc
            radiosity::patchArea(discretization, discretization.patches[patch]) / area);
   return mean;
 }
-
-/// What hemicubes are drawn with, and the discretization whose patches they stand on.
-struct Hemicubes {
-  radiosity::WordLayout layout;
-  raster::SoftwareRenderer renderer;
-  radiosity::Discretization split;
-  radiosity::HemicubeRows rows;
-
-  Hemicubes(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-            radiosity::WordLayout wordLayout, const HemicubeOptions& options)
-      : layout(std::move(wordLayout)),
-        renderer(radiosity::makeDrawList(scene, discretization, layout)),
-        split(radiosity::splitPatches(scene, discretization, layout, renderer, options.split)),
-        rows(scene, split, layout, renderer, options.resolution, options.orientation) {}
-};
 
 /// Where whole surfaces receive, they are not cut into texels.
 struct Rays {
@@ -116,12 +99,12 @@ Receivers familiesAsReceivers(const radiosity::Discretization& discretization, c
 }
 
 RowMethod hemicubeMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                         const Receivers& receivers, const WordOptions& word, const HemicubeOptions& options,
-                         Console& console) {
-  const auto hemicubes =
-      std::make_shared<Hemicubes>(scene, discretization, layoutOf(word, discretization, console), options);
-  return [&scene, &receivers, hemicubes](const Source& source) {
-    return meanRow(scene, hemicubes->split, hemicubes->rows, source, receivers);
+                         const Receivers& receivers, const WordOptions& word,
+                         const radiosity::DrawingSettings& settings, Console& console) {
+  const auto drawn =
+      std::make_shared<radiosity::DrawnRows>(scene, discretization, layoutOf(word, discretization, console), settings);
+  return [&scene, &receivers, drawn](const Source& source) {
+    return meanRow(scene, drawn->discretization(), drawn->rows(), source, receivers);
   };
 }
 

@@ -39,8 +39,8 @@ using RowMethod = std::function<Row(const Source&)>;
 /// integers and add up exactly within a row; only the mean over patches is taken in binary64, in the patches' order. A
 /// texel shoots from its centre, by an aligned hemicube.
 RowMethod hemicubeMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                         const Receivers& receivers, const WordOptions& word, const HemicubeOptions& options,
-                         Console& console);
+                         const Receivers& receivers, const WordOptions& word,
+                         const radiosity::DrawingSettings& settings, Console& console);
 
 /// How rays measure.
 struct RayOptions {

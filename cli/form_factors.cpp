@@ -23,7 +23,7 @@ struct FormFactorOptions {
   radiosity::DiscretizationSettings discretization;
   WordOptions word;
   std::string method = "hemicube";
-  HemicubeOptions hemicubes;
+  radiosity::DrawingSettings drawing;
   RayOptions rays;
   std::string from;
   bool bySurface = false;
@@ -37,7 +37,7 @@ RowMethod methodOf(const FormFactorOptions& options, const radiosity::Scene& sce
                    const radiosity::Discretization& discretization, const Receivers& receivers, Console& console) {
   if (options.method == "rays") return rayMethod(scene, discretization, receivers, options.rays);
   if (options.method == "analytic") return analyticMethod(scene, discretization, receivers);
-  return hemicubeMethod(scene, discretization, receivers, options.word, options.hemicubes, console);
+  return hemicubeMethod(scene, discretization, receivers, options.word, options.drawing, console);
 }
 
 /// What was asked for, beside the numbers.
@@ -46,9 +46,9 @@ nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
     return {{"method", options.method}, {"samples", options.rays.samples}, {"aimed", options.rays.aimed}};
   if (options.method == "analytic") return {{"method", options.method}, {"blockers_ignored", true}};
   return {{"method", options.method},
-          {"resolution", options.hemicubes.resolution},
-          {"orientation", nameOf(options.hemicubes.orientation)},
-          {"split", options.hemicubes.split}};
+          {"resolution", options.drawing.resolution},
+          {"orientation", nameOf(options.drawing.orientation)},
+          {"split", options.drawing.split}};
 }
 
 /// The columns behind those that say from where to where.
@@ -197,7 +197,7 @@ void addFormFactors(CLI::App& program, Context& context) {
   addChoice<std::string>(*command, "--method", options->method,
                          {{"hemicube", "hemicube"}, {"rays", "rays"}, {"analytic", "analytic"}},
                          "how they are found (default hemicube)");
-  addHemicubeOptions(*command, options->hemicubes);
+  addDrawingOptions(*command, options->drawing);
   addInteger(*command, "--samples", options->rays.samples, 64, 1 << 28,
              "rays a row, or with --aimed points that they leave from (default 65536)");
   command->add_flag("--aimed", options->rays.aimed,
@@ -206,7 +206,7 @@ void addFormFactors(CLI::App& program, Context& context) {
   addWordOptions(*command, options->word);
   command->callback([options, command, &context] {
     if (options->from.empty() && !options->all) throw CLI::RequiredError("--from, or --all --by-surface,");
-    if (options->method != "hemicube") refuseUnused(*command, hemicubeOptionNames(), options->method);
+    if (options->method != "hemicube") refuseUnused(*command, drawingOptionNames(), options->method);
     if (options->method != "rays") refuseUnused(*command, {"--samples", "--aimed"}, options->method);
     context.command = [options, &context] { print(*options, context); };
   });

@@ -112,13 +112,13 @@ CLI::Option* addResolution(CLI::App& app, int& resolution) {
       ->type_name("R");
 }
 
-void addHemicubeOptions(CLI::App& app, HemicubeOptions& options) {
+void addDrawingOptions(CLI::App& app, radiosity::DrawingSettings& settings) {
   using radiosity::Orientation;
-  addResolution(app, options.resolution);
-  addChoice<Orientation>(app, "--orientation", options.orientation,
+  addResolution(app, settings.resolution);
+  addChoice<Orientation>(app, "--orientation", settings.orientation,
                          {{"aligned", Orientation::Aligned}, {"turned", Orientation::Turned}},
                          "hemicubes all alike, or each turned about its normal (default turned)");
-  addPositive(app, "--split", options.split, std::numeric_limits<double>::infinity(),
+  addPositive(app, "--split", settings.split, std::numeric_limits<double>::infinity(),
               "quarter patches while more than this share of their light would come straight back to them from white "
               "surroundings (default 0.0125); 1 or more splits none");
 }
@@ -127,7 +127,7 @@ std::string nameOf(radiosity::Orientation orientation) {
   return orientation == radiosity::Orientation::Aligned ? "aligned" : "turned";
 }
 
-std::vector<std::string> hemicubeOptionNames() {
+std::vector<std::string> drawingOptionNames() {
   return {"--resolution", "--orientation", "--split", "--format", "--blend", "--no-align"};
 }
 

@@ -14,8 +14,7 @@
 #include "cli/console.h"
 #include "cli/numbers.h"
 #include "radiosity/discretization.h"
-#include "radiosity/hemicube.h"
-#include "radiosity/patch_splitting.h"
+#include "radiosity/drawn_rows.h"
 #include "radiosity/scene.h"
 #include "radiosity/word_layout.h"
 #include "raster/word.h"
@@ -110,16 +109,11 @@ radiosity::WordLayout layoutOf(const WordOptions& options, const radiosity::Disc
 CLI::Option* addResolution(CLI::App& app, int& resolution);
 
 /// How hemicubes look at the scene.
-struct HemicubeOptions {
-  int resolution = 256;
-  radiosity::Orientation orientation = radiosity::Orientation::Turned;
-  double split = radiosity::defaultMostReturning;  ///< see radiosity::splitPatches
-};
-void addHemicubeOptions(CLI::App& app, HemicubeOptions& options);
+void addDrawingOptions(CLI::App& app, radiosity::DrawingSettings& settings);
 std::string nameOf(radiosity::Orientation orientation);
 
 /// What hemicubes are drawn with: their options and those of words.
-std::vector<std::string> hemicubeOptionNames();
+std::vector<std::string> drawingOptionNames();
 /// Throws CLI::ValidationError where one of the options was given though a method has no use for it.
 void refuseUnused(const CLI::App& app, const std::vector<std::string>& options, const std::string& method);
 

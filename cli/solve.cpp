@@ -13,14 +13,12 @@
 #include "cli/json.h"
 #include "cli/solution_file.h"
 #include "cli/staging.h"
-#include "radiosity/hemicube.h"
+#include "radiosity/drawn_rows.h"
 #include "radiosity/lit_scene.h"
-#include "radiosity/patch_splitting.h"
 #include "radiosity/picture.h"
 #include "radiosity/radiosity_texture.h"
 #include "radiosity/solver.h"
 #include "radiosity/write_file.h"
-#include "raster/software_renderer.h"
 #include "reference/error_bound.h"
 #include "reference/ray_rows.h"
 
@@ -33,7 +31,7 @@ struct SolveOptions {
   SceneOptions scene;
   radiosity::DiscretizationSettings discretization;
   std::string discretize = "texture";
-  HemicubeOptions hemicubes;
+  radiosity::DrawingSettings drawing;
   std::string method = "hemicube";
   int samples = 1 << 16;
   WordOptions word;
@@ -78,9 +76,9 @@ ordered_json settingsJson(const SolveOptions& options, const radiosity::Camera& 
           {"patches", orNull(options.discretization.patches)},
           {"discretize", options.discretize},
           {"method", options.method},
-          {"resolution", ofHemicubes(options.hemicubes.resolution)},
-          {"orientation", ofHemicubes(nameOf(options.hemicubes.orientation))},
-          {"split", ofHemicubes(options.hemicubes.split)},
+          {"resolution", ofHemicubes(options.drawing.resolution)},
+          {"orientation", ofHemicubes(nameOf(options.drawing.orientation))},
+          {"split", ofHemicubes(options.drawing.split)},
           {"samples", usesRays(options) ? ordered_json(options.samples) : ordered_json()},
           {"format", options.word.format},
           {"blend", options.word.blend == raster::Blend::ClampedAdd ? "clamped-add" : "integer-add"},
@@ -121,24 +119,21 @@ struct Solved {
 
 Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radiosity::Discretization discretization,
                 const radiosity::WordLayout& layout, Console& console) {
-  const auto solveBy = [&](auto& rows) {
+  const auto solveBy = [&](const radiosity::Discretization& shooting, auto& rows) {
     const auto rowOf = [&rows](std::uint32_t patch) { return rows.ofPatch(patch); };
-    return radiosity::solve(scene, discretization, rowOf, options.solver, progressOf(options.solver, console));
+    radiosity::Solution solution =
+        radiosity::solve(scene, shooting, rowOf, options.solver, progressOf(options.solver, console));
+    console.endProgress();
+    return solution;
   };
-  const auto byRays = [&] {
+  if (usesRays(options)) {
     reference::RayRows rows(scene, discretization, {.rays = options.samples, .start = reference::RayStart::Area});
-    return solveBy(rows);
-  };
-  const auto byHemicubes = [&] {
-    const HemicubeOptions& hemicubes = options.hemicubes;
-    raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));
-    discretization = radiosity::splitPatches(scene, std::move(discretization), layout, renderer, hemicubes.split);
-    radiosity::HemicubeRows rows(scene, discretization, layout, renderer, hemicubes.resolution, hemicubes.orientation);
-    return solveBy(rows);
-  };
-  radiosity::Solution solution = usesRays(options) ? byRays() : byHemicubes();
-  console.endProgress();
-  return {std::move(discretization), std::move(solution)};
+    radiosity::Solution solution = solveBy(discretization, rows);
+    return {std::move(discretization), std::move(solution)};
+  }
+  radiosity::DrawnRows drawn(scene, std::move(discretization), layout, options.drawing);
+  radiosity::Solution solution = solveBy(drawn.discretization(), drawn.rows());
+  return {drawn.discretization(), std::move(solution)};
 }
 
 /// Settings as they were given, or as they were chosen for a bound on the error.
@@ -154,8 +149,8 @@ Settings settingsFor(const SolveOptions& asked, const radiosity::Scene& scene, C
   const int texels = asked.discretization.texels;
   const auto setEffort = [&](const reference::Effort& effort) {
     options.discretization.patches = effort.patches;
-    options.hemicubes.resolution = effort.resolution;
-    options.hemicubes.split = effort.split;
+    options.drawing.resolution = effort.resolution;
+    options.drawing.split = effort.split;
   };
   const auto solveWith = [&](const reference::Effort& effort) {
     setEffort(effort);
@@ -240,7 +235,7 @@ void addSolve(CLI::App& program, Context& context) {
   addChoice<std::string>(
       *command, "--method", options->method, {{"hemicube", "hemicube"}, {"rays", "rays"}},
       "what finds form factors (default hemicube); what rays find differs between machines in the last digits");
-  addHemicubeOptions(*command, options->hemicubes);
+  addDrawingOptions(*command, options->drawing);
   addSamples(*command, options->samples);
   addWordOptions(*command, options->word);
   CLI::Option* residual =
@@ -263,7 +258,7 @@ void addSolve(CLI::App& program, Context& context) {
     maxError->excludes(command->get_option(chosen));
   addCameraOptions(*command, options->camera);
   command->callback([options, command, &context] {
-    refuseUnused(*command, usesRays(*options) ? hemicubeOptionNames() : std::vector<std::string>{"--samples"},
+    refuseUnused(*command, usesRays(*options) ? drawingOptionNames() : std::vector<std::string>{"--samples"},
                  options->method);
     if (usesRays(*options)) refuseUnused(*command, {"--max-error"}, options->method);
     context.command = [options, &context] { solve(*options, context); };

@@ -1,13 +1,9 @@
 #include "reference/trade_methods.h"
 
 #include <memory>
-#include <optional>
 #include <utility>
 
-#include "radiosity/hemicube.h"
-#include "radiosity/patch_splitting.h"
-#include "radiosity/word_layout.h"
-#include "raster/software_renderer.h"
+#include "radiosity/drawn_rows.h"
 #include "reference/ray_rows.h"
 
 namespace hemitex::reference {
@@ -21,24 +17,8 @@ using radiosity::Scene;
 struct HemicubeStyle {
   std::string name;
   radiosity::Orientation orientation;
-  std::optional<double> mostReturning;  ///< see radiosity::splitPatches
+  double split;  ///< see radiosity::DrawingSettings
   std::vector<int> measured;
-};
-
-/// What hemicubes are drawn with.
-struct Hemicubes {
-  radiosity::WordLayout layout;
-  raster::SoftwareRenderer renderer;
-  std::optional<radiosity::HemicubeRows> rows;
-
-  Hemicubes(const Scene& scene, Discretization& discretization, int resolution, const HemicubeStyle& style)
-      : layout(radiosity::layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true)),
-        renderer(radiosity::makeDrawList(scene, discretization, layout)) {
-    if (style.mostReturning)
-      discretization =
-          radiosity::splitPatches(scene, std::move(discretization), layout, renderer, *style.mostReturning);
-    rows.emplace(scene, discretization, layout, renderer, resolution, style.orientation);
-  }
 };
 
 /// A square and four halves of it.
@@ -46,8 +26,11 @@ double hemicubePixels(int resolution) { return 3.0 * resolution * resolution; }
 
 TradeMethod hemicubeMethod(const HemicubeStyle& style) {
   const auto rows = [style](const Scene& scene, Discretization& discretization, int resolution) -> RowSource {
-    const auto hemicubes = std::make_shared<Hemicubes>(scene, discretization, resolution, style);
-    return [hemicubes](std::uint32_t patch) { return hemicubes->rows->ofPatch(patch); };
+    const auto drawn = std::make_shared<radiosity::DrawnRows>(
+        scene, discretization, radiosity::layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true),
+        radiosity::DrawingSettings{resolution, style.orientation, style.split});
+    discretization = drawn->discretization();
+    return [drawn](std::uint32_t patch) { return drawn->rows().ofPatch(patch); };
   };
   const auto bytes = [](int resolution) {
     return static_cast<std::size_t>(hemicubePixels(resolution)) * sizeof(raster::Word);
@@ -77,8 +60,8 @@ TradeMethod rayMethod(const std::string& name, RayStart start) {
 std::vector<TradeMethod> tradeMethods() {
   using radiosity::Orientation;
   const std::vector<int> few{32, 64, 128, 256, 512};
-  return {hemicubeMethod({"hemicube", Orientation::Aligned, {}, {32, 64, 128, 256, 512, 1024, 2048}}),
-          hemicubeMethod({"turned-hemicube", Orientation::Turned, {}, few}),
+  return {hemicubeMethod({"hemicube", Orientation::Aligned, 1, {32, 64, 128, 256, 512, 1024, 2048}}),
+          hemicubeMethod({"turned-hemicube", Orientation::Turned, 1, few}),
           hemicubeMethod({"split-hemicube", Orientation::Turned, radiosity::defaultMostReturning, few}),
           rayMethod("centre-rays", RayStart::Centre), rayMethod("area-rays", RayStart::Area)};
 }

@@ -1,0 +1,53 @@
+/// Rows found by drawing, from a discretized scene on: its words laid out, its draw list handed to a renderer, patches
+/// split that are too near to what they light, and every patch's row counted from what is drawn.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "radiosity/discretization.h"
+#include "radiosity/form_factors.h"
+#include "radiosity/hemicube.h"
+#include "radiosity/patch_splitting.h"
+#include "radiosity/scene.h"
+#include "radiosity/word_layout.h"
+#include "raster/draw_list.h"
+#include "raster/item_buffer_renderer.h"
+
+namespace hemitex::radiosity {
+
+/// How patches look at the scene.
+struct DrawingSettings {
+  int resolution = 256;  ///< side of a hemicube in pixels; even, 2 to 4096
+  Orientation orientation = Orientation::Turned;
+  double split = defaultMostReturning;  ///< see splitPatches; 1 or more splits none
+};
+
+/// Makes the renderer of a draw list.
+using RendererFactory = std::function<std::unique_ptr<raster::ItemBufferRenderer>(raster::DrawList)>;
+
+/// The reference renderer (raster/software_renderer.h).
+std::unique_ptr<raster::ItemBufferRenderer> softwareRenderer(raster::DrawList list);
+
+class DrawnRows {
+ public:
+  /// `layout` is that of the discretization. The scene must outlive this.
+  DrawnRows(const Scene& scene, Discretization unsplit, WordLayout layout, const DrawingSettings& settings,
+            const RendererFactory& makeRenderer = softwareRenderer);
+  DrawnRows(const DrawnRows&) = delete;
+  DrawnRows& operator=(const DrawnRows&) = delete;
+
+  /// Its patches are split; its elements are what they were.
+  const Discretization& discretization() const { return discretization_; }
+  const WordLayout& layout() const { return layout_; }
+  HemicubeRows& rows() { return rows_; }
+
+ private:
+  WordLayout layout_;
+  std::unique_ptr<raster::ItemBufferRenderer> renderer_;
+  Discretization discretization_;
+  HemicubeRows rows_;
+};
+
+}  // namespace hemitex::radiosity
