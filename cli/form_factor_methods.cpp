@@ -20,7 +20,7 @@ void addRow(Row& mean, const radiosity::FormFactorRow& row, const Receivers& rec
 
 /// The row of one element, from its centre, or of whole surfaces, averaged over their patches.
 Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-            radiosity::HemicubeRows& rows, const Source& source, const Receivers& receivers) {
+            radiosity::ProjectedRows& rows, const Source& source, const Receivers& receivers) {
   Row mean{.formFactor = std::vector<double>(receivers.area.size(), 0.0),
            .standardError = {},
            .background = 0.0,

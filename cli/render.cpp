@@ -12,6 +12,8 @@
 #include "cli/surface_names.h"
 #include "radiosity/hemicube.h"
 #include "radiosity/picture.h"
+#include "radiosity/projection.h"
+#include "radiosity/shooting_view.h"
 #include "raster/input_error.h"
 #include "raster/software_renderer.h"
 
@@ -128,9 +130,9 @@ Image hemicubeView(const RenderOptions& options, const Subject& subject, Console
                                             ? radiosity::elementCentre(scene, discretization, *source.element)
                                             : radiosity::patchCentre(scene, discretization, patch);
   const auto skipped = radiosity::skippedTriangles(scene, surface, point);
-  const double nearDistance = radiosity::nearDistance(scene, point.position, skipped);
-  const auto faces = radiosity::hemicubeFaces(point.position - scene.origin, point.normal, glm::dvec3(0), nearDistance,
-                                              options.resolution);
+  const double nearDistance = radiosity::nearDistance(scene, point.position, skipped, radiosity::hemicubeSquaredReach);
+  const auto faces = radiosity::facesOver(radiosity::hemicubeFaces(options.resolution), point.position - scene.origin,
+                                          point.normal, glm::dvec3(0), nearDistance);
   raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));
   return radiosity::hemicubePicture(discretization, layout, faces, renderer.render(faces, skipped));
 }

@@ -13,6 +13,8 @@
 #include "cli/staging.h"
 #include "cli/table.h"
 #include "radiosity/hemicube.h"
+#include "radiosity/projection.h"
+#include "radiosity/shooting_view.h"
 #include "raster/input_error.h"
 #include "reference/stages.h"
 #include "reference/test_vector.h"
@@ -48,10 +50,11 @@ reference::TestVector vectorOf(const ExportOptions& options, Console& console) {
   vector.name = options.name.empty() ? options.scene.file.stem().string() : options.name;
   vector.origin = scene.origin;
   vector.list = radiosity::makeDrawList(scene, discretization, layout);
-  const double nearDistance =
-      options.nearDistance ? *options.nearDistance : radiosity::nearDistance(scene, options.eye, {});
-  const auto faces = radiosity::hemicubeFaces(options.eye - scene.origin, options.normal / length, options.up,
-                                              nearDistance, options.resolution);
+  const double nearDistance = options.nearDistance
+                                  ? *options.nearDistance
+                                  : radiosity::nearDistance(scene, options.eye, {}, radiosity::hemicubeSquaredReach);
+  const auto faces = radiosity::facesOver(radiosity::hemicubeFaces(options.resolution), options.eye - scene.origin,
+                                          options.normal / length, options.up, nearDistance);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const std::string name = faceNames[f];
     vector.faces.push_back({name, faces[f], name + ".u32", {}});

@@ -15,6 +15,6 @@ DrawnRows::DrawnRows(const Scene& scene, Discretization unsplit, WordLayout layo
     : layout_(std::move(layout)),
       renderer_(makeRenderer(makeDrawList(scene, unsplit, layout_))),
       discretization_(splitPatches(scene, std::move(unsplit), layout_, *renderer_, settings.split)),
-      rows_(scene, discretization_, layout_, *renderer_, settings.resolution, settings.orientation) {}
+      rows_(scene, discretization_, layout_, *renderer_, {settings.resolution, settings.orientation}) {}
 
 }  // namespace hemitex::radiosity

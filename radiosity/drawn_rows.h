@@ -8,8 +8,8 @@
 
 #include "radiosity/discretization.h"
 #include "radiosity/form_factors.h"
-#include "radiosity/hemicube.h"
 #include "radiosity/patch_splitting.h"
+#include "radiosity/projected_rows.h"
 #include "radiosity/scene.h"
 #include "radiosity/word_layout.h"
 #include "raster/draw_list.h"
@@ -41,13 +41,13 @@ class DrawnRows {
   /// Its patches are split; its elements are what they were.
   const Discretization& discretization() const { return discretization_; }
   const WordLayout& layout() const { return layout_; }
-  HemicubeRows& rows() { return rows_; }
+  ProjectedRows& rows() { return rows_; }
 
  private:
   WordLayout layout_;
   std::unique_ptr<raster::ItemBufferRenderer> renderer_;
   Discretization discretization_;
-  HemicubeRows rows_;
+  ProjectedRows rows_;
 };
 
 }  // namespace hemitex::radiosity

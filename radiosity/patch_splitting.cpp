@@ -4,8 +4,8 @@
 #include <array>
 #include <utility>
 
-#include "radiosity/hemicube.h"
 #include "radiosity/patch_points.h"
+#include "radiosity/projected_rows.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -26,7 +26,7 @@ class Splitter {
            raster::ItemBufferRenderer& renderer, double mostReturning)
       : scene_(scene),
         discretization_(discretization),
-        rows_(scene, discretization, layout, renderer, scoutResolution),
+        rows_(scene, discretization, layout, renderer, {.resolution = scoutResolution}),
         share_(discretization.patches.size()),
         mostReturning_(mostReturning) {
     for (const Patch& patch : discretization.patches) patchArea_.push_back(patchArea(discretization, patch));
@@ -112,7 +112,7 @@ class Splitter {
 
   const Scene& scene_;
   const Discretization& discretization_;
-  HemicubeRows rows_;
+  ProjectedRows rows_;
   std::vector<double> patchArea_;     ///< one a patch
   std::vector<std::uint64_t> share_;  ///< one a patch, all 0 between rows
   double mostReturning_;

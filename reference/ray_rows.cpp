@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "radiosity/hemicube.h"
+#include "radiosity/shooting_view.h"
 #include "raster/parallel.h"
 #include "reference/embree_tree.h"
 #include "reference/ray_caster.h"

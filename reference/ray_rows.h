@@ -9,9 +9,9 @@
 /// the next one meets.
 ///
 /// The start rule: as a hemicube's eye, a ray starts moved into its triangle by `eyeMove` and lifted off it by
-/// `eyeLift` (radiosity/hemicube.h). That clears all that rounding to binary32 can do, by 2^-26 of the scene's extent
-/// at a corner, so no ray meets the plane that it leaves, nor the back of a wall that rises from its start. What lies
-/// lower than that is not seen: blockers and receivers within 5e-7 extents of the patch.
+/// `eyeLift` (radiosity/shooting_view.h). That clears all that rounding to binary32 can do, by 2^-26 of the scene's
+/// extent at a corner, so no ray meets the plane that it leaves, nor the back of a wall that rises from its start. What
+/// lies lower than that is not seen: blockers and receivers within 5e-7 extents of the patch.
 ///
 /// Backs of faces block, but for those whose twins stand for them. The same bits for any number of threads; none are
 /// promised between machines.

@@ -6,7 +6,7 @@
 #include <functional>
 #include <memory>
 
-#include "radiosity/hemicube.h"
+#include "radiosity/projected_rows.h"
 #include "radiosity/word_layout.h"
 #include "raster/software_renderer.h"
 #include "reference/ray_rows.h"
@@ -109,8 +109,8 @@ RowComparison compareRows(const radiosity::Scene& scene, const radiosity::Discre
   const auto addHemicubes = [&](const std::vector<int>& resolutions, radiosity::Orientation orientation,
                                 std::vector<RowQuality>& group) {
     for (const int resolution : resolutions) {
-      const auto rows =
-          std::make_shared<radiosity::HemicubeRows>(scene, discretization, layout, renderer, resolution, orientation);
+      const auto rows = std::make_shared<radiosity::ProjectedRows>(scene, discretization, layout, renderer,
+                                                                   radiosity::ViewSettings{resolution, orientation});
       contenders.push_back(
           {[rows](std::uint32_t patch) { return rows->ofPatch(patch); }, group, {.size = resolution}, {}});
     }

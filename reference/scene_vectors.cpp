@@ -4,6 +4,9 @@
 #include <utility>
 
 #include "radiosity/hemicube.h"
+#include "radiosity/projection.h"
+#include "radiosity/shooting_view.h"
+#include "radiosity/word_layout.h"
 #include "reference/vector_suite.h"
 
 namespace hemitex::reference {
@@ -26,9 +29,9 @@ TestVector hemicube(const radiosity::Scene& scene, const radiosity::Discretizati
   vector.origin = scene.origin;
   vector.list = radiosity::makeDrawList(scene, discretization,
                                         radiosity::layOut(discretization, view.format, view.blend, view.aligned));
-  const double near = radiosity::nearDistance(scene, view.eye, {});
-  const auto faces =
-      radiosity::hemicubeFaces(view.eye - scene.origin, glm::normalize(view.normal), view.up, near, resolution);
+  const double near = radiosity::nearDistance(scene, view.eye, {}, radiosity::hemicubeSquaredReach);
+  const auto faces = radiosity::facesOver(radiosity::hemicubeFaces(resolution), view.eye - scene.origin,
+                                          glm::normalize(view.normal), view.up, near);
   const std::array<std::string, 5> names{"top", "side-right", "side-up", "side-left", "side-down"};
   for (std::size_t f = 0; f < faces.size(); ++f) vector.faces.push_back({names[f], faces[f], names[f] + ".u32", {}});
   return vector;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "radiosity/hemicube.h"
+#include "radiosity/projected_rows.h"
 #include "radiosity/solver.h"
 #include "raster/software_renderer.h"
 #include "reference/radiosity_error.h"
@@ -93,7 +93,7 @@ TEST_CASE("progressive refinement comes to the algebraic solution of its own row
   const radiosity::Discretization discretization = discretize(scene, {.texels = 3, .patch = 1});
   const radiosity::WordLayout layout = layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true);
   raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
-  radiosity::HemicubeRows rows(scene, discretization, layout, renderer, 32);
+  radiosity::ProjectedRows rows(scene, discretization, layout, renderer, {.resolution = 32});
 
   const std::size_t size = discretization.elements.size();
   FormFactorMatrix matrix{size, std::vector<double>(size * size)};

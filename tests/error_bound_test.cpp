@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "radiosity/hemicube.h"
 #include "radiosity/patch_splitting.h"
+#include "radiosity/projected_rows.h"
 #include "radiosity/solver.h"
 #include "raster/input_error.h"
 #include "reference/radiosity_error.h"
@@ -50,8 +50,8 @@ Solution solutionOf(const Scene& scene, const DiscretizationSettings& settings, 
   tests::HemicubeWorld world(scene, settings);
   world.discretization =
       splitPatches(world.scene, std::move(world.discretization), world.layout, world.renderer, effort.split);
-  HemicubeRows rows(world.scene, world.discretization, world.layout, world.renderer, effort.resolution,
-                    Orientation::Turned);
+  ProjectedRows rows(world.scene, world.discretization, world.layout, world.renderer,
+                     {effort.resolution, Orientation::Turned});
   return solve(world.scene, world.discretization, [&](std::uint32_t p) { return rows.ofPatch(p); },
                {.residual = residual});
 }

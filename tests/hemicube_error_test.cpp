@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "radiosity/hemicube.h"
+#include "radiosity/projected_rows.h"
 #include "raster/software_renderer.h"
 #include "reference/point_to_polygon.h"
 #include "tests/hand_scenes.h"
@@ -58,7 +58,8 @@ Errors errorsAt(int resolution) {
     const Discretization discretization = discretize(scene, {.texels = 1});
     const WordLayout layout = layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true);
     raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
-    const FormFactorRow row = HemicubeRows(scene, discretization, layout, renderer, resolution).ofPatch(0);
+    const FormFactorRow row =
+        ProjectedRows(scene, discretization, layout, renderer, {.resolution = resolution}).ofPatch(0);
     const double found = row.elements.empty() ? 0 : formFactor(row.shares[0]);
     REQUIRE(row.back == 0);
     errors.mean += exact / rectangles;

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "radiosity/hemicube.h"
+#include "radiosity/projected_rows.h"
 #include "raster/software_renderer.h"
 
 namespace hemitex::tests {
@@ -23,7 +23,9 @@ struct HemicubeWorld {
         layout(radiosity::layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true)),
         renderer(radiosity::makeDrawList(scene, discretization, layout)) {}
 
-  radiosity::HemicubeRows rows(int resolution) { return {scene, discretization, layout, renderer, resolution}; }
+  radiosity::ProjectedRows rows(int resolution) {
+    return {scene, discretization, layout, renderer, {.resolution = resolution}};
+  }
 };
 
 }  // namespace hemitex::tests

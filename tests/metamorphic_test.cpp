@@ -96,21 +96,21 @@ std::uint64_t moved(const Shares& a, const Shares& b) {
 /// pixel, and every so often runs exactly through a line of samples. There the fill rule decides between neighbours,
 /// and where the outline is one that both a front and a back end at, their depths tie and the first drawn is seen.
 std::uint64_t shareOfLine(int pixels) {
-  const DeltaFormFactors deltas(pixels);
+  const Projection projection = hemicube(pixels);
   std::uint64_t sum = 0;
-  for (int j = 0; j < pixels; ++j) sum += deltas.top(pixels / 2, j);
-  for (int j = 0; j < pixels / 2; ++j) sum += 2 * deltas.side(pixels / 2, j);
+  for (int j = 0; j < pixels; ++j) sum += shareOf(projection, 0, pixels / 2, j);
+  for (int j = pixels / 2; j < pixels; ++j) sum += 2 * shareOf(projection, 1, pixels / 2, j);
   return sum;
 }
 
 /// By how much a quarter turn of the hemicube about its normal moves the delta form factors of its top: the last bit of
 /// their sums.
 std::uint64_t shareOfRounding(int pixels) {
-  const DeltaFormFactors deltas(pixels);
+  const Projection projection = hemicube(pixels);
   std::uint64_t sum = 0;
   for (int j = 0; j < pixels; ++j)
     for (int i = 0; i < pixels; ++i)
-      sum += deltas.top(i, j) > deltas.top(j, i) ? deltas.top(i, j) - deltas.top(j, i) : 0;
+      sum += std::max(shareOf(projection, 0, i, j), shareOf(projection, 0, j, i)) - shareOf(projection, 0, j, i);
   return sum;
 }
 
@@ -226,13 +226,13 @@ TEST_CASE("a scene turned by quarters has the same rows of form factors", "[meta
   for (const NamedScene& named : tableOfScenes()) {
     INFO(named.name);
     World world(stretched(named.scene), 8, 4);
-    HemicubeRows rows = world.rows(resolution);
+    ProjectedRows rows = world.rows(resolution);
     RowComparison comparison{shareOfRounding(resolution)};
     std::vector<glm::dmat3> turns = quarterTurns();
     if (triangleCount(world.scene) > 1000) turns.resize(4);
     for (const glm::dmat3& turn : turns) {
       World turned(mapped(world.scene, turn), 8, 4);
-      HemicubeRows turnedRows = turned.rows(resolution);
+      ProjectedRows turnedRows = turned.rows(resolution);
       for (const std::uint32_t patch : somePatches(world.discretization))
         comparison.add(sharesOf(world, rows.ofPatch(patch)), sharesOf(turned, turnedRows.ofPatch(patch)));
     }
@@ -253,10 +253,10 @@ TEST_CASE("a scene that is scaled or moved has the same rows, to the bit where i
   for (const NamedScene& named : tableOfScenes()) {
     INFO(named.name);
     World world(moved(named.scene, 1, 0), 8, 4);
-    HemicubeRows rows = world.rows(resolution);
+    ProjectedRows rows = world.rows(resolution);
     for (const auto& [scale, by] : {std::pair{0x1p-20, 0.0}, {0x1p20, 0.0}, {1.0, 0x1p20}, {0x1p-20, -0x1p20}}) {
       World other(moved(named.scene, scale, by), 8, 4);
-      HemicubeRows otherRows = other.rows(resolution);
+      ProjectedRows otherRows = other.rows(resolution);
       for (const std::uint32_t patch : somePatches(world.discretization))
         CHECK(sharesOf(other, otherRows.ofPatch(patch)) == sharesOf(world, rows.ofPatch(patch)));
     }
@@ -315,7 +315,7 @@ TEST_CASE("a room turned any way has the closed form's factors within the pixels
                             tests::sceneOf(tests::box("flat", {0, 0, 0}, {4, 3, 0.5}, true))})
     for (int repeat = 0; repeat < 10; ++repeat) {
       World world(mapped(room, anyRotation(random)), 4, 2);
-      HemicubeRows rows = world.rows(resolution);
+      ProjectedRows rows = world.rows(resolution);
       for (const Patch& patch : world.discretization.patches) {
         const SurfacePoint centre = patchCentre(world.scene, world.discretization, patch);
         const FormFactorRow row = rows.from(patch.surface, centre);
@@ -339,12 +339,12 @@ TEST_CASE("surfaces and polygons in another order have the same rows in another 
   for (const NamedScene& named : tableOfScenes()) {
     INFO(named.name);
     World world(named.scene, 8, 4);
-    HemicubeRows rows = world.rows(resolution);
+    ProjectedRows rows = world.rows(resolution);
     RowComparison comparison{0};
     for (int repeat = 0; repeat < 4; ++repeat) {
       const Permutation permutation = permuted(named.scene, random);
       World other(permutation.scene, 8, 4);
-      HemicubeRows otherRows = other.rows(resolution);
+      ProjectedRows otherRows = other.rows(resolution);
       for (const std::uint32_t patch : somePatches(world.discretization)) {
         const std::uint32_t there = numberIn(other, world, permutation.from,
                                              world.discretization.patches[patch].surface, patch, &Grid::firstPatch);
@@ -408,18 +408,19 @@ TEST_CASE("something put in the way raises no form factor of a hemicube, by not 
   for (const NamedScene& named : tableOfScenes()) {
     INFO(named.name);
     World world(named.scene, 8, 4);
-    HemicubeRows rows = world.rows(resolution);
+    ProjectedRows rows = world.rows(resolution);
     int rowsCompared = 0, lowered = 0;
     bool raised = false;
     for (int repeat = 0; repeat < 4; ++repeat) {
       World occluded(withOccluder(named.scene, random), 8, 4);
       REQUIRE(occluded.scene.extent == world.scene.extent);
-      HemicubeRows occludedRows = occluded.rows(resolution);
+      ProjectedRows occludedRows = occluded.rows(resolution);
       for (const std::uint32_t patch : somePatches(world.discretization)) {
         const Patch& block = world.discretization.patches[patch];
         const SurfacePoint centre = patchCentre(world.scene, world.discretization, block);
         const auto nearest = [&](const World& w) {
-          return nearDistance(w.scene, centre.position, skippedTriangles(w.scene, block.surface, centre));
+          return nearDistance(w.scene, centre.position, skippedTriangles(w.scene, block.surface, centre),
+                              hemicubeSquaredReach);
         };
         if (nearest(occluded) != nearest(world)) continue;
         ++rowsCompared;
@@ -466,7 +467,7 @@ TEST_CASE("the number of threads changes no bit of rows, rays and solutions of w
     const auto everything = [&](int threads) {
       const raster::ThreadLimit limit(threads);
       World world(named.scene, 8, 4);
-      HemicubeRows rows = world.rows(resolution);
+      ProjectedRows rows = world.rows(resolution);
       std::vector<Shares> shares;
       for (const std::uint32_t patch : somePatches(world.discretization))
         shares.push_back(sharesOf(world, rows.ofPatch(patch)));

@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-#include "radiosity/hemicube.h"
+#include "radiosity/projected_rows.h"
 #include "radiosity/solver.h"
 #include "raster/input_error.h"
 #include "reference/radiosity_error.h"
@@ -238,7 +238,7 @@ TEST_CASE("the Cornell box is the same lit by a device, outside explained pixels
   const radiosity::WordLayout layout = radiosity::layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true);
   const raster::DrawList list = radiosity::makeDrawList(scene, discretization, layout);
   const auto solutionOf = [&](raster::ItemBufferRenderer& renderer) {
-    radiosity::HemicubeRows rows(scene, discretization, layout, renderer, 128);
+    radiosity::ProjectedRows rows(scene, discretization, layout, renderer, {.resolution = 128});
     return radiosity::solve(scene, discretization, [&rows](std::uint32_t patch) { return rows.ofPatch(patch); },
                             {.residual = 0.01});
   };

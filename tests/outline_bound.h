@@ -14,7 +14,8 @@ namespace hemitex::tests {
 /// area, but for L/2 + 1 (Jarnik). So half a pixel, times the density of the form factor, is integrated along the
 /// polygon's outline on the hemicube.
 inline double outlineBound(const radiosity::SurfacePoint& point, const std::vector<glm::dvec3>& polygon, int pixels) {
-  const auto faces = radiosity::hemicubeFaces(point.position, point.normal, glm::dvec3(0), 1, pixels);
+  const auto faces =
+      radiosity::facesOver(radiosity::hemicubeFaces(pixels), point.position, point.normal, glm::dvec3(0), 1);
   constexpr int steps = 250;
   constexpr double pi = 3.14159265358979323846;
   double bound = 5 * 4 / (pi * pixels * pixels);  // of each face a pixel, none larger than those at the top's middle

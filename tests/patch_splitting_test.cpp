@@ -86,7 +86,7 @@ TEST_CASE("Splitting brings the squares' exchange to the closed form, whatever t
     tests::HemicubeWorld world(facingSquares(gap), 1, 1);
     world.discretization = split(world, 0.002);
     const FormFactorRow row =
-        HemicubeRows(world.scene, world.discretization, world.layout, world.renderer, 1024, Orientation::Turned)
+        ProjectedRows(world.scene, world.discretization, world.layout, world.renderer, {1024, Orientation::Turned})
             .ofPatch(0);
     const double exact = reference::parallelRectangles({{0, 1}, {0, 1}}, {{0, 1}, {0, 1}}, gap);
     CHECK(formFactor(row.shares.front()) == Approx(exact).margin(1.1 * 0.002));
@@ -140,7 +140,7 @@ TEST_CASE("A split patch brings a cube's light nearer to what it is", "[patch_sp
   const auto worst = [](double mostReturning) {
     tests::HemicubeWorld world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 8);
     world.discretization = split(world, mostReturning);
-    HemicubeRows rows(world.scene, world.discretization, world.layout, world.renderer, 256, Orientation::Turned);
+    ProjectedRows rows(world.scene, world.discretization, world.layout, world.renderer, {256, Orientation::Turned});
     const Solution solution =
         solve(world.scene, world.discretization, [&](std::uint32_t p) { return rows.ofPatch(p); }, {.residual = 1e-6});
     double largest = 0;
@@ -175,8 +175,9 @@ TEST_CASE("A turned hemicube sees the same room", "[patch_splitting]") {
   // R^2).
   constexpr int resolution = 128;
   tests::HemicubeWorld world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 1, 1);
-  HemicubeRows aligned = world.rows(resolution);
-  HemicubeRows turned(world.scene, world.discretization, world.layout, world.renderer, resolution, Orientation::Turned);
+  ProjectedRows aligned = world.rows(resolution);
+  ProjectedRows turned(world.scene, world.discretization, world.layout, world.renderer,
+                       {resolution, Orientation::Turned});
   for (std::uint32_t patch = 0; patch < 6; ++patch) {
     const FormFactorRow a = aligned.ofPatch(patch), b = turned.ofPatch(patch);
     REQUIRE(a.elements == b.elements);

@@ -209,7 +209,7 @@ TEST_CASE("an unfolded hemicube shows the ceiling in the middle and the walls ar
   const Room room;
   raster::SoftwareRenderer renderer(makeDrawList(room.scene, room.discretization, room.layout));
   // Over the floor's middle, its rows towards the back wall.
-  const auto faces = hemicubeFaces({0, -0.999, 0}, {0, 1, 0}, {0, 0, -1}, 1e-4, 32);
+  const auto faces = facesOver(hemicubeFaces(32), {0, -0.999, 0}, {0, 1, 0}, {0, 0, -1}, 1e-4);
   const std::vector<raster::ItemBuffer> buffers = renderer.render(faces, {});
   const Image picture = hemicubePicture(room.discretization, room.layout, faces, buffers);
   REQUIRE(picture.width == 64);

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "radiosity/hemicube.h"
+#include "radiosity/projected_rows.h"
 #include "raster/parallel.h"
 #include "raster/software_renderer.h"
 #include "tests/box_scene.h"
@@ -25,7 +25,7 @@ Run run(Scene scene, int texels, int patch, int resolution, const SolverSettings
   result.discretization = discretize(result.scene, {.texels = texels, .patch = patch});
   const WordLayout layout = layOut(result.discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true);
   raster::SoftwareRenderer renderer(makeDrawList(result.scene, result.discretization, layout));
-  HemicubeRows rows(result.scene, result.discretization, layout, renderer, resolution);
+  ProjectedRows rows(result.scene, result.discretization, layout, renderer, {.resolution = resolution});
   result.solution = solve(
       result.scene, result.discretization, [&](std::uint32_t patchNumber) { return rows.ofPatch(patchNumber); },
       settings);

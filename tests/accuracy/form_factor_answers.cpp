@@ -31,7 +31,7 @@ SurfacePoint eyeOver(const Scene& scene, const SurfacePoint& point) {
 
 FromCentres fromCentres(const Scene& scene, std::uint32_t to, int centresAlongSide) {
   tests::HemicubeWorld world(scene, centresAlongSide, 1);
-  HemicubeRows rows = world.rows(hemicubeResolution);
+  ProjectedRows rows = world.rows(hemicubeResolution);
   const std::vector<glm::dvec3> receiver = quadOf(scene.surfaces[to]);
   FromCentres mean{};
   const Grid& grid = world.discretization.grids[from];

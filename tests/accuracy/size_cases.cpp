@@ -30,7 +30,7 @@ OneSurfaceFindings ofOneSurface() {
   Scene scene = tests::sceneOf({tests::parallelogram("alone", {}, {1, 0, 0}, {0, 1, 0})});
   scene.materials[0].emission = glm::dvec3(1);
   tests::HemicubeWorld world(std::move(scene), 1, 1);
-  HemicubeRows rows = world.rows(hemicubeResolution);
+  ProjectedRows rows = world.rows(hemicubeResolution);
   const auto rowOf = [&](std::uint32_t patch) { return rows.ofPatch(patch); };
   const Energy energy = solve(world.scene, world.discretization, rowOf, {}).energy;
   const auto receivers = reference::everyElement(world.discretization);

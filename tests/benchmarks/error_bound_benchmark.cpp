@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "radiosity/hemicube.h"
 #include "radiosity/patch_splitting.h"
+#include "radiosity/projected_rows.h"
 #include "radiosity/solver.h"
 #include "radiosity/word_layout.h"
 #include "raster/parallel.h"
@@ -47,8 +47,8 @@ class World {
     const radiosity::WordLayout layout = radiosity::layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true);
     raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene_, discretization, layout));
     discretization = radiosity::splitPatches(scene_, std::move(discretization), layout, renderer, effort.split);
-    radiosity::HemicubeRows rows(scene_, discretization, layout, renderer, effort.resolution,
-                                 radiosity::Orientation::Turned);
+    radiosity::ProjectedRows rows(scene_, discretization, layout, renderer,
+                                  {effort.resolution, radiosity::Orientation::Turned});
     const radiosity::Solution solution = radiosity::solve(
         scene_, discretization, [&rows](std::uint32_t patch) { return rows.ofPatch(patch); }, {.residual = residual});
     const double time = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;

@@ -1,7 +1,7 @@
 // How long a hemicube takes on one core: from a patch's centre to its row of form factors, over all patches of a scene.
 #include <benchmark/benchmark.h>
 
-#include "radiosity/hemicube.h"
+#include "radiosity/projected_rows.h"
 #include "raster/parallel.h"
 #include "raster/software_renderer.h"
 
@@ -19,7 +19,7 @@ void hemicubeRow(benchmark::State& state, const std::string& file) {
   const Discretization discretization = discretize(scene, settings);
   const WordLayout layout = layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true);
   raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
-  HemicubeRows rows(scene, discretization, layout, renderer, static_cast<int>(state.range(0)));
+  ProjectedRows rows(scene, discretization, layout, renderer, {.resolution = static_cast<int>(state.range(0))});
   std::uint32_t patch = 0;
   for (auto _ : state) {
     benchmark::DoNotOptimize(rows.ofPatch(patch));

@@ -1,0 +1,21 @@
+#include "radiosity/pixel_integrals.h"
+
+namespace hemitex::radiosity {
+
+GaussRule gaussRule() {
+  const double root = std::sqrt(6.0 / 5.0);
+  const double inner = std::sqrt((3 - 2 * root) / 7), outer = std::sqrt((3 + 2 * root) / 7);
+  const double innerWeight = (18 + std::sqrt(30.0)) / 72, outerWeight = (18 - std::sqrt(30.0)) / 72;
+  return {{(1 - outer) / 2, (1 - inner) / 2, (1 + inner) / 2, (1 + outer) / 2},
+          {outerWeight, innerWeight, innerWeight, outerWeight}};
+}
+
+void spread(std::vector<std::uint64_t>& shares, std::int64_t missing) {
+  const auto count = static_cast<std::int64_t>(shares.size());
+  const std::int64_t remainder = (missing % count + count) % count;
+  const std::int64_t each = (missing - remainder) / count;
+  for (std::int64_t i = 0; i < count; ++i)
+    shares[static_cast<std::size_t>(i)] += static_cast<std::uint64_t>(each + (i < remainder ? 1 : 0));
+}
+
+}  // namespace hemitex::radiosity

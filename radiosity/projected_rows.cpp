@@ -1,0 +1,71 @@
+#include "radiosity/projected_rows.h"
+
+#include <algorithm>
+
+#include "radiosity/hemicube.h"
+#include "radiosity/patch_points.h"
+
+namespace hemitex::radiosity {
+
+ProjectedRows::ProjectedRows(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
+                             raster::ItemBufferRenderer& renderer, const ViewSettings& settings)
+    : scene_(scene),
+      discretization_(discretization),
+      renderer_(renderer),
+      settings_(settings),
+      counter_(discretization, layout) {}
+
+const Projection& ProjectedRows::projectionAfter(int halvings) {
+  const int halved = settings_.resolution >> halvings;
+  const int resolution = std::min(settings_.resolution, std::max(smallestResolution, halved + halved % 2));
+  const auto known = projections_.find(resolution);
+  return known != projections_.end() ? known->second
+                                     : projections_.emplace(resolution, hemicube(resolution)).first->second;
+}
+
+View ProjectedRows::viewFrom(std::uint32_t surface, const SurfacePoint& point, const glm::dvec3& up, int halvings,
+                             double area) {
+  const Projection& projection = projectionAfter(halvings);
+  const glm::dvec3 eye = eyeOver(scene_, surface, point);
+  View view{&projection, {}, skippedTriangles(scene_, surface, point), area};
+  view.faces = facesOver(projection.faces, eye - scene_.origin, point.normal, up,
+                         nearDistance(scene_, eye, view.skipped, projection.squaredReach));
+  return view;
+}
+
+std::vector<View> ProjectedRows::viewsOfPatch(std::uint32_t number) {
+  const Patch& patch = discretization_.patches[number];
+  std::vector<View> views;
+  const auto add = [&](const SurfacePoint& point, double area) {
+    const glm::dvec3 up = upOf(settings_.orientation, point.normal, number, static_cast<int>(views.size()));
+    views.push_back(viewFrom(patch.surface, point, up, patch.halvings, area));
+  };
+  if (patch.points > 1)
+    for (const ShootingBlock& block : shootingBlocks(scene_, discretization_, patch)) add(block.centre, block.area);
+  // A texel with next to no area may have none left in any block, to within rounding.
+  if (views.empty()) add(patchCentre(scene_, discretization_, patch), patchArea(discretization_, patch));
+  return views;
+}
+
+FormFactorRow ProjectedRows::ofView(const View& view) {
+  const std::vector<raster::ItemBuffer> buffers = renderer_.render(view.faces, view.skipped);
+  for (std::size_t face = 0; face < buffers.size(); ++face)
+    counter_.add(*view.projection, face, view.faces[face].scissor, buffers[face]);
+  FormFactorRow row = counter_.take();
+  row.background += wholeShare - view.projection->captured;
+  return row;
+}
+
+FormFactorRow ProjectedRows::from(std::uint32_t surface, const SurfacePoint& point) {
+  return ofView(viewFrom(surface, point, glm::dvec3(0), 0, 0));
+}
+
+FormFactorRow ProjectedRows::ofPatch(std::uint32_t patch) {
+  const std::vector<View> views = viewsOfPatch(patch);
+  if (views.size() == 1) return ofView(views.front());
+  std::vector<WeightedRow> rows;
+  for (const View& view : views) rows.push_back({ofView(view), view.area});
+  return meanOf(rows);
+}
+
+}  // namespace hemitex::radiosity

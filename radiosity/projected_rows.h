@@ -1,0 +1,66 @@
+/// Rows of form factors by projection: the scene is drawn on the faces over a point, and what their pixels show is
+/// counted.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "radiosity/discretization.h"
+#include "radiosity/form_factors.h"
+#include "radiosity/projection.h"
+#include "radiosity/row_counter.h"
+#include "radiosity/shooting_view.h"
+#include "radiosity/word_layout.h"
+#include "raster/face.h"
+#include "raster/item_buffer_renderer.h"
+
+namespace hemitex::radiosity {
+
+/// Halving stops here: below, a hemicube's pixels are as wide as what it is to tell apart.
+inline constexpr int smallestResolution = 16;
+
+struct ViewSettings {
+  int resolution = 256;  ///< pixels along the side of a face; even, 2 to 4096
+  Orientation orientation = Orientation::Aligned;
+};
+
+/// All that is drawn for the row from one point.
+struct View {
+  const Projection* projection = nullptr;  ///< of the ProjectedRows that it came from
+  std::vector<raster::Face> faces;         ///< one a face of the projection, with the same scissor rectangles
+  std::vector<std::uint32_t> skipped;      ///< see skippedTriangles
+  double area = 0;                         ///< of the surface that shoots from there
+};
+
+class ProjectedRows {
+ public:
+  /// All referenced objects must outlive this one.
+  ProjectedRows(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
+                raster::ItemBufferRenderer& renderer, const ViewSettings& settings);
+
+  /// The row of form factors from a point of a surface.
+  FormFactorRow from(std::uint32_t surface, const SurfacePoint& point);
+  /// The row of a patch: of its only view, or the mean over its views.
+  FormFactorRow ofPatch(std::uint32_t patch);
+
+  /// The views that the row of a patch is found from: of its centre or, where it shoots from several points, of each
+  /// of them. A part of a split patch shoots less light, so that a coarser projection does: the resolution is halved
+  /// as often as the side was, down to smallestResolution.
+  std::vector<View> viewsOfPatch(std::uint32_t patch);
+  /// The row of one view.
+  FormFactorRow ofView(const View& view);
+
+ private:
+  View viewFrom(std::uint32_t surface, const SurfacePoint& point, const glm::dvec3& up, int halvings, double area);
+  const Projection& projectionAfter(int halvings);
+
+  const Scene& scene_;
+  const Discretization& discretization_;
+  raster::ItemBufferRenderer& renderer_;
+  ViewSettings settings_;
+  std::map<int, Projection> projections_;  ///< by resolution, made when first asked for
+  RowCounter counter_;
+};
+
+}  // namespace hemitex::radiosity
