@@ -113,7 +113,11 @@ CLI::Option* addResolution(CLI::App& app, int& resolution) {
 }
 
 void addDrawingOptions(CLI::App& app, radiosity::DrawingSettings& settings) {
+  using radiosity::ElementsBy;
   using radiosity::Orientation;
+  addChoice<ElementsBy>(
+      app, "--discretize", settings.elementsBy, {{"texture", ElementsBy::Texture}, {"mesh", ElementsBy::Mesh}},
+      "elements are texels of index maps, or polygons that the surfaces are cut into (default texture)");
   addResolution(app, settings.resolution);
   addChoice<Orientation>(app, "--orientation", settings.orientation,
                          {{"aligned", Orientation::Aligned}, {"turned", Orientation::Turned}},
@@ -127,8 +131,12 @@ std::string nameOf(radiosity::Orientation orientation) {
   return orientation == radiosity::Orientation::Aligned ? "aligned" : "turned";
 }
 
+std::string nameOf(radiosity::ElementsBy elementsBy) {
+  return elementsBy == radiosity::ElementsBy::Texture ? "texture" : "mesh";
+}
+
 std::vector<std::string> drawingOptionNames() {
-  return {"--resolution", "--orientation", "--split", "--format", "--blend", "--no-align"};
+  return {"--discretize", "--resolution", "--orientation", "--split", "--format", "--blend", "--no-align"};
 }
 
 void refuseUnused(const CLI::App& app, const std::vector<std::string>& options, const std::string& method) {

@@ -111,6 +111,7 @@ CLI::Option* addResolution(CLI::App& app, int& resolution);
 /// How hemicubes look at the scene.
 void addDrawingOptions(CLI::App& app, radiosity::DrawingSettings& settings);
 std::string nameOf(radiosity::Orientation orientation);
+std::string nameOf(radiosity::ElementsBy elementsBy);
 
 /// What hemicubes are drawn with: their options and those of words.
 std::vector<std::string> drawingOptionNames();

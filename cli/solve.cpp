@@ -30,7 +30,6 @@ using nlohmann::ordered_json;
 struct SolveOptions {
   SceneOptions scene;
   radiosity::DiscretizationSettings discretization;
-  std::string discretize = "texture";
   radiosity::DrawingSettings drawing;
   std::string method = "hemicube";
   int samples = 1 << 16;
@@ -74,7 +73,7 @@ ordered_json settingsJson(const SolveOptions& options, const radiosity::Camera& 
           {"surface_texels", options.discretization.surfaceTexels},
           {"patch", options.discretization.patches ? ordered_json() : ordered_json(options.discretization.patch)},
           {"patches", orNull(options.discretization.patches)},
-          {"discretize", options.discretize},
+          {"discretize", ofHemicubes(nameOf(options.drawing.elementsBy))},
           {"method", options.method},
           {"resolution", ofHemicubes(options.drawing.resolution)},
           {"orientation", ofHemicubes(nameOf(options.drawing.orientation))},
@@ -230,8 +229,6 @@ void addSolve(CLI::App& program, Context& context) {
   addSceneOptions(*command, options->scene);
   addOutput(*command, options->output, "folder for the lit scene");
   addDiscretizationOptions(*command, options->discretization);
-  addChoice<std::string>(*command, "--discretize", options->discretize, {{"texture", "texture"}},
-                         "what makes elements (default texture)");
   addChoice<std::string>(
       *command, "--method", options->method, {{"hemicube", "hemicube"}, {"rays", "rays"}},
       "what finds form factors (default hemicube); what rays find differs between machines in the last digits");

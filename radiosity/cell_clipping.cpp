@@ -90,7 +90,11 @@ Piece wholeTriangle(const std::array<glm::dvec2, 3>& grid) {
 }
 
 void forEachCell(const std::array<glm::dvec2, 3>& grid, const PieceVisitor& visit) {
-  forEachStrip(wholeTriangle(grid), rowAxis, [&](std::int64_t row, const Piece& strip) {
+  forEachCellOf(wholeTriangle(grid), visit);
+}
+
+void forEachCellOf(const Piece& polygon, const PieceVisitor& visit) {
+  forEachStrip(polygon, rowAxis, [&](std::int64_t row, const Piece& strip) {
     forEachStrip(strip, columnAxis, [&](std::int64_t column, const Piece& piece) { visit(column, row, piece); });
   });
 }

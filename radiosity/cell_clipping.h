@@ -22,9 +22,9 @@ struct PieceCorner {
   glm::dvec2 weight;  ///< barycentric, of the triangle's corners 1 and 2
 };
 
-/// A convex polygon cut from a triangle. Each of the four sides of a cell adds at most one corner.
+/// A convex polygon cut from a triangle, or from a quad. Each of the four sides of a cell adds at most one corner.
 struct Piece {
-  std::array<PieceCorner, 7> corners;
+  std::array<PieceCorner, 8> corners;
   std::size_t size = 0;
 };
 
@@ -37,6 +37,8 @@ using PieceVisitor = std::function<void(std::int64_t, std::int64_t, const Piece&
 /// Visits the pieces of a triangle, row by row. They fill it without overlap: what lies exactly on a line belongs
 /// to one of the two cells. A piece that only touches its cell may be visited, with a share of 0.
 void forEachCell(const std::array<glm::dvec2, 3>& grid, const PieceVisitor& visit);
+/// The same of a convex polygon of three or four corners.
+void forEachCellOf(const Piece& polygon, const PieceVisitor& visit);
 
 /// The part of a triangle inside the closed cell [column, column + 1] x [row, row + 1]; empty where there is none.
 Piece clippedToCell(const std::array<glm::dvec2, 3>& grid, std::int64_t column, std::int64_t row);

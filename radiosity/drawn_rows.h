@@ -17,11 +17,18 @@
 
 namespace hemitex::radiosity {
 
+/// What elements are drawn by.
+enum class ElementsBy {
+  Texture,  ///< an index map over each surface (makeDrawList)
+  Mesh,     ///< a polygon each (makeMeshedDraws)
+};
+
 /// How patches look at the scene.
 struct DrawingSettings {
   int resolution = 256;  ///< side of a hemicube in pixels; even, 2 to 4096
   Orientation orientation = Orientation::Turned;
   double split = defaultMostReturning;  ///< see splitPatches; 1 or more splits none
+  ElementsBy elementsBy = ElementsBy::Texture;
 };
 
 /// Makes the renderer of a draw list.
@@ -30,9 +37,15 @@ using RendererFactory = std::function<std::unique_ptr<raster::ItemBufferRenderer
 /// The reference renderer (raster/software_renderer.h).
 std::unique_ptr<raster::ItemBufferRenderer> softwareRenderer(raster::DrawList list);
 
+/// A renderer of the scene, whose triangles it leaves out by their numbers in the scene.
+std::unique_ptr<raster::ItemBufferRenderer> sceneRenderer(const Scene& scene, const Discretization& discretization,
+                                                          const WordLayout& layout, ElementsBy elementsBy,
+                                                          const RendererFactory& makeRenderer = softwareRenderer);
+
 class DrawnRows {
  public:
-  /// `layout` is that of the discretization. The scene must outlive this.
+  /// `layout` is that of the discretization. The scene must outlive this. Which patches are split, textures say,
+  /// whatever draws the rows, so that the patches do not depend on it.
   DrawnRows(const Scene& scene, Discretization unsplit, WordLayout layout, const DrawingSettings& settings,
             const RendererFactory& makeRenderer = softwareRenderer);
   DrawnRows(const DrawnRows&) = delete;

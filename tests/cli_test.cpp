@@ -136,7 +136,8 @@ TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind"
       "solve room.obj -o out --max-error 0.1 --resolution 64", "solve room.obj -o out --max-error 0.1 --patch 2",
       "solve room.obj -o out --max-error 0.1 --method rays", "solve room.obj -o out --split -1",
       "solve room.obj -o out --split nan", "solve room.obj -o out --orientation up",
-      "solve room.obj -o out --method rays --split 0.1", "solve room.obj -o out --residual 0",
+      "solve room.obj -o out --method rays --split 0.1", "solve room.obj -o out --discretize points",
+      "solve room.obj -o out --method rays --discretize mesh", "solve room.obj -o out --residual 0",
       "solve room.obj -o out --residual -1", "solve room.obj -o out --residual nan",
       "solve room.obj -o out --residual 1e999", "solve room.obj -o out --residual inf",
       "solve room.obj -o out --residual 0.1x", "solve room.obj -o out --shots -1",
@@ -161,6 +162,7 @@ TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind"
       "formfactors room.obj --from floor --samples 1024", "formfactors room.obj --from floor --aimed",
       "formfactors room.obj --from floor --method analytic --aimed",
       "formfactors room.obj --from floor --method rays --resolution 64",
+      "formfactors room.obj --from floor --method analytic --discretize texture",
       "formfactors room.obj --from floor --method analytic --orientation turned",
       "formfactors room.obj --from floor --method analytic --resolution 64",
       "formfactors room.obj --from floor --method rays --no-align", "formfactors room.obj --from floor --smooth",
@@ -235,6 +237,26 @@ TEST_CASE("A bound on the error chooses the settings, which say what they are", 
   CHECK(outcome.exitCode == 2);
   CHECK(outcome.err.find("out of reach") != std::string::npos);
   CHECK_FALSE(fs::exists(shell.file("out")));
+}
+
+TEST_CASE("Regular meshing solves and measures what textures do", "[cli]") {
+  const Shell shell;
+  const auto solutionBy = [&](const std::string& method) {
+    shell.output(quickSolve + "--discretize " + method + " -o " + method);
+    return json::parse(readAll(shell.file(method + "/solution.json")));
+  };
+  const json texture = solutionBy("texture"), mesh = solutionBy("mesh");
+  CHECK(texture["settings"]["discretize"] == "texture");
+  CHECK(mesh["settings"]["discretize"] == "mesh");
+  for (const char* count : {"elements", "patches", "phantoms"}) CHECK(texture[count] == mesh[count]);
+  // Pixels at the borders of elements may fall to either neighbour, but no light is lost by that.
+  for (std::size_t band = 0; band < 3; ++band) {
+    const double emitted = texture["energy"]["emitted"][band], a = texture["energy"]["absorbed"][band],
+                 b = mesh["energy"]["absorbed"][band];
+    CHECK(std::abs(a - b) <= 0.001 * emitted);
+  }
+  const std::string row = "formfactors room.obj --from floor --by-surface --resolution 64 ";
+  CHECK(linesOf(shell.output(row + "--discretize mesh")).size() == linesOf(shell.output(row)).size());
 }
 
 TEST_CASE("A solved folder holds what is promised", "[cli]") {
