@@ -19,6 +19,10 @@ Model pyramidRoom();
 /// A closed room whose floor rises to a wave of 5000 triangles with texture coordinates of its own (figure 3 c).
 Model curvedRoom();
 
+/// A vaulted hall between a library and a picture gallery, with an apse and a domed round room: 8088 triangles (figure
+/// 4).
+Model gallery();
+
 std::vector<Model> allModels();
 
 }  // namespace hemitex::data
