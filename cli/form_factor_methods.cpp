@@ -99,7 +99,7 @@ Receivers familiesAsReceivers(const radiosity::Discretization& discretization, c
 }
 
 RowMethod hemicubeMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                         const Receivers& receivers, const WordOptions& word,
+                         const Receivers& receivers, const radiosity::WordSettings& word,
                          const radiosity::DrawingSettings& settings, Console& console) {
   const auto drawn =
       std::make_shared<radiosity::DrawnRows>(scene, discretization, layoutOf(word, discretization, console), settings);

@@ -39,7 +39,7 @@ using RowMethod = std::function<Row(const Source&)>;
 /// integers and add up exactly within a row; only the mean over patches is taken in binary64, in the patches' order. A
 /// texel shoots from its centre, by an aligned hemicube.
 RowMethod hemicubeMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                         const Receivers& receivers, const WordOptions& word,
+                         const Receivers& receivers, const radiosity::WordSettings& word,
                          const radiosity::DrawingSettings& settings, Console& console);
 
 /// How rays measure.

@@ -21,7 +21,7 @@ namespace {
 struct FormFactorOptions {
   SceneOptions scene;
   radiosity::DiscretizationSettings discretization;
-  WordOptions word;
+  radiosity::WordSettings word;
   std::string method = "hemicube";
   radiosity::DrawingSettings drawing;
   RayOptions rays;

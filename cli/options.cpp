@@ -1,8 +1,10 @@
 #include "cli/options.h"
 
+#include <bit>
 #include <limits>
 
 #include "cli/surface_names.h"
+#include "raster/input_error.h"
 
 namespace hemitex::cli {
 namespace {
@@ -82,24 +84,57 @@ radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettin
   return radiosity::discretize(scene, settings);
 }
 
-void addWordOptions(CLI::App& app, WordOptions& options) {
+void addWordOptions(CLI::App& app, radiosity::WordSettings& settings) {
+  using radiosity::IndexMaps;
   using raster::Blend;
   std::vector<std::pair<std::string, std::string>> formats;
   for (const std::string& name : raster::formatNames()) formats.emplace_back(name, name);
-  addChoice<std::string>(app, "--format", options.format, formats, "channels of a word (default r8g8b8a8)");
-  addChoice<Blend>(app, "--blend", options.blend,
+  addChoice<std::string>(app, "--format", settings.format, formats, "channels of a word (default r8g8b8a8)");
+  addChoice<IndexMaps>(
+      app, "--index-maps", settings.indexMaps,
+      {{"shared", IndexMaps::Shared}, {"packed", IndexMaps::Packed}, {"unique", IndexMaps::Unique}},
+      "one map for all surfaces of a size and an offset a surface; surfaces packed into pages and an offset a page; or "
+      "a map a surface and no offsets (default shared)");
+  const auto readPage = [&settings](const std::string& text) {
+    const int page = integerOption("--page", text, 1, largestTexels);
+    if (!std::has_single_bit(static_cast<unsigned>(page)))
+      throw CLI::ValidationError("--page", "`" + text + "` is not a power of two");
+    settings.page = page;
+  };
+  app.add_option_function<std::string>("--page", readPage,
+                                       "texels along the side of a packed page (default 64, or what the largest "
+                                       "surface needs); with shared maps, of one map for all surfaces")
+      ->type_name("N");
+  addChoice<Blend>(app, "--blend", settings.blend,
                    {{"clamped-add", Blend::ClampedAdd}, {"integer-add", Blend::IntegerAdd}},
                    "how offset and index are added (default clamped-add)");
-  app.add_flag("--no-align", options.unaligned, "pack the offsets without alignment");
+  app.add_flag_callback(
+      "--no-align", [&settings] { settings.aligned = false; }, "pack the offsets without alignment");
 }
 
-radiosity::WordLayout layoutOf(const WordOptions& options, const radiosity::Discretization& discretization,
+std::string nameOf(radiosity::IndexMaps indexMaps) {
+  switch (indexMaps) {
+    case radiosity::IndexMaps::Shared:
+      return "shared";
+    case radiosity::IndexMaps::Packed:
+      return "packed";
+    case radiosity::IndexMaps::Unique:
+      return "unique";
+  }
+  return {};
+}
+
+radiosity::WordLayout layoutOf(const radiosity::WordSettings& settings, const radiosity::Discretization& discretization,
                                Console& console) {
-  if (options.unaligned && options.blend == raster::Blend::ClampedAdd)
+  const bool hasOffsets = settings.page || settings.blend != raster::Blend::ClampedAdd || !settings.aligned;
+  if (settings.indexMaps == radiosity::IndexMaps::Unique && hasOffsets)
+    throw raster::InputError("unique index maps have no offsets", "leave out --page, --blend and --no-align");
+  radiosity::WordLayout layout = radiosity::layOut(discretization, settings);
+  if (!layout.aligned && layout.blend == raster::Blend::ClampedAdd)
     console.warning(
         "offsets without alignment overflow the channels of a clamped add, and light goes to wrong elements; "
         "use --blend integer-add");
-  return radiosity::layOut(discretization, options.format, options.blend, !options.unaligned);
+  return layout;
 }
 
 CLI::Option* addResolution(CLI::App& app, int& resolution) {
@@ -136,7 +171,8 @@ std::string nameOf(radiosity::ElementsBy elementsBy) {
 }
 
 std::vector<std::string> drawingOptionNames() {
-  return {"--discretize", "--resolution", "--orientation", "--split", "--format", "--blend", "--no-align"};
+  return {"--discretize", "--resolution", "--orientation", "--split",   "--format",
+          "--index-maps", "--page",       "--blend",       "--no-align"};
 }
 
 void refuseUnused(const CLI::App& app, const std::vector<std::string>& options, const std::string& method) {

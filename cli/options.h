@@ -96,13 +96,10 @@ radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettin
                                            const radiosity::Scene& scene);
 
 /// How elements become words.
-struct WordOptions {
-  std::string format = "r8g8b8a8";
-  raster::Blend blend = raster::Blend::ClampedAdd;
-  bool unaligned = false;
-};
-void addWordOptions(CLI::App& app, WordOptions& options);
-radiosity::WordLayout layoutOf(const WordOptions& options, const radiosity::Discretization& discretization,
+void addWordOptions(CLI::App& app, radiosity::WordSettings& settings);
+std::string nameOf(radiosity::IndexMaps indexMaps);
+/// Throws InputError as radiosity::layOut, and where options of offsets come with unique index maps, which have none.
+radiosity::WordLayout layoutOf(const radiosity::WordSettings& settings, const radiosity::Discretization& discretization,
                                Console& console);
 
 /// `--resolution`: the side of a hemicube in pixels, even, 2 to 4096.

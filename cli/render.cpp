@@ -36,7 +36,7 @@ struct RenderOptions {
   SceneOptions scene;
   radiosity::DiscretizationSettings discretization;
   bool gridsGiven = false;  ///< the user said how many texels, so that a solved folder is not asked
-  WordOptions word;
+  radiosity::WordSettings word;
   CameraOptions camera;
   View show = nullptr;
   bool mesh = false;
@@ -93,6 +93,16 @@ Image wordView(const RenderOptions& options, const Subject& subject, Console& co
                  options.camera.width, options.camera.height);
 }
 
+/// Where the blend made words of other elements, and on how many pixels.
+Image blendErrorView(const RenderOptions& options, const Subject& subject, Console& console) {
+  const radiosity::Discretization discretization = shownDiscretization(options, subject);
+  radiosity::BlendErrors errors =
+      radiosity::blendErrorPicture(subject.scene, discretization, layoutOf(options.word, discretization, console),
+                                   subject.camera, options.camera.width, options.camera.height);
+  if (errors.pixels > 0) console.warning(std::to_string(errors.pixels) + " pixels show words of other elements");
+  return std::move(errors.picture);
+}
+
 /// Figure 2 (d) and (e).
 Image wireframeView(const RenderOptions& options, const Subject& subject, Console&) {
   const int width = options.camera.width, height = options.camera.height;
@@ -134,7 +144,7 @@ Image hemicubeView(const RenderOptions& options, const Subject& subject, Console
   const auto faces = radiosity::facesOver(radiosity::hemicubeFaces(options.resolution), point.position - scene.origin,
                                           point.normal, glm::dvec3(0), nearDistance);
   raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));
-  return radiosity::hemicubePicture(discretization, layout, faces, renderer.render(faces, skipped));
+  return radiosity::hemicubePicture(layout, faces, renderer.render(faces, skipped));
 }
 
 void render(const RenderOptions& options, Context& context) {
@@ -162,6 +172,7 @@ void addRender(CLI::App& program, Context& context) {
                    {"ids", wordView<radiosity::wordPicture>},
                    {"index-map", wordView<radiosity::indexMapPicture>},
                    {"offsets", wordView<radiosity::offsetPicture>},
+                   {"blend-errors", blendErrorView},
                    {"wireframe", wireframeView},
                    {"hemicube", hemicubeView},
                    {"map", indexMapView}},

@@ -1,6 +1,7 @@
 #include "cli/solution_file.h"
 
 #include "cli/json.h"
+#include "radiosity/phantoms.h"
 #include "radiosity/radiosity_texture.h"
 
 namespace hemitex::cli {

@@ -33,7 +33,7 @@ struct SolveOptions {
   radiosity::DrawingSettings drawing;
   std::string method = "hemicube";
   int samples = 1 << 16;
-  WordOptions word;
+  radiosity::WordSettings word;
   radiosity::SolverSettings solver;
   std::optional<double> maxError;
   CameraOptions camera;
@@ -80,8 +80,10 @@ ordered_json settingsJson(const SolveOptions& options, const radiosity::Camera& 
           {"split", ofHemicubes(options.drawing.split)},
           {"samples", usesRays(options) ? ordered_json(options.samples) : ordered_json()},
           {"format", options.word.format},
+          {"index_maps", nameOf(options.word.indexMaps)},
+          {"page", orNull(options.word.page)},
           {"blend", options.word.blend == raster::Blend::ClampedAdd ? "clamped-add" : "integer-add"},
-          {"align", !options.word.unaligned},
+          {"align", options.word.aligned},
           {"max_error", orNull(options.maxError)},
           {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
           {"shots", orNull(options.solver.shots)},

@@ -25,7 +25,7 @@ namespace {
 struct ExportOptions {
   SceneOptions scene;
   radiosity::DiscretizationSettings discretization;
-  WordOptions word;
+  radiosity::WordSettings word;
   std::string name;
   glm::dvec3 eye{0.0};
   glm::dvec3 normal{0.0};

@@ -115,7 +115,7 @@ class Mesher {
     forEachCellOf(polygon, [&](std::int64_t column, std::int64_t row, const Piece& piece) {
       if (share(piece) == 0) return;
       const std::uint32_t element = grid.spill[texelOfCell(column, row, grid.columns, grid.rows)];
-      appendPiece(triangle, piece, layout_.offset[surface] + discretization_.elements[element].texel);
+      appendPiece(triangle, piece, wordOf(discretization_, layout_, element));
     });
   }
 

@@ -37,15 +37,23 @@ Image unlitPicture(const Scene& scene, const Camera& camera, int width, int heig
 Image elementPicture(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& values,
                      const Camera& camera, int width, int height);
 
-/// Figure 2 (a): the level of each texel in its index map.
+/// Figure 2 (a): the level of each texel in its index map, or of each element in a unique one.
 Image indexMapPicture(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
                       const Camera& camera, int width, int height);
-/// Figure 2 (b): the hue of each surface's offset.
+/// Figure 2 (b): the hue of each page's offset.
 Image offsetPicture(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
                     const Camera& camera, int width, int height);
 /// Figure 2 (c): each word, the sum of both. Backs of blockers are white, the background is black.
 Image wordPicture(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
                   const Camera& camera, int width, int height);
+
+/// What a clamped add makes of words that overflow its channels (Nielsen and Christensen 2002, 3.2).
+struct BlendErrors {
+  Image picture;           ///< the picture of index maps, but magenta where the blend made a word of another element
+  std::size_t pixels = 0;  ///< how many are magenta
+};
+BlendErrors blendErrorPicture(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
+                              const Camera& camera, int width, int height);
 
 /// Figure 2 (d): the borders of the file's polygons, hidden lines removed, black on white.
 Image wireframePicture(const Scene& scene, const Camera& camera, int width, int height);
@@ -58,7 +66,7 @@ Image indexMapImage(int columns, int rows, int texelSide);
 
 /// The words of a hemicube, one buffer a face, unfolded into a cross of 2R x 2R pixels: the top face in the middle, as
 /// seen along its normal with its rows upwards, and around it the four sides folded down, their horizons outermost.
-Image hemicubePicture(const Discretization& discretization, const WordLayout& layout,
-                      std::span<const raster::Face> faces, std::span<const raster::ItemBuffer> buffers);
+Image hemicubePicture(const WordLayout& layout, std::span<const raster::Face> faces,
+                      std::span<const raster::ItemBuffer> buffers);
 
 }  // namespace hemitex::radiosity

@@ -12,10 +12,9 @@ RowCounter::RowCounter(const Discretization& discretization, const WordLayout& l
 void RowCounter::add(raster::Word word, std::uint64_t share) {
   if (word == raster::backWord(layout_.format)) {
     row_.back += share;
-  } else if (const auto seen = texelOf(discretization_, layout_, word)) {
-    const std::uint32_t element = discretization_.grids[seen->surface].spill[seen->texel];
-    if (share_[element] == 0) row_.elements.push_back(element);
-    share_[element] += share;
+  } else if (const auto element = elementOf(discretization_, layout_, word)) {
+    if (share_[*element] == 0) row_.elements.push_back(*element);
+    share_[*element] += share;
   } else {
     row_.background += share;
   }

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "raster/input_error.h"
 
@@ -15,9 +16,14 @@ using raster::InputError;
 using raster::Word;
 using raster::WordFormat;
 
-std::uint64_t texelCount(const Grid& grid) {
-  return static_cast<std::uint64_t>(grid.columns) * static_cast<std::uint64_t>(grid.rows);
+constexpr int largestPage = 4096;
+
+template <typename Rectangle>
+std::uint64_t texelCount(const Rectangle& rectangle) {
+  return static_cast<std::uint64_t>(rectangle.columns) * static_cast<std::uint64_t>(rectangle.rows);
 }
+
+bool isTextured(const Page& page) { return texelCount(page) > 1; }
 
 /// The words that draws may produce: all but the two reserved ones.
 std::uint64_t capacity(const WordFormat& format) { return std::uint64_t{raster::backWord(format)}; }
@@ -28,27 +34,68 @@ std::string listedNames() {
   return names;
 }
 
-/// Offsets in 64 bits, so that they can be told to be too large.
-struct Offsets {
-  std::vector<std::uint64_t> offset;  ///< one a surface
-  std::uint64_t words = 0;            ///< the end of the last surface
-};
-
-Offsets alignedOffsets(const Discretization& discretization, int indexBits, std::uint64_t textured) {
-  Offsets offsets;
-  std::uint64_t nextTextured = 0, nextSingle = textured << indexBits;
-  for (const Grid& grid : discretization.grids) {
-    offsets.offset.push_back(isDiscretized(grid) ? nextTextured++ << indexBits : nextSingle++);
-    offsets.words = std::max(offsets.words, offsets.offset.back() + texelCount(grid));
-  }
-  return offsets;
+int largestSide(const Discretization& discretization) {
+  int side = 1;
+  for (const Grid& grid : discretization.grids) side = std::max({side, grid.columns, grid.rows});
+  return side;
 }
 
-Offsets packedOffsets(const Discretization& discretization) {
-  Offsets offsets;
+void validatePage(const Discretization& discretization, int page) {
+  if (page < 1 || page > largestPage || !std::has_single_bit(static_cast<unsigned>(page)))
+    throw InputError("a page has " + std::to_string(page) + " texels along its side",
+                     "use a power of two up to " + std::to_string(largestPage));
+  if (const int side = largestSide(discretization); side > page)
+    throw InputError(
+        "a surface has " + std::to_string(side) + " texels along a side, and a page " + std::to_string(page),
+        "use a page of " + std::to_string(std::bit_ceil(static_cast<unsigned>(side))) +
+            " texels, or fewer texels a surface");
+}
+
+/// A page a surface, of its grid's size or of `side`.
+void makeOwnPages(const Discretization& discretization, std::optional<int> side, WordLayout& layout) {
   for (const Grid& grid : discretization.grids) {
-    offsets.offset.push_back(offsets.words);
-    offsets.words += texelCount(grid);
+    layout.places.push_back({static_cast<int>(layout.pages.size()), 0, 0});
+    layout.pages.push_back(side && isDiscretized(grid) ? Page{*side, *side} : Page{grid.columns, grid.rows});
+  }
+}
+
+void makePackedPages(const Discretization& discretization, int side, WordLayout& layout) {
+  std::vector<RectangleSize> sizes;
+  for (const Grid& grid : discretization.grids) sizes.push_back({grid.columns, grid.rows});
+  Packing packing = packRectangles(sizes, side);
+  layout.places = std::move(packing.places);
+  layout.pages.assign(packing.pages.size(), Page{side, side});
+}
+
+/// A page a surface, its elements in a row: their numbers are the words.
+void makeElementPages(const Discretization& discretization, WordLayout& layout) {
+  for (const Grid& grid : discretization.grids) {
+    layout.places.push_back({static_cast<int>(layout.pages.size()), 0, 0});
+    layout.pages.push_back({static_cast<int>(grid.elementCount), 1});
+  }
+}
+
+void makePages(const Discretization& discretization, const WordSettings& settings, WordLayout& layout) {
+  if (settings.indexMaps == IndexMaps::Unique) return makeElementPages(discretization, layout);
+  if (settings.page) validatePage(discretization, *settings.page);
+  if (settings.indexMaps == IndexMaps::Shared) return makeOwnPages(discretization, settings.page, layout);
+  makePackedPages(discretization, settings.page.value_or(defaultPage(discretization)), layout);
+}
+
+/// Offsets in 64 bits, so that they can be told to be too large.
+struct Offsets {
+  std::vector<std::uint64_t> offset;  ///< one a page
+  std::uint64_t words = 0;            ///< the end of the last page
+};
+
+Offsets offsetsOf(const WordLayout& layout) {
+  Offsets offsets;
+  std::uint64_t nextTextured = 0, nextSingle = std::uint64_t{layout.textured} << layout.indexBits;
+  for (const Page& page : layout.pages) {
+    offsets.offset.push_back(!layout.aligned    ? offsets.words
+                             : isTextured(page) ? nextTextured++ << layout.indexBits
+                                                : nextSingle++);
+    offsets.words = std::max(offsets.words, offsets.offset.back() + texelCount(page));
   }
   return offsets;
 }
@@ -68,9 +115,10 @@ std::string formatAdvice(std::uint64_t words) {
   return {};
 }
 
-/// The number of texels along a side that would fit; empty where not even one does.
+/// The number of texels along a side that would fit; empty where not even one does, or where pages are packed.
 std::string texelAdvice(const WordLayout& layout) {
-  const std::uint64_t singles = layout.byOffset.size() - layout.textured;
+  if (layout.indexMaps == IndexMaps::Packed) return {};
+  const std::uint64_t singles = layout.pages.size() - layout.textured;
   const auto fits = [&](std::uint64_t texels) {
     return wordsNeeded(layout.textured, singles, texels, layout.aligned) <= capacity(layout.format);
   };
@@ -80,65 +128,117 @@ std::string texelAdvice(const WordLayout& layout) {
   return texels > 0 ? "give a surface " + side + " x " + side + " texels at most" : "";
 }
 
-[[noreturn]] void throwTooLarge(const WordLayout& layout, std::string_view formatName, std::uint64_t words) {
+[[noreturn]] void throwTooLarge(const WordLayout& layout, const std::string& formatName, std::uint64_t words) {
   const std::string format = formatAdvice(words), texels = texelAdvice(layout);
   const std::string advice = format + (format.empty() || texels.empty() ? "" : ", or ") + texels;
-  throw InputError("the scene needs " + std::to_string(words) + " words, but " + std::string(formatName) + " has " +
+  throw InputError("the scene needs " + std::to_string(words) + " words, but " + formatName + " has " +
                        std::to_string(capacity(layout.format)) + " of use",
                    advice.empty() ? "no format has as many: use fewer surfaces" : advice);
 }
 
+/// Gives the pages their offsets.
+void layOutPages(WordLayout& layout, const std::string& formatName) {
+  for (const Page& page : layout.pages) {
+    layout.textured += isTextured(page) ? 1 : 0;
+    layout.indexBits = std::max(layout.indexBits, static_cast<int>(std::bit_width(texelCount(page) - 1)));
+  }
+  layout.byOffset.resize(layout.pages.size());
+  std::iota(layout.byOffset.begin(), layout.byOffset.end(), 0u);
+  if (layout.aligned)
+    std::stable_partition(layout.byOffset.begin(), layout.byOffset.end(),
+                          [&](std::uint32_t page) { return isTextured(layout.pages[page]); });
+  const Offsets offsets = offsetsOf(layout);
+  if (offsets.words > capacity(layout.format)) throwTooLarge(layout, formatName, offsets.words);
+  for (std::size_t page = 0; page < layout.pages.size(); ++page)
+    layout.pages[page].offset = static_cast<Word>(offsets.offset[page]);
+}
+
+Word wordOfTexel(const WordLayout& layout, std::size_t surface, std::uint32_t column, std::uint32_t row) {
+  const RectanglePlace& place = layout.places[surface];
+  const Page& page = layout.pages[static_cast<std::size_t>(place.page)];
+  return page.offset + (static_cast<Word>(place.row) + row) * static_cast<Word>(page.columns) +
+         static_cast<Word>(place.column) + column;
+}
+
+/// Packed pages are squares of one size, whose offsets leave no gaps: their words are numbered from 0.
+std::vector<std::uint32_t> packedElements(const Discretization& discretization, const WordLayout& layout) {
+  std::vector<std::uint32_t> elements(layout.pages.size() * texelCount(layout.pages.front()), noElement);
+  for (std::size_t surface = 0; surface < discretization.grids.size(); ++surface) {
+    const Grid& grid = discretization.grids[surface];
+    const auto columns = static_cast<std::uint32_t>(grid.columns);
+    for (std::uint32_t texel = 0; texel < grid.spill.size(); ++texel)
+      elements[wordOfTexel(layout, surface, texel % columns, texel / columns)] = grid.spill[texel];
+  }
+  return elements;
+}
+
+std::optional<std::uint32_t> elementInOwnPage(const Grid& grid, const Page& page, std::uint32_t index) {
+  if (page.columns == grid.columns && page.rows == grid.rows) return grid.spill[index];
+  const auto columns = static_cast<std::uint32_t>(page.columns), gridColumns = static_cast<std::uint32_t>(grid.columns);
+  const std::uint32_t column = index % columns, row = index / columns;
+  if (column >= gridColumns || row >= static_cast<std::uint32_t>(grid.rows)) return std::nullopt;
+  return grid.spill[row * gridColumns + column];
+}
+
 }  // namespace
 
-WordLayout layOut(const Discretization& discretization, std::string_view formatName, raster::Blend blend,
-                  bool aligned) {
-  assert(blend != raster::Blend::Replace);
-  const std::optional<WordFormat> format = raster::formatNamed(formatName);
-  if (!format)
-    throw InputError("'" + std::string(formatName) + "' is not a word format", "the formats are " + listedNames());
-  WordLayout layout{*format, blend, aligned, 0, {}, {}, 0};
-  for (const Grid& grid : discretization.grids) {
-    layout.textured += isDiscretized(grid) ? 1 : 0;
-    layout.indexBits = std::max(layout.indexBits, static_cast<int>(std::bit_width(texelCount(grid) - 1)));
-  }
-  layout.byOffset.resize(discretization.grids.size());
-  std::iota(layout.byOffset.begin(), layout.byOffset.end(), 0u);
-  const auto isTextured = [&](std::uint32_t surface) { return isDiscretized(discretization.grids[surface]); };
-  if (aligned) std::stable_partition(layout.byOffset.begin(), layout.byOffset.end(), isTextured);
-  const Offsets offsets =
-      aligned ? alignedOffsets(discretization, layout.indexBits, layout.textured) : packedOffsets(discretization);
-  if (offsets.words > capacity(layout.format)) throwTooLarge(layout, formatName, offsets.words);
-  for (const std::uint64_t offset : offsets.offset) layout.offset.push_back(static_cast<Word>(offset));
+int defaultPage(const Discretization& discretization) {
+  return std::max(64, static_cast<int>(std::bit_ceil(static_cast<unsigned>(largestSide(discretization)))));
+}
+
+WordLayout layOut(const Discretization& discretization, const WordSettings& settings) {
+  assert(settings.blend != raster::Blend::Replace);
+  const std::optional<WordFormat> format = raster::formatNamed(settings.format);
+  if (!format) throw InputError("'" + settings.format + "' is not a word format", "the formats are " + listedNames());
+  const bool isUnique = settings.indexMaps == IndexMaps::Unique;
+  WordLayout layout;
+  layout.format = *format;
+  layout.blend = isUnique ? raster::Blend::Replace : settings.blend;
+  layout.aligned = settings.aligned && !isUnique;
+  layout.indexMaps = settings.indexMaps;
+  makePages(discretization, settings, layout);
+  layOutPages(layout, settings.format);
+  if (layout.indexMaps == IndexMaps::Packed && !layout.pages.empty())
+    layout.packedElements = packedElements(discretization, layout);
   return layout;
 }
 
-Phantoms countPhantoms(const Discretization& discretization, const WordLayout& layout) {
-  Phantoms phantoms;
-  for (const Grid& grid : discretization.grids) {
-    if (!isDiscretized(grid)) continue;
-    phantoms.spareTexels += grid.phantoms;
-    if (layout.aligned) phantoms.alignmentGaps += (std::uint64_t{1} << layout.indexBits) - texelCount(grid);
-  }
-  return phantoms;
-}
-
-std::optional<SurfaceTexel> texelOf(const Discretization& discretization, const WordLayout& layout, Word word) {
-  std::uint32_t surface = 0;
+std::optional<PageIndex> pageIndexOf(const WordLayout& layout, Word word) {
+  std::uint32_t page = 0;
   if (!layout.aligned) {
     const auto next = std::upper_bound(layout.byOffset.begin(), layout.byOffset.end(), word,
-                                       [&](Word w, std::uint32_t s) { return w < layout.offset[s]; });
+                                       [&](Word w, std::uint32_t p) { return w < layout.pages[p].offset; });
     if (next == layout.byOffset.begin()) return std::nullopt;
-    surface = *(next - 1);
+    page = *(next - 1);
   } else if (const Word block = word >> layout.indexBits; block < layout.textured) {
-    surface = layout.byOffset[block];
+    page = layout.byOffset[block];
   } else {
     const std::uint64_t place = word - (std::uint64_t{layout.textured} << layout.indexBits) + layout.textured;
     if (place >= layout.byOffset.size()) return std::nullopt;
-    surface = layout.byOffset[place];
+    page = layout.byOffset[place];
   }
-  const Word texel = word - layout.offset[surface];
-  if (texel >= texelCount(discretization.grids[surface])) return std::nullopt;
-  return SurfaceTexel{surface, texel};
+  const Word index = word - layout.pages[page].offset;
+  if (index >= texelCount(layout.pages[page])) return std::nullopt;
+  return PageIndex{page, index};
+}
+
+std::optional<std::uint32_t> elementOf(const Discretization& discretization, const WordLayout& layout, Word word) {
+  if (layout.indexMaps == IndexMaps::Unique)
+    return word < discretization.elements.size() ? std::optional(word) : std::nullopt;
+  if (layout.indexMaps == IndexMaps::Packed)
+    return word < layout.packedElements.size() && layout.packedElements[word] != noElement
+               ? std::optional(layout.packedElements[word])
+               : std::nullopt;
+  const std::optional<PageIndex> place = pageIndexOf(layout, word);
+  if (!place) return std::nullopt;
+  return elementInOwnPage(discretization.grids[place->page], layout.pages[place->page], place->index);
+}
+
+Word wordOf(const Discretization& discretization, const WordLayout& layout, std::uint32_t element) {
+  if (layout.indexMaps == IndexMaps::Unique) return element;
+  const Element& own = discretization.elements[element];
+  const auto columns = static_cast<std::uint32_t>(discretization.grids[own.surface].columns);
+  return wordOfTexel(layout, own.surface, own.texel % columns, own.texel / columns);
 }
 
 }  // namespace hemitex::radiosity

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "radiosity/picture.h"
 #include "raster/software_renderer.h"
@@ -11,7 +12,7 @@ namespace {
 /// sRGB codes from 0 to 255, in which the sum of a level and a hue is exact.
 using Codes = glm::ivec3;
 
-constexpr Codes black(0), white(255), grey(160);
+constexpr Codes black(0), white(255), grey(160), magenta(255, 0, 255);
 
 glm::dvec3 linear(const Codes& codes) {
   return {decodeSrgb(codes.x / 255.0), decodeSrgb(codes.y / 255.0), decodeSrgb(codes.z / 255.0)};
@@ -34,40 +35,55 @@ Codes surfaceHue(std::uint32_t surface) {
   return {level(std::fabs(sixths - 3) - 1), level(2 - std::fabs(sixths - 2)), level(2 - std::fabs(sixths - 4))};
 }
 
-Codes texelLevel(const Discretization& discretization, const SurfaceTexel& place) {
-  const Grid& grid = discretization.grids[place.surface];
-  return texelLevel(grid.columns, grid.rows, static_cast<int>(place.texel));
+/// From 15 to 127, by steps of the golden ratio: elements of any shape know no chessboard.
+Codes elementLevel(std::uint32_t number) {
+  return Codes(15 + static_cast<int>(static_cast<std::uint32_t>(number * 2654435769u) / 4294967296.0 * 113));
 }
 
-/// The colour of a word that stands for a texel.
-using CodesOf = std::function<Codes(const SurfaceTexel&)>;
+Codes indexLevel(const WordLayout& layout, const PageIndex& place) {
+  const Page& page = layout.pages[place.page];
+  if (layout.indexMaps != IndexMaps::Unique) return texelLevel(page.columns, page.rows, static_cast<int>(place.index));
+  return page.columns == 1 ? black : elementLevel(place.index);
+}
 
-Codes wordCodes(const Discretization& discretization, const WordLayout& layout, raster::Word word,
-                const CodesOf& codesOf) {
+/// The colour of a word that draws can produce.
+using CodesOf = std::function<Codes(const PageIndex&)>;
+
+Codes wordCodes(const WordLayout& layout, raster::Word word, const CodesOf& codesOf) {
   if (word == raster::backWord(layout.format)) return white;
-  const std::optional<SurfaceTexel> place = texelOf(discretization, layout, word);
+  const std::optional<PageIndex> place = pageIndexOf(layout, word);
   return place ? codesOf(*place) : black;
 }
 
-CodesOf sumOfBoth(const Discretization& discretization) {
-  return [&](const SurfaceTexel& place) { return texelLevel(discretization, place) + surfaceHue(place.surface); };
+CodesOf sumOfBoth(const WordLayout& layout) {
+  return [&](const PageIndex& place) { return indexLevel(layout, place) + surfaceHue(place.page); };
 }
 
-/// Draws the hemicube's draw list from a camera, a sample a pixel.
+/// A draw list from a camera, a sample a pixel.
+raster::ItemBuffer drawBuffer(raster::DrawList list, const Scene& scene, const Camera& camera, int width, int height) {
+  const raster::Face face = cameraFace(scene, camera, width, height);
+  raster::SoftwareRenderer renderer(std::move(list));
+  return renderer.render({&face, 1}, trianglesFacingAway(scene, camera.eye)).front();
+}
+
+/// A picture from a colour a pixel of an item buffer, whose rows go upwards.
+template <typename CodesAt>
+Image pictureOf(int width, int height, const CodesAt& codesAt) {
+  Image image{width, height, {}};
+  image.pixels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int row = height - 1; row >= 0; --row)
+    for (int column = 0; column < width; ++column)
+      image.pixels.push_back(linear(
+          codesAt(static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column))));
+  return image;
+}
+
+/// Draws the hemicube's draw list from a camera.
 Image drawWords(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
                 const Camera& camera, int width, int height, const CodesOf& codesOf) {
-  const raster::Face face = cameraFace(scene, camera, width, height);
-  raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
-  const raster::ItemBuffer buffer = renderer.render({&face, 1}, trianglesFacingAway(scene, camera.eye)).front();
-  Image image{width, height, {}};
-  image.pixels.reserve(buffer.words.size());
-  for (int row = height - 1; row >= 0; --row)
-    for (int column = 0; column < width; ++column) {
-      const auto pixel =
-          static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
-      image.pixels.push_back(linear(wordCodes(discretization, layout, buffer.words[pixel], codesOf)));
-    }
-  return image;
+  const raster::ItemBuffer buffer =
+      drawBuffer(makeDrawList(scene, discretization, layout), scene, camera, width, height);
+  return pictureOf(width, height, [&](std::size_t pixel) { return wordCodes(layout, buffer.words[pixel], codesOf); });
 }
 
 /// The pixel of a face that shows a direction in front of it.
@@ -94,18 +110,37 @@ glm::dvec3 unfoldedDirection(double x, double y) {
 Image indexMapPicture(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
                       const Camera& camera, int width, int height) {
   return drawWords(scene, discretization, layout, camera, width, height,
-                   [&](const SurfaceTexel& place) { return texelLevel(discretization, place); });
+                   [&](const PageIndex& place) { return indexLevel(layout, place); });
 }
 
 Image offsetPicture(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
                     const Camera& camera, int width, int height) {
   return drawWords(scene, discretization, layout, camera, width, height,
-                   [](const SurfaceTexel& place) { return surfaceHue(place.surface); });
+                   [](const PageIndex& place) { return surfaceHue(place.page); });
 }
 
 Image wordPicture(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
                   const Camera& camera, int width, int height) {
-  return drawWords(scene, discretization, layout, camera, width, height, sumOfBoth(discretization));
+  return drawWords(scene, discretization, layout, camera, width, height, sumOfBoth(layout));
+}
+
+BlendErrors blendErrorPicture(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
+                              const Camera& camera, int width, int height) {
+  raster::DrawList list = makeDrawList(scene, discretization, layout);
+  const raster::ItemBuffer drawn = drawBuffer(list, scene, camera, width, height);
+  if (list.blend == raster::Blend::ClampedAdd) list.blend = raster::Blend::IntegerAdd;
+  const raster::ItemBuffer meant = drawBuffer(std::move(list), scene, camera, width, height);
+  const CodesOf levelOf = [&](const PageIndex& place) { return indexLevel(layout, place); };
+  BlendErrors errors;
+  errors.picture = pictureOf(width, height, [&](std::size_t pixel) {
+    const auto elementAt = [&](const raster::ItemBuffer& buffer) {
+      return elementOf(discretization, layout, buffer.words[pixel]);
+    };
+    if (elementAt(drawn) == elementAt(meant)) return wordCodes(layout, drawn.words[pixel], levelOf);
+    ++errors.pixels;
+    return magenta;
+  });
+  return errors;
 }
 
 Image indexMapImage(int columns, int rows, int texelSide) {
@@ -116,15 +151,15 @@ Image indexMapImage(int columns, int rows, int texelSide) {
   return image;
 }
 
-Image hemicubePicture(const Discretization& discretization, const WordLayout& layout,
-                      std::span<const raster::Face> faces, std::span<const raster::ItemBuffer> buffers) {
+Image hemicubePicture(const WordLayout& layout, std::span<const raster::Face> faces,
+                      std::span<const raster::ItemBuffer> buffers) {
   assert(!faces.empty() && faces.size() == buffers.size());
   const raster::Face& top = faces.front();
   // Whoever looks along the normal with `up` upwards has normal x up on the right; of some faces that is -x.
   const glm::dvec3 right = glm::dvec3(top.x) * (raster::determinant(top) < 0 ? 1.0 : -1.0);
   const glm::dvec3 up(top.y), normal(top.w);
   const int side = 2 * top.resolution;
-  const CodesOf codesOf = sumOfBoth(discretization);
+  const CodesOf codesOf = sumOfBoth(layout);
   Image image{side, side, {}};
   for (int row = side - 1; row >= 0; --row)
     for (int column = 0; column < side; ++column) {
@@ -140,7 +175,7 @@ Image hemicubePicture(const Discretization& discretization, const WordLayout& la
                                             [&](const auto& a, const auto& b) { return depth(a) < depth(b); });
       const raster::ItemBuffer& buffer = buffers[static_cast<std::size_t>(nearest - faces.begin())];
       const raster::Word word = buffer.words[pixelTowards(*nearest, direction)];
-      image.pixels.push_back(linear(wordCodes(discretization, layout, word, codesOf)));
+      image.pixels.push_back(linear(wordCodes(layout, word, codesOf)));
     }
   return image;
 }

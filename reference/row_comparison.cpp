@@ -103,7 +103,7 @@ RowComparison compareRows(const radiosity::Scene& scene, const radiosity::Discre
   for (const MeasuredRow& row : truth)
     result.truthError += sumOfStandardErrors(row) / static_cast<double>(truth.size());
 
-  const radiosity::WordLayout layout = radiosity::layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true);
+  const radiosity::WordLayout layout = radiosity::layOut(discretization);
   raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));
   std::vector<Contender> contenders;
   const auto addHemicubes = [&](const std::vector<int>& resolutions, radiosity::Orientation orientation,

@@ -28,7 +28,7 @@ TestVector hemicube(const radiosity::Scene& scene, const radiosity::Discretizati
   vector.catches = "whatever goes wrong in a whole hemicube: " + view.format + (view.aligned ? "" : ", unaligned");
   vector.origin = scene.origin;
   vector.list = radiosity::makeDrawList(scene, discretization,
-                                        radiosity::layOut(discretization, view.format, view.blend, view.aligned));
+                                        radiosity::layOut(discretization, {view.format, view.blend, view.aligned}));
   const double near = radiosity::nearDistance(scene, view.eye, {}, radiosity::hemicubeSquaredReach);
   const auto faces = radiosity::facesOver(radiosity::hemicubeFaces(resolution), view.eye - scene.origin,
                                           glm::normalize(view.normal), view.up, near);

@@ -26,9 +26,9 @@ double hemicubePixels(int resolution) { return 3.0 * resolution * resolution; }
 
 TradeMethod hemicubeMethod(const HemicubeStyle& style) {
   const auto rows = [style](const Scene& scene, Discretization& discretization, int resolution) -> RowSource {
-    const auto drawn = std::make_shared<radiosity::DrawnRows>(
-        scene, discretization, radiosity::layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true),
-        radiosity::DrawingSettings{resolution, style.orientation, style.split});
+    const auto drawn =
+        std::make_shared<radiosity::DrawnRows>(scene, discretization, radiosity::layOut(discretization),
+                                               radiosity::DrawingSettings{resolution, style.orientation, style.split});
     discretization = drawn->discretization();
     return [drawn](std::uint32_t patch) { return drawn->rows().ofPatch(patch); };
   };

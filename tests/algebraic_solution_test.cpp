@@ -91,7 +91,7 @@ TEST_CASE("progressive refinement comes to the algebraic solution of its own row
   scene.materials.push_back(tests::material("lamp", glm::dvec3(0.3), {5, 4, 3}));
   scene.surfaces.front().material = 1;
   const radiosity::Discretization discretization = discretize(scene, {.texels = 3, .patch = 1});
-  const radiosity::WordLayout layout = layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true);
+  const radiosity::WordLayout layout = layOut(discretization);
   raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
   radiosity::ProjectedRows rows(scene, discretization, layout, renderer, {.resolution = 32});
 

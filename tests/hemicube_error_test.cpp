@@ -56,7 +56,7 @@ Errors errorsAt(int resolution) {
     for (const Triangle& triangle : scene.surfaces[1].triangles)
       exact += reference::pointToPolygon(glm::dvec3(0), glm::dvec3(0, 0, 1), triangle.position);
     const Discretization discretization = discretize(scene, {.texels = 1});
-    const WordLayout layout = layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true);
+    const WordLayout layout = layOut(discretization);
     raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
     const FormFactorRow row =
         ProjectedRows(scene, discretization, layout, renderer, {.resolution = resolution}).ofPatch(0);

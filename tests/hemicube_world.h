@@ -20,7 +20,7 @@ struct HemicubeWorld {
   HemicubeWorld(radiosity::Scene s, const radiosity::DiscretizationSettings& settings)
       : scene(std::move(s)),
         discretization(radiosity::discretize(scene, settings)),
-        layout(radiosity::layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true)),
+        layout(radiosity::layOut(discretization)),
         renderer(radiosity::makeDrawList(scene, discretization, layout)) {}
 
   radiosity::ProjectedRows rows(int resolution) {

@@ -23,7 +23,7 @@ namespace {
 Scene dataScene(const std::string& name) { return radiosity::loadScene(std::string(HEMITEX_DATA) + "/" + name); }
 
 radiosity::WordLayout layoutOf(const Discretization& discretization) {
-  return radiosity::layOut(discretization, "r32ui", raster::Blend::ClampedAdd, true);
+  return radiosity::layOut(discretization, {.format = "r32ui"});
 }
 
 /// A discretized scene that both methods draw.
@@ -41,8 +41,7 @@ struct World {
 
   /// What a word stands for: an element, or one of the reserved words, which are above all elements.
   std::uint32_t shownBy(raster::Word word) const {
-    const auto place = radiosity::texelOf(discretization, layout, word);
-    return place ? discretization.grids[place->surface].spill[place->texel] : word;
+    return radiosity::elementOf(discretization, layout, word).value_or(word);
   }
 };
 

@@ -235,7 +235,7 @@ TEST_CASE("the Cornell box is the same lit by a device, outside explained pixels
   if (!hasDevice()) return;
   const radiosity::Scene scene = radiosity::loadScene(std::string(HEMITEX_DATA) + "/cornell-box.obj");
   const radiosity::Discretization discretization = radiosity::discretize(scene, {.texels = 8, .patch = 4});
-  const radiosity::WordLayout layout = radiosity::layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true);
+  const radiosity::WordLayout layout = radiosity::layOut(discretization);
   const raster::DrawList list = radiosity::makeDrawList(scene, discretization, layout);
   const auto solutionOf = [&](raster::ItemBufferRenderer& renderer) {
     radiosity::ProjectedRows rows(scene, discretization, layout, renderer, {.resolution = 128});
@@ -251,8 +251,7 @@ TEST_CASE("the Cornell box is the same lit by a device, outside explained pixels
     // An explained pixel takes flux from one element and gives it to another; the rest see it only reflected.
     std::set<std::uint32_t> touched;
     for (const raster::Word word : device.explained)
-      if (const auto texel = texelOf(discretization, layout, word))
-        touched.insert(discretization.grids[texel->surface].spill[texel->texel]);
+      if (const auto element = elementOf(discretization, layout, word)) touched.insert(*element);
     const std::vector<double> errors = reference::errorsByElement(found.radiosity, expected.radiosity);
     double largest = 0;
     for (std::uint32_t element = 0; element < errors.size(); ++element)

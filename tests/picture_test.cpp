@@ -2,6 +2,7 @@
 #include "radiosity/picture.h"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -52,7 +53,7 @@ struct Room {
 
   Room() {
     for (int wall = 0; wall < 6; ++wall) addGrid(discretization, 4, 4);
-    layout = layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true);
+    layout = layOut(discretization);
   }
 };
 
@@ -151,7 +152,7 @@ TEST_CASE("the index map on a quad is the index map, v upwards", "[picture]") {
   Discretization discretization;
   addGrid(discretization, 4, 2);
   addGrid(discretization, 1, 1);
-  const WordLayout layout = layOut(discretization, "r8g8b8", raster::Blend::ClampedAdd, true);
+  const WordLayout layout = layOut(discretization, {"r8g8b8", raster::Blend::ClampedAdd, true});
   const Image seen = indexMapPicture(scene, discretization, layout, straight, 16, 16);
   const Image map = indexMapImage(4, 2, 1);
   CHECK(codesAt(map, 0, 1) == glm::ivec3(15));  // texel 0 is below left, and the darkest
@@ -172,6 +173,54 @@ TEST_CASE("in codes, the picture of words is that of index maps plus that of off
       levels.insert(codesAt(maps, column, row).x);
     }
   CHECK(levels.size() == 16);
+}
+
+TEST_CASE("what a clamped add makes of unaligned offsets is shown where it goes wrong, and counted", "[picture]") {
+  // The far grid's 250 words come first, so that the quad's are 250 to 265, and a channel of 8 bits ends at 255: texels
+  // 6 to 15 all become 255, the word of texel 5.
+  const Scene scene = sceneOf({farAway(), fillingQuad()});
+  Discretization discretization;
+  addGrid(discretization, 25, 10);
+  addGrid(discretization, 4, 4);
+  const glm::ivec3 magenta(255, 0, 255);
+  const auto errorsOf = [&](const WordSettings& words) {
+    return blendErrorPicture(scene, discretization, layOut(discretization, words), straight, 16, 16);
+  };
+  const BlendErrors errors = errorsOf({"r8g8b8", raster::Blend::ClampedAdd, false});
+  CHECK(errors.pixels == 10 * 16);
+  const Image right = errorsOf({"r8g8b8", raster::Blend::IntegerAdd, false}).picture;
+  for (int row = 0; row < 16; ++row)
+    for (int column = 0; column < 16; ++column) {
+      const bool isWrong = (15 - row) / 4 * 4 + column / 4 > 5;
+      REQUIRE(codesAt(errors.picture, column, row) == (isWrong ? magenta : codesAt(right, column, row)));
+      REQUIRE(codesAt(right, column, row).x == codesAt(right, column, row).y);
+    }
+  CHECK(errorsOf({"r8g8b8", raster::Blend::ClampedAdd, true}).pixels == 0);
+  CHECK(errorsOf({"r8g8b8", raster::Blend::IntegerAdd, false}).pixels == 0);
+  // 16 bits in channels of 5, 6 and 5: the sum overflows the first.
+  CHECK(errorsOf({"r5g6b5", raster::Blend::ClampedAdd, false}).pixels > 0);
+  CHECK(errorsOf({.format = "r8g8b8", .indexMaps = IndexMaps::Unique}).pixels == 0);
+}
+
+TEST_CASE("in the pictures of words packed surfaces share the hue of their page, unique ones have levels",
+          "[picture]") {
+  const Room room;
+  const Camera camera{{0.3, -0.2, 0.4}, {-0.7, 0.1, -0.9}, {0.1, 1, 0.2}, 90};
+  const auto coloursOf = [&](const WordSettings& words, auto picture) {
+    const Image image = picture(room.scene, room.discretization, layOut(room.discretization, words), camera, 60, 50);
+    std::set<std::array<int, 3>> colours;
+    for (int row = 0; row < 50; ++row)
+      for (int column = 0; column < 60; ++column) {
+        const glm::ivec3 codes = codesAt(image, column, row);
+        colours.insert({codes.x, codes.y, codes.z});
+      }
+    return colours;
+  };
+  // The camera sees four walls: two pages of 8 x 8 hold six of 4 x 4, four and two.
+  CHECK(coloursOf({}, offsetPicture).size() > 2);
+  CHECK(coloursOf({.indexMaps = IndexMaps::Packed, .page = 8}, offsetPicture).size() == 2);
+  CHECK(coloursOf({.indexMaps = IndexMaps::Packed, .page = 16}, offsetPicture).size() == 1);
+  CHECK(coloursOf({.indexMaps = IndexMaps::Unique}, indexMapPicture).size() == 16);
 }
 
 TEST_CASE("a wireframe shows polygons, not their triangles", "[picture]") {
@@ -211,7 +260,7 @@ TEST_CASE("an unfolded hemicube shows the ceiling in the middle and the walls ar
   // Over the floor's middle, its rows towards the back wall.
   const auto faces = facesOver(hemicubeFaces(32), {0, -0.999, 0}, {0, 1, 0}, {0, 0, -1}, 1e-4);
   const std::vector<raster::ItemBuffer> buffers = renderer.render(faces, {});
-  const Image picture = hemicubePicture(room.discretization, room.layout, faces, buffers);
+  const Image picture = hemicubePicture(room.layout, faces, buffers);
   REQUIRE(picture.width == 64);
   // What the floor's middle sees, looking up with its head towards the back wall: left and right change places for
   // someone who lies on his back, as they do on a map of the sky.

@@ -23,7 +23,7 @@ struct Run {
 Run run(Scene scene, int texels, int patch, int resolution, const SolverSettings& settings) {
   Run result{std::move(scene), {}, {}};
   result.discretization = discretize(result.scene, {.texels = texels, .patch = patch});
-  const WordLayout layout = layOut(result.discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true);
+  const WordLayout layout = layOut(result.discretization);
   raster::SoftwareRenderer renderer(makeDrawList(result.scene, result.discretization, layout));
   ProjectedRows rows(result.scene, result.discretization, layout, renderer, {.resolution = resolution});
   result.solution = solve(

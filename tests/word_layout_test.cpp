@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "radiosity/phantoms.h"
 #include "raster/input_error.h"
 #include "raster/software_renderer.h"
 #include "tests/hand_scenes.h"
@@ -41,7 +42,7 @@ std::vector<Size> joined(std::vector<Size> a, const std::vector<Size>& b) {
 
 std::string messageOf(const std::vector<Size>& sizes, std::string_view format, Blend blend, bool aligned) {
   try {
-    layOut(gridsOf(sizes), format, blend, aligned);
+    layOut(gridsOf(sizes), {std::string(format), blend, aligned});
     return {};
   } catch (const raster::InputError& error) {
     return error.what();
@@ -54,6 +55,12 @@ bool fits(const std::vector<Size>& sizes, std::string_view format, bool aligned)
 
 bool mentions(const std::string& message, const std::string& text) { return message.find(text) != std::string::npos; }
 
+std::vector<Word> offsetsOf(const WordLayout& layout) {
+  std::vector<Word> offsets;
+  for (const Page& page : layout.pages) offsets.push_back(page.offset);
+  return offsets;
+}
+
 /// Whether every texel's word is blended to offset + texel, is not reserved, decodes to its texel, and no other word of
 /// the format decodes at all.
 bool isOneToOne(const Discretization& discretization, const WordLayout& layout) {
@@ -62,15 +69,15 @@ bool isOneToOne(const Discretization& discretization, const WordLayout& layout) 
   for (std::uint32_t s = 0; s < discretization.grids.size(); ++s) {
     const Grid& grid = discretization.grids[s];
     for (std::uint32_t texel = 0; texel < std::uint32_t(grid.columns * grid.rows); ++texel) {
-      const Word word = raster::blend(layout.format, layout.blend, layout.offset[s], texel);
-      const auto decoded = texelOf(discretization, layout, word);
-      if (word != layout.offset[s] + texel || word >= background - 1 || taken[word]) return false;
-      if (!decoded || decoded->surface != s || decoded->texel != texel) return false;
+      const Word word = raster::blend(layout.format, layout.blend, layout.pages[s].offset, texel);
+      const auto decoded = pageIndexOf(layout, word);
+      if (word != layout.pages[s].offset + texel || word >= background - 1 || taken[word]) return false;
+      if (!decoded || decoded->page != s || decoded->index != texel) return false;
       taken[word] = true;
     }
   }
   for (std::uint64_t word = 0; word <= background; ++word)
-    if (!taken[word] && texelOf(discretization, layout, Word(word))) return false;
+    if (!taken[word] && pageIndexOf(layout, Word(word))) return false;
   return true;
 }
 
@@ -79,7 +86,7 @@ bool isOneToOne(const Discretization& discretization, const WordLayout& layout) 
 TEST_CASE("every element of a full 24-bit word with 12 index bits has a word of its own", "[layout]") {
   // 4096 surfaces of 64 x 64: the last one's last two words are reserved, so it is 63 x 64 here.
   const Discretization discretization = gridsOf(joined(times(4095, {64, 64}), {{63, 64}}));
-  const WordLayout layout = layOut(discretization, "r8g8b8", Blend::ClampedAdd, true);
+  const WordLayout layout = layOut(discretization, {"r8g8b8", Blend::ClampedAdd, true});
   CHECK(layout.indexBits == 12);
   CHECK(isOneToOne(discretization, layout));
 }
@@ -88,25 +95,25 @@ TEST_CASE("words and texels are one to one for mixed sizes, aligned or not, in e
   const std::vector<Size> mixed{{1, 1}, {8, 8}, {3, 3}, {1, 1}, {1, 5}, {7, 9}, {1, 1}, {2, 32}, {8, 8}, {1, 1}};
   for (const char* format : {"r5g6b5", "r8g8b8"}) {
     const Discretization discretization = gridsOf(mixed);
-    CHECK(isOneToOne(discretization, layOut(discretization, format, Blend::ClampedAdd, true)));
-    CHECK(isOneToOne(discretization, layOut(discretization, format, Blend::IntegerAdd, true)));
-    CHECK(isOneToOne(discretization, layOut(discretization, format, Blend::IntegerAdd, false)));
+    CHECK(isOneToOne(discretization, layOut(discretization, {format, Blend::ClampedAdd, true})));
+    CHECK(isOneToOne(discretization, layOut(discretization, {format, Blend::IntegerAdd, true})));
+    CHECK(isOneToOne(discretization, layOut(discretization, {format, Blend::IntegerAdd, false})));
   }
 }
 
 TEST_CASE("textured surfaces take aligned blocks in order, single words stand behind them", "[layout]") {
   // 65 texels need 7 bits.
   const WordLayout layout =
-      layOut(gridsOf({{1, 1}, {8, 8}, {1, 1}, {5, 13}, {3, 3}}), "r8g8b8", Blend::ClampedAdd, true);
+      layOut(gridsOf({{1, 1}, {8, 8}, {1, 1}, {5, 13}, {3, 3}}), {"r8g8b8", Blend::ClampedAdd, true});
   CHECK(layout.indexBits == 7);
-  CHECK(layout.offset == std::vector<Word>{384, 0, 385, 128, 256});
+  CHECK(offsetsOf(layout) == std::vector<Word>{384, 0, 385, 128, 256});
   CHECK(layout.byOffset == std::vector<std::uint32_t>{1, 3, 4, 0, 2});
 }
 
 TEST_CASE("without alignment the offsets follow each other without a gap", "[layout]") {
   const WordLayout layout =
-      layOut(gridsOf({{1, 1}, {8, 8}, {1, 1}, {5, 13}, {3, 3}}), "r8g8b8", Blend::IntegerAdd, false);
-  CHECK(layout.offset == std::vector<Word>{0, 1, 65, 66, 131});
+      layOut(gridsOf({{1, 1}, {8, 8}, {1, 1}, {5, 13}, {3, 3}}), {"r8g8b8", Blend::IntegerAdd, false});
+  CHECK(offsetsOf(layout) == std::vector<Word>{0, 1, 65, 66, 131});
   CHECK(layout.byOffset == std::vector<std::uint32_t>{0, 1, 2, 3, 4});
 }
 
@@ -151,27 +158,27 @@ TEST_CASE("what does not fit is told with the words, and the format and the texe
 
 TEST_CASE("a million surfaces of 64 x 64 texels fit 32 bits", "[layout]") {
   const Discretization discretization = gridsOf(times(1000000, {64, 64}));
-  const WordLayout layout = layOut(discretization, "r8g8b8a8", Blend::ClampedAdd, true);
+  const WordLayout layout = layOut(discretization);
   for (const std::uint32_t s : {0u, 1u, 123456u, 999999u}) {
-    const auto decoded = texelOf(discretization, layout, layout.offset[s] + 4095);
+    const auto decoded = pageIndexOf(layout, layout.pages[s].offset + 4095);
     REQUIRE(decoded);
-    CHECK(decoded->surface == s);
-    CHECK(decoded->texel == 4095);
+    CHECK(decoded->page == s);
+    CHECK(decoded->index == 4095);
   }
-  CHECK_FALSE(texelOf(discretization, layout, 0xfffffffe));
-  CHECK_FALSE(texelOf(discretization, layout, 0xffffffff));
-  CHECK_FALSE(texelOf(discretization, layout, 1000000u << 12));
+  CHECK_FALSE(pageIndexOf(layout, 0xfffffffe));
+  CHECK_FALSE(pageIndexOf(layout, 0xffffffff));
+  CHECK_FALSE(pageIndexOf(layout, 1000000u << 12));
 }
 
 TEST_CASE("the last words of 32 bits are laid out and decoded", "[layout]") {
   // 256 blocks of 2^24; the last one ends right before the reserved words.
   const Discretization discretization = gridsOf(joined(times(255, {4096, 4096}), {{4095, 4096}}));
-  const WordLayout layout = layOut(discretization, "r32ui", Blend::ClampedAdd, true);
-  const auto last = texelOf(discretization, layout, 0xff000000u + 4095 * 4096 - 1);
+  const WordLayout layout = layOut(discretization, {"r32ui", Blend::ClampedAdd, true});
+  const auto last = pageIndexOf(layout, 0xff000000u + 4095 * 4096 - 1);
   REQUIRE(last);
-  CHECK(last->surface == 255);
-  CHECK(last->texel == 4095 * 4096 - 1);
-  CHECK_FALSE(texelOf(discretization, layout, 0xff000000u + 4095 * 4096));
+  CHECK(last->page == 255);
+  CHECK(last->index == 4095 * 4096 - 1);
+  CHECK_FALSE(pageIndexOf(layout, 0xff000000u + 4095 * 4096));
 }
 
 TEST_CASE("an unaligned draw reaches no reserved word, clamped or not", "[layout]") {
@@ -180,9 +187,9 @@ TEST_CASE("an unaligned draw reaches no reserved word, clamped or not", "[layout
   for (const Size& map : {Size{2, 1}, {5, 7}, {16, 16}, {63, 65}, {255, 256}}) {
     const auto before = std::size_t(65534 - map.columns * map.rows);
     const Discretization discretization = gridsOf(joined(times(before, {1, 1}), {map}));
-    const WordLayout layout = layOut(discretization, "r5g6b5", Blend::ClampedAdd, false);
+    const WordLayout layout = layOut(discretization, {"r5g6b5", Blend::ClampedAdd, false});
     for (Word texel = 0; texel < Word(map.columns * map.rows); ++texel)
-      REQUIRE(raster::blend(layout.format, layout.blend, layout.offset.back(), texel) < 65534);
+      REQUIRE(raster::blend(layout.format, layout.blend, layout.pages.back().offset, texel) < 65534);
   }
 }
 
@@ -192,10 +199,10 @@ TEST_CASE("indices that no texel produces are counted by cause", "[layout]") {
   Scene scene = sceneOf({flat("wall", rectangle({0, 0}, {0.75, 0.75})), flat("box", rectangle({0, 0}, {1, 1})),
                          flat("light", rectangle({0, 0}, {0.5, 0.5}))});
   const Discretization discretization = discretize(scene, {.texels = 8, .surfaceTexels = {{"box", 3}, {"light", 1}}});
-  const Phantoms aligned = countPhantoms(discretization, layOut(discretization, "r8g8b8", Blend::ClampedAdd, true));
+  const Phantoms aligned = countPhantoms(discretization, layOut(discretization, {"r8g8b8", Blend::ClampedAdd, true}));
   CHECK(aligned.spareTexels == 28);
   CHECK(aligned.alignmentGaps == 55);
-  const Phantoms packed = countPhantoms(discretization, layOut(discretization, "r8g8b8", Blend::IntegerAdd, false));
+  const Phantoms packed = countPhantoms(discretization, layOut(discretization, {"r8g8b8", Blend::IntegerAdd, false}));
   CHECK(packed.spareTexels == 28);
   CHECK(packed.alignmentGaps == 0);
 }
@@ -204,7 +211,7 @@ TEST_CASE("the draw list numbers the scene's triangles and shares index maps of 
   Scene scene = sceneOf({bump(3), flat("a", rectangle({0, 0}, {1, 1})), flat("b", rectangle({0, 0}, {1, 1})),
                          flat("light", rectangle({0, 0}, {1, 1}))});
   const Discretization discretization = discretize(scene, {.texels = 4, .surfaceTexels = {{"b", 3}, {"light", 1}}});
-  const WordLayout layout = layOut(discretization, "r8g8b8", Blend::ClampedAdd, true);
+  const WordLayout layout = layOut(discretization, {"r8g8b8", Blend::ClampedAdd, true});
   const raster::DrawList list = makeDrawList(scene, discretization, layout);
   CHECK_NOTHROW(raster::validate(list));
   REQUIRE(list.draws.size() == 4);
@@ -215,7 +222,7 @@ TEST_CASE("the draw list numbers the scene's triangles and shares index maps of 
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
     CHECK(list.draws[s].first == 3 * t);
     CHECK(list.draws[s].count == 3 * scene.surfaces[s].triangles.size());
-    CHECK(list.draws[s].offset == layout.offset[s]);
+    CHECK(list.draws[s].offset == layout.pages[s].offset);
     CHECK(list.draws[s].back == raster::backWord(layout.format));
     for (const Triangle& triangle : scene.surfaces[s].triangles) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -234,15 +241,15 @@ TEST_CASE("a wall that fills the view is drawn as its texels, each over the same
   // The wall spans the frustum of a 90-degree view at distance 1; 4 x 4 texels over 32 x 32 pixels are 64 pixels each.
   const Scene scene = sceneOf({quad("wall", {{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}}})});
   const Discretization discretization = discretize(scene, {.texels = 4});
-  const WordLayout layout = layOut(discretization, "r5g6b5", Blend::ClampedAdd, true);
+  const WordLayout layout = layOut(discretization, {"r5g6b5", Blend::ClampedAdd, true});
   raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
   const glm::vec3 eye = glm::dvec3(0, 0, 0) - scene.origin;
   const raster::Face face{eye, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, 0.1f, 32, {0, 0, 32, 32}};
   const raster::ItemBuffer buffer = renderer.render({&face, 1}, {}).front();
   for (int row = 0; row < 32; ++row)
     for (int column = 0; column < 32; ++column) {
-      const auto seen = texelOf(discretization, layout, buffer.words[std::size_t(row * 32 + column)]);
+      const auto seen = pageIndexOf(layout, buffer.words[std::size_t(row * 32 + column)]);
       REQUIRE(seen);
-      REQUIRE(seen->texel == std::uint32_t(row / 8 * 4 + column / 8));
+      REQUIRE(seen->index == std::uint32_t(row / 8 * 4 + column / 8));
     }
 }

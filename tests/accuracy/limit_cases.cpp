@@ -31,7 +31,7 @@ std::string saidOf(const Files& files, const DiscretizationSettings& settings, c
   try {
     const Scene scene = loadScene(scenePath);
     requireEmission(scene, scenePath);
-    layOut(discretize(scene, settings), format, raster::Blend::ClampedAdd, true);
+    layOut(discretize(scene, settings), {format, raster::Blend::ClampedAdd, true});
     return scene.warnings.empty() ? "" : scene.warnings.back();
   } catch (const raster::InputError& error) {
     std::string message = error.what();

@@ -30,7 +30,7 @@ Discretization filled(const WordCase& example, bool isShort) {
 }
 
 WordLayout layoutOf(const WordCase& example, bool isShort) {
-  return layOut(filled(example, isShort), example.format, raster::Blend::ClampedAdd, true);
+  return layOut(filled(example, isShort), {example.format, raster::Blend::ClampedAdd, true});
 }
 
 std::string refusalOf(const WordCase& example) {
@@ -61,10 +61,10 @@ bool isOneToOne(const WordCase& example) {
   const WordLayout layout = layoutOf(example, true);
   const Word background = raster::backgroundWord(layout.format);
   const auto standsFor = [&](std::uint32_t surface, Word texel) {
-    const Word word = raster::blend(layout.format, layout.blend, layout.offset[surface], texel);
-    const auto found = texelOf(discretization, layout, word);
-    return word == layout.offset[surface] + texel && word < background - 1 && found && found->surface == surface &&
-           found->texel == texel;
+    const Word word = raster::blend(layout.format, layout.blend, layout.pages[surface].offset, texel);
+    const auto found = pageIndexOf(layout, word);
+    return word == layout.pages[surface].offset + texel && word < background - 1 && found && found->page == surface &&
+           found->index == texel;
   };
   for (std::uint32_t s = 0; s < discretization.grids.size(); ++s) {
     const Grid& grid = discretization.grids[s];
@@ -72,8 +72,8 @@ bool isOneToOne(const WordCase& example) {
     for (const Word texel : {Word{0}, texels / 3, texels - 1})
       if (!standsFor(s, texel)) return false;
   }
-  return layout.indexBits == std::max(1, example.indexBits) && !texelOf(discretization, layout, background) &&
-         !texelOf(discretization, layout, background - 1);
+  return layout.indexBits == std::max(1, example.indexBits) && !pageIndexOf(layout, background) &&
+         !pageIndexOf(layout, background - 1);
 }
 
 }  // namespace hemitex::accuracy

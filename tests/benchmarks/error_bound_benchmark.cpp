@@ -44,7 +44,7 @@ class World {
     const std::clock_t start = std::clock();
     radiosity::Discretization discretization =
         radiosity::discretize(scene_, {.texels = texels, .surfaceTexels = surfaceTexels, .patches = effort.patches});
-    const radiosity::WordLayout layout = radiosity::layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true);
+    const radiosity::WordLayout layout = radiosity::layOut(discretization);
     raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene_, discretization, layout));
     discretization = radiosity::splitPatches(scene_, std::move(discretization), layout, renderer, effort.split);
     radiosity::ProjectedRows rows(scene_, discretization, layout, renderer,

@@ -17,7 +17,7 @@ void hemicubeRow(benchmark::State& state, const std::string& file) {
   DiscretizationSettings settings;
   settings.texels = static_cast<int>(state.range(1));
   const Discretization discretization = discretize(scene, settings);
-  const WordLayout layout = layOut(discretization, "r8g8b8a8", raster::Blend::ClampedAdd, true);
+  const WordLayout layout = layOut(discretization);
   raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
   ProjectedRows rows(scene, discretization, layout, renderer, {.resolution = static_cast<int>(state.range(0))});
   std::uint32_t patch = 0;
