@@ -212,6 +212,7 @@ TEST_CASE("Every face looks into the air", "[data]") {
       {gallery(),
        {{0, 1.7, 6}, {-5, 1.5, 0}, {5, 4.6, -1.7}, {9.2, 2.8, -1.7}, {0, 1, -8}, {6.8, 1, -1.7}, {3.3, 3.5, 1.7}},
        {{3.3, 1.5, 0}, {-3.3, 4, 3.4}, {0, 0.2, -6}, {0, 0.9, -6.1}, {9.2, 0.5, -1.7}, {5.3, 1.4, -5.1}}},
+      {plant(), {{2, 0.1, 1.9}, {0, 2.85, 0}, {1.1, 1.5, 1.2}}, {{-0.4, 0.2, -0.5}, {1.2, 0.1, 0.5}}},
       {curvedRoom(), {{-2.4, 0.1, 2.4}, {1.05, 0.3, 0}, {1.05, 2, 0}}, {{-0.5, 0.5, 0}, {1, 1.45, 0}}},
   };
   for (const Case& c : cases) {
@@ -318,6 +319,16 @@ TEST_CASE("Reading a written number back gives the same bits", "[data]") {
     CHECK(z == "0");
   }
   CHECK(found == values.size());
+}
+
+TEST_CASE("The plants are thousands of triangles in leaves of four, and nothing in their file has to be mended",
+          "[data]") {
+  const hemitex::radiosity::Scene scene = hemitex::radiosity::loadScene(HEMITEX_DATA "/plant.obj");
+  const auto isLeaf = [](const auto& surface) { return surface.name.find("-leaf-") != std::string::npos; };
+  CHECK(std::count_if(scene.surfaces.begin(), scene.surfaces.end(), isLeaf) == 2000);
+  CHECK(triangleCount(scene) > 4000);
+  CHECK(triangleCount(scene) < 5000);
+  CHECK(scene.warnings.empty());
 }
 
 TEST_CASE("The gallery is 8088 triangles on hundreds of surfaces, and nothing in its file has to be mended", "[data]") {

@@ -2,6 +2,6 @@
 
 namespace hemitex::data {
 
-std::vector<Model> allModels() { return {paperRoom(), cornellBox(), pyramidRoom(), curvedRoom(), gallery()}; }
+std::vector<Model> allModels() { return {paperRoom(), cornellBox(), pyramidRoom(), curvedRoom(), gallery(), plant()}; }
 
 }  // namespace hemitex::data

@@ -23,6 +23,9 @@ Model curvedRoom();
 /// 4).
 Model gallery();
 
+/// A closed room with plants of many small leaves, each a surface of its own.
+Model plant();
+
 std::vector<Model> allModels();
 
 }  // namespace hemitex::data
