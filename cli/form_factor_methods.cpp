@@ -24,7 +24,8 @@ Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& disc
   Row mean{.formFactor = std::vector<double>(receivers.area.size(), 0.0),
            .standardError = {},
            .background = 0.0,
-           .back = 0.0};
+           .back = 0.0,
+           .captured = radiosity::formFactor(rows.projection().captured)};
   if (source.element) {
     const auto centre = radiosity::elementCentre(scene, discretization, *source.element);
     addRow(mean, rows.from(source.surfaces.front(), centre), receivers, 1.0);
@@ -98,9 +99,9 @@ Receivers familiesAsReceivers(const radiosity::Discretization& discretization, c
   return receivers;
 }
 
-RowMethod hemicubeMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                         const Receivers& receivers, const radiosity::WordSettings& word,
-                         const radiosity::DrawingSettings& settings, Console& console) {
+RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                      const Receivers& receivers, const radiosity::WordSettings& word,
+                      const radiosity::DrawingSettings& settings, Console& console) {
   const auto drawn =
       std::make_shared<radiosity::DrawnRows>(scene, discretization, layoutOf(word, discretization, console), settings);
   return [&scene, &receivers, drawn](const Source& source) {
@@ -116,8 +117,11 @@ RowMethod rayMethod(const radiosity::Scene& scene, const radiosity::Discretizati
     const auto measure = options.aimed ? &reference::RayFormFactors::aimed : &reference::RayFormFactors::overHemisphere;
     const reference::MeasuredRow measured =
         (rays->formFactors.*measure)(shooter, rays->receivers, {.samples = options.samples});
-    Row row{
-        .formFactor = {}, .standardError = {}, .background = measured.background.value, .back = measured.back.value};
+    Row row{.formFactor = {},
+            .standardError = {},
+            .background = measured.background.value,
+            .back = measured.back.value,
+            .captured = {}};
     for (const reference::Measurement& receiver : measured.receivers) {
       row.formFactor.push_back(receiver.value);
       row.standardError.push_back(receiver.standardError);
@@ -139,7 +143,8 @@ RowMethod analyticMethod(const radiosity::Scene& scene, const radiosity::Discret
     Row row{.formFactor = std::vector<double>(receivers.area.size(), 0.0),
             .standardError = {},
             .background = {},
-            .back = {}};
+            .back = {},
+            .captured = {}};
     for (std::size_t i = 0; i < values.size(); ++i) row.formFactor[receiverOf[i]] += values[i];
     return row;
   };

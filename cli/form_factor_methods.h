@@ -30,6 +30,8 @@ struct Row {
   std::vector<double> standardError;  ///< empty where the method has none
   std::optional<double> background;   ///< left the scene; none where the method does not look at blockers
   std::optional<double> back;         ///< absorbed by the backs of surfaces; likewise
+  std::optional<double> captured;     ///< by the projection, of all light; the rest is in `background`; none where the
+                                      ///< method does not draw
 };
 
 /// The row that leaves a source. Whatever it was made from outlives it.
@@ -37,10 +39,10 @@ using RowMethod = std::function<Row(const Source&)>;
 
 /// A surface shoots from its patches, so its row is the mean of its patches' rows, weighted by their areas. Shares are
 /// integers and add up exactly within a row; only the mean over patches is taken in binary64, in the patches' order. A
-/// texel shoots from its centre, by an aligned hemicube.
-RowMethod hemicubeMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                         const Receivers& receivers, const radiosity::WordSettings& word,
-                         const radiosity::DrawingSettings& settings, Console& console);
+/// texel shoots from its centre, by an aligned projection.
+RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                      const Receivers& receivers, const radiosity::WordSettings& word,
+                      const radiosity::DrawingSettings& settings, Console& console);
 
 /// How rays measure.
 struct RayOptions {

@@ -37,7 +37,7 @@ RowMethod methodOf(const FormFactorOptions& options, const radiosity::Scene& sce
                    const radiosity::Discretization& discretization, const Receivers& receivers, Console& console) {
   if (options.method == "rays") return rayMethod(scene, discretization, receivers, options.rays);
   if (options.method == "analytic") return analyticMethod(scene, discretization, receivers);
-  return hemicubeMethod(scene, discretization, receivers, options.word, options.drawing, console);
+  return drawnMethod(scene, discretization, receivers, options.word, options.drawing, console);
 }
 
 /// What was asked for, beside the numbers.
@@ -95,6 +95,11 @@ Table tableOf(const Families& families, const std::vector<Row>& matrix) {
   return {withValue({"from", "to"}, matrix.front()), count * count, cells};
 }
 
+void tellCaptured(const Row& row, Console& console) {
+  if (row.captured && *row.captured < 1)
+    console.message("the projection captures " + toText(*row.captured) + " of the light; the rest counts as leaving");
+}
+
 void printRow(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
               const radiosity::Discretization& discretization) {
   const Source source = sourceNamed(scene, discretization, options.from);
@@ -102,6 +107,7 @@ void printRow(const FormFactorOptions& options, Context& context, const radiosit
   const Receivers receivers =
       options.bySurface ? familiesAsReceivers(discretization, families) : elementsAsReceivers(discretization);
   const Row row = methodOf(options, scene, discretization, receivers, context.console)(source);
+  tellCaptured(row, context.console);
   context.console.message(
       "from " + options.from + ": " +
       (row.background ? toText(*row.background) + " leaves the scene, " + toText(*row.back) + " meets backs of faces"
@@ -112,6 +118,7 @@ void printRow(const FormFactorOptions& options, Context& context, const radiosit
   result.update(settingsOf(options));
   result.update({{"row", toJson(table)}});
   if (row.background) result.update({{"background", *row.background}, {"back", *row.back}});
+  if (row.captured) result["captured"] = *row.captured;
   std::cout << toText(result);
 }
 
@@ -167,12 +174,14 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
     result["smoothing"] = {{"largest", moved.largest}, {"root_mean_square", moved.rootMeanSquare}};
   }
   const reference::MatrixChecks checks = reference::checkMatrix(factorsOf(matrix), receivers.area);
+  tellCaptured(matrix.front(), context.console);
   tellChecks(matrix, checks, families, context.console);
   const Table table = tableOf(families, matrix);
   if (!context.json) return writeCsv(std::cout, table);
   result.update({{"matrix", toJson(table)},
                  {"row_sums", {checks.smallestRowSum, checks.largestRowSum}},
                  {"reciprocity", checks.reciprocity}});
+  if (matrix.front().captured) result["captured"] = *matrix.front().captured;
   std::cout << toText(result);
 }
 
@@ -196,7 +205,11 @@ void addFormFactors(CLI::App& program, Context& context) {
   command->add_flag("--smooth", options->smooth, "move the matrix to reciprocity, least squares; its row sums stay")
       ->needs(all);
   addChoice<std::string>(*command, "--method", options->method,
-                         {{"hemicube", "hemicube"}, {"rays", "rays"}, {"analytic", "analytic"}},
+                         {{"hemicube", "hemicube"},
+                          {"single-plane", "single-plane"},
+                          {"tetrahedron", "tetrahedron"},
+                          {"rays", "rays"},
+                          {"analytic", "analytic"}},
                          "how they are found (default hemicube)");
   addDrawingOptions(*command, options->drawing);
   addInteger(*command, "--samples", options->rays.samples, 64, 1 << 28,
@@ -207,7 +220,9 @@ void addFormFactors(CLI::App& program, Context& context) {
   addWordOptions(*command, options->word);
   command->callback([options, command, &context] {
     if (options->from.empty() && !options->all) throw CLI::RequiredError("--from, or --all --by-surface,");
-    if (options->method != "hemicube") refuseUnused(*command, drawingOptionNames(), options->method);
+    const auto projection = projectionNamed(options->method);
+    if (projection) options->drawing.projection = *projection;
+    if (!projection) refuseUnused(*command, drawingOptionNames(), options->method);
     if (options->method != "rays") refuseUnused(*command, {"--samples", "--aimed"}, options->method);
     context.command = [options, &context] { print(*options, context); };
   });

@@ -143,7 +143,7 @@ CLI::Option* addResolution(CLI::App& app, int& resolution) {
     if (value % 2 != 0) throw CLI::ValidationError("--resolution", "`" + text + "` is not even");
     resolution = value;
   };
-  return app.add_option_function<std::string>("--resolution", read, "side of a hemicube in pixels (default 256)")
+  return app.add_option_function<std::string>("--resolution", read, "pixels along the side of a face (default 256)")
       ->type_name("R");
 }
 
@@ -156,7 +156,7 @@ void addDrawingOptions(CLI::App& app, radiosity::DrawingSettings& settings) {
   addResolution(app, settings.resolution);
   addChoice<Orientation>(app, "--orientation", settings.orientation,
                          {{"aligned", Orientation::Aligned}, {"turned", Orientation::Turned}},
-                         "hemicubes all alike, or each turned about its normal (default turned)");
+                         "projections all alike, or each turned about its normal (default turned)");
   addPositive(app, "--split", settings.split, std::numeric_limits<double>::infinity(),
               "quarter patches while more than this share of their light would come straight back to them from white "
               "surroundings (default 0.0125); 1 or more splits none");
@@ -168,6 +168,14 @@ std::string nameOf(radiosity::Orientation orientation) {
 
 std::string nameOf(radiosity::ElementsBy elementsBy) {
   return elementsBy == radiosity::ElementsBy::Texture ? "texture" : "mesh";
+}
+
+std::optional<radiosity::ProjectionKind> projectionNamed(const std::string& method) {
+  using radiosity::ProjectionKind;
+  if (method == "hemicube") return ProjectionKind::Hemicube;
+  if (method == "single-plane") return ProjectionKind::SinglePlane;
+  if (method == "tetrahedron") return ProjectionKind::CubicTetrahedron;
+  return std::nullopt;
 }
 
 std::vector<std::string> drawingOptionNames() {

@@ -102,15 +102,18 @@ std::string nameOf(radiosity::IndexMaps indexMaps);
 radiosity::WordLayout layoutOf(const radiosity::WordSettings& settings, const radiosity::Discretization& discretization,
                                Console& console);
 
-/// `--resolution`: the side of a hemicube in pixels, even, 2 to 4096.
+/// `--resolution`: pixels along the side of a face, even, 2 to 4096.
 CLI::Option* addResolution(CLI::App& app, int& resolution);
 
-/// How hemicubes look at the scene.
+/// How projections look at the scene, all but which of them does.
 void addDrawingOptions(CLI::App& app, radiosity::DrawingSettings& settings);
 std::string nameOf(radiosity::Orientation orientation);
 std::string nameOf(radiosity::ElementsBy elementsBy);
 
-/// What hemicubes are drawn with: their options and those of words.
+/// `--method` of what finds rows by drawing: `hemicube`, `single-plane` and `tetrahedron`; nothing for other methods.
+std::optional<radiosity::ProjectionKind> projectionNamed(const std::string& method);
+
+/// What projections are drawn with: their options and those of words.
 std::vector<std::string> drawingOptionNames();
 /// Throws CLI::ValidationError where one of the options was given though a method has no use for it.
 void refuseUnused(const CLI::App& app, const std::vector<std::string>& options, const std::string& method);

@@ -127,8 +127,9 @@ std::uint32_t firstEmitter(const radiosity::Scene& scene) {
   return 0;
 }
 
-/// The hemicube over an element, or over the first patch of a surface.
-Image hemicubeView(const RenderOptions& options, const Subject& subject, Console& console) {
+/// The projection over an element, or over the first patch of a surface.
+template <radiosity::ProjectionKind kind>
+Image projectionView(const RenderOptions& options, const Subject& subject, Console& console) {
   const radiosity::Scene& scene = subject.scene;
   const radiosity::Discretization discretization = shownDiscretization(options, subject);
   const radiosity::WordLayout layout = layoutOf(options.word, discretization, console);
@@ -139,12 +140,15 @@ Image hemicubeView(const RenderOptions& options, const Subject& subject, Console
   const radiosity::SurfacePoint point = source.element
                                             ? radiosity::elementCentre(scene, discretization, *source.element)
                                             : radiosity::patchCentre(scene, discretization, patch);
+  const radiosity::Projection projection = radiosity::projectionOf(kind, options.resolution);
   const auto skipped = radiosity::skippedTriangles(scene, surface, point);
-  const double nearDistance = radiosity::nearDistance(scene, point.position, skipped, radiosity::hemicubeSquaredReach);
-  const auto faces = radiosity::facesOver(radiosity::hemicubeFaces(options.resolution), point.position - scene.origin,
-                                          point.normal, glm::dvec3(0), nearDistance);
+  const double nearDistance = radiosity::nearDistance(scene, point.position, skipped, projection.squaredReach);
+  const auto faces =
+      radiosity::facesOver(projection.faces, point.position - scene.origin, point.normal, glm::dvec3(0), nearDistance);
   raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));
-  return radiosity::hemicubePicture(layout, faces, renderer.render(faces, skipped));
+  const std::vector<raster::ItemBuffer> buffers = renderer.render(faces, skipped);
+  return kind == radiosity::ProjectionKind::Hemicube ? radiosity::hemicubePicture(layout, faces, buffers)
+                                                     : radiosity::facesPicture(layout, projection, faces, buffers);
 }
 
 void render(const RenderOptions& options, Context& context) {
@@ -174,12 +178,14 @@ void addRender(CLI::App& program, Context& context) {
                    {"offsets", wordView<radiosity::offsetPicture>},
                    {"blend-errors", blendErrorView},
                    {"wireframe", wireframeView},
-                   {"hemicube", hemicubeView},
+                   {"hemicube", projectionView<radiosity::ProjectionKind::Hemicube>},
+                   {"single-plane", projectionView<radiosity::ProjectionKind::SinglePlane>},
+                   {"tetrahedron", projectionView<radiosity::ProjectionKind::CubicTetrahedron>},
                    {"map", indexMapView}},
                   "what the picture shows (default radiosity)");
   addChoice<bool>(*command, "--discretize", options->mesh, {{"texture", false}, {"mesh", true}},
                   "with --show wireframe: the polygons, or the mesh that regular meshing would make");
-  command->add_option("--from", options->from, "where the hemicube stands (default: the first surface that emits)")
+  command->add_option("--from", options->from, "where the projection stands (default: the first surface that emits)")
       ->type_name("SURFACE[:COL,ROW]");
   addResolution(*command, options->resolution);
   addCameraOptions(*command, options->camera);

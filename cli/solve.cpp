@@ -64,7 +64,9 @@ ordered_json settingsJson(const SolveOptions& options, const radiosity::Camera& 
     return charts == radiosity::Charts::Auto ? "auto" : charts == radiosity::Charts::File ? "file" : "planar";
   };
   const auto orNull = [](const auto& value) { return value ? ordered_json(*value) : ordered_json(); };
-  const auto ofHemicubes = [&](const auto& value) { return usesRays(options) ? ordered_json() : ordered_json(value); };
+  const auto ofProjections = [&](const auto& value) {
+    return usesRays(options) ? ordered_json() : ordered_json(value);
+  };
   return {{"charts", chartsName(options.scene.settings.charts)},
           {"max_reflectance", options.scene.settings.maxReflectance},
           {"two_sided", options.scene.settings.twoSided},
@@ -73,11 +75,11 @@ ordered_json settingsJson(const SolveOptions& options, const radiosity::Camera& 
           {"surface_texels", options.discretization.surfaceTexels},
           {"patch", options.discretization.patches ? ordered_json() : ordered_json(options.discretization.patch)},
           {"patches", orNull(options.discretization.patches)},
-          {"discretize", ofHemicubes(nameOf(options.drawing.elementsBy))},
+          {"discretize", ofProjections(nameOf(options.drawing.elementsBy))},
           {"method", options.method},
-          {"resolution", ofHemicubes(options.drawing.resolution)},
-          {"orientation", ofHemicubes(nameOf(options.drawing.orientation))},
-          {"split", ofHemicubes(options.drawing.split)},
+          {"resolution", ofProjections(options.drawing.resolution)},
+          {"orientation", ofProjections(nameOf(options.drawing.orientation))},
+          {"split", ofProjections(options.drawing.split)},
           {"samples", usesRays(options) ? ordered_json(options.samples) : ordered_json()},
           {"format", options.word.format},
           {"index_maps", nameOf(options.word.indexMaps)},
@@ -116,6 +118,7 @@ std::string summary(const ordered_json& description) {
 struct Solved {
   radiosity::Discretization discretization;
   radiosity::Solution solution;
+  double captured = 1;  ///< of the light that leaves a patch, by what finds rows; the rest is lost
 };
 
 Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radiosity::Discretization discretization,
@@ -134,7 +137,7 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
   }
   radiosity::DrawnRows drawn(scene, std::move(discretization), layout, options.drawing);
   radiosity::Solution solution = solveBy(drawn.discretization(), drawn.rows());
-  return {drawn.discretization(), std::move(solution)};
+  return {drawn.discretization(), std::move(solution), radiosity::formFactor(drawn.rows().projection().captured)};
 }
 
 /// Settings as they were given, or as they were chosen for a bound on the error.
@@ -184,6 +187,9 @@ void solve(const SolveOptions& asked, Context& context) {
   const radiosity::Discretization& discretization = solved.discretization;
   const radiosity::Solution& solution = solved.solution;
   console.warnings(solution.warnings);
+  if (solved.captured < 1)
+    console.warning("the single plane captures " + toText(solved.captured) +
+                    " of the light that leaves a patch; the rest is lost, and the scene darker for it");
   watch.lap("solve_s");
   Staging staging(options.output);
   const double exposure = options.camera.exposure.value_or(
@@ -201,6 +207,7 @@ void solve(const SolveOptions& asked, Context& context) {
 
   ordered_json description = {{"settings", settingsJson(options, camera, exposure)}};
   description.update(describe(scene, discretization, layout, solution));
+  description["captured"] = solved.captured;
   if (expectedError) description["expected_error"] = *expectedError;
   description["times"] = watch.times();
   description["warnings"] = console.given();
@@ -232,7 +239,8 @@ void addSolve(CLI::App& program, Context& context) {
   addOutput(*command, options->output, "folder for the lit scene");
   addDiscretizationOptions(*command, options->discretization);
   addChoice<std::string>(
-      *command, "--method", options->method, {{"hemicube", "hemicube"}, {"rays", "rays"}},
+      *command, "--method", options->method,
+      {{"hemicube", "hemicube"}, {"single-plane", "single-plane"}, {"tetrahedron", "tetrahedron"}, {"rays", "rays"}},
       "what finds form factors (default hemicube); what rays find differs between machines in the last digits");
   addDrawingOptions(*command, options->drawing);
   addSamples(*command, options->samples);
@@ -259,7 +267,9 @@ void addSolve(CLI::App& program, Context& context) {
   command->callback([options, command, &context] {
     refuseUnused(*command, usesRays(*options) ? drawingOptionNames() : std::vector<std::string>{"--samples"},
                  options->method);
-    if (usesRays(*options)) refuseUnused(*command, {"--max-error"}, options->method);
+    // What errors grow to was learnt of hemicubes.
+    if (options->method != "hemicube") refuseUnused(*command, {"--max-error"}, options->method);
+    if (const auto projection = projectionNamed(options->method)) options->drawing.projection = *projection;
     context.command = [options, &context] { solve(*options, context); };
   });
 }

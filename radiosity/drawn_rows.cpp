@@ -36,6 +36,7 @@ DrawnRows::DrawnRows(const Scene& scene, Discretization unsplit, WordLayout layo
     : layout_(std::move(layout)),
       renderer_(sceneRenderer(scene, unsplit, layout_, settings.elementsBy, makeRenderer)),
       discretization_(splitByTextures(scene, std::move(unsplit), layout_, *renderer_, settings)),
-      rows_(scene, discretization_, layout_, *renderer_, {settings.resolution, settings.orientation}) {}
+      rows_(scene, discretization_, layout_, *renderer_,
+            {settings.resolution, settings.orientation, settings.projection}) {}
 
 }  // namespace hemitex::radiosity

@@ -25,10 +25,11 @@ enum class ElementsBy {
 
 /// How patches look at the scene.
 struct DrawingSettings {
-  int resolution = 256;  ///< side of a hemicube in pixels; even, 2 to 4096
+  int resolution = 256;  ///< pixels along the side of a face; even, 2 to 4096
   Orientation orientation = Orientation::Turned;
   double split = defaultMostReturning;  ///< see splitPatches; 1 or more splits none
   ElementsBy elementsBy = ElementsBy::Texture;
+  ProjectionKind projection = ProjectionKind::Hemicube;
 };
 
 /// Makes the renderer of a draw list.

@@ -42,19 +42,14 @@ std::vector<ProjectionFace> hemicubeFaces(int resolution) {
 
 Projection hemicube(int resolution) {
   const int half = resolution / 2;
-  std::vector<std::uint64_t> quadrant = pixelIntegrals(half, 1, topDensity);
-  const std::vector<std::uint64_t> halfSide = pixelIntegrals(half, 1, sideDensity);
+  std::vector<std::uint64_t> quadrant = pixelShares(half, 1, topDensity);
+  const std::vector<std::uint64_t> halfSide = pixelShares(half, 1, sideDensity);
   closeSum(quadrant, halfSide);
-  // By symmetry they say all. A side's row 0 stands on the horizon.
-  const auto fromMiddle = [half](int i) { return static_cast<std::size_t>(i < half ? half - 1 - i : i - half); };
-  std::vector<std::uint64_t> top, side;
-  for (int row = 0; row < resolution; ++row)
-    for (int column = 0; column < resolution; ++column)
-      top.push_back(quadrant[fromMiddle(row) * static_cast<std::size_t>(half) + fromMiddle(column)]);
-  for (int row = 0; row < half; ++row)
-    for (int column = 0; column < resolution; ++column)
-      side.push_back(halfSide[static_cast<std::size_t>(row) * static_cast<std::size_t>(half) + fromMiddle(column)]);
-  return {hemicubeFaces(resolution), {std::move(top), std::move(side)}, wholeShare, hemicubeSquaredReach};
+  // By symmetry they say all: a side is the second half of a square, from the horizon on.
+  std::vector<std::uint64_t> side = mirroredQuadrant(halfSide, half);
+  side.erase(side.begin(), side.begin() + static_cast<std::ptrdiff_t>(side.size() / 2));
+  return {
+      hemicubeFaces(resolution), {mirroredQuadrant(quadrant, half), std::move(side)}, wholeShare, hemicubeSquaredReach};
 }
 
 }  // namespace hemitex::radiosity

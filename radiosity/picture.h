@@ -13,6 +13,7 @@
 #include "radiosity/camera.h"
 #include "radiosity/discretization.h"
 #include "radiosity/image.h"
+#include "radiosity/projection.h"
 #include "radiosity/scene.h"
 #include "radiosity/word_layout.h"
 #include "raster/face.h"
@@ -68,5 +69,10 @@ Image indexMapImage(int columns, int rows, int texelSide);
 /// seen along its normal with its rows upwards, and around it the four sides folded down, their horizons outermost.
 Image hemicubePicture(const WordLayout& layout, std::span<const raster::Face> faces,
                       std::span<const raster::ItemBuffer> buffers);
+
+/// The words of a projection's faces side by side, one buffer a face, each as seen by an eye that looks through it, its
+/// rows upwards. Pixels without a share are grey.
+Image facesPicture(const WordLayout& layout, const Projection& projection, std::span<const raster::Face> faces,
+                   std::span<const raster::ItemBuffer> buffers);
 
 }  // namespace hemitex::radiosity

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "radiosity/hemicube.h"
 #include "radiosity/patch_points.h"
 
 namespace hemitex::radiosity {
@@ -19,8 +18,8 @@ const Projection& ProjectedRows::projectionAfter(int halvings) {
   const int halved = settings_.resolution >> halvings;
   const int resolution = std::min(settings_.resolution, std::max(smallestResolution, halved + halved % 2));
   const auto known = projections_.find(resolution);
-  return known != projections_.end() ? known->second
-                                     : projections_.emplace(resolution, hemicube(resolution)).first->second;
+  if (known != projections_.end()) return known->second;
+  return projections_.emplace(resolution, projectionOf(settings_.projection, resolution)).first->second;
 }
 
 View ProjectedRows::viewFrom(std::uint32_t surface, const SurfacePoint& point, const glm::dvec3& up, int halvings,

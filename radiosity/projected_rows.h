@@ -9,6 +9,7 @@
 #include "radiosity/discretization.h"
 #include "radiosity/form_factors.h"
 #include "radiosity/projection.h"
+#include "radiosity/projections.h"
 #include "radiosity/row_counter.h"
 #include "radiosity/shooting_view.h"
 #include "radiosity/word_layout.h"
@@ -23,6 +24,7 @@ inline constexpr int smallestResolution = 16;
 struct ViewSettings {
   int resolution = 256;  ///< pixels along the side of a face; even, 2 to 4096
   Orientation orientation = Orientation::Aligned;
+  ProjectionKind projection = ProjectionKind::Hemicube;
 };
 
 /// All that is drawn for the row from one point.
@@ -39,7 +41,10 @@ class ProjectedRows {
   ProjectedRows(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
                 raster::ItemBufferRenderer& renderer, const ViewSettings& settings);
 
-  /// The row of form factors from a point of a surface.
+  /// What stands over patches that are not split.
+  const Projection& projection() { return projectionAfter(0); }
+
+  /// The row of form factors from a point of a surface. What the projection does not capture counts as background.
   FormFactorRow from(std::uint32_t surface, const SurfacePoint& point);
   /// The row of a patch: of its only view, or the mean over its views.
   FormFactorRow ofPatch(std::uint32_t patch);

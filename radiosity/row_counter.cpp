@@ -10,6 +10,7 @@ RowCounter::RowCounter(const Discretization& discretization, const WordLayout& l
     : discretization_(discretization), layout_(layout), share_(discretization.elements.size()) {}
 
 void RowCounter::add(raster::Word word, std::uint64_t share) {
+  if (share == 0) return;  // below the horizon
   if (word == raster::backWord(layout_.format)) {
     row_.back += share;
   } else if (const auto element = elementOf(discretization_, layout_, word)) {

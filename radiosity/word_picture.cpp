@@ -180,4 +180,26 @@ Image hemicubePicture(const WordLayout& layout, std::span<const raster::Face> fa
   return image;
 }
 
+Image facesPicture(const WordLayout& layout, const Projection& projection, std::span<const raster::Face> faces,
+                   std::span<const raster::ItemBuffer> buffers) {
+  assert(!faces.empty() && faces.size() == buffers.size());
+  const CodesOf codesOf = sumOfBoth(layout);
+  const int width = buffers.front().width, height = buffers.front().height;
+  Image image{width * static_cast<int>(faces.size()), height, {}};
+  for (int row = height - 1; row >= 0; --row)
+    for (std::size_t face = 0; face < faces.size(); ++face)
+      for (int i = 0; i < width; ++i) {
+        assert(buffers[face].width == width && buffers[face].height == height);
+        // Whoever looks along the face's w with y upwards has y x w on the right; of some faces that is -x.
+        const int column = raster::determinant(faces[face]) < 0 ? i : width - 1 - i;
+        const raster::Scissor& scissor = faces[face].scissor;
+        const bool counts = shareOf(projection, face, scissor.column + column, scissor.row + row) > 0;
+        const auto pixel =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+        const Codes codes = wordCodes(layout, buffers[face].words[pixel], codesOf);
+        image.pixels.push_back(linear(counts ? codes : grey));
+      }
+  return image;
+}
+
 }  // namespace hemitex::radiosity

@@ -13,29 +13,40 @@ using radiosity::Discretization;
 using radiosity::RowSource;
 using radiosity::Scene;
 
-/// How hemicubes stand, and which patches are split for them.
-struct HemicubeStyle {
+/// What is drawn on over patches, how it stands, and which patches are split for it.
+struct DrawnStyle {
   std::string name;
+  radiosity::ProjectionKind projection;
   radiosity::Orientation orientation;
   double split;  ///< see radiosity::DrawingSettings
   std::vector<int> measured;
 };
 
-/// A square and four halves of it.
-double hemicubePixels(int resolution) { return 3.0 * resolution * resolution; }
+/// Of the faces of a projection: of a hemicube a square and four halves of it.
+double pixelsOf(radiosity::ProjectionKind projection, int resolution) {
+  return (projection == radiosity::ProjectionKind::SinglePlane ? 1.0 : 3.0) * resolution * resolution;
+}
 
-TradeMethod hemicubeMethod(const HemicubeStyle& style) {
+/// Those that stand for any direction: half of a cubic tetrahedron's and its diagonal do.
+double directionsOf(radiosity::ProjectionKind projection, int resolution) {
+  const double pixels = pixelsOf(projection, resolution);
+  return projection == radiosity::ProjectionKind::CubicTetrahedron ? (pixels + 3.0 * resolution) / 2 : pixels;
+}
+
+TradeMethod drawnMethod(const DrawnStyle& style) {
   const auto rows = [style](const Scene& scene, Discretization& discretization, int resolution) -> RowSource {
-    const auto drawn =
-        std::make_shared<radiosity::DrawnRows>(scene, discretization, radiosity::layOut(discretization),
-                                               radiosity::DrawingSettings{resolution, style.orientation, style.split});
+    const auto drawn = std::make_shared<radiosity::DrawnRows>(
+        scene, discretization, radiosity::layOut(discretization),
+        radiosity::DrawingSettings{resolution, style.orientation, style.split, radiosity::ElementsBy::Texture,
+                                   style.projection});
     discretization = drawn->discretization();
     return [drawn](std::uint32_t patch) { return drawn->rows().ofPatch(patch); };
   };
-  const auto bytes = [](int resolution) {
-    return static_cast<std::size_t>(hemicubePixels(resolution)) * sizeof(raster::Word);
+  const auto directions = [style](int resolution) { return directionsOf(style.projection, resolution); };
+  const auto bytes = [style](int resolution) {
+    return static_cast<std::size_t>(pixelsOf(style.projection, resolution)) * sizeof(raster::Word);
   };
-  return {style.name, "resolution", 2, 4096, style.measured, hemicubePixels, bytes, rows};
+  return {style.name, "resolution", 2, 4096, style.measured, directions, bytes, rows};
 }
 
 TradeMethod rayMethod(const std::string& name, RayStart start) {
@@ -59,11 +70,17 @@ TradeMethod rayMethod(const std::string& name, RayStart start) {
 
 std::vector<TradeMethod> tradeMethods() {
   using radiosity::Orientation;
+  using radiosity::ProjectionKind;
   const std::vector<int> few{32, 64, 128, 256, 512};
-  return {hemicubeMethod({"hemicube", Orientation::Aligned, 1, {32, 64, 128, 256, 512, 1024, 2048}}),
-          hemicubeMethod({"turned-hemicube", Orientation::Turned, 1, few}),
-          hemicubeMethod({"split-hemicube", Orientation::Turned, radiosity::defaultMostReturning, few}),
-          rayMethod("centre-rays", RayStart::Centre), rayMethod("area-rays", RayStart::Area)};
+  const double split = radiosity::defaultMostReturning, unsplit = 1;
+  const std::vector<int> many{32, 64, 128, 256, 512, 1024, 2048};
+  return {drawnMethod({"hemicube", ProjectionKind::Hemicube, Orientation::Aligned, unsplit, many}),
+          drawnMethod({"turned-hemicube", ProjectionKind::Hemicube, Orientation::Turned, unsplit, few}),
+          drawnMethod({"split-hemicube", ProjectionKind::Hemicube, Orientation::Turned, split, few}),
+          drawnMethod({"single-plane", ProjectionKind::SinglePlane, Orientation::Turned, unsplit, few}),
+          drawnMethod({"tetrahedron", ProjectionKind::CubicTetrahedron, Orientation::Turned, unsplit, few}),
+          rayMethod("centre-rays", RayStart::Centre),
+          rayMethod("area-rays", RayStart::Area)};
 }
 
 }  // namespace hemitex::reference

@@ -29,6 +29,8 @@ struct TradeMethod {
 /// - `turned-hemicube`: each turned about its normal by an angle of its own.
 /// - `split-hemicube`: turned, and patches that are near to what they light are split (see
 /// radiosity/patch_splitting.h).
+/// - `single-plane`, `tetrahedron`: turned as well, on the faces of these projections (see radiosity/single_plane.h and
+/// radiosity/cubic_tetrahedron.h).
 /// - `centre-rays`: rays from the same points as hemicubes, so that what differs is how directions are looked into.
 /// - `area-rays`: rays from all over a patch.
 std::vector<TradeMethod> tradeMethods();

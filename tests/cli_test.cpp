@@ -165,6 +165,9 @@ TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind"
       "formfactors room.obj --from floor --method analytic --discretize texture",
       "formfactors room.obj --from floor --method analytic --orientation turned",
       "formfactors room.obj --from floor --method analytic --resolution 64",
+      "solve room.obj -o out --method single-plane --max-error 0.1",
+      "solve room.obj -o out --method tetrahedron --samples 64",
+      "formfactors room.obj --from floor --method tetrahedron --samples 64",
       "formfactors room.obj --from floor --method rays --no-align",
       "formfactors room.obj --from floor --method rays --index-maps packed",
       "formfactors room.obj --from floor --index-maps unique --no-align",
@@ -552,6 +555,37 @@ TEST_CASE("The paper's room without its shadows: hemicubes and closed forms agre
     for (const char* lit : {"wall-front", "wall-left", "ceiling", "box-top", "box-front", "box-left"})
       if (name == lit) CHECK(std::abs(excess) < 2e-4);
   }
+}
+
+TEST_CASE("Other projections find form factors and solutions, and say what they capture", "[cli]") {
+  // A cubic tetrahedron sees all that a hemicube does. The plane, of half-width 4, captures 4/pi c atan(c) of the light
+  // with c = 4 / sqrt(17); in a closed room the rest is all that leaves.
+  const Shell shell;
+  const double c = 4 / std::sqrt(17.0), captured = 4 / M_PI * c * std::atan(c);
+  const auto row = [&](const std::string& method) {
+    return json::parse(shell.output("formfactors room.obj --from floor --by-surface --json --method " + method));
+  };
+  const json hemicube = row("hemicube"), tetrahedron = row("tetrahedron"), plane = row("single-plane");
+  CHECK(hemicube["captured"] == 1);
+  CHECK(tetrahedron["captured"] == 1);
+  CHECK(tetrahedron["background"] == 0);
+  CHECK(plane["captured"].get<double>() == Approx(captured).epsilon(1e-12));
+  CHECK(plane["background"].get<double>() == Approx(1 - captured).epsilon(1e-12));
+  for (std::size_t i = 0; i < hemicube["row"].size(); ++i)
+    CHECK(tetrahedron["row"][i]["form_factor"].get<double>() ==
+          Approx(hemicube["row"][i]["form_factor"].get<double>()).margin(1e-3));
+
+  const Outcome lossy = shell.run("solve room.obj -o plane --texels 4 --method single-plane --json");
+  REQUIRE(lossy.exitCode == 0);
+  const json solution = json::parse(lossy.out);
+  CHECK(solution["settings"]["method"] == "single-plane");
+  CHECK(solution["captured"].get<double>() == Approx(captured).epsilon(1e-12));
+  CHECK(solution["warnings"].size() == 1);
+  CHECK(solution["energy"]["lost"][0].get<double>() > 0.04 * solution["energy"]["emitted"][0].get<double>());
+  const json whole = json::parse(shell.output("solve room.obj -o all --texels 4 --method tetrahedron --json"));
+  CHECK(whole["captured"] == 1);
+  CHECK(whole["warnings"].empty());
+  CHECK(whole["energy"]["lost"][0] == 0);
 }
 
 TEST_CASE("The matrix of form factors is checked by what holds for all", "[cli]") {

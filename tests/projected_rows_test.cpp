@@ -111,3 +111,52 @@ TEST_CASE("the back of a blocker is counted as back, not as an element", "[rows]
   CHECK(formFactor(row.back) == Approx(4 * toParallel(0.5, 0.5)).epsilon(1e-12));
   CHECK(toSurface(world, row, "blocker") == 0);
 }
+
+TEST_CASE("a cubic tetrahedron's row in a closed room is exactly one, from every patch", "[rows]") {
+  World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 4);
+  ProjectedRows rows(world.scene, world.discretization, world.layout, world.renderer,
+                     {64, Orientation::Turned, ProjectionKind::CubicTetrahedron});
+  for (std::uint32_t patch = 0; patch < world.discretization.patches.size(); ++patch) {
+    const FormFactorRow row = rows.ofPatch(patch);
+    CHECK(sum(row) == wholeShare);
+    CHECK(row.background == 0);
+    CHECK(row.back == 0);
+    CHECK(std::find(row.shares.begin(), row.shares.end(), 0) == row.shares.end());
+    CHECK(toSurface(world, row, world.scene.surfaces[world.discretization.patches[patch].surface].name) == 0);
+  }
+}
+
+TEST_CASE("in a closed room a single plane leaves to the background what it does not capture", "[rows]") {
+  World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 4);
+  ProjectedRows rows(world.scene, world.discretization, world.layout, world.renderer,
+                     {64, Orientation::Turned, ProjectionKind::SinglePlane});
+  const FormFactorRow row = rows.ofPatch(9);
+  CHECK(sum(row) == wholeShare);
+  CHECK(row.background == wholeShare - rows.projection().captured);
+  CHECK(row.back == 0);
+  // Closed form of a square of half-width 4 at distance 1.
+  CHECK(formFactor(row.background) == Approx(1 - 4 * toParallel(4, 4)).epsilon(1e-12));
+}
+
+TEST_CASE("the projections converge to the same form factors", "[rows]") {
+  // From the middle of the floor of a unit cube: the ceiling is a parallel square at distance 1, half-width one half;
+  // each wall has a quarter of the rest. The plane loses of the walls what lies below 1/4 of the distance to them.
+  World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 1, 1);
+  const double ceiling = 4 * toParallel(0.5, 0.5), wall = (1 - ceiling) / 4;
+  const double underPlane = (1 - 4 * toParallel(4, 4)) / 4;
+  for (const ProjectionKind kind :
+       {ProjectionKind::Hemicube, ProjectionKind::SinglePlane, ProjectionKind::CubicTetrahedron})
+    for (const int resolution : {64, 1024}) {
+      ProjectedRows rows(world.scene, world.discretization, world.layout, world.renderer,
+                         {resolution, Orientation::Aligned, kind});
+      const FormFactorRow row = rows.ofPatch(2);
+      const double lost = kind == ProjectionKind::SinglePlane ? underPlane : 0;
+      // An outline of length l on a face is wrong by at most half a pixel's share along it: the ceiling's, of length 4
+      // at distance 1, has a density of 1 / pi (1.25)^2 at most there, and pixels are up to 8 / R wide.
+      const double margin = 0.5 * 8.0 / resolution * 4 / (M_PI * 1.25 * 1.25);
+      INFO("projection " << static_cast<int>(kind) << ", R = " << resolution);
+      CHECK(toSurface(world, row, "ceiling") == Approx(ceiling).margin(margin));
+      for (const char* name : {"left", "right", "back", "front"})
+        CHECK(toSurface(world, row, name) == Approx(wall - lost).margin(margin));
+    }
+}
