@@ -12,6 +12,7 @@ void addSolve(CLI::App& program, Context& context);
 void addRender(CLI::App& program, Context& context);
 void addFormFactors(CLI::App& program, Context& context);
 void addTradeoff(CLI::App& program, Context& context);
+void addPaper(CLI::App& program, Context& context);
 void addVector(CLI::App& program, Context& context);
 /// Commands of `vector`.
 void addVectorSuite(CLI::App& vector, Context& context);

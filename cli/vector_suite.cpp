@@ -6,25 +6,15 @@
 
 #include "cli/commands.h"
 #include "cli/json.h"
+#include "cli/scene_folder.h"
 #include "cli/staging.h"
 #include "cli/table.h"
-#include "raster/input_error.h"
 #include "reference/scene_vectors.h"
 
 namespace hemitex::cli {
 namespace {
 
 namespace filesystem = std::filesystem;
-
-/// The scenes that come with the program: in share/hemitex beside the folder of the program, built or installed.
-filesystem::path sceneFolder() {
-  const filesystem::path program = filesystem::read_symlink("/proc/self/exe");
-  const filesystem::path folder = program.parent_path().parent_path() / "share" / "hemitex";
-  if (!filesystem::is_directory(folder))
-    throw raster::InputError(folder.string(), 0, "the scenes of the suite are not here",
-                             "keep the program where `cmake --install` puts it");
-  return folder;
-}
 
 void writeSuite(const filesystem::path& output, const Context& context) {
   const std::vector<reference::TestVector> suite = reference::wholeSuite(sceneFolder());

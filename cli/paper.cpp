@@ -1,0 +1,94 @@
+/// `hemitex paper`: the tables and figures of Nielsen and Christensen (2002), made again.
+#include <chrono>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+#include "cli/commands.h"
+#include "cli/paper_json.h"
+#include "cli/renderers.h"
+#include "cli/scene_folder.h"
+#include "cli/staging.h"
+#include "radiosity/write_file.h"
+#include "raster/input_error.h"
+#include "reference/paper_scenes.h"
+#include "reference/paper_tables.h"
+
+namespace hemitex::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// The reference renderer and, where there is one, OpenGL. Whether it is there an empty list tells.
+std::vector<reference::PaperDevice> devices(Console& console) {
+  std::vector<reference::PaperDevice> devices{{"software", radiosity::softwareRenderer}};
+  const auto openGl = [](const raster::DrawList& list) { return makeRenderer(list, Device::OpenGl); };
+  try {
+    raster::DrawList empty;
+    empty.format = *raster::formatNamed("r8g8b8a8");
+    openGl(empty);
+    devices.push_back({"opengl", openGl, 10});
+  } catch (const raster::InputError& error) {
+    console.message(std::string("no hardware columns: ") + error.what());
+  }
+  return devices;
+}
+
+std::string times(double total, double formFactors) {
+  std::ostringstream text;
+  text << std::setprecision(3) << total << " (" << formFactors << ')';
+  return text.str();
+}
+
+/// The tables for people: seconds in all and, in brackets, for form factors.
+std::string summary(const std::vector<reference::PaperRun>& runs) {
+  std::ostringstream text;
+  text << std::setprecision(3);
+  for (const reference::PaperRun& run : runs) {
+    text << run.scene << ", " << run.device << ", " << run.discretize << ", " << run.level << ", R = " << run.resolution
+         << ": " << times(run.seconds.total, run.seconds.formFactors) << " s for " << run.shots << " shots, "
+         << run.elements << " elements";
+    const auto published = reference::publishedTimes(run);
+    if (published && published->total && published->formFactors)
+      text << "; the paper: " << times(*published->total, *published->formFactors) << " s";
+    text << '\n';
+  }
+  for (const reference::SpeedUp& s : reference::speedUps(runs))
+    text << s.scene << ", " << s.device << ", " << s.level << ", R = " << s.resolution << ": textures are "
+         << times(s.total, s.formFactors) << " times faster\n";
+  for (const reference::Promise& promise : reference::promises(runs))
+    text << (promise.isKept ? "kept: " : "NOT KEPT: ") << promise.what << ": " << promise.measured << " (limit "
+         << promise.limit << ")\n";
+  return text.str();
+}
+
+void makePaper(const std::filesystem::path& output, Context& context) {
+  Console& console = context.console;
+  const auto start = std::chrono::steady_clock::now();
+  Staging{output};  // a folder that cannot be written is told before the work, not after it
+  const auto progress = [&console](double fraction, const std::string& what) { console.progress(fraction, what); };
+  const std::vector<reference::PaperRun> runs =
+      reference::measurePaperRuns(reference::paperScenes(sceneFolder()), devices(console), {}, progress);
+  console.endProgress();
+  ordered_json result = paperJson(runs);
+  result["warnings"] = console.given();
+  result["times"] = {{"threads", context.threads},
+                     {"all_s", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()}};
+  Staging staging(output);
+  radiosity::writeFile(staging.folder() / "paper.json", toText(result));
+  staging.commit();
+  std::cout << (context.json ? toText(result) : summary(runs));
+}
+
+}  // namespace
+
+void addPaper(CLI::App& program, Context& context) {
+  const auto output = std::make_shared<std::filesystem::path>();
+  CLI::App* command =
+      program.add_subcommand("paper", "Make the tables and figures of the paper again, some minutes' work");
+  addOutput(*command, *output, "folder for paper.json");
+  command->callback([output, &context] { context.command = [output, &context] { makePaper(*output, context); }; });
+}
+
+}  // namespace hemitex::cli

@@ -1,0 +1,18 @@
+/// The scenes of the paper's tables, discretized as it says.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "reference/paper_runs.h"
+
+namespace hemitex::reference {
+
+/// The simple scene and those beside it, from the folder of the scenes that come with the program:
+/// - "simple" (Figure 2), a closed room with a box and a light. Walls of 6 x 6, 12 x 12 and 24 x 24 elements, faces of
+///   the box of 2 x 2, 4 x 4 and 8 x 8, the light one: 241, 961 and 3841. Patches of 2 x 2, 4 x 4 and 8 x 8, 61 at each
+///   level, and 100 shots (Table 1);
+/// - "fill-limited", the same room with 2 x 2 elements a wall and undivided faces: there is next to nothing to mesh.
+std::vector<PaperScene> paperScenes(const std::filesystem::path& folder);
+
+}  // namespace hemitex::reference
