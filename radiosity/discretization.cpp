@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "radiosity/grid_size.h"
 #include "radiosity/map_average.h"
 #include "radiosity/spill.h"
 #include "radiosity/texel_areas.h"
@@ -16,13 +17,8 @@ namespace {
 
 using raster::InputError;
 
-constexpr int mostTexels = 4096;
 /// A mapped reflectance of 1 or more is lowered to this: white would reflect for ever.
 constexpr double mostReflectance = 0.9999;
-
-struct GridSize {
-  int columns, rows;
-};
 
 bool isNamed(const Surface& surface, const std::string& name) { return surface.name == name || surface.family == name; }
 
@@ -40,9 +36,9 @@ std::string someNames(const Scene& scene) {
 }
 
 void validateTexels(int texels, const std::string& what) {
-  if (texels < 1 || texels > mostTexels)
+  if (texels < 1 || texels > largestGrid)
     throw InputError(what + " has " + std::to_string(texels) + " texels along a side",
-                     "use 1 to " + std::to_string(mostTexels));
+                     "use 1 to " + std::to_string(largestGrid));
 }
 
 void validate(const Scene& scene, const DiscretizationSettings& settings) {
@@ -51,6 +47,9 @@ void validate(const Scene& scene, const DiscretizationSettings& settings) {
     throw InputError("the size of a texel is not above 0", "give a length in the scene's units");
   if (settings.patch < 1)
     throw InputError("a patch has " + std::to_string(settings.patch) + " texels along a side", "use 1 or more");
+  validateTexels(settings.mostTexels, "the largest grid");
+  if (settings.subdivision < 1)
+    throw InputError("a texel is cut into " + std::to_string(settings.subdivision) + " along a side", "use 1 or more");
   if (settings.patches && *settings.patches < 1)
     throw InputError("a surface has " + std::to_string(*settings.patches) + " patches along a side", "use 1 or more");
   for (const auto& [name, texels] : settings.surfaceTexels) {
@@ -60,38 +59,6 @@ void validate(const Scene& scene, const DiscretizationSettings& settings) {
     if (!exists)
       throw InputError("the scene has no surface named '" + name + "'", "its surfaces are " + someNames(scene));
   }
-}
-
-/// The lengths of the chart's two axes on the surface: |dP/du| and |dP/dv|, averaged by area.
-glm::dvec2 chartLengths(const Surface& surface) {
-  glm::dvec2 sum(0);
-  double totalArea = 0;
-  for (const Triangle& triangle : surface.triangles) {
-    const glm::dvec3 p1 = triangle.position[1] - triangle.position[0], p2 = triangle.position[2] - triangle.position[0];
-    const glm::dvec2 c1 = triangle.chart[1] - triangle.chart[0], c2 = triangle.chart[2] - triangle.chart[0];
-    const double determinant = c1.x * c2.y - c1.y * c2.x;
-    if (determinant == 0) continue;
-    const double weight = area(triangle);
-    sum += weight * glm::dvec2(glm::length(c2.y * p1 - c1.y * p2), glm::length(c1.x * p2 - c2.x * p1)) /
-           std::abs(determinant);
-    totalArea += weight;
-  }
-  return totalArea > 0 ? sum / totalArea : sum;
-}
-
-/// Texels of at most the wanted size along an axis. Charts are binary32: a millionth more is not one texel more.
-int texelsAlong(double length, double texelSize) {
-  const double texels = std::ceil(length / texelSize * (1 - 1e-6));
-  return static_cast<int>(std::clamp(texels, 1.0, static_cast<double>(mostTexels)));
-}
-
-GridSize gridSize(const Surface& surface, const DiscretizationSettings& settings) {
-  for (const std::string& name : {surface.name, surface.family})
-    if (const auto found = settings.surfaceTexels.find(name); found != settings.surfaceTexels.end())
-      return {found->second, found->second};
-  if (!settings.texelSize) return {settings.texels, settings.texels};
-  const glm::dvec2 lengths = chartLengths(surface);
-  return {texelsAlong(lengths.x, *settings.texelSize), texelsAlong(lengths.y, *settings.texelSize)};
 }
 
 /// Where every triangle's chart collapses to nothing, the texel with the most area stands for all.
@@ -124,7 +91,7 @@ void makeElements(const Surface& surface, std::uint32_t number, Discretization& 
 
 /// The texels along the side of a surface's patches.
 int patchSide(const GridSize& size, const DiscretizationSettings& settings) {
-  if (!settings.patches) return std::min(settings.patch, mostTexels);
+  if (!settings.patches) return std::min(settings.patch, largestGrid);
   const int longer = std::max(size.columns, size.rows);
   return std::max(1, longer / *settings.patches);
 }
@@ -186,7 +153,7 @@ Discretization discretizeSurface(const Scene& scene, std::uint32_t number, const
                                  const MapKinds& kinds) {
   const Surface& surface = scene.surfaces[number];
   const Material& material = scene.materials[static_cast<std::size_t>(surface.material)];
-  const GridSize size = gridSize(surface, settings);
+  const GridSize size = gridSizeOf(surface, settings);
   Discretization part;
   part.grids.push_back({.columns = size.columns, .rows = size.rows, .spill = {}, .covered = {}});
   makeElements(surface, number, part);

@@ -63,9 +63,12 @@ struct Discretization {
 
 struct DiscretizationSettings {
   int texels = 16;  ///< columns and rows of every surface; 1 to 4096
-  /// Instead: the wanted side of a texel in the scene's units, above 0. Columns and rows come from the lengths of the
-  /// chart's axes on the surface, rounded up, 1 to 4096.
+  /// Instead: the wanted side of a texel in the scene's units, above 0 (see gridSizeOf).
   std::optional<double> texelSize = {};
+  int mostTexels = 4096;  ///< columns and rows that a texel size may ask for; 1 to 4096
+  /// Every texel that this asks for is cut into so many along each side, as far as 4096 columns and rows allow: levels
+  /// of detail whose texels nest. At least 1. What is named below keeps its number.
+  int subdivision = 1;
   std::map<std::string, int> surfaceTexels = {};  ///< by surface name or, less binding, family; 1 = not discretized
   int patch = 4;                                  ///< texels along a patch's side; at least 1
   std::optional<int> patches = {};  ///< instead: patches along the longer side of every surface's grid; at least 1

@@ -1,0 +1,28 @@
+/// How many texels a surface takes, from its size or as it was asked for, and the texel size with which a scene fills
+/// packed pages.
+#pragma once
+
+#include "radiosity/discretization.h"
+#include "radiosity/scene.h"
+
+namespace hemitex::radiosity {
+
+inline constexpr int largestGrid = 4096;  ///< columns, and rows
+
+struct GridSize {
+  int columns = 1, rows = 1;
+};
+
+/// The grid of a surface. With a texel size S, an axis of the chart takes n = ceil(L / S) texels or the most, where L
+/// is the length of the whole axis on the surface, |dP/du| or |dP/dv| averaged by area. So a texel is no longer than S
+/// along it and, where the axis is at least S long, longer than S/2 (L > (n - 1) S, and n - 1 >= n / 2): within a
+/// factor of two of what was asked for. A shorter axis is one texel.
+GridSize gridSizeOf(const Surface& surface, const DiscretizationSettings& settings);
+
+/// `settings` with the smallest texel size, to a thousandth, with which the grids of all surfaces fit `pages` packed
+/// pages of side x side texels (a power of two; see IndexMaps::Packed); no grid is longer than a page. For finer levels
+/// that fit as many pages, set `subdivision` to 2 and double the pages' side. Throws InputError where even one texel a
+/// surface does not fit.
+DiscretizationSettings settingsForPages(const Scene& scene, int pages, int side, DiscretizationSettings settings = {});
+
+}  // namespace hemitex::radiosity
