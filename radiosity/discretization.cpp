@@ -1,6 +1,8 @@
 #include "radiosity/discretization.h"
 
 #include <algorithm>
+#include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -68,22 +70,51 @@ void coverOneAtLeast(TexelAreas& texels) {
   texels.coverage[static_cast<std::size_t>(largest)] = 1;
 }
 
+/// The number of a leaf's lowest texel.
+std::uint32_t lowestTexel(const Grid& grid, const Leaf& leaf) {
+  return static_cast<std::uint32_t>(leaf.row * grid.columns + leaf.column);
+}
+
+/// The triangles that stand for the leaves: a leaf is a texel of a grid that is so much coarser.
+class LeafTriangles {
+ public:
+  LeafTriangles(const Surface& surface, const Grid& grid) : surface_(surface), grid_(grid) {}
+
+  std::uint32_t of(const Leaf& leaf) {
+    const int columns = grid_.columns / leaf.side, rows = grid_.rows / leaf.side;
+    const auto [found, isNew] = bySide_.try_emplace(leaf.side);
+    if (isNew) found->second = texelAreas(surface_, columns, rows).triangle;
+    return found->second[texelOfCell(leaf.column / leaf.side, leaf.row / leaf.side, columns, rows)];
+  }
+
+ private:
+  const Surface& surface_;
+  const Grid& grid_;
+  std::map<int, std::vector<std::uint32_t>> bySide_;
+};
+
 /// Turns texels into elements, ordered by their own texels, and gives every texel's area to the element it spills to.
 void makeElements(const Surface& surface, std::uint32_t number, Discretization& part) {
+  constexpr std::uint32_t none = ~0u;
   Grid& grid = part.grids.front();
   TexelAreas texels = texelAreas(surface, grid.columns, grid.rows);
   coverOneAtLeast(texels);
   grid.spill = spillTexels(grid.columns, grid.rows, texels.coverage);
-  std::vector<std::uint32_t> elementOf(grid.spill.size());
+  LeafTriangles triangles(surface, grid);
+  std::vector<std::uint32_t> elementOf(grid.spill.size(), none);  // by the lowest texel of its leaf
+  const auto elementAt = [&](std::uint32_t own) -> std::uint32_t& {
+    return elementOf[lowestTexel(grid, leafOf(grid, own))];
+  };
   for (std::uint32_t texel = 0; texel < grid.spill.size(); ++texel) {
     grid.covered.push_back(texels.coverage[texel] > coverageNoise);
     grid.phantoms += grid.covered[texel] ? 0 : 1;
-    if (grid.spill[texel] != texel) continue;
-    elementOf[texel] = static_cast<std::uint32_t>(part.elements.size());
-    part.elements.push_back({0, number, texel, 0, texels.triangle[texel]});
+    if (grid.spill[texel] != texel || elementAt(texel) != none) continue;
+    elementAt(texel) = static_cast<std::uint32_t>(part.elements.size());
+    const Leaf leaf = leafOf(grid, texel);
+    part.elements.push_back({0, number, texel, 0, leaf.side == 1 ? texels.triangle[texel] : triangles.of(leaf)});
   }
   for (std::uint32_t texel = 0; texel < grid.spill.size(); ++texel) {
-    grid.spill[texel] = elementOf[grid.spill[texel]];
+    grid.spill[texel] = elementAt(grid.spill[texel]);
     part.elements[grid.spill[texel]].area += texels.area[texel];
   }
   grid.elementCount = static_cast<std::uint32_t>(part.elements.size());
@@ -96,27 +127,36 @@ int patchSide(const GridSize& size, const DiscretizationSettings& settings) {
   return std::max(1, longer / *settings.patches);
 }
 
-/// Groups the elements by the block of texels that holds their own texel.
+/// Groups the elements by the block of texels that holds their own texel, or the lowest one of their leaf. A leaf
+/// larger than a block is the only one in it, and stretches it.
 void makePatches(std::uint32_t surface, int side, Discretization& part) {
   Grid& grid = part.grids.front();
   const int blockColumns = (grid.columns + side - 1) / side;
   const auto blockOf = [&](const Element& element) {
-    const int column = static_cast<int>(element.texel) % grid.columns;
-    const int row = static_cast<int>(element.texel) / grid.columns;
-    return static_cast<std::size_t>(row / side * blockColumns + column / side);
+    const Leaf leaf = leafOf(grid, element.texel);
+    return static_cast<std::size_t>(leaf.row / side * blockColumns + leaf.column / side);
   };
-  std::vector<std::uint32_t> count(static_cast<std::size_t>(blockColumns * ((grid.rows + side - 1) / side)));
-  for (const Element& element : part.elements) ++count[blockOf(element)];
-  std::vector<std::uint32_t> patchOf(count.size());
+  struct Block {
+    std::uint32_t elements = 0;
+    int side = 0;
+  };
+  std::vector<Block> blocks(static_cast<std::size_t>(blockColumns * ((grid.rows + side - 1) / side)));
+  for (const Element& element : part.elements) {
+    Block& block = blocks[blockOf(element)];
+    ++block.elements;
+    block.side = std::max(side, leafOf(grid, element.texel).side);
+  }
+  std::vector<std::uint32_t> patchOf(blocks.size());
   std::uint32_t first = 0;
-  for (std::size_t block = 0; block < count.size(); ++block) {
-    if (count[block] == 0) continue;
-    const int column = static_cast<int>(block) % blockColumns * side,
-              row = static_cast<int>(block) / blockColumns * side;
-    patchOf[block] = static_cast<std::uint32_t>(part.patches.size());
-    part.patches.push_back(
-        {surface, column, row, std::min(side, grid.columns - column), std::min(side, grid.rows - row), first, 0});
-    first += count[block];
+  for (std::size_t number = 0; number < blocks.size(); ++number) {
+    const Block& block = blocks[number];
+    if (block.elements == 0) continue;
+    const int column = static_cast<int>(number) % blockColumns * side,
+              row = static_cast<int>(number) / blockColumns * side;
+    patchOf[number] = static_cast<std::uint32_t>(part.patches.size());
+    part.patches.push_back({surface, column, row, std::min(block.side, grid.columns - column),
+                            std::min(block.side, grid.rows - row), first, 0});
+    first += block.elements;
   }
   part.patchElements.resize(part.elements.size());
   for (std::uint32_t element = 0; element < part.elements.size(); ++element) {
@@ -126,6 +166,14 @@ void makePatches(std::uint32_t surface, int side, Discretization& part) {
     part.patchElements[owner.firstElement + owner.elementCount++] = element;
   }
   grid.patchCount = static_cast<std::uint32_t>(part.patches.size());
+}
+
+/// Leaves and blocks of texels nest where both are powers of two.
+void validateNesting(const Surface& surface, const GridSize& size, const Quadtree& quadtree, int side) {
+  assert(quadtree.texels == size.columns && quadtree.texels == size.rows);
+  if (!std::has_single_bit(static_cast<unsigned>(side)))
+    throw InputError("a patch of surface '" + surface.name + "' has " + std::to_string(side) + " texels along a side",
+                     "over quadtrees use a power of two");
 }
 
 bool hasMap(const Scene& scene, std::optional<int> Material::*map) {
@@ -148,16 +196,20 @@ struct MapKinds {
   bool reflectance, emission;
 };
 
-/// The discretization of one surface alone: elements and patches are numbered from 0.
+/// The discretization of one surface alone, without a quadtree where that is null: elements and patches are numbered
+/// from 0.
 Discretization discretizeSurface(const Scene& scene, std::uint32_t number, const DiscretizationSettings& settings,
-                                 const MapKinds& kinds) {
+                                 const Quadtree* quadtree, const MapKinds& kinds) {
   const Surface& surface = scene.surfaces[number];
   const Material& material = scene.materials[static_cast<std::size_t>(surface.material)];
   const GridSize size = gridSizeOf(surface, settings);
   Discretization part;
   part.grids.push_back({.columns = size.columns, .rows = size.rows, .spill = {}, .covered = {}});
+  if (quadtree) part.grids.front().quadtree = *quadtree;
   makeElements(surface, number, part);
-  makePatches(number, patchSide(size, settings), part);
+  const int side = patchSide(size, settings);
+  if (quadtree) validateNesting(surface, size, *quadtree, side);
+  makePatches(number, side, part);
   const Grid& grid = part.grids.front();
   if (kinds.reflectance) {
     part.mappedReflectance = mappedValues(scene, surface, grid, material.reflectance, material.reflectanceMap);
@@ -187,14 +239,15 @@ void append(Discretization& whole, Discretization part) {
   moveTo(whole.mappedEmission, part.mappedEmission);
 }
 
-}  // namespace
-
-Discretization discretize(const Scene& scene, const DiscretizationSettings& settings) {
+/// One quadtree a surface, or none at all.
+Discretization discretized(const Scene& scene, const DiscretizationSettings& settings,
+                           const std::vector<Quadtree>& quadtrees) {
   validate(scene, settings);
   const MapKinds kinds{hasMap(scene, &Material::reflectanceMap), hasMap(scene, &Material::emissionMap)};
   std::vector<Discretization> parts(scene.surfaces.size());
   raster::parallelFor(parts.size(), [&](std::size_t surface) {
-    parts[surface] = discretizeSurface(scene, static_cast<std::uint32_t>(surface), settings, kinds);
+    const Quadtree* quadtree = quadtrees.empty() ? nullptr : &quadtrees[surface];
+    parts[surface] = discretizeSurface(scene, static_cast<std::uint32_t>(surface), settings, quadtree, kinds);
   });
   std::size_t elements = 0;
   for (const Discretization& part : parts) elements += part.elements.size();
@@ -203,6 +256,23 @@ Discretization discretize(const Scene& scene, const DiscretizationSettings& sett
   whole.patchElements.reserve(elements);
   for (Discretization& part : parts) append(whole, std::exchange(part, {}));
   return whole;
+}
+
+}  // namespace
+
+Leaf leafOf(const Grid& grid, std::uint32_t texel) {
+  const int column = static_cast<int>(texel) % grid.columns, row = static_cast<int>(texel) / grid.columns;
+  return grid.quadtree ? leafAt(*grid.quadtree, column, row) : Leaf{column, row, 1};
+}
+
+Discretization discretize(const Scene& scene, const DiscretizationSettings& settings) {
+  return discretized(scene, settings, {});
+}
+
+Discretization discretize(const Scene& scene, const DiscretizationSettings& settings,
+                          const std::vector<Quadtree>& quadtrees) {
+  assert(quadtrees.size() == scene.surfaces.size());
+  return discretized(scene, settings, quadtrees);
 }
 
 glm::dvec3 reflectance(const Scene& scene, const Discretization& discretization, std::uint32_t element) {

@@ -8,6 +8,9 @@
 /// would glow, because the few pixels it is seen in are quantized while its area is tiny. One spill table, from
 /// texels to elements, says where every texel's light goes: to its own element, to the one it merged into, or, for a
 /// phantom (a sample can fall on one at a chart's border), to the nearest element.
+///
+/// Under a quadtree elements are not texels but its leaves: all texels of a leaf spill to one element. A texel is still
+/// what slivers are measured by: where one merges with a neighbour, its light goes to that neighbour's leaf.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "radiosity/quadtree.h"
 #include "radiosity/scene.h"
 
 namespace hemitex::radiosity {
@@ -24,20 +28,21 @@ namespace hemitex::radiosity {
 struct Element {
   double area = 0;  ///< of the surface inside its texels, in the scene's units squared; above 0
   std::uint32_t surface = 0;
-  std::uint32_t texel = 0;  ///< row * columns + column of its own texel, the one the others merged into
+  std::uint32_t texel = 0;  ///< row * columns + column of its own texel, the one the others merged into; of a leaf of
+                            ///< several texels the first that is one's own
   std::uint32_t patch = 0;
-  /// In Surface::triangles: the first that covers the middle of its own texel, else the one with the largest piece
-  /// there.
+  /// In Surface::triangles: the first that covers the middle of its own texel or leaf, else the one with the largest
+  /// piece there.
   std::uint32_t triangle = 0;
 };
 
-/// A block of texels of one surface that shoots as one.
+/// A block of texels of one surface that shoots as one. A leaf of a quadtree that is larger is a patch of its own.
 struct Patch {
   std::uint32_t surface = 0;
   int column = 0, row = 0, width = 0, height = 0;    ///< in texels; at the grid's end a block may be smaller
   std::uint32_t firstElement = 0, elementCount = 0;  ///< in Discretization::patchElements
   int halvings = 0;  ///< how often its side was halved, for it is near to what it lights (see patch_splitting.h)
-  int points = 1;    ///< along its side: it shoots from points x points of them; more than 1 only for a single texel
+  int points = 1;    ///< along its side: it shoots from points x points of them; more than 1 only for a single element
 };
 
 /// The texels of one surface.
@@ -46,10 +51,14 @@ struct Grid {
   int rows = 1;
   std::uint32_t firstElement = 0, elementCount = 0;  ///< its elements, ordered by texel
   std::uint32_t firstPatch = 0, patchCount = 0;
-  std::vector<std::uint32_t> spill;  ///< columns * rows: the element each texel gives its light to
-  std::vector<bool> covered;         ///< columns * rows: whether the texel has area
-  std::uint32_t phantoms = 0;        ///< texels without area
+  std::vector<std::uint32_t> spill;       ///< columns * rows: the element each texel gives its light to
+  std::vector<bool> covered;              ///< columns * rows: whether the texel has area
+  std::uint32_t phantoms = 0;             ///< texels without area
+  std::optional<Quadtree> quadtree = {};  ///< whose leaves are the elements; without one every texel is a leaf
 };
+
+/// The leaf that holds a texel: what an element with this own texel consists of, but for slivers.
+Leaf leafOf(const Grid& grid, std::uint32_t texel);
 
 struct Discretization {
   std::vector<Grid> grids;                   ///< one a surface
@@ -78,6 +87,11 @@ struct DiscretizationSettings {
 /// Element areas sum to each surface's area to 1e-12 relative.
 Discretization discretize(const Scene& scene, const DiscretizationSettings& settings);
 
+/// The same with the leaves of quadtrees as elements: one a surface, over a grid of as many columns and rows. Throws
+/// InputError also where the side of a patch is not a power of two: patches consist of whole leaves.
+Discretization discretize(const Scene& scene, const DiscretizationSettings& settings,
+                          const std::vector<Quadtree>& quadtrees);
+
 /// A surface of one texel: it takes one word and no index map, and is Gouraud shaded.
 inline bool isDiscretized(const Grid& grid) { return grid.columns > 1 || grid.rows > 1; }
 
@@ -102,8 +116,8 @@ SurfacePoint pointOn(const Surface& surface, std::uint32_t triangle, const glm::
 /// has a hole there, in the covered texel nearest to the middle. Always on the surface.
 SurfacePoint patchCentre(const Scene& scene, const Discretization& discretization, const Patch& patch);
 
-/// The centre of an element: the surface's point at the middle of its own texel or, where the chart does not cover
-/// that, at the centroid of the largest piece of the surface inside the texel. Always on the surface.
+/// The centre of an element: the surface's point at the middle of its own texel or leaf or, where the chart does not
+/// cover that, at the centroid of the largest piece of the surface inside. Always on the surface.
 SurfacePoint elementCentre(const Scene& scene, const Discretization& discretization, std::uint32_t element);
 
 }  // namespace hemitex::radiosity

@@ -37,7 +37,7 @@ class Splitter {
     const double returning = returningShareOf(part);
     if (returning <= mostReturning_ || part.block.halvings == mostHalvings) {
       parts.push_back(part);
-    } else if (part.block.width > 1 || part.block.height > 1) {
+    } else if (std::max(part.block.width, part.block.height) > leafSideOf(part)) {
       for (const Part& quarter : quarters(part)) split(quarter, parts);
     } else {
       parts.push_back(withPoints(part, returning));
@@ -45,6 +45,12 @@ class Splitter {
   }
 
  private:
+  /// Of its first element: a part is cut down to single elements.
+  int leafSideOf(const Part& part) const {
+    const Element& element = discretization_.elements[part.elements.front()];
+    return leafOf(discretization_.grids[element.surface], element.texel).side;
+  }
+
   double returningShareOf(const Part& part) {
     const Patch& block = part.block;
     const auto shooting = shootingBlock(scene_.surfaces[block.surface], discretization_.grids[block.surface],

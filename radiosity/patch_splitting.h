@@ -13,7 +13,7 @@
 /// patch is to those that it lights, weighted by how much each of them gets; and so does the error of shooting from one
 /// point. One low hemicube is enough to find it.
 ///
-/// Each part shoots the light of its own elements. A texel cannot be cut, so a patch of one shoots from several points
+/// Each part shoots the light of its own elements. One cannot be cut, so a patch of one shoots from several points
 /// at once.
 #pragma once
 

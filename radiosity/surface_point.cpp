@@ -8,22 +8,13 @@
 namespace hemitex::radiosity {
 namespace {
 
-struct TexelPlace {
-  int column, row;
-  glm::dvec2 middle;  ///< in texels
-};
-
-TexelPlace placeOf(const Grid& grid, std::uint32_t texel) {
-  const int column = static_cast<int>(texel) % grid.columns, row = static_cast<int>(texel) / grid.columns;
-  return {column, row, glm::dvec2(column, row) + 0.5};
-}
-
-/// The element of a patch whose own texel is nearest to a point in texels; the first of equals.
+/// The element of a patch whose own texel or leaf is nearest to a point in texels; the first of equals.
 std::uint32_t nearestElement(const Discretization& discretization, const Patch& patch, const glm::dvec2& point) {
   assert(patch.elementCount > 0);
   const Grid& grid = discretization.grids[patch.surface];
   const auto squaredDistance = [&](std::uint32_t element) {
-    const glm::dvec2 offset = placeOf(grid, discretization.elements[element].texel).middle - point;
+    const Leaf leaf = leafOf(grid, discretization.elements[element].texel);
+    const glm::dvec2 offset = glm::dvec2(leaf.column, leaf.row) + leaf.side / 2.0 - point;
     return glm::dot(offset, offset);
   };
   std::uint32_t nearest = discretization.patchElements[patch.firstElement];
@@ -54,14 +45,18 @@ SurfacePoint patchCentre(const Scene& scene, const Discretization& discretizatio
   return elementCentre(scene, discretization, nearestElement(discretization, patch, middle));
 }
 
+/// A leaf of a quadtree is a texel of a grid that is so much coarser.
 SurfacePoint elementCentre(const Scene& scene, const Discretization& discretization, std::uint32_t number) {
   const Element& element = discretization.elements[number];
   const Surface& surface = scene.surfaces[element.surface];
   const Grid& grid = discretization.grids[element.surface];
-  const TexelPlace place = placeOf(grid, element.texel);
-  const std::array<glm::dvec2, 3> corners = inTexels(surface.triangles[element.triangle], grid.columns, grid.rows);
-  if (const auto weights = weightsAt(corners, place.middle)) return pointOn(surface, element.triangle, *weights);
-  const Piece piece = clippedToCell(corners, place.column, place.row);
+  const Leaf leaf = leafOf(grid, element.texel);
+  const int column = leaf.column / leaf.side, row = leaf.row / leaf.side;
+  const std::array<glm::dvec2, 3> corners =
+      inTexels(surface.triangles[element.triangle], grid.columns / leaf.side, grid.rows / leaf.side);
+  if (const auto weights = weightsAt(corners, glm::dvec2(column, row) + 0.5))
+    return pointOn(surface, element.triangle, *weights);
+  const Piece piece = clippedToCell(corners, column, row);
   return pointOn(surface, element.triangle, centroid(piece.size > 0 ? piece : wholeTriangle(corners)));
 }
 
