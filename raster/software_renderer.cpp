@@ -110,24 +110,17 @@ void drawRows(const DrawList& list, const ScreenTriangles& chunks, const Face& f
       *word++ = resolve(list, *fragment++, column, row);
 }
 
-/// Consecutive runs that cover the draws in order, cut and gathered into chunks of about `size` triangles: what one
-/// task turns into screen triangles.
-std::vector<std::vector<TriangleRun>> chunksOf(const DrawList& list, std::uint32_t size) {
-  std::vector<std::vector<TriangleRun>> chunks;
-  std::uint32_t room = 0;
-  for (std::uint32_t draw = 0; draw < list.draws.size(); ++draw) {
-    std::uint32_t first = list.draws[draw].first / 3;
-    const std::uint32_t end = first + list.draws[draw].count / 3;
-    while (first < end) {
-      if (room == 0) {
-        chunks.emplace_back();
-        room = size;
-      }
-      const std::uint32_t count = std::min(room, end - first);
-      chunks.back().push_back({draw, first, first + count});
-      first += count;
-      room -= count;
+/// Consecutive clusters, gathered into chunks of about `size` triangles.
+std::vector<std::vector<Cluster>> chunksOf(const std::vector<Cluster>& clusters, std::uint32_t size) {
+  std::vector<std::vector<Cluster>> chunks;
+  std::uint32_t used = size;
+  for (const Cluster& cluster : clusters) {
+    if (used >= size) {
+      chunks.emplace_back();
+      used = 0;
     }
+    chunks.back().push_back(cluster);
+    used += cluster.run.end - cluster.run.first;
   }
   return chunks;
 }
@@ -151,18 +144,21 @@ std::vector<Band> bandsOf(std::span<const Face> faces) {
 
 }  // namespace
 
-SoftwareRenderer::SoftwareRenderer(DrawList list) : list_(std::move(list)) { validate(list_); }
+SoftwareRenderer::SoftwareRenderer(DrawList list) : list_(std::move(list)) {
+  validate(list_);
+  chunks_ = chunksOf(clustersOf(list_), 4096);
+}
 
 std::vector<ItemBuffer> SoftwareRenderer::render(std::span<const Face> faces, std::span<const std::uint32_t> skipped) {
   for (const Face& face : faces) validate(face);
 
-  const std::vector<std::vector<TriangleRun>> chunks = chunksOf(list_, 4096);
-  std::vector<ScreenTriangles> triangles(faces.size(), ScreenTriangles(chunks.size()));
-  std::vector<std::uint64_t> dropped(faces.size() * chunks.size());
+  std::vector<ScreenTriangles> triangles(faces.size(), ScreenTriangles(chunks_.size()));
+  std::vector<std::uint64_t> dropped(faces.size() * chunks_.size());
   parallelFor(dropped.size(), [&](std::size_t i) {
-    const std::size_t f = i / chunks.size(), c = i % chunks.size();
-    for (const TriangleRun& run : chunks[c])
-      dropped[i] += appendScreenTriangles(list_, faces[f], run, skipped, triangles[f][c]);
+    const std::size_t f = i / chunks_.size(), c = i % chunks_.size();
+    for (const Cluster& cluster : chunks_[c])
+      if (mayCover(faces[f], cluster))
+        dropped[i] += appendScreenTriangles(list_, faces[f], cluster.run, skipped, triangles[f][c]);
   });
   for (const std::uint64_t count : dropped) dropped_ += count;
 

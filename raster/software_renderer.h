@@ -5,6 +5,7 @@
 /// allows, and in exact arithmetic (exact_plane.h) where it does not.
 #pragma once
 
+#include "raster/cluster.h"
 #include "raster/draw_list.h"
 #include "raster/item_buffer_renderer.h"
 
@@ -24,6 +25,7 @@ class SoftwareRenderer final : public ItemBufferRenderer {
 
  private:
   DrawList list_;
+  std::vector<std::vector<Cluster>> chunks_;  ///< of all draws in order: what one task turns into screen triangles
   std::uint64_t dropped_ = 0;
 };
 

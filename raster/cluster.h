@@ -1,0 +1,26 @@
+/// Clusters: short runs of triangles and the boxes around them. Where a box lies outside of what a face shows, its
+/// triangles need no vertex stage; no pixel can tell (raster rules, 3). So a narrow scissor rectangle costs little.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "raster/draw_list.h"
+#include "raster/face.h"
+#include "raster/screen_triangle.h"
+
+namespace hemitex::raster {
+
+struct Cluster {
+  TriangleRun run;  ///< of one draw
+  /// The box around its vertices; infinite where a value is not finite or may become so on the way.
+  glm::dvec3 low, high;
+};
+
+/// The draws cut into clusters, in draw order. The list is valid.
+std::vector<Cluster> clustersOf(const DrawList& list);
+
+/// False only where no triangle of the cluster covers a sample of the face's scissor rectangle.
+bool mayCover(const Face& face, const Cluster& cluster);
+
+}  // namespace hemitex::raster
