@@ -1,17 +1,14 @@
 #include "cli/surface_names.h"
 
-#include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "cli/numbers.h"
+#include "radiosity/nearest_names.h"
 #include "raster/input_error.h"
 
 namespace hemitex::cli {
 namespace {
-
-constexpr std::size_t mostSuggestions = 3;
 
 std::vector<std::uint32_t> find(const radiosity::Scene& scene, const std::string& name) {
   std::vector<std::uint32_t> found;
@@ -20,32 +17,11 @@ std::vector<std::uint32_t> find(const radiosity::Scene& scene, const std::string
   return found;
 }
 
-/// How many letters have to be put in, taken out or changed to turn one word into the other (Levenshtein 1966), row by
-/// row of the table of all pairs of prefixes.
-std::size_t editDistance(const std::string& from, const std::string& to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t changed = diagonal + (from[i] == to[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-/// The names nearest to a wrong one, quoted.
+/// The families nearest to a wrong name, quoted.
 std::string suggestions(const radiosity::Scene& scene, const std::string& wrong) {
-  std::set<std::pair<std::size_t, std::string>> nearest;
-  for (const radiosity::Surface& surface : scene.surfaces) {
-    nearest.emplace(editDistance(wrong, surface.family), surface.family);
-    if (nearest.size() > mostSuggestions) nearest.erase(std::prev(nearest.end()));
-  }
-  std::string text;
-  for (const auto& [distance, name] : nearest) text += (text.empty() ? "`" : ", `") + name + "`";
-  return text;
+  std::set<std::string> families;
+  for (const radiosity::Surface& surface : scene.surfaces) families.insert(surface.family);
+  return radiosity::nearestNames(families, wrong);
 }
 
 /// `COL,ROW`; nothing for anything else.

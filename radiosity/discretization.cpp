@@ -191,17 +191,11 @@ std::vector<glm::dvec3> mappedValues(const Scene& scene, const Surface& surface,
   return values;
 }
 
-/// Which kinds of maps the scene's surfaces have.
-struct MapKinds {
-  bool reflectance, emission;
-};
-
 /// The discretization of one surface alone, without a quadtree where that is null: elements and patches are numbered
 /// from 0.
 Discretization discretizeSurface(const Scene& scene, std::uint32_t number, const DiscretizationSettings& settings,
-                                 const Quadtree* quadtree, const MapKinds& kinds) {
+                                 const Quadtree* quadtree) {
   const Surface& surface = scene.surfaces[number];
-  const Material& material = scene.materials[static_cast<std::size_t>(surface.material)];
   const GridSize size = gridSizeOf(surface, settings);
   Discretization part;
   part.grids.push_back({.columns = size.columns, .rows = size.rows, .spill = {}, .covered = {}});
@@ -210,12 +204,6 @@ Discretization discretizeSurface(const Scene& scene, std::uint32_t number, const
   const int side = patchSide(size, settings);
   if (quadtree) validateNesting(surface, size, *quadtree, side);
   makePatches(number, side, part);
-  const Grid& grid = part.grids.front();
-  if (kinds.reflectance) {
-    part.mappedReflectance = mappedValues(scene, surface, grid, material.reflectance, material.reflectanceMap);
-    for (glm::dvec3& value : part.mappedReflectance) value = glm::min(value, glm::dvec3(mostReflectance));
-  }
-  if (kinds.emission) part.mappedEmission = mappedValues(scene, surface, grid, material.emission, material.emissionMap);
   return part;
 }
 
@@ -235,19 +223,16 @@ void append(Discretization& whole, Discretization part) {
   moveTo(whole.elements, part.elements);
   moveTo(whole.patches, part.patches);
   moveTo(whole.patchElements, part.patchElements);
-  moveTo(whole.mappedReflectance, part.mappedReflectance);
-  moveTo(whole.mappedEmission, part.mappedEmission);
 }
 
 /// One quadtree a surface, or none at all.
 Discretization discretized(const Scene& scene, const DiscretizationSettings& settings,
                            const std::vector<Quadtree>& quadtrees) {
   validate(scene, settings);
-  const MapKinds kinds{hasMap(scene, &Material::reflectanceMap), hasMap(scene, &Material::emissionMap)};
   std::vector<Discretization> parts(scene.surfaces.size());
   raster::parallelFor(parts.size(), [&](std::size_t surface) {
     const Quadtree* quadtree = quadtrees.empty() ? nullptr : &quadtrees[surface];
-    parts[surface] = discretizeSurface(scene, static_cast<std::uint32_t>(surface), settings, quadtree, kinds);
+    parts[surface] = discretizeSurface(scene, static_cast<std::uint32_t>(surface), settings, quadtree);
   });
   std::size_t elements = 0;
   for (const Discretization& part : parts) elements += part.elements.size();
@@ -255,6 +240,7 @@ Discretization discretized(const Scene& scene, const DiscretizationSettings& set
   whole.elements.reserve(elements);
   whole.patchElements.reserve(elements);
   for (Discretization& part : parts) append(whole, std::exchange(part, {}));
+  averageMaps(scene, whole);
   return whole;
 }
 
@@ -273,6 +259,23 @@ Discretization discretize(const Scene& scene, const DiscretizationSettings& sett
                           const std::vector<Quadtree>& quadtrees) {
   assert(quadtrees.size() == scene.surfaces.size());
   return discretized(scene, settings, quadtrees);
+}
+
+void averageMaps(const Scene& scene, Discretization& discretization) {
+  const auto valuesOf = [&](glm::dvec3 Material::*value, std::optional<int> Material::*map) {
+    std::vector<glm::dvec3> values;
+    if (!hasMap(scene, map)) return values;
+    std::vector<std::vector<glm::dvec3>> ofSurface(scene.surfaces.size());
+    raster::parallelFor(ofSurface.size(), [&](std::size_t s) {
+      const Material& material = scene.materials[static_cast<std::size_t>(scene.surfaces[s].material)];
+      ofSurface[s] = mappedValues(scene, scene.surfaces[s], discretization.grids[s], material.*value, material.*map);
+    });
+    for (const std::vector<glm::dvec3>& some : ofSurface) values.insert(values.end(), some.begin(), some.end());
+    return values;
+  };
+  discretization.mappedReflectance = valuesOf(&Material::reflectance, &Material::reflectanceMap);
+  for (glm::dvec3& value : discretization.mappedReflectance) value = glm::min(value, glm::dvec3(mostReflectance));
+  discretization.mappedEmission = valuesOf(&Material::emission, &Material::emissionMap);
 }
 
 glm::dvec3 reflectance(const Scene& scene, const Discretization& discretization, std::uint32_t element) {

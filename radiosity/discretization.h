@@ -43,6 +43,9 @@ struct Patch {
   std::uint32_t firstElement = 0, elementCount = 0;  ///< in Discretization::patchElements
   int halvings = 0;  ///< how often its side was halved, for it is near to what it lights (see patch_splitting.h)
   int points = 1;    ///< along its side: it shoots from points x points of them; more than 1 only for a single element
+  /// Instead of its number, what a turned projection over it is turned by (see turnOf): patches that were renumbered
+  /// look as they did.
+  std::optional<std::uint32_t> turn = {};
 };
 
 /// The texels of one surface.
@@ -91,6 +94,9 @@ Discretization discretize(const Scene& scene, const DiscretizationSettings& sett
 /// InputError also where the side of a patch is not a power of two: patches consist of whole leaves.
 Discretization discretize(const Scene& scene, const DiscretizationSettings& settings,
                           const std::vector<Quadtree>& quadtrees);
+
+/// What discretize also does: maps averaged over the elements. Again where materials have changed since.
+void averageMaps(const Scene& scene, Discretization& discretization);
 
 /// A surface of one texel: it takes one word and no index map, and is Gouraud shaded.
 inline bool isDiscretized(const Grid& grid) { return grid.columns > 1 || grid.rows > 1; }

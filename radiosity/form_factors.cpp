@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace hemitex::radiosity {
@@ -63,6 +64,28 @@ FormFactorRow meanOf(std::span<const WeightedRow> rows) {
   }
   close(mean);
   return mean;
+}
+
+FormFactorRow exchanged(const FormFactorRow& row, const FormFactorRow& less, const FormFactorRow& more) {
+  assert(less.background <= row.background + more.background && less.back <= row.back + more.back);
+  FormFactorRow result{{}, {}, row.background - less.background + more.background, row.back - less.back + more.back};
+  std::size_t i = 0, j = 0, k = 0;
+  const auto elementAt = [](const FormFactorRow& some, std::size_t index) {
+    return index < some.elements.size() ? some.elements[index] : std::numeric_limits<std::uint32_t>::max();
+  };
+  const auto shareOf = [&](const FormFactorRow& some, std::size_t& index, std::uint32_t element) {
+    return elementAt(some, index) == element ? some.shares[index++] : 0;
+  };
+  while (i < row.elements.size() || j < less.elements.size() || k < more.elements.size()) {
+    const std::uint32_t element = std::min({elementAt(row, i), elementAt(less, j), elementAt(more, k)});
+    const std::uint64_t had = shareOf(row, i, element), loses = shareOf(less, j, element);
+    assert(loses <= had);
+    const std::uint64_t share = had - loses + shareOf(more, k, element);
+    if (share == 0) continue;
+    result.elements.push_back(element);
+    result.shares.push_back(share);
+  }
+  return result;
 }
 
 }  // namespace hemitex::radiosity

@@ -33,4 +33,7 @@ struct WeightedRow {
 /// Elements whose share rounds to nothing are left out.
 FormFactorRow meanOf(std::span<const WeightedRow> rows);
 
+/// A row without what it had in some places, and with what it has there now. Every share of `less` is part of `row`.
+FormFactorRow exchanged(const FormFactorRow& row, const FormFactorRow& less, const FormFactorRow& more);
+
 }  // namespace hemitex::radiosity

@@ -36,7 +36,8 @@ std::vector<View> ProjectedRows::viewsOfPatch(std::uint32_t number) {
   const Patch& patch = discretization_.patches[number];
   std::vector<View> views;
   const auto add = [&](const SurfacePoint& point, double area) {
-    const glm::dvec3 up = upOf(settings_.orientation, point.normal, number, static_cast<int>(views.size()));
+    const glm::dvec3 up =
+        upOf(settings_.orientation, point.normal, patch.turn.value_or(number), static_cast<int>(views.size()));
     views.push_back(viewFrom(patch.surface, point, up, patch.halvings, area));
   };
   if (patch.points > 1)
@@ -47,12 +48,23 @@ std::vector<View> ProjectedRows::viewsOfPatch(std::uint32_t number) {
 }
 
 FormFactorRow ProjectedRows::ofView(const View& view) {
-  const std::vector<raster::ItemBuffer> buffers = renderer_.render(view.faces, view.skipped);
-  for (std::size_t face = 0; face < buffers.size(); ++face)
-    counter_.add(*view.projection, face, view.faces[face].scissor, buffers[face]);
-  FormFactorRow row = counter_.take();
+  std::vector<Window> windows;
+  for (std::size_t face = 0; face < view.faces.size(); ++face) windows.push_back({face, view.faces[face].scissor});
+  FormFactorRow row = ofWindows(view, windows);
   row.background += wholeShare - view.projection->captured;
   return row;
+}
+
+FormFactorRow ProjectedRows::ofWindows(const View& view, std::span<const Window> windows) {
+  std::vector<raster::Face> faces;
+  for (const Window& window : windows) {
+    faces.push_back(view.faces[window.face]);
+    faces.back().scissor = window.scissor;
+  }
+  const std::vector<raster::ItemBuffer> buffers = renderer_.render(faces, view.skipped);
+  for (std::size_t i = 0; i < windows.size(); ++i)
+    counter_.add(*view.projection, windows[i].face, windows[i].scissor, buffers[i]);
+  return counter_.take();
 }
 
 FormFactorRow ProjectedRows::from(std::uint32_t surface, const SurfacePoint& point) {

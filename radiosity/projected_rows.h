@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "radiosity/discretization.h"
@@ -35,6 +36,12 @@ struct View {
   double area = 0;                         ///< of the surface that shoots from there
 };
 
+/// A part of a face.
+struct Window {
+  std::size_t face = 0;     ///< in View::faces
+  raster::Scissor scissor;  ///< inside the face's own
+};
+
 class ProjectedRows {
  public:
   /// All referenced objects must outlive this one.
@@ -55,6 +62,8 @@ class ProjectedRows {
   std::vector<View> viewsOfPatch(std::uint32_t patch);
   /// The row of one view.
   FormFactorRow ofView(const View& view);
+  /// What windows of a view add to its row.
+  FormFactorRow ofWindows(const View& view, std::span<const Window> windows);
 
  private:
   View viewFrom(std::uint32_t surface, const SurfacePoint& point, const glm::dvec3& up, int halvings, double area);

@@ -73,4 +73,19 @@ bool mayCover(const Face& face, const Cluster& cluster) {
   return !isBesides(x, face.scissor.column, face.scissor.width) && !isBesides(y, face.scissor.row, face.scissor.height);
 }
 
+Scissor coveredBounds(const DrawList& list, std::span<const Cluster> clusters, const Face& face) {
+  std::vector<ScreenTriangle> triangles;
+  for (const Cluster& cluster : clusters)
+    if (mayCover(face, cluster)) appendScreenTriangles(list, face, cluster.run, {}, triangles);
+  if (triangles.empty()) return {face.scissor.column, face.scissor.row, 0, 0};
+  int firstColumn = face.resolution, endColumn = 0, firstRow = face.resolution, endRow = 0;
+  for (const ScreenTriangle& triangle : triangles) {
+    firstColumn = std::min(firstColumn, triangle.firstColumn);
+    endColumn = std::max(endColumn, triangle.endColumn);
+    firstRow = std::min(firstRow, triangle.firstRow);
+    endRow = std::max(endRow, triangle.endRow);
+  }
+  return {firstColumn, firstRow, endColumn - firstColumn, endRow - firstRow};
+}
+
 }  // namespace hemitex::raster

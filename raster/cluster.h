@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "raster/draw_list.h"
@@ -22,5 +23,9 @@ std::vector<Cluster> clustersOf(const DrawList& list);
 
 /// False only where no triangle of the cluster covers a sample of the face's scissor rectangle.
 bool mayCover(const Face& face, const Cluster& cluster);
+
+/// The smallest rectangle inside the face's scissor rectangle that holds all samples that triangles of the clusters may
+/// cover; without width and height where there are none.
+Scissor coveredBounds(const DrawList& list, std::span<const Cluster> clusters, const Face& face);
 
 }  // namespace hemitex::raster

@@ -1,0 +1,275 @@
+#include "radiosity/dynamic_solution.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <utility>
+
+#include "radiosity/carried_discretization.h"
+#include "radiosity/changed_rows.h"
+#include "radiosity/flux_sum.h"
+
+namespace hemitex::radiosity {
+
+/// A scene with all that its rows are drawn with.
+struct DynamicSolution::World {
+  World(Scene edited, Discretization shooting, const LayoutFactory& layOut, const DrawingSettings& settings,
+        const RendererFactory& makeRenderer)
+      : scene(std::move(edited)), drawn(scene, shooting, layOut(shooting), settings, makeRenderer) {}
+
+  const Scene scene;
+  DrawnRows drawn;
+};
+
+namespace {
+
+/// Of what the residual allows, an update leaves this share astray at most: half would double the shots for the rest.
+constexpr double shareLeftAstray = 0.25;
+/// More than this share of what the residual allows is not dragged along.
+constexpr double mostAstray = 0.5;
+
+/// The numbers that surfaces, patches and elements have after an edit. What is gone has no patch any more; its elements
+/// share one number behind all others.
+struct Renumbering {
+  std::vector<std::optional<std::uint32_t>> patch;  ///< one a former patch; none where its surface moved or went
+  std::vector<std::uint32_t> element;               ///< one a former element
+  std::vector<bool> isGone, isCome;  ///< one a former surface, one a new one: not there or not at the same place
+};
+
+Renumbering renumber(const Discretization& before, const Discretization& after, const std::vector<Origin>& origins) {
+  Renumbering numbers;
+  numbers.patch.resize(before.patches.size());
+  numbers.element.assign(before.elements.size(), static_cast<std::uint32_t>(after.elements.size()));
+  numbers.isGone.assign(before.grids.size(), true);
+  numbers.isCome.assign(after.grids.size(), true);
+  for (std::size_t s = 0; s < origins.size(); ++s) {
+    if (!origins[s].former) continue;
+    const Grid& old = before.grids[*origins[s].former];
+    const Grid& grid = after.grids[s];
+    for (std::uint32_t e = 0; e < grid.elementCount; ++e) numbers.element[old.firstElement + e] = grid.firstElement + e;
+    if (origins[s].isMoved) continue;
+    numbers.isGone[*origins[s].former] = numbers.isCome[s] = false;
+    for (std::uint32_t p = 0; p < grid.patchCount; ++p) numbers.patch[old.firstPatch + p] = grid.firstPatch + p;
+  }
+  return numbers;
+}
+
+/// A row of a former scene, by the new numbers; they ascend as the old ones do, but for those of what is gone.
+FormFactorRow inNewNumbers(const FormFactorRow& row, const Renumbering& numbers, std::uint32_t gone) {
+  FormFactorRow result{{}, {}, row.background, row.back};
+  std::uint64_t atGone = 0;
+  for (std::size_t i = 0; i < row.elements.size(); ++i) {
+    const std::uint32_t element = numbers.element[row.elements[i]];
+    if (element == gone) {
+      atGone += row.shares[i];
+      continue;
+    }
+    result.elements.push_back(element);
+    result.shares.push_back(row.shares[i]);
+  }
+  if (atGone > 0) {
+    result.elements.push_back(gone);
+    result.shares.push_back(atGone);
+  }
+  return result;
+}
+
+/// Adds flux along a row to what was received; below zero it is taken back.
+void receive(ShotLight& light, const FormFactorRow& row, const glm::dvec3& flux) {
+  for (std::size_t i = 0; i < row.elements.size(); ++i)
+    light.received[row.elements[i]] += flux * formFactor(row.shares[i]);
+  light.lost += flux * formFactor(row.background + row.back);
+  light.lostToBacks += flux * formFactor(row.back);
+}
+
+double emittedBy(const Scene& scene, const Discretization& discretization) {
+  FluxSum emitted;
+  for (std::uint32_t e = 0; e < discretization.elements.size(); ++e)
+    emitted.add(emission(scene, discretization, e) * discretization.elements[e].area);
+  return bandSum(emitted.value());
+}
+
+/// Patches keep their old rows where the bounds of what may lie astray for it are smallest, as many as fit.
+struct LeftRows {
+  std::vector<bool> isLeft;  ///< one a former patch
+  double astray = 0;
+};
+
+LeftRows leaveRows(const std::vector<double>& bounds, double allowed) {
+  std::vector<std::pair<double, std::uint32_t>> order;
+  for (std::uint32_t p = 0; p < bounds.size(); ++p)
+    if (bounds[p] > 0) order.emplace_back(bounds[p], p);
+  std::sort(order.begin(), order.end());
+  LeftRows left{std::vector<bool>(bounds.size())};
+  for (const auto& [bound, patch] : order) {
+    if (left.astray + bound > allowed) break;
+    left.astray += bound;
+    left.isLeft[patch] = true;
+  }
+  return left;
+}
+
+/// What an edit makes of what was shot, and of the rows that are kept.
+class LightUpdate {
+ public:
+  LightUpdate(const Scene& sceneBefore, DrawnRows& before, const Scene& sceneAfter, DrawnRows& after,
+              const std::vector<Origin>& origins, const RowCache& kept, std::size_t rowCacheBytes)
+      : sceneBefore_(sceneBefore),
+        before_(before),
+        after_(after),
+        numbers_(renumber(before.discretization(), after.discretization(), origins)),
+        gone_(static_cast<std::uint32_t>(after.discretization().elements.size())),
+        change_{before.rows(), after.rows(), ChangedSurfaces(sceneBefore, numbers_.isGone),
+                ChangedSurfaces(sceneAfter, numbers_.isCome)},
+        kept_(kept),
+        rows_(rowCacheBytes) {}
+
+  /// `mayLeave` is the flux that may be left astray.
+  void update(const ShotLight& light, int resolution, double mayLeave) {
+    carry(light);
+    const std::vector<double> shares = largestShares(resolution);
+    std::vector<double> bounds;
+    for (std::size_t p = 0; p < shares.size(); ++p) bounds.push_back(2 * shares[p] * bandSum(glm::abs(light.shot[p])));
+    const LeftRows left = leaveRows(bounds, mayLeave);
+    light_.astray += left.astray;
+    for (std::uint32_t p = 0; p < shares.size(); ++p) {
+      if (!numbers_.patch[p])
+        takeBack(p, light.shot[p]);
+      else if (shares[p] == 0)
+        keep(p);
+      else if (left.isLeft[p])
+        ++cost_.rowsLeft;
+      else if (bounds[p] > 0)
+        redirect(p, light.shot[p]);
+    }
+    // What rows that were left sent to what is gone is nowhere in the scene.
+    light_.lost += light_.received.back();
+    light_.received.pop_back();
+  }
+
+  ShotLight& light() { return light_; }
+  RowCache& rows() { return rows_; }
+  const UpdateCost& cost() const { return cost_; }
+
+ private:
+  void carry(const ShotLight& light) {
+    light_ = {std::vector<glm::dvec3>(after_.discretization().patches.size()),
+              std::vector<glm::dvec3>(gone_ + 1),
+              light.lost,
+              light.lostToBacks,
+              light.astray,
+              light.lastEmitted};
+    for (std::size_t p = 0; p < light.shot.size(); ++p)
+      if (numbers_.patch[p]) light_.shot[*numbers_.patch[p]] = light.shot[p];
+    for (std::size_t e = 0; e < light.received.size(); ++e) light_.received[numbers_.element[e]] += light.received[e];
+  }
+
+  /// Of a patch's light, the most that goes through pixels that can change; one a former patch.
+  std::vector<double> largestShares(int resolution) const {
+    const Discretization& before = before_.discretization();
+    std::vector<double> shares(before.patches.size());
+    if (change_.gone.empty() && change_.come.empty()) return shares;
+    for (std::size_t p = 0; p < shares.size(); ++p) {
+      const Patch& patch = before.patches[p];
+      const SurfacePoint centre = patchCentre(sceneBefore_, before, patch);
+      const int halved = std::max(smallestResolution, resolution >> patch.halvings);
+      shares[p] =
+          patch.points > 1
+              ? 1
+              : std::min(1.0, change_.gone.largestShare(centre, halved) + change_.come.largestShare(centre, halved));
+    }
+    return shares;
+  }
+
+  FormFactorRow renumbered(const FormFactorRow& row) const { return inNewNumbers(row, numbers_, gone_); }
+
+  /// The row is what it was.
+  void keep(std::uint32_t patch) {
+    if (const FormFactorRow* known = kept_.find(patch)) rows_.keep(*numbers_.patch[patch], renumbered(*known));
+  }
+
+  /// The patch has moved or is gone: it has shot nothing.
+  void takeBack(std::uint32_t patch, const glm::dvec3& shot) {
+    if (shot == glm::dvec3(0)) return;
+    const FormFactorRow* known = kept_.find(patch);
+    receive(light_, renumbered(known != nullptr ? *known : before_.rows().ofPatch(patch)), -shot);
+    ++cost_.rowsTakenBack;
+  }
+
+  /// Where the row has changed, what was shot along it goes elsewhere.
+  void redirect(std::uint32_t patch, const glm::dvec3& shot) {
+    const std::uint32_t number = *numbers_.patch[patch];
+    const FormFactorRow* known = kept_.find(patch);
+    const RowChange change = changeOf(change_, patch, number, known);
+    if (change.isNothing()) return keep(patch);
+    const FormFactorRow before = renumbered(change.before);
+    receive(light_, before, -shot);
+    receive(light_, change.after, shot);
+    ++(change.isWhole ? cost_.rowsWhole : cost_.rowsInWindows);
+    if (change.isWhole)
+      rows_.keep(number, change.after);
+    else if (known != nullptr)
+      rows_.keep(number, exchanged(renumbered(*known), before, change.after));
+  }
+
+  const Scene& sceneBefore_;
+  DrawnRows& before_;
+  DrawnRows& after_;
+  Renumbering numbers_;
+  std::uint32_t gone_;  ///< the number of all elements that are gone
+  SceneChange change_;
+  const RowCache& kept_;
+  RowCache rows_;
+  ShotLight light_;
+  UpdateCost cost_;
+};
+
+}  // namespace
+
+DynamicSolution::DynamicSolution(Scene scene, Discretization unsplit, DynamicSettings settings, LayoutFactory layOut,
+                                 const Progress& progress, RendererFactory makeRenderer)
+    : settings_(std::move(settings)),
+      layOut_(std::move(layOut)),
+      makeRenderer_(std::move(makeRenderer)),
+      world_(std::make_unique<World>(std::move(scene), std::move(unsplit), layOut_, settings_.drawing, makeRenderer_)),
+      rows_(settings_.solver.rowCacheBytes) {
+  settings_.drawing.split = 1;  // edits leave patches as they are
+  refine(Refinement(world_->scene, discretization()), progress);
+}
+
+DynamicSolution::~DynamicSolution() = default;
+
+const Scene& DynamicSolution::scene() const { return world_->scene; }
+const Discretization& DynamicSolution::discretization() const { return world_->drawn.discretization(); }
+const WordLayout& DynamicSolution::layout() const { return world_->drawn.layout(); }
+
+void DynamicSolution::refine(Refinement refinement, const Progress& progress) {
+  const auto rowOf = [this](std::uint32_t patch) { return world_->drawn.rows().ofPatch(patch); };
+  solution_ = radiosity::refine(world_->scene, discretization(), refinement, rows_, rowOf, settings_.solver, progress);
+  light_ = refinement.light();
+}
+
+UpdateCost DynamicSolution::update(std::span<const Edit> edits, const Progress& progress) {
+  EditedScene edit = edited(world_->scene, removed_, edits);
+  Discretization shooting = carried(discretization(), edit, settings_.discretization);
+  auto next =
+      std::make_unique<World>(std::move(edit.scene), std::move(shooting), layOut_, settings_.drawing, makeRenderer_);
+  const double emitted = emittedBy(next->scene, next->drawn.discretization());
+  const double allowed = settings_.solver.residual * (emitted > 0 ? emitted : light_.lastEmitted);
+  LightUpdate update(world_->scene, world_->drawn, next->scene, next->drawn, edit.origins, rows_,
+                     settings_.solver.rowCacheBytes);
+  const bool startsOver = light_.astray > mostAstray * allowed;
+  if (!startsOver) update.update(light_, settings_.drawing.resolution, shareLeftAstray * (allowed - light_.astray));
+  UpdateCost cost = update.cost();
+  cost.startedOver = startsOver;
+
+  removed_ = std::move(edit.removed);
+  rows_ = std::move(update.rows());
+  ShotLight light = std::move(update.light());
+  world_ = std::move(next);
+  refine(startsOver ? Refinement(scene(), discretization()) : Refinement(scene(), discretization(), std::move(light)),
+         progress);
+  return cost;
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,12 @@
+/// What somebody may have meant: the names that come nearest to a wrong one.
+#pragma once
+
+#include <set>
+#include <string>
+
+namespace hemitex::radiosity {
+
+/// The three names with the fewest letters to put in, take out or change (Levenshtein 1966), quoted, nearest first.
+std::string nearestNames(const std::set<std::string>& names, const std::string& wrong);
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,248 @@
+// Dynamic scenes: an updated solution is a fresh one within the residual, whatever the edits were.
+#include "radiosity/dynamic_solution.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "radiosity/changed_rows.h"
+#include "raster/input_error.h"
+#include "raster/parallel.h"
+#include "raster/software_renderer.h"
+#include "tests/hand_scenes.h"
+
+using namespace hemitex;
+using namespace hemitex::radiosity;
+
+namespace {
+
+constexpr double residual = 0.002;
+
+/// A closed room with a lamp under its ceiling and two boxes on its floor.
+Scene lampRoom() {
+  std::vector<Surface> surfaces = tests::box("room", {0, 0, 0}, {4, 3, 2}, true);
+  for (const auto& [name, low, size] : {std::tuple{"cube", glm::dvec3(1, 1, 0), glm::dvec3(0.75, 0.75, 0.75)},
+                                        std::tuple{"post", glm::dvec3(2.5, 2, 0), glm::dvec3(0.25, 0.25, 1.5)}}) {
+    std::vector<Surface> box = tests::box(name, low, size, false);
+    for (std::size_t face = 1; face < box.size(); ++face) {
+      box[face].family = name;
+      surfaces.push_back(box[face]);
+    }
+  }
+  surfaces.push_back(tests::parallelogram("lamp", {1.5, 1.25, 1.875}, {0, 0.5, 0}, {0.75, 0, 0}));
+  Scene scene;
+  scene.materials = {tests::material("wall", {0.7, 0.6, 0.5}, glm::dvec3(0)),
+                     tests::material("lamp", glm::dvec3(0.2), {9, 8, 7})};
+  surfaces.back().material = 1;
+  scene.surfaces = std::move(surfaces);
+  return tests::finish(std::move(scene));
+}
+
+WordLayout layOutWords(const Discretization& discretization) { return layOut(discretization); }
+
+DynamicSettings settings(double limit = residual) {
+  return {{.texels = 6, .surfaceTexels = {{"lamp", 1}}, .patch = 2},
+          {.resolution = 48, .orientation = Orientation::Turned, .split = 0.2},
+          {.residual = limit}};
+}
+
+std::unique_ptr<DynamicSolution> solved(double limit = residual) {
+  Scene scene = lampRoom();
+  Discretization discretization = discretize(scene, settings().discretization);
+  return std::make_unique<DynamicSolution>(std::move(scene), std::move(discretization), settings(limit), layOutWords);
+}
+
+/// The scene as it is by now, solved from its emission on.
+ShotLight freshLight(const DynamicSolution& dynamic, double limit = residual) {
+  DrawingSettings unsplit = settings().drawing;
+  unsplit.split = 1;
+  DrawnRows drawn(dynamic.scene(), dynamic.discretization(), dynamic.layout(), unsplit);
+  Refinement refinement(dynamic.scene(), drawn.discretization());
+  RowCache rows(std::size_t{1} << 30);
+  refine(dynamic.scene(), drawn.discretization(), refinement, rows,
+         [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); }, {.residual = limit});
+  return refinement.light();
+}
+
+/// What elements absorb more or less of, bands summed.
+double differenceOfAbsorbed(const DynamicSolution& dynamic, const ShotLight& light) {
+  double sum = 0;
+  for (std::uint32_t e = 0; e < light.received.size(); ++e)
+    sum += bandSum((1.0 - reflectance(dynamic.scene(), dynamic.discretization(), e)) *
+                   glm::abs(dynamic.light().received[e] - light.received[e]));
+  return sum;
+}
+
+void checkAccount(const Energy& energy, double scale) {
+  for (int band = 0; band < 3; ++band)
+    CHECK(std::abs(energy.absorbed[band] + energy.unshot[band] + energy.lost[band] - energy.emitted[band]) <=
+          1e-12 * scale);
+}
+
+/// An updated solution keeps the promise of dynamic_solution.h.
+void checkIsFresh(const DynamicSolution& dynamic) {
+  const double scale = dynamic.light().lastEmitted;
+  CHECK(dynamic.solution().residual <= residual);
+  checkAccount(dynamic.solution().energy, scale);
+  CHECK(differenceOfAbsorbed(dynamic, freshLight(dynamic)) <= 2 * residual * scale);
+}
+
+/// The share of the light that goes elsewhere by the second row.
+std::uint64_t redirected(const FormFactorRow& before, const FormFactorRow& after) {
+  std::map<std::uint32_t, std::uint64_t> shares;
+  for (std::size_t i = 0; i < before.elements.size(); ++i) shares[before.elements[i]] = before.shares[i];
+  const auto more = [](std::uint64_t had, std::uint64_t has) { return has > had ? has - had : 0; };
+  std::uint64_t sum = more(before.background, after.background) + more(before.back, after.back);
+  for (std::size_t i = 0; i < after.elements.size(); ++i) sum += more(shares[after.elements[i]], after.shares[i]);
+  return sum;
+}
+
+/// What is drawn, counted.
+struct Drawn {
+  std::uint64_t faces = 0, pixels = 0;
+};
+class CountingRenderer final : public raster::ItemBufferRenderer {
+ public:
+  CountingRenderer(raster::DrawList list, Drawn& drawn) : renderer_(std::move(list)), drawn_(drawn) {}
+  std::vector<raster::ItemBuffer> render(std::span<const raster::Face> faces,
+                                         std::span<const std::uint32_t> skipped) override {
+    std::vector<raster::ItemBuffer> buffers = renderer_.render(faces, skipped);
+    drawn_.faces += buffers.size();
+    for (const raster::ItemBuffer& buffer : buffers) drawn_.pixels += buffer.words.size();
+    return buffers;
+  }
+
+ private:
+  raster::SoftwareRenderer renderer_;
+  Drawn& drawn_;
+};
+
+}  // namespace
+
+TEST_CASE("an updated solution is a fresh one of the edited scene within the residual, and its account closes",
+          "[dynamic]") {
+  const std::vector<std::vector<Edit>> frames = {
+      {Move{"cube", {0.5, 0.25, 0}}},
+      {Move{"cube", {0.5, 0, 0}}, Move{"post", {0, -0.5, 0.125}}},
+      {Remove{"post"}},
+      {SetReflectance{"room0", {0.1, 0.9, 0.5}}},
+      {SetEmission{"lamp", glm::dvec3(0)}, SetEmission{"room5", {1, 2, 3}}},
+      {Restore{"post"}, Remove{"cube"}},
+      {SetEmission{"lamp", {9, 8, 7}}, SetEmission{"room5", glm::dvec3(0)}, SetReflectance{"lamp", glm::dvec3(0)}},
+      {Restore{"cube"}, Move{"cube", {-1, -0.25, 0}}, SetReflectance{"cube", {0.9, 0.1, 0.1}}},
+  };
+  const auto dynamic = solved();
+  checkIsFresh(*dynamic);
+  for (std::size_t frame = 0; frame < frames.size(); ++frame) {
+    INFO("frame " << frame);
+    dynamic->update(frames[frame]);
+    checkIsFresh(*dynamic);
+  }
+}
+
+TEST_CASE("an object that moved away and back leaves the solution as it was within the residual", "[dynamic]") {
+  const auto dynamic = solved();
+  const ShotLight before = dynamic->light();
+  dynamic->update({{Move{"cube", {0.5, 0.5, 0}}}});
+  CHECK(differenceOfAbsorbed(*dynamic, before) > 2 * residual * before.lastEmitted);
+  dynamic->update({{Move{"cube", {-0.5, -0.5, 0}}}});
+  CHECK(differenceOfAbsorbed(*dynamic, before) <= 2 * residual * before.lastEmitted);
+}
+
+TEST_CASE("without an edit nothing is shot and nothing is drawn", "[dynamic]") {
+  const auto dynamic = solved();
+  const Solution before = dynamic->solution();
+  const UpdateCost cost = dynamic->update({});
+  CHECK(dynamic->solution().shots == 0);
+  CHECK(cost.rowsInWindows + cost.rowsWhole + cost.rowsTakenBack + cost.rowsLeft == 0);
+  for (std::size_t e = 0; e < before.radiosity.size(); ++e)
+    for (int band = 0; band < 3; ++band)
+      CHECK(dynamic->solution().radiosity[e][band] == Approx(before.radiosity[e][band]).epsilon(1e-12));
+}
+
+TEST_CASE("a scene whose only light goes out gets dark within the residual of what was emitted", "[dynamic]") {
+  const auto dynamic = solved();
+  dynamic->update({{SetEmission{"lamp", glm::dvec3(0)}}});
+  CHECK(dynamic->solution().energy.emitted == glm::dvec3(0));
+  CHECK(dynamic->solution().shots > 0);
+  checkIsFresh(*dynamic);
+}
+
+TEST_CASE("what a window changes of a row is to the last unit the difference of the rows before and after",
+          "[dynamic]") {
+  Scene scene = lampRoom();
+  const Discretization discretization = discretize(scene, settings().discretization);
+  EditedScene edit = edited(scene, {}, {{Move{"cube", {0.5, 0.25, 0.125}}}});
+  const DrawingSettings unsplit{.resolution = 64, .orientation = Orientation::Turned, .split = 1};
+  DrawnRows before(scene, discretization, layOutWords(discretization), unsplit);
+  DrawnRows after(edit.scene, discretization, layOutWords(discretization), unsplit);
+  std::vector<bool> isCube;
+  for (const Surface& surface : scene.surfaces) isCube.push_back(surface.family == "cube");
+  SceneChange change{before.rows(), after.rows(), {scene, isCube}, {edit.scene, isCube}};
+  int windows = 0, whole = 0, nothing = 0;
+  for (std::uint32_t patch = 0; patch < discretization.patches.size(); ++patch) {
+    if (isCube[discretization.patches[patch].surface]) continue;
+    const FormFactorRow old = before.rows().ofPatch(patch), now = after.rows().ofPatch(patch);
+    const RowChange difference = changeOf(change, patch, patch);
+    const FormFactorRow updated = exchanged(old, difference.before, difference.after);
+    CHECK(updated.elements == now.elements);
+    CHECK(updated.shares == now.shares);
+    CHECK(updated.background == now.background);
+    CHECK(updated.back == now.back);
+    ++(difference.isNothing() ? nothing : difference.isWhole ? whole : windows);
+    // No more light goes elsewhere than the bound says.
+    const SurfacePoint centre = patchCentre(scene, discretization, discretization.patches[patch]);
+    const double bound = std::min(1.0, change.gone.largestShare(centre, 64) + change.come.largestShare(centre, 64));
+    CHECK(formFactor(redirected(old, now)) <= bound);
+  }
+  CHECK(windows > 50);
+  CHECK(nothing > 10);
+  CHECK(whole < windows / 2);
+}
+
+TEST_CASE("an update draws a small part of what a fresh solution draws", "[dynamic]") {
+  // Counts, not times: they are the same everywhere. A small object of one patch a face, whose old rows are still kept:
+  // what is drawn are those that it shoots along from its new place, and windows around both places.
+  Drawn drawn;
+  const auto counting = [&](raster::DrawList list) {
+    return std::make_unique<CountingRenderer>(std::move(list), drawn);
+  };
+  Scene scene = lampRoom();
+  DynamicSettings unsplit = settings();
+  unsplit.drawing.split = 1;
+  unsplit.discretization.surfaceTexels["post"] = 1;
+  Discretization discretization = discretize(scene, unsplit.discretization);
+  DynamicSolution dynamic(std::move(scene), std::move(discretization), unsplit, layOutWords, {}, counting);
+  const Drawn fresh = std::exchange(drawn, {});
+  const UpdateCost cost = dynamic.update({{Move{"post", {0.125, 0, 0}}}});
+  const Drawn update = std::exchange(drawn, {});
+  CHECK(cost.rowsInWindows > 50);
+  CHECK(5 * update.pixels < fresh.pixels);
+  CHECK(10 * update.pixels > fresh.pixels);
+  checkIsFresh(dynamic);
+}
+
+TEST_CASE("updates are the same bits for any number of threads and any row cache", "[dynamic]") {
+  const auto solveWith = [](int threads, std::size_t cache) {
+    const raster::ThreadLimit limit(threads);
+    Scene scene = lampRoom();
+    Discretization discretization = discretize(scene, settings().discretization);
+    DynamicSettings some = settings(0.02);
+    some.solver.rowCacheBytes = cache;
+    DynamicSolution dynamic(std::move(scene), std::move(discretization), some, layOutWords);
+    dynamic.update({{Move{"cube", {0.5, 0.25, 0}}, Remove{"post"}}});
+    dynamic.update({{Restore{"post"}}});
+    return dynamic.solution();
+  };
+  const Solution reference = solveWith(1, std::size_t{1} << 30);
+  for (const auto& [threads, cache] :
+       {std::pair{2, std::size_t{0}}, {7, std::size_t{20000}}, {2, std::size_t{1} << 30}}) {
+    const Solution solution = solveWith(threads, cache);
+    CHECK(solution.radiosity == reference.radiosity);
+    CHECK(solution.shots == reference.shots);
+  }
+}
