@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "radiosity/discretization.h"
 #include "radiosity/word_layout.h"
@@ -18,5 +20,18 @@ struct Phantoms {
 
 /// `layout` is that of the discretization. Unique maps have none.
 Phantoms countPhantoms(const Discretization& discretization, const WordLayout& layout);
+
+/// What a way to use index maps takes of the range of words.
+struct IndexMapUse {
+  std::string name;
+  std::size_t offsets = 0;  ///< pages
+  std::uint64_t words = 0;  ///< that stand for texels with area; with unique maps, for elements
+  Phantoms phantoms;
+};
+
+/// The ways beside each other: shared maps, one shared map for all surfaces (of the least power of two), offsets
+/// without alignment, packed pages (of the side that leaves the fewest phantoms) and unique maps. Throws InputError
+/// where one does not fit 32 bits.
+std::vector<IndexMapUse> compareIndexMaps(const Discretization& discretization);
 
 }  // namespace hemitex::radiosity

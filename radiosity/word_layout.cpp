@@ -16,8 +16,6 @@ using raster::InputError;
 using raster::Word;
 using raster::WordFormat;
 
-constexpr int largestPage = 4096;
-
 template <typename Rectangle>
 std::uint64_t texelCount(const Rectangle& rectangle) {
   return static_cast<std::uint64_t>(rectangle.columns) * static_cast<std::uint64_t>(rectangle.rows);
@@ -34,21 +32,13 @@ std::string listedNames() {
   return names;
 }
 
-int largestSide(const Discretization& discretization) {
-  int side = 1;
-  for (const Grid& grid : discretization.grids) side = std::max({side, grid.columns, grid.rows});
-  return side;
-}
-
 void validatePage(const Discretization& discretization, int page) {
   if (page < 1 || page > largestPage || !std::has_single_bit(static_cast<unsigned>(page)))
     throw InputError("a page has " + std::to_string(page) + " texels along its side",
                      "use a power of two up to " + std::to_string(largestPage));
-  if (const int side = largestSide(discretization); side > page)
-    throw InputError(
-        "a surface has " + std::to_string(side) + " texels along a side, and a page " + std::to_string(page),
-        "use a page of " + std::to_string(std::bit_ceil(static_cast<unsigned>(side))) +
-            " texels, or fewer texels a surface");
+  if (const int least = leastPage(discretization); least > page)
+    throw InputError("a surface has more than the " + std::to_string(page) + " texels of a page along a side",
+                     "use a page of " + std::to_string(least) + " texels, or fewer texels a surface");
 }
 
 /// A page a surface, of its grid's size or of `side`.
@@ -182,9 +172,18 @@ std::optional<std::uint32_t> elementInOwnPage(const Grid& grid, const Page& page
 
 }  // namespace
 
-int defaultPage(const Discretization& discretization) {
-  return std::max(64, static_cast<int>(std::bit_ceil(static_cast<unsigned>(largestSide(discretization)))));
+std::uint64_t mostSurfaces(const WordFormat& format, std::uint64_t texels) {
+  if (texels > capacity(format)) return 0;
+  return (capacity(format) - texels) / std::bit_ceil(texels) + 1;
 }
+
+int leastPage(const Discretization& discretization) {
+  int side = 1;
+  for (const Grid& grid : discretization.grids) side = std::max({side, grid.columns, grid.rows});
+  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(side)));
+}
+
+int defaultPage(const Discretization& discretization) { return std::max(64, leastPage(discretization)); }
 
 WordLayout layOut(const Discretization& discretization, const WordSettings& settings) {
   assert(settings.blend != raster::Blend::Replace);

@@ -66,8 +66,16 @@ inline constexpr std::uint32_t noElement = 0xffffffff;
 /// is what a clamped add makes of it: clamping only lowers a sum.
 WordLayout layOut(const Discretization& discretization, const WordSettings& settings = {});
 
-/// The side of a packed page that was not asked for: 64, or as much as the largest grid needs.
+inline constexpr int largestPage = 4096;
+/// The least power of two that is as long as the longest side of a grid.
+int leastPage(const Discretization& discretization);
+/// The side of a packed page that was not asked for: 64, or the least page where that is larger.
 int defaultPage(const Discretization& discretization);
+
+/// How many surfaces an aligned layout holds, each with a grid of so many texels: with 2^k >= texels and the 2^m - 2
+/// words of use that m bits have, floor((2^m - 2 - texels) / 2^k) + 1. For whole maps of 2^k texels that is 2^(m-k) -
+/// 1, for the last block ends with the two reserved words.
+std::uint64_t mostSurfaces(const raster::WordFormat& format, std::uint64_t texels);
 
 /// A place in a page; in a unique map the index is the number of an element within its surface.
 struct PageIndex {

@@ -83,6 +83,27 @@ TEST_CASE("words in use, phantoms and gaps fill the range of words", "[phantoms]
   }
 }
 
+TEST_CASE("unique maps and unaligned offsets leave none or few, packed pages fewer than shared maps", "[phantoms]") {
+  for (const char* name : {"cornell-box", "curved-room", "paper-room", "pyramid-room", "gallery"}) {
+    const Scene scene = loadScene(std::string(HEMITEX_DATA) + "/" + name + ".obj");
+    const Discretization discretization = discretize(scene, {.texelSize = scene.extent / 40});
+    const std::vector<IndexMapUse> uses = compareIndexMaps(discretization);
+    REQUIRE(uses.size() == 5);
+    const auto phantomsOf = [&](std::size_t way) {
+      return uses[way].phantoms.spareTexels + uses[way].phantoms.alignmentGaps;
+    };
+    INFO(name);
+    CHECK(phantomsOf(1) >= phantomsOf(0));  // one map for all leaves the most
+    CHECK(phantomsOf(3) < phantomsOf(0));   // packing
+    CHECK(uses[3].offsets < uses[0].offsets);
+    CHECK(uses[2].phantoms.alignmentGaps == 0);  // integer addition
+    CHECK(phantomsOf(2) == uses[0].phantoms.spareTexels);
+    CHECK(phantomsOf(4) == 0);  // elements alone
+    CHECK(uses[4].words == discretization.elements.size());
+    for (std::size_t way = 0; way < 4; ++way) CHECK(uses[way].words == uses[0].words);
+  }
+}
+
 TEST_CASE("rows hold what is seen, however many phantoms there are", "[phantoms]") {
   const Scene scene = loadScene(std::string(HEMITEX_DATA) + "/cornell-box.obj");
   const Discretization discretization = discretize(scene, {.texels = 9, .patch = 9});
