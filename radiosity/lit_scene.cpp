@@ -143,11 +143,11 @@ void writeTextures(const std::filesystem::path& folder, const TextureLayout& lay
 }  // namespace
 
 void writeLitScene(const std::filesystem::path& folder, const Scene& scene, const Discretization& discretization,
-                   const Solution& solution, double exposure) {
+                   const Solution& solution, double exposure, const TextureSettings& textures) {
   const TextureLayout layout = layOutTextures(scene, discretization);
   const std::vector<glm::dvec3> exposed = exposedRadiosity(scene, discretization, solution, exposure);
   writeTextures(folder, layout, ".exr", radiosityTextures(discretization, layout, solution.radiosity), writeExr);
-  writeTextures(folder, layout, ".png", filteredTextures(discretization, layout, exposed), writePng);
+  writeTextures(folder, layout, ".png", filteredTextures(scene, discretization, layout, exposed, textures), writePng);
   const GouraudCorners gouraud(scene, discretization, exposed);
   writeFile(folder / "scene.obj", objText(scene, discretization, layout, gouraud));
   writeFile(folder / "scene.mtl", mtlText(layout));

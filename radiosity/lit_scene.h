@@ -6,19 +6,20 @@
 #include "radiosity/discretization.h"
 #include "radiosity/scene.h"
 #include "radiosity/solver.h"
+#include "radiosity/texture_filter.h"
 
 namespace hemitex::radiosity {
 
 /// Writes into `folder`, which exists: scene.obj, scene.mtl and, for every texture of the layout (layOutTextures),
-/// NAME.png, the display texture (pre-filtered, with the ambient estimate, times exposure, in sRGB), and NAME.exr, one
-/// linear radiosity a texel in W/m^2 (unfiltered, without ambient estimate and exposure). Triangles are grouped by
-/// surface, in the order and winding of the scene. A surface of one texel whose corners differ is Gouraud shaded: it
-/// has colours at its vertices, `v x y z r g b` with the sRGB-encoded display values, and a material without a map.
-/// Throws InputError where a file cannot be written.
+/// NAME.png, the display texture (filtered and magnified as `textures` says, with the ambient estimate, times exposure,
+/// in sRGB), and NAME.exr, one linear radiosity a texel in W/m^2 (unfiltered, without ambient estimate and exposure).
+/// Triangles are grouped by surface, in the order and winding of the scene. A surface of one texel whose corners differ
+/// is Gouraud shaded: it has colours at its vertices, `v x y z r g b` with the sRGB-encoded display values, and a
+/// material without a map. Throws InputError where a file cannot be written.
 ///
 /// loadScene reads the folder back, and unlitPicture shows it: render.png is made that way, from the 8-bit textures
 /// that everyone else sees.
 void writeLitScene(const std::filesystem::path& folder, const Scene& scene, const Discretization& discretization,
-                   const Solution& solution, double exposure);
+                   const Solution& solution, double exposure, const TextureSettings& textures = {});
 
 }  // namespace hemitex::radiosity

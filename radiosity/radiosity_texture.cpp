@@ -6,16 +6,14 @@
 
 #include "radiosity/file_names.h"
 #include "radiosity/rectangle_packing.h"
+#include "raster/input_error.h"
 
 namespace hemitex::radiosity {
 namespace {
 
 constexpr int border = 1;
 constexpr int largestTexture = 4096;
-
-std::size_t texelIndex(const Grid& grid, int column, int row) {
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(column);
-}
+constexpr std::int64_t mostTexels = std::int64_t{1} << 28;  ///< as many pixels as are read back
 
 TextureLayout packTextures(const std::vector<RectangleSize>& sizes) {
   const Packing packing = packRectangles(sizes, largestTexture);
@@ -40,31 +38,43 @@ TextureLayout separateTextures(const Scene& scene, const std::vector<RectangleSi
   return layout;
 }
 
-/// Writes a value a texel, row by row, into a surface's place and its border.
-void fillPlace(const Grid& grid, const TexturePlace& place, const std::vector<glm::dvec3>& texels, Image& texture) {
-  for (int r = -border; r < grid.rows + border; ++r)
-    for (int c = -border; c < grid.columns + border; ++c) {
-      const int column = std::clamp(c, 0, grid.columns - 1), row = std::clamp(r, 0, grid.rows - 1);
-      const int fromTop = texture.height - 1 - (place.row + r);
+Image emptyTexture(const TextureLayout::Size& size, int magnification) {
+  const std::int64_t width = std::int64_t{size.width} * magnification,
+                     height = std::int64_t{size.height} * magnification;
+  if (width * height > mostTexels)
+    throw raster::InputError(
+        "a radiosity texture would have " + std::to_string(width) + " x " + std::to_string(height) + " texels",
+        "magnify it less, or use fewer texels");
+  return {static_cast<int>(width), static_cast<int>(height),
+          std::vector<glm::dvec3>(static_cast<std::size_t>(width * height))};
+}
+
+/// Writes a surface's values, row by row, into its place and its border, all magnified.
+void fillPlace(const Grid& grid, const TexturePlace& place, const std::vector<glm::dvec3>& texels, int magnification,
+               Image& texture) {
+  const int columns = grid.columns * magnification, rows = grid.rows * magnification, around = border * magnification;
+  for (int r = -around; r < rows + around; ++r)
+    for (int c = -around; c < columns + around; ++c) {
+      const int column = std::clamp(c, 0, columns - 1), row = std::clamp(r, 0, rows - 1);
+      const int fromTop = texture.height - 1 - (place.row * magnification + r);
       const auto pixel = static_cast<std::size_t>(fromTop) * static_cast<std::size_t>(texture.width) +
-                         static_cast<std::size_t>(place.column + c);
-      texture.pixels[pixel] = texels[texelIndex(grid, column, row)];
+                         static_cast<std::size_t>(place.column * magnification + c);
+      texture.pixels[pixel] =
+          texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)];
     }
 }
 
-using TexelsOf = std::function<std::vector<glm::dvec3>(const Grid&)>;
+/// The values of a surface's texels.
+using TexelsOf = std::function<std::vector<glm::dvec3>(std::uint32_t surface)>;
 
-std::vector<Image> fillTextures(const Discretization& discretization, const TextureLayout& layout,
+std::vector<Image> fillTextures(const Discretization& discretization, const TextureLayout& layout, int magnification,
                                 const TexelsOf& texelsOf) {
   std::vector<Image> textures;
-  for (const TextureLayout::Size& size : layout.textures)
-    textures.push_back(
-        {size.width, size.height,
-         std::vector<glm::dvec3>(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height))});
-  for (std::size_t surface = 0; surface < layout.places.size(); ++surface) {
-    const Grid& grid = discretization.grids[surface];
+  for (const TextureLayout::Size& size : layout.textures) textures.push_back(emptyTexture(size, magnification));
+  for (std::uint32_t surface = 0; surface < layout.places.size(); ++surface) {
     const TexturePlace& place = layout.places[surface];
-    fillPlace(grid, place, texelsOf(grid), textures[static_cast<std::size_t>(place.texture)]);
+    fillPlace(discretization.grids[surface], place, texelsOf(surface), magnification,
+              textures[static_cast<std::size_t>(place.texture)]);
   }
   return textures;
 }
@@ -74,35 +84,6 @@ std::vector<glm::dvec3> unfilteredTexels(const Grid& grid, const std::vector<glm
   texels.reserve(grid.spill.size());
   for (std::uint32_t element : grid.spill) texels.push_back(radiosity[element]);
   return texels;
-}
-
-/// The (1 2 1) filter of the texels around (column, row), over those that have area; there is one at least.
-glm::dvec3 filteredTexel(const Grid& grid, const std::vector<glm::dvec3>& texels, int column, int row) {
-  glm::dvec3 sum(0.0);
-  int weights = 0;
-  for (int r = std::max(row - 1, 0); r <= std::min(row + 1, grid.rows - 1); ++r)
-    for (int c = std::max(column - 1, 0); c <= std::min(column + 1, grid.columns - 1); ++c) {
-      const std::size_t texel = texelIndex(grid, c, r);
-      if (!grid.covered[texel]) continue;
-      const int weight = (r == row ? 2 : 1) * (c == column ? 2 : 1);
-      sum += static_cast<double>(weight) * texels[texel];
-      weights += weight;
-    }
-  return sum / static_cast<double>(weights);
-}
-
-std::vector<glm::dvec3> filteredTexels(const Discretization& discretization, const Grid& grid,
-                                       const std::vector<glm::dvec3>& radiosity) {
-  const std::vector<glm::dvec3> texels = unfilteredTexels(grid, radiosity);
-  std::vector<glm::dvec3> filtered(texels.size());
-  for (int row = 0; row < grid.rows; ++row)
-    for (int column = 0; column < grid.columns; ++column) {
-      const std::size_t texel = texelIndex(grid, column, row);
-      if (grid.covered[texel]) filtered[texel] = filteredTexel(grid, texels, column, row);
-    }
-  for (std::size_t texel = 0; texel < texels.size(); ++texel)
-    if (!grid.covered[texel]) filtered[texel] = filtered[discretization.elements[grid.spill[texel]].texel];
-  return filtered;
 }
 
 bool isZero(const glm::dvec3& value) { return value == glm::dvec3(0.0); }
@@ -139,13 +120,18 @@ glm::dvec2 textureCoordinate(const Discretization& discretization, const Texture
 
 std::vector<Image> radiosityTextures(const Discretization& discretization, const TextureLayout& layout,
                                      const std::vector<glm::dvec3>& radiosity) {
-  return fillTextures(discretization, layout, [&](const Grid& grid) { return unfilteredTexels(grid, radiosity); });
+  return fillTextures(discretization, layout, 1, [&](std::uint32_t surface) {
+    return unfilteredTexels(discretization.grids[surface], radiosity);
+  });
 }
 
-std::vector<Image> filteredTextures(const Discretization& discretization, const TextureLayout& layout,
-                                    const std::vector<glm::dvec3>& radiosity) {
-  return fillTextures(discretization, layout,
-                      [&](const Grid& grid) { return filteredTexels(discretization, grid, radiosity); });
+std::vector<Image> filteredTextures(const Scene& scene, const Discretization& discretization,
+                                    const TextureLayout& layout, const std::vector<glm::dvec3>& radiosity,
+                                    const TextureSettings& settings) {
+  assert(settings.magnification >= 1 && settings.magnification <= mostMagnification);
+  return fillTextures(discretization, layout, settings.magnification, [&](std::uint32_t surface) {
+    return filteredTexels(scene, discretization, surface, radiosity, settings);
+  });
 }
 
 std::vector<glm::dvec3> displayRadiosity(const Scene& scene, const Discretization& discretization,

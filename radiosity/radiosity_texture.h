@@ -1,8 +1,9 @@
 /// Radiosity textures (Nielsen and Christensen 2002, section 3.3): a solution copied into images, one texel an
-/// element, so that any viewer shows the lit scene by texture mapping with bilinear filtering.
+/// element or filtered, so that any viewer shows the lit scene by texture mapping with bilinear filtering.
 ///
 /// Every chart gets a border of one texel copied from its edge, and texels without area copy their nearest element,
-/// so that bilinear filtering bleeds no black. Above 64 surfaces the charts are packed into shared textures.
+/// so that bilinear filtering bleeds no black. Above 64 surfaces the charts are packed into shared textures. A texture
+/// may be magnified by a whole factor, border and all: texture coordinates stay.
 #pragma once
 
 #include <array>
@@ -13,6 +14,7 @@
 #include "radiosity/discretization.h"
 #include "radiosity/image.h"
 #include "radiosity/solver.h"
+#include "radiosity/texture_filter.h"
 
 namespace hemitex::radiosity {
 
@@ -46,10 +48,11 @@ glm::dvec2 textureCoordinate(const Discretization& discretization, const Texture
 std::vector<Image> radiosityTextures(const Discretization& discretization, const TextureLayout& layout,
                                      const std::vector<glm::dvec3>& radiosity);
 
-/// The same pre-filtered with the 3 x 3 triangle filter (1 2 1), normalized over the texels that have area, so that
-/// the chart's border neither darkens nor takes light from outside.
-std::vector<Image> filteredTextures(const Discretization& discretization, const TextureLayout& layout,
-                                    const std::vector<glm::dvec3>& radiosity);
+/// The same reconstructed by a filter, as many times as wide and high as the layout as the settings say. Throws
+/// InputError where a texture would have more than 2^28 texels.
+std::vector<Image> filteredTextures(const Scene& scene, const Discretization& discretization,
+                                    const TextureLayout& layout, const std::vector<glm::dvec3>& radiosity,
+                                    const TextureSettings& settings = {});
 
 /// What is displayed: radiosity plus reflectance times the ambient estimate, one an element.
 std::vector<glm::dvec3> displayRadiosity(const Scene& scene, const Discretization& discretization,

@@ -1,11 +1,13 @@
 /// Radiosity textures: where charts lie in them, the filter, the border, exposure and Gouraud corners.
 #include "radiosity/radiosity_texture.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <random>
 
 #include "radiosity/file_names.h"
 #include "radiosity/rectangle_packing.h"
+#include "raster/input_error.h"
 #include "tests/picture_scenes.h"
 
 using namespace hemitex;
@@ -170,7 +172,7 @@ TEST_CASE("the border repeats the edge, in filtered and unfiltered textures", "[
   const TextureLayout layout = layOutTextures(charts.scene, charts.discretization, 0);
   const std::vector<glm::dvec3> values = elementValues(charts.discretization);
   for (const Image& texture : {radiosityTextures(charts.discretization, layout, values)[0],
-                               filteredTextures(charts.discretization, layout, values)[0]})
+                               filteredTextures(charts.scene, charts.discretization, layout, values)[0]})
     for (std::size_t s = 0; s < 4; ++s) {
       const Grid& grid = charts.discretization.grids[s];
       const TexturePlace& place = layout.places[s];
@@ -183,6 +185,40 @@ TEST_CASE("the border repeats the edge, in filtered and unfiltered textures", "[
     }
 }
 
+TEST_CASE("no lookup in a chart takes anything from its neighbours, by any filter and magnified", "[texture]") {
+  // Packed charts of constants so far apart that a trace of another shows; looked up bilinearly anywhere in [0, 1]^2.
+  const ChartScene charts = makeCharts(randomGrids(60, 6));
+  const TextureLayout layout = layOutTextures(charts.scene, charts.discretization, 0);
+  const std::array<double, 3> levels{0, 1, 1e30};
+  std::vector<glm::dvec3> values(charts.discretization.elements.size());
+  for (std::uint32_t e = 0; e < values.size(); ++e)
+    values[e] = glm::dvec3(levels[charts.discretization.elements[e].surface % 3]);
+  for (const TextureFilter filter : {TextureFilter::OneToOne, TextureFilter::Triangle, TextureFilter::Bilinear,
+                                     TextureFilter::Bicubic, TextureFilter::Quadtree, TextureFilter::Gouraud})
+    for (const int times : {1, 2, 5}) {
+      const Image texture =
+          filteredTextures(charts.scene, charts.discretization, layout, values, {filter, times}).front();
+      CHECK(texture.width == times * layout.textures[0].width);
+      for (std::uint32_t s = 0; s < 60; ++s)
+        for (const double v : {0.0, 0.01, 0.3, 0.5, 1.0})
+          for (const double u : {0.0, 0.2, 0.5, 0.99, 1.0}) {
+            const glm::dvec2 uv = textureCoordinate(charts.discretization, layout, s, {u, v});
+            const glm::dvec2 place = uv * glm::dvec2(texture.width, texture.height) - 0.5;
+            const glm::ivec2 low(glm::floor(place));
+            for (const int i : {low.x, low.x + 1})
+              for (const int j : {low.y, low.y + 1})
+                REQUIRE(pixelAt(texture, i, j).x == Approx(levels[s % 3]).epsilon(1e-13).margin(0));
+          }
+    }
+}
+
+TEST_CASE("a texture that could not be read back is refused", "[texture]") {
+  const ChartScene charts = makeCharts({{1100, 1100}});
+  const TextureLayout layout = layOutTextures(charts.scene, charts.discretization);
+  CHECK_THROWS_AS(filteredTextures(charts.scene, charts.discretization, layout, {}, {TextureFilter::Triangle, 16}),
+                  raster::InputError);
+}
+
 TEST_CASE("a texel without area shows its nearest element", "[texture]") {
   ChartScene charts{sceneOf({parallelogram("a", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})}), {}};
   addGrid(charts.discretization, 3, 2, {true, true, true, true, true, false});
@@ -191,7 +227,7 @@ TEST_CASE("a texel without area shows its nearest element", "[texture]") {
   const std::vector<glm::dvec3> values = elementValues(charts.discretization);
   const Image plain = radiosityTextures(charts.discretization, layout, values)[0];
   CHECK(pixelAt(plain, 3, 2) == pixelAt(plain, 2, 2));
-  const Image filtered = filteredTextures(charts.discretization, layout, values)[0];
+  const Image filtered = filteredTextures(charts.scene, charts.discretization, layout, values)[0];
   CHECK(pixelAt(filtered, 3, 2) == pixelAt(filtered, 2, 2));
 }
 
@@ -207,7 +243,7 @@ TEST_CASE("filtering a constant gives the constant, at edges and around holes to
   const glm::dvec3 constant(0.1, 0.7, 123.456);
   const std::vector<glm::dvec3> values(charts.discretization.elements.size(), constant);
   const TextureLayout layout = layOutTextures(charts.scene, charts.discretization);
-  for (const Image& texture : filteredTextures(charts.discretization, layout, values))
+  for (const Image& texture : filteredTextures(charts.scene, charts.discretization, layout, values))
     for (const glm::dvec3& pixel : texture.pixels) REQUIRE(isSame(pixel, constant));
 }
 
@@ -216,7 +252,7 @@ TEST_CASE("the filter spreads a texel as (1 2 1) x (1 2 1) / 16 and keeps its su
   std::vector<glm::dvec3> values(49, glm::dvec3(0.0));
   values[3 * 7 + 2] = glm::dvec3(16, 32, 48);  // two texels from the edge: no weight is normalized anew
   const TextureLayout layout = layOutTextures(charts.scene, charts.discretization);
-  const Image texture = filteredTextures(charts.discretization, layout, values)[0];
+  const Image texture = filteredTextures(charts.scene, charts.discretization, layout, values)[0];
   glm::dvec3 sum(0.0);
   for (int row = 1; row <= 7; ++row)
     for (int column = 1; column <= 7; ++column) sum += pixelAt(texture, column, row);
