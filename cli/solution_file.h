@@ -12,8 +12,9 @@
 
 namespace hemitex::cli {
 
-/// One row an element, in the order of surfaces and, within one, of texels: its place in the grid, its centre and
-/// normal, its area and its radiosity. All referenced objects must outlive the table.
+/// One row an element, in the order of surfaces and, within one, of texels: the column and row of its own texel (of a
+/// quadtree's leaf the first that has area), its centre and normal, its area and its radiosity. All referenced objects
+/// must outlive the table.
 Table elementTable(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                    const radiosity::Solution& solution);
 

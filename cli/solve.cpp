@@ -13,11 +13,13 @@
 #include "cli/json.h"
 #include "cli/solution_file.h"
 #include "cli/staging.h"
+#include "radiosity/adaptive_discretization.h"
 #include "radiosity/drawn_rows.h"
 #include "radiosity/lit_scene.h"
 #include "radiosity/picture.h"
 #include "radiosity/radiosity_texture.h"
 #include "radiosity/solver.h"
+#include "radiosity/texture_filter.h"
 #include "radiosity/write_file.h"
 #include "reference/error_bound.h"
 #include "reference/ray_rows.h"
@@ -30,17 +32,45 @@ using nlohmann::ordered_json;
 struct SolveOptions {
   SceneOptions scene;
   radiosity::DiscretizationSettings discretization;
+  std::optional<double> adaptive;
   radiosity::DrawingSettings drawing;
   std::string method = "hemicube";
   int samples = 1 << 16;
   radiosity::WordSettings word;
   radiosity::SolverSettings solver;
   std::optional<double> maxError;
+  std::optional<radiosity::TextureFilter> filter;  ///< see texturesOf for those not asked for
+  std::optional<int> magnification;
   CameraOptions camera;
   std::filesystem::path output;
 };
 
 bool usesRays(const SolveOptions& options) { return options.method == "rays"; }
+
+using AskedFilter = std::optional<radiosity::TextureFilter>;
+
+std::vector<std::pair<std::string, AskedFilter>> namedFilters() {
+  using radiosity::TextureFilter;
+  return {{"one-to-one", TextureFilter::OneToOne}, {"triangle", TextureFilter::Triangle},
+          {"bilinear", TextureFilter::Bilinear},   {"bicubic", TextureFilter::Bicubic},
+          {"quadtree", TextureFilter::Quadtree},   {"gouraud", TextureFilter::Gouraud}};
+}
+
+std::string filterName(radiosity::TextureFilter filter) {
+  for (const auto& [name, value] : namedFilters())
+    if (value == filter) return name;
+  return {};
+}
+
+/// What was asked for, or what suits the elements: filters between texels are seen only where these are magnified.
+radiosity::TextureSettings texturesOf(const SolveOptions& options) {
+  using radiosity::TextureFilter;
+  const TextureFilter filter =
+      options.filter.value_or(options.adaptive ? TextureFilter::Quadtree : TextureFilter::Triangle);
+  const bool isFiner =
+      filter == TextureFilter::Bilinear || filter == TextureFilter::Bicubic || filter == TextureFilter::Gouraud;
+  return {filter, options.magnification.value_or(isFiner ? 4 : 1)};
+}
 
 /// Seconds that the parts of a run took.
 class Stopwatch {
@@ -75,6 +105,7 @@ ordered_json settingsJson(const SolveOptions& options, const radiosity::Camera& 
           {"surface_texels", options.discretization.surfaceTexels},
           {"patch", options.discretization.patches ? ordered_json() : ordered_json(options.discretization.patch)},
           {"patches", orNull(options.discretization.patches)},
+          {"adaptive", orNull(options.adaptive)},
           {"discretize", ofProjections(nameOf(options.drawing.elementsBy))},
           {"method", options.method},
           {"resolution", ofProjections(options.drawing.resolution)},
@@ -89,6 +120,8 @@ ordered_json settingsJson(const SolveOptions& options, const radiosity::Camera& 
           {"max_error", orNull(options.maxError)},
           {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
           {"shots", orNull(options.solver.shots)},
+          {"filter", filterName(texturesOf(options).filter)},
+          {"magnify", texturesOf(options).magnification},
           {"camera", toJson(camera)},
           {"size", {options.camera.width, options.camera.height}},
           {"exposure", exposure}};
@@ -140,6 +173,17 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
   return {drawn.discretization(), std::move(solution), radiosity::formFactor(drawn.rows().projection().captured)};
 }
 
+/// Elements: texels, or leaves of quadtrees that solutions have refined.
+radiosity::Discretization discretizationFor(const SolveOptions& options, const radiosity::Scene& scene,
+                                            Console& console) {
+  if (!options.adaptive) return discretizationOf(options.discretization, scene);
+  const auto solveElements = [&](const radiosity::Discretization& discretization) {
+    const radiosity::WordLayout layout = layoutOf(options.word, discretization, console);
+    return solvedBy(options, scene, discretization, layout, console).solution.radiosity;
+  };
+  return radiosity::adaptiveDiscretization(scene, options.discretization, *options.adaptive, solveElements);
+}
+
 /// Settings as they were given, or as they were chosen for a bound on the error.
 struct Settings {
   SolveOptions options;
@@ -180,7 +224,7 @@ void solve(const SolveOptions& asked, Context& context) {
   Staging{asked.output};  // a folder that cannot be written is told before the work, not after it
   const auto [options, expectedError] = settingsFor(asked, scene, console);
   if (expectedError) watch.lap("choose_s");
-  radiosity::Discretization unsplit = discretizationOf(options.discretization, scene);
+  radiosity::Discretization unsplit = discretizationFor(options, scene, console);
   const radiosity::WordLayout layout = layoutOf(options.word, unsplit, console);
   watch.lap("discretize_s");
   const Solved solved = solvedBy(options, scene, std::move(unsplit), layout, console);
@@ -194,7 +238,7 @@ void solve(const SolveOptions& asked, Context& context) {
   Staging staging(options.output);
   const double exposure = options.camera.exposure.value_or(
       radiosity::defaultExposure(scene, discretization, radiosity::displayRadiosity(scene, discretization, solution)));
-  radiosity::writeLitScene(staging.folder(), scene, discretization, solution, exposure);
+  radiosity::writeLitScene(staging.folder(), scene, discretization, solution, exposure, texturesOf(options));
   // The picture shows what is in the folder: the textures that any viewer shows.
   const radiosity::Scene lit = radiosity::loadScene(staging.folder() / "scene.obj");
   radiosity::writePng(staging.folder() / "render.png",
@@ -230,6 +274,29 @@ void addSamples(CLI::App& app, int& samples) {
       ->type_name("N");
 }
 
+/// How radiosity becomes textures.
+void addTextureOptions(CLI::App& app, SolveOptions& options) {
+  addChoice<AskedFilter>(app, "--filter", options.filter, namedFilters(),
+                         "from elements to display textures: texels as they are, the 3 x 3 triangle filter, bilinear "
+                         "or by cubic B-splines between texels, bilinear between the corners of quadtree leaves, or "
+                         "elements as shaded polygons (default triangle, with --adaptive quadtree)");
+  addInteger(app, "--magnify", options.magnification, 1, radiosity::mostMagnification,
+             "texels of a display texture along the side of one of the grid (default 4 with bilinear, bicubic and "
+             "gouraud, else 1)");
+}
+
+/// Filters between texels need texels that are elements.
+void validateFilter(const SolveOptions& options) {
+  using radiosity::TextureFilter;
+  const TextureFilter filter = texturesOf(options).filter;
+  const bool isOfTexels =
+      filter == TextureFilter::Triangle || filter == TextureFilter::Bilinear || filter == TextureFilter::Bicubic;
+  if (options.adaptive && isOfTexels)
+    throw CLI::ValidationError("--filter", "`" + filterName(filter) +
+                                               "` is between texels; with --adaptive use quadtree, "
+                                               "gouraud or one-to-one");
+}
+
 }  // namespace
 
 void addSolve(CLI::App& program, Context& context) {
@@ -263,6 +330,12 @@ void addSolve(CLI::App& program, Context& context) {
   for (const char* chosen :
        {"--resolution", "--orientation", "--split", "--patch", "--texel-size", "--residual", "--shots", "--samples"})
     maxError->excludes(command->get_option(chosen));
+  CLI::Option* adaptive = addPositive(
+      *command, "--adaptive", options->adaptive, 1,
+      "quadtrees: from 4 x 4 elements a surface down to its --texels, a power of two, split each one whose area times "
+      "the change of radiosity across it is above this share of all light (0.0001 is a start)");
+  for (const char* other : {"--texel-size", "--max-error"}) adaptive->excludes(command->get_option(other));
+  addTextureOptions(*command, *options);
   addCameraOptions(*command, options->camera);
   command->callback([options, command, &context] {
     refuseUnused(*command, usesRays(*options) ? drawingOptionNames() : std::vector<std::string>{"--samples"},
@@ -270,6 +343,7 @@ void addSolve(CLI::App& program, Context& context) {
     // What errors grow to was learnt of hemicubes.
     if (options->method != "hemicube") refuseUnused(*command, {"--max-error"}, options->method);
     if (const auto projection = projectionNamed(options->method)) options->drawing.projection = *projection;
+    validateFilter(*options);
     context.command = [options, &context] { solve(*options, context); };
   });
 }

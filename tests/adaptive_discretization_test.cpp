@@ -279,3 +279,27 @@ TEST_CASE("no quadtree lies over a grid that is no power of two, or not square",
   const Scene oblong = sceneOf({parallelogram("oblong", {0, 0, 0}, {1, 0, 0}, {0, 2, 0})});
   CHECK_THROWS_AS(adaptiveDiscretization(oblong, {.texelSize = 0.25}, 1e-3, unused), raster::InputError);
 }
+
+TEST_CASE("on the Cornell box quadtrees err less than texels of which there are more than twice as many",
+          "[adaptive]") {
+  // Against texels half as large under the same patches and hemicubes, so that elements alone make the difference. The
+  // whole curve: hemitex_adaptive_curve.
+  const Scene scene = loadScene(HEMITEX_DATA "/cornell-box.obj");
+  const auto solved = [&](const Discretization& discretization) {
+    DrawnRows drawn(scene, discretization, layOut(discretization, {.format = "r32ui"}),
+                    {.resolution = 128, .split = 0.05});
+    const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
+    return solve(scene, drawn.discretization(), rowOf, {.residual = 0.01}).radiosity;
+  };
+  const DiscretizationSettings finest{.texels = 32, .patches = 4};
+  const Discretization fine = discretize(scene, finest), uniform = discretize(scene, {.texels = 16, .patches = 4});
+  const std::vector<glm::dvec3> truth = solved(fine);
+  const auto errorOf = [&](const Discretization& discretization, const std::vector<glm::dvec3>& radiosity) {
+    return reference::errorOf(fine, reference::onOtherGrids(discretization, radiosity, fine), truth).fluxWeighted;
+  };
+  std::vector<glm::dvec3> radiosity;
+  const Discretization adaptive =
+      adaptiveDiscretization(scene, finest, 2e-4, [&](const Discretization& d) { return radiosity = solved(d); });
+  CHECK(2 * adaptive.elements.size() < uniform.elements.size());
+  CHECK(errorOf(adaptive, radiosity) < errorOf(uniform, solved(uniform)));
+}
