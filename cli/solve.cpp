@@ -10,11 +10,13 @@
 
 #include "cli/camera_options.h"
 #include "cli/commands.h"
+#include "cli/edits_file.h"
 #include "cli/json.h"
 #include "cli/solution_file.h"
 #include "cli/staging.h"
 #include "radiosity/adaptive_discretization.h"
 #include "radiosity/drawn_rows.h"
+#include "radiosity/dynamic_solution.h"
 #include "radiosity/lit_scene.h"
 #include "radiosity/picture.h"
 #include "radiosity/radiosity_texture.h"
@@ -42,6 +44,7 @@ struct SolveOptions {
   std::optional<radiosity::TextureFilter> filter;  ///< see texturesOf for those not asked for
   std::optional<int> magnification;
   CameraOptions camera;
+  std::filesystem::path edits;  ///< none: empty
   std::filesystem::path output;
 };
 
@@ -142,6 +145,10 @@ std::string summary(const ordered_json& description) {
   text << description["surfaces"].size() << " surfaces, " << description["elements"] << " elements, "
        << description["patches"] << " patches, " << description["phantoms"] << " phantom indices\n"
        << description["shots"] << " shots, residual " << description["residual"] << '\n';
+  if (description.contains("frames"))
+    for (const ordered_json& frame : description["frames"])
+      text << frame["folder"].get<std::string>() << ": " << frame["shots"] << " shots, residual " << frame["residual"]
+           << '\n';
   if (description.contains("expected_error")) text << "expected error " << description["expected_error"] << '\n';
   for (const auto& [name, flux] : description["energy"].items()) text << name << ' ' << flux.dump() << '\n';
   return text.str();
@@ -214,12 +221,79 @@ Settings settingsFor(const SolveOptions& asked, const radiosity::Scene& scene, C
   return {options, choice.expectedError};
 }
 
+/// A solution, and what it is one of.
+struct Lit {
+  const radiosity::Scene& scene;
+  const radiosity::Discretization& discretization;
+  const radiosity::WordLayout& layout;
+  const radiosity::Solution& solution;
+};
+
+double exposureOf(const SolveOptions& options, const Lit& lit) {
+  return options.camera.exposure.value_or(radiosity::defaultExposure(
+      lit.scene, lit.discretization, radiosity::displayRadiosity(lit.scene, lit.discretization, lit.solution)));
+}
+
+/// The lit scene for any viewer of OBJ files, its picture and its numbers, but for solution.json.
+void writeSolved(const std::filesystem::path& folder, const Lit& lit, const SolveOptions& options,
+                 const radiosity::Camera& camera, double exposure) {
+  radiosity::writeLitScene(folder, lit.scene, lit.discretization, lit.solution, exposure, texturesOf(options));
+  // The picture shows what is in the folder: the textures that any viewer shows.
+  const radiosity::Scene shown = radiosity::loadScene(folder / "scene.obj");
+  radiosity::writePng(folder / "render.png",
+                      radiosity::unlitPicture(shown, camera, options.camera.width, options.camera.height));
+  radiosity::writeFile(folder / "scene.view.json", toText(toJson(camera)));
+  std::ostringstream elements;
+  writeCsv(elements, elementTable(lit.scene, lit.discretization, lit.solution));
+  radiosity::writeFile(folder / "elements.csv", elements.view());
+}
+
+/// What solution.json says but for times and warnings.
+ordered_json description(const Lit& lit, const SolveOptions& options, const radiosity::Camera& camera,
+                         double exposure) {
+  ordered_json text = {{"settings", settingsJson(options, camera, exposure)}};
+  text.update(describe(lit.scene, lit.discretization, lit.layout, lit.solution));
+  return text;
+}
+
+/// The update of one frame: its folder beside those of the others, and what the index of all says of it.
+ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number, const Frame& frame,
+                        radiosity::DynamicSolution& dynamic, const SolveOptions& options,
+                        const radiosity::Camera& camera, double exposure, Console& console) {
+  Stopwatch watch;
+  const radiosity::UpdateCost cost = dynamic.update(frame.edits, progressOf(options.solver, console));
+  console.endProgress();
+  watch.lap("update_s");
+  const std::string name = "frame-" + std::to_string(number);
+  std::filesystem::create_directory(folder / name);
+  const Lit lit{dynamic.scene(), dynamic.discretization(), dynamic.layout(), dynamic.solution()};
+  console.warnings(lit.solution.warnings);
+  writeSolved(folder / name, lit, options, camera, exposure);
+  watch.lap("write_s");
+  const ordered_json rows = {{"in_windows", cost.rowsInWindows},
+                             {"whole", cost.rowsWhole},
+                             {"taken_back", cost.rowsTakenBack},
+                             {"left", cost.rowsLeft},
+                             {"started_over", cost.startedOver}};
+  ordered_json text = description(lit, options, camera, exposure);
+  text["edits"] = frame.written;
+  text["rows"] = rows;
+  text["times"] = watch.times();
+  text["warnings"] = lit.solution.warnings;
+  radiosity::writeFile(folder / name / "solution.json", toText(text));
+  return {
+      {"folder", name}, {"edits", frame.written}, {"shots", lit.solution.shots}, {"residual", lit.solution.residual},
+      {"rows", rows},   {"times", watch.times()}};
+}
+
 void solve(const SolveOptions& asked, Context& context) {
   Console& console = context.console;
   Stopwatch watch;
   const radiosity::Scene scene = sceneOf(asked.scene, console);
   radiosity::requireEmission(scene, asked.scene.file);
   const radiosity::Camera camera = cameraOf(asked.camera, scene, asked.scene.file);
+  const std::vector<Frame> frames =
+      asked.edits.empty() ? std::vector<Frame>() : readEdits(asked.edits, scene, asked.scene.settings);
   watch.lap("load_s");
   Staging{asked.output};  // a folder that cannot be written is told before the work, not after it
   const auto [options, expectedError] = settingsFor(asked, scene, console);
@@ -227,38 +301,42 @@ void solve(const SolveOptions& asked, Context& context) {
   radiosity::Discretization unsplit = discretizationFor(options, scene, console);
   const radiosity::WordLayout layout = layoutOf(options.word, unsplit, console);
   watch.lap("discretize_s");
-  const Solved solved = solvedBy(options, scene, std::move(unsplit), layout, console);
-  const radiosity::Discretization& discretization = solved.discretization;
-  const radiosity::Solution& solution = solved.solution;
-  console.warnings(solution.warnings);
+  std::unique_ptr<radiosity::DynamicSolution> dynamic;
+  Solved solved;
+  if (asked.edits.empty()) {
+    solved = solvedBy(options, scene, std::move(unsplit), layout, console);
+  } else {
+    const auto layOut = [&word = options.word, &console](const radiosity::Discretization& discretization) {
+      return layoutOf(word, discretization, console);
+    };
+    dynamic = std::make_unique<radiosity::DynamicSolution>(
+        scene, std::move(unsplit), radiosity::DynamicSettings{options.discretization, options.drawing, options.solver},
+        layOut, progressOf(options.solver, console));
+    console.endProgress();
+    solved = {dynamic->discretization(), dynamic->solution(), radiosity::formFactor(dynamic->captured())};
+  }
+  const Lit lit{scene, solved.discretization, layout, solved.solution};
+  console.warnings(lit.solution.warnings);
   if (solved.captured < 1)
     console.warning("the single plane captures " + toText(solved.captured) +
                     " of the light that leaves a patch; the rest is lost, and the scene darker for it");
   watch.lap("solve_s");
   Staging staging(options.output);
-  const double exposure = options.camera.exposure.value_or(
-      radiosity::defaultExposure(scene, discretization, radiosity::displayRadiosity(scene, discretization, solution)));
-  radiosity::writeLitScene(staging.folder(), scene, discretization, solution, exposure, texturesOf(options));
-  // The picture shows what is in the folder: the textures that any viewer shows.
-  const radiosity::Scene lit = radiosity::loadScene(staging.folder() / "scene.obj");
-  radiosity::writePng(staging.folder() / "render.png",
-                      radiosity::unlitPicture(lit, camera, options.camera.width, options.camera.height));
-  radiosity::writeFile(staging.folder() / "scene.view.json", toText(toJson(camera)));
-  std::ostringstream elements;
-  writeCsv(elements, elementTable(scene, discretization, solution));
-  radiosity::writeFile(staging.folder() / "elements.csv", elements.view());
+  const double exposure = exposureOf(options, lit);
+  writeSolved(staging.folder(), lit, options, camera, exposure);
   watch.lap("write_s");
 
-  ordered_json description = {{"settings", settingsJson(options, camera, exposure)}};
-  description.update(describe(scene, discretization, layout, solution));
-  description["captured"] = solved.captured;
-  if (expectedError) description["expected_error"] = *expectedError;
-  description["times"] = watch.times();
-  description["warnings"] = console.given();
-  const std::string text = toText(description);
-  radiosity::writeFile(staging.folder() / "solution.json", text);
+  ordered_json text = description(lit, options, camera, exposure);
+  text["captured"] = solved.captured;
+  if (expectedError) text["expected_error"] = *expectedError;
+  for (std::size_t f = 0; f < frames.size(); ++f)
+    text["frames"].push_back(
+        writeFrame(staging.folder(), f + 1, frames[f], *dynamic, options, camera, exposure, console));
+  text["times"] = watch.times();
+  text["warnings"] = console.given();
+  radiosity::writeFile(staging.folder() / "solution.json", toText(text));
   staging.commit();
-  std::cout << (context.json ? text : summary(description));
+  std::cout << (context.json ? toText(text) : summary(text));
 }
 
 /// `--samples`: a power of two, so that every ray is a whole share of the light.
@@ -337,6 +415,12 @@ void addSolve(CLI::App& program, Context& context) {
   for (const char* other : {"--texel-size", "--max-error"}) adaptive->excludes(command->get_option(other));
   addTextureOptions(*command, *options);
   addCameraOptions(*command, options->camera);
+  command
+      ->add_option("--edits", options->edits,
+                   "frames of edits (objects that move, come or go, lights, reflectances); the solution is updated for "
+                   "each, into a folder of its own")
+      ->type_name("FILE.json")
+      ->excludes(adaptive);
   command->callback([options, command, &context] {
     refuseUnused(*command, usesRays(*options) ? drawingOptionNames() : std::vector<std::string>{"--samples"},
                  options->method);
@@ -344,6 +428,9 @@ void addSolve(CLI::App& program, Context& context) {
     if (options->method != "hemicube") refuseUnused(*command, {"--max-error"}, options->method);
     if (const auto projection = projectionNamed(options->method)) options->drawing.projection = *projection;
     validateFilter(*options);
+    if (usesRays(*options)) refuseUnused(*command, {"--edits"}, options->method);
+    if (options->drawing.elementsBy == radiosity::ElementsBy::Mesh && !options->edits.empty())
+      throw CLI::ValidationError("--edits", "has no use with --discretize mesh; leave one of them out");
     context.command = [options, &context] { solve(*options, context); };
   });
 }

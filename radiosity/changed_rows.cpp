@@ -58,19 +58,28 @@ ChangedSurfaces::ChangedSurfaces(const Scene& scene, const std::vector<bool>& is
   clusters_ = raster::clustersOf(list_);
 }
 
-double ChangedSurfaces::largestShare(const SurfacePoint& point, int resolution) const {
+double ChangedSurfaces::largestShare(const SurfacePoint& point, double pixelAngle) const {
   if (empty()) return 0;
   const glm::dvec3 centre = 0.5 * (low_ + high_) - point.position, half = 0.5 * (high_ - low_);
   if (glm::dot(point.normal, centre) + glm::dot(glm::abs(point.normal), half) <= 0) return 0;
   const double radius = glm::length(half), distance = glm::length(centre);
   if (distance <= radius) return 1;
-  // A pixel's diagonal is seen under an angle of at most sqrt(8) / resolution.
-  const double sine = radius / distance + 3.0 / resolution;
+  const double sine = radius / distance + pixelAngle;
   return std::min(1.0, sine * sine);
 }
 
 raster::Scissor ChangedSurfaces::windowOf(const raster::Face& face) const {
   return raster::coveredBounds(list_, clusters_, face);
+}
+
+double pixelAngle(const Projection& projection) {
+  double largest = 0;
+  for (const ProjectionFace& face : projection.faces) {
+    // The sides of a pixel on the picture plane, which is no nearer than 1 / |w|.
+    const double size = 2 * glm::length(face.w) / face.resolution;
+    largest = std::max(largest, size * (1 / glm::length(face.x) + 1 / glm::length(face.y)));
+  }
+  return largest;
 }
 
 RowChange changeOf(SceneChange& change, std::uint32_t patchBefore, std::uint32_t patchAfter,

@@ -24,8 +24,8 @@ class ChangedSurfaces {
   bool empty() const { return clusters_.empty(); }
   /// An upper bound of the share of a point's light that goes through pixels which the surfaces can cover: of the cone
   /// around a sphere that holds them, wider by a pixel (a sphere seen under the half angle a takes sin^2 a at most).
-  /// 0 where they lie behind the point. `resolution` is that of a face.
-  double largestShare(const SurfacePoint& point, int resolution) const;
+  /// 0 where they lie behind the point.
+  double largestShare(const SurfacePoint& point, double pixelAngle) const;
   /// The window of a face that they can cover; without width and height where there is none.
   raster::Scissor windowOf(const raster::Face& face) const;
 
@@ -34,6 +34,9 @@ class ChangedSurfaces {
   std::vector<raster::Cluster> clusters_;
   glm::dvec3 low_, high_;  ///< their bounds, in the file's units
 };
+
+/// No pixel of a projection is seen under a larger angle from corner to corner, in radians.
+double pixelAngle(const Projection& projection);
 
 /// The parts of a row that differ: what it had there before, and what it has there now. Outside of them the row before
 /// and the row after are alike.

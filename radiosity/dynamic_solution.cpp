@@ -23,10 +23,10 @@ struct DynamicSolution::World {
 
 namespace {
 
-/// Of what the residual allows, an update leaves this share astray at most: half would double the shots for the rest.
-constexpr double shareLeftAstray = 0.25;
-/// More than this share of what the residual allows is not dragged along.
-constexpr double mostAstray = 0.5;
+/// Of what the residual still allows, an update leaves this share astray at most. It stays so for all frames to come.
+constexpr double shareLeftAstray = 0.1;
+/// More than this share of what the residual allows is not dragged along: some ten frames later a solution starts over.
+constexpr double mostAstray = 0.7;
 
 /// The numbers that surfaces, patches and elements have after an edit. What is gone has no patch any more; its elements
 /// share one number behind all others.
@@ -125,9 +125,9 @@ class LightUpdate {
         rows_(rowCacheBytes) {}
 
   /// `mayLeave` is the flux that may be left astray.
-  void update(const ShotLight& light, int resolution, double mayLeave) {
+  void update(const ShotLight& light, double mayLeave) {
     carry(light);
-    const std::vector<double> shares = largestShares(resolution);
+    const std::vector<double> shares = largestShares();
     std::vector<double> bounds;
     for (std::size_t p = 0; p < shares.size(); ++p) bounds.push_back(2 * shares[p] * bandSum(glm::abs(light.shot[p])));
     const LeftRows left = leaveRows(bounds, mayLeave);
@@ -145,6 +145,13 @@ class LightUpdate {
     // What rows that were left sent to what is gone is nowhere in the scene.
     light_.lost += light_.received.back();
     light_.received.pop_back();
+  }
+
+  /// Keeps the rows that are what they were; nothing of what was shot.
+  void keepRows() {
+    const std::vector<double> shares = largestShares();
+    for (std::uint32_t p = 0; p < shares.size(); ++p)
+      if (numbers_.patch[p] && shares[p] == 0) keep(p);
   }
 
   ShotLight& light() { return light_; }
@@ -165,18 +172,18 @@ class LightUpdate {
   }
 
   /// Of a patch's light, the most that goes through pixels that can change; one a former patch.
-  std::vector<double> largestShares(int resolution) const {
+  std::vector<double> largestShares() const {
     const Discretization& before = before_.discretization();
     std::vector<double> shares(before.patches.size());
     if (change_.gone.empty() && change_.come.empty()) return shares;
     for (std::size_t p = 0; p < shares.size(); ++p) {
       const Patch& patch = before.patches[p];
       const SurfacePoint centre = patchCentre(sceneBefore_, before, patch);
-      const int halved = std::max(smallestResolution, resolution >> patch.halvings);
+      const double pixel = pixelAngle(change_.rowsAfter.projection()) * (1 << patch.halvings);
       shares[p] =
           patch.points > 1
               ? 1
-              : std::min(1.0, change_.gone.largestShare(centre, halved) + change_.come.largestShare(centre, halved));
+              : std::min(1.0, change_.gone.largestShare(centre, pixel) + change_.come.largestShare(centre, pixel));
     }
     return shares;
   }
@@ -243,6 +250,8 @@ const Scene& DynamicSolution::scene() const { return world_->scene; }
 const Discretization& DynamicSolution::discretization() const { return world_->drawn.discretization(); }
 const WordLayout& DynamicSolution::layout() const { return world_->drawn.layout(); }
 
+std::uint64_t DynamicSolution::captured() const { return world_->drawn.rows().projection().captured; }
+
 void DynamicSolution::refine(Refinement refinement, const Progress& progress) {
   const auto rowOf = [this](std::uint32_t patch) { return world_->drawn.rows().ofPatch(patch); };
   solution_ = radiosity::refine(world_->scene, discretization(), refinement, rows_, rowOf, settings_.solver, progress);
@@ -259,7 +268,10 @@ UpdateCost DynamicSolution::update(std::span<const Edit> edits, const Progress& 
   LightUpdate update(world_->scene, world_->drawn, next->scene, next->drawn, edit.origins, rows_,
                      settings_.solver.rowCacheBytes);
   const bool startsOver = light_.astray > mostAstray * allowed;
-  if (!startsOver) update.update(light_, settings_.drawing.resolution, shareLeftAstray * (allowed - light_.astray));
+  if (startsOver)
+    update.keepRows();
+  else
+    update.update(light_, shareLeftAstray * (allowed - light_.astray));
   UpdateCost cost = update.cost();
   cost.startedOver = startsOver;
 

@@ -64,6 +64,8 @@ class DynamicSolution {
   const Scene& scene() const;
   const Discretization& discretization() const;
   const WordLayout& layout() const;
+  /// The share of a patch's light that the projection captures, in units of 2^-60.
+  std::uint64_t captured() const;
   const Solution& solution() const { return solution_; }
   /// What was shot, and where it arrived.
   const ShotLight& light() const { return light_; }

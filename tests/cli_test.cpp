@@ -247,6 +247,77 @@ TEST_CASE("A bound on the error chooses the settings, which say what they are", 
   CHECK_FALSE(fs::exists(shell.file("out")));
 }
 
+TEST_CASE("Edits give a folder a frame, the same for any number of threads, beside what solve gives without", "[cli]") {
+  const Shell shell;
+  writeAll(shell.file("box.obj"), "v 0 -1 0\nv 0.5 -1 0\nv 0.5 0 0\nv 0 0 0\ng sheet\nf 1 2 3 4\n");
+  writeAll(shell.file("edits.json"), R"({"frames": [
+    [{"add": "box.obj"}, {"reflectance": ["left", "fr*"], "to": [0.2, 0.2, 0.2]}],
+    [{"move": "sheet", "by": [0.25, 0, 0.25]}],
+    [{"remove": "sheet"}, {"emission": "ceiling/lamp", "to": [0, 5, 5]}],
+    [{"restore": "sheet"}]]})");
+  shell.output(quickSolve + "-o without");
+  shell.output(quickSolve + "-o one --edits edits.json --threads 1");
+  shell.output(quickSolve + "-o two --edits edits.json --threads 2");
+  for (const char* name : {"elements.csv", "render.png", "scene.obj"})
+    CHECK(readAll(shell.file("one") / name) == readAll(shell.file("without") / name));
+  const auto withoutTimes = [&](const std::string& name) {
+    json solution = json::parse(readAll(shell.file(name + "/solution.json")));
+    solution.erase("times");
+    if (solution.contains("frames"))
+      for (json& frame : solution["frames"]) frame.erase("times");
+    return solution;
+  };
+  CHECK(withoutTimes("one") == withoutTimes("two"));
+  const json index = withoutTimes("one")["frames"];
+  REQUIRE(index.size() == 4);
+  for (int number = 1; number <= 4; ++number) {
+    const std::string folder = "/frame-" + std::to_string(number);
+    const json frame = withoutTimes("one" + folder);
+    CHECK(frame == withoutTimes("two" + folder));
+    CHECK(frame["settings"] == withoutTimes("without")["settings"]);
+    CHECK(frame["residual"] <= 0.001);
+    CHECK(index[static_cast<std::size_t>(number - 1)]["shots"] == frame["shots"]);
+    for (const char* name : {"/elements.csv", "/render.png"})
+      CHECK(readAll(shell.file("one" + folder + name)) == readAll(shell.file("two" + folder + name)));
+  }
+  CHECK(withoutTimes("one/frame-1")["surfaces"].size() == 7);
+  CHECK(withoutTimes("one/frame-3")["surfaces"].size() == 6);
+  CHECK(withoutTimes("one/frame-3")["energy"]["emitted"] == json({0.0, 20.0, 20.0}));
+}
+
+TEST_CASE("A file of edits that is wrong is refused before anything is done, with its frame and what to do", "[cli]") {
+  const Shell shell;
+  const auto [text, message] = GENERATE(table<std::string, std::string>({
+      {"", "edits.json: "},
+      {"[]", "is no list of frames"},
+      {R"({"frames": [[]], "speed": 2})", "is no list of frames"},
+      {R"({"frames": [[], [{"move": "flor", "by": [1, 0, 0]}]]})", "frame 2: no surface of the scene is named `flor`"},
+      {R"({"frames": [[{"move": "flor", "by": [1, 0, 0]}]]})", "`floor`"},
+      {R"({"frames": [[{"mov": "floor", "by": [1, 0, 0]}]]})", "`move`"},
+      {R"({"frames": [[{"move": "floor", "to": [1, 0, 0]}]]})", "`to` is no key of `move`"},
+      {R"({"frames": [[{"move": "floor"}]]})", "`move` has no `by`"},
+      {R"({"frames": [[{"move": "floor", "by": [1, 0]}]]})", "frame 1: "},
+      {R"({"frames": [[{"move": "floor", "remove": "floor", "by": [1, 0, 0]}]]})", "an edit is two"},
+      {R"({"frames": [[{"restore": "floor"}]]})", "nothing was removed"},
+      {R"({"frames": [[{"emission": "floor", "to": [-1, 0, 0]}]]})", "below 0"},
+      {R"({"frames": [[{"add": "none.obj"}]]})", "none.obj"},
+  }));
+  writeAll(shell.file("edits.json"), text);
+  const auto before = shell.files();
+  const Outcome outcome = shell.run(quickSolve + "-o out --edits edits.json");
+  INFO(text << '\n' << outcome.err);
+  CHECK(outcome.exitCode == 2);
+  CHECK(outcome.err.find(message) != std::string::npos);
+  CHECK(shell.files() == before);
+}
+
+TEST_CASE("Edits that are not there, and methods that have no use for them, are bad usage", "[cli]") {
+  const Shell shell;
+  writeAll(shell.file("edits.json"), R"({"frames": []})");
+  for (const char* arguments : {"none.json", "edits.json --method rays", "edits.json --discretize mesh"})
+    CHECK(shell.run(quickSolve + "-o out --edits " + arguments).exitCode == 2);
+}
+
 TEST_CASE("Regular meshing solves and measures what textures do", "[cli]") {
   const Shell shell;
   const auto solutionBy = [&](const std::string& method) {

@@ -196,7 +196,9 @@ TEST_CASE("what a window changes of a row is to the last unit the difference of 
     ++(difference.isNothing() ? nothing : difference.isWhole ? whole : windows);
     // No more light goes elsewhere than the bound says.
     const SurfacePoint centre = patchCentre(scene, discretization, discretization.patches[patch]);
-    const double bound = std::min(1.0, change.gone.largestShare(centre, 64) + change.come.largestShare(centre, 64));
+    const double pixel = pixelAngle(after.rows().projection());
+    const double bound =
+        std::min(1.0, change.gone.largestShare(centre, pixel) + change.come.largestShare(centre, pixel));
     CHECK(formFactor(redirected(old, now)) <= bound);
   }
   CHECK(windows > 50);
