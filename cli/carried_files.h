@@ -4,7 +4,8 @@
 
 namespace hemitex::cli {
 
-extern const char* const pageText;      ///< tradeoff_page.html
-extern const char* const chartLibrary;  ///< Chart.js, minified, with its licence
+extern const char* const pageText;       ///< tradeoff_page.html
+extern const char* const paperPageText;  ///< paper_page.html
+extern const char* const chartLibrary;   ///< Chart.js, minified, with its licence
 
 }  // namespace hemitex::cli

@@ -2,13 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
-#include <fstream>
-#include <iterator>
 
 #include "cli/carried_files.h"
-#include "cli/json.h"
+#include "cli/page_parts.h"
 #include "radiosity/image.h"
 #include "radiosity/picture.h"
 #include "radiosity/radiosity_texture.h"
@@ -46,23 +42,13 @@ glm::dvec3 falseColour(const glm::dvec3& found, const glm::dvec3& truth) {
   return linear((difference > 0 ? tooBright : tooDark)[band]);
 }
 
-std::string base64(const std::string& bytes) {
-  using namespace boost::archive::iterators;
-  using Letters = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
-  std::string text(Letters(bytes.begin()), Letters(bytes.end()));
-  while (text.size() % 4 != 0) text += '=';
-  return text;
-}
-
-/// The bytes of an image as a PNG file.
-std::string pngBytes(const radiosity::Image& image, const std::filesystem::path& folder) {
+/// An image as the letters of a PNG file.
+std::string pngLetters(const radiosity::Image& image, const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "picture.png";
   radiosity::writePng(file, image);
-  std::ifstream stream(file, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  stream.close();
+  std::string letters = base64OfFile(file);
   std::filesystem::remove(file);
-  return bytes;
+  return letters;
 }
 
 class Pictures {
@@ -73,7 +59,7 @@ class Pictures {
   void add(const std::string& title, const std::vector<glm::dvec3>& colours, const ordered_json& choice) {
     const radiosity::Image image =
         radiosity::elementPicture(tradeoff_.scene, tradeoff_.fine, colours, camera_, pictureWidth, pictureHeight);
-    list_.push_back({{"title", title}, {"choice", choice}, {"png", base64(pngBytes(image, folder_))}});
+    list_.push_back({{"title", title}, {"choice", choice}, {"png", pngLetters(image, folder_)}});
   }
   const ordered_json& list() const { return list_; }
 
@@ -133,25 +119,14 @@ ordered_json legend() {
   return {{"ends", bandEnds}, {"colours", std::move(bands)}};
 }
 
-void replace(std::string& text, const std::string& mark, const std::string& by) {
-  text.replace(text.find(mark), mark.size(), by);
-}
-
-/// JSON for a script element, which the letters `</` could end.
-std::string scriptText(const ordered_json& json) {
-  std::string text = toText(json);
-  for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos;) text.replace(at, 2, "<\\/");
-  return text;
-}
-
 }  // namespace
 
 std::string tradeoffPage(const Tradeoff& tradeoff, const radiosity::Camera& camera, const ordered_json& result,
                          const std::filesystem::path& folder) {
   std::string page = pageText;
-  replace(page, "{{chart library}}", chartLibrary);
-  replace(page, "{{result}}", scriptText(result));
-  replace(page, "{{pictures}}", scriptText({{"legend", legend()}, {"pictures", picturesOf(tradeoff, camera, folder)}}));
+  fillIn(page, "{{chart library}}", chartLibrary);
+  fillIn(page, "{{result}}", scriptText(result));
+  fillIn(page, "{{pictures}}", scriptText({{"legend", legend()}, {"pictures", picturesOf(tradeoff, camera, folder)}}));
   return page;
 }
 

@@ -1,0 +1,21 @@
+#include "cli/paper_page.h"
+
+#include "cli/carried_files.h"
+#include "cli/page_parts.h"
+
+namespace hemitex::cli {
+
+std::string paperPage(const nlohmann::ordered_json& result, const std::filesystem::path& folder) {
+  nlohmann::ordered_json pictures = nlohmann::ordered_json::object();
+  for (const auto& figure : result.at("figures")) {
+    const auto file = figure.at("file").get<std::string>();
+    pictures[file] = base64OfFile(folder / file);
+  }
+  std::string page = paperPageText;
+  fillIn(page, "{{chart library}}", chartLibrary);
+  fillIn(page, "{{result}}", scriptText(result));
+  fillIn(page, "{{pictures}}", scriptText(pictures));
+  return page;
+}
+
+}  // namespace hemitex::cli
