@@ -177,6 +177,7 @@ class LightUpdate {
     std::vector<double> shares(before.patches.size());
     if (change_.gone.empty() && change_.come.empty()) return shares;
     for (std::size_t p = 0; p < shares.size(); ++p) {
+      if (!numbers_.patch[p]) continue;  // what it shot is taken back wholly
       const Patch& patch = before.patches[p];
       const SurfacePoint centre = patchCentre(sceneBefore_, before, patch);
       const double pixel = pixelAngle(change_.rowsAfter.projection()) * (1 << patch.halvings);
