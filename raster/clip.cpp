@@ -18,6 +18,12 @@ ViewVertex crossing(HalfSpace halfSpace, const ViewVertex& inside, const ViewVer
           between(inside.v, outside.v)};
 }
 
+/// What clipping would leave as it is.
+bool isInside(const ClippedPolygon& polygon, HalfSpace halfSpace, double nearDistance) {
+  return std::all_of(polygon.vertices.begin(), polygon.vertices.begin() + polygon.count,
+                     [=](const ViewVertex& vertex) { return distance(halfSpace, vertex, nearDistance) >= 0; });
+}
+
 ClippedPolygon clip(const ClippedPolygon& polygon, HalfSpace halfSpace, double nearDistance) {
   ClippedPolygon result;
   for (int i = 0; i < polygon.count; ++i) {
@@ -68,7 +74,8 @@ ClippedPolygon clip(const std::array<ViewVertex, 3>& triangle, double nearDistan
   ClippedPolygon polygon;
   std::copy(triangle.begin(), triangle.end(), polygon.vertices.begin());
   polygon.count = 3;
-  for (const HalfSpace halfSpace : halfSpaces) polygon = clip(polygon, halfSpace, nearDistance);
+  for (const HalfSpace halfSpace : halfSpaces)
+    if (!isInside(polygon, halfSpace, nearDistance)) polygon = clip(polygon, halfSpace, nearDistance);
   return polygon;
 }
 

@@ -18,17 +18,16 @@ bool isPlain(const glm::vec3& position, const glm::vec2& texcoord) {
          std::abs(position.z) <= largestPosition && std::isfinite(texcoord.x) && std::isfinite(texcoord.y);
 }
 
-Cluster clusterOf(const DrawList& list, const TriangleRun& run) {
+/// Adds a run to a cluster.
+void append(const DrawList& list, const TriangleRun& run, Cluster& cluster) {
   const double infinity = std::numeric_limits<double>::infinity();
-  Cluster cluster{run, glm::dvec3(infinity), glm::dvec3(-infinity)};
+  cluster.runs.push_back(run);
   for (std::size_t i = 3 * std::size_t{run.first}; i < 3 * std::size_t{run.end}; ++i) {
     const std::uint32_t index = list.indices[i];
-    if (!isPlain(list.positions[index], list.texcoords[index]))
-      return {run, glm::dvec3(-infinity), glm::dvec3(infinity)};
-    cluster.low = glm::min(cluster.low, glm::dvec3(list.positions[index]));
-    cluster.high = glm::max(cluster.high, glm::dvec3(list.positions[index]));
+    const bool plain = isPlain(list.positions[index], list.texcoords[index]);
+    cluster.low = glm::min(cluster.low, plain ? glm::dvec3(list.positions[index]) : glm::dvec3(-infinity));
+    cluster.high = glm::max(cluster.high, plain ? glm::dvec3(list.positions[index]) : glm::dvec3(infinity));
   }
-  return cluster;
 }
 
 /// A box as seen from an eye.
@@ -46,12 +45,29 @@ bool isBeyond(const Box& box, const glm::dvec3& plane, double size, double offse
 
 }  // namespace
 
+std::uint32_t triangleCount(const Cluster& cluster) {
+  std::uint32_t count = 0;
+  for (const TriangleRun& run : cluster.runs) count += run.end - run.first;
+  return count;
+}
+
 std::vector<Cluster> clustersOf(const DrawList& list) {
+  const double infinity = std::numeric_limits<double>::infinity();
   std::vector<Cluster> clusters;
+  std::uint32_t room = 0;  // in the last cluster
   for (std::uint32_t draw = 0; draw < list.draws.size(); ++draw) {
     const std::uint32_t end = (list.draws[draw].first + list.draws[draw].count) / 3;
-    for (std::uint32_t first = list.draws[draw].first / 3; first < end; first += std::min(clusterSize, end - first))
-      clusters.push_back(clusterOf(list, {draw, first, std::min(first + clusterSize, end)}));
+    std::uint32_t first = list.draws[draw].first / 3;
+    while (first < end) {
+      const std::uint32_t count = std::min(clusterSize, end - first);
+      if (count > room || list.draws[draw].indexMap) {
+        clusters.push_back({{}, glm::dvec3(infinity), glm::dvec3(-infinity)});
+        room = clusterSize;
+      }
+      append(list, {draw, first, first + count}, clusters.back());
+      room = list.draws[draw].indexMap ? 0 : room - count;
+      first += count;
+    }
   }
   return clusters;
 }
@@ -76,7 +92,7 @@ bool mayCover(const Face& face, const Cluster& cluster) {
 Scissor coveredBounds(const DrawList& list, std::span<const Cluster> clusters, const Face& face) {
   std::vector<ScreenTriangle> triangles;
   for (const Cluster& cluster : clusters)
-    if (mayCover(face, cluster)) appendScreenTriangles(list, face, cluster.run, {}, triangles);
+    if (mayCover(face, cluster)) appendScreenTriangles(list, face, cluster.runs, {}, triangles);
   if (triangles.empty()) return {face.scissor.column, face.scissor.row, 0, 0};
   int firstColumn = face.resolution, endColumn = 0, firstRow = face.resolution, endRow = 0;
   for (const ScreenTriangle& triangle : triangles) {

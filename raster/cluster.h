@@ -13,10 +13,13 @@
 namespace hemitex::raster {
 
 struct Cluster {
-  TriangleRun run;  ///< of one draw
+  /// Of one draw, or of several that follow each other and have no index map: pieces of a mesh, mostly neighbours.
+  std::vector<TriangleRun> runs;
   /// The box around its vertices; infinite where a value is not finite or may become so on the way.
   glm::dvec3 low, high;
 };
+
+std::uint32_t triangleCount(const Cluster& cluster);
 
 /// The draws cut into clusters, in draw order. The list is valid.
 std::vector<Cluster> clustersOf(const DrawList& list);

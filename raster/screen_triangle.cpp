@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hemitex::raster {
 namespace {
@@ -57,11 +58,35 @@ bool isOutsideView(const std::array<ViewVertex, 3>& p, double nearDistance) {
          all([](const ViewVertex& q) { return -q.y > 2 * std::abs(q.w); });
 }
 
+/// Appends what is left of triangle t; false where it was dropped because a value was not finite.
+bool appendScreenTriangle(const DrawList& list, const Face& face, bool mirrored, std::uint32_t draw, std::uint32_t t,
+                          std::vector<ScreenTriangle>& triangles) {
+  std::array<ViewVertex, 3> vertices;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const std::uint32_t index = list.indices[3 * std::size_t{t} + k];
+    vertices[k] = transform(face, list.positions[index], list.texcoords[index]);
+  }
+  if (!isFinite(vertices[0]) || !isFinite(vertices[1]) || !isFinite(vertices[2])) return false;
+  if (isOutsideView(vertices, face.nearDistance)) return true;
+  const ClippedPolygon polygon = clip(vertices, face.nearDistance);
+  for (std::size_t k = 2; k < static_cast<std::size_t>(polygon.count); ++k) {
+    ScreenTriangle triangle;
+    triangle.draw = draw;
+    if (makeScreenTriangle(face, {polygon.vertices[0], polygon.vertices[k - 1], polygon.vertices[k]}, mirrored,
+                           triangle))
+      triangles.push_back(triangle);
+  }
+  return true;
+}
+
 }  // namespace
 
 std::int64_t snap(double q, int resolution) {
+  // Numbers from 2^52 on are integers: adding one and taking it away again rounds as nearbyint does, without its call.
+  constexpr double integers = 0x1.8p52;
   // The clamp holds what the rounding of the guard band let slip.
-  return static_cast<std::int64_t>(std::nearbyint((std::clamp(q, -8.0, 8.0) + 1) * (128.0 * resolution)));
+  const double position = (std::clamp(q, -8.0, 8.0) + 1) * (128.0 * resolution);
+  return static_cast<std::int64_t>((position + integers) - integers);
 }
 
 bool makeScreenTriangle(const Face& face, const std::array<ViewVertex, 3>& vertices, bool mirrored,
@@ -92,33 +117,23 @@ bool makeScreenTriangle(const Face& face, const std::array<ViewVertex, 3>& verti
   return true;
 }
 
-std::uint64_t appendScreenTriangles(const DrawList& list, const Face& face, const TriangleRun& run,
+std::uint64_t appendScreenTriangles(const DrawList& list, const Face& face, std::span<const TriangleRun> runs,
                                     std::span<const std::uint32_t> skipped, std::vector<ScreenTriangle>& triangles) {
   std::uint64_t dropped = 0;
   const bool mirrored = determinant(face) < 0;
-  auto skip = std::lower_bound(skipped.begin(), skipped.end(), run.first);
-  for (std::uint32_t t = run.first; t < run.end; ++t) {
-    if (skip != skipped.end() && *skip == t) {
-      ++skip;
-      continue;
-    }
-    std::array<ViewVertex, 3> vertices;
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t index = list.indices[3 * std::size_t{t} + k];
-      vertices[k] = transform(face, list.positions[index], list.texcoords[index]);
-    }
-    if (!isFinite(vertices[0]) || !isFinite(vertices[1]) || !isFinite(vertices[2])) {
-      ++dropped;
-      continue;
-    }
-    if (isOutsideView(vertices, face.nearDistance)) continue;
-    const ClippedPolygon polygon = clip(vertices, face.nearDistance);
-    for (std::size_t k = 2; k < static_cast<std::size_t>(polygon.count); ++k) {
-      ScreenTriangle triangle;
-      triangle.draw = run.draw;
-      if (makeScreenTriangle(face, {polygon.vertices[0], polygon.vertices[k - 1], polygon.vertices[k]}, mirrored,
-                             triangle))
-        triangles.push_back(triangle);
+  auto skip = skipped.end();
+  std::uint32_t reached = std::numeric_limits<std::uint32_t>::max();
+  for (const TriangleRun& run : runs) {
+    // Draws may take triangles in any order; mostly they ascend, and then the next to skip is near.
+    if (run.first < reached) skip = std::lower_bound(skipped.begin(), skipped.end(), run.first);
+    while (skip != skipped.end() && *skip < run.first) ++skip;
+    reached = run.end;
+    for (std::uint32_t t = run.first; t < run.end; ++t) {
+      if (skip != skipped.end() && *skip == t) {
+        ++skip;
+        continue;
+      }
+      dropped += appendScreenTriangle(list, face, mirrored, run.draw, t, triangles) ? 0 : 1;
     }
   }
   return dropped;

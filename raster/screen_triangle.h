@@ -56,9 +56,9 @@ struct TriangleRun {
   std::uint32_t end = 0;
 };
 
-/// Appends the screen triangles of a run, in draw order. Triangles in `skipped` (ascending) are left out; returns how
+/// Appends the screen triangles of runs, in draw order. Triangles in `skipped` (ascending) are left out; returns how
 /// many were dropped because a value was not finite.
-std::uint64_t appendScreenTriangles(const DrawList& list, const Face& face, const TriangleRun& run,
+std::uint64_t appendScreenTriangles(const DrawList& list, const Face& face, std::span<const TriangleRun> runs,
                                     std::span<const std::uint32_t> skipped, std::vector<ScreenTriangle>& triangles);
 
 /// The columns of a row that a triangle covers, [first, end), limited to its own columns: coverage is convex, so each

@@ -45,49 +45,93 @@ void offer(Fragment& fragment, const ScreenTriangle& triangle, double inverseDep
     fragment = {inverseDepth, &triangle};
 }
 
-/// Offers the covered samples of a row to its fragments; `fragments` starts at column `firstColumn`.
+/// What the values change by from column to column.
+EdgeValues stepOf(const ScreenTriangle& triangle) {
+  EdgeValues step;
+  for (std::size_t k = 0; k < 3; ++k) step[k] = static_cast<double>(triangle.edges[k].a);
+  return step;
+}
+
+bool isCovered(const ScreenTriangle& triangle, const EdgeValues& edge) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (edge[k] < 0 || (edge[k] == 0 && !triangle.edges[k].inclusive)) return false;
+  return true;
+}
+
+/// Offers the covered samples of a row to its fragments; `fragments` starts at column `firstColumn`. In a narrow
+/// triangle all samples are tried, which takes no division.
 void drawRow(const ScreenTriangle& triangle, int row, int firstColumn, Fragment* fragments) {
-  const Span span = coveredColumns(triangle, row);
+  constexpr int narrow = 8;
+  const bool isNarrow = triangle.endColumn - triangle.firstColumn <= narrow;
+  const Span span = isNarrow ? Span{triangle.firstColumn, triangle.endColumn} : coveredColumns(triangle, row);
   EdgeValues edge = edgeValues(triangle, span.first, row);
-  const EdgeValues step{static_cast<double>(triangle.edges[0].a), static_cast<double>(triangle.edges[1].a),
-                        static_cast<double>(triangle.edges[2].a)};
+  const EdgeValues step = stepOf(triangle);
   for (int column = span.first; column < span.end; ++column) {
-    offer(fragments[column - firstColumn], triangle, inverseDepthAt(triangle, edge), column, row);
+    if (!isNarrow || isCovered(triangle, edge))
+      offer(fragments[column - firstColumn], triangle, inverseDepthAt(triangle, edge), column, row);
     for (std::size_t k = 0; k < 3; ++k) edge[k] += step[k];
   }
 }
 
+/// A texture coordinate along a row of a triangle: its values at the corners, each over w and the area.
+struct CoordinateTerms {
+  const Coordinate* coordinate;
+  int size;  ///< texels along it
+  std::array<double, 3> overDepth;
+};
+
+CoordinateTerms termsOf(const ScreenTriangle& triangle, const Coordinate& coordinate, int size) {
+  CoordinateTerms terms{&coordinate, size, {}};
+  for (std::size_t k = 0; k < 3; ++k) terms.overDepth[k] = coordinate.at[k] * triangle.inverseDepth[k];
+  return terms;
+}
+
 /// clamp(floor(coordinate * size), 0, size - 1) at the sample of a fragment.
-int texelAt(const Fragment& fragment, const EdgeValues& edge, const Coordinate& coordinate, int size, int column,
-            int row) {
-  const std::array<double, 3>& inverseDepth = fragment.triangle->inverseDepth;
-  const double sum = edge[0] * (coordinate.at[0] * inverseDepth[0]) + edge[1] * (coordinate.at[1] * inverseDepth[1]) +
-                     edge[2] * (coordinate.at[2] * inverseDepth[2]);
-  const double position = sum / fragment.inverseDepth * size;
+int texelAt(const Fragment& fragment, const EdgeValues& edge, const CoordinateTerms& terms, int column, int row) {
+  const std::array<double, 3>& overDepth = terms.overDepth;
+  const double sum = edge[0] * overDepth[0] + edge[1] * overDepth[1] + edge[2] * overDepth[2];
+  const double position = sum / fragment.inverseDepth * terms.size;
   // The numerator is off by at most 6 roundoffs of largest / w, the denominator by 6 of 1/w, and two roundings follow.
-  const double error = 16 * unitRoundoff * coordinate.largest * size;
+  const double error = 16 * unitRoundoff * terms.coordinate->largest * terms.size;
   if (error < 0.25) {
     if (position < 1 - error) return 0;
-    if (position > size - 1 + error) return size - 1;
+    if (position > terms.size - 1 + error) return terms.size - 1;
     const int texel = static_cast<int>(position);
     const double fraction = position - texel;
     if (fraction > error && fraction < 1 - error) return texel;
   }
-  return texelExactly(*fragment.triangle, coordinate.at, size, column, row);
+  return texelExactly(*fragment.triangle, terms.coordinate->at, terms.size, column, row);
 }
 
-/// The word of a fragment: back, plain offset, or offset and texel blended.
-Word resolve(const DrawList& list, const Fragment& fragment, int column, int row) {
-  if (fragment.triangle == nullptr) return backgroundWord(list.format);
-  const ScreenTriangle& triangle = *fragment.triangle;
+/// Resolves fragments of one triangle that lie side by side, from a column on: back, plain offset, or offset and texel
+/// blended.
+void resolveRun(const DrawList& list, std::span<const Fragment> fragments, int firstColumn, int row, Word* words) {
+  const auto fill = [&](Word word) { std::fill_n(words, fragments.size(), word); };
+  if (fragments.front().triangle == nullptr) return fill(backgroundWord(list.format));
+  const ScreenTriangle& triangle = *fragments.front().triangle;
   const Draw& draw = list.draws[triangle.draw];
-  if (triangle.facesAway && draw.back) return *draw.back;
-  if (!draw.indexMap) return draw.offset;
+  if (triangle.facesAway && draw.back) return fill(*draw.back);
+  if (!draw.indexMap) return fill(draw.offset);
   const IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
-  const EdgeValues edge = edgeValues(triangle, column, row);
-  const auto i = static_cast<std::size_t>(texelAt(fragment, edge, triangle.u, map.width, column, row));
-  const auto j = static_cast<std::size_t>(texelAt(fragment, edge, triangle.v, map.height, column, row));
-  return blend(list.format, list.blend, draw.offset, map.words[j * static_cast<std::size_t>(map.width) + i]);
+  const CoordinateTerms u = termsOf(triangle, triangle.u, map.width), v = termsOf(triangle, triangle.v, map.height);
+  EdgeValues edge = edgeValues(triangle, firstColumn, row);
+  const EdgeValues step = stepOf(triangle);
+  int column = firstColumn;
+  for (const Fragment& fragment : fragments) {
+    const auto i = static_cast<std::size_t>(texelAt(fragment, edge, u, column, row));
+    const auto j = static_cast<std::size_t>(texelAt(fragment, edge, v, column, row));
+    *words++ = blend(list.format, list.blend, draw.offset, map.words[j * static_cast<std::size_t>(map.width) + i]);
+    for (std::size_t k = 0; k < 3; ++k) edge[k] += step[k];
+    ++column;
+  }
+}
+
+/// Resolves the fragments of a row, run by run of one triangle.
+void resolveRow(const DrawList& list, std::span<const Fragment> fragments, int firstColumn, int row, Word* words) {
+  for (std::size_t first = 0, end = 0; first < fragments.size(); first = end) {
+    while (end < fragments.size() && fragments[end].triangle == fragments[first].triangle) ++end;
+    resolveRun(list, fragments.subspan(first, end - first), firstColumn + static_cast<int>(first), row, words + first);
+  }
 }
 
 /// The screen triangles of a face in draw order, in chunks that were made in parallel.
@@ -103,11 +147,9 @@ void drawRows(const DrawList& list, const ScreenTriangles& chunks, const Face& f
     for (const ScreenTriangle& triangle : triangles)
       for (int row = std::max(firstRow, triangle.firstRow); row < std::min(endRow, triangle.endRow); ++row)
         drawRow(triangle, row, scissor.column, fragments.data() + static_cast<std::size_t>(row - firstRow) * width);
-  const Fragment* fragment = fragments.data();
-  Word* word = buffer.words.data() + static_cast<std::size_t>(firstRow - scissor.row) * width;
   for (int row = firstRow; row < endRow; ++row)
-    for (int column = scissor.column; column < scissor.column + scissor.width; ++column)
-      *word++ = resolve(list, *fragment++, column, row);
+    resolveRow(list, std::span(fragments).subspan(static_cast<std::size_t>(row - firstRow) * width, width),
+               scissor.column, row, buffer.words.data() + static_cast<std::size_t>(row - scissor.row) * width);
 }
 
 /// Consecutive clusters, gathered into chunks of about `size` triangles.
@@ -120,7 +162,7 @@ std::vector<std::vector<Cluster>> chunksOf(const std::vector<Cluster>& clusters,
       used = 0;
     }
     chunks.back().push_back(cluster);
-    used += cluster.run.end - cluster.run.first;
+    used += triangleCount(cluster);
   }
   return chunks;
 }
@@ -158,7 +200,7 @@ std::vector<ItemBuffer> SoftwareRenderer::render(std::span<const Face> faces, st
     const std::size_t f = i / chunks_.size(), c = i % chunks_.size();
     for (const Cluster& cluster : chunks_[c])
       if (mayCover(faces[f], cluster))
-        dropped[i] += appendScreenTriangles(list_, faces[f], cluster.run, skipped, triangles[f][c]);
+        dropped[i] += appendScreenTriangles(list_, faces[f], cluster.runs, skipped, triangles[f][c]);
   });
   for (const std::uint64_t count : dropped) dropped_ += count;
 

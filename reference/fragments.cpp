@@ -27,7 +27,8 @@ bool covers(const ScreenTriangle& triangle, int column, int row) {
 void appendParts(const raster::DrawList& list, const raster::Face& face, const DrawnTriangle& drawn, int column,
                  int row, std::vector<Part>& parts) {
   std::vector<ScreenTriangle> screen;
-  raster::appendScreenTriangles(list, face, {drawn.draw, drawn.triangle, drawn.triangle + 1}, {}, screen);
+  const raster::TriangleRun run{drawn.draw, drawn.triangle, drawn.triangle + 1};
+  raster::appendScreenTriangles(list, face, {&run, 1}, {}, screen);
   for (const ScreenTriangle& triangle : screen)
     if (covers(triangle, column, row)) parts.push_back({triangle, drawn.triangle});
 }

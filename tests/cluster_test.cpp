@@ -32,6 +32,13 @@ DrawList cloud(int draws, int triangles, unsigned seed) {
   return list;
 }
 
+/// The same draws with an index map.
+DrawList withMap(DrawList list) {
+  list.indexMaps.push_back({1, 1, {0}});
+  for (Draw& draw : list.draws) draw.indexMap = 0;
+  return list;
+}
+
 Scissor randomScissor(std::mt19937& random, int resolution) {
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   const int column = below(resolution), row = below(resolution);
@@ -41,24 +48,31 @@ Scissor randomScissor(std::mt19937& random, int resolution) {
 }  // namespace
 
 TEST_CASE("clusters cover the triangles of the draws in order, each once", "[cluster]") {
-  const DrawList list = cloud(10, 100, 1);
-  std::uint32_t next = 0;
-  for (const Cluster& cluster : clustersOf(list)) {
-    CHECK(cluster.run.first == next);
-    next = cluster.run.end;
-    for (std::size_t i = 3 * std::size_t{cluster.run.first}; i < 3 * std::size_t{cluster.run.end}; ++i) {
-      const glm::dvec3 p(list.positions[list.indices[i]]);
-      CHECK((glm::all(glm::lessThanEqual(cluster.low, p)) && glm::all(glm::lessThanEqual(p, cluster.high))));
-    }
+  for (const DrawList& list : {cloud(10, 100, 1), withMap(cloud(10, 100, 1)), cloud(500, 2, 4)}) {
+    std::uint32_t next = 0;
+    for (const Cluster& cluster : clustersOf(list))
+      for (const TriangleRun& run : cluster.runs) {
+        CHECK(run.first == next);
+        next = run.end;
+        for (std::size_t i = 3 * std::size_t{run.first}; i < 3 * std::size_t{run.end}; ++i) {
+          const glm::dvec3 p(list.positions[list.indices[i]]);
+          CHECK((glm::all(glm::lessThanEqual(cluster.low, p)) && glm::all(glm::lessThanEqual(p, cluster.high))));
+        }
+      }
+    CHECK(next == 1000);
   }
-  CHECK(next == 1000);
+}
+
+TEST_CASE("the pieces of a mesh share clusters of 32 triangles, and draws with a map have their own", "[cluster]") {
+  CHECK(clustersOf(cloud(500, 2, 4)).size() == 63);
+  CHECK(clustersOf(withMap(cloud(500, 2, 4))).size() == 500);
 }
 
 TEST_CASE("a cluster that may not cover a sample has no screen triangle, and most of those without have none looked at",
           "[cluster]") {
   std::mt19937 random(7);
   int without = 0, leftOut = 0;
-  for (const DrawList& list : {cloud(1000, 1, 2), cloud(30, 70, 3)}) {
+  for (const DrawList& list : {withMap(cloud(1000, 1, 2)), cloud(30, 70, 3)}) {
     const std::vector<Cluster> clusters = clustersOf(list);
     for (int view = 0; view < 40; ++view) {
       Face face = tests::frontFace(view % 2 == 0 ? 64 : 4096);
@@ -68,7 +82,7 @@ TEST_CASE("a cluster that may not cover a sample has no screen triangle, and mos
       face.scissor = randomScissor(random, face.resolution);
       for (const Cluster& cluster : clusters) {
         std::vector<ScreenTriangle> triangles;
-        appendScreenTriangles(list, face, cluster.run, {}, triangles);
+        appendScreenTriangles(list, face, cluster.runs, {}, triangles);
         const bool looksAt = mayCover(face, cluster);
         if (!triangles.empty()) CHECK(looksAt);
         without += triangles.empty() ? 1 : 0;

@@ -89,7 +89,8 @@ void count(const tests::DrawnCase& drawn, Counts& counts) {
   std::vector<ScreenTriangle> triangles;
   for (std::uint32_t d = 0; d < drawn.list.draws.size(); ++d) {
     const std::uint32_t t = drawn.list.draws[d].first / 3;
-    raster::appendScreenTriangles(drawn.list, drawn.face, {d, t, t + 1}, {}, triangles);
+    const raster::TriangleRun run{d, t, t + 1};
+    raster::appendScreenTriangles(drawn.list, drawn.face, {&run, 1}, {}, triangles);
     std::array<ViewVertex, 3> corners;
     std::array<glm::dvec3, 3> positions;
     for (std::size_t k = 0; k < 3; ++k) {
