@@ -27,12 +27,17 @@ class RowCounter {
   FormFactorRow take();
 
  private:
-  void add(raster::Word word, std::uint64_t share);
+  /// Where a word is counted: at an element, or behind them at the two that follow.
+  std::uint32_t slotOf(raster::Word word) const;
+  std::uint32_t backSlot() const { return static_cast<std::uint32_t>(discretization_.elements.size()); }
+  std::uint32_t backgroundSlot() const { return backSlot() + 1; }
 
   const Discretization& discretization_;
   const WordLayout& layout_;
-  FormFactorRow row_;                 ///< its elements in the order in which they were first seen, without shares
-  std::vector<std::uint64_t> share_;  ///< one an element, all 0 between rows
+  std::vector<std::uint32_t> slots_;   ///< of the lowest words: a pixel costs the same whatever it shows
+  std::vector<std::uint64_t> share_;   ///< one a slot, all 0 between rows
+  std::vector<std::uint8_t> touched_;  ///< one for every eight slots, not 0 where one of them may have a share
+  FormFactorRow row_;                  ///< the last one: its memory serves the next
 };
 
 }  // namespace hemitex::radiosity
