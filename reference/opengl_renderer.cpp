@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <tuple>
 
@@ -142,18 +143,32 @@ struct Runs {
 
   void add(GLint from, GLint end) {
     if (from == end) return;
+    if (!first.empty() && first.back() + count.back() == from) {
+      count.back() += end - from;
+      return;
+    }
     first.push_back(from);
     count.push_back(end - from);
   }
   void draw() const { glMultiDrawArrays(GL_TRIANGLES, first.data(), count.data(), static_cast<GLsizei>(first.size())); }
 };
 
-/// What is left of each draw without the skipped triangles, in the order of trianglesOf.
-std::vector<Runs> runsOf(const raster::DrawList& list, std::span<const std::uint32_t> skipped) {
-  std::vector<Runs> all;
+/// Whether the device may draw `next` together with `draw` before it.
+using Joins = std::function<bool(const raster::Draw& draw, const raster::Draw& next)>;
+
+/// Draws that are drawn together, by the first of them.
+struct Batch {
+  const raster::Draw* draw;
+  Runs runs;
+};
+
+/// What is left of the draws without the skipped triangles, in the order of trianglesOf.
+std::vector<Batch> batchesOf(const raster::DrawList& list, std::span<const std::uint32_t> skipped, const Joins& joins) {
+  std::vector<Batch> batches;
   GLint firstVertex = 0;
   for (const raster::Draw& draw : list.draws) {
-    Runs& runs = all.emplace_back();
+    if (batches.empty() || !joins(*batches.back().draw, draw)) batches.push_back({&draw, {}});
+    Runs& runs = batches.back().runs;
     const GLint endVertex = firstVertex + static_cast<GLint>(draw.count);
     GLint vertex = firstVertex;
     for (auto skip = std::lower_bound(skipped.begin(), skipped.end(), draw.first / 3);
@@ -165,7 +180,7 @@ std::vector<Runs> runsOf(const raster::DrawList& list, std::span<const std::uint
     runs.add(vertex, endVertex);
     firstVertex = endVertex;
   }
-  return all;
+  return batches;
 }
 
 // --- the paths ---
@@ -183,6 +198,8 @@ class Pipeline {
   virtual PixelFormat pixels() const = 0;
   virtual void clear(Word background) = 0;
   virtual void setView(const raster::Face& face, int width) = 0;
+  /// Draws that join are drawn as one.
+  virtual bool joins(const raster::Draw& draw, const raster::Draw& next) const = 0;
   virtual void draw(const raster::Draw& draw, const Runs& runs) = 0;
 };
 
@@ -204,6 +221,8 @@ class FixedFunction final : public Pipeline {
   PixelFormat pixels() const override { return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV}; }
   void clear(Word background) override;
   void setView(const raster::Face& face, int width) override;
+  /// An offset is a colour, which is set for a draw; and the fronts of a draw come before its backs.
+  bool joins(const raster::Draw&, const raster::Draw&) const override { return false; }
   void draw(const raster::Draw& draw, const Runs& runs) override;
 
  private:
@@ -330,16 +349,19 @@ void FixedFunction::draw(const raster::Draw& draw, const Runs& runs) {
 constexpr const char* vertexProgram = R"(#version 450
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec2 texelPosition;
+layout(location = 2) in uint drawOffset;
 layout(location = 0) uniform vec3 eye;
 layout(location = 1) uniform mat3 columns;  // of the matrix with the rows X, Y, W
 out vec3 view;
 out vec2 texel;
+out uint vertexOffset;
 
 void main() {
   precise vec3 d = position - eye;
   precise vec3 sum = (columns[0] * d.x + columns[1] * d.y) + columns[2] * d.z;
   view = sum;
   texel = texelPosition;
+  vertexOffset = drawOffset;
 }
 )";
 
@@ -358,8 +380,10 @@ layout(location = 3) uniform double unit;  // sub-pixels a unit of x/w
 layout(location = 4) uniform double width;
 in vec3 view[];
 in vec2 texel[];
+in uint vertexOffset[];
 flat out dvec3 one, s, t;
 flat out double volume;
+flat out uint offset;
 
 dvec3 snapped(vec3 v) {
   dvec2 across = unit * v.xy;
@@ -377,6 +401,7 @@ void main() {
     s = c[0] * texel[0].x + c[1] * texel[1].x + c[2] * texel[2].x;
     t = c[0] * texel[0].y + c[1] * texel[1].y + c[2] * texel[2].y;
     volume = dot(v[0], c[0]);
+    offset = vertexOffset[0];
     gl_Position = vec4(v[k].xy / (unit * width), near, v[k].z);
     EmitVertex();
   }
@@ -387,7 +412,6 @@ void main() {
 constexpr const char* fragmentProgram = R"(#version 450
 layout(location = 3) uniform double unit;
 layout(location = 5) uniform vec2 corner;  // of the scissor rectangle
-layout(location = 6) uniform uint offset;
 layout(location = 7) uniform uint back;
 layout(location = 8) uniform bool hasBack;
 layout(location = 9) uniform int operation;  // 0: no index map, 1: clamped add, 2: integer add, 3: replace
@@ -397,6 +421,7 @@ layout(location = 12) uniform uint channel[32];  // the bits of each
 layout(binding = 0) uniform usampler2DRect map;
 flat in dvec3 one, s, t;
 flat in double volume;
+flat in uint offset;
 out uint word;
 
 uint clampedAdd(uint a, uint b) {
@@ -430,6 +455,10 @@ class Shader final : public Pipeline {
   PixelFormat pixels() const override { return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT}; }
   void clear(Word background) override;
   void setView(const raster::Face& face, int width) override;
+  /// Each vertex brings the offset of its draw along.
+  bool joins(const raster::Draw& draw, const raster::Draw& next) const override {
+    return draw.back == next.back && draw.indexMap == next.indexMap;
+  }
   void draw(const raster::Draw& draw, const Runs& runs) override;
 
  private:
@@ -476,6 +505,11 @@ Shader::Shader(const raster::DrawList& list) : operation_(1 + static_cast<GLint>
   glEnableVertexAttribArray(1);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), at(offsetof(Corner, position)));
   glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(Corner), at(offsetof(Corner, texel)));
+  std::vector<Word> offsets;
+  for (const raster::Draw& draw : list.draws) offsets.insert(offsets.end(), draw.count, draw.offset);
+  fillBuffer(offsets.data(), offsets.size() * sizeof(Word), GL_STATIC_DRAW);
+  glEnableVertexAttribArray(2);
+  glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, sizeof(Word), at(0));
 }
 
 void Shader::clear(Word background) {
@@ -495,7 +529,6 @@ void Shader::setView(const raster::Face& face, int width) {
 }
 
 void Shader::draw(const raster::Draw& draw, const Runs& runs) {
-  glUniform1ui(6, draw.offset);
   glUniform1ui(7, draw.back.value_or(0));
   glUniform1i(8, draw.back.has_value());
   glUniform1i(9, draw.indexMap ? operation_ : 0);
@@ -537,7 +570,7 @@ class OpenGlRenderer::Implementation {
  private:
   void setSize(int width, int height);
   void setView(const raster::Face& face);
-  raster::ItemBuffer draw(const raster::Face& face, const std::vector<Runs>& runs);
+  raster::ItemBuffer draw(const raster::Face& face, const std::vector<Batch>& batches);
 
   raster::DrawList list_;
   std::unique_ptr<Context> context_;
@@ -593,16 +626,16 @@ void OpenGlRenderer::Implementation::setView(const raster::Face& face) {
   pipeline_->setView(face, width);
 }
 
-raster::ItemBuffer OpenGlRenderer::Implementation::draw(const raster::Face& face, const std::vector<Runs>& runs) {
+raster::ItemBuffer OpenGlRenderer::Implementation::draw(const raster::Face& face, const std::vector<Batch>& batches) {
   raster::ItemBuffer buffer{face.scissor.width, face.scissor.height, {}};
   buffer.words.resize(static_cast<std::size_t>(buffer.width) * static_cast<std::size_t>(buffer.height));
   setSize(buffer.width, buffer.height);
   setView(face);
   pipeline_->clear(raster::backgroundWord(list_.format));
-  for (std::size_t d = 0; d < list_.draws.size(); ++d) {
-    const raster::Draw& draw = list_.draws[d];
+  for (const Batch& batch : batches) {
+    const raster::Draw& draw = *batch.draw;
     if (draw.indexMap) glBindTexture(GL_TEXTURE_RECTANGLE, textures_[static_cast<std::size_t>(*draw.indexMap)]);
-    pipeline_->draw(draw, runs[d]);
+    pipeline_->draw(draw, batch.runs);
   }
   const PixelFormat pixels = pipeline_->pixels();
   glReadPixels(0, 0, buffer.width, buffer.height, pixels.format, pixels.type, buffer.words.data());
@@ -615,9 +648,11 @@ std::vector<raster::ItemBuffer> OpenGlRenderer::Implementation::render(std::span
                                                                        std::span<const std::uint32_t> skipped) {
   for (const raster::Face& face : faces) raster::validate(face);
   const Context::Use use(*context_);
-  const std::vector<Runs> runs = runsOf(list_, skipped);
+  const std::vector<Batch> batches =
+      batchesOf(list_, skipped,
+                [this](const raster::Draw& draw, const raster::Draw& next) { return pipeline_->joins(draw, next); });
   std::vector<raster::ItemBuffer> buffers;
-  for (const raster::Face& face : faces) buffers.push_back(draw(face, runs));
+  for (const raster::Face& face : faces) buffers.push_back(draw(face, batches));
   return buffers;
 }
 
