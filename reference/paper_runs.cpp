@@ -72,6 +72,16 @@ ShotTimes solveOnce(const Cell& cell) {
   return times;
 }
 
+int meshShots(const PaperScene& scene, const PaperLevel& level, const PaperDevice& device) {
+  const std::size_t shots = device.mostMeshElements / level.discretization.elements.size();
+  return static_cast<int>(std::clamp<std::size_t>(shots, 1, static_cast<std::size_t>(scene.shots)));
+}
+
+/// Long runs are timed once.
+bool isLong(const Cell& cell, double longTime) {
+  return !cell.repeats.empty() && mediansOf({cell.repeats.front()}).total > longTime;
+}
+
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t half = values.size() / 2;
@@ -121,7 +131,7 @@ std::vector<PaperRun> measurePaperRuns(const std::vector<PaperScene>& scenes, co
                               level.name,
                               resolution,
                               level.discretization.elements.size(),
-                              isMesh ? std::min(scene.shots, device.mostMeshShots) : scene.shots,
+                              isMesh ? meshShots(scene, level, device) : scene.shots,
                               {}}});
         }
   const double count = static_cast<double>(cells.size()) * settings.repeats;
@@ -132,7 +142,7 @@ std::vector<PaperRun> measurePaperRuns(const std::vector<PaperScene>& scenes, co
       if (progress)
         progress(done++ / count, run.scene + ", " + run.level + ", " + run.discretize + ", " + run.device +
                                      ", R = " + std::to_string(run.resolution));
-      cell.repeats.push_back(solveOnce(cell));
+      if (!isLong(cell, settings.longTime)) cell.repeats.push_back(solveOnce(cell));
     }
   std::vector<PaperRun> runs;
   for (Cell& cell : cells) {

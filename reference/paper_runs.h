@@ -33,7 +33,8 @@ struct PaperScene {
 struct PaperDevice {
   std::string name;  ///< software or opengl
   radiosity::RendererFactory makeRenderer;
-  int mostMeshShots = 1 << 30;  ///< no more shots by meshing, where that would take too long
+  /// No more shots by meshing than draw so many elements in all, but one: where there are many, it takes too long.
+  std::size_t mostMeshElements = 5000000;
 };
 
 /// Seconds of a solution: all of it without loading and discretizing; of that, form factors, from a patch to its row;
@@ -54,7 +55,8 @@ struct PaperRun {
 
 struct PaperSettings {
   std::vector<int> resolutions = {128, 512};
-  int repeats = 3;  ///< at least 1
+  int repeats = 3;      ///< at least 1
+  double longTime = 5;  ///< a run that takes more seconds is not repeated
 };
 
 /// Every scene, device, method, level and resolution, in this order. All are repeated in turns, so that what else the

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "radiosity/grid_size.h"
+
 namespace hemitex::reference {
 namespace {
 
@@ -25,6 +27,20 @@ radiosity::DiscretizationSettings settingsOf(const RoomLevel& level) {
   return settings;
 }
 
+/// Texels as small as eight packed pages of 64 x 64 allow, halved twice.
+PaperScene complexOf(const std::filesystem::path& folder) {
+  constexpr int pages = 8, side = 64, patch = 4;
+  PaperScene complex{.name = "complex", .scene = radiosity::loadScene(folder / "gallery.obj"), .levels = {}};
+  radiosity::DiscretizationSettings settings = radiosity::settingsForPages(complex.scene, pages, side);
+  for (const char* level : {"coarse", "medium", "fine"}) {
+    settings.patch = patch * settings.subdivision;
+    addLevel(complex, level, settings,
+             {.indexMaps = radiosity::IndexMaps::Packed, .page = side * settings.subdivision});
+    settings.subdivision *= 2;
+  }
+  return complex;
+}
+
 PaperScene room(const std::filesystem::path& folder, const std::string& name) {
   return {.name = name, .scene = radiosity::loadScene(folder / "paper-room.obj"), .levels = {}};
 }
@@ -38,7 +54,7 @@ std::vector<PaperScene> paperScenes(const std::filesystem::path& folder) {
   addLevel(simple, "fine", settingsOf({24, 8, 8}));
   PaperScene fillLimited = room(folder, "fill-limited");
   addLevel(fillLimited, "coarse", settingsOf({2, 1, 2}));
-  return {simple, fillLimited};
+  return {simple, complexOf(folder), fillLimited};
 }
 
 }  // namespace hemitex::reference

@@ -64,7 +64,7 @@ TEST_CASE("clusters cover the triangles of the draws in order, each once", "[clu
 }
 
 TEST_CASE("the pieces of a mesh share clusters of 32 triangles, and draws with a map have their own", "[cluster]") {
-  CHECK(clustersOf(cloud(500, 2, 4)).size() == 63);
+  CHECK(clustersOf(cloud(500, 2, 4)).size() == 32);
   CHECK(clustersOf(withMap(cloud(500, 2, 4))).size() == 500);
 }
 
