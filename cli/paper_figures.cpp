@@ -204,10 +204,10 @@ void addFigure4(Album& album, const reference::PaperScene& complex, const Camera
                    "Texture " + std::to_string(page + 1) + " of " + count + ".");
 }
 
-/// What clamped adds make of offsets that follow each other without gaps.
-void addWrongAnswers(Album& album, const Stage& stage) {
-  const Discretization discretization = figure2Discretization(stage.scene);
-  const WordLayout layout = radiosity::layOut(discretization, {.aligned = false, .page = 8});
+/// What clamped adds make of offsets that follow each other without gaps: maps of 12 x 12 texels soon have offsets
+/// whose sums with an index pass 255.
+void addWrongAnswers(Album& album, const Stage& stage, const Discretization& discretization) {
+  const WordLayout layout = radiosity::layOut(discretization, {.aligned = false});
   const radiosity::BlendErrors errors =
       radiosity::blendErrorPicture(stage.scene, discretization, layout, stage.camera, width, height);
   album.addOwn("wrong-answers", errors.picture,
@@ -245,7 +245,7 @@ ordered_json writePaperFigures(const std::filesystem::path& sceneFolder,
   progress("Figure 4");
   addFigure4(album, sceneNamed(scenes, reference::complexScene), stageOf(sceneFolder, "gallery").camera);
   progress("what the paper does not show");
-  addWrongAnswers(album, room);
+  addWrongAnswers(album, room, mediumOf(sceneNamed(scenes, reference::simpleScene)).discretization);
   addPlant(album, sceneFolder);
   return album.list();
 }
