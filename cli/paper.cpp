@@ -6,7 +6,9 @@
 #include <sstream>
 
 #include "cli/commands.h"
+#include "cli/paper_figures.h"
 #include "cli/paper_json.h"
+#include "cli/paper_page.h"
 #include "cli/renderers.h"
 #include "cli/scene_folder.h"
 #include "cli/staging.h"
@@ -71,14 +73,18 @@ void makePaper(const std::filesystem::path& output, Context& context) {
   const auto progress = [&console](double fraction, const std::string& what) { console.progress(fraction, what); };
   // As the machine of the paper had it: what is done on more threads would hide what is done on one.
   const raster::ThreadLimit oneProcessor(1);
-  const std::vector<reference::PaperRun> runs =
-      reference::measurePaperRuns(reference::paperScenes(sceneFolder()), devices(console), {}, progress);
-  console.endProgress();
+  const std::vector<reference::PaperScene> scenes = reference::paperScenes(sceneFolder());
+  const std::vector<reference::PaperRun> runs = reference::measurePaperRuns(scenes, devices(console), {}, progress);
   ordered_json result = paperJson(runs);
+  result["phantoms"] = phantomsJson(scenes);
+  Staging staging(output);
+  result["figures"] = writePaperFigures(sceneFolder(), scenes, staging.folder(),
+                                        [&console](const std::string& what) { console.progress(1, what); });
+  console.endProgress();
   result["warnings"] = console.given();
   result["times"] = {{"all_s", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()}};
-  Staging staging(output);
   radiosity::writeFile(staging.folder() / "paper.json", toText(result));
+  radiosity::writeFile(staging.folder() / "report.html", paperPage(result, staging.folder()));
   staging.commit();
   std::cout << (context.json ? toText(result) : summary(runs));
 }
@@ -89,7 +95,7 @@ void addPaper(CLI::App& program, Context& context) {
   const auto output = std::make_shared<std::filesystem::path>();
   CLI::App* command =
       program.add_subcommand("paper", "Make the tables and figures of the paper again, some minutes' work");
-  addOutput(*command, *output, "folder for paper.json");
+  addOutput(*command, *output, "folder for report.html, paper.json and the pictures");
   command->callback([output, &context] { context.command = [output, &context] { makePaper(*output, context); }; });
 }
 
