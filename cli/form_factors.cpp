@@ -49,7 +49,8 @@ nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
           {"discretize", nameOf(options.drawing.elementsBy)},
           {"resolution", options.drawing.resolution},
           {"orientation", nameOf(options.drawing.orientation)},
-          {"split", options.drawing.split}};
+          {"split", options.drawing.split},
+          {"pixels_per_element", options.drawing.pixelsPerElement}};
 }
 
 /// The columns behind those that say from where to where.

@@ -160,6 +160,10 @@ void addDrawingOptions(CLI::App& app, radiosity::DrawingSettings& settings) {
   addPositive(app, "--split", settings.split, std::numeric_limits<double>::infinity(),
               "quarter patches while more than this share of their light would come straight back to them from white "
               "surroundings (default 0.0125); 1 or more splits none");
+  addPositive(
+      app, "--pixels-per-element", settings.pixelsPerElement, std::numeric_limits<double>::infinity(),
+      "coarser index maps, shot by shot, where a surface covers fewer pixels than this for each of its elements "
+      "in view (default: none; 4 is worth it where elements are small for the pixels)");
 }
 
 std::string nameOf(radiosity::Orientation orientation) {
@@ -179,8 +183,8 @@ std::optional<radiosity::ProjectionKind> projectionNamed(const std::string& meth
 }
 
 std::vector<std::string> drawingOptionNames() {
-  return {"--discretize", "--resolution", "--orientation", "--split",   "--format",
-          "--index-maps", "--page",       "--blend",       "--no-align"};
+  return {"--discretize", "--resolution", "--orientation", "--split", "--pixels-per-element",
+          "--format",     "--index-maps", "--page",        "--blend", "--no-align"};
 }
 
 void refuseUnused(const CLI::App& app, const std::vector<std::string>& options, const std::string& method) {

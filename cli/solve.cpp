@@ -114,6 +114,7 @@ ordered_json settingsJson(const SolveOptions& options, const radiosity::Camera& 
           {"resolution", ofProjections(options.drawing.resolution)},
           {"orientation", ofProjections(nameOf(options.drawing.orientation))},
           {"split", ofProjections(options.drawing.split)},
+          {"pixels_per_element", ofProjections(options.drawing.pixelsPerElement)},
           {"samples", usesRays(options) ? ordered_json(options.samples) : ordered_json()},
           {"format", options.word.format},
           {"index_maps", nameOf(options.word.indexMaps)},
@@ -405,8 +406,8 @@ void addSolve(CLI::App& program, Context& context) {
       *command, "--max-error", options->maxError, 1,
       "let the error of the elements' radiosity be at most this share of all light, weighted by flux: resolution, "
       "patches, splits, residual and coarser index maps than --texels are chosen for it");
-  for (const char* chosen :
-       {"--resolution", "--orientation", "--split", "--patch", "--texel-size", "--residual", "--shots", "--samples"})
+  for (const char* chosen : {"--resolution", "--orientation", "--split", "--pixels-per-element", "--patch",
+                             "--texel-size", "--residual", "--shots", "--samples"})
     maxError->excludes(command->get_option(chosen));
   CLI::Option* adaptive = addPositive(
       *command, "--adaptive", options->adaptive, 1,

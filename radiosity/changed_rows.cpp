@@ -87,7 +87,7 @@ RowChange changeOf(SceneChange& change, std::uint32_t patchBefore, std::uint32_t
   const std::vector<View> before = change.rowsBefore.viewsOfPatch(patchBefore);
   const std::vector<View> after = change.rowsAfter.viewsOfPatch(patchAfter);
   const bool sameViews = std::equal(before.begin(), before.end(), after.begin(), after.end(), areSameViews);
-  if (sameViews && before.size() == 1) {
+  if (sameViews && before.size() == 1 && change.rowsAfter.isSumOfWindows()) {
     const std::vector<Window> windows = windowsOf(change, after.front());
     if (windows.empty()) return {};
     return {change.rowsBefore.ofWindows(before.front(), windows), change.rowsAfter.ofWindows(after.front(), windows)};

@@ -37,6 +37,6 @@ DrawnRows::DrawnRows(const Scene& scene, Discretization unsplit, WordLayout layo
       renderer_(sceneRenderer(scene, unsplit, layout_, settings.elementsBy, makeRenderer)),
       discretization_(splitByTextures(scene, std::move(unsplit), layout_, *renderer_, settings)),
       rows_(scene, discretization_, layout_, *renderer_,
-            {settings.resolution, settings.orientation, settings.projection}) {}
+            {settings.resolution, settings.orientation, settings.projection, settings.pixelsPerElement}) {}
 
 }  // namespace hemitex::radiosity

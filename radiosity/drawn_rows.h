@@ -30,6 +30,7 @@ struct DrawingSettings {
   double split = defaultMostReturning;  ///< see splitPatches; 1 or more splits none
   ElementsBy elementsBy = ElementsBy::Texture;
   ProjectionKind projection = ProjectionKind::Hemicube;
+  double pixelsPerElement = 0;  ///< see ViewSettings
 };
 
 /// Makes the renderer of a draw list.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "radiosity/coarser_maps.h"
 #include "radiosity/patch_points.h"
 
 namespace hemitex::radiosity {
@@ -10,6 +11,7 @@ ProjectedRows::ProjectedRows(const Scene& scene, const Discretization& discretiz
                              raster::ItemBufferRenderer& renderer, const ViewSettings& settings)
     : scene_(scene),
       discretization_(discretization),
+      layout_(layout),
       renderer_(renderer),
       settings_(settings),
       counter_(discretization, layout) {}
@@ -50,12 +52,15 @@ std::vector<View> ProjectedRows::viewsOfPatch(std::uint32_t number) {
 FormFactorRow ProjectedRows::ofView(const View& view) {
   std::vector<Window> windows;
   for (std::size_t face = 0; face < view.faces.size(); ++face) windows.push_back({face, view.faces[face].scissor});
-  FormFactorRow row = ofWindows(view, windows);
+  const std::vector<raster::ItemBuffer> buffers = draw(view, windows);
+  FormFactorRow row = counter_.take();
+  if (settings_.pixelsPerElement > 0)
+    row = withCoarserMaps(discretization_, row, pixelsOf(row, view, buffers), settings_.pixelsPerElement);
   row.background += wholeShare - view.projection->captured;
   return row;
 }
 
-FormFactorRow ProjectedRows::ofWindows(const View& view, std::span<const Window> windows) {
+std::vector<raster::ItemBuffer> ProjectedRows::draw(const View& view, std::span<const Window> windows) {
   std::vector<raster::Face> faces;
   for (const Window& window : windows) {
     faces.push_back(view.faces[window.face]);
@@ -64,6 +69,26 @@ FormFactorRow ProjectedRows::ofWindows(const View& view, std::span<const Window>
   const std::vector<raster::ItemBuffer> buffers = renderer_.render(faces, view.skipped);
   for (std::size_t i = 0; i < windows.size(); ++i)
     counter_.add(*view.projection, windows[i].face, windows[i].scissor, buffers[i]);
+  return buffers;
+}
+
+std::vector<std::uint32_t> ProjectedRows::pixelsOf(const FormFactorRow& row, const View& view,
+                                                   const std::vector<raster::ItemBuffer>& buffers) const {
+  std::vector<std::uint32_t> pixels(row.elements.size());
+  for (std::size_t face = 0; face < buffers.size(); ++face) {
+    const std::vector<std::uint64_t>& shares = view.projection->shares[view.projection->faces[face].shares];
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      const auto element = elementOf(discretization_, layout_, buffers[face].words[i]);
+      if (shares[i] == 0 || !element) continue;
+      const auto place = std::lower_bound(row.elements.begin(), row.elements.end(), *element);
+      ++pixels[static_cast<std::size_t>(place - row.elements.begin())];
+    }
+  }
+  return pixels;
+}
+
+FormFactorRow ProjectedRows::ofWindows(const View& view, std::span<const Window> windows) {
+  draw(view, windows);
   return counter_.take();
 }
 

@@ -26,6 +26,9 @@ struct ViewSettings {
   int resolution = 256;  ///< pixels along the side of a face; even, 2 to 4096
   Orientation orientation = Orientation::Aligned;
   ProjectionKind projection = ProjectionKind::Hemicube;
+  /// Where a surface covers fewer pixels than this for each of its elements in view, coarser index maps are used (see
+  /// coarser_maps.h); 0: nowhere.
+  double pixelsPerElement = 0;
 };
 
 /// All that is drawn for the row from one point.
@@ -62,15 +65,24 @@ class ProjectedRows {
   std::vector<View> viewsOfPatch(std::uint32_t patch);
   /// The row of one view.
   FormFactorRow ofView(const View& view);
-  /// What windows of a view add to its row.
+  /// What windows of a view add to its row, as long as isSumOfWindows.
   FormFactorRow ofWindows(const View& view, std::span<const Window> windows);
 
+  /// Whether the windows of a view add up to its row: the level of coarser maps is chosen for whole views.
+  bool isSumOfWindows() const { return settings_.pixelsPerElement == 0; }
+
  private:
+  /// Into the counter.
+  std::vector<raster::ItemBuffer> draw(const View& view, std::span<const Window> windows);
+  /// In which each of a row's elements is seen, of a whole view.
+  std::vector<std::uint32_t> pixelsOf(const FormFactorRow& row, const View& view,
+                                      const std::vector<raster::ItemBuffer>& buffers) const;
   View viewFrom(std::uint32_t surface, const SurfacePoint& point, const glm::dvec3& up, int halvings, double area);
   const Projection& projectionAfter(int halvings);
 
   const Scene& scene_;
   const Discretization& discretization_;
+  const WordLayout& layout_;
   raster::ItemBufferRenderer& renderer_;
   ViewSettings settings_;
   std::map<int, Projection> projections_;  ///< by resolution, made when first asked for

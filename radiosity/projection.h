@@ -26,7 +26,8 @@ struct ProjectionFace {
 struct Projection {
   std::vector<ProjectionFace> faces;
   /// The delta form factors, in units of 2^-60: the integrals of cos(theta)/pi over what each pixel of a scissor
-  /// rectangle stands for, row-major. Faces that are alike have one table.
+  /// rectangle stands for, row-major. Pixels that stand for nothing come before all others of their row. Faces that are
+  /// alike have one table.
   std::vector<std::vector<std::uint64_t>> shares;
   std::uint64_t captured = wholeShare;  ///< the sum over all pixels of all faces
   /// How much farther away than deep what a face sees can be, squared: it sees a point at distance d at a depth w of

@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "radiosity/coarser_maps.h"
 #include "radiosity/drawn_rows.h"
 #include "reference/ray_rows.h"
 
@@ -20,6 +21,7 @@ struct DrawnStyle {
   radiosity::Orientation orientation;
   double split;  ///< see radiosity::DrawingSettings
   std::vector<int> measured;
+  double pixelsPerElement = 0;  ///< see radiosity::ViewSettings
 };
 
 /// Of the faces of a projection: of a hemicube a square and four halves of it.
@@ -35,10 +37,11 @@ double directionsOf(radiosity::ProjectionKind projection, int resolution) {
 
 TradeMethod drawnMethod(const DrawnStyle& style) {
   const auto rows = [style](const Scene& scene, Discretization& discretization, int resolution) -> RowSource {
-    const auto drawn = std::make_shared<radiosity::DrawnRows>(
-        scene, discretization, radiosity::layOut(discretization),
-        radiosity::DrawingSettings{resolution, style.orientation, style.split, radiosity::ElementsBy::Texture,
-                                   style.projection});
+    const radiosity::DrawingSettings settings{resolution,       style.orientation,
+                                              style.split,      radiosity::ElementsBy::Texture,
+                                              style.projection, style.pixelsPerElement};
+    const auto drawn =
+        std::make_shared<radiosity::DrawnRows>(scene, discretization, radiosity::layOut(discretization), settings);
     discretization = drawn->discretization();
     return [drawn](std::uint32_t patch) { return drawn->rows().ofPatch(patch); };
   };
@@ -79,6 +82,8 @@ std::vector<TradeMethod> tradeMethods() {
           drawnMethod({"split-hemicube", ProjectionKind::Hemicube, Orientation::Turned, split, few}),
           drawnMethod({"single-plane", ProjectionKind::SinglePlane, Orientation::Turned, unsplit, few}),
           drawnMethod({"tetrahedron", ProjectionKind::CubicTetrahedron, Orientation::Turned, unsplit, few}),
+          drawnMethod({"levels-of-detail", ProjectionKind::Hemicube, Orientation::Turned, unsplit, few,
+                       radiosity::suggestedPixelsPerElement}),
           rayMethod("centre-rays", RayStart::Centre),
           rayMethod("area-rays", RayStart::Area)};
 }

@@ -31,6 +31,8 @@ struct TradeMethod {
 /// radiosity/patch_splitting.h).
 /// - `single-plane`, `tetrahedron`: turned as well, on the faces of these projections (see radiosity/single_plane.h and
 /// radiosity/cubic_tetrahedron.h).
+/// - `levels-of-detail`: turned hemicubes, with coarser index maps where surfaces cover few pixels (see
+/// radiosity/coarser_maps.h).
 /// - `centre-rays`: rays from the same points as hemicubes, so that what differs is how directions are looked into.
 /// - `area-rays`: rays from all over a patch.
 std::vector<TradeMethod> tradeMethods();

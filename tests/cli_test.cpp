@@ -167,6 +167,7 @@ TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind"
       "formfactors room.obj --from floor --method analytic --resolution 64",
       "solve room.obj -o out --method single-plane --max-error 0.1",
       "solve room.obj -o out --method tetrahedron --samples 64",
+      "solve room.obj -o out --method rays --pixels-per-element 4", "solve room.obj -o out --pixels-per-element 0",
       "formfactors room.obj --from floor --method tetrahedron --samples 64",
       "formfactors room.obj --from floor --method rays --no-align",
       "formfactors room.obj --from floor --method rays --index-maps packed",
@@ -646,17 +647,41 @@ TEST_CASE("Other projections find form factors and solutions, and say what they 
     CHECK(tetrahedron["row"][i]["form_factor"].get<double>() ==
           Approx(hemicube["row"][i]["form_factor"].get<double>()).margin(1e-3));
 
-  const Outcome lossy = shell.run("solve room.obj -o plane --texels 4 --method single-plane --json");
+  const Outcome lossy = shell.run("solve room.obj -o plane --texels 4 --resolution 64 --method single-plane --json");
   REQUIRE(lossy.exitCode == 0);
   const json solution = json::parse(lossy.out);
   CHECK(solution["settings"]["method"] == "single-plane");
   CHECK(solution["captured"].get<double>() == Approx(captured).epsilon(1e-12));
   CHECK(solution["warnings"].size() == 1);
   CHECK(solution["energy"]["lost"][0].get<double>() > 0.04 * solution["energy"]["emitted"][0].get<double>());
-  const json whole = json::parse(shell.output("solve room.obj -o all --texels 4 --method tetrahedron --json"));
+  const json whole =
+      json::parse(shell.output("solve room.obj -o all --texels 4 --resolution 64 --method tetrahedron --json"));
   CHECK(whole["captured"] == 1);
   CHECK(whole["warnings"].empty());
   CHECK(whole["energy"]["lost"][0] == 0);
+}
+
+TEST_CASE("Coarser index maps are used where they were asked for, and make smoother rows", "[cli]") {
+  // A ceiling of 32 x 32 elements in at most 16 x 16 pixels: one in four or fewer is met, but every block is.
+  const Shell shell;
+  const auto seen = [&](const std::string& options) {
+    const json result = json::parse(shell.output(
+        "formfactors room.obj --from floor:16,16 --texels 32 --resolution 16 --split 1 --json " + options));
+    double sum = result["background"].get<double>() + result["back"].get<double>();
+    int met = 0;
+    for (const json& element : result["row"]) {
+      sum += element["form_factor"].get<double>();
+      met += element["surface"] == "ceiling" && element["form_factor"].get<double>() > 0;
+    }
+    CHECK(sum == Approx(1).epsilon(1e-12));
+    return std::pair(met, result["pixels_per_element"].get<double>());
+  };
+  const auto [few, none] = seen("");
+  const auto [all, four] = seen("--pixels-per-element 4");
+  CHECK(none == 0);
+  CHECK(four == 4);
+  CHECK(few <= 256);
+  CHECK(all == 1024);
 }
 
 TEST_CASE("The matrix of form factors is checked by what holds for all", "[cli]") {
