@@ -27,10 +27,14 @@ radiosity::DiscretizationSettings settingsOf(const RoomLevel& level) {
   return settings;
 }
 
+PaperScene sceneOf(const std::filesystem::path& folder, const std::string& file, const std::string& name) {
+  return {.name = name, .scene = radiosity::loadScene(folder / file), .levels = {}};
+}
+
 /// Texels as small as eight packed pages of 64 x 64 allow, halved twice.
 PaperScene complexOf(const std::filesystem::path& folder) {
   constexpr int pages = 8, side = 64, patch = 4;
-  PaperScene complex{.name = "complex", .scene = radiosity::loadScene(folder / "gallery.obj"), .levels = {}};
+  PaperScene complex = sceneOf(folder, "gallery.obj", "complex");
   radiosity::DiscretizationSettings settings = radiosity::settingsForPages(complex.scene, pages, side);
   for (const char* level : {"coarse", "medium", "fine"}) {
     settings.patch = patch * settings.subdivision;
@@ -41,20 +45,18 @@ PaperScene complexOf(const std::filesystem::path& folder) {
   return complex;
 }
 
-PaperScene room(const std::filesystem::path& folder, const std::string& name) {
-  return {.name = name, .scene = radiosity::loadScene(folder / "paper-room.obj"), .levels = {}};
-}
-
 }  // namespace
 
 std::vector<PaperScene> paperScenes(const std::filesystem::path& folder) {
-  PaperScene simple = room(folder, "simple");
+  PaperScene simple = sceneOf(folder, "paper-room.obj", "simple");
   addLevel(simple, "coarse", settingsOf({6, 2, 2}));
   addLevel(simple, "medium", settingsOf({12, 4, 4}));
   addLevel(simple, "fine", settingsOf({24, 8, 8}));
-  PaperScene fillLimited = room(folder, "fill-limited");
+  PaperScene plant = sceneOf(folder, "plant.obj", "plant");
+  addLevel(plant, "coarse", {.texelSize = 0.25, .patch = 4});
+  PaperScene fillLimited = sceneOf(folder, "paper-room.obj", "fill-limited");
   addLevel(fillLimited, "coarse", settingsOf({2, 1, 2}));
-  return {simple, complexOf(folder), fillLimited};
+  return {simple, complexOf(folder), plant, fillLimited};
 }
 
 }  // namespace hemitex::reference
