@@ -421,7 +421,9 @@ void addSolve(CLI::App& program, Context& context) {
                    "frames of edits (objects that move, come or go, lights, reflectances); the solution is updated for "
                    "each, into a folder of its own")
       ->type_name("FILE.json")
-      ->excludes(adaptive);
+      ->excludes(adaptive)
+      // Coarser maps move light beyond the pixels that bound what an edit changes.
+      ->excludes(command->get_option("--pixels-per-element"));
   command->callback([options, command, &context] {
     refuseUnused(*command, usesRays(*options) ? drawingOptionNames() : std::vector<std::string>{"--samples"},
                  options->method);

@@ -315,7 +315,8 @@ TEST_CASE("A file of edits that is wrong is refused before anything is done, wit
 TEST_CASE("Edits that are not there, and methods that have no use for them, are bad usage", "[cli]") {
   const Shell shell;
   writeAll(shell.file("edits.json"), R"({"frames": []})");
-  for (const char* arguments : {"none.json", "edits.json --method rays", "edits.json --discretize mesh"})
+  for (const char* arguments :
+       {"none.json", "edits.json --method rays", "edits.json --discretize mesh", "edits.json --pixels-per-element 4"})
     CHECK(shell.run(quickSolve + "-o out --edits " + arguments).exitCode == 2);
 }
 
