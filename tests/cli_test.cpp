@@ -685,6 +685,38 @@ TEST_CASE("Coarser index maps are used where they were asked for, and make smoot
   CHECK(all == 1024);
 }
 
+TEST_CASE("Quadtrees leave elements together where light changes little", "[cli]") {
+  const Shell shell;
+  shell.output("solve room.obj --texels 16 --patch 4 --resolution 32 --size 40x30 --adaptive 0.003 -o out");
+  const json solution = json::parse(readAll(shell.file("out/solution.json")));
+  CHECK(solution["settings"]["adaptive"] == 0.003);
+  CHECK(solution["settings"]["filter"] == "quadtree");
+  // Six faces of at least 4 x 4 elements, at most 16 x 16.
+  const auto elements = solution["elements"].get<std::size_t>();
+  CHECK(elements > 6 * 16);
+  CHECK(elements < 6 * 256 / 2);
+  CHECK(linesOf(readAll(shell.file("out/elements.csv"))).size() == elements + 1);
+  CHECK(shell.run("solve room.obj --texels 12 --adaptive 0.01 -o none").exitCode == 2);
+  CHECK(shell.run("solve room.obj --texels 16 --filter quadtree --adaptive 0 -o none").exitCode == 2);
+  CHECK_FALSE(fs::exists(shell.file("none")));
+}
+
+TEST_CASE("Filters change display textures and nothing that is measured", "[cli]") {
+  const Shell shell;
+  for (const std::string filter : {"one-to-one", "triangle", "bilinear", "bicubic", "gouraud"}) {
+    shell.output(quickSolve + "--filter " + filter + " -o " + filter);
+    for (const std::string name : {"/elements.csv", "/floor.exr", "/scene.obj"})
+      CHECK(readAll(shell.file(filter + name)) == readAll(shell.file("one-to-one" + name)));
+    CHECK((readAll(shell.file(filter + "/floor.png")) == readAll(shell.file("one-to-one/floor.png"))) ==
+          (filter == "one-to-one"));
+    const json settings = json::parse(readAll(shell.file(filter + "/solution.json")))["settings"];
+    CHECK(settings["filter"] == filter);
+    CHECK(settings["magnify"] == (filter == "one-to-one" || filter == "triangle" ? 1 : 4));
+  }
+  for (const char* options : {"--filter none", "--filter bicubic --magnify 0", "--magnify 17"})
+    CHECK(shell.run(quickSolve + options + " -o none").exitCode == 2);
+}
+
 TEST_CASE("The matrix of form factors is checked by what holds for all", "[cli]") {
   // In a closed cube rows sum to 1; rays break reciprocity by their errors, some 1e-3 each, hemicubes by theirs.
   const Shell shell;
