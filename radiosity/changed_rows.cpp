@@ -36,6 +36,15 @@ std::vector<Window> windowsOf(const SceneChange& change, const View& view) {
   return windows;
 }
 
+/// `known` is the row of the view before, where it is known.
+RowChange changeOfView(SceneChange& change, const View& before, const View& after, const FormFactorRow* known) {
+  const std::vector<Window> windows = windowsOf(change, after);
+  const bool sameViews = areSameViews(before, after);
+  if (sameViews && windows.empty()) return {};
+  if (sameViews) return {change.rowsBefore.ofWindows(before, windows), change.rowsAfter.ofWindows(after, windows)};
+  return {known != nullptr ? *known : change.rowsBefore.ofView(before), change.rowsAfter.ofView(after), true};
+}
+
 }  // namespace
 
 ChangedSurfaces::ChangedSurfaces(const Scene& scene, const std::vector<bool>& isChanged)
@@ -86,16 +95,21 @@ RowChange changeOf(SceneChange& change, std::uint32_t patchBefore, std::uint32_t
                    const FormFactorRow* known) {
   const std::vector<View> before = change.rowsBefore.viewsOfPatch(patchBefore);
   const std::vector<View> after = change.rowsAfter.viewsOfPatch(patchAfter);
-  const bool sameViews = std::equal(before.begin(), before.end(), after.begin(), after.end(), areSameViews);
-  if (sameViews && before.size() == 1 && change.rowsAfter.isSumOfWindows()) {
-    const std::vector<Window> windows = windowsOf(change, after.front());
-    if (windows.empty()) return {};
-    return {change.rowsBefore.ofWindows(before.front(), windows), change.rowsAfter.ofWindows(after.front(), windows)};
+  if (before.size() != after.size() || !change.rowsAfter.isSumOfWindows())
+    return {known != nullptr ? *known : change.rowsBefore.ofPatch(patchBefore), change.rowsAfter.ofPatch(patchAfter),
+            true};
+  if (after.size() == 1) return changeOfView(change, before.front(), after.front(), known);
+  std::vector<WeightedRow> gone, come;
+  double area = 0;
+  for (std::size_t view = 0; view < after.size(); ++view) {
+    area += after[view].area;
+    RowChange part = changeOfView(change, before[view], after[view], nullptr);
+    if (part.isNothing()) continue;
+    gone.push_back({std::move(part.before), after[view].area});
+    come.push_back({std::move(part.after), after[view].area});
   }
-  const auto isUnseen = [&](const View& view) { return windowsOf(change, view).empty(); };
-  if (sameViews && std::all_of(after.begin(), after.end(), isUnseen)) return {};
-  return {known != nullptr ? *known : change.rowsBefore.ofPatch(patchBefore), change.rowsAfter.ofPatch(patchAfter),
-          true};
+  if (gone.empty()) return {};
+  return {.before = partOfMean(gone, area), .after = partOfMean(come, area), .isRounded = true};
 }
 
 }  // namespace hemitex::radiosity

@@ -42,7 +42,8 @@ double pixelAngle(const Projection& projection);
 /// and the row after are alike.
 struct RowChange {
   FormFactorRow before, after;
-  bool isWhole = false;  ///< they are whole rows
+  bool isWhole = false;    ///< they are whole rows
+  bool isRounded = false;  ///< they are parts of means, which are rounded as a whole: to a few units of 2^-60
   bool isNothing() const { return before.elements.empty() && before.background == 0 && before.back == 0; }
 };
 
@@ -53,9 +54,8 @@ struct SceneChange {
   ChangedSurfaces gone, come;
 };
 
-/// Of a patch that is in both scenes, at the same place. Its row is drawn whole where it is a mean of several, which
-/// rounds, or where the near distance differs, which moves vertices where triangles cross the near plane; `known` is
-/// the row before, where it is known.
+/// Of a patch that is in both scenes, at the same place. A view is drawn whole where the near distance differs, which
+/// moves vertices where triangles cross the near plane; `known` is the row before, where it is known.
 RowChange changeOf(SceneChange& change, std::uint32_t patchBefore, std::uint32_t patchAfter,
                    const FormFactorRow* known = nullptr);
 

@@ -8,6 +8,7 @@
 #include "radiosity/carried_discretization.h"
 #include "radiosity/changed_rows.h"
 #include "radiosity/flux_sum.h"
+#include "radiosity/patch_points.h"
 
 namespace hemitex::radiosity {
 
@@ -179,14 +180,22 @@ class LightUpdate {
     for (std::size_t p = 0; p < shares.size(); ++p) {
       if (!numbers_.patch[p]) continue;  // what it shot is taken back wholly
       const Patch& patch = before.patches[p];
-      const SurfacePoint centre = patchCentre(sceneBefore_, before, patch);
       const double pixel = pixelAngle(change_.rowsAfter.projection()) * (1 << patch.halvings);
-      shares[p] =
-          patch.points > 1
-              ? 1
-              : std::min(1.0, change_.gone.largestShare(centre, pixel) + change_.come.largestShare(centre, pixel));
+      for (const SurfacePoint& point : pointsOf(patch))
+        shares[p] = std::max(shares[p], std::min(1.0, change_.gone.largestShare(point, pixel) +
+                                                          change_.come.largestShare(point, pixel)));
     }
     return shares;
+  }
+
+  /// Where the patch shoots from.
+  std::vector<SurfacePoint> pointsOf(const Patch& patch) const {
+    std::vector<SurfacePoint> points;
+    if (patch.points > 1)
+      for (const ShootingBlock& block : shootingBlocks(sceneBefore_, before_.discretization(), patch))
+        points.push_back(block.centre);
+    if (points.empty()) points.push_back(patchCentre(sceneBefore_, before_.discretization(), patch));
+    return points;
   }
 
   FormFactorRow renumbered(const FormFactorRow& row) const { return inNewNumbers(row, numbers_, gone_); }
@@ -216,7 +225,7 @@ class LightUpdate {
     ++(change.isWhole ? cost_.rowsWhole : cost_.rowsInWindows);
     if (change.isWhole)
       rows_.keep(number, change.after);
-    else if (known != nullptr)
+    else if (known != nullptr && !change.isRounded)
       rows_.keep(number, exchanged(renumbered(*known), before, change.after));
   }
 

@@ -39,13 +39,29 @@ Sums sum(const Sums& sums, const FormFactorRow& row, double weight) {
 
 std::uint64_t rounded(double share) { return static_cast<std::uint64_t>(std::nearbyint(share)); }
 
-/// Gives the largest share what is missing to the whole, which is far less than that share.
-void close(FormFactorRow& row) {
-  const std::uint64_t total = std::accumulate(row.shares.begin(), row.shares.end(), row.background + row.back);
+std::uint64_t totalOf(const FormFactorRow& row) {
+  return std::accumulate(row.shares.begin(), row.shares.end(), row.background + row.back);
+}
+
+/// Gives the largest share what is missing to the total, which is far less than that share.
+void close(FormFactorRow& row, std::uint64_t total) {
   std::uint64_t* largest = row.background > row.back ? &row.background : &row.back;
   for (std::uint64_t& share : row.shares)
     if (share > *largest) largest = &share;
-  *largest += wholeShare - total;
+  *largest += total - totalOf(row);
+}
+
+FormFactorRow weightedSum(std::span<const WeightedRow> rows, double area, std::uint64_t total) {
+  Sums sums;
+  for (const WeightedRow& weighted : rows) sums = sum(sums, weighted.row, weighted.area / area);
+  FormFactorRow result{{}, {}, rounded(sums.background), rounded(sums.back)};
+  for (std::size_t i = 0; i < sums.shares.size(); ++i) {
+    if (rounded(sums.shares[i]) == 0) continue;
+    result.elements.push_back(sums.elements[i]);
+    result.shares.push_back(rounded(sums.shares[i]));
+  }
+  close(result, total);
+  return result;
 }
 
 }  // namespace
@@ -54,16 +70,13 @@ FormFactorRow meanOf(std::span<const WeightedRow> rows) {
   assert(!rows.empty());
   const double area = std::accumulate(rows.begin(), rows.end(), 0.0,
                                       [](double sum, const WeightedRow& weighted) { return sum + weighted.area; });
-  Sums sums;
-  for (const WeightedRow& weighted : rows) sums = sum(sums, weighted.row, weighted.area / area);
-  FormFactorRow mean{{}, {}, rounded(sums.background), rounded(sums.back)};
-  for (std::size_t i = 0; i < sums.shares.size(); ++i) {
-    if (rounded(sums.shares[i]) == 0) continue;
-    mean.elements.push_back(sums.elements[i]);
-    mean.shares.push_back(rounded(sums.shares[i]));
-  }
-  close(mean);
-  return mean;
+  return weightedSum(rows, area, wholeShare);
+}
+
+FormFactorRow partOfMean(std::span<const WeightedRow> parts, double area) {
+  double total = 0;
+  for (const WeightedRow& part : parts) total += part.area / area * static_cast<double>(totalOf(part.row));
+  return weightedSum(parts, area, rounded(total));
 }
 
 FormFactorRow exchanged(const FormFactorRow& row, const FormFactorRow& less, const FormFactorRow& more) {

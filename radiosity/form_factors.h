@@ -33,6 +33,10 @@ struct WeightedRow {
 /// Elements whose share rounds to nothing are left out.
 FormFactorRow meanOf(std::span<const WeightedRow> rows);
 
+/// What parts of such rows add to their mean, `area` being that of all its points, those without a part included. Parts
+/// that sum to the same shares, row by row, sum to the same again.
+FormFactorRow partOfMean(std::span<const WeightedRow> parts, double area);
+
 /// A row without what it had in some places, and with what it has there now. Every share of `less` is part of `row`.
 FormFactorRow exchanged(const FormFactorRow& row, const FormFactorRow& less, const FormFactorRow& more);
 

@@ -206,6 +206,39 @@ TEST_CASE("what a window changes of a row is to the last unit the difference of 
   CHECK(whole < windows / 2);
 }
 
+TEST_CASE("what windows change of the mean of several points' rows is what the mean changes by, to within rounding",
+          "[dynamic]") {
+  Scene scene = lampRoom();
+  Discretization discretization = discretize(scene, settings().discretization);
+  for (Patch& patch : discretization.patches) patch.points = 2;
+  EditedScene edit = edited(scene, {}, {{Move{"cube", {0.5, 0.25, 0.125}}}});
+  const DrawingSettings unsplit{.resolution = 32, .orientation = Orientation::Turned, .split = 1};
+  DrawnRows before(scene, discretization, layOutWords(discretization), unsplit);
+  DrawnRows after(edit.scene, discretization, layOutWords(discretization), unsplit);
+  std::vector<bool> isCube;
+  for (const Surface& surface : scene.surfaces) isCube.push_back(surface.family == "cube");
+  SceneChange change{before.rows(), after.rows(), {scene, isCube}, {edit.scene, isCube}};
+  const auto add = [](std::vector<double>& sums, const FormFactorRow& row, double sign) {
+    for (std::size_t i = 0; i < row.elements.size(); ++i) sums[row.elements[i]] += sign * formFactor(row.shares[i]);
+    sums.back() += sign * formFactor(row.background + row.back);
+  };
+  int changed = 0;
+  for (std::uint32_t patch = 0; patch < discretization.patches.size(); ++patch) {
+    if (isCube[discretization.patches[patch].surface]) continue;
+    const RowChange difference = changeOf(change, patch, patch);
+    CHECK_FALSE(difference.isWhole);
+    changed += difference.isRounded ? 1 : 0;
+    std::vector<double> sums(discretization.elements.size() + 1);
+    add(sums, before.rows().ofPatch(patch), -1);
+    add(sums, difference.before, 1);
+    add(sums, difference.after, -1);
+    add(sums, after.rows().ofPatch(patch), 1);
+    // Four sums of form factors up to 1 in binary64, and the units of 2^-60 that the largest share takes.
+    for (const double sum : sums) CHECK(std::abs(sum) <= 4 * 0x1p-52);
+  }
+  CHECK(changed > 50);
+}
+
 TEST_CASE("an update draws a small part of what a fresh solution draws", "[dynamic]") {
   // Counts, not times: they are the same everywhere. A small object of one patch a face, whose old rows are still kept:
   // what is drawn are those that it shoots along from its new place, and windows around both places.
