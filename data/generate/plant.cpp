@@ -126,7 +126,7 @@ Model plant() {
   closeSeams(model.groups, 1e4);
   Fractions fractions;
   for (const Plant& p : plants) addLeaves(model.groups, p, fractions);
-  model.view = {{0, 1.5, 5.6}, {0, 1.35, 0}, {0, 1, 0}, 43};
+  model.view = {{0, 1.5, 5.6}, {0, 1.45, 0}, {0, 1, 0}, 43};
   return model;
 }
 
