@@ -121,6 +121,31 @@ class CountingRenderer final : public raster::ItemBufferRenderer {
   Drawn& drawn_;
 };
 
+/// Rows of a scene before and after its cube moves.
+struct MovedCube {
+  EditedScene edit;
+  DrawnRows before, after;
+  std::vector<bool> isCube;  ///< one a surface
+  SceneChange change;
+
+  MovedCube(const Scene& scene, const Discretization& discretization, int resolution)
+      : edit(edited(scene, {}, {{Move{"cube", {0.5, 0.25, 0.125}}}})),
+        before(scene, discretization, layOutWords(discretization), unsplit(resolution)),
+        after(edit.scene, discretization, layOutWords(discretization), unsplit(resolution)),
+        isCube(cubesOf(scene)),
+        change{before.rows(), after.rows(), {scene, isCube}, {edit.scene, isCube}} {}
+
+  static DrawingSettings unsplit(int resolution) {
+    return {.resolution = resolution, .orientation = Orientation::Turned, .split = 1};
+  }
+
+  static std::vector<bool> cubesOf(const Scene& scene) {
+    std::vector<bool> isCube;
+    for (const Surface& surface : scene.surfaces) isCube.push_back(surface.family == "cube");
+    return isCube;
+  }
+};
+
 }  // namespace
 
 TEST_CASE("an updated solution is a fresh one of the edited scene within the residual, and its account closes",
@@ -176,13 +201,8 @@ TEST_CASE("what a window changes of a row is to the last unit the difference of 
           "[dynamic]") {
   Scene scene = lampRoom();
   const Discretization discretization = discretize(scene, settings().discretization);
-  EditedScene edit = edited(scene, {}, {{Move{"cube", {0.5, 0.25, 0.125}}}});
-  const DrawingSettings unsplit{.resolution = 64, .orientation = Orientation::Turned, .split = 1};
-  DrawnRows before(scene, discretization, layOutWords(discretization), unsplit);
-  DrawnRows after(edit.scene, discretization, layOutWords(discretization), unsplit);
-  std::vector<bool> isCube;
-  for (const Surface& surface : scene.surfaces) isCube.push_back(surface.family == "cube");
-  SceneChange change{before.rows(), after.rows(), {scene, isCube}, {edit.scene, isCube}};
+  MovedCube moved(scene, discretization, 64);
+  auto& [edit, before, after, isCube, change] = moved;
   int windows = 0, whole = 0, nothing = 0;
   for (std::uint32_t patch = 0; patch < discretization.patches.size(); ++patch) {
     if (isCube[discretization.patches[patch].surface]) continue;
@@ -211,13 +231,8 @@ TEST_CASE("what windows change of the mean of several points' rows is what the m
   Scene scene = lampRoom();
   Discretization discretization = discretize(scene, settings().discretization);
   for (Patch& patch : discretization.patches) patch.points = 2;
-  EditedScene edit = edited(scene, {}, {{Move{"cube", {0.5, 0.25, 0.125}}}});
-  const DrawingSettings unsplit{.resolution = 32, .orientation = Orientation::Turned, .split = 1};
-  DrawnRows before(scene, discretization, layOutWords(discretization), unsplit);
-  DrawnRows after(edit.scene, discretization, layOutWords(discretization), unsplit);
-  std::vector<bool> isCube;
-  for (const Surface& surface : scene.surfaces) isCube.push_back(surface.family == "cube");
-  SceneChange change{before.rows(), after.rows(), {scene, isCube}, {edit.scene, isCube}};
+  MovedCube moved(scene, discretization, 32);
+  auto& [edit, before, after, isCube, change] = moved;
   const auto add = [](std::vector<double>& sums, const FormFactorRow& row, double sign) {
     for (std::size_t i = 0; i < row.elements.size(); ++i) sums[row.elements[i]] += sign * formFactor(row.shares[i]);
     sums.back() += sign * formFactor(row.background + row.back);
