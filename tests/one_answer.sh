@@ -83,7 +83,7 @@ native() {  # COMPILER FLAGS
 aarch64() {  # FLAGS
   local variant=$folder/aarch64$1
   build "$variant" "" aarch64-linux-gnu-g++ "$1" -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 \
-    -DCMAKE_EXE_LINKER_FLAGS=-static -DHEMITEX_SOLVER=OFF -DHEMITEX_THREADS=OFF
+    -DCMAKE_EXE_LINKER_FLAGS=-static -DHEMITEX_SOLVER=OFF -DHEMITEX_THREADS=OFF -DHEMITEX_SIMD=OFF
   compare "aarch64 g++ $1" none qemu-aarch64-static "$variant/bin/hemitex_suite_hashes" 1 "$scenes"/scene-*
 }
 

@@ -348,26 +348,8 @@ TEST_CASE("triangles with values that are not finite are dropped and counted", "
 }
 
 TEST_CASE("item buffers are the pinned bits for any number of threads", "[renderer]") {
-  std::mt19937 random(9);
-  raster::DrawList list;
-  list.format = {{8, 8, 8, 8}};
-  list.indexMaps.push_back(countingMap(16, 16));
-  for (Word surface = 0; surface < 40; ++surface) {
-    addDraw(list, surface << 8, 0xfffffffe, 0);
-    for (int t = 0; t < 50; ++t) {
-      const auto point = [&] {
-        return glm::vec3{uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -1, 4)};
-      };
-      const auto coordinate = [&] { return glm::vec2(uniform(random, 0, 1), uniform(random, 0, 1)); };
-      const glm::vec3 a = point(), b = a + 0.3f * point(), c = a + 0.3f * point();
-      const glm::vec2 ta = coordinate(), tb = coordinate(), tc = coordinate();
-      addTriangle(list, {a, b, c}, {ta, tb, tc});
-    }
-  }
-  std::array<raster::Face, 3> faces{frontFace(128), frontFace(128), frontFace(64)};
-  faces[1].w = {1, 0, 0};
-  faces[1].x = {0, 0, 1};
-  faces[1].scissor = {0, 64, 128, 64};
+  const raster::DrawList list = crossingTriangles();
+  const std::array<raster::Face, 3> faces = threeFaces();
   std::vector<std::uint64_t> hashes;
   for (const int threads : {1, 2, 7}) {
     const raster::ThreadLimit limit(threads);

@@ -1,0 +1,73 @@
+/// Pixel kernels: the two loops over pixels in which drawing spends its time, the depth test of a triangle's samples
+/// and the texels of a run of pixels. There is a plain version, which says what they compute, and one for each SIMD
+/// instruction set that the processor has; all give the same numbers, bit for bit.
+///
+/// The kernels decide in binary64 where its error bound allows. What it does not decide, they leave as it was and list
+/// as undecided; the caller decides it exactly (exact.h).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "raster/face.h"
+#include "raster/screen_triangle.h"
+
+namespace hemitex::raster {
+
+/// Kernels work on up to so many pixels at a time, and may touch as many behind the end of a row.
+inline constexpr int mostLanes = 8;
+
+/// What the pixels of a part of a face show so far, row-major; no triangle where the background is.
+struct DepthBuffer {
+  Scissor scissor;    ///< the part
+  std::size_t pitch;  ///< pixels from row to row: the width and mostLanes
+  std::vector<double> inverseDepth;
+  std::vector<std::uint32_t> triangle;
+
+  explicit DepthBuffer(const Scissor& part);
+  /// Where the pixels of a row of the face begin.
+  std::size_t rowAt(int row) const { return static_cast<std::size_t>(row - scissor.row) * pitch; }
+};
+
+inline constexpr std::uint32_t noTriangle = 0xffffffff;
+
+struct Pixel {
+  int column, row;
+};
+
+/// Samples that binary64 does not decide.
+struct UndecidedPixels {
+  std::vector<Pixel> pixels;
+
+  void add(int column, int row);  // not inline: kernels are compiled for other instruction sets than the rest
+};
+
+/// Pixels of a row that show one triangle.
+struct PixelRun {
+  const ScreenTriangle* triangle;
+  int row, firstColumn, count;
+  const double* inverseDepth;  ///< of each, from the depth buffer
+};
+
+struct PixelKernels {
+  std::string name;  ///< plain, or that of an instruction set
+
+  /// Offers the covered samples of a triangle to a buffer whose scissor rectangle its rows and columns lie in: the
+  /// larger 1/w wins. Appends samples where binary64 cannot tell which. Returns whether any pixel took the triangle.
+  bool (*offer)(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided);
+
+  /// The texels of a run in an index map of width x height: row * width + column each, at most mostLanes more than the
+  /// run has. Appends those that binary64 cannot tell; what `texels` says of them is not to be used.
+  void (*findTexels)(const PixelRun& run, int width, int height, std::uint32_t* texels, UndecidedPixels& undecided);
+};
+
+/// The specification of the others.
+const PixelKernels& plainKernels();
+/// Those of every instruction set that this processor has, best first; none where hemitex was built without SIMD.
+const std::vector<PixelKernels>& simdKernels();
+/// The first of simdKernels(), else the plain ones.
+const PixelKernels& bestKernels();
+
+}  // namespace hemitex::raster

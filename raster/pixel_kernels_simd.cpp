@@ -1,0 +1,190 @@
+// The pixel kernels on vectors, written once for Highway, which compiles this file anew for each instruction set.
+#include "raster/pixel_bounds.h"
+#include "raster/pixel_kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/pixel_kernels_simd.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hemitex::raster::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::CappedTag<double, mostLanes>;
+using Double = hn::Vec<Doubles>;
+using Mask = hn::Mask<Doubles>;
+/// Vectors of as many integers.
+using Integers = hn::Rebind<std::int32_t, Doubles>;
+using Numbers = hn::Rebind<std::uint32_t, Doubles>;
+using LongNumbers = hn::Rebind<std::uint64_t, Doubles>;
+
+constexpr Doubles doubles;
+
+/// Values along a row that change by the same amount from column to column: integers, all exact.
+struct Linear {
+  Double at, step;
+};
+
+Linear along(const Edge& edge, int column, int row) {
+  const auto step = static_cast<double>(edge.a);
+  return {hn::Add(hn::Set(doubles, static_cast<double>(edge.at(column, row))),
+                  hn::Mul(hn::Set(doubles, step), hn::Iota(doubles, 0))),
+          hn::Set(doubles, step * static_cast<double>(hn::Lanes(doubles)))};
+}
+
+struct RowOfEdges {
+  Linear edge[3];
+
+  RowOfEdges(const ScreenTriangle& triangle, int column, int row)
+      : edge{along(triangle.edges[0], column, row), along(triangle.edges[1], column, row),
+             along(triangle.edges[2], column, row)} {}
+  void advance() {
+    for (Linear& e : edge) e.at = hn::Add(e.at, e.step);
+  }
+  /// The edges' values times what is given for each vertex, added in the order of the vertices.
+  Double weighted(const Double (&of)[3]) const {
+    return hn::Add(hn::Add(hn::Mul(edge[0].at, of[0]), hn::Mul(edge[1].at, of[1])), hn::Mul(edge[2].at, of[2]));
+  }
+};
+
+template <typename Action>
+void forEachLane(const Mask mask, const Action& action) {
+  HWY_ALIGN std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(doubles, mask, bits);
+  for (unsigned left = bits[0]; left != 0; left &= left - 1) action(__builtin_ctz(left));
+}
+
+/// A triangle that is offered to a buffer.
+struct Offer {
+  const ScreenTriangle& triangle;
+  DepthBuffer& buffer;
+  UndecidedPixels& undecided;
+  Double inverseDepth[3];
+  Double leastCovered[3];
+  hn::Vec<LongNumbers> number;
+
+  Offer(const ScreenTriangle& offered, std::uint32_t itsNumber, DepthBuffer& to, UndecidedPixels& notDecided)
+      : triangle(offered), buffer(to), undecided(notDecided), number(hn::Set(LongNumbers(), itsNumber)) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      inverseDepth[k] = hn::Set(doubles, triangle.inverseDepth[k]);
+      leastCovered[k] = hn::Set(doubles, raster::leastCovered(triangle.edges[k]));
+    }
+  }
+
+  /// The depth test of the samples from a column on that are `covered`; returns which took the triangle.
+  Mask test(const RowOfEdges& edges, int column, int row, Mask covered) const {
+    const std::size_t pixel = buffer.rowAt(row) + static_cast<std::size_t>(column - buffer.scissor.column);
+    double* const depths = buffer.inverseDepth.data() + pixel;
+    std::uint32_t* const triangles = buffer.triangle.data() + pixel;
+    const Double stored = hn::LoadU(doubles, depths);
+    const Double offered = edges.weighted(inverseDepth);
+    const Double difference = hn::Sub(offered, stored);
+    const Double margin = hn::Mul(hn::Set(doubles, depthMargin), offered);
+    const Mask taken = hn::And(covered, hn::Gt(difference, margin));
+    const Mask open = hn::And(covered, hn::Le(hn::Abs(difference), margin));
+    hn::StoreU(hn::IfThenElse(taken, offered, stored), doubles, depths);
+    const auto numbers = hn::PromoteTo(LongNumbers(), hn::LoadU(Numbers(), triangles));
+    const auto now = hn::IfThenElse(hn::RebindMask(LongNumbers(), taken), number, numbers);
+    hn::StoreU(hn::TruncateTo(Numbers(), now), Numbers(), triangles);
+    if (!hn::AllFalse(doubles, open)) forEachLane(open, [&](int lane) { undecided.add(column + lane, row); });
+    return taken;
+  }
+
+  Mask isCovered(const RowOfEdges& edges) const {
+    return hn::And(hn::And(hn::Ge(edges.edge[0].at, leastCovered[0]), hn::Ge(edges.edge[1].at, leastCovered[1])),
+                   hn::Ge(edges.edge[2].at, leastCovered[2]));
+  }
+};
+
+Mask firstLanes(int count) { return hn::FirstN(doubles, static_cast<std::size_t>(count)); }
+
+bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided) {
+  const auto lanes = static_cast<int>(hn::Lanes(doubles));
+  const bool isNarrow = triangle.endColumn - triangle.firstColumn <= mostLanes;
+  const Offer offered(triangle, number, buffer, undecided);
+  Mask taken = firstLanes(0);
+  for (int row = triangle.firstRow; row < triangle.endRow; ++row) {
+    const Span span = isNarrow ? Span{triangle.firstColumn, triangle.endColumn} : coveredColumns(triangle, row);
+    RowOfEdges edges(triangle, span.first, row);
+    for (int column = span.first; column < span.end; column += lanes, edges.advance()) {
+      const Mask inside = firstLanes(span.end - column);
+      const Mask covered = isNarrow ? hn::And(inside, offered.isCovered(edges)) : inside;
+      taken = hn::Or(taken, offered.test(edges, column, row, covered));
+    }
+  }
+  return !hn::AllFalse(doubles, taken);
+}
+
+/// A texture coordinate along a row.
+struct Texels {
+  Double overDepth[3];
+  Double error, last;
+
+  Texels(const TexelTerms& terms, int size)
+      : error(hn::Set(doubles, terms.error)), last(hn::Set(doubles, static_cast<double>(size - 1))) {
+    for (std::size_t k = 0; k < 3; ++k) overDepth[k] = hn::Set(doubles, terms.overDepth[k]);
+  }
+
+  /// The texels of samples; `clear` loses those that lie too near to a border between texels.
+  Double find(const RowOfEdges& edges, Double w, Mask& clear) const {
+    const Double one = hn::Set(doubles, 1.0);
+    const Double position = hn::Mul(edges.weighted(overDepth), w);
+    const Double border = hn::Round(hn::Max(hn::Min(position, last), one));
+    clear = hn::And(clear, hn::Gt(hn::Abs(hn::Sub(position, border)), error));
+    return hn::Sub(border, hn::IfThenElseZero(hn::Lt(position, border), one));
+  }
+};
+
+void findTexels(const PixelRun& run, int width, int height, std::uint32_t* texels, UndecidedPixels& undecided) {
+  const auto lanes = static_cast<int>(hn::Lanes(doubles));
+  const Texels u(termsOf(*run.triangle, run.triangle->u, width), width);
+  const Texels v(termsOf(*run.triangle, run.triangle->v, height), height);
+  const Double columns = hn::Set(doubles, static_cast<double>(width));
+  RowOfEdges edges(*run.triangle, run.firstColumn, run.row);
+  for (int i = 0; i < run.count; i += lanes, edges.advance()) {
+    const Double w = hn::Div(hn::Set(doubles, 1.0), hn::LoadU(doubles, run.inverseDepth + i));
+    Mask clear = firstLanes(lanes);
+    const Double column = u.find(edges, w, clear);
+    const Double row = v.find(edges, w, clear);
+    const auto texel = hn::DemoteTo(Integers(), hn::Add(hn::Mul(row, columns), column));
+    hn::StoreU(hn::BitCast(Numbers(), texel), Numbers(), texels + i);
+    const Mask open = hn::AndNot(clear, firstLanes(run.count - i));
+    if (!hn::AllFalse(doubles, open))
+      forEachLane(open, [&](int lane) { undecided.add(run.firstColumn + i + lane, run.row); });
+  }
+}
+
+PixelKernels kernels() { return {hwy::TargetName(HWY_TARGET), offer, findTexels}; }
+
+}  // namespace
+}  // namespace hemitex::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hemitex::raster {
+namespace {
+
+HWY_EXPORT(kernels);
+
+std::vector<PixelKernels> allKernels() {
+  std::vector<PixelKernels> all;
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    all.push_back(HWY_DYNAMIC_DISPATCH(kernels)());
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  return all;
+}
+
+}  // namespace
+
+const std::vector<PixelKernels>& simdKernels() {
+  static const std::vector<PixelKernels> all = allKernels();
+  return all;
+}
+
+}  // namespace hemitex::raster
+#endif

@@ -1,0 +1,153 @@
+#include "raster/tile.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "raster/exact.h"
+#include "raster/pixel_bounds.h"
+#include "raster/screen_triangle.h"
+
+namespace hemitex::raster {
+namespace {
+
+/// Twelve bytes a pixel in the depth buffer: this many fill a quarter to a half of today's second-level caches.
+constexpr int mostPixels = 1 << 15;
+
+PreparedDraws::MapTraits traitsOf(const IndexMap& map) {
+  PreparedDraws::MapTraits traits{true, 0};
+  for (std::size_t i = 0; i < map.words.size(); ++i) {
+    traits.countsTexels = traits.countsTexels && map.words[i] == i;
+    traits.bits |= map.words[i];
+  }
+  return traits;
+}
+
+/// The part of a face that is drawn, while it is drawn.
+class Tile {
+ public:
+  Tile(const PreparedDraws& draws, const PixelKernels& kernels, const Face& face)
+      : draws_(draws), kernels_(kernels), buffer_(face.scissor), row_(buffer_.pitch) {}
+
+  /// Offers triangles to the depth buffer, and keeps those that a pixel took.
+  void draw(std::span<const ScreenTriangle> triangles) {
+    for (const ScreenTriangle& triangle : triangles) draw(triangle);
+  }
+
+  /// The words of a row of the face, of this tile's columns.
+  std::span<const Word> resolve(int row);
+
+ private:
+  void draw(const ScreenTriangle& triangle);
+  void resolveRun(const PixelRun& run, Word* words);
+  void resolveTexels(const PixelRun& run, const Draw& draw, Word* words);
+
+  const PreparedDraws& draws_;
+  const PixelKernels& kernels_;
+  DepthBuffer buffer_;
+  std::vector<ScreenTriangle> visible_;
+  std::vector<Word> row_;
+  UndecidedPixels undecided_;
+};
+
+void Tile::draw(const ScreenTriangle& triangle) {
+  const auto number = static_cast<std::uint32_t>(visible_.size());
+  bool isTaken = kernels_.offer(triangle, number, buffer_, undecided_);
+  for (const Pixel& pixel : undecided_.pixels) {
+    const std::size_t p = buffer_.rowAt(pixel.row) + static_cast<std::size_t>(pixel.column - buffer_.scissor.column);
+    if (!isNearerExactly(triangle, visible_[buffer_.triangle[p]], pixel.column, pixel.row)) continue;
+    buffer_.inverseDepth[p] = inverseDepthAt(triangle, edgeValues(triangle, pixel.column, pixel.row));
+    buffer_.triangle[p] = number;
+    isTaken = true;
+  }
+  undecided_.pixels.clear();
+  if (isTaken) visible_.push_back(triangle);
+}
+
+/// The words of pixels that show one triangle: back, plain offset, or offset and texel blended.
+void Tile::resolveRun(const PixelRun& run, Word* words) {
+  const Draw& draw = draws_.list.draws[run.triangle->draw];
+  if (run.triangle->facesAway && draw.back)
+    std::fill_n(words, run.count, *draw.back);
+  else if (draw.indexMap)
+    resolveTexels(run, draw, words);
+  else
+    std::fill_n(words, run.count, draw.offset);
+}
+
+void Tile::resolveTexels(const PixelRun& run, const Draw& draw, Word* words) {
+  const DrawList& list = draws_.list;
+  const IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
+  const PreparedDraws::MapTraits& traits = draws_.maps[static_cast<std::size_t>(*draw.indexMap)];
+  kernels_.findTexels(run, map.width, map.height, words, undecided_);
+  for (const Pixel& pixel : undecided_.pixels) {
+    const ScreenTriangle& triangle = *run.triangle;
+    const int column = texelExactly(triangle, triangle.u.at, map.width, pixel.column, pixel.row);
+    const int row = texelExactly(triangle, triangle.v.at, map.height, pixel.column, pixel.row);
+    words[pixel.column - run.firstColumn] =
+        static_cast<Word>(row) * static_cast<Word>(map.width) + static_cast<Word>(column);
+  }
+  undecided_.pixels.clear();
+  const std::span<Word> texels(words, static_cast<std::size_t>(run.count));
+  if (!traits.countsTexels)
+    for (Word& word : texels) word = map.words[word];
+  // Where offset and texels have no bit in common, nothing is carried and nothing clamped.
+  if (list.blend != Blend::Replace && (draw.offset & traits.bits) == 0)
+    for (Word& word : texels) word |= draw.offset;
+  else
+    for (Word& word : texels) word = blend(list.format, list.blend, draw.offset, word);
+}
+
+std::span<const Word> Tile::resolve(int row) {
+  const std::size_t begin = buffer_.rowAt(row);
+  const std::uint32_t* const triangles = buffer_.triangle.data() + begin;
+  const int width = buffer_.scissor.width;
+  for (int first = 0, end = 0; first < width; first = end) {
+    const std::uint32_t number = triangles[first];
+    do ++end;
+    while (end < width && triangles[end] == number);
+    if (number == noTriangle)
+      std::fill(row_.begin() + first, row_.begin() + end, backgroundWord(draws_.list.format));
+    else
+      resolveRun({&visible_[number], row, buffer_.scissor.column + first, end - first,
+                  buffer_.inverseDepth.data() + begin + first},
+                 row_.data() + first);
+  }
+  return {row_.data(), static_cast<std::size_t>(width)};
+}
+
+}  // namespace
+
+PreparedDraws prepare(DrawList list) {
+  validate(list);
+  PreparedDraws draws{std::move(list), {}, {}};
+  draws.clusters = clustersOf(draws.list);
+  for (const IndexMap& map : draws.list.indexMaps) draws.maps.push_back(traitsOf(map));
+  return draws;
+}
+
+std::vector<Scissor> tilesOf(const Face& face) {
+  const Scissor& whole = face.scissor;
+  const int height = std::clamp(mostPixels / std::max(1, whole.width), 1, std::max(1, face.resolution / 4));
+  std::vector<Scissor> tiles;
+  for (int row = whole.row; row < whole.row + whole.height; row += height)
+    tiles.push_back({whole.column, row, whole.width, std::min(height, whole.row + whole.height - row)});
+  return tiles;
+}
+
+std::uint64_t drawTile(const PreparedDraws& draws, const PixelKernels& kernels, const Face& face,
+                       std::span<const std::uint32_t> skipped, Word* words, std::size_t pitch) {
+  std::uint64_t dropped = 0;
+  Tile tile(draws, kernels, face);
+  std::vector<ScreenTriangle> triangles;
+  for (const Cluster& cluster : draws.clusters) {
+    if (!mayCover(face, cluster)) continue;
+    triangles.clear();
+    dropped += appendScreenTriangles(draws.list, face, cluster.runs, skipped, triangles);
+    tile.draw(triangles);
+  }
+  for (int row = face.scissor.row; row < face.scissor.row + face.scissor.height; ++row, words += pitch)
+    std::ranges::copy(tile.resolve(row), words);
+  return dropped;
+}
+
+}  // namespace hemitex::raster

@@ -1,0 +1,40 @@
+/// Tiles: a face is drawn in parts, each on its own and small enough to stay in a processor's second-level cache. In a
+/// tile, triangles are set up and offered to the depth buffer in draw order; then the words of the pixels are resolved,
+/// once a visible pixel.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "raster/cluster.h"
+#include "raster/draw_list.h"
+#include "raster/face.h"
+#include "raster/pixel_kernels.h"
+
+namespace hemitex::raster {
+
+/// A draw list made ready to be drawn into any face.
+struct PreparedDraws {
+  DrawList list;
+  std::vector<Cluster> clusters;
+  /// What resolving needs to know of an index map.
+  struct MapTraits {
+    bool countsTexels;  ///< holds 0, 1, 2, ...: which word it holds needs no look
+    Word bits;          ///< all bits that its words set
+  };
+  std::vector<MapTraits> maps;  ///< one an index map
+};
+
+/// Throws InputError where the list breaks the rules (see validate).
+PreparedDraws prepare(DrawList list);
+
+/// Scissor rectangles that together are the face's own.
+std::vector<Scissor> tilesOf(const Face& face);
+
+/// Draws the part of a face that lies in its scissor rectangle: a word a pixel, row by row from `words` on, `pitch`
+/// words from row to row. Returns the number of triangles that were dropped because a value was not finite.
+std::uint64_t drawTile(const PreparedDraws& draws, const PixelKernels& kernels, const Face& face,
+                       std::span<const std::uint32_t> skipped, Word* words, std::size_t pitch);
+
+}  // namespace hemitex::raster

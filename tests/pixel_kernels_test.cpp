@@ -1,0 +1,122 @@
+// The kernels of every instruction set compute what the plain ones do, bit for bit.
+#include "raster/pixel_kernels.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <tuple>
+
+#include "raster/cluster.h"
+#include "raster/software_renderer.h"
+#include "tests/raster_scenes.h"
+
+using namespace hemitex;
+using namespace hemitex::tests;
+
+namespace {
+
+std::vector<raster::ScreenTriangle> screenTriangles(const raster::DrawList& list, const raster::Face& face) {
+  std::vector<raster::ScreenTriangle> triangles;
+  for (const raster::Cluster& cluster : raster::clustersOf(list))
+    raster::appendScreenTriangles(list, face, cluster.runs, {}, triangles);
+  return triangles;
+}
+
+/// In order of rows and columns: the order in which kernels list pixels is theirs.
+std::vector<std::pair<int, int>> sorted(const raster::UndecidedPixels& undecided) {
+  std::vector<std::pair<int, int>> pixels;
+  for (const raster::Pixel& pixel : undecided.pixels) pixels.emplace_back(pixel.row, pixel.column);
+  std::sort(pixels.begin(), pixels.end());
+  return pixels;
+}
+
+struct Drawn {
+  raster::DepthBuffer buffer;
+  std::vector<bool> taken;
+  raster::UndecidedPixels undecided;
+};
+
+/// Each triangle twice, so that its second time is undecided wherever it is in front.
+Drawn draw(const raster::PixelKernels& kernels, const std::vector<raster::ScreenTriangle>& triangles,
+           const raster::Face& face) {
+  Drawn drawn{raster::DepthBuffer(face.scissor), {}, {}};
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    for (int time = 0; time < 2; ++time)
+      drawn.taken.push_back(kernels.offer(triangles[t], t, drawn.buffer, drawn.undecided));
+  return drawn;
+}
+
+/// A face with a narrow part of its columns, so that rows end at every place of a vector.
+std::vector<raster::Face> facesAndParts() {
+  std::vector<raster::Face> faces;
+  for (const raster::Face& face : threeFaces()) faces.push_back(face);
+  for (int width = 1; width < 20; ++width) {
+    faces.push_back(frontFace(64));
+    faces.back().scissor = {21, 5, width, 40};
+  }
+  return faces;
+}
+
+}  // namespace
+
+TEST_CASE("the depth test is the same bits with every instruction set", "[kernels]") {
+  const raster::DrawList list = crossingTriangles();
+  for (const raster::Face& face : facesAndParts()) {
+    const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
+    const Drawn plain = draw(raster::plainKernels(), triangles, face);
+    CHECK(!plain.undecided.pixels.empty());
+    for (const raster::PixelKernels& kernels : raster::simdKernels()) {
+      INFO(kernels.name << ", " << face.scissor.width << " columns");
+      const Drawn drawn = draw(kernels, triangles, face);
+      CHECK(drawn.buffer.inverseDepth == plain.buffer.inverseDepth);
+      CHECK(drawn.buffer.triangle == plain.buffer.triangle);
+      CHECK(drawn.taken == plain.taken);
+      CHECK(sorted(drawn.undecided) == sorted(plain.undecided));
+    }
+  }
+}
+
+TEST_CASE("texels are the same with every instruction set, for runs of every length", "[kernels]") {
+  const raster::Face face = frontFace(64);
+  const std::vector<raster::ScreenTriangle> triangles = screenTriangles(crossingTriangles(), face);
+  Drawn drawn = draw(raster::plainKernels(), triangles, face);
+  for (const auto& [width, height] : {std::pair(16, 16), std::pair(1, 5), std::pair(1024, 1)})
+    for (int row = 0; row < 64; ++row)
+      for (int first = 0, end = 0; first < 64; first = end) {
+        const std::size_t begin = drawn.buffer.rowAt(row);
+        const std::uint32_t number = drawn.buffer.triangle[begin + static_cast<std::size_t>(first)];
+        while (end < 64 && drawn.buffer.triangle[begin + static_cast<std::size_t>(end)] == number) ++end;
+        if (number == raster::noTriangle) continue;
+        const raster::PixelRun run{&triangles[number], row, first, end - first,
+                                   drawn.buffer.inverseDepth.data() + begin + first};
+        const auto texels = [&](const raster::PixelKernels& kernels) {
+          std::vector<std::uint32_t> found(static_cast<std::size_t>(run.count + raster::mostLanes));
+          raster::UndecidedPixels undecided;
+          kernels.findTexels(run, width, height, found.data(), undecided);
+          for (const raster::Pixel& pixel : undecided.pixels)
+            found[static_cast<std::size_t>(pixel.column - run.firstColumn)] = 0xffffffff;
+          found.resize(static_cast<std::size_t>(run.count));
+          return found;
+        };
+        const std::vector<std::uint32_t> plain = texels(raster::plainKernels());
+        for (const raster::PixelKernels& kernels : raster::simdKernels()) {
+          INFO(kernels.name << ", row " << row << ", columns " << first << " to " << end);
+          REQUIRE(texels(kernels) == plain);
+        }
+      }
+}
+
+TEST_CASE("item buffers are the same with every instruction set", "[kernels]") {
+  const raster::DrawList list = crossingTriangles();
+  const std::vector<raster::Face> faces = facesAndParts();
+  const auto words = [&](const raster::PixelKernels& kernels) {
+    std::vector<raster::Word> all;
+    for (const raster::ItemBuffer& buffer : raster::SoftwareRenderer(list, kernels).render(faces, {}))
+      all.insert(all.end(), buffer.words.begin(), buffer.words.end());
+    return all;
+  };
+  const std::vector<raster::Word> plain = words(raster::plainKernels());
+  for (const raster::PixelKernels& kernels : raster::simdKernels()) {
+    INFO(kernels.name);
+    CHECK(words(kernels) == plain);
+  }
+}
