@@ -40,19 +40,21 @@ double nearestBorder(double position, int size) {
   return std::nearbyint(std::max(std::min(position, size - 1.0), 1.0));
 }
 
-void findTexels(const PixelRun& run, int width, int height, std::uint32_t* texels, UndecidedPixels& undecided) {
-  const TexelTerms u = termsOf(*run.triangle, run.triangle->u, width);
-  const TexelTerms v = termsOf(*run.triangle, run.triangle->v, height);
+int endOfRun(const std::uint32_t* triangles, int first, int end) {
+  int i = first;
+  while (i < end && triangles[i] == triangles[first]) ++i;
+  return i;
+}
+
+void findTexels(const PixelRun& run, int width, int height, std::uint32_t base, std::uint32_t* texels,
+                UndecidedPixels& undecided) {
+  const RunLines lines(run, width, height);
   for (int i = 0; i < run.count; ++i) {
-    const EdgeValues edge = edgeValues(*run.triangle, run.firstColumn + i, run.row);
     const double w = 1 / run.inverseDepth[i];
-    const auto positionOf = [&](const TexelTerms& terms) {
-      return (edge[0] * terms.overDepth[0] + edge[1] * terms.overDepth[1] + edge[2] * terms.overDepth[2]) * w;
-    };
-    const double across = positionOf(u), down = positionOf(v);
+    const double across = (lines.u.at + lines.u.step * i) * w, down = (lines.v.at + lines.v.step * i) * w;
     const double column = nearestBorder(across, width), row = nearestBorder(down, height);
-    if (std::abs(across - column) > u.error && std::abs(down - row) > v.error)
-      texels[i] = static_cast<std::uint32_t>((row - (down < row)) * width + (column - (across < column)));
+    if (std::abs(across - column) > lines.u.error && std::abs(down - row) > lines.v.error)
+      texels[i] = base + static_cast<std::uint32_t>((row - (down < row)) * width + (column - (across < column)));
     else
       undecided.add(run.firstColumn + i, run.row);
   }
@@ -69,7 +71,7 @@ DepthBuffer::DepthBuffer(const Scissor& part)
 void UndecidedPixels::add(int column, int row) { pixels.push_back({column, row}); }
 
 const PixelKernels& plainKernels() {
-  static const PixelKernels kernels{"plain", offer, findTexels};
+  static const PixelKernels kernels{"plain", offer, endOfRun, findTexels};
   return kernels;
 }
 

@@ -58,9 +58,13 @@ struct PixelKernels {
   /// larger 1/w wins. Appends samples where binary64 cannot tell which. Returns whether any pixel took the triangle.
   bool (*offer)(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided);
 
-  /// The texels of a run in an index map of width x height: row * width + column each, at most mostLanes more than the
-  /// run has. Appends those that binary64 cannot tell; what `texels` says of them is not to be used.
-  void (*findTexels)(const PixelRun& run, int width, int height, std::uint32_t* texels, UndecidedPixels& undecided);
+  /// The pixel behind the last that shows the same triangle as pixel `first`, at most `end`.
+  int (*endOfRun)(const std::uint32_t* triangles, int first, int end);
+
+  /// The texels of a run in an index map of width x height, at most mostLanes more than the run has: `base` and
+  /// row * width + column each. Appends those that binary64 cannot tell; what `texels` says of them is not to be used.
+  void (*findTexels)(const PixelRun& run, int width, int height, std::uint32_t base, std::uint32_t* texels,
+                     UndecidedPixels& undecided);
 };
 
 /// The specification of the others.

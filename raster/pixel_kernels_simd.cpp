@@ -118,46 +118,60 @@ bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& bu
   return !hn::AllFalse(doubles, taken);
 }
 
-/// A texture coordinate along a row.
-struct Texels {
-  Double overDepth[3];
-  Double error, last;
-
-  Texels(const TexelTerms& terms, int size)
-      : error(hn::Set(doubles, terms.error)), last(hn::Set(doubles, static_cast<double>(size - 1))) {
-    for (std::size_t k = 0; k < 3; ++k) overDepth[k] = hn::Set(doubles, terms.overDepth[k]);
+int endOfRun(const std::uint32_t* triangles, int first, int end) {
+  const hn::ScalableTag<std::uint32_t> numbers;
+  const auto lanes = static_cast<int>(hn::Lanes(numbers));
+  const auto shown = hn::Set(numbers, triangles[first]);
+  int i = first;
+  for (; i + lanes <= end; i += lanes) {
+    const auto same = hn::FindFirstTrue(numbers, hn::Ne(hn::LoadU(numbers, triangles + i), shown));
+    if (same >= 0) return i + static_cast<int>(same);
   }
+  while (i < end && triangles[i] == triangles[first]) ++i;
+  return i;
+}
 
-  /// The texels of samples; `clear` loses those that lie too near to a border between texels.
-  Double find(const RowOfEdges& edges, Double w, Mask& clear) const {
+/// A texture coordinate along a run.
+struct Texels {
+  Double at, step, error, last;
+
+  Texels(const TexelLine& line, int size)
+      : at(hn::Set(doubles, line.at)),
+        step(hn::Set(doubles, line.step)),
+        error(hn::Set(doubles, line.error)),
+        last(hn::Set(doubles, static_cast<double>(size - 1))) {}
+
+  /// The texels of pixels i; `clear` loses those that lie too near to a border between texels.
+  Double find(Double i, Double w, Mask& clear) const {
     const Double one = hn::Set(doubles, 1.0);
-    const Double position = hn::Mul(edges.weighted(overDepth), w);
+    const Double position = hn::Mul(hn::Add(at, hn::Mul(step, i)), w);
     const Double border = hn::Round(hn::Max(hn::Min(position, last), one));
     clear = hn::And(clear, hn::Gt(hn::Abs(hn::Sub(position, border)), error));
     return hn::Sub(border, hn::IfThenElseZero(hn::Lt(position, border), one));
   }
 };
 
-void findTexels(const PixelRun& run, int width, int height, std::uint32_t* texels, UndecidedPixels& undecided) {
+void findTexels(const PixelRun& run, int width, int height, std::uint32_t base, std::uint32_t* texels,
+                UndecidedPixels& undecided) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
-  const Texels u(termsOf(*run.triangle, run.triangle->u, width), width);
-  const Texels v(termsOf(*run.triangle, run.triangle->v, height), height);
+  const RunLines lines(run, width, height);
+  const Texels u(lines.u, width), v(lines.v, height);
   const Double columns = hn::Set(doubles, static_cast<double>(width));
-  RowOfEdges edges(*run.triangle, run.firstColumn, run.row);
-  for (int i = 0; i < run.count; i += lanes, edges.advance()) {
+  Double pixels = hn::Iota(doubles, 0);
+  for (int i = 0; i < run.count; i += lanes, pixels = hn::Add(pixels, hn::Set(doubles, static_cast<double>(lanes)))) {
     const Double w = hn::Div(hn::Set(doubles, 1.0), hn::LoadU(doubles, run.inverseDepth + i));
     Mask clear = firstLanes(lanes);
-    const Double column = u.find(edges, w, clear);
-    const Double row = v.find(edges, w, clear);
-    const auto texel = hn::DemoteTo(Integers(), hn::Add(hn::Mul(row, columns), column));
-    hn::StoreU(hn::BitCast(Numbers(), texel), Numbers(), texels + i);
+    const Double column = u.find(pixels, w, clear);
+    const Double row = v.find(pixels, w, clear);
+    const auto texel = hn::BitCast(Numbers(), hn::DemoteTo(Integers(), hn::Add(hn::Mul(row, columns), column)));
+    hn::StoreU(hn::Add(texel, hn::Set(Numbers(), base)), Numbers(), texels + i);
     const Mask open = hn::AndNot(clear, firstLanes(run.count - i));
     if (!hn::AllFalse(doubles, open))
       forEachLane(open, [&](int lane) { undecided.add(run.firstColumn + i + lane, run.row); });
   }
 }
 
-PixelKernels kernels() { return {hwy::TargetName(HWY_TARGET), offer, findTexels}; }
+PixelKernels kernels() { return {hwy::TargetName(HWY_TARGET), offer, endOfRun, findTexels}; }
 
 }  // namespace
 }  // namespace hemitex::raster::HWY_NAMESPACE

@@ -22,6 +22,13 @@ PreparedDraws::MapTraits traitsOf(const IndexMap& map) {
   return traits;
 }
 
+/// The number of the texel that a sample falls on.
+Word texelExactly(const ScreenTriangle& triangle, const IndexMap& map, const Pixel& pixel) {
+  const int column = texelExactly(triangle, triangle.u.at, map.width, pixel.column, pixel.row);
+  const int row = texelExactly(triangle, triangle.v.at, map.height, pixel.column, pixel.row);
+  return static_cast<Word>(row) * static_cast<Word>(map.width) + static_cast<Word>(column);
+}
+
 /// The part of a face that is drawn, while it is drawn.
 class Tile {
  public:
@@ -78,23 +85,16 @@ void Tile::resolveTexels(const PixelRun& run, const Draw& draw, Word* words) {
   const DrawList& list = draws_.list;
   const IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
   const PreparedDraws::MapTraits& traits = draws_.maps[static_cast<std::size_t>(*draw.indexMap)];
-  kernels_.findTexels(run, map.width, map.height, words, undecided_);
-  for (const Pixel& pixel : undecided_.pixels) {
-    const ScreenTriangle& triangle = *run.triangle;
-    const int column = texelExactly(triangle, triangle.u.at, map.width, pixel.column, pixel.row);
-    const int row = texelExactly(triangle, triangle.v.at, map.height, pixel.column, pixel.row);
-    words[pixel.column - run.firstColumn] =
-        static_cast<Word>(row) * static_cast<Word>(map.width) + static_cast<Word>(column);
-  }
-  undecided_.pixels.clear();
-  const std::span<Word> texels(words, static_cast<std::size_t>(run.count));
-  if (!traits.countsTexels)
-    for (Word& word : texels) word = map.words[word];
   // Where offset and texels have no bit in common, nothing is carried and nothing clamped.
-  if (list.blend != Blend::Replace && (draw.offset & traits.bits) == 0)
-    for (Word& word : texels) word |= draw.offset;
-  else
-    for (Word& word : texels) word = blend(list.format, list.blend, draw.offset, word);
+  const bool isSum = list.blend != Blend::Replace && (draw.offset & traits.bits) == 0;
+  const Word base = isSum && traits.countsTexels ? draw.offset : 0;
+  kernels_.findTexels(run, map.width, map.height, base, words, undecided_);
+  for (const Pixel& pixel : undecided_.pixels)
+    words[pixel.column - run.firstColumn] = base + texelExactly(*run.triangle, map, pixel);
+  undecided_.pixels.clear();
+  if (isSum && traits.countsTexels) return;
+  for (Word& word : std::span(words, static_cast<std::size_t>(run.count)))
+    word = isSum ? draw.offset | map.words[word] : blend(list.format, list.blend, draw.offset, map.words[word]);
 }
 
 std::span<const Word> Tile::resolve(int row) {
@@ -102,14 +102,12 @@ std::span<const Word> Tile::resolve(int row) {
   const std::uint32_t* const triangles = buffer_.triangle.data() + begin;
   const int width = buffer_.scissor.width;
   for (int first = 0, end = 0; first < width; first = end) {
-    const std::uint32_t number = triangles[first];
-    do ++end;
-    while (end < width && triangles[end] == number);
-    if (number == noTriangle)
+    end = kernels_.endOfRun(triangles, first, width);
+    if (triangles[first] == noTriangle)
       std::fill(row_.begin() + first, row_.begin() + end, backgroundWord(draws_.list.format));
     else
-      resolveRun({&visible_[number], row, buffer_.scissor.column + first, end - first,
-                  buffer_.inverseDepth.data() + begin + first},
+      resolveRun({&visible_[triangles[first]], row, buffer_.scissor.column + first, end - first,
+                  buffer_.inverseDepth.data() + begin + static_cast<std::size_t>(first)},
                  row_.data() + first);
   }
   return {row_.data(), static_cast<std::size_t>(width)};
