@@ -23,8 +23,19 @@ inline EdgeValues edgeValues(const ScreenTriangle& triangle, int column, int row
   return values;
 }
 
-/// The least value of an edge at samples that it covers: values are integers.
-inline double leastCovered(const Edge& edge) { return edge.inclusive ? 0 : 1; }
+/// What they change by from column to column.
+inline EdgeValues edgeSteps(const ScreenTriangle& triangle) {
+  EdgeValues steps;
+  for (std::size_t k = 0; k < 3; ++k) steps[k] = static_cast<double>(triangle.edges[k].a);
+  return steps;
+}
+
+/// The least values at samples that are covered: values are integers.
+inline EdgeValues leastCovered(const ScreenTriangle& triangle) {
+  EdgeValues least;
+  for (std::size_t k = 0; k < 3; ++k) least[k] = triangle.edges[k].inclusive ? 0 : 1;
+  return least;
+}
 
 /// 1/w at a sample is the sum of edge times triangle.inverseDepth, added in the order of the vertices. All terms are
 /// positive and each passes at most five roundings, so its relative error is below 6 units of roundoff; two such values

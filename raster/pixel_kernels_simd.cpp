@@ -23,32 +23,35 @@ using LongNumbers = hn::Rebind<std::uint64_t, Doubles>;
 
 constexpr Doubles doubles;
 
-/// Values along a row that change by the same amount from column to column: integers, all exact.
-struct Linear {
-  Double at, step;
+/// One value for each vertex of a triangle, in all lanes.
+struct Corners {
+  Double a, b, c;
+
+  explicit Corners(const std::array<double, 3>& of)
+      : a(hn::Set(doubles, of[0])), b(hn::Set(doubles, of[1])), c(hn::Set(doubles, of[2])) {}
 };
 
-Linear along(const Edge& edge, int column, int row) {
-  const auto step = static_cast<double>(edge.a);
-  return {hn::Add(hn::Set(doubles, static_cast<double>(edge.at(column, row))),
-                  hn::Mul(hn::Set(doubles, step), hn::Iota(doubles, 0))),
-          hn::Set(doubles, step * static_cast<double>(hn::Lanes(doubles)))};
+/// The values of a triangle's edges at samples side by side: integers, all exact.
+struct Edges {
+  Double a, b, c;
+
+  Edges(const EdgeValues& first, const Corners& step) {
+    const Double lane = hn::Iota(doubles, 0);
+    a = hn::Add(hn::Set(doubles, first[0]), hn::Mul(step.a, lane));
+    b = hn::Add(hn::Set(doubles, first[1]), hn::Mul(step.b, lane));
+    c = hn::Add(hn::Set(doubles, first[2]), hn::Mul(step.c, lane));
+  }
+  void advance(const Corners& by) {
+    a = hn::Add(a, by.a);
+    b = hn::Add(b, by.b);
+    c = hn::Add(c, by.c);
+  }
+};
+
+/// The sum of products, added in the order of the vertices.
+Double dot(const Edges& edges, const Corners& weights) {
+  return hn::Add(hn::Add(hn::Mul(edges.a, weights.a), hn::Mul(edges.b, weights.b)), hn::Mul(edges.c, weights.c));
 }
-
-struct RowOfEdges {
-  Linear edge[3];
-
-  RowOfEdges(const ScreenTriangle& triangle, int column, int row)
-      : edge{along(triangle.edges[0], column, row), along(triangle.edges[1], column, row),
-             along(triangle.edges[2], column, row)} {}
-  void advance() {
-    for (Linear& e : edge) e.at = hn::Add(e.at, e.step);
-  }
-  /// The edges' values times what is given for each vertex, added in the order of the vertices.
-  Double weighted(const Double (&of)[3]) const {
-    return hn::Add(hn::Add(hn::Mul(edge[0].at, of[0]), hn::Mul(edge[1].at, of[1])), hn::Mul(edge[2].at, of[2]));
-  }
-};
 
 template <typename Action>
 void forEachLane(const Mask mask, const Action& action) {
@@ -62,25 +65,24 @@ struct Offer {
   const ScreenTriangle& triangle;
   DepthBuffer& buffer;
   UndecidedPixels& undecided;
-  Double inverseDepth[3];
-  Double leastCovered[3];
+  Corners inverseDepth, leastCovered;
   hn::Vec<LongNumbers> number;
 
   Offer(const ScreenTriangle& offered, std::uint32_t itsNumber, DepthBuffer& to, UndecidedPixels& notDecided)
-      : triangle(offered), buffer(to), undecided(notDecided), number(hn::Set(LongNumbers(), itsNumber)) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      inverseDepth[k] = hn::Set(doubles, triangle.inverseDepth[k]);
-      leastCovered[k] = hn::Set(doubles, raster::leastCovered(triangle.edges[k]));
-    }
-  }
+      : triangle(offered),
+        buffer(to),
+        undecided(notDecided),
+        inverseDepth(offered.inverseDepth),
+        leastCovered(raster::leastCovered(offered)),
+        number(hn::Set(LongNumbers(), itsNumber)) {}
 
   /// The depth test of the samples from a column on that are `covered`; returns which took the triangle.
-  Mask test(const RowOfEdges& edges, int column, int row, Mask covered) const {
+  Mask test(const Edges& edges, int column, int row, Mask covered) const {
     const std::size_t pixel = buffer.rowAt(row) + static_cast<std::size_t>(column - buffer.scissor.column);
     double* const depths = buffer.inverseDepth.data() + pixel;
     std::uint32_t* const triangles = buffer.triangle.data() + pixel;
     const Double stored = hn::LoadU(doubles, depths);
-    const Double offered = edges.weighted(inverseDepth);
+    const Double offered = dot(edges, inverseDepth);
     const Double difference = hn::Sub(offered, stored);
     const Double margin = hn::Mul(hn::Set(doubles, depthMargin), offered);
     const Mask taken = hn::And(covered, hn::Gt(difference, margin));
@@ -93,9 +95,9 @@ struct Offer {
     return taken;
   }
 
-  Mask isCovered(const RowOfEdges& edges) const {
-    return hn::And(hn::And(hn::Ge(edges.edge[0].at, leastCovered[0]), hn::Ge(edges.edge[1].at, leastCovered[1])),
-                   hn::Ge(edges.edge[2].at, leastCovered[2]));
+  Mask isCovered(const Edges& edges) const {
+    return hn::And(hn::And(hn::Ge(edges.a, leastCovered.a), hn::Ge(edges.b, leastCovered.b)),
+                   hn::Ge(edges.c, leastCovered.c));
   }
 };
 
@@ -105,14 +107,18 @@ bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& bu
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
   const bool isNarrow = triangle.endColumn - triangle.firstColumn <= mostLanes;
   const Offer offered(triangle, number, buffer, undecided);
+  const EdgeValues steps = edgeSteps(triangle);
+  const Corners step(steps);
+  const Corners stride({lanes * steps[0], lanes * steps[1], lanes * steps[2]});
   Mask taken = firstLanes(0);
   for (int row = triangle.firstRow; row < triangle.endRow; ++row) {
     const Span span = isNarrow ? Span{triangle.firstColumn, triangle.endColumn} : coveredColumns(triangle, row);
-    RowOfEdges edges(triangle, span.first, row);
-    for (int column = span.first; column < span.end; column += lanes, edges.advance()) {
+    Edges edges(edgeValues(triangle, span.first, row), step);
+    for (int column = span.first; column < span.end; column += lanes) {
       const Mask inside = firstLanes(span.end - column);
       const Mask covered = isNarrow ? hn::And(inside, offered.isCovered(edges)) : inside;
       taken = hn::Or(taken, offered.test(edges, column, row, covered));
+      edges.advance(stride);
     }
   }
   return !hn::AllFalse(doubles, taken);

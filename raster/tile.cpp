@@ -40,8 +40,8 @@ class Tile {
     for (const ScreenTriangle& triangle : triangles) draw(triangle);
   }
 
-  /// The words of a row of the face, of this tile's columns.
-  std::span<const Word> resolve(int row);
+  /// The words of a row of the face, in this tile's columns; valid until the next call.
+  const Word* resolve(int row);
 
  private:
   void draw(const ScreenTriangle& triangle);
@@ -97,7 +97,7 @@ void Tile::resolveTexels(const PixelRun& run, const Draw& draw, Word* words) {
     word = isSum ? draw.offset | map.words[word] : blend(list.format, list.blend, draw.offset, map.words[word]);
 }
 
-std::span<const Word> Tile::resolve(int row) {
+const Word* Tile::resolve(int row) {
   const std::size_t begin = buffer_.rowAt(row);
   const std::uint32_t* const triangles = buffer_.triangle.data() + begin;
   const int width = buffer_.scissor.width;
@@ -110,7 +110,7 @@ std::span<const Word> Tile::resolve(int row) {
                   buffer_.inverseDepth.data() + begin + static_cast<std::size_t>(first)},
                  row_.data() + first);
   }
-  return {row_.data(), static_cast<std::size_t>(width)};
+  return row_.data();
 }
 
 }  // namespace
@@ -144,7 +144,7 @@ std::uint64_t drawTile(const PreparedDraws& draws, const PixelKernels& kernels, 
     tile.draw(triangles);
   }
   for (int row = face.scissor.row; row < face.scissor.row + face.scissor.height; ++row, words += pitch)
-    std::ranges::copy(tile.resolve(row), words);
+    std::copy_n(tile.resolve(row), face.scissor.width, words);
   return dropped;
 }
 
