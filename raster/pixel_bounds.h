@@ -30,6 +30,13 @@ inline EdgeValues edgeSteps(const ScreenTriangle& triangle) {
   return steps;
 }
 
+/// What they change by from row to row.
+inline EdgeValues edgeRowSteps(const ScreenTriangle& triangle) {
+  EdgeValues steps;
+  for (std::size_t k = 0; k < 3; ++k) steps[k] = static_cast<double>(triangle.edges[k].b);
+  return steps;
+}
+
 /// The least values at samples that are covered: values are integers.
 inline EdgeValues leastCovered(const ScreenTriangle& triangle) {
   EdgeValues least;

@@ -103,25 +103,70 @@ struct Offer {
 
 Mask firstLanes(int count) { return hn::FirstN(doubles, static_cast<std::size_t>(count)); }
 
-bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided) {
-  const auto lanes = static_cast<int>(hn::Lanes(doubles));
-  const bool isNarrow = triangle.endColumn - triangle.firstColumn <= mostLanes;
-  const Offer offered(triangle, number, buffer, undecided);
-  const EdgeValues steps = edgeSteps(triangle);
-  const Corners step(steps);
-  const Corners stride({lanes * steps[0], lanes * steps[1], lanes * steps[2]});
+/// A triangle no wider than a vector: each of its rows is one, whose lanes are covered or not.
+Mask offerNarrow(const Offer& offered) {
+  const ScreenTriangle& triangle = offered.triangle;
+  const Mask inside = firstLanes(triangle.endColumn - triangle.firstColumn);
+  const Corners down(edgeRowSteps(triangle));
+  Edges edges(edgeValues(triangle, triangle.firstColumn, triangle.firstRow), Corners(edgeSteps(triangle)));
   Mask taken = firstLanes(0);
   for (int row = triangle.firstRow; row < triangle.endRow; ++row) {
-    const Span span = isNarrow ? Span{triangle.firstColumn, triangle.endColumn} : coveredColumns(triangle, row);
-    Edges edges(edgeValues(triangle, span.first, row), step);
-    for (int column = span.first; column < span.end; column += lanes) {
-      const Mask inside = firstLanes(span.end - column);
-      const Mask covered = isNarrow ? hn::And(inside, offered.isCovered(edges)) : inside;
-      taken = hn::Or(taken, offered.test(edges, column, row, covered));
-      edges.advance(stride);
+    const Mask covered = hn::And(inside, offered.isCovered(edges));
+    taken = hn::Or(taken, offered.test(edges, triangle.firstColumn, row, covered));
+    edges.advance(down);
+  }
+  return taken;
+}
+
+/// The columns that are covered of as many rows as a vector has lanes, [first, end) each: coverage is convex, so each
+/// edge gives one bound. A quotient that is not an integer differs from one by at least 1/|a| > 2^-32, since a pixel's
+/// step along an edge is below 2^32; below 2^13 that is more than a division rounds, so it never rounds to one.
+struct Spans {
+  HWY_ALIGN std::int32_t first[mostLanes], end[mostLanes];
+
+  Spans(const ScreenTriangle& triangle, const EdgeValues& least, int firstRow) {
+    const Double rows = hn::Add(hn::Set(doubles, static_cast<double>(firstRow)), hn::Iota(doubles, 0));
+    Double low = hn::Set(doubles, static_cast<double>(triangle.firstColumn));
+    Double high = hn::Set(doubles, static_cast<double>(triangle.endColumn));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Edge& edge = triangle.edges[k];
+      const Double step = hn::Set(doubles, static_cast<double>(edge.a));
+      const Double atZero = hn::Add(hn::Mul(hn::Set(doubles, static_cast<double>(edge.b)), rows),
+                                    hn::Set(doubles, static_cast<double>(edge.c)));
+      const Double missing = hn::Sub(hn::Set(doubles, least[k]), atZero);
+      if (edge.a > 0) low = hn::Max(low, hn::Ceil(hn::Div(missing, step)));
+      if (edge.a < 0) high = hn::Min(high, hn::Add(hn::Floor(hn::Div(missing, step)), hn::Set(doubles, 1.0)));
+      if (edge.a == 0) high = hn::IfThenElse(hn::Gt(missing, hn::Zero(doubles)), low, high);
+    }
+    hn::Store(hn::DemoteTo(Integers(), low), Integers(), first);
+    hn::Store(hn::DemoteTo(Integers(), high), Integers(), end);
+  }
+};
+
+Mask offerWide(const Offer& offered) {
+  const auto lanes = static_cast<int>(hn::Lanes(doubles));
+  const ScreenTriangle& triangle = offered.triangle;
+  const EdgeValues least = raster::leastCovered(triangle), steps = edgeSteps(triangle);
+  const Corners step(steps), stride({lanes * steps[0], lanes * steps[1], lanes * steps[2]});
+  Mask taken = firstLanes(0);
+  for (int firstRow = triangle.firstRow; firstRow < triangle.endRow; firstRow += lanes) {
+    const Spans spans(triangle, least, firstRow);
+    for (int row = firstRow; row < std::min(firstRow + lanes, triangle.endRow); ++row) {
+      const int end = spans.end[row - firstRow];
+      int column = spans.first[row - firstRow];
+      for (Edges edges(edgeValues(triangle, column, row), step); column < end; column += lanes) {
+        taken = hn::Or(taken, offered.test(edges, column, row, firstLanes(end - column)));
+        edges.advance(stride);
+      }
     }
   }
-  return !hn::AllFalse(doubles, taken);
+  return taken;
+}
+
+bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided) {
+  const bool isNarrow = triangle.endColumn - triangle.firstColumn <= static_cast<int>(hn::Lanes(doubles));
+  const Offer offered(triangle, number, buffer, undecided);
+  return !hn::AllFalse(doubles, isNarrow ? offerNarrow(offered) : offerWide(offered));
 }
 
 int endOfRun(const std::uint32_t* triangles, int first, int end) {
