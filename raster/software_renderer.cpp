@@ -29,10 +29,10 @@ std::vector<ItemBuffer> SoftwareRenderer::render(std::span<const Face> faces, st
     Task& task = tasks[i];
     Face part = faces[task.face];
     const auto pitch = static_cast<std::size_t>(part.scissor.width);
-    Word* const words =
-        buffers[task.face].words.data() + static_cast<std::size_t>(task.tile.row - part.scissor.row) * pitch;
+    const auto pixel = static_cast<std::size_t>(task.tile.row - part.scissor.row) * pitch +
+                       static_cast<std::size_t>(task.tile.column - part.scissor.column);
     part.scissor = task.tile;
-    task.dropped = drawTile(draws_, kernels_, part, skipped, words, pitch);
+    task.dropped = drawTile(draws_, kernels_, part, skipped, buffers[task.face].words.data() + pixel, pitch);
   });
   // Every tile meets what is not finite: the first one of a face speaks for it.
   for (std::size_t i = 0; i < tasks.size(); ++i)

@@ -10,8 +10,9 @@
 namespace hemitex::raster {
 namespace {
 
-/// Twelve bytes a pixel in the depth buffer: this many fill a quarter to a half of today's second-level caches.
-constexpr int mostPixels = 1 << 15;
+/// Pixels of a tile, at most: twelve bytes each in the depth buffer make 384 KiB, a part of today's second-level
+/// caches. Wide, so that runs of pixels are long.
+constexpr int mostColumns = 256, mostRows = 128;
 
 PreparedDraws::MapTraits traitsOf(const IndexMap& map) {
   PreparedDraws::MapTraits traits{true, 0};
@@ -125,10 +126,11 @@ PreparedDraws prepare(DrawList list) {
 
 std::vector<Scissor> tilesOf(const Face& face) {
   const Scissor& whole = face.scissor;
-  const int height = std::clamp(mostPixels / std::max(1, whole.width), 1, std::max(1, face.resolution / 4));
   std::vector<Scissor> tiles;
-  for (int row = whole.row; row < whole.row + whole.height; row += height)
-    tiles.push_back({whole.column, row, whole.width, std::min(height, whole.row + whole.height - row)});
+  for (int row = whole.row; row < whole.row + whole.height; row += mostRows)
+    for (int column = whole.column; column < whole.column + whole.width; column += mostColumns)
+      tiles.push_back({column, row, std::min(mostColumns, whole.column + whole.width - column),
+                       std::min(mostRows, whole.row + whole.height - row)});
   return tiles;
 }
 
