@@ -14,6 +14,7 @@ ProjectedRows::ProjectedRows(const Scene& scene, const Discretization& discretiz
       layout_(layout),
       renderer_(renderer),
       settings_(settings),
+      boxes_(triangleBoxes(scene)),
       counter_(discretization, layout) {}
 
 const Projection& ProjectedRows::projectionAfter(int halvings) {
@@ -30,7 +31,7 @@ View ProjectedRows::viewFrom(std::uint32_t surface, const SurfacePoint& point, c
   const glm::dvec3 eye = eyeOver(scene_, surface, point);
   View view{&projection, {}, skippedTriangles(scene_, surface, point), area};
   view.faces = facesOver(projection.faces, eye - scene_.origin, point.normal, up,
-                         nearDistance(scene_, eye, view.skipped, projection.squaredReach));
+                         nearDistance(scene_, boxes_, eye, view.skipped, projection.squaredReach));
   return view;
 }
 

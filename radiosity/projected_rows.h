@@ -85,6 +85,7 @@ class ProjectedRows {
   const WordLayout& layout_;
   raster::ItemBufferRenderer& renderer_;
   ViewSettings settings_;
+  std::vector<TriangleBox> boxes_;
   std::map<int, Projection> projections_;  ///< by resolution, made when first asked for
   RowCounter counter_;
 };

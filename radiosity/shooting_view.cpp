@@ -60,33 +60,40 @@ bool facesAway(const Triangle& triangle, const glm::dvec3& eye) {
 std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::uint32_t surface, const SurfacePoint& point) {
   const double tolerance = tangentPlaneTolerance * scene.extent;
   std::vector<std::uint32_t> skipped;
-  std::uint32_t number = 0;
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
-    for (const Triangle& triangle : scene.surfaces[s].triangles) {
-      const bool isOwn = s == surface || scene.surfaces[s].twin == static_cast<int>(surface);
-      if ((isOwn && liesInPlane(triangle, point, tolerance)) ||
-          (scene.surfaces[s].twin && facesAway(triangle, point.position)))
-        skipped.push_back(number);
-      ++number;
-    }
+  std::uint32_t number = 0;  // of a surface's first triangle
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    const Surface& seen = scene.surfaces[s];
+    const bool isOwn = s == surface || seen.twin == static_cast<int>(surface);
+    if (isOwn || seen.twin)
+      for (std::uint32_t t = 0; t < seen.triangles.size(); ++t)
+        if ((isOwn && liesInPlane(seen.triangles[t], point, tolerance)) ||
+            (seen.twin && facesAway(seen.triangles[t], point.position)))
+          skipped.push_back(number + t);
+    number += static_cast<std::uint32_t>(seen.triangles.size());
+  }
   return skipped;
+}
+
+double nearDistance(const Scene& scene, std::span<const TriangleBox> boxes, const glm::dvec3& point,
+                    const std::vector<std::uint32_t>& skipped, double squaredReach) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const TriangleBox& box : boxes) {
+    if (squaredDistance(point, box) >= nearest) continue;
+    auto skip = std::lower_bound(skipped.begin(), skipped.end(), box.number);
+    for (std::uint32_t t = box.first; t < box.end; ++t) {
+      const std::array<glm::dvec3, 3>& corner = scene.surfaces[box.surface].triangles[t].position;
+      if (skip != skipped.end() && *skip == box.number + (t - box.first))
+        ++skip;
+      else if (squaredDistanceToBounds(point, corner) < nearest)
+        nearest = std::min(nearest, squaredDistance(point, corner));
+    }
+  }
+  return std::clamp(std::sqrt(nearest / squaredReach), smallestNearDistance * scene.extent, scene.extent);
 }
 
 double nearDistance(const Scene& scene, const glm::dvec3& point, const std::vector<std::uint32_t>& skipped,
                     double squaredReach) {
-  double nearest = std::numeric_limits<double>::infinity();
-  std::uint32_t number = 0;
-  auto skip = skipped.begin();
-  for (const Surface& surface : scene.surfaces)
-    for (const Triangle& triangle : surface.triangles) {
-      if (skip != skipped.end() && *skip == number++) {
-        ++skip;
-        continue;
-      }
-      if (squaredDistanceToBounds(point, triangle.position) < nearest)
-        nearest = std::min(nearest, squaredDistance(point, triangle.position));
-    }
-  return std::clamp(std::sqrt(nearest / squaredReach), smallestNearDistance * scene.extent, scene.extent);
+  return nearDistance(scene, triangleBoxes(scene), point, skipped, squaredReach);
 }
 
 glm::dvec3 eyeOver(const Scene& scene, std::uint32_t surface, const SurfacePoint& point) {

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "radiosity/discretization.h"
 #include "radiosity/scene.h"
+#include "radiosity/triangle_boxes.h"
 
 namespace hemitex::radiosity {
 
@@ -31,6 +33,9 @@ std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::uint32_t su
 /// where nothing is near the scene's extent.
 double nearDistance(const Scene& scene, const glm::dvec3& point, const std::vector<std::uint32_t>& skipped,
                     double squaredReach);
+/// The same with the scene's triangleBoxes at hand, for who asks often.
+double nearDistance(const Scene& scene, std::span<const TriangleBox> boxes, const glm::dvec3& point,
+                    const std::vector<std::uint32_t>& skipped, double squaredReach);
 
 /// The eye of a view from a point of a surface, in the file's units (see eyeMove).
 glm::dvec3 eyeOver(const Scene& scene, std::uint32_t surface, const SurfacePoint& point);
