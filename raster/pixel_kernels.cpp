@@ -60,6 +60,17 @@ void findTexels(const PixelRun& run, int width, int height, std::uint32_t base, 
   }
 }
 
+void findExactTexels(const PixelRun& run, const ExactTexels& exact, int width, int height, std::uint32_t base,
+                     std::uint32_t* texels) {
+  const ExactLine u(run, exact.u), v(run, exact.v);
+  const auto texel = [](const ExactLine& line, int i, int size) {
+    return std::floor(
+        std::max(std::min((line.at + line.step * i) / (line.below + line.belowStep * i), size - 1.0), 0.0));
+  };
+  for (int i = 0; i < run.count; ++i)
+    texels[i] = base + static_cast<std::uint32_t>(texel(v, i, height) * width + texel(u, i, width));
+}
+
 }  // namespace
 
 DepthBuffer::DepthBuffer(const Scissor& part)
@@ -71,7 +82,7 @@ DepthBuffer::DepthBuffer(const Scissor& part)
 void UndecidedPixels::add(int column, int row) { pixels.push_back({column, row}); }
 
 const PixelKernels& plainKernels() {
-  static const PixelKernels kernels{"plain", offer, endOfRun, findTexels};
+  static const PixelKernels kernels{"plain", offer, endOfRun, findTexels, findExactTexels};
   return kernels;
 }
 

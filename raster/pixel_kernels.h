@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "raster/exact.h"
 #include "raster/face.h"
 #include "raster/screen_triangle.h"
 
@@ -51,6 +52,11 @@ struct PixelRun {
   const double* inverseDepth;  ///< of each, from the depth buffer
 };
 
+/// Both texture coordinates of a triangle as quotients that binary64 decides everywhere (exact.h).
+struct ExactTexels {
+  ExactQuotient u, v;
+};
+
 struct PixelKernels {
   std::string name;  ///< plain, or that of an instruction set
 
@@ -65,6 +71,10 @@ struct PixelKernels {
   /// row * width + column each. Appends those that binary64 cannot tell; what `texels` says of them is not to be used.
   void (*findTexels)(const PixelRun& run, int width, int height, std::uint32_t base, std::uint32_t* texels,
                      UndecidedPixels& undecided);
+
+  /// The same of a triangle whose coordinates are exact quotients: it takes longer, and decides all.
+  void (*findExactTexels)(const PixelRun& run, const ExactTexels& exact, int width, int height, std::uint32_t base,
+                          std::uint32_t* texels);
 };
 
 /// The specification of the others.

@@ -202,6 +202,12 @@ struct Texels {
   }
 };
 
+/// `base` and the numbers of texels side by side, in a map of so many columns.
+void storeTexels(Double column, Double row, Double columns, std::uint32_t base, std::uint32_t* texels) {
+  const auto texel = hn::BitCast(Numbers(), hn::DemoteTo(Integers(), hn::Add(hn::Mul(row, columns), column)));
+  hn::StoreU(hn::Add(texel, hn::Set(Numbers(), base)), Numbers(), texels);
+}
+
 void findTexels(const PixelRun& run, int width, int height, std::uint32_t base, std::uint32_t* texels,
                 UndecidedPixels& undecided) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
@@ -214,15 +220,33 @@ void findTexels(const PixelRun& run, int width, int height, std::uint32_t base, 
     Mask clear = firstLanes(lanes);
     const Double column = u.find(pixels, w, clear);
     const Double row = v.find(pixels, w, clear);
-    const auto texel = hn::BitCast(Numbers(), hn::DemoteTo(Integers(), hn::Add(hn::Mul(row, columns), column)));
-    hn::StoreU(hn::Add(texel, hn::Set(Numbers(), base)), Numbers(), texels + i);
+    storeTexels(column, row, columns, base, texels + i);
     const Mask open = hn::AndNot(clear, firstLanes(run.count - i));
     if (!hn::AllFalse(doubles, open))
       forEachLane(open, [&](int lane) { undecided.add(run.firstColumn + i + lane, run.row); });
   }
 }
 
-PixelKernels kernels() { return {hwy::TargetName(HWY_TARGET), offer, endOfRun, findTexels}; }
+/// The texels of pixels i along a line of exact quotients.
+Double findExactly(const ExactLine& line, Double i, int size) {
+  const auto along = [i](double at, double step) {
+    return hn::Add(hn::Set(doubles, at), hn::Mul(hn::Set(doubles, step), i));
+  };
+  const Double position = hn::Div(along(line.at, line.step), along(line.below, line.belowStep));
+  return hn::Floor(hn::Max(hn::Min(position, hn::Set(doubles, size - 1.0)), hn::Set(doubles, 0.0)));
+}
+
+void findExactTexels(const PixelRun& run, const ExactTexels& exact, int width, int height, std::uint32_t base,
+                     std::uint32_t* texels) {
+  const auto lanes = static_cast<int>(hn::Lanes(doubles));
+  const ExactLine u(run, exact.u), v(run, exact.v);
+  const Double columns = hn::Set(doubles, static_cast<double>(width));
+  Double pixels = hn::Iota(doubles, 0);
+  for (int i = 0; i < run.count; i += lanes, pixels = hn::Add(pixels, hn::Set(doubles, static_cast<double>(lanes))))
+    storeTexels(findExactly(u, pixels, width), findExactly(v, pixels, height), columns, base, texels + i);
+}
+
+PixelKernels kernels() { return {hwy::TargetName(HWY_TARGET), offer, endOfRun, findTexels, findExactTexels}; }
 
 }  // namespace
 }  // namespace hemitex::raster::HWY_NAMESPACE

@@ -1,6 +1,7 @@
 #include "raster/tile.h"
 
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 #include "raster/exact.h"
@@ -48,6 +49,7 @@ class Tile {
   void draw(const ScreenTriangle& triangle);
   void resolveRun(const PixelRun& run, Word* words);
   void resolveTexels(const PixelRun& run, const Draw& draw, Word* words);
+  void findTexels(const PixelRun& run, const IndexMap& map, Word base, Word* texels);
 
   const PreparedDraws& draws_;
   const PixelKernels& kernels_;
@@ -55,6 +57,8 @@ class Tile {
   std::vector<ScreenTriangle> visible_;
   std::vector<Word> row_;
   UndecidedPixels undecided_;
+  /// Of triangles that had an undecided texel and are exact quotients.
+  std::unordered_map<const ScreenTriangle*, ExactTexels> exact_;
 };
 
 void Tile::draw(const ScreenTriangle& triangle) {
@@ -82,6 +86,22 @@ void Tile::resolveRun(const PixelRun& run, Word* words) {
     std::fill_n(words, run.count, draw.offset);
 }
 
+/// `base` and the number of the texel of each pixel of a run. Where one texel is undecided, more will be.
+void Tile::findTexels(const PixelRun& run, const IndexMap& map, Word base, Word* texels) {
+  if (const auto known = exact_.find(run.triangle); known != exact_.end())
+    return kernels_.findExactTexels(run, known->second, map.width, map.height, base, texels);
+  kernels_.findTexels(run, map.width, map.height, base, texels, undecided_);
+  if (undecided_.pixels.empty()) return;
+  const auto u = exactQuotient(*run.triangle, run.triangle->u.at, map.width);
+  const auto v = exactQuotient(*run.triangle, run.triangle->v.at, map.height);
+  if (u && v)
+    kernels_.findExactTexels(run, exact_[run.triangle] = {*u, *v}, map.width, map.height, base, texels);
+  else
+    for (const Pixel& pixel : undecided_.pixels)
+      texels[pixel.column - run.firstColumn] = base + texelExactly(*run.triangle, map, pixel);
+  undecided_.pixels.clear();
+}
+
 void Tile::resolveTexels(const PixelRun& run, const Draw& draw, Word* words) {
   const DrawList& list = draws_.list;
   const IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
@@ -89,10 +109,7 @@ void Tile::resolveTexels(const PixelRun& run, const Draw& draw, Word* words) {
   // Where offset and texels have no bit in common, nothing is carried and nothing clamped.
   const bool isSum = list.blend != Blend::Replace && (draw.offset & traits.bits) == 0;
   const Word base = isSum && traits.countsTexels ? draw.offset : 0;
-  kernels_.findTexels(run, map.width, map.height, base, words, undecided_);
-  for (const Pixel& pixel : undecided_.pixels)
-    words[pixel.column - run.firstColumn] = base + texelExactly(*run.triangle, map, pixel);
-  undecided_.pixels.clear();
+  findTexels(run, map, base, words);
   if (isSum && traits.countsTexels) return;
   for (Word& word : std::span(words, static_cast<std::size_t>(run.count)))
     word = isSum ? draw.offset | map.words[word] : blend(list.format, list.blend, draw.offset, map.words[word]);

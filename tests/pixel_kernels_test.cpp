@@ -105,6 +105,46 @@ TEST_CASE("texels are the same with every instruction set, for runs of every len
       }
 }
 
+TEST_CASE("exact quotients give the texels of the exact fallback, with every instruction set", "[kernels]") {
+  const raster::Face face = frontFace(64);
+  raster::DrawList list = plainList();
+  addDraw(list, 0);
+  // Corners at halves of pixels, texels that begin at samples, straight on and across depths of few bits.
+  for (const float depth : {1.0F, 2.5F}) {
+    const auto point = [&](float column, float row, float w) {
+      return glm::vec3((column / 32 - 1) * w, (row / 32 - 1) * w, w);
+    };
+    addTriangle(list, {point(0.5F, 0.5F, 1), point(48.5F, 3.5F, depth), point(7.5F, 60.5F, depth)},
+                {{-0.25F, 0}, {1, 0.5F}, {0.5F, 1.25F}});
+  }
+  std::vector<raster::PixelKernels> all = raster::simdKernels();
+  all.push_back(raster::plainKernels());
+  int runs = 0;
+  for (const raster::ScreenTriangle& triangle : screenTriangles(list, face))
+    for (const int size : {1, 16, 48})
+      for (int row = triangle.firstRow; row < triangle.endRow; ++row) {
+        const auto u = exactQuotient(triangle, triangle.u.at, size),
+                   v = exactQuotient(triangle, triangle.v.at, 2 * size);
+        REQUIRE((u && v));
+        const raster::Span span = coveredColumns(triangle, row);
+        const raster::PixelRun run{&triangle, row, span.first, span.end - span.first, nullptr};
+        std::vector<std::uint32_t> expected;
+        for (int column = span.first; column < span.end; ++column)
+          expected.push_back(
+              static_cast<std::uint32_t>(7 + texelExactly(triangle, triangle.v.at, 2 * size, column, row) * size +
+                                         texelExactly(triangle, triangle.u.at, size, column, row)));
+        for (const raster::PixelKernels& kernels : all) {
+          std::vector<std::uint32_t> found(expected.size() + raster::mostLanes);
+          kernels.findExactTexels(run, {*u, *v}, size, 2 * size, 7, found.data());
+          found.resize(expected.size());
+          INFO(kernels.name << ", row " << row << ", size " << size);
+          REQUIRE(found == expected);
+        }
+        ++runs;
+      }
+  CHECK(runs > 300);
+}
+
 TEST_CASE("item buffers are the same with every instruction set", "[kernels]") {
   const raster::DrawList list = crossingTriangles();
   const std::vector<raster::Face> faces = facesAndParts();
