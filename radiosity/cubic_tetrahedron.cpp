@@ -109,7 +109,7 @@ Projection cubicTetrahedron(int resolution) {
   std::vector<std::uint64_t> others = wholeFace(half, resolution);
   std::vector<std::uint64_t> first = others;
   first.back() += wholeShare % 3;
-  return {cubicTetrahedronFaces(resolution), {std::move(first), std::move(others)}, wholeShare, squaredReach};
+  return {cubicTetrahedronFaces(resolution), {runningSums(first), runningSums(others)}, wholeShare, squaredReach};
 }
 
 }  // namespace hemitex::radiosity

@@ -48,8 +48,10 @@ Projection hemicube(int resolution) {
   // By symmetry they say all: a side is the second half of a square, from the horizon on.
   std::vector<std::uint64_t> side = mirroredQuadrant(halfSide, half);
   side.erase(side.begin(), side.begin() + static_cast<std::ptrdiff_t>(side.size() / 2));
-  return {
-      hemicubeFaces(resolution), {mirroredQuadrant(quadrant, half), std::move(side)}, wholeShare, hemicubeSquaredReach};
+  return {hemicubeFaces(resolution),
+          {runningSums(mirroredQuadrant(quadrant, half)), runningSums(side)},
+          wholeShare,
+          hemicubeSquaredReach};
 }
 
 }  // namespace hemitex::radiosity

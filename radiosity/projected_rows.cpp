@@ -51,10 +51,9 @@ std::vector<View> ProjectedRows::viewsOfPatch(std::uint32_t number) {
 }
 
 FormFactorRow ProjectedRows::ofView(const View& view) {
-  std::vector<Window> windows;
-  for (std::size_t face = 0; face < view.faces.size(); ++face) windows.push_back({face, view.faces[face].scissor});
+  const std::vector<Window> windows = wholeFaces(*view.projection);
   const std::vector<raster::ItemBuffer> buffers = draw(view, windows);
-  FormFactorRow row = counter_.take();
+  FormFactorRow row = counter_.rowOf(*view.projection, windows, buffers);
   if (settings_.pixelsPerElement > 0)
     row = withCoarserMaps(discretization_, row, pixelsOf(row, view, buffers), settings_.pixelsPerElement);
   row.background += wholeShare - view.projection->captured;
@@ -67,20 +66,17 @@ std::vector<raster::ItemBuffer> ProjectedRows::draw(const View& view, std::span<
     faces.push_back(view.faces[window.face]);
     faces.back().scissor = window.scissor;
   }
-  const std::vector<raster::ItemBuffer> buffers = renderer_.render(faces, view.skipped);
-  for (std::size_t i = 0; i < windows.size(); ++i)
-    counter_.add(*view.projection, windows[i].face, windows[i].scissor, buffers[i]);
-  return buffers;
+  return renderer_.render(faces, view.skipped);
 }
 
 std::vector<std::uint32_t> ProjectedRows::pixelsOf(const FormFactorRow& row, const View& view,
                                                    const std::vector<raster::ItemBuffer>& buffers) const {
   std::vector<std::uint32_t> pixels(row.elements.size());
   for (std::size_t face = 0; face < buffers.size(); ++face) {
-    const std::vector<std::uint64_t>& shares = view.projection->shares[view.projection->faces[face].shares];
-    for (std::size_t i = 0; i < shares.size(); ++i) {
+    const std::vector<std::uint64_t>& before = view.projection->sharesBefore[view.projection->faces[face].shares];
+    for (std::size_t i = 0; i + 1 < before.size(); ++i) {
       const auto element = elementOf(discretization_, layout_, buffers[face].words[i]);
-      if (shares[i] == 0 || !element) continue;
+      if (before[i] == before[i + 1] || !element) continue;
       const auto place = std::lower_bound(row.elements.begin(), row.elements.end(), *element);
       ++pixels[static_cast<std::size_t>(place - row.elements.begin())];
     }
@@ -89,8 +85,7 @@ std::vector<std::uint32_t> ProjectedRows::pixelsOf(const FormFactorRow& row, con
 }
 
 FormFactorRow ProjectedRows::ofWindows(const View& view, std::span<const Window> windows) {
-  draw(view, windows);
-  return counter_.take();
+  return counter_.rowOf(*view.projection, windows, draw(view, windows));
 }
 
 FormFactorRow ProjectedRows::from(std::uint32_t surface, const SurfacePoint& point) {

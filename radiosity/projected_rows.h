@@ -39,12 +39,6 @@ struct View {
   double area = 0;                         ///< of the surface that shoots from there
 };
 
-/// A part of a face.
-struct Window {
-  std::size_t face = 0;     ///< in View::faces
-  raster::Scissor scissor;  ///< inside the face's own
-};
-
 class ProjectedRows {
  public:
   /// All referenced objects must outlive this one.
@@ -72,7 +66,6 @@ class ProjectedRows {
   bool isSumOfWindows() const { return settings_.pixelsPerElement == 0; }
 
  private:
-  /// Into the counter.
   std::vector<raster::ItemBuffer> draw(const View& view, std::span<const Window> windows);
   /// In which each of a row's elements is seen, of a whole view.
   std::vector<std::uint32_t> pixelsOf(const FormFactorRow& row, const View& view,

@@ -1,8 +1,22 @@
 #include "radiosity/projection.h"
 
 #include <cassert>
+#include <numeric>
 
 namespace hemitex::radiosity {
+
+std::vector<Window> wholeFaces(const Projection& projection) {
+  std::vector<Window> windows;
+  for (std::size_t face = 0; face < projection.faces.size(); ++face)
+    windows.push_back({face, projection.faces[face].scissor});
+  return windows;
+}
+
+std::vector<std::uint64_t> runningSums(const std::vector<std::uint64_t>& shares) {
+  std::vector<std::uint64_t> before(shares.size() + 1);
+  std::partial_sum(shares.begin(), shares.end(), before.begin() + 1);
+  return before;
+}
 
 std::uint64_t shareOf(const Projection& projection, std::size_t face, int column, int row) {
   const ProjectionFace& of = projection.faces[face];
@@ -11,7 +25,8 @@ std::uint64_t shareOf(const Projection& projection, std::size_t face, int column
   assert(row >= scissor.row && row < scissor.row + scissor.height);
   const auto place = static_cast<std::size_t>(row - scissor.row) * static_cast<std::size_t>(scissor.width) +
                      static_cast<std::size_t>(column - scissor.column);
-  return projection.shares[of.shares][place];
+  const std::vector<std::uint64_t>& before = projection.sharesBefore[of.shares];
+  return before[place + 1] - before[place];
 }
 
 glm::dvec3 tangentAlong(const glm::dvec3& normal, const glm::dvec3& up) {

@@ -20,20 +20,33 @@ struct ProjectionFace {
   glm::dvec3 x, y, w;  ///< rows
   int resolution = 0;
   raster::Scissor scissor;  ///< the pixels that exist
-  std::size_t shares = 0;   ///< in Projection::shares
+  std::size_t shares = 0;   ///< in Projection::sharesBefore
 };
 
 struct Projection {
   std::vector<ProjectionFace> faces;
   /// The delta form factors, in units of 2^-60: the integrals of cos(theta)/pi over what each pixel of a scissor
-  /// rectangle stands for, row-major. Pixels that stand for nothing come before all others of their row. Faces that are
-  /// alike have one table.
-  std::vector<std::vector<std::uint64_t>> shares;
+  /// rectangle stands for, row-major. Pixels that stand for nothing come before all others of their row. They stand as
+  /// running sums, so that a run of pixels takes a difference: what all before a pixel have, and behind the last pixel
+  /// what all have. Faces that are alike have one table.
+  std::vector<std::vector<std::uint64_t>> sharesBefore;
   std::uint64_t captured = wholeShare;  ///< the sum over all pixels of all faces
   /// How much farther away than deep what a face sees can be, squared: it sees a point at distance d at a depth w of
   /// d / sqrt(squaredReach) or more.
   double squaredReach = 0;
 };
+
+/// A part of a face.
+struct Window {
+  std::size_t face = 0;     ///< in Projection::faces
+  raster::Scissor scissor;  ///< inside the face's own
+};
+
+/// The faces of a projection, each whole.
+std::vector<Window> wholeFaces(const Projection& projection);
+
+/// From the shares of pixels to Projection::sharesBefore.
+std::vector<std::uint64_t> runningSums(const std::vector<std::uint64_t>& shares);
 
 /// The share of a pixel, by its place in the face's viewport; inside the scissor rectangle.
 std::uint64_t shareOf(const Projection& projection, std::size_t face, int column, int row);

@@ -1,77 +1,202 @@
 #include "radiosity/row_counter.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cassert>
+#include <numeric>
 #include <utility>
 
-namespace hemitex::radiosity {
+#include "raster/parallel.h"
 
+namespace hemitex::radiosity {
 namespace {
 
-/// Words above have no slot at hand: a table of all would be large where surfaces are many.
-constexpr std::size_t mostSlots = std::size_t{1} << 22;
-constexpr std::uint32_t slotsAtOnce = 8;
+using raster::Word;
 
-/// The words that may be drawn, but for the reserved ones; none where words are those of unique maps.
-std::size_t wordCount(const WordLayout& layout) {
-  std::size_t count = layout.packedElements.size();
-  for (const Page& page : layout.pages)
-    count = std::max(count, static_cast<std::size_t>(page.offset) +
-                                static_cast<std::size_t>(page.columns) * static_cast<std::size_t>(page.rows));
-  return count;
+constexpr std::size_t pixelsAtOnce = 64;
+
+/// Bit i: word i differs from the one before it; for so many words.
+std::uint64_t changes(const Word* words) {
+  std::array<std::uint8_t, pixelsAtOnce> differs;
+  for (std::size_t i = 0; i < pixelsAtOnce; ++i) differs[i] = words[i] != *(words + i - 1) ? 1 : 0;
+  static_assert(std::endian::native == std::endian::little);
+  const auto eights = std::bit_cast<std::array<std::uint64_t, pixelsAtOnce / 8>>(differs);
+  std::uint64_t bits = 0;
+  // The product gathers the lowest bits of eight bytes in the highest byte.
+  for (std::size_t i = 0; i < eights.size(); ++i) bits |= (eights[i] * 0x0102040810204080U >> 56) << 8 * i;
+  return bits;
+}
+
+/// The same for fewer, and the bit behind them.
+std::uint64_t lastChanges(const Word* words, std::size_t count) {
+  std::uint64_t bits = std::uint64_t{1} << count;
+  for (std::size_t i = 0; i < count; ++i) bits |= std::uint64_t{words[i] != *(words + i - 1)} << i;
+  return bits;
+}
+
+/// Adds pixels that lie side by side, run by run of one word. `before` holds the running sum of shares before each of
+/// them, and after the last.
+void addPixels(const WordSlots& slots, const Word* words, const std::uint64_t* before, std::size_t count,
+               ShareSums& sums) {
+  std::uint64_t begin = before[0];
+  for (std::size_t pixel = 1; pixel <= count; pixel += pixelsAtOnce) {
+    const std::size_t left = count - pixel;
+    std::uint64_t ends = left < pixelsAtOnce ? lastChanges(words + pixel, left) : changes(words + pixel);
+    for (; ends != 0; ends &= ends - 1) {
+      const std::size_t end = pixel + static_cast<std::size_t>(std::countr_zero(ends));
+      sums.add(slots.of(words[end - 1]), before[end] - begin);
+      begin = before[end];
+    }
+  }
+}
+
+/// Rows of a window: what a thread sums at once.
+struct Part {
+  std::size_t window;
+  int firstRow, endRow;  ///< in the window
+};
+
+std::vector<Part> partsOf(std::span<const Window> windows) {
+  constexpr int pixels = 8192;
+  std::vector<Part> parts;
+  for (std::size_t w = 0; w < windows.size(); ++w) {
+    const raster::Scissor& scissor = windows[w].scissor;
+    const int rows = std::max(1, pixels / std::max(1, scissor.width));
+    for (int row = 0; row < scissor.height; row += rows)
+      parts.push_back({w, row, std::min(row + rows, scissor.height)});
+  }
+  return parts;
+}
+
+void addPart(const WordSlots& slots, const Projection& projection, const Window& window,
+             const raster::ItemBuffer& buffer, const Part& part, ShareSums& sums) {
+  const raster::Scissor& some = window.scissor;
+  const raster::Scissor& whole = projection.faces[window.face].scissor;
+  assert(buffer.width == some.width && buffer.height == some.height);
+  assert(some.column >= whole.column && some.column + some.width <= whole.column + whole.width);
+  assert(some.row >= whole.row && some.row + some.height <= whole.row + whole.height);
+  if (some.width == 0) return;
+  const std::uint64_t* const before = projection.sharesBefore[projection.faces[window.face].shares].data();
+  const auto add = [&](int row, std::size_t count) {
+    const auto first = static_cast<std::ptrdiff_t>(some.row - whole.row + row) * whole.width;
+    addPixels(slots, buffer.words.data() + static_cast<std::ptrdiff_t>(row) * some.width,
+              before + first + (some.column - whole.column), count, sums);
+  };
+  const auto width = static_cast<std::size_t>(some.width);
+  // Where nothing lies between the rows, runs go on from one to the next.
+  if (some.width == whole.width)
+    return add(part.firstRow, width * static_cast<std::size_t>(part.endRow - part.firstRow));
+  for (int row = part.firstRow; row < part.endRow; ++row) add(row, width);
+}
+
+using AllSums = std::span<const std::unique_ptr<ShareSums>>;
+
+/// Calls body(number) for the blocks of a group that any of the sums have, in ascending order.
+template <typename Body>
+void forEachBlock(AllSums all, std::size_t group, const Body& body) {
+  std::uint64_t blocks = 0;
+  for (const auto& sums : all) blocks |= sums->blocksIn(group);
+  for (; blocks != 0; blocks &= blocks - 1)
+    body(static_cast<std::uint32_t>(group * ShareSums::blocksInGroup) +
+         static_cast<std::uint32_t>(std::countr_zero(blocks)));
+}
+
+std::size_t elementsIn(AllSums all, std::size_t group) {
+  std::size_t elements = 0;
+  forEachBlock(all, group, [&](std::uint32_t number) {
+    std::uint64_t touched = 0;
+    for (const auto& sums : all)
+      if (const ShareSums::Block* block = sums->find(number)) touched |= block->touched;
+    elements += static_cast<std::size_t>(std::popcount(touched));
+  });
+  return elements;
+}
+
+/// Writes what a group has into a row, from a place on.
+void writeGroup(AllSums all, std::size_t group, std::size_t place, FormFactorRow& row) {
+  std::vector<const ShareSums::Block*> blocks;
+  forEachBlock(all, group, [&](std::uint32_t number) {
+    blocks.clear();
+    std::uint64_t touched = 0;
+    for (const auto& sums : all)
+      if (const ShareSums::Block* block = sums->find(number)) {
+        blocks.push_back(block);
+        touched |= block->touched;
+      }
+    for (; touched != 0; touched &= touched - 1, ++place) {
+      const auto slot = static_cast<std::uint32_t>(std::countr_zero(touched));
+      std::uint64_t share = 0;
+      for (const ShareSums::Block* block : blocks) share += block->shares[slot];
+      row.elements[place] = number * ShareSums::slotsInBlock + slot;
+      row.shares[place] = share;
+    }
+  });
+}
+
+/// Takes the last slot out of a row, if that is it: what it has.
+std::uint64_t takeLast(FormFactorRow& row, std::uint32_t slot) {
+  if (row.elements.empty() || row.elements.back() != slot) return 0;
+  const std::uint64_t share = row.shares.back();
+  row.elements.pop_back();
+  row.shares.pop_back();
+  return share;
 }
 
 }  // namespace
 
 RowCounter::RowCounter(const Discretization& discretization, const WordLayout& layout)
-    : discretization_(discretization),
-      layout_(layout),
-      slots_(std::min(mostSlots, wordCount(layout))),
-      share_(discretization.elements.size() + 2),
-      touched_(share_.size() / slotsAtOnce + 1) {
-  for (std::size_t word = 0; word < slots_.size(); ++word) slots_[word] = slotOf(static_cast<raster::Word>(word));
+    : slots_(discretization, layout) {
+  sums_.push_back(std::make_unique<ShareSums>(slots_.count()));
 }
 
-std::uint32_t RowCounter::slotOf(raster::Word word) const {
-  if (word == raster::backWord(layout_.format)) return backSlot();
-  return elementOf(discretization_, layout_, word).value_or(backgroundSlot());
+FormFactorRow RowCounter::rowOf(const Projection& projection, std::span<const Window> windows,
+                                std::span<const raster::ItemBuffer> buffers) {
+  assert(windows.size() == buffers.size());
+  const std::vector<Part> parts = partsOf(windows);
+  raster::parallelFor(parts.size(), [&](std::size_t i) {
+    std::unique_ptr<ShareSums> sums = takeSums();
+    addPart(slots_, projection, windows[parts[i].window], buffers[parts[i].window], parts[i], *sums);
+    giveBack(std::move(sums));
+  });
+  return takeRow();
 }
 
-void RowCounter::add(const Projection& projection, std::size_t face, const raster::Scissor& window,
-                     const raster::ItemBuffer& buffer) {
-  const raster::Scissor& whole = projection.faces[face].scissor;
-  assert(buffer.width == window.width && buffer.height == window.height);
-  assert(window.column >= whole.column && window.column + window.width <= whole.column + whole.width);
-  assert(window.row >= whole.row && window.row + window.height <= whole.row + whole.height);
-  if (buffer.words.empty()) return;
-  const std::uint64_t* const shares = projection.shares[projection.faces[face].shares].data();
-  const raster::Word* word = buffer.words.data();
-  for (int j = 0; j < window.height; ++j) {
-    const std::uint64_t* share =
-        shares + static_cast<std::ptrdiff_t>(window.row - whole.row + j) * whole.width + (window.column - whole.column);
-    for (int i = 0; i < window.width; ++i, ++word, ++share) {
-      const std::uint32_t slot = *word < slots_.size() ? slots_[*word] : slotOf(*word);
-      share_[slot] += *share;
-      touched_[slot / slotsAtOnce] = 1;
-    }
-  }
+std::unique_ptr<ShareSums> RowCounter::takeSums() {
+  const std::lock_guard lock(mutex_);
+  if (sums_.empty()) return std::make_unique<ShareSums>(slots_.count());
+  std::unique_ptr<ShareSums> sums = std::move(sums_.back());
+  sums_.pop_back();
+  return sums;
 }
 
-FormFactorRow RowCounter::take() {
-  row_.elements.clear();
-  row_.shares.clear();
-  row_.back = std::exchange(share_[backSlot()], 0);
-  row_.background = std::exchange(share_[backgroundSlot()], 0);
-  for (std::uint32_t block = 0; block < touched_.size(); ++block) {
-    if (std::exchange(touched_[block], std::uint8_t{0}) == 0) continue;
-    const std::uint32_t first = block * slotsAtOnce, end = std::min(first + slotsAtOnce, backSlot());
-    for (std::uint32_t element = first; element < end; ++element)
-      if (const std::uint64_t share = std::exchange(share_[element], 0); share != 0) {
-        row_.elements.push_back(element);
-        row_.shares.push_back(share);
-      }
-  }
-  return row_;
+void RowCounter::giveBack(std::unique_ptr<ShareSums> sums) {
+  const std::lock_guard lock(mutex_);
+  sums_.push_back(std::move(sums));
+}
+
+FormFactorRow RowCounter::takeRow() {
+  const std::size_t groups = sums_.front()->groups();
+  std::vector<std::size_t> first(groups + 1);
+  raster::parallelFor(groups, [&](std::size_t group) { first[group + 1] = elementsIn(sums_, group); });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  FormFactorRow row;
+  row.elements.resize(first.back());
+  row.shares.resize(first.back());
+  raster::parallelFor(groups, [&](std::size_t group) {
+    writeGroup(sums_, group, first[group], row);
+    for (const auto& sums : sums_) sums->clear(group);
+  });
+  for (const auto& sums : sums_) sums->reuse();
+  row.background = takeLast(row, slots_.background());
+  row.back = takeLast(row, slots_.back());
+  return row;
+}
+
+std::size_t RowCounter::bytes() const {
+  std::size_t bytes = slots_.bytes();
+  for (const auto& sums : sums_) bytes += sums->bytes();
+  return bytes;
 }
 
 }  // namespace hemitex::radiosity

@@ -1,14 +1,24 @@
-/// Counts item buffers into rows: words to elements through the layout and the spill tables, pixels to shares.
+/// Sums item buffers into rows: words become elements, runs of pixels shares. What it costs is bounded by the pixels,
+/// not by the elements of the scene.
+///
+/// Pixels that lie side by side and show one word are a run, which takes the difference of two running sums of delta
+/// form factors: long runs cost next to nothing. Threads sum parts of the buffers, each for itself; shares are
+/// integers, so that it does not matter which of them got which part.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <mutex>
+#include <span>
 #include <vector>
 
 #include "radiosity/discretization.h"
 #include "radiosity/form_factors.h"
 #include "radiosity/projection.h"
+#include "radiosity/share_sums.h"
 #include "radiosity/word_layout.h"
+#include "radiosity/word_slots.h"
 #include "raster/face.h"
 
 namespace hemitex::radiosity {
@@ -18,26 +28,25 @@ class RowCounter {
   /// Both referenced objects must outlive this one.
   RowCounter(const Discretization& discretization, const WordLayout& layout);
 
-  /// Adds the words of a window of one of the projection's faces. It lies inside that face's scissor rectangle, and is
-  /// all of it for a whole row; drawing a face with a smaller scissor rectangle gives the same words there.
-  void add(const Projection& projection, std::size_t face, const raster::Scissor& window,
-           const raster::ItemBuffer& buffer);
+  /// What windows of a projection's faces add up to: the whole row, where they are wholeFaces. A buffer a window;
+  /// drawing a face with a smaller scissor rectangle gives the same words there.
+  FormFactorRow rowOf(const Projection& projection, std::span<const Window> windows,
+                      std::span<const raster::ItemBuffer> buffers);
 
-  /// What was added since the last time.
-  FormFactorRow take();
+  /// What it takes beside the discretization and the layout.
+  std::size_t bytes() const;
 
  private:
-  /// Where a word is counted: at an element, or behind them at the two that follow.
-  std::uint32_t slotOf(raster::Word word) const;
-  std::uint32_t backSlot() const { return static_cast<std::uint32_t>(discretization_.elements.size()); }
-  std::uint32_t backgroundSlot() const { return backSlot() + 1; }
+  /// The sums that the calling thread goes on with, and what it gives back.
+  std::unique_ptr<ShareSums> takeSums();
+  void giveBack(std::unique_ptr<ShareSums> sums);
 
-  const Discretization& discretization_;
-  const WordLayout& layout_;
-  std::vector<std::uint32_t> slots_;   ///< of the lowest words: a pixel costs the same whatever it shows
-  std::vector<std::uint64_t> share_;   ///< one a slot, all 0 between rows
-  std::vector<std::uint8_t> touched_;  ///< one for every eight slots, not 0 where one of them may have a share
-  FormFactorRow row_;                  ///< the last one: its memory serves the next
+  /// Of all sums, which are nothing afterwards.
+  FormFactorRow takeRow();
+
+  WordSlots slots_;
+  std::vector<std::unique_ptr<ShareSums>> sums_;  ///< one a thread that was at work; here unless it is
+  std::mutex mutex_;                              ///< of `sums_`
 };
 
 }  // namespace hemitex::radiosity

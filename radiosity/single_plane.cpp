@@ -24,7 +24,7 @@ Projection singlePlane(int resolution, double halfWidth) {
   const ProjectionFace face{
       {1 / halfWidth, 0, 0}, {0, 1 / halfWidth, 0}, {0, 0, 1}, resolution, {0, 0, resolution, resolution}, 0};
   const std::uint64_t captured = 4 * std::accumulate(quadrant.begin(), quadrant.end(), std::uint64_t{0});
-  return {{face}, {mirroredQuadrant(quadrant, half)}, captured, 1 + 2 * halfWidth * halfWidth};
+  return {{face}, {runningSums(mirroredQuadrant(quadrant, half))}, captured, 1 + 2 * halfWidth * halfWidth};
 }
 
 }  // namespace hemitex::radiosity

@@ -1,0 +1,90 @@
+#include "radiosity/word_slots.h"
+
+#include <optional>
+#include <utility>
+
+namespace hemitex::radiosity {
+namespace {
+
+std::uint32_t texelCount(const Page& page) {
+  return static_cast<std::uint32_t>(page.columns) * static_cast<std::uint32_t>(page.rows);
+}
+
+/// Whether texel i is element firstElement + i.
+bool isPlain(const Grid& grid) {
+  for (std::uint32_t texel = 0; texel < grid.spill.size(); ++texel)
+    if (grid.spill[texel] != grid.firstElement + texel) return false;
+  return true;
+}
+
+/// The elements of consecutive words, by elementOf.
+std::vector<std::uint32_t> elementsOf(const Discretization& discretization, const WordLayout& layout,
+                                      raster::Word first, std::uint32_t count) {
+  std::vector<std::uint32_t> elements(count);
+  for (std::uint32_t i = 0; i < count; ++i)
+    elements[i] = elementOf(discretization, layout, first + i).value_or(noElement);
+  return elements;
+}
+
+/// The end of the last page's words.
+std::uint32_t wordCount(const WordLayout& layout) {
+  std::uint32_t count = 0;
+  for (const Page& page : layout.pages) count = std::max(count, page.offset + texelCount(page));
+  return count;
+}
+
+}  // namespace
+
+WordSlots::WordSlots(const Discretization& discretization, const WordLayout& layout)
+    : back_(static_cast<std::uint32_t>(discretization.elements.size())), backWord_(raster::backWord(layout.format)) {
+  if (layout.indexMaps == IndexMaps::Unique) {
+    blocks_.push_back({.count = back_});
+  } else if (layout.indexMaps == IndexMaps::Packed) {
+    const std::vector<std::uint32_t>& elements = layout.packedElements;
+    blocks_.push_back({.count = static_cast<std::uint32_t>(elements.size()), .slots = elements.data()});
+  } else if (!layout.aligned) {
+    // Words follow each other without a gap.
+    tables_.push_back(elementsOf(discretization, layout, 0, wordCount(layout)));
+    blocks_.push_back({.count = wordCount(layout), .slots = tables_.back().data()});
+  } else {
+    if (layout.textured > 0) bits_ = layout.indexBits;
+    addPages(discretization, layout);
+    addSinglePages(discretization, layout);
+  }
+  mask_ = (std::uint32_t{1} << bits_) - 1;
+}
+
+/// A block for each page of more than a texel.
+void WordSlots::addPages(const Discretization& discretization, const WordLayout& layout) {
+  for (std::uint32_t number = 0; number < layout.textured; ++number) {
+    const Page& page = layout.pages[layout.byOffset[number]];
+    const Grid& grid = discretization.grids[layout.byOffset[number]];
+    Block block{.count = texelCount(page), .first = grid.firstElement};
+    if (page.columns != grid.columns || page.rows != grid.rows) {
+      tables_.push_back(elementsOf(discretization, layout, page.offset, block.count));
+      block.slots = tables_.back().data();
+    } else if (!isPlain(grid)) {
+      block.slots = grid.spill.data();
+    }
+    blocks_.push_back(block);
+  }
+}
+
+/// Pages of a texel have the words behind.
+void WordSlots::addSinglePages(const Discretization& discretization, const WordLayout& layout) {
+  const auto singles = static_cast<std::uint32_t>(layout.pages.size()) - layout.textured;
+  const auto first = static_cast<raster::Word>(blocks_.size() << bits_);
+  tables_.push_back(elementsOf(discretization, layout, first, singles));
+  for (std::uint64_t begin = 0; begin < singles; begin += std::uint64_t{1} << bits_) {
+    const auto count = static_cast<std::uint32_t>(std::min(singles - begin, std::uint64_t{1} << bits_));
+    blocks_.push_back({.count = count, .slots = tables_.back().data() + begin});
+  }
+}
+
+std::size_t WordSlots::bytes() const {
+  std::size_t bytes = blocks_.capacity() * sizeof(Block);
+  for (const std::vector<std::uint32_t>& table : tables_) bytes += table.capacity() * sizeof(std::uint32_t);
+  return bytes;
+}
+
+}  // namespace hemitex::radiosity
