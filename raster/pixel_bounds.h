@@ -53,43 +53,6 @@ inline double inverseDepthAt(const ScreenTriangle& triangle, const EdgeValues& e
   return edge[0] * triangle.inverseDepth[0] + edge[1] * triangle.inverseDepth[1] + edge[2] * triangle.inverseDepth[2];
 }
 
-/// A texture coordinate in texels along pixels of a row that show one triangle: (at + i * step) over 1/w, for i from 0.
-struct TexelLine {
-  double at = 0, step = 0;
-  double error = 0;  ///< of what comes out, at most
-};
-
-/// `spread` is the largest 1/w of the pixels over the smallest; a single texel is everywhere.
-///
-/// With S_i the sum of |edge * coordinate / w| in texels, at most largest * size / w at pixel i: the terms of `at` pass
-/// seven roundings, which makes 7 S_0; those of `step` as many, and i times |step| is at most S_0 + S_i, for each edge
-/// changes by no more than its two values. Two roundings follow, which together makes 15 S_0 + 9 S_i. Divided by 1/w
-/// that is at most 24 spread * largest * size units of roundoff; 1/w, its inverse and the product add 8, and 40 leave
-/// room for the spread's own rounding.
-inline TexelLine texelLine(const ScreenTriangle& triangle, const Coordinate& coordinate, int size,
-                           const EdgeValues& first, double spread) {
-  if (size == 1) return {};
-  TexelLine line{0, 0, 40 * unitRoundoff * coordinate.largest * size * spread};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double overDepth = coordinate.at[k] * triangle.inverseDepth[k] * size;
-    line.at += first[k] * overDepth;
-    line.step += static_cast<double>(triangle.edges[k].a) * overDepth;
-  }
-  return line;
-}
-
-/// The two texture coordinates of a run of pixels.
-struct RunLines {
-  TexelLine u, v;
-
-  RunLines(const PixelRun& run, int width, int height) {
-    const auto [least, most] = std::minmax(run.inverseDepth[0], run.inverseDepth[run.count - 1]);
-    const EdgeValues first = edgeValues(*run.triangle, run.firstColumn, run.row);
-    u = texelLine(*run.triangle, run.triangle->u, width, first, most / least);
-    v = texelLine(*run.triangle, run.triangle->v, height, first, most / least);
-  }
-};
-
 /// An exact quotient along pixels of a row that show one triangle: (at + i * step) / (below + i * belowStep), for i
 /// from 0. Nothing is rounded but the quotient.
 struct ExactLine {

@@ -46,17 +46,20 @@ int endOfRun(const std::uint32_t* triangles, int first, int end) {
   return i;
 }
 
-void findTexels(const PixelRun& run, int width, int height, std::uint32_t base, std::uint32_t* texels,
+void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
                 UndecidedPixels& undecided) {
-  const RunLines lines(run, width, height);
   for (int i = 0; i < run.count; ++i) {
-    const double w = 1 / run.inverseDepth[i];
-    const double across = (lines.u.at + lines.u.step * i) * w, down = (lines.v.at + lines.v.step * i) * w;
-    const double column = nearestBorder(across, width), row = nearestBorder(down, height);
-    if (std::abs(across - column) > lines.u.error && std::abs(down - row) > lines.v.error)
-      texels[i] = base + static_cast<std::uint32_t>((row - (down < row)) * width + (column - (across < column)));
+    const int pixelColumn = run.firstColumn + i;
+    const double w = 1 / run.inverseDepth[i], error = planes.error * w + planes.rounding;
+    const auto position = [&](const TexelPlane& plane) {
+      return (plane.at + plane.down * run.row + plane.right * pixelColumn) * w;
+    };
+    const double across = position(planes.u), down = position(planes.v);
+    const double column = nearestBorder(across, planes.width), row = nearestBorder(down, planes.height);
+    if (std::abs(across - column) > error && std::abs(down - row) > error)
+      texels[i] = base + static_cast<std::uint32_t>((row - (down < row)) * planes.width + (column - (across < column)));
     else
-      undecided.add(run.firstColumn + i, run.row);
+      undecided.add(pixelColumn, run.row);
   }
 }
 
@@ -71,6 +74,32 @@ void findExactTexels(const PixelRun& run, const ExactTexels& exact, int width, i
     texels[i] = base + static_cast<std::uint32_t>(texel(v, i, height) * width + texel(u, i, width));
 }
 
+/// A plane and how far off what comes of it may be, in texels over w.
+struct BoundedPlane {
+  TexelPlane plane;
+  double error = 0;
+};
+
+/// A coordinate at a corner passes four roundings until it is a factor of the plane, the sums of the plane add three;
+/// rows and columns multiplied and added up make at most five more. 16 units of what the terms may sum up to leave room
+/// for the rounding of that sum. A single texel is everywhere.
+BoundedPlane boundedPlane(const ScreenTriangle& triangle, const Coordinate& coordinate, int size) {
+  BoundedPlane result;
+  if (size == 1) return result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double overDepth = coordinate.at[k] * triangle.inverseDepth[k] * size;
+    const auto at = static_cast<double>(triangle.edges[k].c), down = static_cast<double>(triangle.edges[k].b),
+               right = static_cast<double>(triangle.edges[k].a);
+    result.plane.at += at * overDepth;
+    result.plane.down += down * overDepth;
+    result.plane.right += right * overDepth;
+    result.error +=
+        (std::abs(at) + std::abs(down) * triangle.endRow + std::abs(right) * triangle.endColumn) * std::abs(overDepth);
+  }
+  result.error *= 16 * unitRoundoff;
+  return result;
+}
+
 }  // namespace
 
 DepthBuffer::DepthBuffer(const Scissor& part)
@@ -78,6 +107,18 @@ DepthBuffer::DepthBuffer(const Scissor& part)
       pitch(static_cast<std::size_t>(part.width + mostLanes)),
       inverseDepth(pitch * static_cast<std::size_t>(part.height)),
       triangle(inverseDepth.size(), noTriangle) {}
+
+/// 1/w is off by six units of roundoff, its inverse and the product add two.
+TexelPlanes::TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHeight)
+    : rounding(10 * unitRoundoff * std::max(triangle.u.largest * mapWidth, triangle.v.largest * mapHeight)),
+      width(mapWidth),
+      height(mapHeight) {
+  const BoundedPlane across = boundedPlane(triangle, triangle.u, width);
+  const BoundedPlane along = boundedPlane(triangle, triangle.v, height);
+  u = across.plane;
+  v = along.plane;
+  error = std::max(across.error, along.error);
+}
 
 void UndecidedPixels::add(int column, int row) { pixels.push_back({column, row}); }
 

@@ -52,6 +52,21 @@ struct PixelRun {
   const double* inverseDepth;  ///< of each, from the depth buffer
 };
 
+/// A texture coordinate of a triangle in texels, over w: at + down * row + right * column.
+struct TexelPlane {
+  double at = 0, down = 0, right = 0;
+};
+
+/// Both texture coordinates of a triangle in an index map. A position in texels, (at + down * row) + right * column
+/// times w, is off by at most error * w + rounding.
+struct TexelPlanes {
+  TexelPlane u, v;
+  double error = 0, rounding = 0;
+  int width = 1, height = 1;  ///< of the map
+
+  TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHeight);
+};
+
 /// Both texture coordinates of a triangle as quotients that binary64 decides everywhere (exact.h).
 struct ExactTexels {
   ExactQuotient u, v;
@@ -67,9 +82,9 @@ struct PixelKernels {
   /// The pixel behind the last that shows the same triangle as pixel `first`, at most `end`.
   int (*endOfRun)(const std::uint32_t* triangles, int first, int end);
 
-  /// The texels of a run in an index map of width x height, at most mostLanes more than the run has: `base` and
-  /// row * width + column each. Appends those that binary64 cannot tell; what `texels` says of them is not to be used.
-  void (*findTexels)(const PixelRun& run, int width, int height, std::uint32_t base, std::uint32_t* texels,
+  /// The texels of a run, at most mostLanes more than it has: `base` and row * width + column each. Appends those that
+  /// binary64 cannot tell; what `texels` says of them is not to be used.
+  void (*findTexels)(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
                      UndecidedPixels& undecided);
 
   /// The same of a triangle whose coordinates are exact quotients: it takes longer, and decides all.

@@ -182,20 +182,19 @@ int endOfRun(const std::uint32_t* triangles, int first, int end) {
   return i;
 }
 
-/// A texture coordinate along a run.
+/// A texture coordinate along a row.
 struct Texels {
-  Double at, step, error, last;
+  Double at, right, last;
 
-  Texels(const TexelLine& line, int size)
-      : at(hn::Set(doubles, line.at)),
-        step(hn::Set(doubles, line.step)),
-        error(hn::Set(doubles, line.error)),
+  Texels(const TexelPlane& plane, int row, int size)
+      : at(hn::Set(doubles, plane.at + plane.down * row)),
+        right(hn::Set(doubles, plane.right)),
         last(hn::Set(doubles, static_cast<double>(size - 1))) {}
 
-  /// The texels of pixels i; `clear` loses those that lie too near to a border between texels.
-  Double find(Double i, Double w, Mask& clear) const {
+  /// The texels of pixels; `clear` loses those that lie too near to a border between texels.
+  Double find(Double column, Double w, Double error, Mask& clear) const {
     const Double one = hn::Set(doubles, 1.0);
-    const Double position = hn::Mul(hn::Add(at, hn::Mul(step, i)), w);
+    const Double position = hn::Mul(hn::Add(at, hn::Mul(right, column)), w);
     const Double border = hn::Round(hn::Max(hn::Min(position, last), one));
     clear = hn::And(clear, hn::Gt(hn::Abs(hn::Sub(position, border)), error));
     return hn::Sub(border, hn::IfThenElseZero(hn::Lt(position, border), one));
@@ -208,19 +207,19 @@ void storeTexels(Double column, Double row, Double columns, std::uint32_t base, 
   hn::StoreU(hn::Add(texel, hn::Set(Numbers(), base)), Numbers(), texels);
 }
 
-void findTexels(const PixelRun& run, int width, int height, std::uint32_t base, std::uint32_t* texels,
+void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
                 UndecidedPixels& undecided) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
-  const RunLines lines(run, width, height);
-  const Texels u(lines.u, width), v(lines.v, height);
-  const Double columns = hn::Set(doubles, static_cast<double>(width));
-  Double pixels = hn::Iota(doubles, 0);
-  for (int i = 0; i < run.count; i += lanes, pixels = hn::Add(pixels, hn::Set(doubles, static_cast<double>(lanes)))) {
+  const Texels u(planes.u, run.row, planes.width), v(planes.v, run.row, planes.height);
+  const Double width = hn::Set(doubles, static_cast<double>(planes.width));
+  Double columns = hn::Add(hn::Set(doubles, static_cast<double>(run.firstColumn)), hn::Iota(doubles, 0));
+  for (int i = 0; i < run.count; i += lanes, columns = hn::Add(columns, hn::Set(doubles, static_cast<double>(lanes)))) {
     const Double w = hn::Div(hn::Set(doubles, 1.0), hn::LoadU(doubles, run.inverseDepth + i));
+    const Double error = hn::Add(hn::Mul(hn::Set(doubles, planes.error), w), hn::Set(doubles, planes.rounding));
     Mask clear = firstLanes(lanes);
-    const Double column = u.find(pixels, w, clear);
-    const Double row = v.find(pixels, w, clear);
-    storeTexels(column, row, columns, base, texels + i);
+    const Double column = u.find(columns, w, error, clear);
+    const Double row = v.find(columns, w, error, clear);
+    storeTexels(column, row, width, base, texels + i);
     const Mask open = hn::AndNot(clear, firstLanes(run.count - i));
     if (!hn::AllFalse(doubles, open))
       forEachLane(open, [&](int lane) { undecided.add(run.firstColumn + i + lane, run.row); });

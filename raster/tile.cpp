@@ -1,7 +1,7 @@
 #include "raster/tile.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <optional>
 #include <utility>
 
 #include "raster/exact.h"
@@ -24,6 +24,31 @@ PreparedDraws::MapTraits traitsOf(const IndexMap& map) {
   return traits;
 }
 
+/// How the pixels of a triangle get their words: all the same one, or by texels.
+struct Shading {
+  Word word;  ///< of all pixels, or the offset
+  struct Texels {
+    const IndexMap* map;
+    bool isSum;   ///< the words are sums of offset and texel in which nothing is carried and nothing clamped
+    bool counts;  ///< and the texels are their own numbers
+    TexelPlanes planes;
+    std::optional<ExactTexels> exact;  ///< once a texel was undecided, where there are any
+  };
+  std::optional<Texels> texels;
+};
+
+Shading shadingOf(const PreparedDraws& draws, const ScreenTriangle& triangle) {
+  const DrawList& list = draws.list;
+  const Draw& draw = list.draws[triangle.draw];
+  if (triangle.facesAway && draw.back) return {*draw.back, {}};
+  if (!draw.indexMap) return {draw.offset, {}};
+  const IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
+  const PreparedDraws::MapTraits& traits = draws.maps[static_cast<std::size_t>(*draw.indexMap)];
+  const bool isSum = list.blend != Blend::Replace && (draw.offset & traits.bits) == 0;
+  return {draw.offset,
+          Shading::Texels{&map, isSum, isSum && traits.countsTexels, TexelPlanes(triangle, map.width, map.height), {}}};
+}
+
 /// The number of the texel that a sample falls on.
 Word texelExactly(const ScreenTriangle& triangle, const IndexMap& map, const Pixel& pixel) {
   const int column = texelExactly(triangle, triangle.u.at, map.width, pixel.column, pixel.row);
@@ -42,77 +67,76 @@ class Tile {
     for (const ScreenTriangle& triangle : triangles) draw(triangle);
   }
 
-  /// The words of a row of the face, in this tile's columns; valid until the next call.
+  /// After all triangles: the words of a row of the face, in this tile's columns; valid until the next call.
   const Word* resolve(int row);
 
  private:
   void draw(const ScreenTriangle& triangle);
-  void resolveRun(const PixelRun& run, Word* words);
-  void resolveTexels(const PixelRun& run, const Draw& draw, Word* words);
-  void findTexels(const PixelRun& run, const IndexMap& map, Word base, Word* texels);
+  Shading& shading(std::uint32_t triangle);
+  void resolveRun(const PixelRun& run, Shading& shading, Word* words);
+  void findTexels(const PixelRun& run, Shading::Texels& texels, Word base, Word* words);
 
   const PreparedDraws& draws_;
   const PixelKernels& kernels_;
   DepthBuffer buffer_;
-  std::vector<ScreenTriangle> visible_;
+  std::vector<ScreenTriangle> taken_;             ///< by some pixel
+  std::vector<std::optional<Shading>> shadings_;  ///< of those that a pixel shows in the end
   std::vector<Word> row_;
   UndecidedPixels undecided_;
-  /// Of triangles that had an undecided texel and are exact quotients.
-  std::unordered_map<const ScreenTriangle*, ExactTexels> exact_;
 };
 
 void Tile::draw(const ScreenTriangle& triangle) {
-  const auto number = static_cast<std::uint32_t>(visible_.size());
+  const auto number = static_cast<std::uint32_t>(taken_.size());
   bool isTaken = kernels_.offer(triangle, number, buffer_, undecided_);
   for (const Pixel& pixel : undecided_.pixels) {
     const std::size_t p = buffer_.rowAt(pixel.row) + static_cast<std::size_t>(pixel.column - buffer_.scissor.column);
-    if (!isNearerExactly(triangle, visible_[buffer_.triangle[p]], pixel.column, pixel.row)) continue;
+    if (!isNearerExactly(triangle, taken_[buffer_.triangle[p]], pixel.column, pixel.row)) continue;
     buffer_.inverseDepth[p] = inverseDepthAt(triangle, edgeValues(triangle, pixel.column, pixel.row));
     buffer_.triangle[p] = number;
     isTaken = true;
   }
   undecided_.pixels.clear();
-  if (isTaken) visible_.push_back(triangle);
+  if (isTaken) taken_.push_back(triangle);
 }
 
-/// The words of pixels that show one triangle: back, plain offset, or offset and texel blended.
-void Tile::resolveRun(const PixelRun& run, Word* words) {
-  const Draw& draw = draws_.list.draws[run.triangle->draw];
-  if (run.triangle->facesAway && draw.back)
-    std::fill_n(words, run.count, *draw.back);
-  else if (draw.indexMap)
-    resolveTexels(run, draw, words);
-  else
-    std::fill_n(words, run.count, draw.offset);
+Shading& Tile::shading(std::uint32_t triangle) {
+  shadings_.resize(taken_.size());
+  std::optional<Shading>& shading = shadings_[triangle];
+  if (!shading) shading = shadingOf(draws_, taken_[triangle]);
+  return *shading;
 }
 
 /// `base` and the number of the texel of each pixel of a run. Where one texel is undecided, more will be.
-void Tile::findTexels(const PixelRun& run, const IndexMap& map, Word base, Word* texels) {
-  if (const auto known = exact_.find(run.triangle); known != exact_.end())
-    return kernels_.findExactTexels(run, known->second, map.width, map.height, base, texels);
-  kernels_.findTexels(run, map.width, map.height, base, texels, undecided_);
+void Tile::findTexels(const PixelRun& run, Shading::Texels& texels, Word base, Word* words) {
+  const IndexMap& map = *texels.map;
+  if (texels.exact) return kernels_.findExactTexels(run, *texels.exact, map.width, map.height, base, words);
+  kernels_.findTexels(run, texels.planes, base, words, undecided_);
   if (undecided_.pixels.empty()) return;
   const auto u = exactQuotient(*run.triangle, run.triangle->u.at, map.width);
   const auto v = exactQuotient(*run.triangle, run.triangle->v.at, map.height);
-  if (u && v)
-    kernels_.findExactTexels(run, exact_[run.triangle] = {*u, *v}, map.width, map.height, base, texels);
-  else
+  if (u && v) {
+    texels.exact = {*u, *v};
+    kernels_.findExactTexels(run, *texels.exact, map.width, map.height, base, words);
+  } else {
     for (const Pixel& pixel : undecided_.pixels)
-      texels[pixel.column - run.firstColumn] = base + texelExactly(*run.triangle, map, pixel);
+      words[pixel.column - run.firstColumn] = base + texelExactly(*run.triangle, map, pixel);
+  }
   undecided_.pixels.clear();
 }
 
-void Tile::resolveTexels(const PixelRun& run, const Draw& draw, Word* words) {
+/// The words of pixels that show one triangle.
+void Tile::resolveRun(const PixelRun& run, Shading& shading, Word* words) {
+  if (!shading.texels) {
+    std::fill_n(words, run.count, shading.word);
+    return;
+  }
+  Shading::Texels& texels = *shading.texels;
+  findTexels(run, texels, texels.counts ? shading.word : 0, words);
+  if (texels.counts) return;
+  const Word* const map = texels.map->words.data();
   const DrawList& list = draws_.list;
-  const IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
-  const PreparedDraws::MapTraits& traits = draws_.maps[static_cast<std::size_t>(*draw.indexMap)];
-  // Where offset and texels have no bit in common, nothing is carried and nothing clamped.
-  const bool isSum = list.blend != Blend::Replace && (draw.offset & traits.bits) == 0;
-  const Word base = isSum && traits.countsTexels ? draw.offset : 0;
-  findTexels(run, map, base, words);
-  if (isSum && traits.countsTexels) return;
   for (Word& word : std::span(words, static_cast<std::size_t>(run.count)))
-    word = isSum ? draw.offset | map.words[word] : blend(list.format, list.blend, draw.offset, map.words[word]);
+    word = texels.isSum ? shading.word | map[word] : blend(list.format, list.blend, shading.word, map[word]);
 }
 
 const Word* Tile::resolve(int row) {
@@ -121,12 +145,13 @@ const Word* Tile::resolve(int row) {
   const int width = buffer_.scissor.width;
   for (int first = 0, end = 0; first < width; first = end) {
     end = kernels_.endOfRun(triangles, first, width);
-    if (triangles[first] == noTriangle)
+    const std::uint32_t number = triangles[first];
+    if (number == noTriangle)
       std::fill(row_.begin() + first, row_.begin() + end, backgroundWord(draws_.list.format));
     else
-      resolveRun({&visible_[triangles[first]], row, buffer_.scissor.column + first, end - first,
+      resolveRun({&taken_[number], row, buffer_.scissor.column + first, end - first,
                   buffer_.inverseDepth.data() + begin + static_cast<std::size_t>(first)},
-                 row_.data() + first);
+                 shading(number), row_.data() + first);
   }
   return row_.data();
 }

@@ -88,10 +88,11 @@ TEST_CASE("texels are the same with every instruction set, for runs of every len
         if (number == raster::noTriangle) continue;
         const raster::PixelRun run{&triangles[number], row, first, end - first,
                                    drawn.buffer.inverseDepth.data() + begin + first};
+        const raster::TexelPlanes planes(triangles[number], width, height);
         const auto texels = [&](const raster::PixelKernels& kernels) {
           std::vector<std::uint32_t> found(static_cast<std::size_t>(run.count + raster::mostLanes));
           raster::UndecidedPixels undecided;
-          kernels.findTexels(run, width, height, 7, found.data(), undecided);
+          kernels.findTexels(run, planes, 7, found.data(), undecided);
           for (const raster::Pixel& pixel : undecided.pixels)
             found[static_cast<std::size_t>(pixel.column - run.firstColumn)] = 0xffffffff;
           found.resize(static_cast<std::size_t>(run.count));
