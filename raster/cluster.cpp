@@ -8,8 +8,6 @@
 namespace hemitex::raster {
 namespace {
 
-/// Triangles of one cluster: boxes of more are wide, of fewer many.
-constexpr std::uint32_t clusterSize = 32;
 /// Products of rows and positions up to this size stay finite in binary32.
 constexpr double largestPosition = 1e15;
 
@@ -59,10 +57,10 @@ std::vector<Cluster> clustersOf(const DrawList& list) {
     const std::uint32_t end = (list.draws[draw].first + list.draws[draw].count) / 3;
     std::uint32_t first = list.draws[draw].first / 3;
     while (first < end) {
-      const std::uint32_t count = std::min(clusterSize, end - first);
+      const std::uint32_t count = std::min(largestCluster, end - first);
       if (count > room || list.draws[draw].indexMap) {
         clusters.push_back({{}, glm::dvec3(infinity), glm::dvec3(-infinity)});
-        room = clusterSize;
+        room = largestCluster;
       }
       append(list, {draw, first, first + count}, clusters.back());
       room = list.draws[draw].indexMap ? 0 : room - count;

@@ -12,6 +12,9 @@
 
 namespace hemitex::raster {
 
+/// Triangles of one cluster, at most: boxes of more are wide, of fewer many.
+inline constexpr std::uint32_t largestCluster = 32;
+
 struct Cluster {
   /// Of one draw, or of several that follow each other and have no index map: pieces of a mesh, mostly neighbours.
   std::vector<TriangleRun> runs;

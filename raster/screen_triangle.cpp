@@ -7,14 +7,11 @@
 namespace hemitex::raster {
 namespace {
 
-constexpr std::int64_t subPixels = 256;         // units a pixel side
-constexpr std::int64_t sample = subPixels / 2;  // a pixel's sample is its centre
+constexpr int subPixelBits = 8;
+constexpr std::int64_t subPixels = 1 << subPixelBits;  // units a pixel side
+constexpr std::int64_t sample = subPixels / 2;         // a pixel's sample is its centre
 
-struct Snapped {
-  std::int64_t x, y;
-};
-
-std::int64_t cross(const Snapped& origin, const Snapped& p, const Snapped& q) {
+std::int64_t cross(const SnappedPoint& origin, const SnappedPoint& p, const SnappedPoint& q) {
   return (p.x - origin.x) * (q.y - origin.y) - (p.y - origin.y) * (q.x - origin.x);
 }
 
@@ -28,7 +25,7 @@ std::int64_t ceilDivide(std::int64_t numerator, std::int64_t denominator) {
 }
 
 /// The edge from p to q with the interior on its positive side where `orientation` is 1, on the other where it is -1.
-Edge makeEdge(const Snapped& p, const Snapped& q, std::int64_t orientation) {
+Edge makeEdge(const SnappedPoint& p, const SnappedPoint& q, std::int64_t orientation) {
   const std::int64_t a = orientation * (p.y - q.y);
   const std::int64_t b = orientation * (q.x - p.x);
   const std::int64_t c = -(a * p.x + b * p.y) + (a + b) * sample;
@@ -44,8 +41,27 @@ Coordinate makeCoordinate(const std::array<double, 3>& at) {
 
 /// Pixels from `first` to `end` whose samples can lie between two sub-pixel positions.
 void pixelRange(std::int64_t low, std::int64_t high, int scissorFirst, int scissorEnd, int& first, int& end) {
-  first = static_cast<int>(std::max<std::int64_t>(scissorFirst, ceilDivide(low - sample, subPixels)));
-  end = static_cast<int>(std::min<std::int64_t>(scissorEnd, floorDivide(high - sample, subPixels) + 1));
+  first = static_cast<int>(std::max<std::int64_t>(scissorFirst, (low + subPixels - 1 - sample) >> subPixelBits));
+  end = static_cast<int>(std::min<std::int64_t>(scissorEnd, ((high - sample) >> subPixelBits) + 1));
+}
+
+/// Few enough samples to try them all before anything else is computed.
+bool isSmall(const ScreenTriangle& triangle) {
+  constexpr int few = 4;
+  return (triangle.endColumn - triangle.firstColumn) * (triangle.endRow - triangle.firstRow) <= few;
+}
+
+bool covers(const ScreenTriangle& triangle, int column, int row) {
+  for (const Edge& edge : triangle.edges)
+    if (edge.at(column, row) < (edge.inclusive ? 0 : 1)) return false;
+  return true;
+}
+
+bool coversAny(const ScreenTriangle& triangle) {
+  for (int row = triangle.firstRow; row < triangle.endRow; ++row)
+    for (int column = triangle.firstColumn; column < triangle.endColumn; ++column)
+      if (covers(triangle, column, row)) return true;
+  return false;
 }
 
 /// Wholly beyond one side of the view: no pixel can tell that it was dropped before clipping.
@@ -91,24 +107,30 @@ std::int64_t snap(double q, int resolution) {
 
 bool makeScreenTriangle(const Face& face, const std::array<ViewVertex, 3>& vertices, bool mirrored,
                         ScreenTriangle& triangle) {
-  std::array<Snapped, 3> s;
+  std::array<SnappedPoint, 3> snapped;
   for (std::size_t k = 0; k < 3; ++k)
-    s[k] = {snap(vertices[k].x / vertices[k].w, face.resolution), snap(vertices[k].y / vertices[k].w, face.resolution)};
+    snapped[k] = {snap(vertices[k].x / vertices[k].w, face.resolution),
+                  snap(vertices[k].y / vertices[k].w, face.resolution)};
+  return makeScreenTriangle(face.scissor, snapped, vertices, mirrored, triangle);
+}
+
+bool makeScreenTriangle(const Scissor& scissor, const std::array<SnappedPoint, 3>& s,
+                        const std::array<ViewVertex, 3>& vertices, bool mirrored, ScreenTriangle& triangle) {
   const std::int64_t area = cross(s[0], s[1], s[2]);
   if (area == 0) return false;
 
   const auto [left, right] = std::minmax({s[0].x, s[1].x, s[2].x});
   const auto [top, bottom] = std::minmax({s[0].y, s[1].y, s[2].y});
-  const Scissor& scissor = face.scissor;
   pixelRange(left, right, scissor.column, scissor.column + scissor.width, triangle.firstColumn, triangle.endColumn);
   pixelRange(top, bottom, scissor.row, scissor.row + scissor.height, triangle.firstRow, triangle.endRow);
   if (triangle.firstColumn >= triangle.endColumn || triangle.firstRow >= triangle.endRow) return false;
+  for (std::size_t k = 0; k < 3; ++k) triangle.edges[k] = makeEdge(s[(k + 1) % 3], s[(k + 2) % 3], area > 0 ? 1 : -1);
+  if (isSmall(triangle) && !coversAny(triangle)) return false;
 
   triangle.area = std::abs(area);
   // Raster rules, 5: it faces the eye when the area and the determinant of the rows differ in sign.
   triangle.facesAway = (area < 0) == mirrored;
   for (std::size_t k = 0; k < 3; ++k) {
-    triangle.edges[k] = makeEdge(s[(k + 1) % 3], s[(k + 2) % 3], area > 0 ? 1 : -1);
     triangle.w[k] = vertices[k].w;
     triangle.inverseDepth[k] = 1 / vertices[k].w / static_cast<double>(triangle.area);
   }

@@ -44,10 +44,19 @@ struct ScreenTriangle {
 /// The sub-pixel position of q = x/w or y/w, 256 a pixel (raster rules, 4).
 std::int64_t snap(double q, int resolution);
 
+/// A sub-pixel position.
+struct SnappedPoint {
+  std::int64_t x, y;
+};
+
 /// Snaps three clipped vertices; false where no sample of the scissor rectangle can be covered. `mirrored` says that
 /// determinant(face) is negative. All members of the triangle are set but `draw`.
 bool makeScreenTriangle(const Face& face, const std::array<ViewVertex, 3>& vertices, bool mirrored,
                         ScreenTriangle& triangle);
+
+/// The same for vertices that were snapped: only their w, u and v are looked at.
+bool makeScreenTriangle(const Scissor& scissor, const std::array<SnappedPoint, 3>& snapped,
+                        const std::array<ViewVertex, 3>& vertices, bool mirrored, ScreenTriangle& triangle);
 
 /// A run of triangles of one draw, by number in DrawList::indices / 3.
 struct TriangleRun {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "raster/cluster_triangles.h"
 #include "raster/exact.h"
 #include "raster/pixel_bounds.h"
 #include "raster/screen_triangle.h"
@@ -160,8 +161,9 @@ const Word* Tile::resolve(int row) {
 
 PreparedDraws prepare(DrawList list) {
   validate(list);
-  PreparedDraws draws{std::move(list), {}, {}};
+  PreparedDraws draws{std::move(list), {}, {}, {}};
   draws.clusters = clustersOf(draws.list);
+  draws.mesh = meshOf(draws.list, draws.clusters);
   for (const IndexMap& map : draws.list.indexMaps) draws.maps.push_back(traitsOf(map));
   return draws;
 }
@@ -181,10 +183,11 @@ std::uint64_t drawTile(const PreparedDraws& draws, const PixelKernels& kernels, 
   std::uint64_t dropped = 0;
   Tile tile(draws, kernels, face);
   std::vector<ScreenTriangle> triangles;
-  for (const Cluster& cluster : draws.clusters) {
-    if (!mayCover(face, cluster)) continue;
+  for (std::size_t c = 0; c < draws.clusters.size(); ++c) {
+    if (!mayCover(face, draws.clusters[c])) continue;
     triangles.clear();
-    dropped += appendScreenTriangles(draws.list, face, cluster.runs, skipped, triangles);
+    dropped += appendScreenTriangles(draws.list, draws.mesh, draws.clusters[c], draws.mesh.parts[c],
+                                     bestVertexKernels(), face, skipped, triangles);
     tile.draw(triangles);
   }
   for (int row = face.scissor.row; row < face.scissor.row + face.scissor.height; ++row, words += pitch)

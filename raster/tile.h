@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "raster/cluster.h"
+#include "raster/cluster_mesh.h"
 #include "raster/draw_list.h"
 #include "raster/face.h"
 #include "raster/pixel_kernels.h"
@@ -18,6 +19,7 @@ namespace hemitex::raster {
 struct PreparedDraws {
   DrawList list;
   std::vector<Cluster> clusters;
+  ClusterMesh mesh;  ///< of the clusters
   /// What resolving needs to know of an index map.
   struct MapTraits {
     bool countsTexels;  ///< holds 0, 1, 2, ...: which word it holds needs no look
