@@ -13,6 +13,7 @@ void addRender(CLI::App& program, Context& context);
 void addFormFactors(CLI::App& program, Context& context);
 void addTradeoff(CLI::App& program, Context& context);
 void addPaper(CLI::App& program, Context& context);
+void addBench(CLI::App& program, Context& context);
 void addVector(CLI::App& program, Context& context);
 /// Commands of `vector`.
 void addVectorSuite(CLI::App& vector, Context& context);

@@ -43,6 +43,7 @@ int run(int argc, char** argv, cli::Context& context) {
   cli::addFormFactors(program, context);
   cli::addTradeoff(program, context);
   cli::addPaper(program, context);
+  cli::addBench(program, context);
   cli::addVector(program, context);
   try {
     program.parse(argc, argv);

@@ -12,6 +12,12 @@ namespace {
 constexpr int largestTexels = 4096;
 constexpr int largestResolution = 4096;
 
+int resolutionOption(const std::string& text) {
+  const int value = integerOption("--resolution", text, 2, largestResolution);
+  if (value % 2 != 0) throw CLI::ValidationError("--resolution", "`" + text + "` is not even");
+  return value;
+}
+
 }  // namespace
 
 int integerOption(const std::string& name, const std::string& text, int low, int high) {
@@ -138,12 +144,20 @@ radiosity::WordLayout layoutOf(const radiosity::WordSettings& settings, const ra
 }
 
 CLI::Option* addResolution(CLI::App& app, int& resolution) {
-  const auto read = [&resolution](const std::string& text) {
-    const int value = integerOption("--resolution", text, 2, largestResolution);
-    if (value % 2 != 0) throw CLI::ValidationError("--resolution", "`" + text + "` is not even");
-    resolution = value;
-  };
+  const auto read = [&resolution](const std::string& text) { resolution = resolutionOption(text); };
   return app.add_option_function<std::string>("--resolution", read, "pixels along the side of a face (default 256)")
+      ->type_name("R");
+}
+
+CLI::Option* addResolutions(CLI::App& app, std::vector<int>& resolutions) {
+  const auto read = [&resolutions](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) resolutions.push_back(resolutionOption(text));
+  };
+  return app
+      .add_option_function<std::vector<std::string>>("--resolution", read,
+                                                     "pixels along the side of a face (repeatable; default 128, 256, "
+                                                     "512 and 1024)")
+      ->allow_extra_args(false)
       ->type_name("R");
 }
 

@@ -104,6 +104,8 @@ radiosity::WordLayout layoutOf(const radiosity::WordSettings& settings, const ra
 
 /// `--resolution`: pixels along the side of a face, even, 2 to 4096.
 CLI::Option* addResolution(CLI::App& app, int& resolution);
+/// The same, repeatable.
+CLI::Option* addResolutions(CLI::App& app, std::vector<int>& resolutions);
 
 /// How projections look at the scene, all but which of them does.
 void addDrawingOptions(CLI::App& app, radiosity::DrawingSettings& settings);

@@ -6,14 +6,13 @@
 #include <sstream>
 
 #include "cli/commands.h"
+#include "cli/opengl_device.h"
 #include "cli/paper_figures.h"
 #include "cli/paper_json.h"
 #include "cli/paper_page.h"
-#include "cli/renderers.h"
 #include "cli/scene_folder.h"
 #include "cli/staging.h"
 #include "radiosity/write_file.h"
-#include "raster/input_error.h"
 #include "raster/parallel.h"
 #include "reference/paper_scenes.h"
 #include "reference/paper_tables.h"
@@ -23,18 +22,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The reference renderer and, where there is one, OpenGL. Whether it is there an empty list tells.
+/// The reference renderer and, where there is one, OpenGL.
 std::vector<reference::PaperDevice> devices(Console& console) {
   std::vector<reference::PaperDevice> devices{{"software", radiosity::softwareRenderer}};
-  const auto openGl = [](const raster::DrawList& list) { return makeRenderer(list, Device::OpenGl); };
-  try {
-    raster::DrawList empty;
-    empty.format = *raster::formatNamed("r8g8b8a8");
-    openGl(empty);
-    devices.push_back({"opengl", openGl, 500000});
-  } catch (const raster::InputError& error) {
-    console.message(std::string("no hardware columns: ") + error.what());
-  }
+  const radiosity::RendererFactory openGl = openGlRenderers(console, "no hardware columns");
+  if (openGl) devices.push_back({"opengl", openGl, 500000});
   return devices;
 }
 

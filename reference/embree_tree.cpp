@@ -6,12 +6,12 @@
 namespace hemitex::reference {
 namespace {
 
-EmbreeTree build(const std::function<RTCGeometry(RTCDevice)>& make) {
+EmbreeTree build(const std::function<RTCGeometry(RTCDevice)>& make, RTCSceneFlags flags) {
   EmbreeTree tree;
   tree.device.reset(rtcNewDevice(nullptr));
   if (!tree.device) throw std::runtime_error("Embree does not run on this machine");
   tree.scene.reset(rtcNewScene(tree.device.get()));
-  rtcSetSceneFlags(tree.scene.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneFlags(tree.scene.get(), flags);
   RTCGeometry geometry = make(tree.device.get());
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(tree.scene.get(), geometry);
@@ -26,8 +26,8 @@ EmbreeTree build(const std::function<RTCGeometry(RTCDevice)>& make) {
 
 /// Embree builds in tasks that flush subnormal numbers to 0, and oneTBB hands that mode on to every later loop of the
 /// thread that called. So a thread of its own calls.
-EmbreeTree embreeTree(const std::function<RTCGeometry(RTCDevice)>& make) {
-  return std::async(std::launch::async, [&make] { return build(make); }).get();
+EmbreeTree embreeTree(const std::function<RTCGeometry(RTCDevice)>& make, RTCSceneFlags flags) {
+  return std::async(std::launch::async, [&make, flags] { return build(make, flags); }).get();
 }
 
 }  // namespace hemitex::reference

@@ -20,8 +20,8 @@ struct EmbreeTree {
   std::unique_ptr<RTCSceneTy, ReleaseEmbree> scene;
 };
 
-/// The tree over the one geometry that `make` returns, not yet committed, made with the device that it is given. Rays
-/// may not slip between neighbours (RTC_SCENE_FLAG_ROBUST). Throws std::runtime_error where Embree fails.
-EmbreeTree embreeTree(const std::function<RTCGeometry(RTCDevice)>& make);
+/// The tree over the one geometry that `make` returns, not yet committed, made with the device that it is given. Unless
+/// the flags say else, rays may not slip between neighbours. Throws std::runtime_error where Embree fails.
+EmbreeTree embreeTree(const std::function<RTCGeometry(RTCDevice)>& make, RTCSceneFlags flags = RTC_SCENE_FLAG_ROBUST);
 
 }  // namespace hemitex::reference

@@ -2,23 +2,16 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <memory>
 #include <span>
 
 #include "radiosity/projected_rows.h"
 #include "radiosity/solver.h"
+#include "reference/stopwatch.h"
+#include "reference/timing.h"
 
 namespace hemitex::reference {
 namespace {
-
-class Stopwatch {
- public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// Passes on what is to be drawn, and says how long it took.
 class TimedRenderer final : public raster::ItemBufferRenderer {
@@ -82,18 +75,12 @@ bool isLong(const Cell& cell, double longTime) {
   return !cell.repeats.empty() && mediansOf({cell.repeats.front()}).total > longTime;
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
-
 double sumOfMedians(const std::vector<ShotTimes>& repeats, std::vector<double> ShotTimes::*times) {
   double sum = 0;
   for (std::size_t shot = 0; shot < (repeats.front().*times).size(); ++shot) {
     std::vector<double> ofShot;
     for (const ShotTimes& repeat : repeats) ofShot.push_back((repeat.*times).at(shot));
-    sum += median(ofShot);
+    sum += timingOf(ofShot).median;
   }
   return sum;
 }
@@ -105,7 +92,7 @@ PaperTimes mediansOf(const std::vector<ShotTimes>& repeats) {
   std::vector<double> rest;
   for (const ShotTimes& repeat : repeats) rest.push_back(repeat.rest);
   const double formFactors = sumOfMedians(repeats, &ShotTimes::formFactors);
-  return {formFactors + median(rest), formFactors, sumOfMedians(repeats, &ShotTimes::draw)};
+  return {formFactors + timingOf(rest).median, formFactors, sumOfMedians(repeats, &ShotTimes::draw)};
 }
 
 std::vector<PaperRun> measurePaperRuns(const std::vector<PaperScene>& scenes, const std::vector<PaperDevice>& devices,

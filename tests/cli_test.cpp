@@ -9,6 +9,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -179,8 +180,10 @@ TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind"
       "tradeoff room.obj -o out --texels 32", "tradeoff room.obj -o out --patch 0",
       "tradeoff room.obj -o out --method guess", "tradeoff room.obj -o out --method hemicube=48",
       "tradeoff room.obj -o out --method hemicube=1",
-      "tradeoff room.obj -o out --method area-rays=", "tradeoff room.obj -o out --samples 127", "vector",
-      "vector export room.obj -o out", "vector export room.obj -o out --eye 0,0,0 --normal 0,0,0",
+      "tradeoff room.obj -o out --method area-rays=", "tradeoff room.obj -o out --samples 127",
+      "bench no-such-file.obj", "bench room.obj --resolution 33", "bench room.obj --resolution 8192",
+      "bench room.obj --resolution 32 --resolution x", "bench room.obj --triangles 0", "bench --scene room.obj",
+      "vector", "vector export room.obj -o out", "vector export room.obj -o out --eye 0,0,0 --normal 0,0,0",
       "vector render room.obj -o out", "vector render no-such-folder -o out");
   const Shell shell;
   const auto before = shell.files();
@@ -1005,4 +1008,27 @@ TEST_CASE("vector check passes what the rules draw, fails on one wrong word, and
   CHECK(shell.run("vector explain vector --pixel top,16,1").exitCode == 2);
   CHECK(shell.run("vector explain vector --pixel top,1").exitCode == 2);
   CHECK(shell.run(check + " --profile room.obj").exitCode == 2);
+}
+
+TEST_CASE("The bench times everything that it promises, on the scene as it is and cut", "[cli]") {
+  const Shell shell;
+  const json result =
+      json::parse(shell.output("bench room.obj --resolution 16 --resolution 32 --triangles 100 --json"));
+  std::map<std::pair<int, int>, std::set<std::string>> found;
+  for (const json& run : result["runs"]) {
+    CHECK(run["scene"] == "room");
+    CHECK(run["elements"] == 6 * 16 * 16);
+    CHECK(run["threads"] == 1);
+    CHECK(run["repeats"] == 11);
+    CHECK(run["min_ms"] > 0.0);
+    CHECK(run["median_ms"] >= run["min_ms"]);
+    CHECK(run.size() == 9);
+    found[{run["triangles"], run["resolution"]}].insert(run["what"].get<std::string>());
+  }
+  std::set<std::string> cut{"hemicube", "draw", "embree", "floor"};
+  if (!found.empty() && found.begin()->second.contains("opengl")) cut.insert("opengl");
+  std::set<std::string> whole = cut;
+  whole.insert({"hemicube-mesh", "shot", "solution"});
+  REQUIRE(found.size() == 4);
+  for (const auto& [place, what] : found) CHECK(what == (place.first == 12 ? whole : cut));
 }

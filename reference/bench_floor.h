@@ -1,0 +1,39 @@
+/// The floor under the time of a hemicube: what is left where there is no geometry. Buffers are cleared, in parts that
+/// stay in the cache, words are read once, and a row is summed run by run (radiosity/row_counter.h): a pixel of a run
+/// costs a comparison.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "radiosity/discretization.h"
+#include "radiosity/form_factors.h"
+#include "radiosity/projection.h"
+#include "radiosity/row_counter.h"
+#include "radiosity/word_layout.h"
+#include "raster/face.h"
+
+namespace hemitex::reference {
+
+/// What the reference renderer clears for a pixel beside its word: the depth and the triangle that it shows so far.
+inline constexpr std::size_t fragmentBytes = 12;
+
+class BenchFloor {
+ public:
+  /// All must outlive this one.
+  BenchFloor(const radiosity::Discretization& discretization, const radiosity::WordLayout& layout,
+             const radiosity::Projection& projection);
+
+  /// Clears as much as drawing the projection's faces does, then sums the row of words that were drawn before, an item
+  /// buffer a face. The row that the words stand for, without what the projection does not capture.
+  radiosity::FormFactorRow row(std::span<const raster::ItemBuffer> words);
+
+ private:
+  const radiosity::Projection& projection_;
+  std::vector<radiosity::Window> faces_;
+  radiosity::RowCounter counter_;
+  std::vector<raster::Word> cleared_;  ///< of all faces
+};
+
+}  // namespace hemitex::reference

@@ -1,0 +1,151 @@
+#include "reference/bench_runs.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "radiosity/projected_rows.h"
+#include "radiosity/solver.h"
+#include "raster/parallel.h"
+#include "reference/bench_floor.h"
+#include "reference/finer_scene.h"
+#include "reference/pixel_rays.h"
+#include "reference/row_comparison.h"
+
+namespace hemitex::reference {
+namespace {
+
+using radiosity::ElementsBy;
+using radiosity::ProjectedRows;
+using radiosity::View;
+
+/// A repeat is the mean over so many patches of a scene as it is, and one of a scene that was cut.
+constexpr std::size_t patchesAtOnce = 3;
+
+/// A scene with all that draws it or casts rays into it.
+struct World {
+  World(const radiosity::Scene& itsScene, const BenchScene& bench, bool hasMesh,
+        const radiosity::RendererFactory& device)
+      : scene(itsScene),
+        discretization(radiosity::discretize(scene, bench.elements)),
+        layout(radiosity::layOut(discretization, bench.words)),
+        textures(radiosity::sceneRenderer(scene, discretization, layout, ElementsBy::Texture)),
+        mesh(hasMesh ? radiosity::sceneRenderer(scene, discretization, layout, ElementsBy::Mesh) : nullptr),
+        openGl(device ? device(radiosity::makeDrawList(scene, discretization, layout)) : nullptr),
+        rays(radiosity::makeDrawList(scene, discretization, layout)) {}
+
+  const radiosity::Scene& scene;
+  radiosity::Discretization discretization;
+  radiosity::WordLayout layout;
+  std::unique_ptr<raster::ItemBufferRenderer> textures, mesh, openGl;
+  PixelRays rays;
+};
+
+/// Something that is timed, and for how many calls of it a repeat counts.
+struct Task {
+  std::string what;
+  std::function<void()> call;
+  std::size_t calls = 1;
+};
+
+/// The tasks of a world at one resolution, and what they need.
+class Tasks {
+ public:
+  Tasks(World& world, int resolution)
+      : world_(world),
+        patches_(spreadPatches(world.discretization, world.mesh ? patchesAtOnce : 1)),
+        rows_(world.scene, world.discretization, world.layout, *world.textures, {.resolution = resolution}),
+        floor_(world.discretization, world.layout, rows_.projection()) {
+    for (const std::uint32_t patch : patches_) views_.push_back(rows_.viewsOfPatch(patch).front());
+    for (const View& view : views_) drawn_.push_back(world.textures->render(view.faces, view.skipped));
+    add("hemicube", [this](std::size_t i) { rows_.ofPatch(patches_[i]); });
+    add("draw", [this](std::size_t i) { world_.textures->render(views_[i].faces, views_[i].skipped); });
+    add("embree", [this](std::size_t i) { world_.rays.cast(views_[i].faces, hits_); });
+    add("floor", [this](std::size_t i) { floor_.row(drawn_[i]); });
+    if (world.openGl)
+      add("opengl", [this](std::size_t i) { world_.openGl->render(views_[i].faces, views_[i].skipped); });
+    if (!world.mesh) return;
+    meshRows_ = std::make_unique<ProjectedRows>(world.scene, world.discretization, world.layout, *world.mesh,
+                                                radiosity::ViewSettings{.resolution = resolution});
+    add("hemicube-mesh", [this](std::size_t i) { meshRows_->ofPatch(patches_[i]); });
+    tasks_.push_back({"solution", [this] { solve(); }});
+  }
+  Tasks(const Tasks&) = delete;
+  Tasks& operator=(const Tasks&) = delete;
+
+  const std::vector<Task>& tasks() const { return tasks_; }
+
+ private:
+  void add(const std::string& what, const std::function<void(std::size_t)>& ofPatch) {
+    const auto all = [this, ofPatch] {
+      for (std::size_t i = 0; i < patches_.size(); ++i) ofPatch(i);
+    };
+    tasks_.push_back({what, all, patches_.size()});
+  }
+
+  void solve() {
+    const auto rowOf = [this](std::uint32_t patch) { return rows_.ofPatch(patch); };
+    radiosity::solve(world_.scene, world_.discretization, rowOf,
+                     {.residual = 0, .shots = benchShots, .rowCacheBytes = 0});
+  }
+
+  World& world_;
+  std::vector<std::uint32_t> patches_;
+  ProjectedRows rows_;
+  std::unique_ptr<ProjectedRows> meshRows_;
+  BenchFloor floor_;
+  std::vector<View> views_;                             ///< one a patch
+  std::vector<std::vector<raster::ItemBuffer>> drawn_;  ///< one a view
+  std::vector<raster::ItemBuffer> hits_;
+  std::vector<Task> tasks_;
+};
+
+Timing over(const Timing& timing, double calls) {
+  return {timing.median / calls, timing.least / calls, timing.repeats};
+}
+
+void appendRuns(World& world, const std::string& name, int resolution, const BenchSettings& settings,
+                std::vector<BenchRun>& runs) {
+  const Tasks tasks(world, resolution);
+  std::vector<std::function<void()>> calls;
+  for (const Task& task : tasks.tasks()) calls.push_back(task.call);
+  const std::vector<Timing> timings = timeInTurns(calls, settings.repeats);
+  for (std::size_t t = 0; t < timings.size(); ++t) {
+    const Task& task = tasks.tasks()[t];
+    BenchRun run{name,
+                 radiosity::triangleCount(world.scene),
+                 world.discretization.elements.size(),
+                 resolution,
+                 settings.threads,
+                 task.what,
+                 over(timings[t], static_cast<double>(task.calls))};
+    runs.push_back(run);
+    if (task.what != "solution") continue;
+    run.what = "shot";
+    run.seconds = over(run.seconds, benchShots);
+    runs.push_back(run);
+  }
+}
+
+}  // namespace
+
+std::vector<BenchRun> benchRuns(const BenchScene& bench, const BenchSettings& settings,
+                                const std::function<void(const std::string&)>& progress) {
+  const raster::ThreadLimit limit(settings.threads);
+  const std::size_t own = radiosity::triangleCount(bench.scene);
+  std::vector<std::size_t> counts{own};
+  std::copy_if(settings.triangles.begin(), settings.triangles.end(), std::back_inserter(counts),
+               [own](std::size_t count) { return count > own; });
+  std::vector<BenchRun> runs;
+  for (const std::size_t count : counts) {
+    const radiosity::Scene scene = finerScene(bench.scene, count);
+    World world(scene, bench, count == own, settings.openGl);
+    for (const int resolution : settings.resolutions) {
+      progress(bench.name + " of " + std::to_string(count) + " triangles, R = " + std::to_string(resolution));
+      appendRuns(world, bench.name, resolution, settings, runs);
+    }
+  }
+  return runs;
+}
+
+}  // namespace hemitex::reference

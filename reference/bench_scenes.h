@@ -1,0 +1,28 @@
+/// The scenes that speed is measured on, and how they are discretized.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "radiosity/discretization.h"
+#include "radiosity/scene.h"
+#include "radiosity/word_layout.h"
+
+namespace hemitex::reference {
+
+struct BenchScene {
+  std::string name;  ///< of the file, without its ending
+  radiosity::Scene scene;
+  radiosity::DiscretizationSettings elements;
+  radiosity::WordSettings words;
+};
+
+/// The room and the gallery as finely as the paper's fine level, whatever else by the program's defaults.
+BenchScene benchScene(const std::filesystem::path& file);
+
+/// The paper's room, the Cornell box and the gallery, which stands for the paper's complex scene, from the folder of
+/// the scenes that come with the program.
+std::vector<BenchScene> benchScenes(const std::filesystem::path& folder);
+
+}  // namespace hemitex::reference
