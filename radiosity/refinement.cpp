@@ -4,6 +4,8 @@
 #include <cassert>
 #include <utility>
 
+#include "raster/parallel.h"
+
 namespace hemitex::radiosity {
 namespace {
 
@@ -12,7 +14,65 @@ ShotLight nothingShot(const Discretization& discretization) {
           std::vector<glm::dvec3>(discretization.elements.size())};
 }
 
-double size(const glm::dvec3& flux) { return bandSum(glm::abs(flux)); }
+/// Entries [first, end) of a row, all elements of one surface.
+struct Run {
+  std::uint32_t surface = 0;
+  std::size_t first = 0, end = 0;
+};
+
+/// Elements ascend surface by surface.
+std::vector<Run> runsOf(const FormFactorRow& row, const Discretization& discretization) {
+  std::vector<Run> runs;
+  for (std::size_t first = 0, end = 0; first < row.elements.size(); first = end) {
+    const std::uint32_t surface = discretization.elements[row.elements[first]].surface;
+    const Grid& grid = discretization.grids[surface];
+    const auto behind = std::lower_bound(row.elements.begin() + static_cast<std::ptrdiff_t>(first), row.elements.end(),
+                                         grid.firstElement + grid.elementCount);
+    end = static_cast<std::size_t>(behind - row.elements.begin());
+    runs.push_back({surface, first, end});
+  }
+  return runs;
+}
+
+/// Runs for a thread each: consecutive ones, until they have some thousand entries.
+struct Chunk {
+  std::size_t first = 0, end = 0;
+};
+
+std::vector<Chunk> chunksOf(const std::vector<Run>& runs) {
+  constexpr std::size_t entries = 2048;
+  std::vector<Chunk> chunks;
+  for (std::size_t first = 0, end = 0; first < runs.size(); first = end) {
+    while (end < runs.size() && runs[end].first - runs[first].first < entries) ++end;
+    chunks.push_back({first, end});
+  }
+  return chunks;
+}
+
+/// What came of a run of a row.
+struct Arrival {
+  glm::dvec3 absorbed{0.0};
+  std::vector<std::uint32_t> blocks;  ///< of patches that changed
+};
+
+/// What a shot does along a run: its elements receive, and what they reflect is unshot in their patches.
+Arrival receive(const Run& run, const glm::dvec3& shot, const FormFactorRow& row, const Scene& scene,
+                const Discretization& discretization, std::vector<glm::dvec3>& received, UnshotFlux& unshot) {
+  const bool isMapped = !discretization.mappedReflectance.empty();
+  const glm::dvec3 ofSurface = reflectance(scene, discretization, row.elements[run.first]);
+  Arrival arrival;
+  for (std::size_t i = run.first; i < run.end; ++i) {
+    const std::uint32_t element = row.elements[i], patch = discretization.elements[element].patch;
+    const glm::dvec3 arriving = shot * formFactor(row.shares[i]);
+    const glm::dvec3 reflected = arriving * (isMapped ? discretization.mappedReflectance[element] : ofSurface);
+    received[element] += arriving;
+    unshot.add(patch, reflected);
+    arrival.absorbed += arriving - reflected;
+    const std::uint32_t block = patch / UnshotFlux::patchesInBlock;
+    if (arrival.blocks.empty() || arrival.blocks.back() != block) arrival.blocks.push_back(block);
+  }
+  return arrival;
+}
 
 }  // namespace
 
@@ -20,87 +80,87 @@ Refinement::Refinement(const Scene& scene, const Discretization& discretization)
     : Refinement(scene, discretization, nothingShot(discretization)) {}
 
 Refinement::Refinement(const Scene& scene, const Discretization& discretization, ShotLight light)
-    : scene_(scene),
-      discretization_(discretization),
-      light_(std::move(light)),
-      flux_(discretization.elements.size()),
-      unshot_(discretization.elements.size()),
-      patchUnshot_(discretization.patches.size()) {
-  assert(light_.shot.size() == patchUnshot_.size() && light_.received.size() == flux_.size());
-  for (std::uint32_t e = 0; e < flux_.size(); ++e) {
-    const glm::dvec3 emitted = emission(scene, discretization, e) * discretization.elements[e].area;
-    const glm::dvec3 reflected = reflectance(scene, discretization, e) * light_.received[e];
-    send(e, emitted + reflected);
-    emitted_.add(emitted);
-    absorbed_.add(light_.received[e] - reflected);
+    : scene_(scene), discretization_(discretization), light_(std::move(light)), unshot_([this] {
+        assert(light_.shot.size() == discretization_.patches.size());
+        assert(light_.received.size() == discretization_.elements.size());
+        std::vector<glm::dvec3> unshot(light_.shot.size());
+        raster::parallelFor(unshot.size(), [&](std::size_t p) { unshot[p] = unshotOf(static_cast<std::uint32_t>(p)); });
+        return unshot;
+      }()) {
+  FluxSum emitted;
+  for (std::uint32_t e = 0; e < light_.received.size(); ++e) {
+    emitted.add(emission(scene, discretization, e) * discretization.elements[e].area);
+    absorbed_.add(light_.received[e] - light_.received[e] * reflectance(scene, discretization, e));
   }
-  // The flux that a patch shot is taken from its first element: only the patch's sum is ever shot.
-  for (std::size_t p = 0; p < patchUnshot_.size(); ++p) {
-    unshot_[discretization.patchElements[discretization.patches[p].firstElement]] -= light_.shot[p];
-    patchUnshot_[p] -= light_.shot[p];
-  }
-  if (const double emitted = bandSum(emitted_.value()); emitted > 0) light_.lastEmitted = emitted;
+  emitted_ = emitted.value();
+  if (bandSum(emitted_) > 0) light_.lastEmitted = bandSum(emitted_);
   lost_.add(light_.lost);
   lostToBacks_.add(light_.lostToBacks);
 }
 
-std::uint32_t Refinement::brightestPatch() const {
-  const auto brightest = std::max_element(patchUnshot_.begin(), patchUnshot_.end(),
-                                          [](const glm::dvec3& a, const glm::dvec3& b) { return size(a) < size(b); });
-  return static_cast<std::uint32_t>(brightest - patchUnshot_.begin());
-}
-
-void Refinement::shoot(std::uint32_t patch, const FormFactorRow& row) {
-  const glm::dvec3 shot = takeUnshot(patch);
+std::size_t Refinement::shoot(std::uint32_t patch, const FormFactorRow& row) {
+  const glm::dvec3 shot = unshot_.flux()[patch];
   light_.shot[patch] += shot;
-  for (std::size_t i = 0; i < row.elements.size(); ++i) {
-    const std::uint32_t element = row.elements[i];
-    const glm::dvec3 arriving = shot * formFactor(row.shares[i]);
-    const glm::dvec3 reflected = arriving * reflectance(scene_, discretization_, element);
-    light_.received[element] += arriving;
-    send(element, reflected);
-    absorbed_.add(arriving - reflected);
+  unshot_.clear(patch);
+  const std::vector<Run> runs = runsOf(row, discretization_);
+  const std::vector<Chunk> chunks = chunksOf(runs);
+  std::vector<Arrival> arrivals(runs.size());
+  // Patches belong to surfaces, so that no two threads change the same one.
+  raster::parallelFor(chunks.size(), [&](std::size_t i) {
+    for (std::size_t run = chunks[i].first; run < chunks[i].end; ++run)
+      arrivals[run] = receive(runs[run], shot, row, scene_, discretization_, light_.received, unshot_);
+  });
+  std::vector<std::uint32_t> blocks{patch / UnshotFlux::patchesInBlock};
+  for (const Arrival& arrival : arrivals) {
+    absorbed_.add(arrival.absorbed);
+    blocks.insert(blocks.end(), arrival.blocks.begin(), arrival.blocks.end());
   }
   lost_.add(shot * formFactor(row.background + row.back));
   lostToBacks_.add(shot * formFactor(row.back));
   light_.lost = lost_.value();
   light_.lostToBacks = lostToBacks_.value();
+  return row.elements.size() + unshot_.update(blocks);
 }
 
 Energy Refinement::energy() const {
   FluxSum unshot;
-  for (const glm::dvec3& flux : patchUnshot_) unshot.add(flux);
-  return {emitted_.value(), absorbed_.value(), unshot.value(), lost_.value(), lostToBacks_.value()};
+  for (const glm::dvec3& flux : unshot_.flux()) unshot.add(flux);
+  return {emitted_, absorbed_.value(), unshot.value(), lost_.value(), lostToBacks_.value()};
 }
 
 double Refinement::residual() const {
-  FluxSum unshot;
-  for (const glm::dvec3& flux : patchUnshot_) unshot.add(glm::abs(flux));
-  return light_.lastEmitted > 0 ? (bandSum(unshot.value()) + light_.astray) / light_.lastEmitted : 0;
+  return light_.lastEmitted > 0 ? (bandSum(unshot_.sizes()) + light_.astray) / light_.lastEmitted : 0;
 }
 
-std::vector<glm::dvec3> Refinement::radiosity() const {
-  std::vector<glm::dvec3> result(flux_.size());
-  for (std::size_t e = 0; e < result.size(); ++e) result[e] = flux_[e] / discretization_.elements[e].area;
+std::vector<glm::dvec3> Refinement::radiosity() const& {
+  std::vector<glm::dvec3> result(light_.received.size());
+  for (std::uint32_t e = 0; e < result.size(); ++e) result[e] = fluxOf(e) / discretization_.elements[e].area;
   return result;
 }
 
-void Refinement::send(std::uint32_t element, const glm::dvec3& flux) {
-  flux_[element] += flux;
-  unshot_[element] += flux;
-  patchUnshot_[discretization_.elements[element].patch] += flux;
+std::vector<glm::dvec3> Refinement::radiosity() && {
+  for (std::uint32_t e = 0; e < light_.received.size(); ++e)
+    light_.received[e] = fluxOf(e) / discretization_.elements[e].area;
+  return std::move(light_.received);
 }
 
-/// What the elements of a patch have not shot yet, summed afresh so that no rounding of running sums remains.
-glm::dvec3 Refinement::takeUnshot(std::uint32_t patch) {
+std::size_t Refinement::bytes() const {
+  return (light_.shot.capacity() + light_.received.capacity()) * sizeof(glm::dvec3) + unshot_.bytes();
+}
+
+/// What an element sends out.
+glm::dvec3 Refinement::fluxOf(std::uint32_t element) const {
+  return emission(scene_, discretization_, element) * discretization_.elements[element].area +
+         reflectance(scene_, discretization_, element) * light_.received[element];
+}
+
+/// What the elements of a patch send out and the patch has not shot yet.
+glm::dvec3 Refinement::unshotOf(std::uint32_t patch) const {
   const Patch& shooter = discretization_.patches[patch];
   FluxSum sum;
-  for (std::uint32_t i = 0; i < shooter.elementCount; ++i) {
-    glm::dvec3& unshot = unshot_[discretization_.patchElements[shooter.firstElement + i]];
-    sum.add(unshot);
-    unshot = glm::dvec3(0);
-  }
-  patchUnshot_[patch] = glm::dvec3(0);
+  sum.add(-light_.shot[patch]);
+  for (std::uint32_t i = 0; i < shooter.elementCount; ++i)
+    sum.add(fluxOf(discretization_.patchElements[shooter.firstElement + i]));
   return sum.value();
 }
 

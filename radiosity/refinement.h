@@ -16,6 +16,7 @@
 /// and two solutions of the same scene differ in what their elements absorb by no more than both residuals.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
@@ -24,6 +25,7 @@
 #include "radiosity/flux_sum.h"
 #include "radiosity/form_factors.h"
 #include "radiosity/scene.h"
+#include "radiosity/unshot_flux.h"
 
 namespace hemitex::radiosity {
 
@@ -56,9 +58,10 @@ class Refinement {
   Refinement(const Scene& scene, const Discretization& discretization, ShotLight light);
 
   /// The patch with the most unshot flux, sizes of the bands summed; the first of equals.
-  std::uint32_t brightestPatch() const;
-  /// Sends the unshot flux of a patch along its row of form factors.
-  void shoot(std::uint32_t patch, const FormFactorRow& row);
+  std::uint32_t brightestPatch() const { return unshot_.brightest(); }
+  /// Sends the unshot flux of a patch along its row of form factors. Returns how many elements, patches and sums over
+  /// patches it looked at: those of the row, and some beside the patches that received.
+  std::size_t shoot(std::uint32_t patch, const FormFactorRow& row);
 
   const ShotLight& light() const { return light_; }
   /// The account, with what is unshot summed afresh.
@@ -67,18 +70,22 @@ class Refinement {
   /// emitted, over what was emitted last; 0 where nothing ever was.
   double residual() const;
   /// Radiosity of the elements: flux over area.
-  std::vector<glm::dvec3> radiosity() const;
+  std::vector<glm::dvec3> radiosity() const&;
+  /// The same, in the memory of what they received.
+  std::vector<glm::dvec3> radiosity() &&;
+
+  std::size_t bytes() const;
 
  private:
-  void send(std::uint32_t element, const glm::dvec3& flux);
-  glm::dvec3 takeUnshot(std::uint32_t patch);
+  glm::dvec3 fluxOf(std::uint32_t element) const;
+  glm::dvec3 unshotOf(std::uint32_t patch) const;
 
   const Scene& scene_;
   const Discretization& discretization_;
   ShotLight light_;
-  /// What elements send out, and how much of it is unshot; the latter also summed by patches.
-  std::vector<glm::dvec3> flux_, unshot_, patchUnshot_;
-  FluxSum emitted_, absorbed_, lost_, lostToBacks_;
+  UnshotFlux unshot_;  ///< one a patch
+  glm::dvec3 emitted_{0.0};
+  FluxSum absorbed_, lost_, lostToBacks_;
 };
 
 }  // namespace hemitex::radiosity

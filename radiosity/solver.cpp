@@ -1,6 +1,7 @@
 #include "radiosity/solver.h"
 
 #include <cassert>
+#include <utility>
 
 #include "radiosity/flux_sum.h"
 
@@ -29,18 +30,9 @@ std::vector<std::string> warningsOf(const Energy& energy) {
           "from the lit side, or use --two-sided"};
 }
 
-}  // namespace
-
-Solution solve(const Scene& scene, const Discretization& discretization, const RowSource& rowOf,
-               const SolverSettings& settings, const Progress& progress) {
-  assert(!discretization.patches.empty());
-  Refinement refinement(scene, discretization);
-  RowCache rows(settings.rowCacheBytes);
-  return refine(scene, discretization, refinement, rows, rowOf, settings, progress);
-}
-
-Solution refine(const Scene& scene, const Discretization& discretization, Refinement& refinement, RowCache& rows,
-                const RowSource& rowOf, const SolverSettings& settings, const Progress& progress) {
+/// Shoots until the settings say stop.
+Solution shoot(Refinement& refinement, RowCache& rows, const RowSource& rowOf, const SolverSettings& settings,
+               const Progress& progress) {
   Solution solution;
   solution.residual = refinement.residual();
   const auto isDone = [&] {
@@ -53,11 +45,34 @@ Solution refine(const Scene& scene, const Discretization& discretization, Refine
     solution.residual = refinement.residual();
     if (progress) progress(solution.shots, solution.residual);
   }
+  return solution;
+}
+
+/// Accounts for a solution. A refinement that is moved gives its memory to the radiosity.
+template <typename AnyRefinement>
+Solution finished(Solution solution, const Scene& scene, const Discretization& discretization,
+                  AnyRefinement&& refinement) {
   solution.energy = refinement.energy();
-  solution.radiosity = refinement.radiosity();
+  solution.radiosity = std::forward<AnyRefinement>(refinement).radiosity();
   solution.ambient = ambientEstimate(scene, discretization, solution.energy);
   solution.warnings = warningsOf(solution.energy);
   return solution;
+}
+
+}  // namespace
+
+Solution solve(const Scene& scene, const Discretization& discretization, const RowSource& rowOf,
+               const SolverSettings& settings, const Progress& progress) {
+  assert(!discretization.patches.empty());
+  Refinement refinement(scene, discretization);
+  RowCache rows(settings.rowCacheBytes);
+  Solution solution = shoot(refinement, rows, rowOf, settings, progress);
+  return finished(std::move(solution), scene, discretization, std::move(refinement));
+}
+
+Solution refine(const Scene& scene, const Discretization& discretization, Refinement& refinement, RowCache& rows,
+                const RowSource& rowOf, const SolverSettings& settings, const Progress& progress) {
+  return finished(shoot(refinement, rows, rowOf, settings, progress), scene, discretization, std::as_const(refinement));
 }
 
 }  // namespace hemitex::radiosity

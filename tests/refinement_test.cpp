@@ -99,3 +99,18 @@ TEST_CASE("what is absorbed differs from the end's by no more than the residual"
     CHECK(difference > 0);
   }
 }
+
+TEST_CASE("a shot looks at what its row has, not at all elements or patches", "[refinement]") {
+  const Scene scene = litCube({3, 2, 1});
+  const Discretization discretization = discretize(scene, {.texels = 410, .patch = 4});
+  REQUIRE(discretization.elements.size() == 1008600);
+  REQUIRE(discretization.patches.size() == 63654);
+  FormFactorRow row{{5, 1000, 200000, 300000, 400000, 500000, 600000, 700000, 800000, 900000}, {}};
+  row.shares.assign(10, wholeShare / 16);
+  row.background = wholeShare - 10 * (wholeShare / 16);
+  Refinement refinement(scene, discretization);
+  // Ten elements receive. They and the shooter lie in eleven blocks of 64 patches at most, these below eleven nodes of
+  // 64 blocks, and the root has 16 children.
+  for (int shot = 0; shot < 1000; ++shot)
+    REQUIRE(refinement.shoot(refinement.brightestPatch(), row) <= 10 + 11 * (64 + 64) + 16);
+}
