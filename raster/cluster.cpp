@@ -23,22 +23,9 @@ void append(const DrawList& list, const TriangleRun& run, Cluster& cluster) {
   for (std::size_t i = 3 * std::size_t{run.first}; i < 3 * std::size_t{run.end}; ++i) {
     const std::uint32_t index = list.indices[i];
     const bool plain = isPlain(list.positions[index], list.texcoords[index]);
-    cluster.low = glm::min(cluster.low, plain ? glm::dvec3(list.positions[index]) : glm::dvec3(-infinity));
-    cluster.high = glm::max(cluster.high, plain ? glm::dvec3(list.positions[index]) : glm::dvec3(infinity));
+    cluster.box.low = glm::min(cluster.box.low, plain ? glm::dvec3(list.positions[index]) : glm::dvec3(-infinity));
+    cluster.box.high = glm::max(cluster.box.high, plain ? glm::dvec3(list.positions[index]) : glm::dvec3(infinity));
   }
-}
-
-/// A box as seen from an eye.
-struct Box {
-  glm::dvec3 centre, half;
-  double reach;  ///< no corner is farther from the eye
-};
-
-/// Whether plane . d > offset for all points of a box, by more than the vertex stage can round: its five roundings of
-/// binary32 change a product of `size` and a distance by less than 2^-21 of it. With NaN, false.
-bool isBeyond(const Box& box, const glm::dvec3& plane, double size, double offset) {
-  const double least = glm::dot(plane, box.centre) - glm::dot(glm::abs(plane), box.half);
-  return least - offset > 0x1p-19 * size * box.reach;
 }
 
 }  // namespace
@@ -59,7 +46,7 @@ std::vector<Cluster> clustersOf(const DrawList& list) {
     while (first < end) {
       const std::uint32_t count = std::min(largestCluster, end - first);
       if (count > room || list.draws[draw].indexMap) {
-        clusters.push_back({{}, glm::dvec3(infinity), glm::dvec3(-infinity)});
+        clusters.push_back({{}, {glm::dvec3(infinity), glm::dvec3(-infinity)}});
         room = largestCluster;
       }
       append(list, {draw, first, first + count}, clusters.back());
@@ -70,27 +57,13 @@ std::vector<Cluster> clustersOf(const DrawList& list) {
   return clusters;
 }
 
-bool mayCover(const Face& face, const Cluster& cluster) {
-  const glm::dvec3 x(face.x), y(face.y), w(face.w);
-  Box box{0.5 * (cluster.low + cluster.high) - glm::dvec3(face.eye), 0.5 * (cluster.high - cluster.low), 0};
-  box.reach = glm::length(box.centre) + glm::length(box.half);
-  const double width = glm::length(w);
-  if (isBeyond(box, -w, width, -static_cast<double>(face.nearDistance))) return false;
-  // The sides of the scissor rectangle on the picture plane, one pixel out, which is more than snapping moves a vertex.
-  const double pixel = 2.0 / face.resolution;
-  const auto isBesides = [&](const glm::dvec3& axis, int first, int count) {
-    const double low = (first - 1) * pixel - 1, high = (first + count + 1) * pixel - 1;
-    const double size = glm::length(axis);
-    return isBeyond(box, low * w - axis, std::abs(low) * width + size, 0) ||
-           isBeyond(box, axis - high * w, std::abs(high) * width + size, 0);
-  };
-  return !isBesides(x, face.scissor.column, face.scissor.width) && !isBesides(y, face.scissor.row, face.scissor.height);
-}
+bool mayCover(const Face& face, const Cluster& cluster) { return ViewBounds(face).mayShow(cluster.box); }
 
 Scissor coveredBounds(const DrawList& list, std::span<const Cluster> clusters, const Face& face) {
+  const ViewBounds view(face);
   std::vector<ScreenTriangle> triangles;
   for (const Cluster& cluster : clusters)
-    if (mayCover(face, cluster)) appendScreenTriangles(list, face, cluster.runs, {}, triangles);
+    if (view.mayShow(cluster.box)) appendScreenTriangles(list, face, cluster.runs, {}, triangles);
   if (triangles.empty()) return {face.scissor.column, face.scissor.row, 0, 0};
   int firstColumn = face.resolution, endColumn = 0, firstRow = face.resolution, endRow = 0;
   for (const ScreenTriangle& triangle : triangles) {

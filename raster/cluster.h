@@ -2,13 +2,13 @@
 /// triangles need no vertex stage; no pixel can tell (raster rules, 3). So a narrow scissor rectangle costs little.
 #pragma once
 
-#include <glm/glm.hpp>
 #include <span>
 #include <vector>
 
 #include "raster/draw_list.h"
 #include "raster/face.h"
 #include "raster/screen_triangle.h"
+#include "raster/view_bounds.h"
 
 namespace hemitex::raster {
 
@@ -18,8 +18,7 @@ inline constexpr std::uint32_t largestCluster = 32;
 struct Cluster {
   /// Of one draw, or of several that follow each other and have no index map: pieces of a mesh, mostly neighbours.
   std::vector<TriangleRun> runs;
-  /// The box around its vertices; infinite where a value is not finite or may become so on the way.
-  glm::dvec3 low, high;
+  Box box;  ///< around its vertices; infinite also where a texture coordinate is not finite
 };
 
 std::uint32_t triangleCount(const Cluster& cluster);

@@ -40,7 +40,7 @@ std::uint64_t appendScreenTriangles(const DrawList& list, const ClusterMesh& mes
                                     const ClusterPart& part, const VertexKernels& kernels, const Face& face,
                                     std::span<const std::uint32_t> skipped, std::vector<ScreenTriangle>& triangles) {
   // A value that is not finite made the box so; it may be a texture coordinate, which the kernels do not look at.
-  if (!std::isfinite(cluster.low.x)) return appendScreenTriangles(list, face, cluster.runs, skipped, triangles);
+  if (!std::isfinite(cluster.box.low.x)) return appendScreenTriangles(list, face, cluster.runs, skipped, triangles);
   PlacedVertices placed;
   const TriangleSets sets = kernels.place(mesh, part, face, placed);
   if ((sets.whole | sets.cut) == 0) return 0;

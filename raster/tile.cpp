@@ -161,8 +161,10 @@ const Word* Tile::resolve(int row) {
 
 PreparedDraws prepare(DrawList list) {
   validate(list);
-  PreparedDraws draws{std::move(list), {}, {}, {}};
+  PreparedDraws draws;
+  draws.list = std::move(list);
   draws.clusters = clustersOf(draws.list);
+  draws.tree = ClusterTree(draws.clusters);
   draws.mesh = meshOf(draws.list, draws.clusters);
   for (const IndexMap& map : draws.list.indexMaps) draws.maps.push_back(traitsOf(map));
   return draws;
@@ -183,8 +185,7 @@ std::uint64_t drawTile(const PreparedDraws& draws, const PixelKernels& kernels, 
   std::uint64_t dropped = 0;
   Tile tile(draws, kernels, face);
   std::vector<ScreenTriangle> triangles;
-  for (std::size_t c = 0; c < draws.clusters.size(); ++c) {
-    if (!mayCover(face, draws.clusters[c])) continue;
+  for (const std::uint32_t c : draws.tree.clustersIn(ViewBounds(face))) {
     triangles.clear();
     dropped += appendScreenTriangles(draws.list, draws.mesh, draws.clusters[c], draws.mesh.parts[c],
                                      bestVertexKernels(), face, skipped, triangles);

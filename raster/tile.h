@@ -9,6 +9,7 @@
 
 #include "raster/cluster.h"
 #include "raster/cluster_mesh.h"
+#include "raster/cluster_tree.h"
 #include "raster/draw_list.h"
 #include "raster/face.h"
 #include "raster/pixel_kernels.h"
@@ -19,7 +20,8 @@ namespace hemitex::raster {
 struct PreparedDraws {
   DrawList list;
   std::vector<Cluster> clusters;
-  ClusterMesh mesh;  ///< of the clusters
+  ClusterTree tree;  ///< over the clusters
+  ClusterMesh mesh;  ///< of their triangles
   /// What resolving needs to know of an index map.
   struct MapTraits {
     bool countsTexels;  ///< holds 0, 1, 2, ...: which word it holds needs no look

@@ -56,7 +56,8 @@ TEST_CASE("clusters cover the triangles of the draws in order, each once", "[clu
         next = run.end;
         for (std::size_t i = 3 * std::size_t{run.first}; i < 3 * std::size_t{run.end}; ++i) {
           const glm::dvec3 p(list.positions[list.indices[i]]);
-          CHECK((glm::all(glm::lessThanEqual(cluster.low, p)) && glm::all(glm::lessThanEqual(p, cluster.high))));
+          CHECK(
+              (glm::all(glm::lessThanEqual(cluster.box.low, p)) && glm::all(glm::lessThanEqual(p, cluster.box.high))));
         }
       }
     CHECK(next == 1000);

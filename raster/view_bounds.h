@@ -1,0 +1,36 @@
+/// View bounds: what the scissor rectangle of a face shows of the scene, as half-spaces that boxes are held against.
+/// Everything leaves room for what the vertex stage, clipping and snapping round, so that no pixel can tell what was
+/// left out.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+
+#include "raster/face.h"
+
+namespace hemitex::raster {
+
+/// An axis-parallel box around positions; infinite where a position is not finite or may become so on the way.
+struct Box {
+  glm::dvec3 low, high;
+};
+
+class ViewBounds {
+ public:
+  explicit ViewBounds(const Face& face);
+
+  /// False only where no triangle inside the box covers a sample of the scissor rectangle.
+  bool mayShow(const Box& box) const;
+
+ private:
+  /// Points with normal . d > offset, d from the eye, are not shown.
+  struct Plane {
+    glm::dvec3 normal, absolute;  ///< and its coordinates' sizes
+    double offset;
+    double rounding;  ///< what the vertex stage may be off, for each unit of distance from the eye
+  };
+  glm::dvec3 eye_;
+  std::array<Plane, 5> planes_;
+};
+
+}  // namespace hemitex::raster

@@ -1,0 +1,49 @@
+// The tree finds what asking every cluster finds.
+#include "raster/cluster_tree.h"
+
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "tests/raster_scenes.h"
+
+using namespace hemitex;
+using namespace hemitex::raster;
+
+namespace {
+
+/// So many clusters of a triangle each, one in twenty of them infinite.
+std::vector<Cluster> scattered(std::size_t count) {
+  DrawList list = tests::plainList();
+  list.indexMaps.push_back({1, 1, {0}});
+  std::mt19937 random(4);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto near = [&](const glm::vec3& p, float size) {
+      return p + glm::vec3(tests::uniform(random, -size, size), tests::uniform(random, -size, size),
+                           tests::uniform(random, -size, size));
+    };
+    tests::addDraw(list, 1, {}, 0);
+    const glm::vec3 centre = near({0, 0, 0}, 9);
+    const float far = i % 20 == 7 ? std::numeric_limits<float>::infinity() : 1;
+    tests::addTriangle(list, {centre, near(centre, 1), far * near(centre, 1)});
+  }
+  return clustersOf(list);
+}
+
+}  // namespace
+
+TEST_CASE("the tree finds the clusters that may cover a sample, in draw order", "[cluster_tree]") {
+  for (const std::size_t count : {0, 1, 7, 8, 9, 64, 65, 1000}) {
+    const std::vector<Cluster> clusters = scattered(count);
+    REQUIRE(clusters.size() == count);
+    const ClusterTree tree(clusters);
+    for (Face face : tests::threeFaces())
+      for (const int width : {64, 8, 1}) {
+        face.scissor.width = width;
+        std::vector<std::uint32_t> expected;
+        for (std::uint32_t c = 0; c < count; ++c)
+          if (mayCover(face, clusters[c])) expected.push_back(c);
+        CHECK(tree.clustersIn(ViewBounds(face)) == expected);
+        if (count == 1000) CHECK((expected.size() > 50 && expected.size() < 500));
+      }
+  }
+}
