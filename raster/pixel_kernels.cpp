@@ -40,6 +40,15 @@ double nearestBorder(double position, int size) {
   return std::nearbyint(std::max(std::min(position, size - 1.0), 1.0));
 }
 
+bool isHidden(const DepthBuffer& buffer, const Scissor& part, double inverseDepth) {
+  for (int row = part.row; row < part.row + part.height; ++row) {
+    const double* const depths = buffer.inverseDepth.data() + buffer.rowAt(row) + (part.column - buffer.scissor.column);
+    for (int i = 0; i < part.width; ++i)
+      if (depths[i] <= inverseDepth) return false;
+  }
+  return true;
+}
+
 int endOfRun(const std::uint32_t* triangles, int first, int end) {
   int i = first;
   while (i < end && triangles[i] == triangles[first]) ++i;
@@ -123,7 +132,7 @@ TexelPlanes::TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHe
 void UndecidedPixels::add(int column, int row) { pixels.push_back({column, row}); }
 
 const PixelKernels& plainKernels() {
-  static const PixelKernels kernels{"plain", offer, endOfRun, findTexels, findExactTexels};
+  static const PixelKernels kernels{"plain", offer, isHidden, endOfRun, findTexels, findExactTexels};
   return kernels;
 }
 

@@ -79,6 +79,10 @@ struct PixelKernels {
   /// larger 1/w wins. Appends samples where binary64 cannot tell which. Returns whether any pixel took the triangle.
   bool (*offer)(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided);
 
+  /// Whether all pixels of a part of the buffer's scissor rectangle show something nearer than 1/w = inverseDepth,
+  /// which is more than rounding beyond what it stands for.
+  bool (*isHidden)(const DepthBuffer& buffer, const Scissor& part, double inverseDepth);
+
   /// The pixel behind the last that shows the same triangle as pixel `first`, at most `end`.
   int (*endOfRun)(const std::uint32_t* triangles, int first, int end);
 

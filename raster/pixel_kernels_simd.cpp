@@ -169,6 +169,19 @@ bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& bu
   return !hn::AllFalse(doubles, isNarrow ? offerNarrow(offered) : offerWide(offered));
 }
 
+bool isHidden(const DepthBuffer& buffer, const Scissor& part, double inverseDepth) {
+  const auto lanes = static_cast<int>(hn::Lanes(doubles));
+  const Double limit = hn::Set(doubles, inverseDepth);
+  for (int row = part.row; row < part.row + part.height; ++row) {
+    const double* const depths = buffer.inverseDepth.data() + buffer.rowAt(row) + (part.column - buffer.scissor.column);
+    for (int i = 0; i < part.width; i += lanes) {
+      const Mask seen = hn::And(firstLanes(part.width - i), hn::Le(hn::LoadU(doubles, depths + i), limit));
+      if (!hn::AllFalse(doubles, seen)) return false;
+    }
+  }
+  return true;
+}
+
 int endOfRun(const std::uint32_t* triangles, int first, int end) {
   const hn::ScalableTag<std::uint32_t> numbers;
   const auto lanes = static_cast<int>(hn::Lanes(numbers));
@@ -245,7 +258,7 @@ void findExactTexels(const PixelRun& run, const ExactTexels& exact, int width, i
     storeTexels(findExactly(u, pixels, width), findExactly(v, pixels, height), columns, base, texels + i);
 }
 
-PixelKernels kernels() { return {hwy::TargetName(HWY_TARGET), offer, endOfRun, findTexels, findExactTexels}; }
+PixelKernels kernels() { return {hwy::TargetName(HWY_TARGET), offer, isHidden, endOfRun, findTexels, findExactTexels}; }
 
 }  // namespace
 }  // namespace hemitex::raster::HWY_NAMESPACE

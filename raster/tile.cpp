@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "raster/cluster_triangles.h"
@@ -63,16 +64,20 @@ class Tile {
   Tile(const PreparedDraws& draws, const PixelKernels& kernels, const Face& face)
       : draws_(draws), kernels_(kernels), buffer_(face.scissor), row_(buffer_.pitch) {}
 
-  /// Offers triangles to the depth buffer, and keeps those that a pixel took.
-  void draw(std::span<const ScreenTriangle> triangles) {
-    for (const ScreenTriangle& triangle : triangles) draw(triangle);
+  /// Whether nothing of a box can be seen behind what was drawn so far.
+  bool hides(const BoxPlace& place) const { return kernels_.isHidden(buffer_, place.part, place.inverseDepth); }
+
+  /// Offers the triangles of a cluster to the depth buffer, and keeps those that a pixel took.
+  void draw(std::uint32_t cluster, std::span<const ScreenTriangle> triangles) {
+    for (std::size_t i = 0; i < triangles.size(); ++i) draw(triangles[i], (std::uint64_t{cluster} << 32) + i);
   }
 
   /// After all triangles: the words of a row of the face, in this tile's columns; valid until the next call.
   const Word* resolve(int row);
 
  private:
-  void draw(const ScreenTriangle& triangle);
+  void draw(const ScreenTriangle& triangle, std::uint64_t order);
+  bool isNearer(const ScreenTriangle& triangle, std::uint64_t order, std::uint32_t than, const Pixel& pixel) const;
   Shading& shading(std::uint32_t triangle);
   void resolveRun(const PixelRun& run, Shading& shading, Word* words);
   void findTexels(const PixelRun& run, Shading::Texels& texels, Word base, Word* words);
@@ -81,23 +86,32 @@ class Tile {
   const PixelKernels& kernels_;
   DepthBuffer buffer_;
   std::vector<ScreenTriangle> taken_;             ///< by some pixel
+  std::vector<std::uint64_t> orders_;             ///< of these: where in draw order they come
   std::vector<std::optional<Shading>> shadings_;  ///< of those that a pixel shows in the end
   std::vector<Word> row_;
   UndecidedPixels undecided_;
 };
 
-void Tile::draw(const ScreenTriangle& triangle) {
+/// The larger 1/w wins; on an exact tie the earlier triangle in draw order, whichever was drawn first.
+bool Tile::isNearer(const ScreenTriangle& triangle, std::uint64_t order, std::uint32_t than, const Pixel& pixel) const {
+  if (isNearerExactly(triangle, taken_[than], pixel.column, pixel.row)) return true;
+  return order < orders_[than] && !isNearerExactly(taken_[than], triangle, pixel.column, pixel.row);
+}
+
+void Tile::draw(const ScreenTriangle& triangle, std::uint64_t order) {
   const auto number = static_cast<std::uint32_t>(taken_.size());
   bool isTaken = kernels_.offer(triangle, number, buffer_, undecided_);
   for (const Pixel& pixel : undecided_.pixels) {
     const std::size_t p = buffer_.rowAt(pixel.row) + static_cast<std::size_t>(pixel.column - buffer_.scissor.column);
-    if (!isNearerExactly(triangle, taken_[buffer_.triangle[p]], pixel.column, pixel.row)) continue;
+    if (!isNearer(triangle, order, buffer_.triangle[p], pixel)) continue;
     buffer_.inverseDepth[p] = inverseDepthAt(triangle, edgeValues(triangle, pixel.column, pixel.row));
     buffer_.triangle[p] = number;
     isTaken = true;
   }
   undecided_.pixels.clear();
-  if (isTaken) taken_.push_back(triangle);
+  if (!isTaken) return;
+  taken_.push_back(triangle);
+  orders_.push_back(order);
 }
 
 Shading& Tile::shading(std::uint32_t triangle) {
@@ -157,6 +171,22 @@ const Word* Tile::resolve(int row) {
   return row_.data();
 }
 
+struct PlacedCluster {
+  std::uint32_t cluster;
+  BoxPlace place;
+};
+
+/// The clusters that a face may show, the nearest first.
+std::vector<PlacedCluster> clustersIn(const PreparedDraws& draws, const Face& face) {
+  const ViewBounds view(face);
+  std::vector<PlacedCluster> found;
+  for (const std::uint32_t c : draws.tree.clustersIn(view)) found.push_back({c, view.placeOf(draws.clusters[c].box)});
+  std::sort(found.begin(), found.end(), [](const PlacedCluster& a, const PlacedCluster& b) {
+    return std::tie(b.place.inverseDepth, a.cluster) < std::tie(a.place.inverseDepth, b.cluster);
+  });
+  return found;
+}
+
 }  // namespace
 
 PreparedDraws prepare(DrawList list) {
@@ -185,11 +215,12 @@ std::uint64_t drawTile(const PreparedDraws& draws, const PixelKernels& kernels, 
   std::uint64_t dropped = 0;
   Tile tile(draws, kernels, face);
   std::vector<ScreenTriangle> triangles;
-  for (const std::uint32_t c : draws.tree.clustersIn(ViewBounds(face))) {
+  for (const auto& [c, place] : clustersIn(draws, face)) {
+    if (tile.hides(place)) continue;
     triangles.clear();
     dropped += appendScreenTriangles(draws.list, draws.mesh, draws.clusters[c], draws.mesh.parts[c],
                                      bestVertexKernels(), face, skipped, triangles);
-    tile.draw(triangles);
+    tile.draw(c, triangles);
   }
   for (int row = face.scissor.row; row < face.scissor.row + face.scissor.height; ++row, words += pitch)
     std::copy_n(tile.resolve(row), face.scissor.width, words);

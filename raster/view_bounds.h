@@ -15,12 +15,21 @@ struct Box {
   glm::dvec3 low, high;
 };
 
+/// Where a box stands in a view.
+struct BoxPlace {
+  Scissor part;  ///< the part of the scissor rectangle outside of which no triangle inside the box covers a sample
+  double
+      inverseDepth;  ///< 1/w of no triangle inside the box is larger; infinite where the box may touch the near plane
+};
+
 class ViewBounds {
  public:
   explicit ViewBounds(const Face& face);
 
   /// False only where no triangle inside the box covers a sample of the scissor rectangle.
   bool mayShow(const Box& box) const;
+
+  BoxPlace placeOf(const Box& box) const;
 
  private:
   /// Points with normal . d > offset, d from the eye, are not shown.
@@ -29,7 +38,16 @@ class ViewBounds {
     double offset;
     double rounding;  ///< what the vertex stage may be off, for each unit of distance from the eye
   };
-  glm::dvec3 eye_;
+  /// The values of x, y or w over a box.
+  struct Range {
+    double low, high;
+  };
+  Range rangeOf(const glm::dvec3& row, const Box& box) const;
+
+  glm::dvec3 eye_, x_, y_, w_;
+  double nearDistance_;
+  int resolution_;
+  Scissor scissor_;
   std::array<Plane, 5> planes_;
 };
 

@@ -75,6 +75,30 @@ TEST_CASE("the depth test is the same bits with every instruction set", "[kernel
   }
 }
 
+TEST_CASE("a part of the depth buffer hides what is behind all of its pixels, with every instruction set",
+          "[kernels]") {
+  const raster::Face face = frontFace(64);
+  raster::DepthBuffer buffer(face.scissor);
+  std::fill(buffer.inverseDepth.begin(), buffer.inverseDepth.end(), 3.0);
+  std::vector<raster::PixelKernels> all = raster::simdKernels();
+  all.push_back(raster::plainKernels());
+  for (const raster::PixelKernels& kernels : all) {
+    INFO(kernels.name);
+    for (int width = 1; width < 20; ++width) {
+      const raster::Scissor part{5, 7, width, 3};
+      CHECK(kernels.isHidden(buffer, part, 2.9));
+      CHECK(!kernels.isHidden(buffer, part, 3.0));
+      for (const auto& [column, row, isInside] : {std::tuple(5, 7, true), std::tuple(4 + width, 9, true),
+                                                  std::tuple(5 + width, 9, false), std::tuple(4, 8, false)}) {
+        double& depth = buffer.inverseDepth[buffer.rowAt(row) + static_cast<std::size_t>(column)];
+        depth = 1;
+        CHECK(kernels.isHidden(buffer, part, 2.9) == !isInside);
+        depth = 3;
+      }
+    }
+  }
+}
+
 TEST_CASE("texels are the same with every instruction set, for runs of every length", "[kernels]") {
   const raster::Face face = frontFace(64);
   const std::vector<raster::ScreenTriangle> triangles = screenTriangles(crossingTriangles(), face);

@@ -170,6 +170,25 @@ TEST_CASE("the nearer triangle wins whatever the order, and the earlier one on a
   CHECK(draw({2, std::nextafter(2.0f, 3.0f)}) == 0);
 }
 
+// Clusters of surfaces with maps are their own, and the nearest are drawn first: here those of the later surfaces,
+// whose second triangles lie before the first ones, off to the side.
+TEST_CASE("on a tie the earlier surface keeps the pixel, though a later one was drawn before it", "[renderer]") {
+  raster::DrawList list = plainList();
+  list.indexMaps.push_back({1, 1, {0}});
+  for (Word word = 0; word < 6; ++word) {
+    const float near = 1 - 0.1f * static_cast<float>(word);
+    addDraw(list, word, {}, 0);
+    addTriangle(list, {{-1, -1, 1}, {3, -1, 1}, {-1, 3, 1}});
+    addTriangle(list, {{-near, -near, near}, {-0.75f * near, -near, near}, {-near, -0.75f * near, near}});
+  }
+  const raster::ItemBuffer buffer = drawOne(list, frontFace(64));
+  CHECK(buffer.words[0] == 5);
+  CHECK(std::count(buffer.words.begin(), buffer.words.end(), 0U) > 64 * 64 * 9 / 10);
+  CHECK(std::count(buffer.words.begin(), buffer.words.end(), 0U) +
+            std::count(buffer.words.begin(), buffer.words.end(), 5U) ==
+        64 * 64);
+}
+
 TEST_CASE("coplanar triangles of different shape tie exactly where their depth is constant", "[renderer]") {
   // Binary64 rounds 1/w differently for different triangles of one plane w = 0.3; exact arithmetic sees the tie.
   const float w = 0.3f;
