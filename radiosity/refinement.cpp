@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <span>
 #include <utility>
 
 #include "raster/parallel.h"
@@ -34,33 +35,30 @@ std::vector<Run> runsOf(const FormFactorRow& row, const Discretization& discreti
   return runs;
 }
 
-/// Runs for a thread each: consecutive ones, until they have some thousand entries.
-struct Chunk {
-  std::size_t first = 0, end = 0;
-};
-
-std::vector<Chunk> chunksOf(const std::vector<Run>& runs) {
+/// Runs for a thread each: consecutive ones, until they have some thousand entries. They depend on the row alone, and
+/// so does the order of sums.
+std::vector<std::span<const Run>> chunksOf(const std::vector<Run>& runs) {
   constexpr std::size_t entries = 2048;
-  std::vector<Chunk> chunks;
+  std::vector<std::span<const Run>> chunks;
   for (std::size_t first = 0, end = 0; first < runs.size(); first = end) {
     while (end < runs.size() && runs[end].first - runs[first].first < entries) ++end;
-    chunks.push_back({first, end});
+    chunks.push_back(std::span(runs).subspan(first, end - first));
   }
   return chunks;
 }
 
-/// What came of a run of a row.
+/// What came of some runs of a row.
 struct Arrival {
   glm::dvec3 absorbed{0.0};
   std::vector<std::uint32_t> blocks;  ///< of patches that changed
 };
 
 /// What a shot does along a run: its elements receive, and what they reflect is unshot in their patches.
-Arrival receive(const Run& run, const glm::dvec3& shot, const FormFactorRow& row, const Scene& scene,
-                const Discretization& discretization, std::vector<glm::dvec3>& received, UnshotFlux& unshot) {
+void receive(const Run& run, const glm::dvec3& shot, const FormFactorRow& row, const Scene& scene,
+             const Discretization& discretization, std::vector<glm::dvec3>& received, UnshotFlux& unshot,
+             Arrival& arrival) {
   const bool isMapped = !discretization.mappedReflectance.empty();
   const glm::dvec3 ofSurface = reflectance(scene, discretization, row.elements[run.first]);
-  Arrival arrival;
   for (std::size_t i = run.first; i < run.end; ++i) {
     const std::uint32_t element = row.elements[i], patch = discretization.elements[element].patch;
     const glm::dvec3 arriving = shot * formFactor(row.shares[i]);
@@ -71,7 +69,6 @@ Arrival receive(const Run& run, const glm::dvec3& shot, const FormFactorRow& row
     const std::uint32_t block = patch / UnshotFlux::patchesInBlock;
     if (arrival.blocks.empty() || arrival.blocks.back() != block) arrival.blocks.push_back(block);
   }
-  return arrival;
 }
 
 }  // namespace
@@ -103,12 +100,12 @@ std::size_t Refinement::shoot(std::uint32_t patch, const FormFactorRow& row) {
   light_.shot[patch] += shot;
   unshot_.clear(patch);
   const std::vector<Run> runs = runsOf(row, discretization_);
-  const std::vector<Chunk> chunks = chunksOf(runs);
-  std::vector<Arrival> arrivals(runs.size());
+  const std::vector<std::span<const Run>> chunks = chunksOf(runs);
+  std::vector<Arrival> arrivals(chunks.size());
   // Patches belong to surfaces, so that no two threads change the same one.
   raster::parallelFor(chunks.size(), [&](std::size_t i) {
-    for (std::size_t run = chunks[i].first; run < chunks[i].end; ++run)
-      arrivals[run] = receive(runs[run], shot, row, scene_, discretization_, light_.received, unshot_);
+    for (const Run& run : chunks[i])
+      receive(run, shot, row, scene_, discretization_, light_.received, unshot_, arrivals[i]);
   });
   std::vector<std::uint32_t> blocks{patch / UnshotFlux::patchesInBlock};
   for (const Arrival& arrival : arrivals) {

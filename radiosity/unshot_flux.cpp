@@ -23,11 +23,6 @@ UnshotFlux::UnshotFlux(std::vector<glm::dvec3> flux) : flux_(std::move(flux)) {
   } while (count > 1);
 }
 
-UnshotFlux::Node UnshotFlux::patchNode(std::uint32_t patch) const {
-  const glm::dvec3 size = glm::abs(flux_[patch]);
-  return {size, bandSum(size), patch};
-}
-
 /// Makes a node from its children; returns how many they are.
 std::size_t UnshotFlux::make(std::size_t level, std::uint32_t number) {
   const std::size_t below = level == 0 ? flux_.size() : levels_[level - 1].size();
@@ -35,11 +30,13 @@ std::size_t UnshotFlux::make(std::size_t level, std::uint32_t number) {
   Node node;
   node.update = updates_;
   for (std::size_t i = first; i < end; ++i) {
-    const Node child = level == 0 ? patchNode(static_cast<std::uint32_t>(i)) : levels_[level - 1][i];
-    node.sizes += child.sizes;
-    if (!(child.largest > node.largest)) continue;
-    node.largest = child.largest;
-    node.brightest = child.brightest;
+    if (level == 0) {
+      const glm::dvec3 size = glm::abs(flux_[i]);
+      node.add(size, bandSum(size), static_cast<std::uint32_t>(i));
+    } else {
+      const Node& child = levels_[level - 1][i];
+      node.add(child.sizes, child.largest, child.brightest);
+    }
   }
   levels_[level][number] = node;
   return end - first;

@@ -42,9 +42,15 @@ class UnshotFlux {
     double largest = -1;
     std::uint32_t brightest = 0;
     std::uint32_t update = 0;  ///< the last that it was made in
+
+    void add(const glm::dvec3& size, double bands, std::uint32_t patch) {
+      sizes += size;
+      if (!(bands > largest)) return;
+      largest = bands;
+      brightest = patch;
+    }
   };
 
-  Node patchNode(std::uint32_t patch) const;
   std::size_t make(std::size_t level, std::uint32_t number);
 
   std::vector<glm::dvec3> flux_;
