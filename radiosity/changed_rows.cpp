@@ -99,17 +99,19 @@ RowChange changeOf(SceneChange& change, std::uint32_t patchBefore, std::uint32_t
     return {known != nullptr ? *known : change.rowsBefore.ofPatch(patchBefore), change.rowsAfter.ofPatch(patchAfter),
             true};
   if (after.size() == 1) return changeOfView(change, before.front(), after.front(), known);
+  std::vector<RowChange> views;
   std::vector<WeightedRow> gone, come;
   double area = 0;
   for (std::size_t view = 0; view < after.size(); ++view) {
     area += after[view].area;
-    RowChange part = changeOfView(change, before[view], after[view], nullptr);
-    if (part.isNothing()) continue;
-    gone.push_back({std::move(part.before), after[view].area});
-    come.push_back({std::move(part.after), after[view].area});
+    views.push_back(changeOfView(change, before[view], after[view], nullptr));
+    if (views.back().isNothing()) continue;
+    gone.push_back({views.back().before, after[view].area});
+    come.push_back({views.back().after, after[view].area});
   }
   if (gone.empty()) return {};
-  return {.before = partOfMean(gone, area), .after = partOfMean(come, area), .isRounded = true};
+  return {
+      .before = partOfMean(gone, area), .after = partOfMean(come, area), .isRounded = true, .views = std::move(views)};
 }
 
 }  // namespace hemitex::radiosity

@@ -44,6 +44,7 @@ struct RowChange {
   FormFactorRow before, after;
   bool isWhole = false;    ///< they are whole rows
   bool isRounded = false;  ///< they are parts of means, which are rounded as a whole: to a few units of 2^-60
+  std::vector<RowChange> views = {};  ///< then: of each view that the mean is over
   bool isNothing() const { return before.elements.empty() && before.background == 0 && before.back == 0; }
 };
 

@@ -11,15 +11,33 @@
 #include "radiosity/patch_points.h"
 
 namespace hemitex::radiosity {
+namespace {
+
+std::uint32_t viewCount(const Patch& patch) {
+  return patch.points > 1 ? static_cast<std::uint32_t>(patch.points * patch.points) : 0;
+}
+
+/// Numbers for the views of patches that shoot from several points.
+std::vector<std::uint32_t> firstViews(const Discretization& discretization) {
+  std::vector<std::uint32_t> first;
+  std::uint32_t views = 0;
+  for (const Patch& patch : discretization.patches) first.push_back(std::exchange(views, views + viewCount(patch)));
+  return first;
+}
+
+}  // namespace
 
 /// A scene with all that its rows are drawn with.
 struct DynamicSolution::World {
   World(Scene edited, Discretization shooting, const LayoutFactory& layOut, const DrawingSettings& settings,
         const RendererFactory& makeRenderer)
-      : scene(std::move(edited)), drawn(scene, shooting, layOut(shooting), settings, makeRenderer) {}
+      : scene(std::move(edited)),
+        drawn(scene, shooting, layOut(shooting), settings, makeRenderer),
+        firstView(firstViews(drawn.discretization())) {}
 
   const Scene scene;
   DrawnRows drawn;
+  std::vector<std::uint32_t> firstView;  ///< one a patch: the number of the first view that its row is the mean of
 };
 
 namespace {
@@ -114,10 +132,12 @@ LeftRows leaveRows(const std::vector<double>& bounds, double allowed) {
 class LightUpdate {
  public:
   LightUpdate(const Scene& sceneBefore, DrawnRows& before, const Scene& sceneAfter, DrawnRows& after,
-              const std::vector<Origin>& origins, const RowCache& kept, std::size_t rowCacheBytes)
+              const std::vector<Origin>& origins, const KeptRows& kept, std::size_t rowCacheBytes)
       : sceneBefore_(sceneBefore),
         before_(before),
         after_(after),
+        firstViewBefore_(firstViews(before.discretization())),
+        firstViewAfter_(firstViews(after.discretization())),
         numbers_(renumber(before.discretization(), after.discretization(), origins)),
         gone_(static_cast<std::uint32_t>(after.discretization().elements.size())),
         change_{before.rows(), after.rows(), ChangedSurfaces(sceneBefore, numbers_.isGone),
@@ -156,7 +176,7 @@ class LightUpdate {
   }
 
   ShotLight& light() { return light_; }
-  RowCache& rows() { return rows_; }
+  KeptRows& rows() { return rows_; }
   const UpdateCost& cost() const { return cost_; }
 
  private:
@@ -200,15 +220,29 @@ class LightUpdate {
 
   FormFactorRow renumbered(const FormFactorRow& row) const { return inNewNumbers(row, numbers_, gone_); }
 
-  /// The row is what it was.
+  /// The row is what it was, and so are those that it may be the mean of.
   void keep(std::uint32_t patch) {
-    if (const FormFactorRow* known = kept_.find(patch)) rows_.keep(*numbers_.patch[patch], renumbered(*known));
+    const std::uint32_t number = *numbers_.patch[patch];
+    if (const FormFactorRow* known = kept_.ofPatches.find(patch)) rows_.ofPatches.keep(number, renumbered(*known));
+    const std::uint32_t views = viewCount(before_.discretization().patches[patch]);
+    for (std::uint32_t view = 0; view < views; ++view) keepView(patch, view, {});
+  }
+
+  void keepView(std::uint32_t patch, std::uint32_t view, const RowChange& change) {
+    const FormFactorRow* known = kept_.ofViews.find(firstViewBefore_[patch] + view);
+    const std::uint32_t number = firstViewAfter_[*numbers_.patch[patch]] + view;
+    if (change.isWhole)
+      rows_.ofViews.keep(number, change.after);
+    else if (known != nullptr && change.isNothing())
+      rows_.ofViews.keep(number, renumbered(*known));
+    else if (known != nullptr)
+      rows_.ofViews.keep(number, exchanged(renumbered(*known), renumbered(change.before), change.after));
   }
 
   /// The patch has moved or is gone: it has shot nothing.
   void takeBack(std::uint32_t patch, const glm::dvec3& shot) {
     if (shot == glm::dvec3(0)) return;
-    const FormFactorRow* known = kept_.find(patch);
+    const FormFactorRow* known = kept_.ofPatches.find(patch);
     receive(light_, renumbered(known != nullptr ? *known : before_.rows().ofPatch(patch)), -shot);
     ++cost_.rowsTakenBack;
   }
@@ -216,7 +250,7 @@ class LightUpdate {
   /// Where the row has changed, what was shot along it goes elsewhere.
   void redirect(std::uint32_t patch, const glm::dvec3& shot) {
     const std::uint32_t number = *numbers_.patch[patch];
-    const FormFactorRow* known = kept_.find(patch);
+    const FormFactorRow* known = kept_.ofPatches.find(patch);
     const RowChange change = changeOf(change_, patch, number, known);
     if (change.isNothing()) return keep(patch);
     const FormFactorRow before = renumbered(change.before);
@@ -224,19 +258,21 @@ class LightUpdate {
     receive(light_, change.after, shot);
     ++(change.isWhole ? cost_.rowsWhole : cost_.rowsInWindows);
     if (change.isWhole)
-      rows_.keep(number, change.after);
+      rows_.ofPatches.keep(number, change.after);
     else if (known != nullptr && !change.isRounded)
-      rows_.keep(number, exchanged(renumbered(*known), before, change.after));
+      rows_.ofPatches.keep(number, exchanged(renumbered(*known), before, change.after));
+    for (std::uint32_t view = 0; view < change.views.size(); ++view) keepView(patch, view, change.views[view]);
   }
 
   const Scene& sceneBefore_;
   DrawnRows& before_;
   DrawnRows& after_;
+  std::vector<std::uint32_t> firstViewBefore_, firstViewAfter_;
   Renumbering numbers_;
   std::uint32_t gone_;  ///< the number of all elements that are gone
   SceneChange change_;
-  const RowCache& kept_;
-  RowCache rows_;
+  const KeptRows& kept_;
+  KeptRows rows_;
   ShotLight light_;
   UpdateCost cost_;
 };
@@ -262,9 +298,23 @@ const WordLayout& DynamicSolution::layout() const { return world_->drawn.layout(
 
 std::uint64_t DynamicSolution::captured() const { return world_->drawn.rows().projection().captured; }
 
+/// As ProjectedRows::ofPatch, but that views are drawn only where their rows are not kept.
+FormFactorRow DynamicSolution::rowOf(std::uint32_t patch) {
+  ProjectedRows& rows = world_->drawn.rows();
+  const std::vector<View> views = rows.viewsOfPatch(patch);
+  if (views.size() == 1) return rows.ofView(views.front());
+  std::vector<WeightedRow> weighted;
+  for (std::uint32_t view = 0; view < views.size(); ++view) {
+    const auto drawn = [&](std::uint32_t) { return rows.ofView(views[view]); };
+    weighted.push_back({rows_.ofViews.row(world_->firstView[patch] + view, drawn), views[view].area});
+  }
+  return meanOf(weighted);
+}
+
 void DynamicSolution::refine(Refinement refinement, const Progress& progress) {
-  const auto rowOf = [this](std::uint32_t patch) { return world_->drawn.rows().ofPatch(patch); };
-  solution_ = radiosity::refine(world_->scene, discretization(), refinement, rows_, rowOf, settings_.solver, progress);
+  solution_ = radiosity::refine(
+      world_->scene, discretization(), refinement, rows_.ofPatches,
+      [this](std::uint32_t patch) { return rowOf(patch); }, settings_.solver, progress);
   light_ = refinement.light();
 }
 

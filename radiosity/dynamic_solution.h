@@ -48,6 +48,16 @@ struct UpdateCost {
   bool startedOver = false;  ///< too much of the light lay astray, or too little is emitted now to allow for it
 };
 
+/// Rows of patches, and those of the views that means are over: windows change these exactly, and the means of what
+/// they are then are the means that drawing all anew would give.
+struct KeptRows {
+  /// Each takes half of `budget`, in bytes.
+  explicit KeptRows(std::size_t budget) : ofPatches(budget / 2), ofViews(budget / 2) {}
+
+  RowCache ofPatches;
+  RowCache ofViews;  ///< by the numbers of DynamicSolution::World::firstView
+};
+
 class DynamicSolution {
  public:
   /// Solves the scene. `unsplit` is its discretization by the settings.
@@ -73,6 +83,7 @@ class DynamicSolution {
  private:
   struct World;
 
+  FormFactorRow rowOf(std::uint32_t patch);
   void refine(Refinement refinement, const Progress& progress);
 
   DynamicSettings settings_;
@@ -80,7 +91,7 @@ class DynamicSolution {
   RendererFactory makeRenderer_;
   std::unique_ptr<World> world_;
   std::vector<Surface> removed_;
-  RowCache rows_;
+  KeptRows rows_;
   ShotLight light_;
   Solution solution_;
 };
