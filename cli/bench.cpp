@@ -1,19 +1,22 @@
 /// `hemitex bench`: how fast hemicubes are, beside whatever else gives the same pixels.
+#include <array>
+#include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
 #include <memory>
+#include <thread>
 
 #include "cli/bench_json.h"
 #include "cli/bench_text.h"
 #include "cli/commands.h"
 #include "cli/opengl_device.h"
 #include "cli/scene_folder.h"
-#include "reference/bench_runs.h"
+#include "raster/parallel.h"
+#include "reference/bench_report.h"
 
 namespace hemitex::cli {
 namespace {
-
-using nlohmann::ordered_json;
 
 struct BenchOptions {
   std::vector<std::filesystem::path> scenes;
@@ -39,24 +42,63 @@ reference::BenchSettings settingsOf(const BenchOptions& options, Context& contex
   return settings;
 }
 
+using Progress = std::function<void(const std::string&)>;
+
+/// What speed is asked for beside the runs, on scenes of its own: the room and the Cornell box.
+void measureRest(reference::BenchReport& report, const std::vector<reference::BenchScene>& scenes, Context& context,
+                 const reference::BenchSettings& settings, const Progress& progress) {
+  constexpr int resolution = 512;
+  const reference::BenchScene &room = scenes[0], &box = scenes[1];
+  if (context.threads != 1 && std::thread::hardware_concurrency() > 1) {
+    progress("two cores");
+    report.cores = reference::coreGains(room, resolution, 40, settings.repeats);
+  }
+  const raster::ThreadLimit limit(settings.threads);
+  progress("walls");
+  for (const int side : {32, resolution}) report.walls.push_back(reference::wallTimes(side, settings.repeats));
+  constexpr std::array<int, 4> sides{16, 64, 256, 1024};
+  for (const reference::BenchScene* scene : {&room, &box}) {
+    progress("growth, " + scene->name);
+    report.growth.push_back(
+        {scene->name, resolution, reference::growthOf(scene->scene, sides, resolution, settings.repeats)});
+  }
+  for (const reference::BenchScene* scene : {&room, &box}) {
+    progress("errors, " + scene->name);
+    const reference::RowComparisonSettings rows{.hemicubes = {},
+                                                .turnedHemicubes = settings.resolutions,
+                                                .rays = {1 << 10, 1 << 12, 1 << 14, 1 << 16, 1 << 18, 1 << 20},
+                                                .points = 8,
+                                                .truthSamples = 1 << 9,
+                                                .repeats = settings.repeats};
+    const auto discretization = radiosity::discretize(scene->scene, scene->elements);
+    const auto errors = equalTimeErrors(scene->name, compareRows(scene->scene, discretization, rows));
+    report.errors.insert(report.errors.end(), errors.begin(), errors.end());
+  }
+  // A million elements in all.
+  const int texels = static_cast<int>(std::ceil(1000 / std::sqrt(static_cast<double>(box.scene.surfaces.size()))));
+  progress("memory");
+  report.memory = reference::solutionMemory(box.scene, texels, resolution);
+  progress("parts of a solution");
+  report.parts = reference::solutionParts(box.scene, texels, 256, 1000, settings.repeats);
+}
+
 void bench(const BenchOptions& options, Context& context) {
   Console& console = context.console;
   const std::vector<reference::BenchScene> scenes = scenesOf(options);
   const reference::BenchSettings settings = settingsOf(options, context);
-  std::vector<reference::BenchRun> runs;
+  reference::BenchReport report;
+  double done = 0;
+  const double all = static_cast<double>(scenes.size()) + (options.scenes.empty() ? 1 : 0);
   for (const reference::BenchScene& scene : scenes) {
-    const auto ofScene = benchRuns(scene, settings, [&](const std::string& what) {
-      console.progress(static_cast<double>(&scene - scenes.data()) / static_cast<double>(scenes.size()), what);
-    });
-    runs.insert(runs.end(), ofScene.begin(), ofScene.end());
+    const auto runs = benchRuns(scene, settings, [&](const std::string& what) { console.progress(done / all, what); });
+    report.runs.insert(report.runs.end(), runs.begin(), runs.end());
+    ++done;
   }
+  if (options.scenes.empty())
+    measureRest(report, scenes, context, settings,
+                [&](const std::string& what) { console.progress(done / all, what); });
   console.endProgress();
-  if (!context.json) {
-    std::cout << runsTable(runs);
-    return;
-  }
-  ordered_json result{{"runs", toJson(runs)}};
-  std::cout << toText(result);
+  std::cout << (context.json ? toText(toJson(report)) : benchText(report));
 }
 
 }  // namespace
@@ -65,7 +107,8 @@ void addBench(CLI::App& program, Context& context) {
   const auto options = std::make_shared<BenchOptions>();
   CLI::App* command = program.add_subcommand("bench", "Speed, beside meshing, Embree and OpenGL; some minutes' work");
   command->add_option("SCENE", options->scenes,
-                      "Wavefront OBJ files (default: the paper's room, the Cornell box and the gallery, also cut)");
+                      "Wavefront OBJ files, for their runs alone (default: the paper's room, the Cornell box and "
+                      "the gallery, also cut into up to 1,000,000 triangles, and all else that is measured)");
   addResolutions(*command, options->resolutions);
   const auto readTriangles = [options](const std::vector<std::string>& texts) {
     for (const std::string& text : texts)

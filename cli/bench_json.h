@@ -1,13 +1,13 @@
 /// What `hemitex bench` found, as JSON.
 #pragma once
 
-#include <vector>
-
 #include "cli/json.h"
-#include "reference/bench_runs.h"
+#include "reference/bench_report.h"
 
 namespace hemitex::cli {
 
-nlohmann::ordered_json toJson(const std::vector<reference::BenchRun>& runs);
+/// `runs`, and what else was measured: `two_cores`, `tied_wall`, `growth`, `solution_parts`, `memory` and
+/// `equal_time_error`, empty where it was not; `crossover` and `requirements`.
+nlohmann::ordered_json toJson(const reference::BenchReport& report);
 
 }  // namespace hemitex::cli

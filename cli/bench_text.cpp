@@ -3,50 +3,147 @@
 #include <iomanip>
 #include <map>
 #include <sstream>
+#include <tuple>
 
 namespace hemitex::cli {
 namespace {
 
-const std::vector<std::string> columns{"hemicube", "draw",          "floor", "embree",
-                                       "opengl",   "hemicube-mesh", "shot",  "solution"};
+using namespace reference;
 
-std::string rounded(double value, int digits) {
+std::string rounded(double value, int digits = 3) {
   std::ostringstream text;
   text << std::setprecision(digits) << value;
   return text.str();
 }
 
+std::string inMilliseconds(const Timing& timing) { return rounded(1000 * timing.median); }
+
+/// A table: a line for its head, one for each row.
+class Table {
+ public:
+  explicit Table(const std::vector<std::string>& head) {
+    add(head);
+    for (std::size_t k = 0; k < head.size(); ++k) text_ << "|---";
+    text_ << "|\n";
+  }
+  void add(const std::vector<std::string>& cells) {
+    for (const std::string& cell : cells) text_ << "| " << cell << ' ';
+    text_ << "|\n";
+  }
+  std::string text() const { return text_.str() + '\n'; }
+
+ private:
+  std::ostringstream text_;
+};
+
 /// Milliseconds of what was run; in brackets, over those of a hemicube.
-std::string cell(const std::map<std::string, double>& medians, const std::string& what) {
+std::string runCell(const std::map<std::string, double>& medians, const std::string& what) {
   const auto found = medians.find(what);
   if (found == medians.end()) return "";
-  const std::string text = rounded(1000 * found->second, 3);
+  const std::string text = rounded(1000 * found->second);
   if (what == "hemicube") return text;
   return text + " (" + rounded(found->second / medians.at("hemicube"), 2) + ")";
 }
 
-}  // namespace
-
-std::string runsTable(const std::vector<reference::BenchRun>& runs) {
-  std::ostringstream text;
-  text << "| scene | triangles | elements | R |";
-  for (const std::string& what : columns) text << ' ' << what << " |";
-  text << "\n|---|---|---|---|";
-  for (std::size_t k = 0; k < columns.size(); ++k) text << "---|";
-  text << '\n';
-  const auto place = [](const reference::BenchRun& run) {
-    return std::make_tuple(run.scene, run.triangles, run.resolution);
-  };
+/// A line for each scene, number of triangles and resolution.
+std::string runsText(const std::vector<BenchRun>& runs) {
+  const std::vector<std::string> columns{"hemicube", "draw",          "floor", "embree",
+                                         "opengl",   "hemicube-mesh", "shot",  "solution"};
+  std::vector<std::string> head{"scene", "triangles", "elements", "R"};
+  head.insert(head.end(), columns.begin(), columns.end());
+  Table table(head);
+  const auto place = [](const BenchRun& run) { return std::make_tuple(run.scene, run.triangles, run.resolution); };
   for (std::size_t first = 0, end = 0; first < runs.size(); first = end) {
     std::map<std::string, double> medians;
     for (; end < runs.size() && place(runs[end]) == place(runs[first]); ++end)
       medians[runs[end].what] = runs[end].seconds.median;
-    const reference::BenchRun& run = runs[first];
-    text << "| " << run.scene << " | " << run.triangles << " | " << run.elements << " | " << run.resolution << " |";
-    for (const std::string& what : columns) text << ' ' << cell(medians, what) << " |";
-    text << '\n';
+    const BenchRun& run = runs[first];
+    std::vector<std::string> cells{run.scene, std::to_string(run.triangles), std::to_string(run.elements),
+                                   std::to_string(run.resolution)};
+    for (const std::string& what : columns) cells.push_back(runCell(medians, what));
+    table.add(cells);
   }
-  return text.str();
+  return "Milliseconds; in brackets, over those of a hemicube.\n\n" + table.text();
+}
+
+std::string crossoverText(const std::vector<BenchRun>& runs) {
+  Table table({"scene", "R", "triangles from which Embree is faster"});
+  for (const Crossover& crossover : crossovers(runs))
+    table.add({crossover.scene, std::to_string(crossover.resolution),
+               crossover.triangles ? rounded(*crossover.triangles, 2) : "none"});
+  return table.text();
+}
+
+std::string growthText(const std::vector<BenchGrowth>& growth) {
+  Table table({"scene", "R", "elements along a side", "elements", "draw, ms", "row, ms"});
+  for (const BenchGrowth& of : growth)
+    for (const GrowthPoint& point : of.points)
+      table.add({of.scene, std::to_string(of.resolution), std::to_string(point.side), std::to_string(point.elements),
+                 inMilliseconds(point.draw), inMilliseconds(point.row)});
+  return table.text();
+}
+
+std::string errorText(const std::vector<EqualTimeError>& errors) {
+  Table table({"scene", "R", "ms", "error of the hemicube's row", "of rays", "ratio"});
+  for (const EqualTimeError& error : errors)
+    table.add({error.scene, std::to_string(error.resolution), rounded(1000 * error.seconds), rounded(error.hemicube),
+               rounded(error.rays), rounded(error.hemicube / error.rays, 2)});
+  return table.text();
+}
+
+std::string wallText(const std::vector<WallTimes>& walls) {
+  Table table({"R", "tied, ms", "moved, ms", "ratio"});
+  for (const WallTimes& wall : walls)
+    table.add({std::to_string(wall.resolution), inMilliseconds(wall.tied), inMilliseconds(wall.moved),
+               rounded(wall.tied.median / wall.moved.median)});
+  return table.text();
+}
+
+std::string coresText(const CoreGains& gains) {
+  Table table({"on two threads", "times faster", "of what arithmetic gains"});
+  for (const auto& [what, gain] :
+       {std::pair{"arithmetic", gains.arithmetic}, {"hemicube", gains.hemicube}, {"solution", gains.solution}})
+    table.add({what, rounded(gain), rounded(gain / gains.arithmetic)});
+  return table.text();
+}
+
+std::string partsText(const SolutionParts& parts) {
+  Table table({"part of a solution", "ms", "percent"});
+  for (const auto& [what, seconds] : {std::pair{"hemicubes", parts.hemicubes},
+                                      {"start", parts.start},
+                                      {"picking the next patch", parts.picking},
+                                      {"spreading the light", parts.spreading},
+                                      {"accounting", parts.accounting}})
+    table.add({what, rounded(1000 * seconds), rounded(100 * seconds / parts.total())});
+  return std::to_string(parts.elements) + " elements, " + std::to_string(parts.shots) +
+         " shots, R = " + std::to_string(parts.resolution) + "\n\n" + table.text();
+}
+
+std::string memoryText(const SolutionMemory& memory) {
+  return rounded(memory.bytesPerElement) + " bytes an element and " + rounded(memory.bytesPerPixel) +
+         " bytes a pixel above the scene; " + rounded(static_cast<double>(memory.peakBytes) / 1e6) +
+         " MB at most in all of this run\n\n";
+}
+
+std::string requirementsText(const BenchReport& report) {
+  Table table({"what", "measured", "limit", "kept"});
+  for (const Requirement& requirement : requirements(report))
+    table.add({requirement.what, rounded(requirement.measured), rounded(requirement.limit),
+               requirement.isKept ? "yes" : "NO"});
+  return table.text();
+}
+
+}  // namespace
+
+std::string benchText(const BenchReport& report) {
+  std::string text = runsText(report.runs) + crossoverText(report.runs);
+  if (!report.errors.empty()) text += errorText(report.errors);
+  if (!report.growth.empty()) text += growthText(report.growth);
+  if (!report.walls.empty()) text += wallText(report.walls);
+  if (report.cores) text += coresText(*report.cores);
+  if (report.parts) text += partsText(*report.parts);
+  if (report.memory) text += memoryText(*report.memory);
+  return text + requirementsText(report);
 }
 
 }  // namespace hemitex::cli

@@ -1,15 +1,13 @@
-/// What `hemitex bench` found, for people: tables as docs/performance.md has them.
+/// What `hemitex bench` found, for people: the tables of docs/performance.md.
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "reference/bench_runs.h"
+#include "reference/bench_report.h"
 
 namespace hemitex::cli {
 
-/// A line for each scene, number of triangles and resolution: milliseconds, and behind them how many times the
-/// hemicube's.
-std::string runsTable(const std::vector<reference::BenchRun>& runs);
+/// Markdown. Tables of what was not measured are left out.
+std::string benchText(const reference::BenchReport& report);
 
 }  // namespace hemitex::cli

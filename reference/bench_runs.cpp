@@ -100,10 +100,6 @@ class Tasks {
   std::vector<Task> tasks_;
 };
 
-Timing over(const Timing& timing, double calls) {
-  return {timing.median / calls, timing.least / calls, timing.repeats};
-}
-
 void appendRuns(World& world, const std::string& name, int resolution, const BenchSettings& settings,
                 std::vector<BenchRun>& runs) {
   const Tasks tasks(world, resolution);
@@ -118,11 +114,11 @@ void appendRuns(World& world, const std::string& name, int resolution, const Ben
                  resolution,
                  settings.threads,
                  task.what,
-                 over(timings[t], static_cast<double>(task.calls))};
+                 timings[t] / static_cast<double>(task.calls)};
     runs.push_back(run);
     if (task.what != "solution") continue;
     run.what = "shot";
-    run.seconds = over(run.seconds, benchShots);
+    run.seconds = run.seconds / benchShots;
     runs.push_back(run);
   }
 }

@@ -1,0 +1,33 @@
+// Memory that is measured is memory that is there.
+#include "reference/bench_solution.h"
+
+#include <catch2/catch.hpp>
+
+#include "radiosity/discretization.h"
+#include "radiosity/refinement.h"
+#include "raster/word.h"
+#include "tests/box_scene.h"
+
+using namespace hemitex;
+
+TEST_CASE("the memory of a solution holds what an element and a pixel must have", "[bench]") {
+  const radiosity::Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
+  const reference::SolutionMemory memory = reference::solutionMemory(scene, 128, 128);
+  // The element, its place in its patch, its texel's, and the light that it received; a pixel's word.
+  const double element = sizeof(radiosity::Element) + 4 + 4 + sizeof(glm::dvec3);
+  CHECK(memory.bytesPerElement > element);
+  CHECK(memory.bytesPerElement < 2 * element);
+  CHECK(memory.bytesPerPixel > sizeof(raster::Word));
+  CHECK(memory.bytesPerPixel < 100);
+  CHECK(memory.peakBytes > 6 * 128 * 128 * element);
+}
+
+TEST_CASE("the parts of a solution are those of the shots asked for", "[bench]") {
+  const radiosity::Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
+  const reference::SolutionParts parts = reference::solutionParts(scene, 8, 16, 5, 1);
+  CHECK(parts.elements == 6 * 8 * 8);
+  CHECK(parts.shots == 5);
+  CHECK(parts.hemicubes > 0);
+  CHECK(parts.beside() > 0);
+  CHECK(parts.total() == Approx(parts.hemicubes + parts.beside()));
+}
