@@ -18,9 +18,11 @@ void append(const DrawList& list, const Cluster& cluster, ClusterMesh& mesh) {
       mesh.corners[i % 3].push_back(static_cast<std::uint8_t>(place - vertices.begin()));
       if (place == vertices.end()) vertices.push_back(index);
     }
-  for (const std::uint32_t index : vertices)
+  for (const std::uint32_t index : vertices) {
+    mesh.texcoords.push_back(list.texcoords[index]);
     for (int axis = 0; axis < 3; ++axis)
       mesh.positions[static_cast<std::size_t>(axis)].push_back(list.positions[index][axis]);
+  }
   mesh.parts.push_back(
       {firstVertex, static_cast<std::uint32_t>(vertices.size()), firstTriangle, triangleCount(cluster)});
 }

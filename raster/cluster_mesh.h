@@ -21,8 +21,9 @@ struct ClusterPart {
 struct ClusterMesh {
   std::vector<ClusterPart> parts;               ///< one a cluster
   std::array<std::vector<float>, 3> positions;  ///< x, y and z of the vertices, part by part
-  std::array<std::vector<std::uint8_t>, 3>
-      corners;  ///< of the triangles: their vertices, counted from the part's first
+  std::vector<glm::vec2> texcoords;             ///< of the vertices
+  /// Of the triangles: their vertices, counted from the part's first.
+  std::array<std::vector<std::uint8_t>, 3> corners;
 };
 
 /// The arrays have room behind their ends for kernels that read many values at a time.

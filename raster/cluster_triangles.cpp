@@ -7,26 +7,26 @@
 namespace hemitex::raster {
 namespace {
 
-/// Sets up a triangle whose vertices were placed, the `t`th of its part and `number` in the list.
-void appendPlaced(const DrawList& list, const ClusterMesh& mesh, std::size_t t, const PlacedVertices& placed,
-                  const Face& face, bool mirrored, std::uint32_t draw, std::uint32_t number,
-                  std::vector<ScreenTriangle>& triangles) {
+/// Sets up the `t`th triangle of a part whose vertices were placed.
+void appendPlaced(const ClusterMesh& mesh, const ClusterPart& part, std::uint32_t t, const PlacedVertices& placed,
+                  const Scissor& scissor, bool mirrored, std::uint32_t draw, std::vector<ScreenTriangle>& triangles) {
   std::array<SnappedPoint, 3> snapped;
   std::array<ViewVertex, 3> vertices;
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t corner = mesh.corners[k][t];
-    const glm::vec2& texcoord = list.texcoords[list.indices[3 * std::size_t{number} + k]];
+    const std::size_t corner = mesh.corners[k][part.firstTriangle + t];
+    const glm::vec2& texcoord = mesh.texcoords[part.firstVertex + corner];
     snapped[k] = {placed.across[corner], placed.down[corner]};
     vertices[k] = {0, 0, placed.w[corner], texcoord.x, texcoord.y};
   }
   ScreenTriangle& triangle = triangles.emplace_back();
   triangle.draw = draw;
-  if (!makeScreenTriangle(face.scissor, snapped, vertices, mirrored, triangle)) triangles.pop_back();
+  if (!makeScreenTriangle(scissor, snapped, vertices, mirrored, triangle)) triangles.pop_back();
 }
 
 /// The triangles of a run that are skipped, a bit each.
 std::uint32_t skippedOf(const TriangleRun& run, std::span<const std::uint32_t> skipped) {
   std::uint32_t bits = 0;
+  if (skipped.empty() || skipped.back() < run.first || skipped.front() >= run.end) return bits;
   for (auto skip = std::lower_bound(skipped.begin(), skipped.end(), run.first); skip != skipped.end(); ++skip) {
     if (*skip >= run.end) break;
     bits |= 1U << (*skip - run.first);
@@ -60,8 +60,7 @@ std::uint64_t appendScreenTriangles(const DrawList& list, const ClusterMesh& mes
       if ((bitsOfRun(sets.cut) >> t & 1) != 0)
         dropped += appendScreenTriangles(list, face, {&one, 1}, {}, triangles);
       else
-        appendPlaced(list, mesh, part.firstTriangle + before + t, placed, face, mirrored, run.draw, one.first,
-                     triangles);
+        appendPlaced(mesh, part, before + t, placed, face.scissor, mirrored, run.draw, triangles);
     }
     before += count;
   }

@@ -92,11 +92,11 @@ struct BoundedPlane {
 /// A coordinate at a corner passes four roundings until it is a factor of the plane, the sums of the plane add three;
 /// rows and columns multiplied and added up make at most five more. 16 units of what the terms may sum up to leave room
 /// for the rounding of that sum. A single texel is everywhere.
-BoundedPlane boundedPlane(const ScreenTriangle& triangle, const Coordinate& coordinate, int size) {
+BoundedPlane boundedPlane(const ScreenTriangle& triangle, const std::array<double, 3>& coordinate, int size) {
   BoundedPlane result;
   if (size == 1) return result;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double overDepth = coordinate.at[k] * triangle.inverseDepth[k] * size;
+    const double overDepth = coordinate[k] * triangle.inverseDepth[k] * size;
     const auto at = static_cast<double>(triangle.edges[k].c), down = static_cast<double>(triangle.edges[k].b),
                right = static_cast<double>(triangle.edges[k].a);
     result.plane.at += at * overDepth;
@@ -109,6 +109,10 @@ BoundedPlane boundedPlane(const ScreenTriangle& triangle, const Coordinate& coor
   return result;
 }
 
+double largest(const std::array<double, 3>& values) {
+  return std::max(std::max(std::abs(values[0]), std::abs(values[1])), std::abs(values[2]));
+}
+
 }  // namespace
 
 DepthBuffer::DepthBuffer(const Scissor& part)
@@ -119,7 +123,7 @@ DepthBuffer::DepthBuffer(const Scissor& part)
 
 /// 1/w is off by six units of roundoff, its inverse and the product add two.
 TexelPlanes::TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHeight)
-    : rounding(10 * unitRoundoff * std::max(triangle.u.largest * mapWidth, triangle.v.largest * mapHeight)),
+    : rounding(10 * unitRoundoff * std::max(largest(triangle.u) * mapWidth, largest(triangle.v) * mapHeight)),
       width(mapWidth),
       height(mapHeight) {
   const BoundedPlane across = boundedPlane(triangle, triangle.u, width);

@@ -35,10 +35,6 @@ Edge makeEdge(const SnappedPoint& p, const SnappedPoint& q, std::int64_t orienta
   return {a * subPixels, b * subPixels, c, isLeft || isTop};
 }
 
-Coordinate makeCoordinate(const std::array<double, 3>& at) {
-  return {at, std::max({std::abs(at[0]), std::abs(at[1]), std::abs(at[2])})};
-}
-
 /// Pixels from `first` to `end` whose samples can lie between two sub-pixel positions.
 void pixelRange(std::int64_t low, std::int64_t high, int scissorFirst, int scissorEnd, int& first, int& end) {
   first = static_cast<int>(std::max<std::int64_t>(scissorFirst, (low + subPixels - 1 - sample) >> subPixelBits));
@@ -119,10 +115,12 @@ bool makeScreenTriangle(const Scissor& scissor, const std::array<SnappedPoint, 3
   const std::int64_t area = cross(s[0], s[1], s[2]);
   if (area == 0) return false;
 
-  const auto [left, right] = std::minmax({s[0].x, s[1].x, s[2].x});
-  const auto [top, bottom] = std::minmax({s[0].y, s[1].y, s[2].y});
-  pixelRange(left, right, scissor.column, scissor.column + scissor.width, triangle.firstColumn, triangle.endColumn);
-  pixelRange(top, bottom, scissor.row, scissor.row + scissor.height, triangle.firstRow, triangle.endRow);
+  const auto least = [](std::int64_t a, std::int64_t b, std::int64_t c) { return std::min(std::min(a, b), c); };
+  const auto largest = [](std::int64_t a, std::int64_t b, std::int64_t c) { return std::max(std::max(a, b), c); };
+  pixelRange(least(s[0].x, s[1].x, s[2].x), largest(s[0].x, s[1].x, s[2].x), scissor.column,
+             scissor.column + scissor.width, triangle.firstColumn, triangle.endColumn);
+  pixelRange(least(s[0].y, s[1].y, s[2].y), largest(s[0].y, s[1].y, s[2].y), scissor.row, scissor.row + scissor.height,
+             triangle.firstRow, triangle.endRow);
   if (triangle.firstColumn >= triangle.endColumn || triangle.firstRow >= triangle.endRow) return false;
   for (std::size_t k = 0; k < 3; ++k) triangle.edges[k] = makeEdge(s[(k + 1) % 3], s[(k + 2) % 3], area > 0 ? 1 : -1);
   if (isSmall(triangle) && !coversAny(triangle)) return false;
@@ -132,10 +130,10 @@ bool makeScreenTriangle(const Scissor& scissor, const std::array<SnappedPoint, 3
   triangle.facesAway = (area < 0) == mirrored;
   for (std::size_t k = 0; k < 3; ++k) {
     triangle.w[k] = vertices[k].w;
+    triangle.u[k] = vertices[k].u;
+    triangle.v[k] = vertices[k].v;
     triangle.inverseDepth[k] = 1 / vertices[k].w / static_cast<double>(triangle.area);
   }
-  triangle.u = makeCoordinate({vertices[0].u, vertices[1].u, vertices[2].u});
-  triangle.v = makeCoordinate({vertices[0].v, vertices[1].v, vertices[2].v});
   return true;
 }
 

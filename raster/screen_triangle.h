@@ -23,16 +23,10 @@ struct Edge {
   std::int64_t at(int column, int row) const { return a * column + b * row + c; }
 };
 
-/// A texture coordinate at the three vertices, and the largest of their sizes, which bounds rounding errors.
-struct Coordinate {
-  std::array<double, 3> at;
-  double largest;
-};
-
 struct ScreenTriangle {
   std::array<Edge, 3> edges;
-  std::array<double, 3> w;  ///< at the vertices, above 0
-  Coordinate u, v;
+  std::array<double, 3> w;             ///< at the vertices, above 0
+  std::array<double, 3> u, v;          ///< at the vertices
   std::array<double, 3> inverseDepth;  ///< 1 / w over the doubled area: 1/w at a sample is the sum of edge times this
   std::int64_t area;                   ///< doubled, in squared sub-pixels; above 0
   std::uint32_t draw;                  ///< in DrawList::draws

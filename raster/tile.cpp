@@ -53,8 +53,8 @@ Shading shadingOf(const PreparedDraws& draws, const ScreenTriangle& triangle) {
 
 /// The number of the texel that a sample falls on.
 Word texelExactly(const ScreenTriangle& triangle, const IndexMap& map, const Pixel& pixel) {
-  const int column = texelExactly(triangle, triangle.u.at, map.width, pixel.column, pixel.row);
-  const int row = texelExactly(triangle, triangle.v.at, map.height, pixel.column, pixel.row);
+  const int column = texelExactly(triangle, triangle.u, map.width, pixel.column, pixel.row);
+  const int row = texelExactly(triangle, triangle.v, map.height, pixel.column, pixel.row);
   return static_cast<Word>(row) * static_cast<Word>(map.width) + static_cast<Word>(column);
 }
 
@@ -127,8 +127,8 @@ void Tile::findTexels(const PixelRun& run, Shading::Texels& texels, Word base, W
   if (texels.exact) return kernels_.findExactTexels(run, *texels.exact, map.width, map.height, base, words);
   kernels_.findTexels(run, texels.planes, base, words, undecided_);
   if (undecided_.pixels.empty()) return;
-  const auto u = exactQuotient(*run.triangle, run.triangle->u.at, map.width);
-  const auto v = exactQuotient(*run.triangle, run.triangle->v.at, map.height);
+  const auto u = exactQuotient(*run.triangle, run.triangle->u, map.width);
+  const auto v = exactQuotient(*run.triangle, run.triangle->v, map.height);
   if (u && v) {
     texels.exact = {*u, *v};
     kernels_.findExactTexels(run, *texels.exact, map.width, map.height, base, words);

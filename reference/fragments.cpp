@@ -47,8 +47,8 @@ Fragment fragmentOf(const raster::DrawList& list, const Part& part, int column, 
   for (std::size_t k = 0; k < 3; ++k) {
     const double weight = static_cast<double>(triangle.edges[k].at(column, row)) * triangle.inverseDepth[k];
     inverse += weight;
-    u += weight * triangle.u.at[k];
-    v += weight * triangle.v.at[k];
+    u += weight * triangle.u[k];
+    v += weight * triangle.v[k];
   }
   Fragment fragment{part.triangle, triangle.draw, triangle.facesAway, inverse, u / inverse, v / inverse, {}, {}};
   if (triangle.facesAway && draw.back) {
@@ -57,8 +57,8 @@ Fragment fragmentOf(const raster::DrawList& list, const Part& part, int column, 
     fragment.word = draw.offset;
   } else {
     const raster::IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
-    const Texel texel{raster::texelExactly(triangle, triangle.u.at, map.width, column, row),
-                      raster::texelExactly(triangle, triangle.v.at, map.height, column, row)};
+    const Texel texel{raster::texelExactly(triangle, triangle.u, map.width, column, row),
+                      raster::texelExactly(triangle, triangle.v, map.height, column, row)};
     const auto index = static_cast<std::size_t>(texel.row) * static_cast<std::size_t>(map.width) +
                        static_cast<std::size_t>(texel.column);
     fragment.texel = texel;

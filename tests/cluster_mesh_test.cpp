@@ -17,7 +17,7 @@ DrawList sheet(std::uint32_t columns, std::uint32_t rows) {
   for (std::uint32_t j = 0; j <= rows; ++j)
     for (std::uint32_t i = 0; i <= columns; ++i) {
       list.positions.emplace_back(i, j, 9);
-      list.texcoords.emplace_back(0, 0);
+      list.texcoords.emplace_back(i, 2 * j);
     }
   const std::uint32_t pitch = columns + 1;
   for (std::uint32_t j = 0; j < rows; ++j)
@@ -45,6 +45,7 @@ TEST_CASE("a cluster mesh has the corners of every triangle, and every vertex of
           const std::size_t v = part.firstVertex + mesh.corners[k][t];
           const glm::vec3 position(mesh.positions[0][v], mesh.positions[1][v], mesh.positions[2][v]);
           CHECK(position == list.positions[list.indices[3 * number + k]]);
+          CHECK(mesh.texcoords[v] == list.texcoords[list.indices[3 * number + k]]);
           vertices.insert(list.indices[3 * number + k]);
         }
       CHECK(part.vertices == vertices.size());

@@ -16,11 +16,10 @@ bool operator==(const Edge& a, const Edge& b) {
 }
 
 bool isSame(const ScreenTriangle& a, const ScreenTriangle& b) {
-  return a.edges[0] == b.edges[0] && a.edges[1] == b.edges[1] && a.edges[2] == b.edges[2] && a.w == b.w &&
-         a.u.at == b.u.at && a.v.at == b.v.at && a.u.largest == b.u.largest && a.v.largest == b.v.largest &&
-         a.inverseDepth == b.inverseDepth && a.area == b.area && a.draw == b.draw && a.facesAway == b.facesAway &&
-         a.firstRow == b.firstRow && a.endRow == b.endRow && a.firstColumn == b.firstColumn &&
-         a.endColumn == b.endColumn;
+  return a.edges[0] == b.edges[0] && a.edges[1] == b.edges[1] && a.edges[2] == b.edges[2] && a.w == b.w && a.u == b.u &&
+         a.v == b.v && a.inverseDepth == b.inverseDepth && a.area == b.area && a.draw == b.draw &&
+         a.facesAway == b.facesAway && a.firstRow == b.firstRow && a.endRow == b.endRow &&
+         a.firstColumn == b.firstColumn && a.endColumn == b.endColumn;
 }
 
 /// Triangles without an index map, so that clusters have many runs; some with a coordinate that is not finite.

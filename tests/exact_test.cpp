@@ -128,7 +128,7 @@ TEST_CASE("a texel decided exactly is the one of the rules, whatever the numbers
       ScreenTriangle triangle = randomTriangle(random, kind);
       for (const Sample& s : samplesOf(triangle, random))
         for (const int size : {1, 64, 100, 4096})
-          for (const auto& coordinate : {triangle.u.at, triangle.v.at}) {
+          for (const auto& coordinate : {triangle.u, triangle.v}) {
             const int expected = texelByRules(triangle, coordinate, size, s.column, s.row);
             ++samples;
             wrong += texelExactly(triangle, coordinate, size, s.column, s.row) != expected;
@@ -179,7 +179,7 @@ TEST_CASE("texels are decided next to borders", "[exact]") {
     for (int t = 0; t < 200; ++t) {
       const ScreenTriangle triangle = randomTriangle(random, kind);
       for (const Sample& s : samplesOf(triangle, random)) {
-        std::array<double, 3> coordinate = triangle.u.at;
+        std::array<double, 3> coordinate = triangle.u;
         const auto value = static_cast<double>(coordinateAt(triangle, coordinate, s.column, s.row));
         for (double& at : coordinate) at += 0.25 - value;
         const Rational beyond = coordinateAt(triangle, coordinate, s.column, s.row) * 64 - 16;

@@ -148,16 +148,15 @@ TEST_CASE("exact quotients give the texels of the exact fallback, with every ins
   for (const raster::ScreenTriangle& triangle : screenTriangles(list, face))
     for (const int size : {1, 16, 48})
       for (int row = triangle.firstRow; row < triangle.endRow; ++row) {
-        const auto u = exactQuotient(triangle, triangle.u.at, size),
-                   v = exactQuotient(triangle, triangle.v.at, 2 * size);
+        const auto u = exactQuotient(triangle, triangle.u, size), v = exactQuotient(triangle, triangle.v, 2 * size);
         REQUIRE((u && v));
         const raster::Span span = coveredColumns(triangle, row);
         const raster::PixelRun run{&triangle, row, span.first, span.end - span.first, nullptr};
         std::vector<std::uint32_t> expected;
         for (int column = span.first; column < span.end; ++column)
           expected.push_back(
-              static_cast<std::uint32_t>(7 + texelExactly(triangle, triangle.v.at, 2 * size, column, row) * size +
-                                         texelExactly(triangle, triangle.u.at, size, column, row)));
+              static_cast<std::uint32_t>(7 + texelExactly(triangle, triangle.v, 2 * size, column, row) * size +
+                                         texelExactly(triangle, triangle.u, size, column, row)));
         for (const raster::PixelKernels& kernels : all) {
           std::vector<std::uint32_t> found(expected.size() + raster::mostLanes);
           kernels.findExactTexels(run, {*u, *v}, size, 2 * size, 7, found.data());

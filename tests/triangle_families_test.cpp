@@ -75,8 +75,8 @@ void countSamples(const std::vector<ScreenTriangle>& triangles, const tests::Dra
         ++counts["samples in triangles"];
         counts["samples on edges"] += edges == 1;
         counts["samples on corners"] += edges == 2;
-        counts["samples on texel borders"] += isOnBorder(triangle, triangle.u.at, map.width, column, row) ||
-                                              isOnBorder(triangle, triangle.v.at, map.height, column, row);
+        counts["samples on texel borders"] += isOnBorder(triangle, triangle.u, map.width, column, row) ||
+                                              isOnBorder(triangle, triangle.v, map.height, column, row);
         if (last)
           counts["samples at equal depths"] += !raster::isNearerExactly(triangle, *last, column, row) &&
                                                !raster::isNearerExactly(*last, triangle, column, row);
