@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "raster/pixel_kernels.h"
 #include "raster/screen_triangle.h"
@@ -45,13 +47,46 @@ inline EdgeValues leastCovered(const ScreenTriangle& triangle) {
 }
 
 /// 1/w at a sample is the sum of edge times triangle.inverseDepth, added in the order of the vertices. All terms are
-/// positive and each passes at most five roundings, so its relative error is below 6 units of roundoff; two such values
-/// are in order when they differ by 16 of the one.
-inline constexpr double depthMargin = 16 * unitRoundoff;
-
+/// positive and each passes at most five roundings, so its relative error is below 6 units of roundoff.
 inline double inverseDepthAt(const ScreenTriangle& triangle, const EdgeValues& edge) {
   return edge[0] * triangle.inverseDepth[0] + edge[1] * triangle.inverseDepth[1] + edge[2] * triangle.inverseDepth[2];
 }
+
+/// The same sum as (at + down * row) + right * column: less to compute, and farther off, since its terms cancel.
+struct DepthPlane {
+  double at = 0, down = 0, right = 0;
+
+  double inverseDepth(int column, int row) const { return (at + down * row) + right * column; }
+};
+
+/// What 1/w may be off at most, relative to it, however it is computed; two values are in order when they differ by
+/// four times as much of the one.
+inline constexpr double depthError = 0x1p-40;
+inline constexpr double depthMargin = 4 * depthError;
+
+/// The plane of a triangle where it pays, in triangles wider than a vector, and where it is good enough. Each term
+/// passes twelve roundings at most; 16 units of what the terms may sum up to, over the smallest 1/w, bound its error.
+inline std::optional<DepthPlane> depthPlane(const ScreenTriangle& triangle) {
+  if (triangle.endColumn - triangle.firstColumn <= mostLanes) return {};
+  DepthPlane plane;
+  double terms = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto at = static_cast<double>(triangle.edges[k].c), down = static_cast<double>(triangle.edges[k].b),
+               right = static_cast<double>(triangle.edges[k].a);
+    plane.at += at * triangle.inverseDepth[k];
+    plane.down += down * triangle.inverseDepth[k];
+    plane.right += right * triangle.inverseDepth[k];
+    terms += (std::abs(at) + std::abs(down) * triangle.endRow + std::abs(right) * triangle.endColumn) *
+             triangle.inverseDepth[k];
+  }
+  const double farthest = std::max({triangle.w[0], triangle.w[1], triangle.w[2]});
+  if (!(16 * unitRoundoff * terms * farthest < depthError)) return {};
+  return plane;
+}
+
+/// Where in a texel a position is farthest from borders that count. A single texel is everywhere, at 0 (see
+/// TexelPlanes).
+inline double middleOf(int size) { return size == 1 ? 0 : 0.5; }
 
 /// An exact quotient along pixels of a row that show one triangle: (at + i * step) / (below + i * belowStep), for i
 /// from 0. Nothing is rounded but the quotient.

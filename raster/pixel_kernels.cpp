@@ -14,6 +14,7 @@ bool isCovered(const ScreenTriangle& triangle, const EdgeValues& edge) {
 }
 
 bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided) {
+  const std::optional<DepthPlane> plane = depthPlane(triangle);
   bool taken = false;
   for (int row = triangle.firstRow; row < triangle.endRow; ++row) {
     const std::size_t begin = buffer.rowAt(row) - static_cast<std::size_t>(buffer.scissor.column);
@@ -21,7 +22,7 @@ bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& bu
       const EdgeValues edge = edgeValues(triangle, column, row);
       if (!isCovered(triangle, edge)) continue;
       const std::size_t pixel = begin + static_cast<std::size_t>(column);
-      const double inverseDepth = inverseDepthAt(triangle, edge);
+      const double inverseDepth = plane ? plane->inverseDepth(column, row) : inverseDepthAt(triangle, edge);
       const double difference = inverseDepth - buffer.inverseDepth[pixel];
       if (std::abs(difference) <= depthMargin * inverseDepth) {
         undecided.add(column, row);
@@ -33,11 +34,6 @@ bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& bu
     }
   }
   return taken;
-}
-
-/// The border between texels that is nearest to a position, as the number of the texel behind it.
-double nearestBorder(double position, int size) {
-  return std::nearbyint(std::max(std::min(position, size - 1.0), 1.0));
 }
 
 bool isHidden(const DepthBuffer& buffer, const Scissor& part, double inverseDepth) {
@@ -55,18 +51,23 @@ int endOfRun(const std::uint32_t* triangles, int first, int end) {
   return i;
 }
 
+double texelOf(double position, int size) { return std::max(std::min(std::floor(position), size - 1.0), 0.0); }
+
 void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
                 UndecidedPixels& undecided) {
   for (int i = 0; i < run.count; ++i) {
     const int pixelColumn = run.firstColumn + i;
-    const double w = 1 / run.inverseDepth[i], error = planes.error * w + planes.rounding;
+    const double w = 1 / run.inverseDepth[i], clear = (0.5 - planes.rounding) - planes.error * w;
     const auto position = [&](const TexelPlane& plane) {
       return (plane.at + plane.down * run.row + plane.right * pixelColumn) * w;
     };
+    const auto isClear = [clear](double at, int size) {
+      return std::abs((at - std::floor(at)) - middleOf(size)) < clear;
+    };
     const double across = position(planes.u), down = position(planes.v);
-    const double column = nearestBorder(across, planes.width), row = nearestBorder(down, planes.height);
-    if (std::abs(across - column) > error && std::abs(down - row) > error)
-      texels[i] = base + static_cast<std::uint32_t>((row - (down < row)) * planes.width + (column - (across < column)));
+    if (isClear(across, planes.width) && isClear(down, planes.height))
+      texels[i] = base + static_cast<std::uint32_t>(texelOf(down, planes.height) * planes.width +
+                                                    texelOf(across, planes.width));
     else
       undecided.add(pixelColumn, run.row);
   }
@@ -121,9 +122,9 @@ DepthBuffer::DepthBuffer(const Scissor& part)
       inverseDepth(pitch * static_cast<std::size_t>(part.height)),
       triangle(inverseDepth.size(), noTriangle) {}
 
-/// 1/w is off by six units of roundoff, its inverse and the product add two.
+/// 1/w has its own error, its inverse and the product round twice more.
 TexelPlanes::TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHeight)
-    : rounding(10 * unitRoundoff * std::max(largest(triangle.u) * mapWidth, largest(triangle.v) * mapHeight)),
+    : rounding(2 * depthError * std::max(largest(triangle.u) * mapWidth, largest(triangle.v) * mapHeight)),
       width(mapWidth),
       height(mapHeight) {
   const BoundedPlane across = boundedPlane(triangle, triangle.u, width);

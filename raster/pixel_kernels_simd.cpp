@@ -77,12 +77,11 @@ struct Offer {
         number(hn::Set(LongNumbers(), itsNumber)) {}
 
   /// The depth test of the samples from a column on that are `covered`; returns which took the triangle.
-  Mask test(const Edges& edges, int column, int row, Mask covered) const {
+  Mask test(Double offered, int column, int row, Mask covered) const {
     const std::size_t pixel = buffer.rowAt(row) + static_cast<std::size_t>(column - buffer.scissor.column);
     double* const depths = buffer.inverseDepth.data() + pixel;
     std::uint32_t* const triangles = buffer.triangle.data() + pixel;
     const Double stored = hn::LoadU(doubles, depths);
-    const Double offered = dot(edges, inverseDepth);
     const Double difference = hn::Sub(offered, stored);
     const Double margin = hn::Mul(hn::Set(doubles, depthMargin), offered);
     const Mask taken = hn::And(covered, hn::Gt(difference, margin));
@@ -112,7 +111,7 @@ Mask offerNarrow(const Offer& offered) {
   Mask taken = firstLanes(0);
   for (int row = triangle.firstRow; row < triangle.endRow; ++row) {
     const Mask covered = hn::And(inside, offered.isCovered(edges));
-    taken = hn::Or(taken, offered.test(edges, triangle.firstColumn, row, covered));
+    taken = hn::Or(taken, offered.test(dot(edges, offered.inverseDepth), triangle.firstColumn, row, covered));
     edges.advance(down);
   }
   return taken;
@@ -143,21 +142,45 @@ struct Spans {
   }
 };
 
+/// The samples of a row from `column` to `end`, all covered, with 1/w from a plane.
+Mask offerSpan(const Offer& offered, const DepthPlane& plane, int row, int column, int end) {
+  const auto lanes = static_cast<int>(hn::Lanes(doubles));
+  const Double at = hn::Set(doubles, plane.at + plane.down * row), right = hn::Set(doubles, plane.right);
+  Double columns = hn::Add(hn::Set(doubles, static_cast<double>(column)), hn::Iota(doubles, 0));
+  Mask taken = firstLanes(0);
+  for (; column < end; column += lanes) {
+    const Double inverseDepth = hn::Add(at, hn::Mul(right, columns));
+    taken = hn::Or(taken, offered.test(inverseDepth, column, row, firstLanes(end - column)));
+    columns = hn::Add(columns, hn::Set(doubles, static_cast<double>(lanes)));
+  }
+  return taken;
+}
+
+/// The same from the edges.
+Mask offerSpan(const Offer& offered, int row, int column, int end) {
+  const auto lanes = static_cast<int>(hn::Lanes(doubles));
+  const EdgeValues steps = edgeSteps(offered.triangle);
+  const Corners stride({lanes * steps[0], lanes * steps[1], lanes * steps[2]});
+  Edges edges(edgeValues(offered.triangle, column, row), Corners(steps));
+  Mask taken = firstLanes(0);
+  for (; column < end; column += lanes) {
+    taken = hn::Or(taken, offered.test(dot(edges, offered.inverseDepth), column, row, firstLanes(end - column)));
+    edges.advance(stride);
+  }
+  return taken;
+}
+
 Mask offerWide(const Offer& offered) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
   const ScreenTriangle& triangle = offered.triangle;
-  const EdgeValues least = raster::leastCovered(triangle), steps = edgeSteps(triangle);
-  const Corners step(steps), stride({lanes * steps[0], lanes * steps[1], lanes * steps[2]});
+  const std::optional<DepthPlane> plane = depthPlane(triangle);
+  const EdgeValues least = raster::leastCovered(triangle);
   Mask taken = firstLanes(0);
   for (int firstRow = triangle.firstRow; firstRow < triangle.endRow; firstRow += lanes) {
     const Spans spans(triangle, least, firstRow);
     for (int row = firstRow; row < std::min(firstRow + lanes, triangle.endRow); ++row) {
-      const int end = spans.end[row - firstRow];
-      int column = spans.first[row - firstRow];
-      for (Edges edges(edgeValues(triangle, column, row), step); column < end; column += lanes) {
-        taken = hn::Or(taken, offered.test(edges, column, row, firstLanes(end - column)));
-        edges.advance(stride);
-      }
+      const int first = spans.first[row - firstRow], end = spans.end[row - firstRow];
+      taken = hn::Or(taken, plane ? offerSpan(offered, *plane, row, first, end) : offerSpan(offered, row, first, end));
     }
   }
   return taken;
@@ -197,20 +220,21 @@ int endOfRun(const std::uint32_t* triangles, int first, int end) {
 
 /// A texture coordinate along a row.
 struct Texels {
-  Double at, right, last;
+  Double at, right, last, middle;
 
   Texels(const TexelPlane& plane, int row, int size)
       : at(hn::Set(doubles, plane.at + plane.down * row)),
         right(hn::Set(doubles, plane.right)),
-        last(hn::Set(doubles, static_cast<double>(size - 1))) {}
+        last(hn::Set(doubles, static_cast<double>(size - 1))),
+        middle(hn::Set(doubles, middleOf(size))) {}
 
-  /// The texels of pixels; `clear` loses those that lie too near to a border between texels.
-  Double find(Double column, Double w, Double error, Mask& clear) const {
-    const Double one = hn::Set(doubles, 1.0);
+  /// The texels of pixels; `decided` loses those farther than `clear` from the middle between two borders.
+  Double find(Double column, Double w, Double clear, Mask& decided) const {
     const Double position = hn::Mul(hn::Add(at, hn::Mul(right, column)), w);
-    const Double border = hn::Round(hn::Max(hn::Min(position, last), one));
-    clear = hn::And(clear, hn::Gt(hn::Abs(hn::Sub(position, border)), error));
-    return hn::Sub(border, hn::IfThenElseZero(hn::Lt(position, border), one));
+    const Double texel = hn::Floor(position);
+    const Double offCentre = hn::Abs(hn::Sub(hn::Sub(position, texel), middle));
+    decided = hn::And(decided, hn::Lt(offCentre, clear));
+    return hn::Max(hn::Min(texel, last), hn::Zero(doubles));
   }
 };
 
@@ -228,12 +252,12 @@ void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t ba
   Double columns = hn::Add(hn::Set(doubles, static_cast<double>(run.firstColumn)), hn::Iota(doubles, 0));
   for (int i = 0; i < run.count; i += lanes, columns = hn::Add(columns, hn::Set(doubles, static_cast<double>(lanes)))) {
     const Double w = hn::Div(hn::Set(doubles, 1.0), hn::LoadU(doubles, run.inverseDepth + i));
-    const Double error = hn::Add(hn::Mul(hn::Set(doubles, planes.error), w), hn::Set(doubles, planes.rounding));
-    Mask clear = firstLanes(lanes);
-    const Double column = u.find(columns, w, error, clear);
-    const Double row = v.find(columns, w, error, clear);
+    const Double clear = hn::Sub(hn::Set(doubles, 0.5 - planes.rounding), hn::Mul(hn::Set(doubles, planes.error), w));
+    Mask decided = firstLanes(lanes);
+    const Double column = u.find(columns, w, clear, decided);
+    const Double row = v.find(columns, w, clear, decided);
     storeTexels(column, row, width, base, texels + i);
-    const Mask open = hn::AndNot(clear, firstLanes(run.count - i));
+    const Mask open = hn::AndNot(decided, firstLanes(run.count - i));
     if (!hn::AllFalse(doubles, open))
       forEachLane(open, [&](int lane) { undecided.add(run.firstColumn + i + lane, run.row); });
   }
