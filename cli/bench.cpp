@@ -8,10 +8,13 @@
 #include <thread>
 
 #include "cli/bench_json.h"
+#include "cli/bench_pictures.h"
 #include "cli/bench_text.h"
 #include "cli/commands.h"
 #include "cli/opengl_device.h"
 #include "cli/scene_folder.h"
+#include "cli/staging.h"
+#include "radiosity/write_file.h"
 #include "raster/parallel.h"
 #include "reference/bench_report.h"
 
@@ -19,6 +22,7 @@ namespace hemitex::cli {
 namespace {
 
 struct BenchOptions {
+  std::filesystem::path output;  ///< empty: none
   std::vector<std::filesystem::path> scenes;
   std::vector<int> resolutions;
   std::vector<std::size_t> triangles;
@@ -82,8 +86,22 @@ void measureRest(reference::BenchReport& report, const std::vector<reference::Be
   report.parts = reference::solutionParts(box.scene, texels, 256, 1000, settings.repeats);
 }
 
+/// The numbers, the tables and the pictures of docs/performance.md.
+void writeFiles(const reference::BenchReport& report, const std::filesystem::path& output) {
+  Staging staging(output);
+  const auto write = [&staging](const std::string& name, const std::string& text) {
+    radiosity::writeFile(staging.folder() / name, text);
+  };
+  write("bench.json", toText(toJson(report)));
+  write("tables.md", benchText(report));
+  if (!report.growth.empty()) write("growth.svg", svgOf(growthPlot(report.growth)));
+  for (const Plot& plot : trianglesPlots(report.runs)) write("triangles-" + plot.name + ".svg", svgOf(plot));
+  staging.commit();
+}
+
 void bench(const BenchOptions& options, Context& context) {
   Console& console = context.console;
+  if (!options.output.empty()) Staging{options.output};  // what cannot be written is told before the work
   const std::vector<reference::BenchScene> scenes = scenesOf(options);
   const reference::BenchSettings settings = settingsOf(options, context);
   reference::BenchReport report;
@@ -98,6 +116,7 @@ void bench(const BenchOptions& options, Context& context) {
     measureRest(report, scenes, context, settings,
                 [&](const std::string& what) { console.progress(done / all, what); });
   console.endProgress();
+  if (!options.output.empty()) writeFiles(report, options.output);
   std::cout << (context.json ? toText(toJson(report)) : benchText(report));
 }
 
@@ -119,6 +138,7 @@ void addBench(CLI::App& program, Context& context) {
                                                       "cut the scenes into so many triangles, too (repeatable)")
       ->allow_extra_args(false)
       ->type_name("N");
+  command->add_option("-o,--output", options->output, "folder for bench.json, tables.md and pictures of curves");
   command->callback([options, &context] { context.command = [options, &context] { bench(*options, context); }; });
 }
 

@@ -1,5 +1,6 @@
 #include "cli/bench_text.h"
 
+#include <cmath>
 #include <iomanip>
 #include <map>
 #include <sstream>
@@ -10,7 +11,9 @@ namespace {
 
 using namespace reference;
 
+/// To so many digits, but all of them before the point.
 std::string rounded(double value, int digits = 3) {
+  if (value >= std::pow(10, digits)) return std::to_string(std::llround(value));
   std::ostringstream text;
   text << std::setprecision(digits) << value;
   return text.str();

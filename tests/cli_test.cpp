@@ -182,9 +182,10 @@ TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind"
       "tradeoff room.obj -o out --method hemicube=1",
       "tradeoff room.obj -o out --method area-rays=", "tradeoff room.obj -o out --samples 127",
       "bench no-such-file.obj", "bench room.obj --resolution 33", "bench room.obj --resolution 8192",
-      "bench room.obj --resolution 32 --resolution x", "bench room.obj --triangles 0", "bench --scene room.obj",
-      "vector", "vector export room.obj -o out", "vector export room.obj -o out --eye 0,0,0 --normal 0,0,0",
-      "vector render room.obj -o out", "vector render no-such-folder -o out");
+      "bench room.obj --resolution 32 --resolution x", "bench room.obj --triangles 0", "bench room.obj -o room.obj",
+      "bench --scene room.obj", "vector", "vector export room.obj -o out",
+      "vector export room.obj -o out --eye 0,0,0 --normal 0,0,0", "vector render room.obj -o out",
+      "vector render no-such-folder -o out");
   const Shell shell;
   const auto before = shell.files();
   const Outcome outcome = shell.run(arguments);
@@ -1012,8 +1013,9 @@ TEST_CASE("vector check passes what the rules draw, fails on one wrong word, and
 
 TEST_CASE("The bench times everything that it promises, on the scene as it is and cut", "[cli]") {
   const Shell shell;
-  const json result =
-      json::parse(shell.output("bench room.obj --resolution 16 --resolution 32 --triangles 100 --json"));
+  const std::string out = shell.output("bench room.obj --resolution 16 --resolution 32 --triangles 100 --json -o out");
+  const json result = json::parse(out);
+  CHECK(readAll(shell.file("out/bench.json")) == out);
   std::map<std::pair<int, int>, std::set<std::string>> found;
   for (const json& run : result["runs"]) {
     CHECK(run["scene"] == "room");
@@ -1036,4 +1038,15 @@ TEST_CASE("The bench times everything that it promises, on the scene as it is an
   REQUIRE(result["crossover"].size() == 2);
   CHECK(result["crossover"][0]["scene"] == "room");
   CHECK(result["requirements"].is_array());
+
+  const std::string picture = readAll(shell.file("out/triangles-room.svg"));
+  const auto count = [&picture](const std::string& what) {
+    std::size_t found = 0;
+    for (std::size_t at = picture.find(what); at != std::string::npos; at = picture.find(what, at + 1)) ++found;
+    return found;
+  };
+  const std::size_t curves = cut.size() - 1;  // but for drawing alone
+  CHECK(count("<polyline") == curves);
+  CHECK(count("<circle") == 2 * curves);
+  CHECK(readAll(shell.file("out/tables.md")).find("| room | 12 | 1536 | 16 | ") != std::string::npos);
 }
