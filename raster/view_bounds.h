@@ -32,19 +32,20 @@ class ViewBounds {
   BoxPlace placeOf(const Box& box) const;
 
  private:
-  /// Points with normal . d > offset, d from the eye, are not shown.
+  /// A product row . d with positions d from the eye.
+  struct Row {
+    glm::dvec3 row, absolute;  ///< and its coordinates' sizes
+    double rounding;           ///< what the vertex stage may be off, for each unit of distance from the eye
+  };
+  /// Points with row . d > offset are not shown.
   struct Plane {
-    glm::dvec3 normal, absolute;  ///< and its coordinates' sizes
+    Row row;
     double offset;
-    double rounding;  ///< what the vertex stage may be off, for each unit of distance from the eye
   };
-  /// The values of x, y or w over a box.
-  struct Range {
-    double low, high;
-  };
-  Range rangeOf(const glm::dvec3& row, const Box& box) const;
+  static Row rowOf(const glm::dvec3& row, double size);
 
-  glm::dvec3 eye_, x_, y_, w_;
+  glm::dvec3 eye_;
+  Row x_, y_, w_;
   double nearDistance_;
   int resolution_;
   Scissor scissor_;
