@@ -25,7 +25,7 @@ std::int64_t ceilDivide(std::int64_t numerator, std::int64_t denominator) {
 }
 
 /// The edge from p to q with the interior on its positive side where `orientation` is 1, on the other where it is -1.
-Edge makeEdge(const SnappedPoint& p, const SnappedPoint& q, std::int64_t orientation) {
+inline Edge makeEdge(const SnappedPoint& p, const SnappedPoint& q, std::int64_t orientation) {
   const std::int64_t a = orientation * (p.y - q.y);
   const std::int64_t b = orientation * (q.x - p.x);
   const std::int64_t c = -(a * p.x + b * p.y) + (a + b) * sample;
@@ -122,7 +122,10 @@ bool makeScreenTriangle(const Scissor& scissor, const std::array<SnappedPoint, 3
   pixelRange(least(s[0].y, s[1].y, s[2].y), largest(s[0].y, s[1].y, s[2].y), scissor.row, scissor.row + scissor.height,
              triangle.firstRow, triangle.endRow);
   if (triangle.firstColumn >= triangle.endColumn || triangle.firstRow >= triangle.endRow) return false;
-  for (std::size_t k = 0; k < 3; ++k) triangle.edges[k] = makeEdge(s[(k + 1) % 3], s[(k + 2) % 3], area > 0 ? 1 : -1);
+  const std::int64_t orientation = area > 0 ? 1 : -1;
+  triangle.edges[0] = makeEdge(s[1], s[2], orientation);
+  triangle.edges[1] = makeEdge(s[2], s[0], orientation);
+  triangle.edges[2] = makeEdge(s[0], s[1], orientation);
   if (isSmall(triangle) && !coversAny(triangle)) return false;
 
   triangle.area = std::abs(area);
