@@ -18,7 +18,7 @@
 namespace hemitex::raster {
 
 /// Kernels work on up to so many pixels at a time, and may touch as many behind the end of a row.
-inline constexpr int mostLanes = 8;
+inline constexpr int mostLanes = 16;
 
 /// What the pixels of a part of a face show so far, row-major; no triangle where the background is.
 struct DepthBuffer {

@@ -13,7 +13,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Doubles = hn::CappedTag<double, mostLanes>;
+using Doubles = hn::CappedTag<double, 8>;
 using Double = hn::Vec<Doubles>;
 using Mask = hn::Mask<Doubles>;
 /// Vectors of as many integers.
@@ -244,8 +244,8 @@ void storeTexels(Double column, Double row, Double columns, std::uint32_t base, 
   hn::StoreU(hn::Add(texel, hn::Set(Numbers(), base)), Numbers(), texels);
 }
 
-void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
-                UndecidedPixels& undecided) {
+void findTexelsInBinary64(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
+                          UndecidedPixels& undecided) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
   const Texels u(planes.u, run.row, planes.width), v(planes.v, run.row, planes.height);
   const Double width = hn::Set(doubles, static_cast<double>(planes.width));
@@ -261,6 +261,112 @@ void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t ba
     if (!hn::AllFalse(doubles, open))
       forEachLane(open, [&](int lane) { undecided.add(run.firstColumn + i + lane, run.row); });
   }
+}
+
+using Floats = hn::CappedTag<float, mostLanes>;
+using Float = hn::Vec<Floats>;
+using WholeNumbers = hn::Rebind<std::int32_t, Floats>;
+
+constexpr Floats floats;
+
+/// A texture coordinate along a piece of a run, counted from a border between texels near its first pixel, so that the
+/// numbers are small: (at + i * step) / (1 + i * depthStep) at pixel i.
+struct PieceLine {
+  double border, at, step;
+
+  PieceLine(const TexelPlane& plane, int column, int row, double w, double depthStep) {
+    const double position = ((plane.at + plane.down * row) + plane.right * column) * w;
+    border = std::floor(position);
+    at = position - border;
+    step = plane.right * w - border * depthStep;
+  }
+};
+
+/// A piece of a run in binary32, which has twice as many lanes and decides nearly everything: what is decided here lies
+/// farther from borders than binary64 is off.
+///
+/// Where 1/w changes by a factor of two at most, numbers up to m = 1 + count * |step| are rounded thirteen times on the
+/// way to the quotient, at most twice as large: 26 m units of 2^-24, for which m * 2^-19 stands. Of what the binary64
+/// of the coefficients is off, the first pixel's error counts twice for the same reason, and the border's product with
+/// what 1/w is off, four units of depthError, as well.
+struct Piece {
+  double depthStep = 0;
+  PieceLine u, v;
+  double clear;  ///< see Texels::find; 1/4 or less where binary32 is not good enough
+
+  Piece(const PixelRun& run, const TexelPlanes& planes, int first, int count, double w)
+      : depthStep((run.inverseDepth[first + count - 1] * w - 1) / std::max(1, count - 1)),
+        u(planes.u, run.firstColumn + first, run.row, w, depthStep),
+        v(planes.v, run.firstColumn + first, run.row, w, depthStep) {
+    const double last = 1 + depthStep * (count - 1);
+    const double size = 2 + count * std::max(std::abs(u.step), std::abs(v.step));
+    const double borders = 1 + std::abs(u.border) + std::abs(v.border);
+    clear = 0.5 - size * 0x1p-19 - 2 * (planes.error * w + planes.rounding) - 8 * depthError * borders;
+    if (!(last >= 0.5 && last <= 2 && borders < 0x1p30)) clear = 0;
+  }
+};
+
+struct PieceTexels {
+  Float at, step, middle;
+  hn::Vec<WholeNumbers> border, last;
+
+  PieceTexels(const PieceLine& line, int size)
+      : at(hn::Set(floats, static_cast<float>(line.at))),
+        step(hn::Set(floats, static_cast<float>(line.step))),
+        middle(hn::Set(floats, static_cast<float>(middleOf(size)))),
+        border(hn::Set(WholeNumbers(), static_cast<std::int32_t>(line.border))),
+        last(hn::Set(WholeNumbers(), size - 1)) {}
+
+  hn::Vec<WholeNumbers> find(Float pixel, Float w, Float clear, hn::Mask<Floats>& decided) const {
+    const Float position = hn::Mul(hn::Add(at, hn::Mul(step, pixel)), w);
+    const Float texel = hn::Floor(position);
+    decided = hn::And(decided, hn::Lt(hn::Abs(hn::Sub(hn::Sub(position, texel), middle)), clear));
+    const auto number = hn::Add(hn::ConvertTo(WholeNumbers(), texel), border);
+    return hn::Max(hn::Min(number, last), hn::Zero(WholeNumbers()));
+  }
+};
+
+/// Pixels [first, first + count) of a run.
+void findPieceTexels(const PixelRun& run, const TexelPlanes& planes, int first, int count, std::uint32_t base,
+                     std::uint32_t* texels, UndecidedPixels& undecided) {
+  const auto part = [&](int from, int many) {
+    return PixelRun{run.triangle, run.row, run.firstColumn + from, many, run.inverseDepth + from};
+  };
+  const Piece piece(run, planes, first, count, 1 / run.inverseDepth[first]);
+  if (!(piece.clear > 0.25)) return findTexelsInBinary64(part(first, count), planes, base, texels + first, undecided);
+  const auto lanes = static_cast<int>(hn::Lanes(floats));
+  const PieceTexels u(piece.u, planes.width), v(piece.v, planes.height);
+  const Float one = hn::Set(floats, 1.0F), depthStep = hn::Set(floats, static_cast<float>(piece.depthStep));
+  const Float clear = hn::Set(floats, static_cast<float>(piece.clear));
+  const auto width = hn::Set(WholeNumbers(), planes.width);
+  const auto offset = hn::Set(WholeNumbers(), static_cast<std::int32_t>(base));
+  for (int i = 0; i < count; i += lanes) {
+    const Float pixel = hn::Add(hn::Set(floats, static_cast<float>(i)), hn::Iota(floats, 0));
+    const Float w = hn::Div(one, hn::Add(one, hn::Mul(depthStep, pixel)));
+    auto decided = hn::FirstN(floats, hn::Lanes(floats));
+    const auto column = u.find(pixel, w, clear, decided);
+    const auto row = v.find(pixel, w, clear, decided);
+    const auto texel = hn::Add(hn::Add(hn::Mul(row, width), column), offset);
+    hn::StoreU(texel, WholeNumbers(), reinterpret_cast<std::int32_t*>(texels) + first + i);
+    const auto open = hn::AndNot(decided, hn::FirstN(floats, static_cast<std::size_t>(count - i)));
+    if (hn::AllFalse(floats, open)) continue;
+    HWY_ALIGN std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(floats, open, bits);
+    for (unsigned left = bits[0] + 256U * bits[1]; left != 0; left &= left - 1) {
+      const int pixelAt = first + i + __builtin_ctz(left);
+      std::uint32_t found[mostLanes];
+      findTexelsInBinary64(part(pixelAt, 1), planes, base, found, undecided);
+      texels[pixelAt] = found[0];
+    }
+  }
+}
+
+void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
+                UndecidedPixels& undecided) {
+  constexpr int shortest = 24, longest = 64;
+  if (run.count < shortest) return findTexelsInBinary64(run, planes, base, texels, undecided);
+  for (int first = 0; first < run.count; first += longest)
+    findPieceTexels(run, planes, first, std::min(longest, run.count - first), base, texels, undecided);
 }
 
 /// The texels of pixels i along a line of exact quotients.

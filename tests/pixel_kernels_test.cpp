@@ -56,6 +56,42 @@ std::vector<raster::Face> facesAndParts() {
   return faces;
 }
 
+/// Holds the texels of each run that a face shows against those of the plain kernels; returns the longest run.
+int compareTexels(const raster::DrawList& list, const raster::Face& face,
+                  const std::vector<std::pair<int, int>>& maps) {
+  const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
+  const Drawn drawn = draw(raster::plainKernels(), triangles, face);
+  const int columns = face.scissor.width;
+  int longest = 0;
+  for (const auto& [width, height] : maps)
+    for (int row = 0; row < face.scissor.height; ++row)
+      for (int first = 0, end = 0; first < columns; first = end) {
+        const std::size_t begin = drawn.buffer.rowAt(row);
+        const std::uint32_t number = drawn.buffer.triangle[begin + static_cast<std::size_t>(first)];
+        while (end < columns && drawn.buffer.triangle[begin + static_cast<std::size_t>(end)] == number) ++end;
+        if (number == raster::noTriangle) continue;
+        longest = std::max(longest, end - first);
+        const raster::PixelRun run{&triangles[number], row, first, end - first,
+                                   drawn.buffer.inverseDepth.data() + begin + first};
+        const raster::TexelPlanes planes(triangles[number], width, height);
+        const auto texels = [&](const raster::PixelKernels& kernels) {
+          std::vector<std::uint32_t> found(static_cast<std::size_t>(run.count + raster::mostLanes));
+          raster::UndecidedPixels undecided;
+          kernels.findTexels(run, planes, 7, found.data(), undecided);
+          for (const raster::Pixel& pixel : undecided.pixels)
+            found[static_cast<std::size_t>(pixel.column - run.firstColumn)] = 0xffffffff;
+          found.resize(static_cast<std::size_t>(run.count));
+          return found;
+        };
+        const std::vector<std::uint32_t> plain = texels(raster::plainKernels());
+        for (const raster::PixelKernels& kernels : raster::simdKernels()) {
+          INFO(kernels.name << ", row " << row << ", columns " << first << " to " << end);
+          REQUIRE(texels(kernels) == plain);
+        }
+      }
+  return longest;
+}
+
 }  // namespace
 
 TEST_CASE("the depth test is the same bits with every instruction set", "[kernels]") {
@@ -100,34 +136,22 @@ TEST_CASE("a part of the depth buffer hides what is behind all of its pixels, wi
 }
 
 TEST_CASE("texels are the same with every instruction set, for runs of every length", "[kernels]") {
-  const raster::Face face = frontFace(64);
-  const std::vector<raster::ScreenTriangle> triangles = screenTriangles(crossingTriangles(), face);
-  Drawn drawn = draw(raster::plainKernels(), triangles, face);
-  for (const auto& [width, height] : {std::pair(16, 16), std::pair(1, 5), std::pair(1024, 1)})
-    for (int row = 0; row < 64; ++row)
-      for (int first = 0, end = 0; first < 64; first = end) {
-        const std::size_t begin = drawn.buffer.rowAt(row);
-        const std::uint32_t number = drawn.buffer.triangle[begin + static_cast<std::size_t>(first)];
-        while (end < 64 && drawn.buffer.triangle[begin + static_cast<std::size_t>(end)] == number) ++end;
-        if (number == raster::noTriangle) continue;
-        const raster::PixelRun run{&triangles[number], row, first, end - first,
-                                   drawn.buffer.inverseDepth.data() + begin + first};
-        const raster::TexelPlanes planes(triangles[number], width, height);
-        const auto texels = [&](const raster::PixelKernels& kernels) {
-          std::vector<std::uint32_t> found(static_cast<std::size_t>(run.count + raster::mostLanes));
-          raster::UndecidedPixels undecided;
-          kernels.findTexels(run, planes, 7, found.data(), undecided);
-          for (const raster::Pixel& pixel : undecided.pixels)
-            found[static_cast<std::size_t>(pixel.column - run.firstColumn)] = 0xffffffff;
-          found.resize(static_cast<std::size_t>(run.count));
-          return found;
-        };
-        const std::vector<std::uint32_t> plain = texels(raster::plainKernels());
-        for (const raster::PixelKernels& kernels : raster::simdKernels()) {
-          INFO(kernels.name << ", row " << row << ", columns " << first << " to " << end);
-          REQUIRE(texels(kernels) == plain);
-        }
-      }
+  compareTexels(crossingTriangles(), frontFace(64), {{16, 16}, {1, 5}, {1024, 1}});
+}
+
+TEST_CASE("texels are the same with every instruction set, along walls steep and flat", "[kernels]") {
+  // Each wall fills the view; its depth grows from left to right, its coordinates leave the map on both sides.
+  raster::Face face = frontFace(256);
+  face.scissor.height = 24;
+  for (const float depth : {1.0F, 1.5F, 4.0F, 300.0F})
+    for (const float reach : {0.9F, 7.0F, 1e6F}) {
+      raster::DrawList list = plainList();
+      addDraw(list, 0);
+      addTriangle(list, {{-1.1F, -1.2F, 1}, {1.1F * depth, -1.3F * depth, depth}, {0, 5, 1.2F}},
+                  {{0.05F, 0.03F}, {reach, 0.4F}, {0.3F, -reach}});
+      const int longest = compareTexels(list, face, {{16, 16}, {1, 7}, {1024, 1000}});
+      CHECK(longest > 200);
+    }
 }
 
 TEST_CASE("exact quotients give the texels of the exact fallback, with every instruction set", "[kernels]") {
