@@ -37,8 +37,9 @@ void append(Discretization& whole, const Discretization& from, std::uint32_t num
   for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e) {
     Element element = from.elements[e];
     element.surface = surface;
-    element.patch += patchShift;
     whole.elements.push_back(element);
+    whole.patchOf.push_back(from.patchOf[e] + patchShift);
+    whole.triangleOf.push_back(from.triangleOf[e]);
   }
   for (std::uint32_t p = grid.firstPatch; p < grid.firstPatch + grid.patchCount; ++p) {
     Patch patch = from.patches[p];

@@ -111,7 +111,8 @@ void makeElements(const Surface& surface, std::uint32_t number, Discretization& 
     if (grid.spill[texel] != texel || elementAt(texel) != none) continue;
     elementAt(texel) = static_cast<std::uint32_t>(part.elements.size());
     const Leaf leaf = leafOf(grid, texel);
-    part.elements.push_back({0, number, texel, 0, leaf.side == 1 ? texels.triangle[texel] : triangles.of(leaf)});
+    part.elements.push_back({0, number, texel});
+    part.triangleOf.push_back(leaf.side == 1 ? texels.triangle[texel] : triangles.of(leaf));
   }
   for (std::uint32_t texel = 0; texel < grid.spill.size(); ++texel) {
     grid.spill[texel] = elementAt(grid.spill[texel]);
@@ -159,10 +160,11 @@ void makePatches(std::uint32_t surface, int side, Discretization& part) {
     first += block.elements;
   }
   part.patchElements.resize(part.elements.size());
+  part.patchOf.resize(part.elements.size());
   for (std::uint32_t element = 0; element < part.elements.size(); ++element) {
     const std::uint32_t number = patchOf[blockOf(part.elements[element])];
     Patch& owner = part.patches[number];
-    part.elements[element].patch = number;
+    part.patchOf[element] = number;
     part.patchElements[owner.firstElement + owner.elementCount++] = element;
   }
   grid.patchCount = static_cast<std::uint32_t>(part.patches.size());
@@ -215,12 +217,14 @@ void append(Discretization& whole, Discretization part) {
   grid.firstElement = firstElement;
   grid.firstPatch = firstPatch;
   for (std::uint32_t& element : grid.spill) element += firstElement;
-  for (Element& element : part.elements) element.patch += firstPatch;
+  for (std::uint32_t& patch : part.patchOf) patch += firstPatch;
   for (Patch& patch : part.patches) patch.firstElement += firstElement;
   for (std::uint32_t& element : part.patchElements) element += firstElement;
   const auto moveTo = [](auto& all, const auto& some) { all.insert(all.end(), some.begin(), some.end()); };
   whole.grids.push_back(std::move(grid));
   moveTo(whole.elements, part.elements);
+  moveTo(whole.patchOf, part.patchOf);
+  moveTo(whole.triangleOf, part.triangleOf);
   moveTo(whole.patches, part.patches);
   moveTo(whole.patchElements, part.patchElements);
 }
@@ -234,11 +238,17 @@ Discretization discretized(const Scene& scene, const DiscretizationSettings& set
     const Quadtree* quadtree = quadtrees.empty() ? nullptr : &quadtrees[surface];
     parts[surface] = discretizeSurface(scene, static_cast<std::uint32_t>(surface), settings, quadtree);
   });
-  std::size_t elements = 0;
-  for (const Discretization& part : parts) elements += part.elements.size();
+  std::size_t elements = 0, patches = 0;
+  for (const Discretization& part : parts) {
+    elements += part.elements.size();
+    patches += part.patches.size();
+  }
   Discretization whole;
   whole.elements.reserve(elements);
+  whole.patchOf.reserve(elements);
+  whole.triangleOf.reserve(elements);
   whole.patchElements.reserve(elements);
+  whole.patches.reserve(patches);
   for (Discretization& part : parts) append(whole, std::exchange(part, {}));
   averageMaps(scene, whole);
   return whole;

@@ -30,10 +30,6 @@ struct Element {
   std::uint32_t surface = 0;
   std::uint32_t texel = 0;  ///< row * columns + column of its own texel, the one the others merged into; of a leaf of
                             ///< several texels the first that is one's own
-  std::uint32_t patch = 0;
-  /// In Surface::triangles: the first that covers the middle of its own texel or leaf, else the one with the largest
-  /// piece there.
-  std::uint32_t triangle = 0;
 };
 
 /// A block of texels of one surface that shoots as one. A leaf of a quadtree that is larger is a patch of its own.
@@ -64,8 +60,12 @@ struct Grid {
 Leaf leafOf(const Grid& grid, std::uint32_t texel);
 
 struct Discretization {
-  std::vector<Grid> grids;                   ///< one a surface
-  std::vector<Element> elements;             ///< surface by surface, by texel within one
+  std::vector<Grid> grids;             ///< one a surface
+  std::vector<Element> elements;       ///< surface by surface, by texel within one
+  std::vector<std::uint32_t> patchOf;  ///< one an element; by itself, for shots ask for nothing else
+  /// One an element, in Surface::triangles: the first that covers the middle of its own texel or leaf, else the one
+  /// with the largest piece there.
+  std::vector<std::uint32_t> triangleOf;
   std::vector<Patch> patches;                ///< surface by surface, row by row; none without elements
   std::vector<std::uint32_t> patchElements;  ///< the elements of each patch, ascending
   /// One an element, maps averaged over it and multiplied with the material's values; empty where no surface has a map

@@ -66,7 +66,7 @@ class Splitter {
   double returningShareOf(const FormFactorRow& row, double area) {
     std::vector<std::uint32_t> seen;
     for (std::size_t i = 0; i < row.elements.size(); ++i) {
-      const std::uint32_t patch = discretization_.elements[row.elements[i]].patch;
+      const std::uint32_t patch = discretization_.patchOf[row.elements[i]];
       if (share_[patch] == 0) seen.push_back(patch);
       share_[patch] += row.shares[i];
     }
@@ -138,7 +138,7 @@ void replacePatches(Discretization& discretization, const std::vector<Part>& par
     patch.elementCount = static_cast<std::uint32_t>(part.elements.size());
     discretization.patches.push_back(patch);
     for (const std::uint32_t element : part.elements) {
-      discretization.elements[element].patch = number;
+      discretization.patchOf[element] = number;
       discretization.patchElements.push_back(element);
     }
   }

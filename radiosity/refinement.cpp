@@ -53,22 +53,31 @@ struct Arrival {
   std::vector<std::uint32_t> blocks;  ///< of patches that changed
 };
 
-/// What a shot does along a run: its elements receive, and what they reflect is unshot in their patches.
+/// Elements that a row names so far ahead are fetched while others receive: they lie far apart, and memory is slow.
+constexpr std::size_t fetchedAhead = 32;
+
+/// What a shot does along a run: its elements receive, and what they reflect is unshot in their patches. What follow
+/// each other in one patch are added up first.
 void receive(const Run& run, const glm::dvec3& shot, const FormFactorRow& row, const Scene& scene,
              const Discretization& discretization, std::vector<glm::dvec3>& received, UnshotFlux& unshot,
              Arrival& arrival) {
   const bool isMapped = !discretization.mappedReflectance.empty();
   const glm::dvec3 ofSurface = reflectance(scene, discretization, row.elements[run.first]);
+  glm::dvec3 absorbed(0), reflectedByPatch(0);
   for (std::size_t i = run.first; i < run.end; ++i) {
-    const std::uint32_t element = row.elements[i], patch = discretization.elements[element].patch;
+    if (i + fetchedAhead < run.end) __builtin_prefetch(&received[row.elements[i + fetchedAhead]], 1);
+    const std::uint32_t element = row.elements[i], patch = discretization.patchOf[element];
     const glm::dvec3 arriving = shot * formFactor(row.shares[i]);
     const glm::dvec3 reflected = arriving * (isMapped ? discretization.mappedReflectance[element] : ofSurface);
     received[element] += arriving;
-    unshot.add(patch, reflected);
-    arrival.absorbed += arriving - reflected;
+    absorbed += arriving - reflected;
+    reflectedByPatch += reflected;
+    if (i + 1 < run.end && discretization.patchOf[row.elements[i + 1]] == patch) continue;
+    unshot.add(patch, std::exchange(reflectedByPatch, glm::dvec3(0)));
     const std::uint32_t block = patch / UnshotFlux::patchesInBlock;
     if (arrival.blocks.empty() || arrival.blocks.back() != block) arrival.blocks.push_back(block);
   }
+  arrival.absorbed += absorbed;
 }
 
 }  // namespace

@@ -48,16 +48,17 @@ SurfacePoint patchCentre(const Scene& scene, const Discretization& discretizatio
 /// A leaf of a quadtree is a texel of a grid that is so much coarser.
 SurfacePoint elementCentre(const Scene& scene, const Discretization& discretization, std::uint32_t number) {
   const Element& element = discretization.elements[number];
+  const std::uint32_t triangle = discretization.triangleOf[number];
   const Surface& surface = scene.surfaces[element.surface];
   const Grid& grid = discretization.grids[element.surface];
   const Leaf leaf = leafOf(grid, element.texel);
   const int column = leaf.column / leaf.side, row = leaf.row / leaf.side;
   const std::array<glm::dvec2, 3> corners =
-      inTexels(surface.triangles[element.triangle], grid.columns / leaf.side, grid.rows / leaf.side);
+      inTexels(surface.triangles[triangle], grid.columns / leaf.side, grid.rows / leaf.side);
   if (const auto weights = weightsAt(corners, glm::dvec2(column, row) + 0.5))
-    return pointOn(surface, element.triangle, *weights);
+    return pointOn(surface, triangle, *weights);
   const Piece piece = clippedToCell(corners, column, row);
-  return pointOn(surface, element.triangle, centroid(piece.size > 0 ? piece : wholeTriangle(corners)));
+  return pointOn(surface, triangle, centroid(piece.size > 0 ? piece : wholeTriangle(corners)));
 }
 
 }  // namespace hemitex::radiosity

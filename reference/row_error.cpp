@@ -15,7 +15,7 @@ PatchRows patchRows(const FormFactorMatrix& matrix, const radiosity::Discretizat
   PatchRows rows{coarse.elements.size(), std::vector<double>(coarse.patches.size() * coarse.elements.size())};
   std::vector<double> area(coarse.patches.size());
   for (std::size_t from = 0; from < matrix.size; ++from) {
-    const std::uint32_t patch = coarse.elements[under[from]].patch;
+    const std::uint32_t patch = coarse.patchOf[under[from]];
     area[patch] += fine.elements[from].area;
     double* row = rows.factors.data() + patch * rows.elements;
     for (std::size_t to = 0; to < matrix.size; ++to)

@@ -21,7 +21,7 @@ std::vector<double> patchFlux(const Discretization& fine, const TrueRadiosity& t
   std::vector<double> flux(coarse.patches.size());
   for (std::size_t e = 0; e < under.size(); ++e) {
     const glm::dvec3& radiosity = truth.radiosity[e];
-    flux[coarse.elements[under[e]].patch] += fine.elements[e].area * (radiosity.x + radiosity.y + radiosity.z);
+    flux[coarse.patchOf[under[e]]] += fine.elements[e].area * (radiosity.x + radiosity.y + radiosity.z);
   }
   return flux;
 }

@@ -50,12 +50,11 @@ bool equal(const Discretization& a, const Discretization& b) {
     return g.spill == h.spill && g.covered == h.covered && g.firstPatch == h.firstPatch;
   };
   const auto sameElement = [](const Element& e, const Element& f) {
-    return e.area == f.area && e.surface == f.surface && e.texel == f.texel && e.patch == f.patch &&
-           e.triangle == f.triangle;
+    return e.area == f.area && e.surface == f.surface && e.texel == f.texel;
   };
   return std::equal(a.grids.begin(), a.grids.end(), b.grids.begin(), b.grids.end(), sameGrid) &&
          std::equal(a.elements.begin(), a.elements.end(), b.elements.begin(), b.elements.end(), sameElement) &&
-         a.patchElements == b.patchElements;
+         a.patchOf == b.patchOf && a.triangleOf == b.triangleOf && a.patchElements == b.patchElements;
 }
 
 }  // namespace
@@ -133,7 +132,7 @@ TEST_CASE("patches share the elements out by blocks of texels, none empty", "[di
       const auto first = discretization.patchElements.begin() + patch.firstElement;
       REQUIRE(std::is_sorted(first, first + patch.elementCount));
       for (auto element = first; element != first + patch.elementCount; ++element) {
-        REQUIRE(discretization.elements[*element].patch == p);
+        REQUIRE(discretization.patchOf[*element] == p);
         REQUIRE(holds(patch, grid, discretization.elements[*element].texel));
         ++seen[*element];
       }

@@ -311,7 +311,7 @@ TEST_CASE("The solutions of mesh and textures differ by no more than their rows"
       const glm::dvec3 rho = radiosity::reflectance(scene, *split, e);
       reflectance = std::max({reflectance, rho.x, rho.y, rho.z});
       emitted += fluxOf(radiosity::emission(scene, *split, e));
-      ofPatch[split->elements[e].patch] += fluxOf(solutions[0].radiosity[e]);
+      ofPatch[split->patchOf[e]] += fluxOf(solutions[0].radiosity[e]);
       flux += fluxOf(solutions[0].radiosity[e]);
       apart += fluxOf(glm::abs(solutions[0].radiosity[e] - solutions[1].radiosity[e]));
     }

@@ -51,7 +51,7 @@ void checkPartition(const Discretization& discretization) {
       const int column = static_cast<int>(element.texel) % grid.columns,
                 row = static_cast<int>(element.texel) / grid.columns;
       ++owners[e];
-      CHECK(element.patch == p);
+      CHECK(discretization.patchOf[e] == p);
       CHECK(element.surface == patch.surface);
       CHECK((column >= patch.column && column < patch.column + patch.width));
       CHECK((row >= patch.row && row < patch.row + patch.height));

@@ -13,7 +13,7 @@ namespace {
 /// Two surfaces: elements of areas 1 and 3, and one of area 4.
 radiosity::Discretization threeElements() {
   radiosity::Discretization discretization;
-  discretization.elements = {{1, 0, 0, 0, 0}, {3, 0, 1, 0, 0}, {4, 1, 0, 1, 0}};
+  discretization.elements = {{1, 0, 0}, {3, 0, 1}, {4, 1, 0}};
   radiosity::Grid first, second;
   first.elementCount = 2;
   second.firstElement = 2;

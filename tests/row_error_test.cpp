@@ -59,7 +59,7 @@ TEST_CASE("the rows of coarse patches are sums and averages of the fine matrix",
   const PatchRows rows = patchRows(identity, fine, coarse);
   for (std::size_t p = 0; p < coarse.patches.size(); ++p)
     for (std::size_t e = 0; e < rows.elements; ++e)
-      CHECK(rows.factors[p * rows.elements + e] == Approx(coarse.elements[e].patch == p ? 0.25 : 0));
+      CHECK(rows.factors[p * rows.elements + e] == Approx(coarse.patchOf[e] == p ? 0.25 : 0));
 }
 
 TEST_CASE("rows of shares become rows of factors, and zeros where none was asked for", "[tradeoff]") {

@@ -146,7 +146,8 @@ TEST_CASE("what stays keeps its elements, patches and turns, and what is new is 
       const Element& element = carriedOver.elements[grid.firstElement + e];
       CHECK(element.surface == s);
       CHECK(element.area == whole.elements[old.firstElement + e].area);
-      CHECK(element.patch - grid.firstPatch == whole.elements[old.firstElement + e].patch - old.firstPatch);
+      CHECK(carriedOver.patchOf[grid.firstElement + e] - grid.firstPatch ==
+            whole.patchOf[old.firstElement + e] - old.firstPatch);
       CHECK(grid.spill[element.texel] == grid.firstElement + e);
     }
     for (std::uint32_t p = 0; p < grid.patchCount; ++p) {
@@ -154,7 +155,7 @@ TEST_CASE("what stays keeps its elements, patches and turns, and what is new is 
       CHECK(patch.surface == s);
       if (s < 2) CHECK(patch.turn == old.firstPatch + p);
       for (std::uint32_t i = 0; i < patch.elementCount; ++i)
-        CHECK(carriedOver.elements[carriedOver.patchElements[patch.firstElement + i]].patch == grid.firstPatch + p);
+        CHECK(carriedOver.patchOf[carriedOver.patchElements[patch.firstElement + i]] == grid.firstPatch + p);
     }
   }
 }
