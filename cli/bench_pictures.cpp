@@ -1,6 +1,5 @@
 #include "cli/bench_pictures.h"
 
-#include <iterator>
 #include <map>
 #include <set>
 
@@ -33,9 +32,7 @@ std::vector<Plot> trianglesPlots(const std::vector<BenchRun>& runs) {
   }
   std::vector<Plot> plots;
   for (const auto& [scene, counts] : triangles) {
-    const auto highest = std::prev(resolutions.end());
-    const int resolution = resolutions.size() > 1 ? *std::prev(highest) : *highest;
-    if (counts.size() > 1) plots.push_back(trianglesPlot(runs, scene, resolution));
+    if (counts.size() > 1) plots.push_back(trianglesPlot(runs, scene, *resolutions.rbegin()));
   }
   return plots;
 }

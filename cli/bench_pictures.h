@@ -6,8 +6,8 @@
 
 namespace hemitex::cli {
 
-/// Milliseconds over the triangles that a scene is cut into, at the second highest resolution: a plot for every scene
-/// that was cut.
+/// Milliseconds over the triangles that a scene is cut into, at the highest resolution: a plot for every scene that
+/// was cut.
 std::vector<Plot> trianglesPlots(const std::vector<reference::BenchRun>& runs);
 
 /// Milliseconds over the elements along a surface's side: of drawing, and of the sum of the row. Not of nothing.

@@ -41,6 +41,10 @@ struct World {
   PixelRays rays;
 };
 
+/// From so many triangles on OpenGL takes seconds, which are those of vertices at any resolution: the highest will do,
+/// where the hemicube takes longest.
+constexpr std::size_t slowTriangles = 100000;
+
 /// Something that is timed, and for how many calls of it a repeat counts.
 struct Task {
   std::string what;
@@ -51,7 +55,7 @@ struct Task {
 /// The tasks of a world at one resolution, and what they need.
 class Tasks {
  public:
-  Tasks(World& world, int resolution)
+  Tasks(World& world, int resolution, bool withOpenGl)
       : world_(world),
         patches_(spreadPatches(world.discretization, world.mesh ? patchesAtOnce : 1)),
         rows_(world.scene, world.discretization, world.layout, *world.textures, {.resolution = resolution}),
@@ -62,7 +66,7 @@ class Tasks {
     add("draw", [this](std::size_t i) { world_.textures->render(views_[i].faces, views_[i].skipped); });
     add("embree", [this](std::size_t i) { world_.rays.cast(views_[i].faces, hits_); });
     add("floor", [this](std::size_t i) { floor_.row(drawn_[i]); });
-    if (world.openGl)
+    if (world.openGl && withOpenGl)
       add("opengl", [this](std::size_t i) { world_.openGl->render(views_[i].faces, views_[i].skipped); });
     if (!world.mesh) return;
     meshRows_ = std::make_unique<ProjectedRows>(world.scene, world.discretization, world.layout, *world.mesh,
@@ -102,14 +106,16 @@ class Tasks {
 
 void appendRuns(World& world, const std::string& name, int resolution, const BenchSettings& settings,
                 std::vector<BenchRun>& runs) {
-  const Tasks tasks(world, resolution);
+  const std::size_t triangles = radiosity::triangleCount(world.scene);
+  const bool isHighest = resolution == *std::max_element(settings.resolutions.begin(), settings.resolutions.end());
+  const Tasks tasks(world, resolution, triangles < slowTriangles || isHighest);
   std::vector<std::function<void()>> calls;
   for (const Task& task : tasks.tasks()) calls.push_back(task.call);
   const std::vector<Timing> timings = timeInTurns(calls, settings.repeats);
   for (std::size_t t = 0; t < timings.size(); ++t) {
     const Task& task = tasks.tasks()[t];
     BenchRun run{name,
-                 radiosity::triangleCount(world.scene),
+                 triangles,
                  world.discretization.elements.size(),
                  resolution,
                  settings.threads,

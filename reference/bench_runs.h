@@ -24,7 +24,8 @@ struct BenchRun {
   /// - hemicube-mesh: the same where elements are polygons;
   /// - draw: faces drawn and words resolved alone;
   /// - embree: rays through the same pixels, which triangle each meets (pixel_rays.h);
-  /// - opengl: the faces drawn and read back, without the sum;
+  /// - opengl: the faces drawn and read back, without the sum; from 100,000 triangles on at the highest resolution
+  ///   alone, for it takes long and as long as at any other;
   /// - floor: buffers cleared and the row summed of words drawn before (bench_floor.h);
   /// - solution: so many shots by the solver, `benchShots`; shot: its mean part.
   std::string what;
