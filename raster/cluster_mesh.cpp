@@ -7,6 +7,11 @@
 namespace hemitex::raster {
 namespace {
 
+/// Lists may have a vertex for every corner; those that are alike in all are one here.
+bool areAlike(const DrawList& list, std::uint32_t a, std::uint32_t b) {
+  return a == b || (list.positions[a] == list.positions[b] && list.texcoords[a] == list.texcoords[b]);
+}
+
 void append(const DrawList& list, const Cluster& cluster, ClusterMesh& mesh) {
   const auto firstVertex = static_cast<std::uint32_t>(mesh.positions[0].size());
   const auto firstTriangle = static_cast<std::uint32_t>(mesh.corners[0].size());
@@ -14,7 +19,8 @@ void append(const DrawList& list, const Cluster& cluster, ClusterMesh& mesh) {
   for (const TriangleRun& run : cluster.runs)
     for (std::size_t i = 3 * std::size_t{run.first}; i < 3 * std::size_t{run.end}; ++i) {
       const std::uint32_t index = list.indices[i];
-      const auto place = std::find(vertices.begin(), vertices.end(), index);
+      const auto place = std::find_if(vertices.begin(), vertices.end(),
+                                      [&](std::uint32_t vertex) { return areAlike(list, vertex, index); });
       mesh.corners[i % 3].push_back(static_cast<std::uint8_t>(place - vertices.begin()));
       if (place == vertices.end()) vertices.push_back(index);
     }

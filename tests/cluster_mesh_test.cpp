@@ -38,7 +38,7 @@ TEST_CASE("a cluster mesh has the corners of every triangle, and every vertex of
     REQUIRE(mesh.parts.size() == clusters.size());
     std::size_t number = 0;
     for (const ClusterPart& part : mesh.parts) {
-      std::set<std::uint32_t> vertices;
+      std::set<std::array<float, 5>> vertices;
       for (std::uint32_t t = part.firstTriangle; t < part.firstTriangle + part.triangles; ++t, ++number)
         for (std::size_t k = 0; k < 3; ++k) {
           REQUIRE(mesh.corners[k][t] < part.vertices);
@@ -46,7 +46,7 @@ TEST_CASE("a cluster mesh has the corners of every triangle, and every vertex of
           const glm::vec3 position(mesh.positions[0][v], mesh.positions[1][v], mesh.positions[2][v]);
           CHECK(position == list.positions[list.indices[3 * number + k]]);
           CHECK(mesh.texcoords[v] == list.texcoords[list.indices[3 * number + k]]);
-          vertices.insert(list.indices[3 * number + k]);
+          vertices.insert({position.x, position.y, position.z, mesh.texcoords[v].x, mesh.texcoords[v].y});
         }
       CHECK(part.vertices == vertices.size());
     }
@@ -56,8 +56,18 @@ TEST_CASE("a cluster mesh has the corners of every triangle, and every vertex of
 
 // 32 triangles of a sheet 16 squares wide are one row of squares, with 2 x 17 vertices instead of 96.
 TEST_CASE("a sheet's clusters share vertices", "[cluster_mesh]") {
-  const DrawList list = sheet(16, 9);
-  const ClusterMesh mesh = meshOf(list, clustersOf(list));
-  CHECK(mesh.parts.size() == 9);
-  for (const ClusterPart& part : mesh.parts) CHECK(part.vertices == 34);
+  const DrawList shared = sheet(16, 9);
+  DrawList apart = shared;  // with a vertex for every corner
+  apart.positions.clear();
+  apart.texcoords.clear();
+  for (std::uint32_t& index : apart.indices) {
+    apart.positions.push_back(shared.positions[index]);
+    apart.texcoords.push_back(shared.texcoords[index]);
+    index = static_cast<std::uint32_t>(apart.positions.size() - 1);
+  }
+  for (const DrawList& list : {shared, apart}) {
+    const ClusterMesh mesh = meshOf(list, clustersOf(list));
+    CHECK(mesh.parts.size() == 9);
+    for (const ClusterPart& part : mesh.parts) CHECK(part.vertices == 34);
+  }
 }
