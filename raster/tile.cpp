@@ -85,9 +85,10 @@ class Tile {
   const PreparedDraws& draws_;
   const PixelKernels& kernels_;
   DepthBuffer buffer_;
-  std::vector<ScreenTriangle> taken_;             ///< by some pixel
-  std::vector<std::uint64_t> orders_;             ///< of these: where in draw order they come
-  std::vector<std::optional<Shading>> shadings_;  ///< of those that a pixel shows in the end
+  std::vector<ScreenTriangle> taken_;     ///< by some pixel
+  std::vector<std::uint64_t> orders_;     ///< of these: where in draw order they come
+  std::vector<Shading> shadings_;         ///< of those that a pixel shows in the end
+  std::vector<std::uint32_t> shadingOf_;  ///< of a taken triangle: its place in `shadings_`, or noTriangle
   std::vector<Word> row_;
   UndecidedPixels undecided_;
 };
@@ -115,10 +116,13 @@ void Tile::draw(const ScreenTriangle& triangle, std::uint64_t order) {
 }
 
 Shading& Tile::shading(std::uint32_t triangle) {
-  shadings_.resize(taken_.size());
-  std::optional<Shading>& shading = shadings_[triangle];
-  if (!shading) shading = shadingOf(draws_, taken_[triangle]);
-  return *shading;
+  shadingOf_.resize(taken_.size(), noTriangle);
+  std::uint32_t& place = shadingOf_[triangle];
+  if (place == noTriangle) {
+    place = static_cast<std::uint32_t>(shadings_.size());
+    shadings_.push_back(shadingOf(draws_, taken_[triangle]));
+  }
+  return shadings_[place];
 }
 
 /// `base` and the number of the texel of each pixel of a run. Where one texel is undecided, more will be.
