@@ -14,7 +14,7 @@ TEST_CASE("the memory of a solution holds what an element and a pixel must have"
   const radiosity::Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
   const reference::SolutionMemory memory = reference::solutionMemory(scene, 128, 128);
   // The element, its place in its patch, its texel's, and the light that it received; a pixel's word.
-  const double element = sizeof(radiosity::Element) + 4 + 4 + sizeof(glm::dvec3);
+  const auto element = static_cast<double>(sizeof(radiosity::Element) + 4 + 4 + sizeof(glm::dvec3));
   CHECK(memory.bytesPerElement > element);
   CHECK(memory.bytesPerElement < 2 * element);
   CHECK(memory.bytesPerPixel > sizeof(raster::Word));

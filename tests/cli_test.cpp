@@ -1041,9 +1041,9 @@ TEST_CASE("The bench times everything that it promises, on the scene as it is an
 
   const std::string picture = readAll(shell.file("out/triangles-room.svg"));
   const auto count = [&picture](const std::string& what) {
-    std::size_t found = 0;
-    for (std::size_t at = picture.find(what); at != std::string::npos; at = picture.find(what, at + 1)) ++found;
-    return found;
+    std::size_t times = 0;
+    for (std::size_t at = picture.find(what); at != std::string::npos; at = picture.find(what, at + 1)) ++times;
+    return times;
   };
   const std::size_t curves = cut.size() - 1;  // but for drawing alone
   CHECK(count("<polyline") == curves);
