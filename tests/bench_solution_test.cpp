@@ -19,7 +19,7 @@ TEST_CASE("the memory of a solution holds what an element and a pixel must have"
   CHECK(memory.bytesPerElement < 2 * element);
   CHECK(memory.bytesPerPixel > sizeof(raster::Word));
   CHECK(memory.bytesPerPixel < 100);
-  CHECK(memory.peakBytes > 6 * 128 * 128 * element);
+  CHECK(static_cast<double>(memory.peakBytes) > 6 * 128 * 128 * element);
 }
 
 TEST_CASE("the parts of a solution are those of the shots asked for", "[bench]") {

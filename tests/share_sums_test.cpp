@@ -36,7 +36,7 @@ TEST_CASE("sums of shares are those of a map, again and again", "[rows]") {
   for (int round = 0; round < 20; ++round) {
     std::map<std::uint32_t, std::uint64_t> expected;
     for (int i = 0; i < 500; ++i) {
-      const std::uint32_t slot = random() % 2 == 0 ? random() % 1000003 : 5000 + random() % 100;
+      const auto slot = static_cast<std::uint32_t>(random() % 2 == 0 ? random() % 1000003 : 5000 + random() % 100);
       const std::uint64_t share = random() % 4;
       sums.add(slot, share);
       if (share > 0) expected[slot] += share;
