@@ -103,6 +103,7 @@ std::vector<Crossover> crossovers(const std::vector<BenchRun>& runs) {
     std::sort(curve.begin(), curve.end(),
               [](const BenchRatio& a, const BenchRatio& b) { return a.triangles < b.triangles; });
     Crossover crossover{place.first, place.second, std::nullopt};
+    if (curve.front().ratio < 1) crossover.triangles = static_cast<double>(curve.front().triangles);
     for (std::size_t i = 1; i < curve.size(); ++i) {
       const BenchRatio &few = curve[i - 1], &many = curve[i];
       if (!(few.ratio >= 1 && many.ratio < 1)) continue;

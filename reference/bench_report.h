@@ -44,7 +44,8 @@ struct BenchReport {
 std::vector<EqualTimeError> equalTimeErrors(const std::string& scene, const RowComparison& comparison);
 
 /// The number of triangles from which on Embree is faster, between the two that were measured around it: a straight
-/// line in the logarithms of triangles and of the ratio of times. Nothing where one of the two is always faster.
+/// line in the logarithms of triangles and of the ratio of times. The fewest that were measured where Embree is always
+/// faster; nothing where it never is.
 struct Crossover {
   std::string scene;
   int resolution = 0;

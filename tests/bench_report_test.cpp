@@ -74,9 +74,11 @@ TEST_CASE("between two numbers of triangles Embree becomes faster where the line
   // Two times slower at 100, two times faster at 10,000: equal at 1000.
   std::vector<BenchRun> runs{run("a", 100, 64, "hemicube", 1),   run("a", 100, 64, "embree", 2),
                              run("a", 10000, 64, "hemicube", 2), run("a", 10000, 64, "embree", 1),
-                             run("b", 100, 64, "hemicube", 1),   run("b", 100, 64, "embree", 0.5)};
+                             run("b", 100, 64, "hemicube", 1),   run("b", 100, 64, "embree", 0.5),
+                             run("c", 100, 64, "hemicube", 1),   run("c", 100, 64, "embree", 2)};
   const std::vector<Crossover> found = crossovers(runs);
-  REQUIRE(found.size() == 2);
+  REQUIRE(found.size() == 3);
   CHECK(found[0].triangles.value() == Approx(1000));
-  CHECK_FALSE(found[1].triangles);
+  CHECK(found[1].triangles.value() == 100);  // always faster
+  CHECK_FALSE(found[2].triangles);           // never
 }
