@@ -6,6 +6,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include "reference/xml_text.h"
+
 namespace hemitex::cli {
 namespace {
 
@@ -33,22 +35,9 @@ Axis axisOver(const Plot& plot, bool isX, double start, double end) {
   return {std::pow(10, std::floor(std::log10(low))), std::pow(10, std::ceil(std::log10(high))), start, end};
 }
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else
-      result += c;
-  }
-  return result;
-}
-
 std::string label(double x, double y, const std::string& text, const std::string& more = "") {
   std::ostringstream svg;
-  svg << "<text x=\"" << x << "\" y=\"" << y << "\" " << more << ">" << escaped(text) << "</text>\n";
+  svg << "<text x=\"" << x << "\" y=\"" << y << "\" " << more << ">" << reference::xmlText(text) << "</text>\n";
   return svg.str();
 }
 

@@ -1,4 +1,5 @@
 // The pixel kernels on vectors, written once for Highway, which compiles this file anew for each instruction set.
+#include "raster/instruction_sets.h"
 #include "raster/pixel_bounds.h"
 #include "raster/pixel_kernels.h"
 
@@ -180,6 +181,7 @@ Mask offerWide(const Offer& offered) {
     const Spans spans(triangle, least, firstRow);
     for (int row = firstRow; row < std::min(firstRow + lanes, triangle.endRow); ++row) {
       const int first = spans.first[row - firstRow], end = spans.end[row - firstRow];
+      if (first >= end) continue;
       taken = hn::Or(taken, plane ? offerSpan(offered, *plane, row, first, end) : offerSpan(offered, row, first, end));
     }
   }
@@ -402,11 +404,7 @@ HWY_EXPORT(kernels);
 
 std::vector<PixelKernels> allKernels() {
   std::vector<PixelKernels> all;
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    all.push_back(HWY_DYNAMIC_DISPATCH(kernels)());
-  }
-  hwy::SetSupportedTargetsForTest(0);
+  forEveryInstructionSet([&all] { all.push_back(HWY_DYNAMIC_DISPATCH(kernels)()); });
   return all;
 }
 

@@ -15,15 +15,6 @@ std::int64_t cross(const SnappedPoint& origin, const SnappedPoint& p, const Snap
   return (p.x - origin.x) * (q.y - origin.y) - (p.y - origin.y) * (q.x - origin.x);
 }
 
-std::int64_t floorDivide(std::int64_t numerator, std::int64_t denominator) {
-  const std::int64_t quotient = numerator / denominator;
-  return quotient - (numerator % denominator != 0 && (numerator < 0) != (denominator < 0));
-}
-
-std::int64_t ceilDivide(std::int64_t numerator, std::int64_t denominator) {
-  return -floorDivide(-numerator, denominator);
-}
-
 /// The edge from p to q with the interior on its positive side where `orientation` is 1, on the other where it is -1.
 inline Edge makeEdge(const SnappedPoint& p, const SnappedPoint& q, std::int64_t orientation) {
   const std::int64_t a = orientation * (p.y - q.y);
@@ -160,20 +151,6 @@ std::uint64_t appendScreenTriangles(const DrawList& list, const Face& face, std:
     }
   }
   return dropped;
-}
-
-Span coveredColumns(const ScreenTriangle& triangle, int row) {
-  std::int64_t first = triangle.firstColumn;
-  std::int64_t end = triangle.endColumn;
-  for (const Edge& edge : triangle.edges) {
-    // Covered where a * column >= threshold: 0 on an inclusive edge, 1 on another, since values
-    // are integers.
-    const std::int64_t threshold = (edge.inclusive ? 0 : 1) - (edge.b * row + edge.c);
-    if (edge.a > 0) first = std::max(first, ceilDivide(threshold, edge.a));
-    if (edge.a < 0) end = std::min(end, floorDivide(threshold, edge.a) + 1);
-    if (edge.a == 0 && threshold > 0) return {};
-  }
-  return first < end ? Span{static_cast<int>(first), static_cast<int>(end)} : Span{};
 }
 
 }  // namespace hemitex::raster

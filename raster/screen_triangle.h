@@ -64,12 +64,4 @@ struct TriangleRun {
 std::uint64_t appendScreenTriangles(const DrawList& list, const Face& face, std::span<const TriangleRun> runs,
                                     std::span<const std::uint32_t> skipped, std::vector<ScreenTriangle>& triangles);
 
-/// The columns of a row that a triangle covers, [first, end), limited to its own columns: coverage is convex, so each
-/// edge gives one bound, found by exact integer division.
-struct Span {
-  int first = 0;
-  int end = 0;
-};
-Span coveredColumns(const ScreenTriangle& triangle, int row);
-
 }  // namespace hemitex::raster

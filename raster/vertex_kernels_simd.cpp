@@ -1,4 +1,5 @@
 // The vertex kernels on vectors, written once for Highway, which compiles this file anew for each instruction set.
+#include "raster/instruction_sets.h"
 #include "raster/vertex_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -141,11 +142,7 @@ HWY_EXPORT(vertexKernels);
 
 std::vector<VertexKernels> allKernels() {
   std::vector<VertexKernels> all;
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    all.push_back(HWY_DYNAMIC_DISPATCH(vertexKernels)());
-  }
-  hwy::SetSupportedTargetsForTest(0);
+  forEveryInstructionSet([&all] { all.push_back(HWY_DYNAMIC_DISPATCH(vertexKernels)()); });
   return all;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "reference/xml_text.h"
+
 namespace hemitex::reference {
 namespace {
 
@@ -39,25 +41,6 @@ Json toJson(const Finding& finding) {
           {"advice", finding.advice}};
 }
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else if (static_cast<unsigned char>(c) < 0x20)  // XML 1.0 has no way to write control characters
-      result += ' ';
-    else
-      result += c;
-  }
-  return result;
-}
-
 Json jsonOf(const Report& report) {
   const Verdict& verdict = report.verdict;
   Json json{{"vector", verdict.vector}, {"pass", !hasErrors(verdict)}, {"pixels", toJson(countVerdicts(verdict))}};
@@ -79,12 +62,12 @@ std::string textOf(const Json& json) { return json.dump(2, ' ', false, Json::err
 /// The test suite of one vector.
 std::string testSuite(const Report& report) {
   const Verdict& verdict = report.verdict;
-  const std::string diagnosis = report.findings.empty() ? "" : escaped("diagnosis: " + toText(report.findings)) + '\n';
+  const std::string diagnosis = report.findings.empty() ? "" : xmlText("diagnosis: " + toText(report.findings)) + '\n';
   std::string cases;
   int failures = 0;
   for (const FaceVerdict& face : verdict.faces) {
     const std::uint64_t wrong = countVerdicts(face)[static_cast<std::size_t>(PixelVerdict::Error)];
-    cases += "    <testcase classname=\"" + escaped(verdict.vector) + "\" name=\"" + escaped(face.name) + "\"";
+    cases += "    <testcase classname=\"" + xmlText(verdict.vector) + "\" name=\"" + xmlText(face.name) + "\"";
     if (wrong == 0) {
       cases += "/>\n";
       continue;
@@ -92,10 +75,10 @@ std::string testSuite(const Report& report) {
     ++failures;
     cases += ">\n      <failure message=\"" + std::to_string(wrong) + " pixels are errors\">" + diagnosis;
     for (const ErrorPixel& error : report.errors)
-      if (error.face == face.name) cases += escaped(toText(error)) + '\n';
+      if (error.face == face.name) cases += xmlText(toText(error)) + '\n';
     cases += "</failure>\n    </testcase>\n";
   }
-  return "  <testsuite name=\"" + escaped(verdict.vector) + "\" tests=\"" + std::to_string(verdict.faces.size()) +
+  return "  <testsuite name=\"" + xmlText(verdict.vector) + "\" tests=\"" + std::to_string(verdict.faces.size()) +
          "\" failures=\"" + std::to_string(failures) + "\">\n" + cases + "  </testsuite>\n";
 }
 
