@@ -1,12 +1,23 @@
+#include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 
 #include "raster/parallel.h"
 
 namespace hemitex::raster {
 
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body) {
-  tbb::parallel_for(std::size_t{0}, count, body);
+  using Range = tbb::blocked_range<std::size_t>;
+  // So few iterations go together, one where they are long and therefore few, that a thread that runs out of them
+  // waits for next to nothing.
+  constexpr std::size_t pieces = 512;
+  tbb::parallel_for(
+      Range(0, count, 1 + count / pieces),
+      [&body](const Range& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
+      },
+      tbb::simple_partitioner());
 }
 
 struct ThreadLimit::Implementation {
