@@ -36,6 +36,12 @@ std::uint32_t triangleCount(const Cluster& cluster) {
   return count;
 }
 
+TriangleRun triangleOf(const Cluster& cluster, std::uint32_t t) {
+  auto run = cluster.runs.begin();
+  for (; t >= run->end - run->first; ++run) t -= run->end - run->first;
+  return {run->draw, run->first + t, run->first + t + 1};
+}
+
 std::vector<Cluster> clustersOf(const DrawList& list) {
   const double infinity = std::numeric_limits<double>::infinity();
   std::vector<Cluster> clusters;

@@ -23,6 +23,9 @@ struct Cluster {
 
 std::uint32_t triangleCount(const Cluster& cluster);
 
+/// The `t`th triangle of a cluster, alone.
+TriangleRun triangleOf(const Cluster& cluster, std::uint32_t t);
+
 /// The draws cut into clusters, in draw order. The list is valid.
 std::vector<Cluster> clustersOf(const DrawList& list);
 

@@ -1,4 +1,5 @@
-/// The screen triangles of a cluster, through the vertex kernels: only what is not left out there is set up.
+/// What a face sees of a cluster, through the vertex kernels: only triangles that are not left out there are set up,
+/// and small ones stay as they are for kernels of their own (small_triangle_kernels.h).
 #pragma once
 
 #include <cstdint>
@@ -12,10 +13,26 @@
 
 namespace hemitex::raster {
 
-/// Appends the screen triangles of a cluster, `part` of the mesh, in draw order. Triangles in `skipped` (ascending) are
-/// left out; returns how many were dropped because a value was not finite.
-std::uint64_t appendScreenTriangles(const DrawList& list, const ClusterMesh& mesh, const Cluster& cluster,
+struct SeenTriangles {
+  std::uint32_t small = 0;    ///< of the cluster, a bit each
+  std::uint64_t dropped = 0;  ///< because a value was not finite
+};
+
+/// Places the vertices of a cluster, `part` of the mesh, and appends the screen triangles of those that are not small,
+/// in draw order. Triangles in `skipped` (ascending) are left out.
+SeenTriangles appendScreenTriangles(const DrawList& list, const ClusterMesh& mesh, const Cluster& cluster,
                                     const ClusterPart& part, const VertexKernels& kernels, const Face& face,
-                                    std::span<const std::uint32_t> skipped, std::vector<ScreenTriangle>& triangles);
+                                    std::span<const std::uint32_t> skipped, PlacedVertices& placed,
+                                    std::vector<ScreenTriangle>& triangles);
+
+/// The vertices of one part: those of PlacedVertices, or copies.
+struct PlacedView {
+  const std::int32_t *across, *down;
+  const float* w;
+};
+
+/// Sets up the `t`th triangle of a cluster, which needs no clipping; false where it covers no sample.
+bool makeScreenTriangle(const ClusterMesh& mesh, const Cluster& cluster, const ClusterPart& part, std::uint32_t t,
+                        const PlacedView& placed, const Scissor& scissor, bool mirrored, ScreenTriangle& triangle);
 
 }  // namespace hemitex::raster

@@ -64,6 +64,19 @@ struct DepthPlane {
 inline constexpr double depthError = 0x1p-40;
 inline constexpr double depthMargin = 4 * depthError;
 
+/// What the test of a sample against a depth buffer says.
+enum class DepthTest { Hidden, Taken, Undecided };
+
+/// Tests 1/w of a triangle at a pixel of a buffer, by its place there, and stores it where it wins.
+inline DepthTest testDepth(double inverseDepth, std::uint32_t number, std::size_t pixel, DepthBuffer& buffer) {
+  const double difference = inverseDepth - buffer.inverseDepth[pixel];
+  if (std::abs(difference) <= depthMargin * inverseDepth) return DepthTest::Undecided;
+  if (difference < 0) return DepthTest::Hidden;
+  buffer.inverseDepth[pixel] = inverseDepth;
+  buffer.triangle[pixel] = number;
+  return DepthTest::Taken;
+}
+
 /// The plane of a triangle where it pays, in triangles wider than a vector, and where it is good enough. Each term
 /// passes twelve roundings at most; 16 units of what the terms may sum up to, over the smallest 1/w, bound its error.
 inline std::optional<DepthPlane> depthPlane(const ScreenTriangle& triangle) {

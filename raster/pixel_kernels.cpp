@@ -16,23 +16,15 @@ bool isCovered(const ScreenTriangle& triangle, const EdgeValues& edge) {
 bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided) {
   const std::optional<DepthPlane> plane = depthPlane(triangle);
   bool taken = false;
-  for (int row = triangle.firstRow; row < triangle.endRow; ++row) {
-    const std::size_t begin = buffer.rowAt(row) - static_cast<std::size_t>(buffer.scissor.column);
+  for (int row = triangle.firstRow; row < triangle.endRow; ++row)
     for (int column = triangle.firstColumn; column < triangle.endColumn; ++column) {
       const EdgeValues edge = edgeValues(triangle, column, row);
       if (!isCovered(triangle, edge)) continue;
-      const std::size_t pixel = begin + static_cast<std::size_t>(column);
       const double inverseDepth = plane ? plane->inverseDepth(column, row) : inverseDepthAt(triangle, edge);
-      const double difference = inverseDepth - buffer.inverseDepth[pixel];
-      if (std::abs(difference) <= depthMargin * inverseDepth) {
-        undecided.add(column, row);
-      } else if (difference > 0) {
-        buffer.inverseDepth[pixel] = inverseDepth;
-        buffer.triangle[pixel] = number;
-        taken = true;
-      }
+      const DepthTest test = testDepth(inverseDepth, number, buffer.pixelAt(column, row), buffer);
+      if (test == DepthTest::Undecided) undecided.add(column, row);
+      taken = taken || test == DepthTest::Taken;
     }
-  }
   return taken;
 }
 

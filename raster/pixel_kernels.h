@@ -30,6 +30,9 @@ struct DepthBuffer {
   explicit DepthBuffer(const Scissor& part);
   /// Where the pixels of a row of the face begin.
   std::size_t rowAt(int row) const { return static_cast<std::size_t>(row - scissor.row) * pitch; }
+  std::size_t pixelAt(int column, int row) const {
+    return rowAt(row) + static_cast<std::size_t>(column - scissor.column);
+  }
 };
 
 inline constexpr std::uint32_t noTriangle = 0xffffffff;

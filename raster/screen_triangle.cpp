@@ -75,6 +75,7 @@ bool appendScreenTriangle(const DrawList& list, const Face& face, bool mirrored,
   for (std::size_t k = 2; k < static_cast<std::size_t>(polygon.count); ++k) {
     ScreenTriangle triangle;
     triangle.draw = draw;
+    triangle.number = t;
     if (makeScreenTriangle(face, {polygon.vertices[0], polygon.vertices[k - 1], polygon.vertices[k]}, mirrored,
                            triangle))
       triangles.push_back(triangle);

@@ -30,6 +30,7 @@ struct ScreenTriangle {
   std::array<double, 3> inverseDepth;  ///< 1 / w over the doubled area: 1/w at a sample is the sum of edge times this
   std::int64_t area;                   ///< doubled, in squared sub-pixels; above 0
   std::uint32_t draw;                  ///< in DrawList::draws
+  std::uint32_t number;                ///< in DrawList::indices / 3
   bool facesAway;                      ///< winds clockwise as the eye sees it
   int firstRow, endRow;                ///< rows that may hold covered samples, inside the scissor rectangle
   int firstColumn, endColumn;
@@ -44,7 +45,7 @@ struct SnappedPoint {
 };
 
 /// Snaps three clipped vertices; false where no sample of the scissor rectangle can be covered. `mirrored` says that
-/// determinant(face) is negative. All members of the triangle are set but `draw`.
+/// determinant(face) is negative. All members of the triangle are set but `draw` and `number`.
 bool makeScreenTriangle(const Face& face, const std::array<ViewVertex, 3>& vertices, bool mirrored,
                         ScreenTriangle& triangle);
 

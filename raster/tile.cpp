@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <optional>
 #include <tuple>
-#include <utility>
 
 #include "raster/cluster_triangles.h"
 #include "raster/exact.h"
 #include "raster/pixel_bounds.h"
 #include "raster/screen_triangle.h"
+#include "raster/small_triangle_kernels.h"
+#include "raster/small_triangles.h"
 
 namespace hemitex::raster {
 namespace {
@@ -16,15 +17,6 @@ namespace {
 /// Pixels of a tile, at most: twelve bytes each in the depth buffer make 384 KiB, a part of today's second-level
 /// caches. Wide, so that runs of pixels are long.
 constexpr int mostColumns = 256, mostRows = 128;
-
-PreparedDraws::MapTraits traitsOf(const IndexMap& map) {
-  PreparedDraws::MapTraits traits{true, 0};
-  for (std::size_t i = 0; i < map.words.size(); ++i) {
-    traits.countsTexels = traits.countsTexels && map.words[i] == i;
-    traits.bits |= map.words[i];
-  }
-  return traits;
-}
 
 /// How the pixels of a triangle get their words: all the same one, or by texels.
 struct Shading {
@@ -51,6 +43,16 @@ Shading shadingOf(const PreparedDraws& draws, const ScreenTriangle& triangle) {
           Shading::Texels{&map, isSum, isSum && traits.countsTexels, TexelPlanes(triangle, map.width, map.height), {}}};
 }
 
+/// The word of a pixel that shows a texel, by number, of a draw with an index map.
+Word wordOf(const PreparedDraws& draws, const Draw& draw, Word texel) {
+  const auto map = static_cast<std::size_t>(*draw.indexMap);
+  const PreparedDraws::MapTraits& traits = draws.maps[map];
+  const bool isSum = draws.list.blend != Blend::Replace && (draw.offset & traits.bits) == 0;
+  if (isSum && traits.countsTexels) return draw.offset + texel;
+  const Word word = draws.list.indexMaps[map].words[texel];
+  return isSum ? draw.offset | word : blend(draws.list.format, draws.list.blend, draw.offset, word);
+}
+
 /// The number of the texel that a sample falls on.
 Word texelExactly(const ScreenTriangle& triangle, const IndexMap& map, const Pixel& pixel) {
   const int column = texelExactly(triangle, triangle.u, map.width, pixel.column, pixel.row);
@@ -62,57 +64,82 @@ Word texelExactly(const ScreenTriangle& triangle, const IndexMap& map, const Pix
 class Tile {
  public:
   Tile(const PreparedDraws& draws, const PixelKernels& kernels, const Face& face)
-      : draws_(draws), kernels_(kernels), buffer_(face.scissor), row_(buffer_.pitch) {}
+      : draws_(draws), kernels_(kernels), buffer_(face.scissor), small_(draws, face), row_(buffer_.pitch) {}
 
   /// Whether nothing of a box can be seen behind what was drawn so far.
   bool hides(const BoxPlace& place) const { return kernels_.isHidden(buffer_, place.part, place.inverseDepth); }
 
-  /// Offers the triangles of a cluster to the depth buffer, and keeps those that a pixel took.
-  void draw(std::uint32_t cluster, std::span<const ScreenTriangle> triangles) {
-    for (std::size_t i = 0; i < triangles.size(); ++i) draw(triangles[i], (std::uint64_t{cluster} << 32) + i);
-  }
+  /// Offers a triangle to the depth buffer, and keeps it if a pixel took it.
+  void draw(const ScreenTriangle& triangle);
+  /// The same for small triangles of a cluster, a bit each.
+  void draw(std::uint32_t cluster, const PlacedVertices& placed, std::uint32_t small);
 
   /// After all triangles: the words of a row of the face, in this tile's columns; valid until the next call.
   const Word* resolve(int row);
 
  private:
-  void draw(const ScreenTriangle& triangle, std::uint64_t order);
-  bool isNearer(const ScreenTriangle& triangle, std::uint64_t order, std::uint32_t than, const Pixel& pixel) const;
+  ScreenTriangle screenTriangle(std::uint32_t number) const {
+    return SmallTriangles::holds(number) ? small_.screenTriangle(number) : taken_[number];
+  }
+  bool offerExactly(const ScreenTriangle& triangle, std::uint32_t number, const Pixel& pixel);
   Shading& shading(std::uint32_t triangle);
   void resolveRun(const PixelRun& run, Shading& shading, Word* words);
   void findTexels(const PixelRun& run, Shading::Texels& texels, Word base, Word* words);
+  void resolveSmall(std::uint32_t number, int row, int first, int end);
+  void resolveWaiting(int row);
 
   const PreparedDraws& draws_;
   const PixelKernels& kernels_;
   DepthBuffer buffer_;
   std::vector<ScreenTriangle> taken_;     ///< by some pixel
-  std::vector<std::uint64_t> orders_;     ///< of these: where in draw order they come
   std::vector<Shading> shadings_;         ///< of those that a pixel shows in the end
   std::vector<std::uint32_t> shadingOf_;  ///< of a taken triangle: its place in `shadings_`, or noTriangle
+  SmallTriangles small_;
   std::vector<Word> row_;
   UndecidedPixels undecided_;
+  UndecidedSamples undecidedSmall_;
+  /// Pixels of the row that show small triangles and wait until a vector is full.
+  struct Waiting {
+    std::size_t count = 0;
+    SmallPixels pixels{};
+    std::array<std::uint32_t, mostVertexLanes> numbers;
+    std::array<int, mostVertexLanes> columns;  ///< of the tile
+    std::array<const Draw*, mostVertexLanes> draws;
+  };
+  Waiting waiting_;
 };
 
 /// The larger 1/w wins; on an exact tie the earlier triangle in draw order, whichever was drawn first.
-bool Tile::isNearer(const ScreenTriangle& triangle, std::uint64_t order, std::uint32_t than, const Pixel& pixel) const {
-  if (isNearerExactly(triangle, taken_[than], pixel.column, pixel.row)) return true;
-  return order < orders_[than] && !isNearerExactly(taken_[than], triangle, pixel.column, pixel.row);
+bool isNearer(const ScreenTriangle& a, const ScreenTriangle& b, const Pixel& pixel) {
+  if (isNearerExactly(a, b, pixel.column, pixel.row)) return true;
+  return std::tie(a.draw, a.number) < std::tie(b.draw, b.number) && !isNearerExactly(b, a, pixel.column, pixel.row);
 }
 
-void Tile::draw(const ScreenTriangle& triangle, std::uint64_t order) {
+/// Whether the pixel took it.
+bool Tile::offerExactly(const ScreenTriangle& triangle, std::uint32_t number, const Pixel& pixel) {
+  const std::size_t p = buffer_.pixelAt(pixel.column, pixel.row);
+  if (!isNearer(triangle, screenTriangle(buffer_.triangle[p]), pixel)) return false;
+  buffer_.inverseDepth[p] = inverseDepthAt(triangle, edgeValues(triangle, pixel.column, pixel.row));
+  buffer_.triangle[p] = number;
+  return true;
+}
+
+void Tile::draw(const ScreenTriangle& triangle) {
   const auto number = static_cast<std::uint32_t>(taken_.size());
   bool isTaken = kernels_.offer(triangle, number, buffer_, undecided_);
-  for (const Pixel& pixel : undecided_.pixels) {
-    const std::size_t p = buffer_.rowAt(pixel.row) + static_cast<std::size_t>(pixel.column - buffer_.scissor.column);
-    if (!isNearer(triangle, order, buffer_.triangle[p], pixel)) continue;
-    buffer_.inverseDepth[p] = inverseDepthAt(triangle, edgeValues(triangle, pixel.column, pixel.row));
-    buffer_.triangle[p] = number;
-    isTaken = true;
-  }
+  for (const Pixel& pixel : undecided_.pixels) isTaken = offerExactly(triangle, number, pixel) || isTaken;
   undecided_.pixels.clear();
-  if (!isTaken) return;
-  taken_.push_back(triangle);
-  orders_.push_back(order);
+  if (isTaken) taken_.push_back(triangle);
+}
+
+void Tile::draw(std::uint32_t cluster, const PlacedVertices& placed, std::uint32_t small) {
+  const std::uint32_t first = small_.add(cluster, placed);
+  bool isTaken = bestSmallTriangleKernels().offer({draws_.mesh, draws_.mesh.parts[cluster], placed, small, first},
+                                                  buffer_, undecidedSmall_);
+  for (const auto& [number, pixel] : undecidedSmall_.samples)
+    isTaken = offerExactly(small_.screenTriangle(number), number, pixel) || isTaken;
+  undecidedSmall_.samples.clear();
+  if (!isTaken) small_.removeLast();
 }
 
 Shading& Tile::shading(std::uint32_t triangle) {
@@ -167,12 +194,56 @@ const Word* Tile::resolve(int row) {
     const std::uint32_t number = triangles[first];
     if (number == noTriangle)
       std::fill(row_.begin() + first, row_.begin() + end, backgroundWord(draws_.list.format));
+    else if (SmallTriangles::holds(number))
+      resolveSmall(number, row, first, end);
     else
       resolveRun({&taken_[number], row, buffer_.scissor.column + first, end - first,
                   buffer_.inverseDepth.data() + begin + static_cast<std::size_t>(first)},
                  shading(number), row_.data() + first);
   }
+  resolveWaiting(row);
   return row_.data();
+}
+
+/// Pixels of the tile's columns [first, end) that show one small triangle.
+void Tile::resolveSmall(std::uint32_t number, int row, int first, int end) {
+  const Draw& draw = small_.drawOf(number);
+  const bool isBack = draw.back && small_.facesAway(number);
+  if (isBack || !draw.indexMap) {
+    std::fill(row_.begin() + first, row_.begin() + end, isBack ? *draw.back : draw.offset);
+    return;
+  }
+  const IndexMap& map = draws_.list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
+  for (int column = first; column < end; ++column) {
+    const std::size_t i = waiting_.count++;
+    small_.show(number, {buffer_.scissor.column + column, row}, waiting_.pixels, i);
+    waiting_.pixels.columns[i] = map.width;
+    waiting_.pixels.rows[i] = map.height;
+    waiting_.numbers[i] = number;
+    waiting_.columns[i] = column;
+    waiting_.draws[i] = &draw;
+    if (waiting_.count == mostVertexLanes) resolveWaiting(row);
+  }
+}
+
+void Tile::resolveWaiting(int row) {
+  SmallTexels texels;
+  const std::uint32_t decided = bestSmallTriangleKernels().findTexels(waiting_.pixels, waiting_.count, texels);
+  for (std::size_t i = 0; i < waiting_.count; ++i) {
+    Word& word = row_[static_cast<std::size_t>(waiting_.columns[i])];
+    if ((decided >> i & 1) != 0) {
+      word = wordOf(draws_, *waiting_.draws[i], texels[i]);
+      continue;
+    }
+    const ScreenTriangle triangle = small_.screenTriangle(waiting_.numbers[i]);
+    Shading shading = shadingOf(draws_, triangle);
+    const int column = buffer_.scissor.column + waiting_.columns[i];
+    std::array<Word, 1 + mostLanes> words;
+    resolveRun({&triangle, row, column, 1, buffer_.inverseDepth.data() + buffer_.pixelAt(column, row)}, shading,
+               words.data());
+    word = words.front();
+  }
+  waiting_.count = 0;
 }
 
 struct PlacedCluster {
@@ -193,17 +264,6 @@ std::vector<PlacedCluster> clustersIn(const PreparedDraws& draws, const Face& fa
 
 }  // namespace
 
-PreparedDraws prepare(DrawList list) {
-  validate(list);
-  PreparedDraws draws;
-  draws.list = std::move(list);
-  draws.clusters = clustersOf(draws.list);
-  draws.tree = ClusterTree(draws.clusters);
-  draws.mesh = meshOf(draws.list, draws.clusters);
-  for (const IndexMap& map : draws.list.indexMaps) draws.maps.push_back(traitsOf(map));
-  return draws;
-}
-
 std::vector<Scissor> tilesOf(const Face& face) {
   const Scissor& whole = face.scissor;
   std::vector<Scissor> tiles;
@@ -218,13 +278,16 @@ std::uint64_t drawTile(const PreparedDraws& draws, const PixelKernels& kernels, 
                        std::span<const std::uint32_t> skipped, Word* words, std::size_t pitch) {
   std::uint64_t dropped = 0;
   Tile tile(draws, kernels, face);
+  PlacedVertices placed;
   std::vector<ScreenTriangle> triangles;
   for (const auto& [c, place] : clustersIn(draws, face)) {
     if (tile.hides(place)) continue;
     triangles.clear();
-    dropped += appendScreenTriangles(draws.list, draws.mesh, draws.clusters[c], draws.mesh.parts[c],
-                                     bestVertexKernels(), face, skipped, triangles);
-    tile.draw(c, triangles);
+    const SeenTriangles seen = appendScreenTriangles(draws.list, draws.mesh, draws.clusters[c], draws.mesh.parts[c],
+                                                     bestVertexKernels(), face, skipped, placed, triangles);
+    dropped += seen.dropped;
+    for (const ScreenTriangle& triangle : triangles) tile.draw(triangle);
+    if (seen.small != 0) tile.draw(c, placed, seen.small);
   }
   for (int row = face.scissor.row; row < face.scissor.row + face.scissor.height; ++row, words += pitch)
     std::copy_n(tile.resolve(row), face.scissor.width, words);

@@ -7,31 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "raster/cluster.h"
-#include "raster/cluster_mesh.h"
-#include "raster/cluster_tree.h"
-#include "raster/draw_list.h"
 #include "raster/face.h"
 #include "raster/pixel_kernels.h"
+#include "raster/prepared_draws.h"
 
 namespace hemitex::raster {
-
-/// A draw list made ready to be drawn into any face.
-struct PreparedDraws {
-  DrawList list;
-  std::vector<Cluster> clusters;
-  ClusterTree tree;  ///< over the clusters
-  ClusterMesh mesh;  ///< of their triangles
-  /// What resolving needs to know of an index map.
-  struct MapTraits {
-    bool countsTexels;  ///< holds 0, 1, 2, ...: which word it holds needs no look
-    Word bits;          ///< all bits that its words set
-  };
-  std::vector<MapTraits> maps;  ///< one an index map
-};
-
-/// Throws InputError where the list breaks the rules (see validate).
-PreparedDraws prepare(DrawList list);
 
 /// Scissor rectangles that together are the face's own.
 std::vector<Scissor> tilesOf(const Face& face);

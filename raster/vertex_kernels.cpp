@@ -31,11 +31,20 @@ void placeVertices(const ClusterMesh& mesh, const ClusterPart& part, const Face&
   }
 }
 
-/// Whether a sample of pixels [first, first + count) lies between the least and the largest of three snapped values.
-bool holdsSample(const std::array<std::int32_t, 3>& values, int first, int count) {
-  const auto [least, largest] = std::minmax({values[0], values[1], values[2]});
-  return std::max((least + 127) >> 8, first) < std::min((largest + 128) >> 8, first + count);
-}
+/// The least and the largest of three snapped values.
+struct Span {
+  std::int32_t least, largest;
+
+  explicit Span(const std::array<std::int32_t, 3>& values)
+      : least(*std::min_element(values.begin(), values.end())),
+        largest(*std::max_element(values.begin(), values.end())) {}
+
+  /// Whether a sample of pixels [first, first + count) lies between them.
+  bool holdsSample(int first, int count) const {
+    return std::max((least + 127) >> 8, first) < std::min((largest + 128) >> 8, first + count);
+  }
+  bool isSmall() const { return largest - least < smallSpan; }
+};
 
 TriangleSets place(const ClusterMesh& mesh, const ClusterPart& part, const Face& face, PlacedVertices& placed) {
   placeVertices(mesh, part, face, placed);
@@ -44,12 +53,17 @@ TriangleSets place(const ClusterMesh& mesh, const ClusterPart& part, const Face&
     const std::size_t a = mesh.corners[0][part.firstTriangle + t], b = mesh.corners[1][part.firstTriangle + t],
                       c = mesh.corners[2][part.firstTriangle + t];
     if ((placed.sides[a] & placed.sides[b] & placed.sides[c] & beyondAny) != 0) continue;
-    if (((placed.sides[a] | placed.sides[b] | placed.sides[c]) & notInside) != 0)
+    if (((placed.sides[a] | placed.sides[b] | placed.sides[c]) & notInside) != 0) {
       sets.cut |= 1U << t;
-    else if (holdsSample({placed.across[a], placed.across[b], placed.across[c]}, face.scissor.column,
-                         face.scissor.width) &&
-             holdsSample({placed.down[a], placed.down[b], placed.down[c]}, face.scissor.row, face.scissor.height))
-      sets.whole |= 1U << t;
+      continue;
+    }
+    const Span across({placed.across[a], placed.across[b], placed.across[c]});
+    const Span down({placed.down[a], placed.down[b], placed.down[c]});
+    if (!across.holdsSample(face.scissor.column, face.scissor.width) ||
+        !down.holdsSample(face.scissor.row, face.scissor.height))
+      continue;
+    sets.whole |= 1U << t;
+    if (across.isSmall() && down.isSmall()) sets.small |= 1U << t;
   }
   return sets;
 }

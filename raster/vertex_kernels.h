@@ -32,9 +32,13 @@ inline constexpr std::int32_t beyondAny = 31;
 /// Outside of something that triangles are clipped to, or not finite.
 inline constexpr std::int32_t notInside = 32;
 
+/// In sub-pixels: four pixels. See small_triangle_kernels.h.
+inline constexpr std::int32_t smallSpan = 4 * 256;
+
 /// Triangles of a cluster, a bit each.
 struct TriangleSets {
   std::uint32_t whole = 0;  ///< need no clipping, and a sample of the scissor rectangle lies inside their bounds
+  std::uint32_t small = 0;  ///< of these, what spans less than smallSpan either way
   std::uint32_t cut = 0;    ///< need clipping, or a value of theirs is not finite
 };
 

@@ -90,14 +90,24 @@ struct Corners {
   }
 };
 
-hn::Mask<Integers> holdsSample(const std::int32_t* values, const Corners& at, int first, int count) {
-  const Integer a = hn::GatherIndex(integers, values, at.a), b = hn::GatherIndex(integers, values, at.b),
-                c = hn::GatherIndex(integers, values, at.c);
-  const Integer least = hn::Min(hn::Min(a, b), c), largest = hn::Max(hn::Max(a, b), c);
-  const Integer begin = hn::Max(hn::ShiftRight<8>(hn::Add(least, all(127))), all(first));
-  const Integer end = hn::Min(hn::ShiftRight<8>(hn::Add(largest, all(128))), all(first + count));
-  return hn::Lt(begin, end);
-}
+/// The least and the largest of three snapped values.
+struct Span {
+  Integer least, largest;
+
+  Span(const std::int32_t* values, const Corners& at) {
+    const Integer a = hn::GatherIndex(integers, values, at.a), b = hn::GatherIndex(integers, values, at.b),
+                  c = hn::GatherIndex(integers, values, at.c);
+    least = hn::Min(hn::Min(a, b), c);
+    largest = hn::Max(hn::Max(a, b), c);
+  }
+
+  hn::Mask<Integers> holdsSample(int first, int count) const {
+    const Integer begin = hn::Max(hn::ShiftRight<8>(hn::Add(least, all(127))), all(first));
+    const Integer end = hn::Min(hn::ShiftRight<8>(hn::Add(largest, all(128))), all(first + count));
+    return hn::Lt(begin, end);
+  }
+  hn::Mask<Integers> isSmall() const { return hn::Lt(hn::Sub(largest, least), all(smallSpan)); }
+};
 
 std::uint32_t bitsOf(hn::Mask<Integers> mask) {
   std::uint8_t bits[8] = {};
@@ -120,9 +130,12 @@ TriangleSets place(const ClusterMesh& mesh, const ClusterPart& part, const Face&
     const auto there = hn::FirstN(integers, part.triangles - t);
     const auto seen = hn::And(there, hn::Eq(hn::And(hn::And(a, b), hn::And(c, all(beyondAny))), hn::Zero(integers)));
     const auto uncut = hn::Eq(hn::And(hn::Or(hn::Or(a, b), c), all(notInside)), hn::Zero(integers));
-    const auto sampled = hn::And(holdsSample(placed.across.data(), at, face.scissor.column, face.scissor.width),
-                                 holdsSample(placed.down.data(), at, face.scissor.row, face.scissor.height));
-    sets.whole |= bitsOf(hn::And(seen, hn::And(uncut, sampled))) << t;
+    const Span across(placed.across.data(), at), down(placed.down.data(), at);
+    const auto sampled = hn::And(across.holdsSample(face.scissor.column, face.scissor.width),
+                                 down.holdsSample(face.scissor.row, face.scissor.height));
+    const auto whole = hn::And(seen, hn::And(uncut, sampled));
+    sets.whole |= bitsOf(whole) << t;
+    sets.small |= bitsOf(hn::And(whole, hn::And(across.isSmall(), down.isSmall()))) << t;
     sets.cut |= bitsOf(hn::AndNot(uncut, seen)) << t;
   }
   return sets;

@@ -1,8 +1,10 @@
 // The screen triangles of a cluster are those of its runs.
 #include "raster/cluster_triangles.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
+#include <tuple>
 
 #include "tests/raster_scenes.h"
 
@@ -18,7 +20,7 @@ bool operator==(const Edge& a, const Edge& b) {
 bool isSame(const ScreenTriangle& a, const ScreenTriangle& b) {
   return a.edges[0] == b.edges[0] && a.edges[1] == b.edges[1] && a.edges[2] == b.edges[2] && a.w == b.w && a.u == b.u &&
          a.v == b.v && a.inverseDepth == b.inverseDepth && a.area == b.area && a.draw == b.draw &&
-         a.facesAway == b.facesAway && a.firstRow == b.firstRow && a.endRow == b.endRow &&
+         a.number == b.number && a.facesAway == b.facesAway && a.firstRow == b.firstRow && a.endRow == b.endRow &&
          a.firstColumn == b.firstColumn && a.endColumn == b.endColumn;
 }
 
@@ -37,6 +39,23 @@ DrawList manyDraws() {
   return list;
 }
 
+/// Appends the small triangles as screen triangles, too, and puts all in draw order; returns how many were small.
+std::size_t setUpSmall(const ClusterMesh& mesh, const Cluster& cluster, const ClusterPart& part, std::uint32_t small,
+                       const PlacedVertices& placed, const Face& face, std::vector<ScreenTriangle>& triangles) {
+  const std::size_t before = triangles.size();
+  for (std::uint32_t t = 0; t < part.triangles; ++t) {
+    ScreenTriangle triangle;
+    if ((small >> t & 1) != 0 &&
+        makeScreenTriangle(mesh, cluster, part, t, {placed.across.data(), placed.down.data(), placed.w.data()},
+                           face.scissor, determinant(face) < 0, triangle))
+      triangles.push_back(triangle);
+  }
+  std::stable_sort(triangles.begin(), triangles.end(), [](const ScreenTriangle& a, const ScreenTriangle& b) {
+    return std::tie(a.draw, a.number) < std::tie(b.draw, b.number);
+  });
+  return triangles.size() - before;
+}
+
 }  // namespace
 
 TEST_CASE("a cluster's screen triangles are those of its runs, with every instruction set", "[cluster_triangles]") {
@@ -46,7 +65,8 @@ TEST_CASE("a cluster's screen triangles are those of its runs, with every instru
   for (const DrawList& list : {tests::crossingTriangles(), manyDraws()}) {
     const std::vector<Cluster> clusters = clustersOf(list);
     const ClusterMesh mesh = meshOf(list, clusters);
-    for (Face face : tests::threeFaces()) {
+    std::size_t small = 0;
+    for (Face face : {tests::threeFaces()[0], tests::threeFaces()[1], tests::threeFaces()[2], tests::frontFace(8)}) {
       std::size_t found = 0;
       std::uint64_t dropped = 0;
       for (const int width : {face.scissor.width, 9}) {
@@ -56,9 +76,12 @@ TEST_CASE("a cluster's screen triangles are those of its runs, with every instru
           const std::uint64_t droppedOfRuns = appendScreenTriangles(list, face, clusters[c].runs, skipped, expected);
           for (const VertexKernels& kernels : all) {
             INFO(kernels.name << ", cluster " << c);
+            PlacedVertices vertices;
             std::vector<ScreenTriangle> triangles;
-            CHECK(appendScreenTriangles(list, mesh, clusters[c], mesh.parts[c], kernels, face, skipped, triangles) ==
-                  droppedOfRuns);
+            const SeenTriangles seen = appendScreenTriangles(list, mesh, clusters[c], mesh.parts[c], kernels, face,
+                                                             skipped, vertices, triangles);
+            CHECK(seen.dropped == droppedOfRuns);
+            small += setUpSmall(mesh, clusters[c], mesh.parts[c], seen.small, vertices, face, triangles);
             REQUIRE(triangles.size() == expected.size());
             for (std::size_t t = 0; t < expected.size(); ++t) CHECK(isSame(triangles[t], expected[t]));
           }
@@ -69,5 +92,6 @@ TEST_CASE("a cluster's screen triangles are those of its runs, with every instru
       CHECK(found > 100);
       CHECK((dropped > 0) == !list.draws.front().indexMap.has_value());
     }
+    CHECK(small > 1000);
   }
 }

@@ -40,6 +40,37 @@ inline raster::DrawList crossingTriangles() {
   return list;
 }
 
+/// Triangles of a few pixels in a front face of 64 x 64, 1 to 32 in a draw; some draws have backs, some no index map. A
+/// third of the triangles have corners on samples and half way between them, so that edges and texel borders go through
+/// samples. Another third have a corner twice, or all on a line. Triangles of one draw have different depths.
+inline raster::DrawList smallTriangles(std::uint32_t draws) {
+  std::mt19937 random(5);
+  raster::DrawList list = plainList();
+  list.indexMaps.push_back(countingMap(7, 5));
+  const auto steps = [&random](unsigned most) { return static_cast<float>(random() % (most + 1)); };
+  const auto between = [&random](float low, float high) { return uniform(random, low, high); };
+  for (std::uint32_t draw = 0; draw < draws; ++draw) {
+    addDraw(list, 100 * draw, draw % 3 == 0 ? std::optional(0xfffffffe) : std::nullopt,
+            draw % 5 == 0 ? std::nullopt : std::optional(0));
+    for (std::uint32_t t = 0; t <= draw % 32; ++t) {
+      const bool isOnGrid = random() % 3 == 0, isFlat = random() % 3 == 0;
+      const float x = steps(128) / 64 - 1, y = steps(128) / 64 - 1;
+      std::array<glm::vec3, 3> p;
+      std::array<glm::vec2, 3> texture;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const float w = isOnGrid ? 1 + static_cast<float>((draw * 37 + t) % 1024) / 1024 : between(1, 3);
+        const glm::vec2 at =
+            isOnGrid ? glm::vec2(steps(8), steps(8)) / 64.0F : glm::vec2(between(0, 0.13F), between(0, 0.13F));
+        p[k] = {(x + at.x) * w, (y + at.y) * w, w};
+        texture[k] = isOnGrid ? glm::vec2(steps(7) / 7, steps(5) / 5) : glm::vec2(between(0, 1), between(0, 1));
+      }
+      if (isFlat) p[2] = random() % 2 == 0 ? p[0] : 0.5F * (p[0] + p[1]);
+      addTriangle(list, {p[0], p[1], p[2]}, {texture[0], texture[1], texture[2]});
+    }
+  }
+  return list;
+}
+
 /// Faces that see them: the front, the upper half to the right, the front at half the resolution.
 inline std::array<raster::Face, 3> threeFaces() {
   std::array<raster::Face, 3> faces{frontFace(128), frontFace(128), frontFace(64)};

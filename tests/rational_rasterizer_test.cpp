@@ -34,6 +34,15 @@ TEST_CASE("the rasterizer equals the rules on every pixel of every family of tri
   compareOnFamilies(2240);  // of nine families: 20,160
 }
 
+TEST_CASE("the rasterizer equals the rules where triangles are a few pixels wide", "[rational]") {
+  const raster::DrawList list = tests::smallTriangles(100);
+  raster::Face mirrored = tests::frontFace(64);
+  mirrored.x = -mirrored.x;
+  mirrored.scissor = {17, 9, 31, 40};
+  for (const raster::Face& face : {tests::frontFace(64), mirrored})
+    CHECK(tests::drawOne(list, face).words == reference::evaluateRules(list, face).words);
+}
+
 // The target all_triangle_families runs it; the test above is a part of it.
 TEST_CASE("the rasterizer equals the rules on 200,000 triangles", "[.][all_triangle_families]") {
   compareOnFamilies(22400);

@@ -43,7 +43,7 @@ std::vector<std::uint32_t> placed(const VertexKernels& kernels, const ClusterMes
                                   const Face& face) {
   PlacedVertices vertices;
   const TriangleSets sets = kernels.place(mesh, part, face, vertices);
-  std::vector<std::uint32_t> all{sets.whole, sets.cut};
+  std::vector<std::uint32_t> all{sets.whole, sets.cut, sets.small};
   for (std::size_t i = 0; i < part.vertices; ++i) {
     const float w = vertices.w[i];
     all.insert(all.end(),
@@ -59,6 +59,7 @@ std::vector<Face> faces() {
   all.push_back(tests::frontFace(4096));
   all.back().scissor = {1000, 7, 200, 4089};
   all.push_back(tests::frontFace(2));
+  all.push_back(all.back());
   all.back().w *= 1e30F;
   return all;
 }
@@ -68,7 +69,7 @@ std::vector<Face> faces() {
 TEST_CASE("vertices are placed the same with every instruction set", "[vertex_kernels]") {
   const DrawList list = allAround();
   const ClusterMesh mesh = meshOf(list, clustersOf(list));
-  std::uint32_t whole = 0, cut = 0, sides = 0;
+  std::uint32_t whole = 0, cut = 0, small = 0, sides = 0;
   for (const Face& face : faces())
     for (const ClusterPart& part : mesh.parts) {
       const std::vector<std::uint32_t> plain = placed(plainVertexKernels(), mesh, part, face);
@@ -78,10 +79,13 @@ TEST_CASE("vertices are placed the same with every instruction set", "[vertex_ke
       }
       whole |= plain[0];
       cut |= plain[1];
-      for (std::size_t i = 5; i < plain.size(); i += 4) sides |= plain[i];
+      small |= plain[2];
+      CHECK((plain[2] & ~plain[0]) == 0);
+      for (std::size_t i = 6; i < plain.size(); i += 4) sides |= plain[i];
     }
   CHECK(whole == 0xffffffff);
   CHECK(cut == 0xffffffff);
+  CHECK(std::popcount(small) > 20);
   CHECK(sides == (beyondAny | notInside));
 }
 

@@ -1,0 +1,29 @@
+/// A draw list made ready to be drawn into any face.
+#pragma once
+
+#include <vector>
+
+#include "raster/cluster.h"
+#include "raster/cluster_mesh.h"
+#include "raster/cluster_tree.h"
+#include "raster/draw_list.h"
+
+namespace hemitex::raster {
+
+struct PreparedDraws {
+  DrawList list;
+  std::vector<Cluster> clusters;
+  ClusterTree tree;  ///< over the clusters
+  ClusterMesh mesh;  ///< of their triangles
+  /// What resolving needs to know of an index map.
+  struct MapTraits {
+    bool countsTexels;  ///< holds 0, 1, 2, ...: which word it holds needs no look
+    Word bits;          ///< all bits that its words set
+  };
+  std::vector<MapTraits> maps;  ///< one an index map
+};
+
+/// Throws InputError where the list breaks the rules (see validate).
+PreparedDraws prepare(DrawList list);
+
+}  // namespace hemitex::raster

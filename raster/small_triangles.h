@@ -1,0 +1,54 @@
+/// The small triangles of a tile (small_triangle_kernels.h). A pixel remembers but a number; what else there is to know
+/// of a triangle comes from the placed vertices of its cluster, which are all that is kept.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "raster/cluster_triangles.h"
+#include "raster/pixel_kernels.h"
+#include "raster/prepared_draws.h"
+#include "raster/small_triangle_kernels.h"
+
+namespace hemitex::raster {
+
+class SmallTriangles {
+ public:
+  SmallTriangles(const PreparedDraws& draws, const Face& face)
+      : draws_(draws), scissor_(face.scissor), isMirrored_(determinant(face) < 0) {}
+
+  /// Whether a number, not noTriangle, is one of these, not of a screen triangle.
+  static bool holds(std::uint32_t number) { return number >= firstNumber; }
+
+  /// Keeps the placed vertices of a cluster; the number of its first triangle.
+  std::uint32_t add(std::uint32_t cluster, const PlacedVertices& placed);
+  /// Forgets the cluster that was added last.
+  void removeLast();
+
+  const Draw& drawOf(std::uint32_t number) const;
+  /// Whether it winds clockwise as the eye sees it.
+  bool facesAway(std::uint32_t number) const;
+  /// The `i`th of `pixels` shows it; what the index map is like stays to be said.
+  void show(std::uint32_t number, const Pixel& pixel, SmallPixels& pixels, std::size_t i) const;
+  ScreenTriangle screenTriangle(std::uint32_t number) const;
+
+ private:
+  static constexpr std::uint32_t firstNumber = 0x80000000;
+
+  struct Kept {
+    std::uint32_t cluster;
+    std::size_t firstVertex;  ///< below
+  };
+  const Kept& keptOf(std::uint32_t number) const { return kept_[(number - firstNumber) / largestCluster]; }
+  static std::uint32_t inCluster(std::uint32_t number) { return (number - firstNumber) % largestCluster; }
+
+  const PreparedDraws& draws_;
+  Scissor scissor_;
+  bool isMirrored_;
+  std::vector<Kept> kept_;
+  std::vector<std::int32_t> across_, down_;  ///< of the vertices of kept clusters
+  std::vector<float> w_;
+};
+
+}  // namespace hemitex::raster
