@@ -16,8 +16,8 @@ class MeshedRenderer final : public raster::ItemBufferRenderer {
   MeshedRenderer(std::unique_ptr<raster::ItemBufferRenderer> pieces, std::vector<std::uint32_t> firstPiece);
 
   /// `skipped` are triangles of the scene.
-  std::vector<raster::ItemBuffer> render(std::span<const raster::Face> faces,
-                                         std::span<const std::uint32_t> skipped) override;
+  void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+            std::vector<raster::ItemBuffer>& buffers) override;
 
  private:
   std::unique_ptr<raster::ItemBufferRenderer> pieces_;

@@ -52,7 +52,7 @@ std::vector<View> ProjectedRows::viewsOfPatch(std::uint32_t number) {
 
 FormFactorRow ProjectedRows::ofView(const View& view) {
   const std::vector<Window> windows = wholeFaces(*view.projection);
-  const std::vector<raster::ItemBuffer> buffers = draw(view, windows);
+  const std::vector<raster::ItemBuffer>& buffers = draw(view, windows);
   FormFactorRow row = counter_.rowOf(*view.projection, windows, buffers);
   if (settings_.pixelsPerElement > 0)
     row = withCoarserMaps(discretization_, row, pixelsOf(row, view, buffers), settings_.pixelsPerElement);
@@ -60,13 +60,14 @@ FormFactorRow ProjectedRows::ofView(const View& view) {
   return row;
 }
 
-std::vector<raster::ItemBuffer> ProjectedRows::draw(const View& view, std::span<const Window> windows) {
+const std::vector<raster::ItemBuffer>& ProjectedRows::draw(const View& view, std::span<const Window> windows) {
   std::vector<raster::Face> faces;
   for (const Window& window : windows) {
     faces.push_back(view.faces[window.face]);
     faces.back().scissor = window.scissor;
   }
-  return renderer_.render(faces, view.skipped);
+  renderer_.draw(faces, view.skipped, buffers_);
+  return buffers_;
 }
 
 std::vector<std::uint32_t> ProjectedRows::pixelsOf(const FormFactorRow& row, const View& view,

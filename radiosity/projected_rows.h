@@ -66,7 +66,8 @@ class ProjectedRows {
   bool isSumOfWindows() const { return settings_.pixelsPerElement == 0; }
 
  private:
-  std::vector<raster::ItemBuffer> draw(const View& view, std::span<const Window> windows);
+  /// Windows of a view, in `buffers_`.
+  const std::vector<raster::ItemBuffer>& draw(const View& view, std::span<const Window> windows);
   /// In which each of a row's elements is seen, of a whole view.
   std::vector<std::uint32_t> pixelsOf(const FormFactorRow& row, const View& view,
                                       const std::vector<raster::ItemBuffer>& buffers) const;
@@ -81,6 +82,7 @@ class ProjectedRows {
   std::vector<TriangleBox> boxes_;
   std::map<int, Projection> projections_;  ///< by resolution, made when first asked for
   RowCounter counter_;
+  std::vector<raster::ItemBuffer> buffers_;  ///< drawn last; their memory serves the next view
 };
 
 }  // namespace hemitex::radiosity

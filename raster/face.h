@@ -1,6 +1,7 @@
 /// A face: one view of the scene (raster rules, 1), and the item buffer that drawing it gives.
 #pragma once
 
+#include <cstddef>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -39,6 +40,13 @@ struct ItemBuffer {
   int width = 0;
   int height = 0;
   std::vector<Word> words;
+
+  /// As large as a scissor rectangle; which words it holds is open.
+  void resize(const Scissor& scissor) {
+    width = scissor.width;
+    height = scissor.height;
+    words.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  }
 };
 
 }  // namespace hemitex::raster

@@ -16,8 +16,17 @@ class ItemBufferRenderer {
   virtual ~ItemBufferRenderer() = default;
 
   /// Draws the faces, one item buffer each, in their order. `skipped` holds the triangles to leave out, numbered as
-  /// in the DrawList that the renderer was made for (triangle t has indices 3t to 3t + 2), in ascending order.
-  virtual std::vector<ItemBuffer> render(std::span<const Face> faces, std::span<const std::uint32_t> skipped) = 0;
+  /// in the DrawList that the renderer was made for (triangle t has indices 3t to 3t + 2), in ascending order. What
+  /// `buffers` holds before is of no account but for its memory, which need not be asked for and cleared again.
+  virtual void draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
+                    std::vector<ItemBuffer>& buffers) = 0;
+
+  /// The same into buffers of their own.
+  std::vector<ItemBuffer> render(std::span<const Face> faces, std::span<const std::uint32_t> skipped) {
+    std::vector<ItemBuffer> buffers;
+    draw(faces, skipped, buffers);
+    return buffers;
+  }
 };
 
 }  // namespace hemitex::raster

@@ -9,7 +9,8 @@ namespace hemitex::raster {
 SoftwareRenderer::SoftwareRenderer(DrawList list, const PixelKernels& kernels)
     : draws_(prepare(std::move(list))), kernels_(kernels) {}
 
-std::vector<ItemBuffer> SoftwareRenderer::render(std::span<const Face> faces, std::span<const std::uint32_t> skipped) {
+void SoftwareRenderer::draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
+                            std::vector<ItemBuffer>& buffers) {
   for (const Face& face : faces) validate(face);
 
   struct Task {
@@ -18,14 +19,11 @@ std::vector<ItemBuffer> SoftwareRenderer::render(std::span<const Face> faces, st
     std::uint64_t dropped = 0;
   };
   std::vector<Task> tasks;
-  for (std::size_t f = 0; f < faces.size(); ++f)
+  buffers.resize(faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    buffers[f].resize(faces[f].scissor);
     for (const Scissor& tile : tilesOf(faces[f])) tasks.push_back({f, tile});
-  std::vector<ItemBuffer> buffers(faces.size());
-  // A vector clears its memory, which takes a twentieth of the drawing: threads share that, too.
-  parallelFor(faces.size(), [&](std::size_t f) {
-    const auto [column, row, width, height] = faces[f].scissor;
-    buffers[f] = {width, height, std::vector<Word>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
-  });
+  }
   parallelFor(tasks.size(), [&](std::size_t i) {
     Task& task = tasks[i];
     Face part = faces[task.face];
@@ -38,7 +36,6 @@ std::vector<ItemBuffer> SoftwareRenderer::render(std::span<const Face> faces, st
   // Every tile meets what is not finite: the first one of a face speaks for it.
   for (std::size_t i = 0; i < tasks.size(); ++i)
     if (i == 0 || tasks[i].face != tasks[i - 1].face) dropped_ += tasks[i].dropped;
-  return buffers;
 }
 
 }  // namespace hemitex::raster

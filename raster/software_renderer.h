@@ -21,7 +21,8 @@ class SoftwareRenderer final : public ItemBufferRenderer {
   explicit SoftwareRenderer(DrawList list, const PixelKernels& kernels = bestKernels());
 
   /// May be called from several threads at a time.
-  std::vector<ItemBuffer> render(std::span<const Face> faces, std::span<const std::uint32_t> skipped) override;
+  void draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
+            std::vector<ItemBuffer>& buffers) override;
 
   /// Triangles dropped so far because the vertex stage gave a value that is not finite, summed over all faces drawn.
   std::uint64_t droppedTriangles() const { return dropped_; }

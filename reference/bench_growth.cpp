@@ -32,7 +32,7 @@ class Level {
   std::size_t hemicubes() const { return views_.size(); }
 
   void draw() {
-    for (const radiosity::View& view : views_) renderer_.render(view.faces, view.skipped);
+    for (const radiosity::View& view : views_) renderer_.draw(view.faces, view.skipped, words_);
   }
   void sum() {
     for (const auto& buffers : drawn_) counter_.rowOf(rows_.projection(), faces_, buffers);
@@ -47,6 +47,7 @@ class Level {
   radiosity::RowCounter counter_;
   std::vector<radiosity::View> views_;
   std::vector<std::vector<raster::ItemBuffer>> drawn_;
+  std::vector<raster::ItemBuffer> words_;
 };
 
 }  // namespace

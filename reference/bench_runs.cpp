@@ -63,11 +63,11 @@ class Tasks {
     for (const std::uint32_t patch : patches_) views_.push_back(rows_.viewsOfPatch(patch).front());
     for (const View& view : views_) drawn_.push_back(world.textures->render(view.faces, view.skipped));
     add("hemicube", [this](std::size_t i) { rows_.ofPatch(patches_[i]); });
-    add("draw", [this](std::size_t i) { world_.textures->render(views_[i].faces, views_[i].skipped); });
+    add("draw", [this](std::size_t i) { world_.textures->draw(views_[i].faces, views_[i].skipped, words_); });
     add("embree", [this](std::size_t i) { world_.rays.cast(views_[i].faces, hits_); });
     add("floor", [this](std::size_t i) { floor_.row(drawn_[i]); });
     if (world.openGl && withOpenGl)
-      add("opengl", [this](std::size_t i) { world_.openGl->render(views_[i].faces, views_[i].skipped); });
+      add("opengl", [this](std::size_t i) { world_.openGl->draw(views_[i].faces, views_[i].skipped, words_); });
     if (!world.mesh) return;
     meshRows_ = std::make_unique<ProjectedRows>(world.scene, world.discretization, world.layout, *world.mesh,
                                                 radiosity::ViewSettings{.resolution = resolution});
@@ -100,7 +100,7 @@ class Tasks {
   BenchFloor floor_;
   std::vector<View> views_;                             ///< one a patch
   std::vector<std::vector<raster::ItemBuffer>> drawn_;  ///< one a view
-  std::vector<raster::ItemBuffer> hits_;
+  std::vector<raster::ItemBuffer> words_, hits_;
   std::vector<Task> tasks_;
 };
 

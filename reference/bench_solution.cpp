@@ -27,11 +27,10 @@ class HeapProbe final : public raster::ItemBufferRenderer {
   HeapProbe(std::unique_ptr<raster::ItemBufferRenderer> renderer, std::size_t& bytes)
       : renderer_(std::move(renderer)), bytes_(bytes) {}
 
-  std::vector<raster::ItemBuffer> render(std::span<const raster::Face> faces,
-                                         std::span<const std::uint32_t> skipped) override {
-    std::vector<raster::ItemBuffer> buffers = renderer_->render(faces, skipped);
+  void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+            std::vector<raster::ItemBuffer>& buffers) override {
+    renderer_->draw(faces, skipped, buffers);
     bytes_ = heapBytes();
-    return buffers;
   }
 
  private:

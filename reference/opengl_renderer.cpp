@@ -565,12 +565,13 @@ std::vector<GLuint> makeTextures(const std::vector<raster::IndexMap>& maps, cons
 class OpenGlRenderer::Implementation {
  public:
   Implementation(const raster::DrawList& list, OpenGlPath path);
-  std::vector<raster::ItemBuffer> render(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped);
+  void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+            std::vector<raster::ItemBuffer>& buffers);
 
  private:
   void setSize(int width, int height);
   void setView(const raster::Face& face);
-  raster::ItemBuffer draw(const raster::Face& face, const std::vector<Batch>& batches);
+  void draw(const raster::Face& face, const std::vector<Batch>& batches, raster::ItemBuffer& buffer);
 
   raster::DrawList list_;
   std::unique_ptr<Context> context_;
@@ -626,9 +627,9 @@ void OpenGlRenderer::Implementation::setView(const raster::Face& face) {
   pipeline_->setView(face, width);
 }
 
-raster::ItemBuffer OpenGlRenderer::Implementation::draw(const raster::Face& face, const std::vector<Batch>& batches) {
-  raster::ItemBuffer buffer{face.scissor.width, face.scissor.height, {}};
-  buffer.words.resize(static_cast<std::size_t>(buffer.width) * static_cast<std::size_t>(buffer.height));
+void OpenGlRenderer::Implementation::draw(const raster::Face& face, const std::vector<Batch>& batches,
+                                          raster::ItemBuffer& buffer) {
+  buffer.resize(face.scissor);
   setSize(buffer.width, buffer.height);
   setView(face);
   pipeline_->clear(raster::backgroundWord(list_.format));
@@ -641,19 +642,17 @@ raster::ItemBuffer OpenGlRenderer::Implementation::draw(const raster::Face& face
   glReadPixels(0, 0, buffer.width, buffer.height, pixels.format, pixels.type, buffer.words.data());
   if (const GLenum error = glGetError(); error != GL_NO_ERROR)
     throw InputError("the OpenGL device fails with error " + std::to_string(error));
-  return buffer;
 }
 
-std::vector<raster::ItemBuffer> OpenGlRenderer::Implementation::render(std::span<const raster::Face> faces,
-                                                                       std::span<const std::uint32_t> skipped) {
+void OpenGlRenderer::Implementation::draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+                                          std::vector<raster::ItemBuffer>& buffers) {
   for (const raster::Face& face : faces) raster::validate(face);
   const Context::Use use(*context_);
   const std::vector<Batch> batches =
       batchesOf(list_, skipped,
                 [this](const raster::Draw& draw, const raster::Draw& next) { return pipeline_->joins(draw, next); });
-  std::vector<raster::ItemBuffer> buffers;
-  for (const raster::Face& face : faces) buffers.push_back(draw(face, batches));
-  return buffers;
+  buffers.resize(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) draw(faces[i], batches, buffers[i]);
 }
 
 OpenGlRenderer::OpenGlRenderer(const raster::DrawList& list, OpenGlPath path)
@@ -661,9 +660,9 @@ OpenGlRenderer::OpenGlRenderer(const raster::DrawList& list, OpenGlPath path)
 
 OpenGlRenderer::~OpenGlRenderer() = default;
 
-std::vector<raster::ItemBuffer> OpenGlRenderer::render(std::span<const raster::Face> faces,
-                                                       std::span<const std::uint32_t> skipped) {
-  return implementation_->render(faces, skipped);
+void OpenGlRenderer::draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+                          std::vector<raster::ItemBuffer>& buffers) {
+  implementation_->draw(faces, skipped, buffers);
 }
 
 std::optional<std::string> openGlDevice() {

@@ -40,8 +40,8 @@ class OpenGlRenderer final : public raster::ItemBufferRenderer {
   /// Throws InputError where a face breaks the rules or is larger than the device's viewport, and where the device
   /// fails. The fixed-function path draws the fronts of a draw before its backs: where both lie at one depth, the front
   /// is seen.
-  std::vector<raster::ItemBuffer> render(std::span<const raster::Face> faces,
-                                         std::span<const std::uint32_t> skipped) override;
+  void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+            std::vector<raster::ItemBuffer>& buffers) override;
 
  private:
   class Implementation;

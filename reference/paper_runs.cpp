@@ -18,12 +18,11 @@ class TimedRenderer final : public raster::ItemBufferRenderer {
  public:
   explicit TimedRenderer(raster::ItemBufferRenderer& renderer) : renderer_(renderer) {}
 
-  std::vector<raster::ItemBuffer> render(std::span<const raster::Face> faces,
-                                         std::span<const std::uint32_t> skipped) override {
+  void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+            std::vector<raster::ItemBuffer>& buffers) override {
     const Stopwatch watch;
-    std::vector<raster::ItemBuffer> buffers = renderer_.render(faces, skipped);
+    renderer_.draw(faces, skipped, buffers);
     seconds_ = watch.seconds();
-    return buffers;
   }
 
   /// Of the last drawing.

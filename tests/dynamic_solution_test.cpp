@@ -109,12 +109,11 @@ struct Drawn {
 class CountingRenderer final : public raster::ItemBufferRenderer {
  public:
   CountingRenderer(raster::DrawList list, Drawn& drawn) : renderer_(std::move(list)), drawn_(drawn) {}
-  std::vector<raster::ItemBuffer> render(std::span<const raster::Face> faces,
-                                         std::span<const std::uint32_t> skipped) override {
-    std::vector<raster::ItemBuffer> buffers = renderer_.render(faces, skipped);
+  void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+            std::vector<raster::ItemBuffer>& buffers) override {
+    renderer_.draw(faces, skipped, buffers);
     drawn_.faces += buffers.size();
     for (const raster::ItemBuffer& buffer : buffers) drawn_.pixels += buffer.words.size();
-    return buffers;
   }
 
  private:

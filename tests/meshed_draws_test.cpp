@@ -265,9 +265,8 @@ TEST_CASE("Leaving out a triangle of the scene leaves out its pieces", "[meshing
   class Recorder final : public raster::ItemBufferRenderer {
    public:
     explicit Recorder(std::vector<std::uint32_t>& skipped) : skipped_(skipped) {}
-    Drawn render(std::span<const raster::Face>, std::span<const std::uint32_t> skipped) override {
+    void draw(std::span<const raster::Face>, std::span<const std::uint32_t> skipped, Drawn&) override {
       skipped_.assign(skipped.begin(), skipped.end());
-      return {};
     }
 
    private:

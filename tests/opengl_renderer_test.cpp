@@ -121,18 +121,17 @@ class JudgedRenderer final : public raster::ItemBufferRenderer {
  public:
   JudgedRenderer(const raster::DrawList& list, OpenGlPath path) : list_(list), device_(list, path) {}
 
-  std::vector<raster::ItemBuffer> render(std::span<const raster::Face> faces,
-                                         std::span<const std::uint32_t> skipped) override {
+  void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+            std::vector<raster::ItemBuffer>& buffers) override {
     TestVector vector;
     vector.list = without(list_, skipped);
     for (const raster::Face& face : faces) vector.faces.push_back({"", face, "", ""});
-    const std::vector<raster::ItemBuffer> found = device_.render(faces, skipped);
-    const reference::Verdict verdict = judge(vector, found, {});
+    device_.draw(faces, skipped, buffers);
+    const reference::Verdict verdict = judge(vector, buffers, {});
     CHECK(!hasErrors(verdict));
     for (const reference::FaceVerdict& face : verdict.faces)
       for (std::size_t p = 0; p < face.pixels.size(); ++p)
         if (face.pixels[p] != PixelVerdict::Exact) explained.insert({face.expected.words[p], face.found.words[p]});
-    return found;
   }
 
   std::set<raster::Word> explained;  ///< what the rules or the device show there

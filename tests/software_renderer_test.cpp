@@ -382,6 +382,24 @@ TEST_CASE("item buffers are the pinned bits for any number of threads", "[render
   CHECK(hashes[0] == 0x371ce9d26ebca796u);
 }
 
+TEST_CASE("what item buffers held before does not matter", "[renderer]") {
+  const std::array<raster::Face, 3> faces = threeFaces();
+  raster::SoftwareRenderer renderer(crossingTriangles());
+  std::vector<raster::ItemBuffer> buffers(5, {7, 1, std::vector<raster::Word>(7, 12345)});
+  // More, fewer, larger and smaller ones than before.
+  for (const std::size_t first : {2, 0, 1}) {
+    const std::span<const raster::Face> some = std::span(faces).subspan(first);
+    renderer.draw(some, {}, buffers);
+    const std::vector<raster::ItemBuffer> expected = renderer.render(some, {});
+    REQUIRE(buffers.size() == expected.size());
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+      CHECK(buffers[i].width == expected[i].width);
+      CHECK(buffers[i].height == expected[i].height);
+      CHECK(buffers[i].words == expected[i].words);
+    }
+  }
+}
+
 TEST_CASE("draw lists and faces that break the rules are input errors", "[renderer]") {
   const auto list = [] {
     raster::DrawList good;
