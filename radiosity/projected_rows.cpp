@@ -29,7 +29,7 @@ View ProjectedRows::viewFrom(std::uint32_t surface, const SurfacePoint& point, c
                              double area) {
   const Projection& projection = projectionAfter(halvings);
   const glm::dvec3 eye = eyeOver(scene_, surface, point);
-  View view{&projection, {}, skippedTriangles(scene_, surface, point), area};
+  View view{&projection, {}, skippedTriangles(scene_, boxes_, surface, point), area};
   view.faces = facesOver(projection.faces, eye - scene_.origin, point.normal, up,
                          nearDistance(scene_, boxes_, eye, view.skipped, projection.squaredReach));
   return view;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "radiosity/projection.h"
 
@@ -43,10 +44,21 @@ double squaredDistanceToBounds(const glm::dvec3& point, const std::array<glm::dv
   return glm::dot(offset, offset);
 }
 
+/// Over the tangent plane.
+double heightOf(const glm::dvec3& position, const SurfacePoint& point) {
+  return glm::dot(position - point.position, point.normal);
+}
+
+/// The lowest and the highest that anything in a box can lie, in binary64: every operation of heightOf is monotonic,
+/// also where it rounds.
+std::pair<double, double> heightsOf(const TriangleBox& box, const SurfacePoint& point) {
+  const auto isUp = glm::greaterThan(point.normal, glm::dvec3(0));
+  return {heightOf(glm::mix(box.high, box.low, isUp), point), heightOf(glm::mix(box.low, box.high, isUp), point)};
+}
+
 bool liesInPlane(const Triangle& triangle, const SurfacePoint& point, double tolerance) {
-  return std::all_of(triangle.position.begin(), triangle.position.end(), [&](const glm::dvec3& corner) {
-    return std::abs(glm::dot(corner - point.position, point.normal)) <= tolerance;
-  });
+  return std::all_of(triangle.position.begin(), triangle.position.end(),
+                     [&](const glm::dvec3& corner) { return std::abs(heightOf(corner, point)) <= tolerance; });
 }
 
 bool facesAway(const Triangle& triangle, const glm::dvec3& eye) {
@@ -57,21 +69,28 @@ bool facesAway(const Triangle& triangle, const glm::dvec3& eye) {
 
 }  // namespace
 
-std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::uint32_t surface, const SurfacePoint& point) {
+std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::span<const TriangleBox> boxes,
+                                            std::uint32_t surface, const SurfacePoint& point) {
   const double tolerance = tangentPlaneTolerance * scene.extent;
   std::vector<std::uint32_t> skipped;
-  std::uint32_t number = 0;  // of a surface's first triangle
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-    const Surface& seen = scene.surfaces[s];
-    const bool isOwn = s == surface || seen.twin == static_cast<int>(surface);
-    if (isOwn || seen.twin)
-      for (std::uint32_t t = 0; t < seen.triangles.size(); ++t)
-        if ((isOwn && liesInPlane(seen.triangles[t], point, tolerance)) ||
-            (seen.twin && facesAway(seen.triangles[t], point.position)))
-          skipped.push_back(number + t);
-    number += static_cast<std::uint32_t>(seen.triangles.size());
+  for (const TriangleBox& box : boxes) {
+    const Surface& seen = scene.surfaces[box.surface];
+    const bool isOwn = box.surface == surface || seen.twin == static_cast<int>(surface);
+    if (!isOwn && !seen.twin) continue;
+    const auto [lowest, highest] = heightsOf(box, point);
+    const bool mayLie = isOwn && lowest <= tolerance && highest >= -tolerance;
+    const bool allLie = mayLie && lowest >= -tolerance && highest <= tolerance;
+    if (!mayLie && !seen.twin) continue;
+    for (std::uint32_t t = box.first; t < box.end; ++t)
+      if (allLie || (mayLie && liesInPlane(seen.triangles[t], point, tolerance)) ||
+          (seen.twin && facesAway(seen.triangles[t], point.position)))
+        skipped.push_back(box.number + (t - box.first));
   }
   return skipped;
+}
+
+std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::uint32_t surface, const SurfacePoint& point) {
+  return skippedTriangles(scene, triangleBoxes(scene), surface, point);
 }
 
 double nearDistance(const Scene& scene, std::span<const TriangleBox> boxes, const glm::dvec3& point,

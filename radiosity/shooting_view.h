@@ -27,13 +27,16 @@ inline constexpr double smallestNearDistance = 0x1p-24;
 /// The triangles that a view from a point of a surface leaves out, ascending: those of the surface that lie in the
 /// tangent plane, and in two-sided scenes whichever of two coincident sides faces away from the point.
 std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::uint32_t surface, const SurfacePoint& point);
+/// The same with the scene's triangleBoxes at hand, for who asks often.
+std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::span<const TriangleBox> boxes,
+                                            std::uint32_t surface, const SurfacePoint& point);
 
 /// A near distance that clips no triangle open: the distance to the nearest triangle that is not skipped, over the
 /// projection's reach (see Projection::squaredReach). Where a triangle touches the point it is smallestNearDistance,
 /// where nothing is near the scene's extent.
 double nearDistance(const Scene& scene, const glm::dvec3& point, const std::vector<std::uint32_t>& skipped,
                     double squaredReach);
-/// The same with the scene's triangleBoxes at hand, for who asks often.
+/// Likewise with the boxes at hand.
 double nearDistance(const Scene& scene, std::span<const TriangleBox> boxes, const glm::dvec3& point,
                     const std::vector<std::uint32_t>& skipped, double squaredReach);
 

@@ -2,11 +2,14 @@
 #include "radiosity/shooting_view.h"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "radiosity/hemicube.h"
+#include "radiosity/projection.h"
 #include "tests/box_scene.h"
 
 using namespace hemitex;
@@ -71,4 +74,55 @@ TEST_CASE("a view leaves out its own surface's triangles in the tangent plane, a
   CHECK(skippedTriangles(scene, 2, {{0.3, 0, 0.3}, {0, 1, 0}, 0}) == std::vector<std::uint32_t>{4, 5});
   const glm::dvec3 bent = normal(scene.surfaces[7].triangles[0]);
   CHECK(skippedTriangles(scene, 7, {{0.6, 3, 0}, bent, 0}) == std::vector<std::uint32_t>{14});
+}
+
+TEST_CASE("the triangles left out are the same whether boxes are looked into first or not", "[view]") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  for (const glm::dvec3& normal : {glm::dvec3(0, 1, 0), glm::dvec3(0, 0, -1), glm::normalize(glm::dvec3(3, -1, 2))}) {
+    // Runs of triangles in the tangent plane, next to it on either side of the tolerance, across it and far from it; a
+    // surface with a twin, and one that is neither.
+    const SurfacePoint point{{0.3, -0.2, 0.7}, normal, 0};
+    const glm::dvec3 x = tangentAlong(normal, glm::dvec3(0)), y = glm::cross(normal, x);
+    Scene scene;
+    scene.extent = 2;
+    scene.surfaces.resize(3);
+    scene.surfaces[0].twin = 1;
+    scene.surfaces[1].twin = 0;
+    const double tolerance = tangentPlaneTolerance * scene.extent;
+    const double inside = 0.999 * tolerance, outside = 1.001 * tolerance;
+    const std::array<std::pair<double, double>, 7> runs{
+        {{0, 0}, {-inside, inside}, {0, outside}, {-outside, 0}, {outside, outside}, {-0.1, 0.1}, {-0.1, -0.1}}};
+    constexpr std::uint32_t runLength = 64;
+    std::vector<std::uint32_t> expected;
+    std::uint32_t number = 0;
+    for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+      for (std::size_t t = 0; t < runs.size() * runLength; ++t) {
+        const auto& [lowest, highest] = runs.at(t / runLength);
+        Triangle triangle;
+        bool liesInPlane = true;
+        for (glm::dvec3& corner : triangle.position) {
+          corner = point.position + coordinate(random) * x + coordinate(random) * y +
+                   (coordinate(random) > 0 ? lowest : highest) * normal;
+          liesInPlane = liesInPlane && std::abs(glm::dot(corner - point.position, normal)) <= tolerance;
+        }
+        const auto& [a, b, c] = triangle.position;
+        const bool facesAway = glm::dot(point.position - a, glm::cross(b - a, c - a)) < 0;
+        if (s < 2 && (liesInPlane || facesAway)) expected.push_back(number);
+        ++number;
+        scene.surfaces[s].triangles.push_back(triangle);
+      }
+    CHECK(skippedTriangles(scene, 0, point) == expected);
+    // Without twins, the tangent plane alone.
+    scene.surfaces[0].twin = scene.surfaces[1].twin = {};
+    std::erase_if(expected, [&](std::uint32_t t) {
+      if (t >= scene.surfaces[0].triangles.size()) return true;
+      const auto& position = scene.surfaces[0].triangles[t].position;
+      return std::any_of(position.begin(), position.end(), [&](const glm::dvec3& corner) {
+        return std::abs(glm::dot(corner - point.position, normal)) > tolerance;
+      });
+    });
+    CHECK(skippedTriangles(scene, 0, point) == expected);
+    CHECK(!expected.empty());
+  }
 }
