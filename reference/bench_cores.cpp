@@ -28,6 +28,20 @@ void multiplyAndAdd() {
 
 }  // namespace
 
+std::vector<double> gainsOfSecondCore(std::span<const std::function<void()>> tasks, int repeats) {
+  std::vector<std::function<void()>> limited;
+  for (const std::function<void()>& task : tasks)
+    for (const int threads : {1, 2})
+      limited.push_back([&task, threads] {
+        const raster::ThreadLimit limit(threads);
+        task();
+      });
+  const std::vector<Timing> timings = timeInTurns(limited, repeats);
+  std::vector<double> gains;
+  for (std::size_t i = 0; i < timings.size(); i += 2) gains.push_back(timings[i].median / timings[i + 1].median);
+  return gains;
+}
+
 CoreGains coreGains(const BenchScene& bench, int resolution, int shots, int repeats) {
   radiosity::DrawnRows drawn(bench.scene, radiosity::discretize(bench.scene, bench.elements),
                              radiosity::layOut(radiosity::discretize(bench.scene, bench.elements), bench.words),
@@ -40,16 +54,9 @@ CoreGains coreGains(const BenchScene& bench, int resolution, int shots, int repe
     const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
     radiosity::solve(bench.scene, drawn.discretization(), rowOf, {.residual = 0, .shots = shots, .rowCacheBytes = 0});
   };
-  std::vector<std::function<void()>> tasks;
-  for (const std::function<void()>& task : {std::function<void()>(multiplyAndAdd), {hemicubes}, {solution}})
-    for (const int threads : {1, 2})
-      tasks.push_back([task, threads] {
-        const raster::ThreadLimit limit(threads);
-        task();
-      });
-  const std::vector<Timing> timings = timeInTurns(tasks, repeats);
-  const auto gain = [&](std::size_t task) { return timings[2 * task].median / timings[2 * task + 1].median; };
-  return {gain(0), gain(1), gain(2)};
+  const std::vector<double> gains =
+      gainsOfSecondCore(std::vector<std::function<void()>>{multiplyAndAdd, hemicubes, solution}, repeats);
+  return {gains[0], gains[1], gains[2]};
 }
 
 }  // namespace hemitex::reference

@@ -2,11 +2,18 @@
 /// hemicube and to a whole solution. All in turns.
 #pragma once
 
+#include <functional>
+#include <span>
+#include <vector>
+
 #include "reference/bench_scenes.h"
 
 namespace hemitex::reference {
 
-/// How many times faster each is on two threads than on one.
+/// How many times faster each task is on two threads than on one: each runs on one and then on two, all in turns.
+std::vector<double> gainsOfSecondCore(std::span<const std::function<void()>> tasks, int repeats);
+
+/// These gains.
 struct CoreGains {
   double arithmetic = 0, hemicube = 0, solution = 0;
 };
