@@ -1,10 +1,10 @@
-/// Small triangles: those that span less than four pixels either way. Where a scene is cut finely there is next to
+/// Small triangles: those that span less than six pixels either way. Where a scene is cut finely there is next to
 /// nothing else, and setting each of them up as a screen triangle takes longer than its pixels do. So these kernels
 /// take as many as a vector has lanes, straight from the placed vertices of their cluster. There is a plain version,
 /// which says what they compute, and one for each SIMD instruction set that the processor has; all give the same
 /// numbers, bit for bit.
 ///
-/// Positions count from a sample near by: corners are less than 2^10 sub-pixels away from it and the values of edges
+/// Positions count from a sample near by: corners are less than 2^11 sub-pixels away from it and the values of edges
 /// below 2^23, so that binary32 holds, and computes, them without rounding. 1/w and texels are decided in binary64
 /// where its error bound allows (pixel_bounds.h); the caller decides the others exactly.
 #pragma once

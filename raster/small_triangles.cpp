@@ -7,8 +7,10 @@ namespace hemitex::raster {
 std::uint32_t SmallTriangles::add(std::uint32_t cluster, const PlacedVertices& placed) {
   const std::size_t number = firstNumber + kept_.size() * largestCluster;
   assert(number + largestCluster <= noTriangle);
-  const std::size_t count = draws_.mesh.parts[cluster].vertices;
-  kept_.push_back({cluster, w_.size()});
+  const ClusterPart& part = draws_.mesh.parts[cluster];
+  const std::vector<TriangleRun>& runs = draws_.clusters[cluster].runs;
+  kept_.push_back({cluster, runs.size() == 1 ? runs.front().draw : severalDraws, part, w_.size()});
+  const std::size_t count = part.vertices;
   across_.insert(across_.end(), placed.across.begin(), placed.across.begin() + count);
   down_.insert(down_.end(), placed.down.begin(), placed.down.begin() + count);
   w_.insert(w_.end(), placed.w.begin(), placed.w.begin() + count);
@@ -24,12 +26,14 @@ void SmallTriangles::removeLast() {
 }
 
 const Draw& SmallTriangles::drawOf(std::uint32_t number) const {
-  return draws_.list.draws[triangleOf(draws_.clusters[keptOf(number).cluster], inCluster(number)).draw];
+  const Kept& kept = keptOf(number);
+  return draws_.list
+      .draws[kept.draw != severalDraws ? kept.draw : triangleOf(draws_.clusters[kept.cluster], inCluster(number)).draw];
 }
 
 bool SmallTriangles::facesAway(std::uint32_t number) const {
   const Kept& kept = keptOf(number);
-  const std::size_t triangle = draws_.mesh.parts[kept.cluster].firstTriangle + inCluster(number);
+  const std::size_t triangle = kept.part.firstTriangle + inCluster(number);
   const auto vertex = [&](std::size_t k) { return kept.firstVertex + draws_.mesh.corners[k][triangle]; };
   const std::size_t a = vertex(0), b = vertex(1), c = vertex(2);
   const std::int32_t area =
@@ -39,11 +43,10 @@ bool SmallTriangles::facesAway(std::uint32_t number) const {
 
 void SmallTriangles::show(std::uint32_t number, const Pixel& pixel, SmallPixels& pixels, std::size_t i) const {
   const Kept& kept = keptOf(number);
-  const ClusterPart& part = draws_.mesh.parts[kept.cluster];
-  const std::size_t triangle = part.firstTriangle + inCluster(number);
+  const std::size_t triangle = kept.part.firstTriangle + inCluster(number);
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t corner = draws_.mesh.corners[k][triangle], placed = kept.firstVertex + corner;
-    const glm::vec2& texcoord = draws_.mesh.texcoords[part.firstVertex + corner];
+    const glm::vec2& texcoord = draws_.mesh.texcoords[kept.part.firstVertex + corner];
     pixels.across[k][i] = static_cast<float>(across_[placed] - (256 * pixel.column + 128));
     pixels.down[k][i] = static_cast<float>(down_[placed] - (256 * pixel.row + 128));
     pixels.w[k][i] = w_[placed];
@@ -56,7 +59,7 @@ ScreenTriangle SmallTriangles::screenTriangle(std::uint32_t number) const {
   const Kept& kept = keptOf(number);
   const std::size_t first = kept.firstVertex;
   ScreenTriangle triangle;
-  makeScreenTriangle(draws_.mesh, draws_.clusters[kept.cluster], draws_.mesh.parts[kept.cluster], inCluster(number),
+  makeScreenTriangle(draws_.mesh, draws_.clusters[kept.cluster], kept.part, inCluster(number),
                      {across_.data() + first, down_.data() + first, w_.data() + first}, scissor_, isMirrored_,
                      triangle);
   return triangle;

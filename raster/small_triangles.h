@@ -38,8 +38,11 @@ class SmallTriangles {
 
   struct Kept {
     std::uint32_t cluster;
+    std::uint32_t draw;       ///< of all triangles of the cluster, or severalDraws
+    ClusterPart part;         ///< of the mesh
     std::size_t firstVertex;  ///< below
   };
+  static constexpr std::uint32_t severalDraws = 0xffffffff;
   const Kept& keptOf(std::uint32_t number) const { return kept_[(number - firstNumber) / largestCluster]; }
   static std::uint32_t inCluster(std::uint32_t number) { return (number - firstNumber) % largestCluster; }
 
