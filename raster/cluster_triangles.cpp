@@ -25,7 +25,7 @@ std::uint32_t skippedOf(const Cluster& cluster, std::span<const std::uint32_t> s
 }  // namespace
 
 bool makeScreenTriangle(const ClusterMesh& mesh, const Cluster& cluster, const ClusterPart& part, std::uint32_t t,
-                        const PlacedView& placed, const Scissor& scissor, bool mirrored, ScreenTriangle& triangle) {
+                        const PlacedVertices& placed, const Scissor& scissor, bool mirrored, ScreenTriangle& triangle) {
   std::array<SnappedPoint, 3> snapped;
   std::array<ViewVertex, 3> vertices;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -61,9 +61,7 @@ SeenTriangles appendScreenTriangles(const DrawList& list, const ClusterMesh& mes
       continue;
     }
     ScreenTriangle& triangle = triangles.emplace_back();
-    if (!makeScreenTriangle(mesh, cluster, part, t, {placed.across.data(), placed.down.data(), placed.w.data()},
-                            face.scissor, mirrored, triangle))
-      triangles.pop_back();
+    if (!makeScreenTriangle(mesh, cluster, part, t, placed, face.scissor, mirrored, triangle)) triangles.pop_back();
   }
   return seen;
 }

@@ -25,14 +25,8 @@ SeenTriangles appendScreenTriangles(const DrawList& list, const ClusterMesh& mes
                                     std::span<const std::uint32_t> skipped, PlacedVertices& placed,
                                     std::vector<ScreenTriangle>& triangles);
 
-/// The vertices of one part: those of PlacedVertices, or copies.
-struct PlacedView {
-  const std::int32_t *across, *down;
-  const float* w;
-};
-
 /// Sets up the `t`th triangle of a cluster, which needs no clipping; false where it covers no sample.
 bool makeScreenTriangle(const ClusterMesh& mesh, const Cluster& cluster, const ClusterPart& part, std::uint32_t t,
-                        const PlacedView& placed, const Scissor& scissor, bool mirrored, ScreenTriangle& triangle);
+                        const PlacedVertices& placed, const Scissor& scissor, bool mirrored, ScreenTriangle& triangle);
 
 }  // namespace hemitex::raster

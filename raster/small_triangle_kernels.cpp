@@ -99,8 +99,8 @@ struct SmallTexel {
   }
 };
 
-std::uint32_t findTexels(const SmallPixels& pixels, std::size_t count, SmallTexels& texels) {
-  std::uint32_t decided = 0;
+SmallTexels findTexels(const SmallPixels& pixels, std::size_t count) {
+  SmallTexels found;
   for (std::size_t i = 0; i < count; ++i) {
     const auto corners = [i](const std::array<SmallPixels::Values, 3>& values) {
       return std::array<double, 3>{values[0][i], values[1][i], values[2][i]};
@@ -109,13 +109,14 @@ std::uint32_t findTexels(const SmallPixels& pixels, std::size_t count, SmallTexe
     const std::array<double, 3> weights{(x[1] * y[2] - x[2] * y[1]) * (w[1] * w[2]),
                                         (x[2] * y[0] - x[0] * y[2]) * (w[2] * w[0]),
                                         (x[0] * y[1] - x[1] * y[0]) * (w[0] * w[1])};
-    const double inverseSum = 1 / ((weights[0] + weights[1]) + weights[2]);
+    const double sum = (weights[0] + weights[1]) + weights[2], inverseSum = 1 / sum;
     const SmallTexel column(weights, inverseSum, corners(pixels.u), pixels.columns[i]);
     const SmallTexel row(weights, inverseSum, corners(pixels.v), pixels.rows[i]);
-    texels[i] = static_cast<std::uint32_t>(row.texel * pixels.columns[i] + column.texel);
-    if (column.isClear && row.isClear) decided |= 1U << i;
+    found.texels[i] = static_cast<std::uint32_t>(row.texel * pixels.columns[i] + column.texel);
+    if (column.isClear && row.isClear) found.decided |= 1U << i;
+    if (sum < 0) found.negative |= 1U << i;
   }
-  return decided;
+  return found;
 }
 
 }  // namespace

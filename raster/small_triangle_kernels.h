@@ -48,7 +48,12 @@ struct SmallPixels {
   std::array<double, mostVertexLanes> columns, rows;  ///< of the index map
 };
 
-using SmallTexels = std::array<std::uint32_t, mostVertexLanes>;
+/// What small pixels show.
+struct SmallTexels {
+  std::array<std::uint32_t, mostVertexLanes> texels;  ///< row * columns + column
+  std::uint32_t decided = 0;                          ///< a bit for each that binary64 can tell
+  std::uint32_t negative = 0;  ///< a bit for each where the area of the triangle is so (raster rules, 5)
+};
 
 struct SmallTriangleKernels {
   std::string name;  ///< plain, or that of an instruction set
@@ -58,9 +63,8 @@ struct SmallTriangleKernels {
   /// pixel took one.
   bool (*offer)(const OfferedTriangles& triangles, DepthBuffer& buffer, UndecidedSamples& undecided);
 
-  /// The texels of the first `count` pixels, row * columns + column each. Returns a bit for each where binary64 can
-  /// tell; elsewhere, and behind them, what `texels` says is not to be used.
-  std::uint32_t (*findTexels)(const SmallPixels& pixels, std::size_t count, SmallTexels& texels);
+  /// The texels of the first `count` pixels.
+  SmallTexels (*findTexels)(const SmallPixels& pixels, std::size_t count);
 };
 
 /// The specification of the others.

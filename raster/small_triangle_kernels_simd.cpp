@@ -212,9 +212,9 @@ struct SmallTexel {
   }
 };
 
-std::uint32_t findTexels(const SmallPixels& pixels, std::size_t count, SmallTexels& texels) {
+SmallTexels findTexels(const SmallPixels& pixels, std::size_t count) {
   const std::size_t lanes = hn::Lanes(doubles);
-  std::uint32_t decided = 0;
+  SmallTexels found;
   for (std::size_t i = 0; i < count; i += lanes) {
     const auto load = [i](const SmallPixels::Values& values) { return hn::LoadU(floats, values.data() + i); };
     const auto corners = [&](const std::array<SmallPixels::Values, 3>& values) {
@@ -226,16 +226,17 @@ std::uint32_t findTexels(const SmallPixels& pixels, std::size_t count, SmallTexe
         promoted({cross(x.b, y.b, x.c, y.c), cross(x.c, y.c, x.a, y.a), cross(x.a, y.a, x.b, y.b)});
     const Corners<Double> weights{hn::Mul(e.a, hn::Mul(w.b, w.c)), hn::Mul(e.b, hn::Mul(w.c, w.a)),
                                   hn::Mul(e.c, hn::Mul(w.a, w.b))};
-    const Double inverseSum = hn::Div(all(1.0), hn::Add(hn::Add(weights.a, weights.b), weights.c));
+    const Double sum = hn::Add(hn::Add(weights.a, weights.b), weights.c), inverseSum = hn::Div(all(1.0), sum);
     const Double columns = hn::LoadU(doubles, pixels.columns.data() + i);
     const Double rows = hn::LoadU(doubles, pixels.rows.data() + i);
     const SmallTexel column(weights, inverseSum, promoted(corners(pixels.u)), columns);
     const SmallTexel row(weights, inverseSum, promoted(corners(pixels.v)), rows);
     const Double texel = hn::Add(hn::Mul(row.texel, columns), column.texel);
-    hn::StoreU(hn::BitCast(Numbers(), hn::DemoteTo(integers, texel)), Numbers(), texels.data() + i);
-    decided |= bitsOf(doubles, hn::And(column.isClear, row.isClear)) << i;
+    hn::StoreU(hn::BitCast(Numbers(), hn::DemoteTo(integers, texel)), Numbers(), found.texels.data() + i);
+    found.decided |= bitsOf(doubles, hn::And(column.isClear, row.isClear)) << i;
+    found.negative |= bitsOf(doubles, hn::Lt(sum, hn::Zero(doubles))) << i;
   }
-  return decided & ((1U << count) - 1);
+  return found;
 }
 
 SmallTriangleKernels smallTriangleKernels() { return {hwy::TargetName(HWY_TARGET), offer, findTexels}; }

@@ -10,10 +10,12 @@ std::uint32_t SmallTriangles::add(std::uint32_t cluster, const PlacedVertices& p
   const ClusterPart& part = draws_.mesh.parts[cluster];
   const std::vector<TriangleRun>& runs = draws_.clusters[cluster].runs;
   kept_.push_back({cluster, runs.size() == 1 ? runs.front().draw : severalDraws, part, w_.size()});
-  const std::size_t count = part.vertices;
-  across_.insert(across_.end(), placed.across.begin(), placed.across.begin() + count);
-  down_.insert(down_.end(), placed.down.begin(), placed.down.begin() + count);
-  w_.insert(w_.end(), placed.w.begin(), placed.w.begin() + count);
+  const auto append = [&part](const auto& values, auto& kept) {
+    kept.insert(kept.end(), values.begin(), values.begin() + part.vertices);
+  };
+  append(placed.across, across_);
+  append(placed.down, down_);
+  append(placed.w, w_);
   return static_cast<std::uint32_t>(number);
 }
 
@@ -27,41 +29,42 @@ void SmallTriangles::removeLast() {
 
 const Draw& SmallTriangles::drawOf(std::uint32_t number) const {
   const Kept& kept = keptOf(number);
-  return draws_.list
-      .draws[kept.draw != severalDraws ? kept.draw : triangleOf(draws_.clusters[kept.cluster], inCluster(number)).draw];
+  const std::uint32_t draw =
+      kept.draw != severalDraws ? kept.draw : triangleOf(draws_.clusters[kept.cluster], inCluster(number)).draw;
+  return draws_.list.draws[draw];
 }
 
-bool SmallTriangles::facesAway(std::uint32_t number) const {
+SmallTriangles::Vertex SmallTriangles::vertex(std::uint32_t number, std::size_t corner) const {
   const Kept& kept = keptOf(number);
-  const std::size_t triangle = kept.part.firstTriangle + inCluster(number);
-  const auto vertex = [&](std::size_t k) { return kept.firstVertex + draws_.mesh.corners[k][triangle]; };
-  const std::size_t a = vertex(0), b = vertex(1), c = vertex(2);
-  const std::int32_t area =
-      (across_[b] - across_[a]) * (down_[c] - down_[a]) - (down_[b] - down_[a]) * (across_[c] - across_[a]);
-  return (area < 0) == isMirrored_;
+  const std::size_t inPart = draws_.mesh.corners[corner][kept.part.firstTriangle + inCluster(number)];
+  const std::size_t placed = kept.firstVertex + inPart;
+  return {across_[placed], down_[placed], w_[placed], draws_.mesh.texcoords[kept.part.firstVertex + inPart]};
 }
 
 void SmallTriangles::show(std::uint32_t number, const Pixel& pixel, SmallPixels& pixels, std::size_t i) const {
-  const Kept& kept = keptOf(number);
-  const std::size_t triangle = kept.part.firstTriangle + inCluster(number);
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t corner = draws_.mesh.corners[k][triangle], placed = kept.firstVertex + corner;
-    const glm::vec2& texcoord = draws_.mesh.texcoords[kept.part.firstVertex + corner];
-    pixels.across[k][i] = static_cast<float>(across_[placed] - (256 * pixel.column + 128));
-    pixels.down[k][i] = static_cast<float>(down_[placed] - (256 * pixel.row + 128));
-    pixels.w[k][i] = w_[placed];
-    pixels.u[k][i] = texcoord.x;
-    pixels.v[k][i] = texcoord.y;
+    const Vertex corner = vertex(number, k);
+    pixels.across[k][i] = static_cast<float>(corner.across - (256 * pixel.column + 128));
+    pixels.down[k][i] = static_cast<float>(corner.down - (256 * pixel.row + 128));
+    pixels.w[k][i] = corner.w;
+    pixels.u[k][i] = corner.texcoord.x;
+    pixels.v[k][i] = corner.texcoord.y;
   }
 }
 
 ScreenTriangle SmallTriangles::screenTriangle(std::uint32_t number) const {
-  const Kept& kept = keptOf(number);
-  const std::size_t first = kept.firstVertex;
+  std::array<SnappedPoint, 3> snapped;
+  std::array<ViewVertex, 3> vertices;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vertex corner = vertex(number, k);
+    snapped[k] = {corner.across, corner.down};
+    vertices[k] = {0, 0, corner.w, corner.texcoord.x, corner.texcoord.y};
+  }
+  const TriangleRun one = triangleOf(draws_.clusters[keptOf(number).cluster], inCluster(number));
   ScreenTriangle triangle;
-  makeScreenTriangle(draws_.mesh, draws_.clusters[kept.cluster], kept.part, inCluster(number),
-                     {across_.data() + first, down_.data() + first, w_.data() + first}, scissor_, isMirrored_,
-                     triangle);
+  makeScreenTriangle(scissor_, snapped, vertices, isMirrored_, triangle);
+  triangle.draw = one.draw;
+  triangle.number = one.first;
   return triangle;
 }
 

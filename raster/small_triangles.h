@@ -3,20 +3,20 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
-#include "raster/cluster_triangles.h"
 #include "raster/pixel_kernels.h"
 #include "raster/prepared_draws.h"
+#include "raster/screen_triangle.h"
 #include "raster/small_triangle_kernels.h"
+#include "raster/vertex_kernels.h"
 
 namespace hemitex::raster {
 
 class SmallTriangles {
  public:
-  SmallTriangles(const PreparedDraws& draws, const Face& face)
-      : draws_(draws), scissor_(face.scissor), isMirrored_(determinant(face) < 0) {}
+  SmallTriangles(const PreparedDraws& draws, const Scissor& scissor, bool isMirrored)
+      : draws_(draws), scissor_(scissor), isMirrored_(isMirrored) {}
 
   /// Whether a number, not noTriangle, is one of these, not of a screen triangle.
   static bool holds(std::uint32_t number) { return number >= firstNumber; }
@@ -27,14 +27,12 @@ class SmallTriangles {
   void removeLast();
 
   const Draw& drawOf(std::uint32_t number) const;
-  /// Whether it winds clockwise as the eye sees it.
-  bool facesAway(std::uint32_t number) const;
-  /// The `i`th of `pixels` shows it; what the index map is like stays to be said.
+  /// Makes the `i`th of `pixels` one that shows it; what the index map is like stays to be said.
   void show(std::uint32_t number, const Pixel& pixel, SmallPixels& pixels, std::size_t i) const;
   ScreenTriangle screenTriangle(std::uint32_t number) const;
 
  private:
-  static constexpr std::uint32_t firstNumber = 0x80000000;
+  static constexpr std::uint32_t firstNumber = 0x80000000, severalDraws = 0xffffffff;
 
   struct Kept {
     std::uint32_t cluster;
@@ -42,9 +40,14 @@ class SmallTriangles {
     ClusterPart part;         ///< of the mesh
     std::size_t firstVertex;  ///< below
   };
-  static constexpr std::uint32_t severalDraws = 0xffffffff;
+  struct Vertex {
+    std::int32_t across, down;
+    float w;
+    glm::vec2 texcoord;
+  };
   const Kept& keptOf(std::uint32_t number) const { return kept_[(number - firstNumber) / largestCluster]; }
   static std::uint32_t inCluster(std::uint32_t number) { return (number - firstNumber) % largestCluster; }
+  Vertex vertex(std::uint32_t number, std::size_t corner) const;
 
   const PreparedDraws& draws_;
   Scissor scissor_;

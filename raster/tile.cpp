@@ -43,8 +43,10 @@ Shading shadingOf(const PreparedDraws& draws, const ScreenTriangle& triangle) {
           Shading::Texels{&map, isSum, isSum && traits.countsTexels, TexelPlanes(triangle, map.width, map.height), {}}};
 }
 
-/// The word of a pixel that shows a texel, by number, of a draw with an index map.
-Word wordOf(const PreparedDraws& draws, const Draw& draw, Word texel) {
+/// The word of a pixel that shows a draw, and of its index map, if any, a texel by number.
+Word wordOf(const PreparedDraws& draws, const Draw& draw, bool facesAway, Word texel) {
+  if (facesAway && draw.back) return *draw.back;
+  if (!draw.indexMap) return draw.offset;
   const auto map = static_cast<std::size_t>(*draw.indexMap);
   const PreparedDraws::MapTraits& traits = draws.maps[map];
   const bool isSum = draws.list.blend != Blend::Replace && (draw.offset & traits.bits) == 0;
@@ -64,7 +66,12 @@ Word texelExactly(const ScreenTriangle& triangle, const IndexMap& map, const Pix
 class Tile {
  public:
   Tile(const PreparedDraws& draws, const PixelKernels& kernels, const Face& face)
-      : draws_(draws), kernels_(kernels), buffer_(face.scissor), small_(draws, face), row_(buffer_.pitch) {}
+      : draws_(draws),
+        kernels_(kernels),
+        buffer_(face.scissor),
+        isMirrored_(determinant(face) < 0),
+        small_(draws, face.scissor, isMirrored_),
+        row_(buffer_.pitch) {}
 
   /// Whether nothing of a box can be seen behind what was drawn so far.
   bool hides(const BoxPlace& place) const { return kernels_.isHidden(buffer_, place.part, place.inverseDepth); }
@@ -91,6 +98,7 @@ class Tile {
   const PreparedDraws& draws_;
   const PixelKernels& kernels_;
   DepthBuffer buffer_;
+  bool isMirrored_;
   std::vector<ScreenTriangle> taken_;     ///< by some pixel
   std::vector<Shading> shadings_;         ///< of those that a pixel shows in the end
   std::vector<std::uint32_t> shadingOf_;  ///< of a taken triangle: its place in `shadings_`, or noTriangle
@@ -190,8 +198,9 @@ const Word* Tile::resolve(int row) {
   const std::uint32_t* const triangles = buffer_.triangle.data() + begin;
   const int width = buffer_.scissor.width;
   for (int first = 0, end = 0; first < width; first = end) {
-    end = kernels_.endOfRun(triangles, first, width);
     const std::uint32_t number = triangles[first];
+    end = first + 1;
+    if (end < width && triangles[end] == number) end = kernels_.endOfRun(triangles, first, width);
     if (number == noTriangle)
       std::fill(row_.begin() + first, row_.begin() + end, backgroundWord(draws_.list.format));
     else if (SmallTriangles::holds(number))
@@ -208,17 +217,13 @@ const Word* Tile::resolve(int row) {
 /// Pixels of the tile's columns [first, end) that show one small triangle.
 void Tile::resolveSmall(std::uint32_t number, int row, int first, int end) {
   const Draw& draw = small_.drawOf(number);
-  const bool isBack = draw.back && small_.facesAway(number);
-  if (isBack || !draw.indexMap) {
-    std::fill(row_.begin() + first, row_.begin() + end, isBack ? *draw.back : draw.offset);
-    return;
-  }
-  const IndexMap& map = draws_.list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
+  const IndexMap* const map =
+      draw.indexMap ? &draws_.list.indexMaps[static_cast<std::size_t>(*draw.indexMap)] : nullptr;
   for (int column = first; column < end; ++column) {
     const std::size_t i = waiting_.count++;
     small_.show(number, {buffer_.scissor.column + column, row}, waiting_.pixels, i);
-    waiting_.pixels.columns[i] = map.width;
-    waiting_.pixels.rows[i] = map.height;
+    waiting_.pixels.columns[i] = map ? map->width : 1;
+    waiting_.pixels.rows[i] = map ? map->height : 1;
     waiting_.numbers[i] = number;
     waiting_.columns[i] = column;
     waiting_.draws[i] = &draw;
@@ -227,12 +232,12 @@ void Tile::resolveSmall(std::uint32_t number, int row, int first, int end) {
 }
 
 void Tile::resolveWaiting(int row) {
-  SmallTexels texels;
-  const std::uint32_t decided = bestSmallTriangleKernels().findTexels(waiting_.pixels, waiting_.count, texels);
+  const SmallTexels found = bestSmallTriangleKernels().findTexels(waiting_.pixels, waiting_.count);
   for (std::size_t i = 0; i < waiting_.count; ++i) {
     Word& word = row_[static_cast<std::size_t>(waiting_.columns[i])];
-    if ((decided >> i & 1) != 0) {
-      word = wordOf(draws_, *waiting_.draws[i], texels[i]);
+    const bool facesAway = ((found.negative >> i & 1) != 0) == isMirrored_;
+    if ((found.decided >> i & 1) != 0) {
+      word = wordOf(draws_, *waiting_.draws[i], facesAway, found.texels[i]);
       continue;
     }
     const ScreenTriangle triangle = small_.screenTriangle(waiting_.numbers[i]);

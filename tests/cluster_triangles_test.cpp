@@ -46,8 +46,7 @@ std::size_t setUpSmall(const ClusterMesh& mesh, const Cluster& cluster, const Cl
   for (std::uint32_t t = 0; t < part.triangles; ++t) {
     ScreenTriangle triangle;
     if ((small >> t & 1) != 0 &&
-        makeScreenTriangle(mesh, cluster, part, t, {placed.across.data(), placed.down.data(), placed.w.data()},
-                           face.scissor, determinant(face) < 0, triangle))
+        makeScreenTriangle(mesh, cluster, part, t, placed, face.scissor, determinant(face) < 0, triangle))
       triangles.push_back(triangle);
   }
   std::stable_sort(triangles.begin(), triangles.end(), [](const ScreenTriangle& a, const ScreenTriangle& b) {
