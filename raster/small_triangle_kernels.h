@@ -40,17 +40,20 @@ struct UndecidedSamples {
   void add(std::uint32_t number, int column, int row);  // not inline, as UndecidedPixels::add
 };
 
+/// So many pixels are resolved at a time, more than a vector has lanes: what was just written is not read at once.
+inline constexpr std::size_t mostSmallPixels = 32;
+
 /// Pixels side by side and, corner by corner, the small triangles that they show.
 struct SmallPixels {
-  using Values = std::array<float, mostVertexLanes>;
+  using Values = std::array<float, mostSmallPixels>;
   std::array<Values, 3> across, down;  ///< snapped positions less that of the pixel's sample
   std::array<Values, 3> w, u, v;
-  std::array<double, mostVertexLanes> columns, rows;  ///< of the index map
+  std::array<double, mostSmallPixels> columns, rows;  ///< of the index map
 };
 
 /// What small pixels show.
 struct SmallTexels {
-  std::array<std::uint32_t, mostVertexLanes> texels;  ///< row * columns + column
+  std::array<std::uint32_t, mostSmallPixels> texels;  ///< row * columns + column
   std::uint32_t decided = 0;                          ///< a bit for each that binary64 can tell
   std::uint32_t negative = 0;  ///< a bit for each where the area of the triangle is so (raster rules, 5)
 };

@@ -106,13 +106,13 @@ class Tile {
   std::vector<Word> row_;
   UndecidedPixels undecided_;
   UndecidedSamples undecidedSmall_;
-  /// Pixels of the row that show small triangles and wait until a vector is full.
+  /// Pixels of the row that show small triangles and wait until they are many.
   struct Waiting {
     std::size_t count = 0;
     SmallPixels pixels{};
-    std::array<std::uint32_t, mostVertexLanes> numbers;
-    std::array<int, mostVertexLanes> columns;  ///< of the tile
-    std::array<const Draw*, mostVertexLanes> draws;
+    std::array<std::uint32_t, mostSmallPixels> numbers;
+    std::array<int, mostSmallPixels> columns;  ///< of the tile
+    std::array<const Draw*, mostSmallPixels> draws;
   };
   Waiting waiting_;
 };
@@ -227,7 +227,7 @@ void Tile::resolveSmall(std::uint32_t number, int row, int first, int end) {
     waiting_.numbers[i] = number;
     waiting_.columns[i] = column;
     waiting_.draws[i] = &draw;
-    if (waiting_.count == mostVertexLanes) resolveWaiting(row);
+    if (waiting_.count == mostSmallPixels) resolveWaiting(row);
   }
 }
 

@@ -145,7 +145,7 @@ TEST_CASE("a small triangle covers the samples of its screen triangle and has it
             if (buffer.triangle[p] != t) continue;
             const double error = buffer.inverseDepth[p] - expected.inverseDepth[p];
             CHECK(std::abs(error) <= 2 * depthError * expected.inverseDepth[p]);
-            if (pixels.size() < mostVertexLanes) pixels.push_back({column, row});
+            if (pixels.size() < mostSmallPixels - 1) pixels.push_back({column, row});
           }
         std::array<std::array<int, 2>, 3> snapped;
         for (std::size_t k = 0; k < 3; ++k) {
