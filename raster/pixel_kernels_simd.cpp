@@ -64,7 +64,9 @@ void forEachLane(const Mask mask, const Action& action) {
 /// A triangle that is offered to a buffer.
 struct Offer {
   const ScreenTriangle& triangle;
-  DepthBuffer& buffer;
+  const DepthBuffer& buffer;
+  double* depths;
+  std::uint32_t* triangles;
   UndecidedPixels& undecided;
   Corners inverseDepth, leastCovered;
   hn::Vec<LongNumbers> number;
@@ -72,25 +74,24 @@ struct Offer {
   Offer(const ScreenTriangle& offered, std::uint32_t itsNumber, DepthBuffer& to, UndecidedPixels& notDecided)
       : triangle(offered),
         buffer(to),
+        depths(to.inverseDepth.data()),
+        triangles(to.triangle.data()),
         undecided(notDecided),
         inverseDepth(offered.inverseDepth),
         leastCovered(raster::leastCovered(offered)),
         number(hn::Set(LongNumbers(), itsNumber)) {}
 
   /// The depth test of the samples from a column on that are `covered`; returns which took the triangle.
-  Mask test(Double offered, int column, int row, Mask covered) const {
-    const std::size_t pixel = buffer.rowAt(row) + static_cast<std::size_t>(column - buffer.scissor.column);
-    double* const depths = buffer.inverseDepth.data() + pixel;
-    std::uint32_t* const triangles = buffer.triangle.data() + pixel;
-    const Double stored = hn::LoadU(doubles, depths);
+  Mask test(Double offered, int column, int row, std::size_t pixel, Mask covered) const {
+    const Double stored = hn::LoadU(doubles, depths + pixel);
     const Double difference = hn::Sub(offered, stored);
     const Double margin = hn::Mul(hn::Set(doubles, depthMargin), offered);
     const Mask taken = hn::And(covered, hn::Gt(difference, margin));
     const Mask open = hn::And(covered, hn::Le(hn::Abs(difference), margin));
-    hn::StoreU(hn::IfThenElse(taken, offered, stored), doubles, depths);
-    const auto numbers = hn::PromoteTo(LongNumbers(), hn::LoadU(Numbers(), triangles));
+    hn::StoreU(hn::IfThenElse(taken, offered, stored), doubles, depths + pixel);
+    const auto numbers = hn::PromoteTo(LongNumbers(), hn::LoadU(Numbers(), triangles + pixel));
     const auto now = hn::IfThenElse(hn::RebindMask(LongNumbers(), taken), number, numbers);
-    hn::StoreU(hn::TruncateTo(Numbers(), now), Numbers(), triangles);
+    hn::StoreU(hn::TruncateTo(Numbers(), now), Numbers(), triangles + pixel);
     if (!hn::AllFalse(doubles, open)) forEachLane(open, [&](int lane) { undecided.add(column + lane, row); });
     return taken;
   }
@@ -109,10 +110,12 @@ Mask offerNarrow(const Offer& offered) {
   const Mask inside = firstLanes(triangle.endColumn - triangle.firstColumn);
   const Corners down(edgeRowSteps(triangle));
   Edges edges(edgeValues(triangle, triangle.firstColumn, triangle.firstRow), Corners(edgeSteps(triangle)));
+  std::size_t pixel = offered.buffer.pixelAt(triangle.firstColumn, triangle.firstRow);
   Mask taken = firstLanes(0);
   for (int row = triangle.firstRow; row < triangle.endRow; ++row) {
     const Mask covered = hn::And(inside, offered.isCovered(edges));
-    taken = hn::Or(taken, offered.test(dot(edges, offered.inverseDepth), triangle.firstColumn, row, covered));
+    taken = hn::Or(taken, offered.test(dot(edges, offered.inverseDepth), triangle.firstColumn, row, pixel, covered));
+    pixel += offered.buffer.pitch;
     edges.advance(down);
   }
   return taken;
@@ -148,10 +151,11 @@ Mask offerSpan(const Offer& offered, const DepthPlane& plane, int row, int colum
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
   const Double at = hn::Set(doubles, plane.at + plane.down * row), right = hn::Set(doubles, plane.right);
   Double columns = hn::Add(hn::Set(doubles, static_cast<double>(column)), hn::Iota(doubles, 0));
+  std::size_t pixel = offered.buffer.pixelAt(column, row);
   Mask taken = firstLanes(0);
-  for (; column < end; column += lanes) {
+  for (; column < end; column += lanes, pixel += hn::Lanes(doubles)) {
     const Double inverseDepth = hn::Add(at, hn::Mul(right, columns));
-    taken = hn::Or(taken, offered.test(inverseDepth, column, row, firstLanes(end - column)));
+    taken = hn::Or(taken, offered.test(inverseDepth, column, row, pixel, firstLanes(end - column)));
     columns = hn::Add(columns, hn::Set(doubles, static_cast<double>(lanes)));
   }
   return taken;
@@ -163,9 +167,10 @@ Mask offerSpan(const Offer& offered, int row, int column, int end) {
   const EdgeValues steps = edgeSteps(offered.triangle);
   const Corners stride({lanes * steps[0], lanes * steps[1], lanes * steps[2]});
   Edges edges(edgeValues(offered.triangle, column, row), Corners(steps));
+  std::size_t pixel = offered.buffer.pixelAt(column, row);
   Mask taken = firstLanes(0);
-  for (; column < end; column += lanes) {
-    taken = hn::Or(taken, offered.test(dot(edges, offered.inverseDepth), column, row, firstLanes(end - column)));
+  for (; column < end; column += lanes, pixel += hn::Lanes(doubles)) {
+    taken = hn::Or(taken, offered.test(dot(edges, offered.inverseDepth), column, row, pixel, firstLanes(end - column)));
     edges.advance(stride);
   }
   return taken;
