@@ -288,16 +288,22 @@ void averageMaps(const Scene& scene, Discretization& discretization) {
   discretization.mappedEmission = valuesOf(&Material::emission, &Material::emissionMap);
 }
 
+SurfaceValues reflectances(const Scene& scene, const Discretization& discretization, std::uint32_t surface) {
+  return {scene.materials[static_cast<std::size_t>(scene.surfaces[surface].material)].reflectance,
+          discretization.mappedReflectance};
+}
+
+SurfaceValues emissions(const Scene& scene, const Discretization& discretization, std::uint32_t surface) {
+  return {scene.materials[static_cast<std::size_t>(scene.surfaces[surface].material)].emission,
+          discretization.mappedEmission};
+}
+
 glm::dvec3 reflectance(const Scene& scene, const Discretization& discretization, std::uint32_t element) {
-  if (!discretization.mappedReflectance.empty()) return discretization.mappedReflectance[element];
-  const Surface& surface = scene.surfaces[discretization.elements[element].surface];
-  return scene.materials[static_cast<std::size_t>(surface.material)].reflectance;
+  return reflectances(scene, discretization, discretization.elements[element].surface).of(element);
 }
 
 glm::dvec3 emission(const Scene& scene, const Discretization& discretization, std::uint32_t element) {
-  if (!discretization.mappedEmission.empty()) return discretization.mappedEmission[element];
-  const Surface& surface = scene.surfaces[discretization.elements[element].surface];
-  return scene.materials[static_cast<std::size_t>(surface.material)].emission;
+  return emissions(scene, discretization, discretization.elements[element].surface).of(element);
 }
 
 double patchArea(const Discretization& discretization, const Patch& patch) {

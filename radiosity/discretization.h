@@ -101,7 +101,27 @@ void averageMaps(const Scene& scene, Discretization& discretization);
 /// A surface of one texel: it takes one word and no index map, and is Gouraud shaded.
 inline bool isDiscretized(const Grid& grid) { return grid.columns > 1 || grid.rows > 1; }
 
-/// Diffuse reflectance and emitted radiosity of an element, maps averaged over it.
+/// A value that the elements of one surface have: of its material, or of each element where maps say it. Refers to the
+/// scene or the discretization.
+class SurfaceValues {
+ public:
+  SurfaceValues(const glm::dvec3& ofMaterial, const std::vector<glm::dvec3>& mapped)
+      : ofMaterial_(ofMaterial), mapped_(mapped.empty() ? nullptr : mapped.data()) {}
+
+  const glm::dvec3& of(std::uint32_t element) const { return mapped_ == nullptr ? ofMaterial_ : mapped_[element]; }
+  /// That of every element is 0 for sure.
+  bool areZero() const { return mapped_ == nullptr && ofMaterial_ == glm::dvec3(0); }
+
+ private:
+  const glm::dvec3& ofMaterial_;
+  const glm::dvec3* mapped_;
+};
+
+/// Diffuse reflectances and emitted radiosities of a surface's elements, maps averaged over each.
+SurfaceValues reflectances(const Scene& scene, const Discretization& discretization, std::uint32_t surface);
+SurfaceValues emissions(const Scene& scene, const Discretization& discretization, std::uint32_t surface);
+
+/// The same of one element.
 glm::dvec3 reflectance(const Scene& scene, const Discretization& discretization, std::uint32_t element);
 glm::dvec3 emission(const Scene& scene, const Discretization& discretization, std::uint32_t element);
 

@@ -101,13 +101,6 @@ void receive(ShotLight& light, const FormFactorRow& row, const glm::dvec3& flux)
   light.lostToBacks += flux * formFactor(row.back);
 }
 
-double emittedBy(const Scene& scene, const Discretization& discretization) {
-  FluxSum emitted;
-  for (std::uint32_t e = 0; e < discretization.elements.size(); ++e)
-    emitted.add(emission(scene, discretization, e) * discretization.elements[e].area);
-  return bandSum(emitted.value());
-}
-
 /// Patches keep their old rows where the bounds of what may lie astray for it are smallest, as many as fit.
 struct LeftRows {
   std::vector<bool> isLeft;  ///< one a former patch
@@ -323,7 +316,7 @@ UpdateCost DynamicSolution::update(std::span<const Edit> edits, const Progress& 
   Discretization shooting = carried(discretization(), edit, settings_.discretization);
   auto next =
       std::make_unique<World>(std::move(edit.scene), std::move(shooting), layOut_, settings_.drawing, makeRenderer_);
-  const double emitted = emittedBy(next->scene, next->drawn.discretization());
+  const double emitted = bandSum(emittedFlux(next->scene, next->drawn.discretization()));
   const double allowed = settings_.solver.residual * (emitted > 0 ? emitted : light_.lastEmitted);
   LightUpdate update(world_->scene, world_->drawn, next->scene, next->drawn, edit.origins, rows_,
                      settings_.solver.rowCacheBytes);

@@ -20,8 +20,10 @@ struct FormFactorRow {
   std::uint64_t back = 0;               ///< absorbed by the backs of surfaces
 };
 
-/// The form factor of a share, in [0, 1].
-inline double formFactor(std::uint64_t share) { return static_cast<double>(share) / static_cast<double>(wholeShare); }
+/// The form factor of a share, in [0, 1]. As a signed number it is an instruction, as an unsigned one several.
+inline double formFactor(std::uint64_t share) {
+  return static_cast<double>(static_cast<std::int64_t>(share)) / static_cast<double>(wholeShare);
+}
 
 /// A row from one of several points, and the area that shoots from there.
 struct WeightedRow {

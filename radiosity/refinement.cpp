@@ -15,6 +15,29 @@ ShotLight nothingShot(const Discretization& discretization) {
           std::vector<glm::dvec3>(discretization.elements.size())};
 }
 
+/// Calls body(element) for the elements of a surface, in ascending order.
+template <typename Body>
+void forEachElement(const Grid& grid, const Body& body) {
+  for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e) body(e);
+}
+
+/// What the elements of each patch emit.
+std::vector<glm::dvec3> emittedByPatches(const Scene& scene, const Discretization& discretization) {
+  std::vector<glm::dvec3> emitted(discretization.patches.size());
+  raster::parallelFor(emitted.size(), [&](std::size_t p) {
+    const Patch& patch = discretization.patches[p];
+    const SurfaceValues emission = emissions(scene, discretization, patch.surface);
+    if (emission.areZero()) return;
+    FluxSum sum;
+    for (std::uint32_t i = 0; i < patch.elementCount; ++i) {
+      const std::uint32_t element = discretization.patchElements[patch.firstElement + i];
+      sum.add(emission.of(element) * discretization.elements[element].area);
+    }
+    emitted[p] = sum.value();
+  });
+  return emitted;
+}
+
 /// Entries [first, end) of a row, all elements of one surface.
 struct Run {
   std::uint32_t surface = 0;
@@ -56,24 +79,20 @@ struct Arrival {
 /// Elements that a row names so far ahead are fetched while others receive: they lie far apart, and memory is slow.
 constexpr std::size_t fetchedAhead = 32;
 
-/// What a shot does along a run: its elements receive, and what they reflect is unshot in their patches. What follow
-/// each other in one patch are added up first.
+/// What a shot does along a run: its elements receive, and what they reflect is unshot in their patches.
 void receive(const Run& run, const glm::dvec3& shot, const FormFactorRow& row, const Scene& scene,
              const Discretization& discretization, std::vector<glm::dvec3>& received, UnshotFlux& unshot,
              Arrival& arrival) {
-  const bool isMapped = !discretization.mappedReflectance.empty();
-  const glm::dvec3 ofSurface = reflectance(scene, discretization, row.elements[run.first]);
-  glm::dvec3 absorbed(0), reflectedByPatch(0);
+  const SurfaceValues reflectance = reflectances(scene, discretization, run.surface);
+  glm::dvec3 absorbed(0);
   for (std::size_t i = run.first; i < run.end; ++i) {
     if (i + fetchedAhead < run.end) __builtin_prefetch(&received[row.elements[i + fetchedAhead]], 1);
     const std::uint32_t element = row.elements[i], patch = discretization.patchOf[element];
     const glm::dvec3 arriving = shot * formFactor(row.shares[i]);
-    const glm::dvec3 reflected = arriving * (isMapped ? discretization.mappedReflectance[element] : ofSurface);
+    const glm::dvec3 reflected = arriving * reflectance.of(element);
     received[element] += arriving;
     absorbed += arriving - reflected;
-    reflectedByPatch += reflected;
-    if (i + 1 < run.end && discretization.patchOf[row.elements[i + 1]] == patch) continue;
-    unshot.add(patch, std::exchange(reflectedByPatch, glm::dvec3(0)));
+    unshot.add(patch, reflected);
     const std::uint32_t block = patch / UnshotFlux::patchesInBlock;
     if (arrival.blocks.empty() || arrival.blocks.back() != block) arrival.blocks.push_back(block);
   }
@@ -82,24 +101,40 @@ void receive(const Run& run, const glm::dvec3& shot, const FormFactorRow& row, c
 
 }  // namespace
 
+glm::dvec3 emittedFlux(const Scene& scene, const Discretization& discretization) {
+  FluxSum sum;
+  for (std::uint32_t s = 0; s < discretization.grids.size(); ++s) {
+    const SurfaceValues emission = emissions(scene, discretization, s);
+    if (emission.areZero()) continue;
+    forEachElement(discretization.grids[s], [&](std::uint32_t element) {
+      sum.add(emission.of(element) * discretization.elements[element].area);
+    });
+  }
+  return sum.value();
+}
+
 Refinement::Refinement(const Scene& scene, const Discretization& discretization)
-    : Refinement(scene, discretization, nothingShot(discretization)) {}
+    : scene_(scene),
+      discretization_(discretization),
+      light_(nothingShot(discretization)),
+      unshot_(emittedByPatches(scene, discretization)),
+      emitted_(emittedFlux(scene, discretization)) {
+  light_.lastEmitted = bandSum(emitted_);
+}
 
 Refinement::Refinement(const Scene& scene, const Discretization& discretization, ShotLight light)
-    : scene_(scene), discretization_(discretization), light_(std::move(light)), unshot_([this] {
-        assert(light_.shot.size() == discretization_.patches.size());
-        assert(light_.received.size() == discretization_.elements.size());
-        std::vector<glm::dvec3> unshot(light_.shot.size());
-        raster::parallelFor(unshot.size(), [&](std::size_t p) { unshot[p] = unshotOf(static_cast<std::uint32_t>(p)); });
-        return unshot;
-      }()) {
-  FluxSum emitted;
-  for (std::uint32_t e = 0; e < light_.received.size(); ++e) {
-    emitted.add(emission(scene, discretization, e) * discretization.elements[e].area);
-    absorbed_.add(light_.received[e] - light_.received[e] * reflectance(scene, discretization, e));
-  }
-  emitted_ = emitted.value();
+    : scene_(scene),
+      discretization_(discretization),
+      light_(std::move(light)),
+      unshot_(unshotByPatches()),
+      emitted_(emittedFlux(scene, discretization)) {
   if (bandSum(emitted_) > 0) light_.lastEmitted = bandSum(emitted_);
+  for (std::uint32_t s = 0; s < discretization.grids.size(); ++s) {
+    const SurfaceValues reflectance = reflectances(scene, discretization, s);
+    forEachElement(discretization.grids[s], [&](std::uint32_t element) {
+      absorbed_.add(light_.received[element] - light_.received[element] * reflectance.of(element));
+    });
+  }
   lost_.add(light_.lost);
   lostToBacks_.add(light_.lostToBacks);
 }
@@ -139,14 +174,13 @@ double Refinement::residual() const {
 }
 
 std::vector<glm::dvec3> Refinement::radiosity() const& {
-  std::vector<glm::dvec3> result(light_.received.size());
-  for (std::uint32_t e = 0; e < result.size(); ++e) result[e] = fluxOf(e) / discretization_.elements[e].area;
+  std::vector<glm::dvec3> result = light_.received;
+  makeRadiosity(result);
   return result;
 }
 
 std::vector<glm::dvec3> Refinement::radiosity() && {
-  for (std::uint32_t e = 0; e < light_.received.size(); ++e)
-    light_.received[e] = fluxOf(e) / discretization_.elements[e].area;
+  makeRadiosity(light_.received);
   return std::move(light_.received);
 }
 
@@ -154,20 +188,38 @@ std::size_t Refinement::bytes() const {
   return (light_.shot.capacity() + light_.received.capacity()) * sizeof(glm::dvec3) + unshot_.bytes();
 }
 
-/// What an element sends out.
-glm::dvec3 Refinement::fluxOf(std::uint32_t element) const {
-  return emission(scene_, discretization_, element) * discretization_.elements[element].area +
-         reflectance(scene_, discretization_, element) * light_.received[element];
+/// From what elements received to their radiosity: what they send out over their area.
+void Refinement::makeRadiosity(std::vector<glm::dvec3>& received) const {
+  raster::parallelFor(discretization_.grids.size(), [&](std::size_t s) {
+    const auto surface = static_cast<std::uint32_t>(s);
+    const SurfaceValues emission = emissions(scene_, discretization_, surface),
+                        reflectance = reflectances(scene_, discretization_, surface);
+    forEachElement(discretization_.grids[s], [&](std::uint32_t element) {
+      const double area = discretization_.elements[element].area;
+      received[element] = (emission.of(element) * area + reflectance.of(element) * received[element]) / area;
+    });
+  });
 }
 
-/// What the elements of a patch send out and the patch has not shot yet.
-glm::dvec3 Refinement::unshotOf(std::uint32_t patch) const {
-  const Patch& shooter = discretization_.patches[patch];
-  FluxSum sum;
-  sum.add(-light_.shot[patch]);
-  for (std::uint32_t i = 0; i < shooter.elementCount; ++i)
-    sum.add(fluxOf(discretization_.patchElements[shooter.firstElement + i]));
-  return sum.value();
+/// What the elements of each patch send out and the patch has not shot yet.
+std::vector<glm::dvec3> Refinement::unshotByPatches() const {
+  assert(light_.shot.size() == discretization_.patches.size());
+  assert(light_.received.size() == discretization_.elements.size());
+  std::vector<glm::dvec3> unshot(light_.shot.size());
+  raster::parallelFor(unshot.size(), [&](std::size_t p) {
+    const Patch& patch = discretization_.patches[p];
+    const SurfaceValues emission = emissions(scene_, discretization_, patch.surface),
+                        reflectance = reflectances(scene_, discretization_, patch.surface);
+    FluxSum sum;
+    sum.add(-light_.shot[p]);
+    for (std::uint32_t i = 0; i < patch.elementCount; ++i) {
+      const std::uint32_t element = discretization_.patchElements[patch.firstElement + i];
+      sum.add(emission.of(element) * discretization_.elements[element].area +
+              reflectance.of(element) * light_.received[element]);
+    }
+    unshot[p] = sum.value();
+  });
+  return unshot;
 }
 
 }  // namespace hemitex::radiosity

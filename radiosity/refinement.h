@@ -50,6 +50,9 @@ struct ShotLight {
   double lastEmitted = 0;  ///< bands summed: what the residual is set against where all light is out
 };
 
+/// What all elements emit.
+glm::dvec3 emittedFlux(const Scene& scene, const Discretization& discretization);
+
 class Refinement {
  public:
   /// Nothing is shot yet. Both must outlive this.
@@ -77,8 +80,8 @@ class Refinement {
   std::size_t bytes() const;
 
  private:
-  glm::dvec3 fluxOf(std::uint32_t element) const;
-  glm::dvec3 unshotOf(std::uint32_t patch) const;
+  void makeRadiosity(std::vector<glm::dvec3>& received) const;
+  std::vector<glm::dvec3> unshotByPatches() const;
 
   const Scene& scene_;
   const Discretization& discretization_;

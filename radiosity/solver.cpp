@@ -13,9 +13,13 @@ namespace {
 glm::dvec3 ambientEstimate(const Scene& scene, const Discretization& discretization, const Energy& energy) {
   double area = 0;
   glm::dvec3 reflecting(0);
-  for (std::uint32_t e = 0; e < discretization.elements.size(); ++e) {
-    area += discretization.elements[e].area;
-    reflecting += reflectance(scene, discretization, e) * discretization.elements[e].area;
+  for (std::uint32_t s = 0; s < discretization.grids.size(); ++s) {
+    const SurfaceValues reflectance = reflectances(scene, discretization, s);
+    const Grid& grid = discretization.grids[s];
+    for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e) {
+      area += discretization.elements[e].area;
+      reflecting += reflectance.of(e) * discretization.elements[e].area;
+    }
   }
   return energy.unshot / (area - reflecting);
 }
