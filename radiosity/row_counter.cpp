@@ -113,21 +113,21 @@ std::size_t elementsIn(AllSums all, std::size_t group) {
   return elements;
 }
 
-/// Writes what a group has into a row, from a place on.
-void writeGroup(AllSums all, std::size_t group, std::size_t place, FormFactorRow& row) {
-  std::vector<const ShareSums::Block*> blocks;
+/// Moves the shares of a group into a row, from a place on.
+void moveGroup(AllSums all, std::size_t group, std::size_t place, FormFactorRow& row) {
+  std::vector<ShareSums::Block*> blocks;
   forEachBlock(all, group, [&](std::uint32_t number) {
     blocks.clear();
     std::uint64_t touched = 0;
     for (const auto& sums : all)
-      if (const ShareSums::Block* block = sums->find(number)) {
+      if (ShareSums::Block* block = sums->find(number)) {
         blocks.push_back(block);
         touched |= block->touched;
       }
     for (; touched != 0; touched &= touched - 1, ++place) {
       const auto slot = static_cast<std::uint32_t>(std::countr_zero(touched));
       std::uint64_t share = 0;
-      for (const ShareSums::Block* block : blocks) share += block->shares[slot];
+      for (ShareSums::Block* block : blocks) share += block->take(slot);
       row.elements[place] = number * ShareSums::slotsInBlock + slot;
       row.shares[place] = share;
     }
@@ -184,7 +184,7 @@ FormFactorRow RowCounter::takeRow() {
   row.elements.resize(first.back());
   row.shares.resize(first.back());
   raster::parallelFor(groups, [&](std::size_t group) {
-    writeGroup(sums_, group, first[group], row);
+    moveGroup(sums_, group, first[group], row);
     for (const auto& sums : sums_) sums->clear(group);
   });
   for (const auto& sums : sums_) sums->reuse();

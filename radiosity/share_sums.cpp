@@ -24,9 +24,7 @@ void ShareSums::addBlock(std::uint32_t number) {
 void ShareSums::clear(std::size_t group) {
   for (std::uint64_t blocks = std::exchange(groups_[group], 0); blocks != 0; blocks &= blocks - 1) {
     const std::size_t number = group * blocksInGroup + static_cast<std::size_t>(std::countr_zero(blocks));
-    Block& block = blocks_[std::exchange(placeOf_[number], none)];
-    for (std::uint64_t touched = std::exchange(block.touched, 0); touched != 0; touched &= touched - 1)
-      block.shares[static_cast<std::size_t>(std::countr_zero(touched))] = 0;
+    blocks_[std::exchange(placeOf_[number], none)].touched = 0;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace hemitex::radiosity {
@@ -18,6 +19,9 @@ class ShareSums {
   struct Block {
     std::uint64_t touched = 0;  ///< bit i: slot i has a share
     std::array<std::uint64_t, slotsInBlock> shares = {};
+
+    /// The share of a slot, which has none afterwards.
+    std::uint64_t take(std::uint32_t slot) { return std::exchange(shares[slot], 0); }
   };
 
   /// Slots are below `slots`.
@@ -35,11 +39,9 @@ class ShareSums {
   /// Bit i: block group * 64 + i is there.
   std::uint64_t blocksIn(std::size_t group) const { return groups_[group]; }
   /// A block; null where it is not there.
-  const Block* find(std::uint32_t number) const {
-    return placeOf_[number] == none ? nullptr : &blocks_[placeOf_[number]];
-  }
+  Block* find(std::uint32_t number) { return placeOf_[number] == none ? nullptr : &blocks_[placeOf_[number]]; }
 
-  /// Forgets all shares of a group; groups may be cleared at the same time.
+  /// Forgets the blocks of a group, all of whose shares were taken; groups may be cleared at the same time.
   void clear(std::size_t group);
   /// To be called when all groups are clear: their blocks' memory serves others.
   void reuse();

@@ -10,7 +10,8 @@ using hemitex::radiosity::ShareSums;
 
 namespace {
 
-std::map<std::uint32_t, std::uint64_t> sharesOf(const ShareSums& sums) {
+/// Takes them, and leaves nothing.
+std::map<std::uint32_t, std::uint64_t> takeShares(ShareSums& sums) {
   std::map<std::uint32_t, std::uint64_t> shares;
   for (std::uint32_t group = 0; group < sums.groups(); ++group)
     for (std::uint32_t i = 0; i < ShareSums::blocksInGroup; ++i) {
@@ -18,12 +19,13 @@ std::map<std::uint32_t, std::uint64_t> sharesOf(const ShareSums& sums) {
       if ((sums.blocksIn(group) >> i & 1) == 0) continue;
       for (std::uint32_t slot = 0; slot < ShareSums::slotsInBlock; ++slot)
         if ((sums.find(number)->touched >> slot & 1) != 0)
-          shares[number * ShareSums::slotsInBlock + slot] = sums.find(number)->shares[slot];
+          shares[number * ShareSums::slotsInBlock + slot] = sums.find(number)->take(slot);
     }
   return shares;
 }
 
 void clear(ShareSums& sums) {
+  takeShares(sums);
   for (std::size_t group = 0; group < sums.groups(); ++group) sums.clear(group);
   sums.reuse();
 }
@@ -41,9 +43,9 @@ TEST_CASE("sums of shares are those of a map, again and again", "[rows]") {
       sums.add(slot, share);
       if (share > 0) expected[slot] += share;
     }
-    CHECK(sharesOf(sums) == expected);
+    CHECK(takeShares(sums) == expected);
     clear(sums);
-    CHECK(sharesOf(sums).empty());
+    CHECK(takeShares(sums).empty());
   }
 }
 
