@@ -276,12 +276,12 @@ using WholeNumbers = hn::Rebind<std::int32_t, Floats>;
 
 constexpr Floats floats;
 
-/// A texture coordinate along a piece of a run, counted from a border between texels near its first pixel, so that the
-/// numbers are small: (at + i * step) / (1 + i * depthStep) at pixel i.
-struct PieceLine {
+/// A texture coordinate along a run, counted from a border between texels near its first pixel, so that the numbers are
+/// small: (at + i * step) / (1 + i * depthStep) at pixel i.
+struct LineInBinary32 {
   double border, at, step;
 
-  PieceLine(const TexelPlane& plane, int column, int row, double w, double depthStep) {
+  LineInBinary32(const TexelPlane& plane, int column, int row, double w, double depthStep) {
     const double position = ((plane.at + plane.down * row) + plane.right * column) * w;
     border = std::floor(position);
     at = position - border;
@@ -289,35 +289,35 @@ struct PieceLine {
   }
 };
 
-/// A piece of a run in binary32, which has twice as many lanes and decides nearly everything: what is decided here lies
-/// farther from borders than binary64 is off.
+/// A run in binary32, which has twice as many lanes and decides nearly everything: what is decided here lies farther
+/// from borders than binary64 is off.
 ///
 /// Where 1/w changes by a factor of two at most, numbers up to m = 1 + count * |step| are rounded thirteen times on the
 /// way to the quotient, at most twice as large: 26 m units of 2^-24, for which m * 2^-19 stands. Of what the binary64
 /// of the coefficients is off, the first pixel's error counts twice for the same reason, and the border's product with
 /// what 1/w is off, four units of depthError, as well.
-struct Piece {
+struct RunInBinary32 {
   double depthStep = 0;
-  PieceLine u, v;
+  LineInBinary32 u, v;
   double clear;  ///< see Texels::find; 1/4 or less where binary32 is not good enough
 
-  Piece(const PixelRun& run, const TexelPlanes& planes, int first, int count, double w)
-      : depthStep((run.inverseDepth[first + count - 1] * w - 1) / std::max(1, count - 1)),
-        u(planes.u, run.firstColumn + first, run.row, w, depthStep),
-        v(planes.v, run.firstColumn + first, run.row, w, depthStep) {
-    const double last = 1 + depthStep * (count - 1);
-    const double size = 2 + count * std::max(std::abs(u.step), std::abs(v.step));
+  RunInBinary32(const PixelRun& run, const TexelPlanes& planes, double w)
+      : depthStep((run.inverseDepth[run.count - 1] * w - 1) / std::max(1, run.count - 1)),
+        u(planes.u, run.firstColumn, run.row, w, depthStep),
+        v(planes.v, run.firstColumn, run.row, w, depthStep) {
+    const double last = 1 + depthStep * (run.count - 1);
+    const double size = 2 + run.count * std::max(std::abs(u.step), std::abs(v.step));
     const double borders = 1 + std::abs(u.border) + std::abs(v.border);
     clear = 0.5 - size * 0x1p-19 - 2 * (planes.error * w + planes.rounding) - 8 * depthError * borders;
     if (!(last >= 0.5 && last <= 2 && borders < 0x1p30)) clear = 0;
   }
 };
 
-struct PieceTexels {
+struct TexelsInBinary32 {
   Float at, step, middle;
   hn::Vec<WholeNumbers> border, last;
 
-  PieceTexels(const PieceLine& line, int size)
+  TexelsInBinary32(const LineInBinary32& line, int size)
       : at(hn::Set(floats, static_cast<float>(line.at))),
         step(hn::Set(floats, static_cast<float>(line.step))),
         middle(hn::Set(floats, static_cast<float>(middleOf(size)))),
@@ -333,47 +333,38 @@ struct PieceTexels {
   }
 };
 
-/// Pixels [first, first + count) of a run.
-void findPieceTexels(const PixelRun& run, const TexelPlanes& planes, int first, int count, std::uint32_t base,
-                     std::uint32_t* texels, UndecidedPixels& undecided) {
-  const auto part = [&](int from, int many) {
-    return PixelRun{run.triangle, run.row, run.firstColumn + from, many, run.inverseDepth + from};
-  };
-  const Piece piece(run, planes, first, count, 1 / run.inverseDepth[first]);
-  if (!(piece.clear > 0.25)) return findTexelsInBinary64(part(first, count), planes, base, texels + first, undecided);
+void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
+                UndecidedPixels& undecided) {
+  constexpr int shortest = 24;  // for which it pays
+  if (run.count < shortest) return findTexelsInBinary64(run, planes, base, texels, undecided);
+  const RunInBinary32 line(run, planes, 1 / run.inverseDepth[0]);
+  if (!(line.clear > 0.25)) return findTexelsInBinary64(run, planes, base, texels, undecided);
   const auto lanes = static_cast<int>(hn::Lanes(floats));
-  const PieceTexels u(piece.u, planes.width), v(piece.v, planes.height);
-  const Float one = hn::Set(floats, 1.0F), depthStep = hn::Set(floats, static_cast<float>(piece.depthStep));
-  const Float clear = hn::Set(floats, static_cast<float>(piece.clear));
+  const TexelsInBinary32 u(line.u, planes.width), v(line.v, planes.height);
+  const Float one = hn::Set(floats, 1.0F), depthStep = hn::Set(floats, static_cast<float>(line.depthStep));
+  const Float clear = hn::Set(floats, static_cast<float>(line.clear));
   const auto width = hn::Set(WholeNumbers(), planes.width);
   const auto offset = hn::Set(WholeNumbers(), static_cast<std::int32_t>(base));
-  for (int i = 0; i < count; i += lanes) {
+  for (int i = 0; i < run.count; i += lanes) {
     const Float pixel = hn::Add(hn::Set(floats, static_cast<float>(i)), hn::Iota(floats, 0));
     const Float w = hn::Div(one, hn::Add(one, hn::Mul(depthStep, pixel)));
     auto decided = hn::FirstN(floats, hn::Lanes(floats));
     const auto column = u.find(pixel, w, clear, decided);
     const auto row = v.find(pixel, w, clear, decided);
     const auto texel = hn::Add(hn::Add(hn::Mul(row, width), column), offset);
-    hn::StoreU(texel, WholeNumbers(), reinterpret_cast<std::int32_t*>(texels) + first + i);
-    const auto open = hn::AndNot(decided, hn::FirstN(floats, static_cast<std::size_t>(count - i)));
+    hn::StoreU(texel, WholeNumbers(), reinterpret_cast<std::int32_t*>(texels) + i);
+    const auto open = hn::AndNot(decided, hn::FirstN(floats, static_cast<std::size_t>(run.count - i)));
     if (hn::AllFalse(floats, open)) continue;
     HWY_ALIGN std::uint8_t bits[8] = {};
     hn::StoreMaskBits(floats, open, bits);
     for (unsigned left = bits[0] + 256U * bits[1]; left != 0; left &= left - 1) {
-      const int pixelAt = first + i + __builtin_ctz(left);
+      const int at = i + __builtin_ctz(left);
+      const PixelRun alone{run.triangle, run.row, run.firstColumn + at, 1, run.inverseDepth + at};
       std::uint32_t found[mostLanes];
-      findTexelsInBinary64(part(pixelAt, 1), planes, base, found, undecided);
-      texels[pixelAt] = found[0];
+      findTexelsInBinary64(alone, planes, base, found, undecided);
+      texels[at] = found[0];
     }
   }
-}
-
-void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
-                UndecidedPixels& undecided) {
-  constexpr int shortest = 24, longest = 64;
-  if (run.count < shortest) return findTexelsInBinary64(run, planes, base, texels, undecided);
-  for (int first = 0; first < run.count; first += longest)
-    findPieceTexels(run, planes, first, std::min(longest, run.count - first), base, texels, undecided);
 }
 
 /// The texels of pixels i along a line of exact quotients.
