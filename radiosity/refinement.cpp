@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <span>
 #include <utility>
 
 #include "raster/parallel.h"
@@ -15,10 +14,13 @@ ShotLight nothingShot(const Discretization& discretization) {
           std::vector<glm::dvec3>(discretization.elements.size())};
 }
 
+/// Behind the last element of a surface.
+std::uint32_t endOf(const Grid& grid) { return grid.firstElement + grid.elementCount; }
+
 /// Calls body(element) for the elements of a surface, in ascending order.
 template <typename Body>
 void forEachElement(const Grid& grid, const Body& body) {
-  for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e) body(e);
+  for (std::uint32_t e = grid.firstElement; e < endOf(grid); ++e) body(e);
 }
 
 /// What the elements of each patch emit.
@@ -38,39 +40,28 @@ std::vector<glm::dvec3> emittedByPatches(const Scene& scene, const Discretizatio
   return emitted;
 }
 
-/// Entries [first, end) of a row, all elements of one surface.
-struct Run {
-  std::uint32_t surface = 0;
+/// Entries [first, end) of a row.
+struct Part {
   std::size_t first = 0, end = 0;
 };
 
-/// Elements ascend surface by surface.
-std::vector<Run> runsOf(const FormFactorRow& row, const Discretization& discretization) {
-  std::vector<Run> runs;
-  for (std::size_t first = 0, end = 0; first < row.elements.size(); first = end) {
-    const std::uint32_t surface = discretization.elements[row.elements[first]].surface;
-    const Grid& grid = discretization.grids[surface];
-    const auto behind = std::lower_bound(row.elements.begin() + static_cast<std::ptrdiff_t>(first), row.elements.end(),
-                                         grid.firstElement + grid.elementCount);
-    end = static_cast<std::size_t>(behind - row.elements.begin());
-    runs.push_back({surface, first, end});
-  }
-  return runs;
-}
-
-/// Runs for a thread each: consecutive ones, until they have some thousand entries. They depend on the row alone, and
-/// so does the order of sums.
-std::vector<std::span<const Run>> chunksOf(const std::vector<Run>& runs) {
+/// Parts of a row for a thread each: some thousand entries, and on to the end of a surface; elements ascend surface by
+/// surface. They depend on the row alone, and so does the order of sums.
+std::vector<Part> partsOf(const FormFactorRow& row, const Discretization& discretization) {
   constexpr std::size_t entries = 2048;
-  std::vector<std::span<const Run>> chunks;
-  for (std::size_t first = 0, end = 0; first < runs.size(); first = end) {
-    while (end < runs.size() && runs[end].first - runs[first].first < entries) ++end;
-    chunks.push_back(std::span(runs).subspan(first, end - first));
+  std::vector<Part> parts;
+  for (std::size_t first = 0, end = 0; first < row.elements.size(); first = end) {
+    const auto last =
+        row.elements.begin() + static_cast<std::ptrdiff_t>(std::min(first + entries, row.elements.size()) - 1);
+    const Grid& grid = discretization.grids[discretization.elements[*last].surface];
+    const auto behind = std::lower_bound(last, row.elements.end(), endOf(grid));
+    end = static_cast<std::size_t>(behind - row.elements.begin());
+    parts.push_back({first, end});
   }
-  return chunks;
+  return parts;
 }
 
-/// What came of some runs of a row.
+/// What came of a part of a row.
 struct Arrival {
   glm::dvec3 absorbed{0.0};
   std::vector<std::uint32_t> blocks;  ///< of patches that changed
@@ -79,14 +70,14 @@ struct Arrival {
 /// Elements that a row names so far ahead are fetched while others receive: they lie far apart, and memory is slow.
 constexpr std::size_t fetchedAhead = 32;
 
-/// What a shot does along a run: its elements receive, and what they reflect is unshot in their patches.
-void receive(const Run& run, const glm::dvec3& shot, const FormFactorRow& row, const Scene& scene,
-             const Discretization& discretization, std::vector<glm::dvec3>& received, UnshotFlux& unshot,
-             Arrival& arrival) {
-  const SurfaceValues reflectance = reflectances(scene, discretization, run.surface);
+/// What a shot does to entries of one surface: its elements receive, and what they reflect is unshot in their patches.
+void receive(const Part& some, std::uint32_t surface, const glm::dvec3& shot, const FormFactorRow& row,
+             const Scene& scene, const Discretization& discretization, std::vector<glm::dvec3>& received,
+             UnshotFlux& unshot, Arrival& arrival) {
+  const SurfaceValues reflectance = reflectances(scene, discretization, surface);
   glm::dvec3 absorbed(0);
-  for (std::size_t i = run.first; i < run.end; ++i) {
-    if (i + fetchedAhead < run.end) __builtin_prefetch(&received[row.elements[i + fetchedAhead]], 1);
+  for (std::size_t i = some.first; i < some.end; ++i) {
+    if (i + fetchedAhead < some.end) __builtin_prefetch(&received[row.elements[i + fetchedAhead]], 1);
     const std::uint32_t element = row.elements[i], patch = discretization.patchOf[element];
     const glm::dvec3 arriving = shot * formFactor(row.shares[i]);
     const glm::dvec3 reflected = arriving * reflectance.of(element);
@@ -97,6 +88,20 @@ void receive(const Run& run, const glm::dvec3& shot, const FormFactorRow& row, c
     if (arrival.blocks.empty() || arrival.blocks.back() != block) arrival.blocks.push_back(block);
   }
   arrival.absorbed += absorbed;
+}
+
+/// The same to all entries of a part, surface by surface.
+void receive(const Part& part, const glm::dvec3& shot, const FormFactorRow& row, const Scene& scene,
+             const Discretization& discretization, std::vector<glm::dvec3>& received, UnshotFlux& unshot,
+             Arrival& arrival) {
+  for (std::size_t first = part.first, end = part.first; first < part.end; first = end) {
+    const std::uint32_t surface = discretization.elements[row.elements[first]].surface;
+    const auto behind = std::lower_bound(row.elements.begin() + static_cast<std::ptrdiff_t>(first),
+                                         row.elements.begin() + static_cast<std::ptrdiff_t>(part.end),
+                                         endOf(discretization.grids[surface]));
+    end = static_cast<std::size_t>(behind - row.elements.begin());
+    receive({first, end}, surface, shot, row, scene, discretization, received, unshot, arrival);
+  }
 }
 
 }  // namespace
@@ -143,13 +148,11 @@ std::size_t Refinement::shoot(std::uint32_t patch, const FormFactorRow& row) {
   const glm::dvec3 shot = unshot_.flux()[patch];
   light_.shot[patch] += shot;
   unshot_.clear(patch);
-  const std::vector<Run> runs = runsOf(row, discretization_);
-  const std::vector<std::span<const Run>> chunks = chunksOf(runs);
-  std::vector<Arrival> arrivals(chunks.size());
+  const std::vector<Part> parts = partsOf(row, discretization_);
+  std::vector<Arrival> arrivals(parts.size());
   // Patches belong to surfaces, so that no two threads change the same one.
-  raster::parallelFor(chunks.size(), [&](std::size_t i) {
-    for (const Run& run : chunks[i])
-      receive(run, shot, row, scene_, discretization_, light_.received, unshot_, arrivals[i]);
+  raster::parallelFor(parts.size(), [&](std::size_t i) {
+    receive(parts[i], shot, row, scene_, discretization_, light_.received, unshot_, arrivals[i]);
   });
   std::vector<std::uint32_t> blocks{patch / UnshotFlux::patchesInBlock};
   for (const Arrival& arrival : arrivals) {
