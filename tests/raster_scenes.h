@@ -41,12 +41,13 @@ inline raster::DrawList crossingTriangles() {
 }
 
 /// Triangles of a few pixels in a front face of 64 x 64, 1 to 32 in a draw; some draws have backs, some no index map. A
-/// third of the triangles have corners on samples and half way between them, so that edges and texel borders go through
-/// samples. Another third have a corner twice, or all on a line. Triangles of one draw have different depths.
+/// third of the triangles have corners on samples and half way between them, and texture coordinates on texel borders,
+/// which are binary fractions: edges and borders go through samples, and rounding alone would decide. Another
+/// third have a corner twice, or all on a line. Triangles of one draw have different depths.
 inline raster::DrawList smallTriangles(std::uint32_t draws) {
   std::mt19937 random(5);
   raster::DrawList list = plainList();
-  list.indexMaps.push_back(countingMap(7, 5));
+  list.indexMaps.push_back(countingMap(8, 4));
   const auto steps = [&random](unsigned most) { return static_cast<float>(random() % (most + 1)); };
   const auto between = [&random](float low, float high) { return uniform(random, low, high); };
   for (std::uint32_t draw = 0; draw < draws; ++draw) {
@@ -62,7 +63,7 @@ inline raster::DrawList smallTriangles(std::uint32_t draws) {
         const glm::vec2 at =
             isOnGrid ? glm::vec2(steps(8), steps(8)) / 64.0F : glm::vec2(between(0, 0.13F), between(0, 0.13F));
         p[k] = {(x + at.x) * w, (y + at.y) * w, w};
-        texture[k] = isOnGrid ? glm::vec2(steps(7) / 7, steps(5) / 5) : glm::vec2(between(0, 1), between(0, 1));
+        texture[k] = isOnGrid ? glm::vec2(steps(8) / 8, steps(4) / 4) : glm::vec2(between(0, 1), between(0, 1));
       }
       if (isFlat) p[2] = random() % 2 == 0 ? p[0] : 0.5F * (p[0] + p[1]);
       addTriangle(list, {p[0], p[1], p[2]}, {texture[0], texture[1], texture[2]});
