@@ -6,6 +6,22 @@
 #include "reference/stopwatch.h"
 
 namespace hemitex::reference {
+namespace {
+
+/// Seconds of the mean call, of as many as take `shortest` seconds.
+double secondsOf(const std::function<void()>& task, double shortest) {
+  const Stopwatch watch;
+  int calls = 0;
+  double seconds = 0;
+  do {
+    task();
+    ++calls;
+    seconds = watch.seconds();
+  } while (seconds < shortest);
+  return seconds / calls;
+}
+
+}  // namespace
 
 Timing timingOf(std::vector<double> seconds) {
   assert(!seconds.empty());
@@ -15,15 +31,11 @@ Timing timingOf(std::vector<double> seconds) {
   return {median, seconds.front(), static_cast<int>(seconds.size())};
 }
 
-std::vector<Timing> timeInTurns(std::span<const std::function<void()>> tasks, int repeats) {
+std::vector<Timing> timeInTurns(std::span<const std::function<void()>> tasks, int repeats, double shortest) {
   for (const std::function<void()>& task : tasks) task();
   std::vector<std::vector<double>> seconds(tasks.size());
   for (int repeat = 0; repeat < repeats; ++repeat)
-    for (std::size_t t = 0; t < tasks.size(); ++t) {
-      const Stopwatch watch;
-      tasks[t]();
-      seconds[t].push_back(watch.seconds());
-    }
+    for (std::size_t t = 0; t < tasks.size(); ++t) seconds[t].push_back(secondsOf(tasks[t], shortest));
   std::vector<Timing> timings;
   for (std::vector<double>& ofTask : seconds) timings.push_back(timingOf(std::move(ofTask)));
   return timings;

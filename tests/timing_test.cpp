@@ -9,7 +9,7 @@ using namespace hemitex::reference;
 TEST_CASE("what is timed runs once without the clock and then in turns", "[bench]") {
   std::string calls;
   const std::vector<std::function<void()>> tasks{[&] { calls += 'a'; }, [&] { calls += 'b'; }};
-  const std::vector<Timing> timings = timeInTurns(tasks, 3);
+  const std::vector<Timing> timings = timeInTurns(tasks, 3, 0);
   CHECK(calls == "abababab");
   REQUIRE(timings.size() == 2);
   for (const Timing& timing : timings) {
@@ -17,6 +17,19 @@ TEST_CASE("what is timed runs once without the clock and then in turns", "[bench
     CHECK(timing.least >= 0);
     CHECK(timing.median >= timing.least);
   }
+}
+
+TEST_CASE("what is short is called again in its turn until it is long enough", "[bench]") {
+  std::string calls;
+  const std::vector<std::function<void()>> tasks{[&] { calls += 'a'; }, [&] { calls += 'b'; }};
+  const Timing timing = timeInTurns(tasks, 1, 0.05).front();
+  const std::size_t turnOfA = calls.find('b', 2), a = turnOfA - 2, b = calls.size() - turnOfA;
+  INFO(a << " and " << b << " calls");
+  CHECK(calls == "ab" + std::string(a, 'a') + std::string(b, 'b'));
+  // Thousands fit into 50 ms; together they take that long, as the mean call says.
+  CHECK(a > 1);
+  CHECK(b > 1);
+  CHECK(timing.median * static_cast<double>(a) >= Approx(0.05));
 }
 
 TEST_CASE("the median of an even number of times lies between the middle ones", "[bench]") {
