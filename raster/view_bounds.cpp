@@ -27,12 +27,13 @@ struct Range {
   double low, high;
 };
 
-/// Pixels whose samples may lie between two points of the picture plane, inside [first, first + count), at least one
-/// more on either side than snapping asks for.
+/// Pixels of [first, first + count) whose samples may lie between two points of the picture plane. Snapping moves a
+/// vertex by half a sub-pixel; a whole one leaves room for what is rounded besides.
 void narrow(double low, double high, int resolution, int& first, int& count) {
-  const auto pixel = [=](double q) { return static_cast<int>((std::clamp(q, -1.5, 1.5) + 1) * 0.5 * resolution); };
-  const int begin = std::max(first, pixel(low) - 2);
-  const int end = std::min(first + count, pixel(high) + 2);
+  constexpr double subPixel = 1.0 / 256;
+  const auto position = [=](double q) { return (std::clamp(q, -1.5, 1.5) + 1) * 0.5 * resolution - 0.5; };
+  const int begin = std::max(first, static_cast<int>(std::ceil(position(low) - subPixel)));
+  const int end = std::min(first + count, static_cast<int>(std::floor(position(high) + subPixel)) + 1);
   first = begin;
   count = std::max(end - begin, 0);
 }
