@@ -8,77 +8,44 @@
 namespace hemitex::raster {
 namespace {
 
+/// One value for each corner of a triangle.
+template <typename Value>
+using Corners = std::array<Value, 3>;
+
 struct Range {
   int first, end;
 };
 
 /// Pixels of [first, first + count) whose samples lie between the least and the largest of three snapped values.
-Range samplesIn(const std::array<std::int32_t, 3>& values, int first, int count) {
+Range samplesIn(const Corners<std::int32_t>& values, int first, int count) {
   const auto [least, largest] = std::minmax({values[0], values[1], values[2]});
   return {std::max((least + 127) >> 8, first), std::min((largest + 128) >> 8, first + count)};
 }
 
-/// An edge as the line c + a * i + b * j through the samples i columns and j rows away.
-struct SmallEdge {
-  float a, b, c;
-  float least;  ///< value of samples that are covered; see Edge::inclusive
-
-  SmallEdge(float px, float py, float qx, float qy, float orientation)
-      : a(256 * orientation * (py - qy)),
-        b(256 * orientation * (qx - px)),
-        c(orientation * (px * qy - qx * py)),
-        least(a > 0 || (a == 0 && b > 0) ? 0.0F : 1.0F) {}
-
-  float at(int i, int j) const { return c + a * static_cast<float>(i) + b * static_cast<float>(j); }
-};
-
-/// The `t`th triangle of a part.
-bool offerOne(const OfferedTriangles& triangles, std::uint32_t t, DepthBuffer& buffer, UndecidedSamples& undecided) {
-  std::array<std::int32_t, 3> across, down;
-  std::array<double, 3> w;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t corner = triangles.mesh.corners[k][triangles.part.firstTriangle + t];
-    across[k] = triangles.placed.across[corner];
-    down[k] = triangles.placed.down[corner];
-    w[k] = triangles.placed.w[corner];
-  }
-  const Range columns = samplesIn(across, buffer.scissor.column, buffer.scissor.width);
-  const Range rows = samplesIn(down, buffer.scissor.row, buffer.scissor.height);
-  std::array<float, 3> x, y;
-  for (std::size_t k = 0; k < 3; ++k) {
-    x[k] = static_cast<float>(across[k] - (256 * columns.first + 128));
-    y[k] = static_cast<float>(down[k] - (256 * rows.first + 128));
-  }
-  const float area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
-  if (area == 0) return false;
-  const float orientation = area > 0 ? 1 : -1;
-  const std::array<SmallEdge, 3> edges{SmallEdge{x[1], y[1], x[2], y[2], orientation},
-                                       SmallEdge{x[2], y[2], x[0], y[0], orientation},
-                                       SmallEdge{x[0], y[0], x[1], y[1], orientation}};
-  // 1 / (w_k area) by one division; each term of a sum below passes seven roundings at most, see inverseDepthAt.
-  const double scale = 1 / (w[0] * w[1] * w[2] * static_cast<double>(std::abs(area)));
-  const std::array<double, 3> weights{w[1] * w[2] * scale, w[2] * w[0] * scale, w[0] * w[1] * scale};
-  bool isTaken = false;
-  for (int row = rows.first; row < rows.end; ++row)
-    for (int column = columns.first; column < columns.end; ++column) {
-      std::array<float, 3> e;
-      for (std::size_t k = 0; k < 3; ++k) e[k] = edges[k].at(column - columns.first, row - rows.first);
-      if (e[0] < edges[0].least || e[1] < edges[1].least || e[2] < edges[2].least) continue;
-      const double inverseDepth = (static_cast<double>(e[0]) * weights[0] + static_cast<double>(e[1]) * weights[1]) +
-                                  static_cast<double>(e[2]) * weights[2];
-      const std::uint32_t number = triangles.firstNumber + t;
-      const DepthTest test = testDepth(inverseDepth, number, buffer.pixelAt(column, row), buffer);
-      isTaken = isTaken || test == DepthTest::Taken;
-      if (test == DepthTest::Undecided) undecided.add(number, column, row);
-    }
-  return isTaken;
+/// Positions of corners less that of a pixel's sample.
+Corners<std::int32_t> fromSample(const Corners<std::int32_t>& snapped, int pixel) {
+  const std::int32_t sample = 256 * pixel + 128;
+  return {snapped[0] - sample, snapped[1] - sample, snapped[2] - sample};
 }
 
-bool offer(const OfferedTriangles& triangles, DepthBuffer& buffer, UndecidedSamples& undecided) {
-  bool isTaken = false;
-  for (std::uint32_t t = 0; t < triangles.part.triangles; ++t)
-    if ((triangles.set >> t & 1) != 0) isTaken = offerOne(triangles, t, buffer, undecided) || isTaken;
-  return isTaken;
+/// The value of the edge from corner p to corner q at the origin: positive inside where the triangle's area is so.
+std::int32_t edgeAt(const Corners<std::int32_t>& x, const Corners<std::int32_t>& y, std::size_t p, std::size_t q) {
+  return x[p] * y[q] - x[q] * y[p];
+}
+
+/// Whether an edge of a triangle of positive area is a left or a top one: samples on it are covered.
+bool isInclusive(const Corners<std::int32_t>& x, const Corners<std::int32_t>& y, std::size_t p, std::size_t q) {
+  return y[p] > y[q] || (y[p] == y[q] && x[q] > x[p]);
+}
+
+/// Whether a triangle, of any orientation, covers the origin.
+bool coversOrigin(const Corners<std::int32_t>& x, const Corners<std::int32_t>& y) {
+  const bool isPositive = edgeAt(x, y, 0, 1) + edgeAt(x, y, 1, 2) + edgeAt(x, y, 2, 0) > 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t p = isPositive ? k : (k + 1) % 3, q = isPositive ? (k + 1) % 3 : k;
+    if (edgeAt(x, y, p, q) < (isInclusive(x, y, p, q) ? 0 : 1)) return false;
+  }
+  return true;
 }
 
 /// A texture coordinate in texels, from the weights of the corners and the inverse of their sum. Weights are positive
@@ -87,8 +54,8 @@ struct SmallTexel {
   double texel;
   bool isClear;
 
-  SmallTexel(const std::array<double, 3>& weights, double inverseSum, const std::array<double, 3>& coordinate,
-             double size) {
+  SmallTexel(const Corners<double>& weights, double inverseSum, const Corners<double>& coordinate, int texels) {
+    const double size = texels;
     const double sum = (weights[0] * coordinate[0] + weights[1] * coordinate[1]) + weights[2] * coordinate[2];
     const double position = sum * inverseSum * size;
     const double largest =
@@ -99,32 +66,56 @@ struct SmallTexel {
   }
 };
 
-SmallTexels findTexels(const SmallPixels& pixels, std::size_t count) {
-  SmallTexels found;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto corners = [i](const std::array<SmallPixels::Values, 3>& values) {
-      return std::array<double, 3>{values[0][i], values[1][i], values[2][i]};
-    };
-    const std::array<double, 3> x = corners(pixels.across), y = corners(pixels.down), w = corners(pixels.w);
-    const std::array<double, 3> weights{(x[1] * y[2] - x[2] * y[1]) * (w[1] * w[2]),
-                                        (x[2] * y[0] - x[0] * y[2]) * (w[2] * w[0]),
-                                        (x[0] * y[1] - x[1] * y[0]) * (w[0] * w[1])};
-    const double sum = (weights[0] + weights[1]) + weights[2], inverseSum = 1 / sum;
-    const SmallTexel column(weights, inverseSum, corners(pixels.u), pixels.columns[i]);
-    const SmallTexel row(weights, inverseSum, corners(pixels.v), pixels.rows[i]);
-    found.texels[i] = static_cast<std::uint32_t>(row.texel * pixels.columns[i] + column.texel);
-    if (column.isClear && row.isClear) found.decided |= 1U << i;
-    if (sum < 0) found.negative |= 1U << i;
+/// The `t`th triangle of a part.
+void findSamples(const SmallTriangles& triangles, std::uint32_t t, const Scissor& scissor, SmallSamples& samples) {
+  Corners<std::int32_t> across, down;
+  Corners<double> w, u, v;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t corner = triangles.mesh.corners[k][triangles.part.firstTriangle + t];
+    const glm::vec2& texcoord = triangles.mesh.texcoords[triangles.part.firstVertex + corner];
+    across[k] = triangles.placed.across[corner];
+    down[k] = triangles.placed.down[corner];
+    w[k] = triangles.placed.w[corner];
+    u[k] = texcoord.x;
+    v[k] = texcoord.y;
   }
-  return found;
+  const Range columns = samplesIn(across, scissor.column, scissor.width);
+  const Range rows = samplesIn(down, scissor.row, scissor.height);
+  for (int row = rows.first; row < rows.end; ++row)
+    for (int column = columns.first; column < columns.end; ++column) {
+      const Corners<std::int32_t> x = fromSample(across, column), y = fromSample(down, row);
+      const Corners<double> edges{static_cast<double>(edgeAt(x, y, 1, 2)), static_cast<double>(edgeAt(x, y, 2, 0)),
+                                  static_cast<double>(edgeAt(x, y, 0, 1))};
+      const double area = edges[0] + edges[1] + edges[2];
+      if (area == 0 || !coversOrigin(x, y)) continue;
+      const Corners<double> weights{edges[0] * (w[1] * w[2]), edges[1] * (w[2] * w[0]), edges[2] * (w[0] * w[1])};
+      const double sum = (weights[0] + weights[1]) + weights[2], inverseSum = 1 / sum;
+      const SmallTexel texelColumn(weights, inverseSum, u, triangles.columns);
+      const SmallTexel texelRow(weights, inverseSum, v, triangles.rows);
+      const std::size_t i = samples.count++;
+      samples.triangles[i] = static_cast<std::int32_t>(t);
+      samples.columns[i] = column;
+      samples.rows[i] = row;
+      // 1/w is the sum of e_k / w_k over the area; all terms have one sign, and each passes eight roundings at most.
+      samples.inverseDepths[i] = sum / (((w[0] * w[1]) * w[2]) * area);
+      samples.texels[i] = texelColumn.isClear && texelRow.isClear
+                              ? static_cast<std::int32_t>(texelRow.texel * triangles.columns + texelColumn.texel)
+                              : undecidedTexel;
+      if (area < 0) samples.negative |= 1U << t;
+    }
+}
+
+void findSamples(const SmallTriangles& triangles, const Scissor& part, SmallSamples& samples) {
+  samples.count = 0;
+  samples.negative = 0;
+  for (std::uint32_t t = 0; t < triangles.part.triangles; ++t)
+    if ((triangles.set >> t & 1) != 0) findSamples(triangles, t, part, samples);
 }
 
 }  // namespace
 
-void UndecidedSamples::add(std::uint32_t number, int column, int row) { samples.push_back({number, {column, row}}); }
-
 const SmallTriangleKernels& plainSmallTriangleKernels() {
-  static const SmallTriangleKernels kernels{"plain", offer, findTexels};
+  static const SmallTriangleKernels kernels{"plain", findSamples};
   return kernels;
 }
 

@@ -1,12 +1,13 @@
 /// Small triangles: those that span less than six pixels either way. Where a scene is cut finely there is next to
-/// nothing else, and setting each of them up as a screen triangle takes longer than its pixels do. So these kernels
-/// take as many as a vector has lanes, straight from the placed vertices of their cluster. There is a plain version,
-/// which says what they compute, and one for each SIMD instruction set that the processor has; all give the same
-/// numbers, bit for bit.
+/// nothing else, and setting each of them up as a screen triangle takes longer than its pixels do. So there are kernels
+/// that find what those of a cluster show, straight from its placed vertices: first the samples that they cover, as
+/// many triangles at a time as a vector has lanes; then 1/w and texels, as many samples at a time. There is a plain
+/// version, which says what they compute, and one for each SIMD instruction set that the processor has; all give the
+/// same numbers, bit for bit.
 ///
 /// Positions count from a sample near by: corners are less than 2^11 sub-pixels away from it and the values of edges
-/// below 2^23, so that binary32 holds, and computes, them without rounding. 1/w and texels are decided in binary64
-/// where its error bound allows (pixel_bounds.h); the caller decides the others exactly.
+/// below 2^23, so that 32 bits hold, and compute, them without rounding, integers or binary32. 1/w and texels come from
+/// binary64; where its error bound (pixel_bounds.h) does not tell the texel, the caller finds it exactly.
 #pragma once
 
 #include <array>
@@ -15,59 +16,43 @@
 #include <vector>
 
 #include "raster/cluster_mesh.h"
-#include "raster/pixel_kernels.h"
+#include "raster/face.h"
 #include "raster/vertex_kernels.h"
 
 namespace hemitex::raster {
 
 /// Triangles of a part of a mesh whose vertices were placed.
-struct OfferedTriangles {
+struct SmallTriangles {
   const ClusterMesh& mesh;
   const ClusterPart& part;
   const PlacedVertices& placed;
   std::uint32_t set;          ///< a bit each: some of TriangleSets::small
-  std::uint32_t firstNumber;  ///< what a depth buffer calls the first of the part; the others count on
+  int columns = 1, rows = 1;  ///< of their index map
 };
 
-/// Samples of triangles that binary64 does not decide.
-struct UndecidedSamples {
-  struct Sample {
-    std::uint32_t number;  ///< of the triangle
-    Pixel pixel;
-  };
-  std::vector<Sample> samples;
+/// In place of a texel that binary64 does not tell.
+inline constexpr std::int32_t undecidedTexel = -1;
 
-  void add(std::uint32_t number, int column, int row);  // not inline, as UndecidedPixels::add
-};
+/// The samples that small triangles of one part cover, one after the other.
+struct SmallSamples {
+  /// Less than six pixels hold six samples at most; kernels may touch as many more as they have lanes.
+  static constexpr std::size_t most = 6 * 6 * largestCluster + mostVertexLanes;
+  template <typename Value>
+  using Each = std::array<Value, most>;
 
-/// So many pixels are resolved at a time, more than a vector has lanes: what was just written is not read at once.
-inline constexpr std::size_t mostSmallPixels = 32;
-
-/// Pixels side by side and, corner by corner, the small triangles that they show.
-struct SmallPixels {
-  using Values = std::array<float, mostSmallPixels>;
-  std::array<Values, 3> across, down;  ///< snapped positions less that of the pixel's sample
-  std::array<Values, 3> w, u, v;
-  std::array<double, mostSmallPixels> columns, rows;  ///< of the index map
-};
-
-/// What small pixels show.
-struct SmallTexels {
-  std::array<std::uint32_t, mostSmallPixels> texels;  ///< row * columns + column
-  std::uint32_t decided = 0;                          ///< a bit for each that binary64 can tell
-  std::uint32_t negative = 0;  ///< a bit for each where the area of the triangle is so (raster rules, 5)
+  std::size_t count = 0;
+  Each<std::int32_t> triangles;  ///< that cover them, counted from the part's first
+  Each<std::int32_t> columns, rows;
+  Each<double> inverseDepths;  ///< 1/w, off by less than depthError
+  Each<std::int32_t> texels;   ///< row * columns + column, or undecidedTexel
+  std::uint32_t negative = 0;  ///< a bit for each triangle whose area is so (raster rules, 5)
 };
 
 struct SmallTriangleKernels {
   std::string name;  ///< plain, or that of an instruction set
 
-  /// Offers the covered samples of triangles to a buffer, in any order: the larger 1/w wins. Appends samples where
-  /// binary64 cannot tell which; where two of the triangles meet there, either may be the one. Returns whether any
-  /// pixel took one.
-  bool (*offer)(const OfferedTriangles& triangles, DepthBuffer& buffer, UndecidedSamples& undecided);
-
-  /// The texels of the first `count` pixels.
-  SmallTexels (*findTexels)(const SmallPixels& pixels, std::size_t count);
+  /// Finds the samples of a part of a face, in any order.
+  void (*findSamples)(const SmallTriangles& triangles, const Scissor& part, SmallSamples& samples);
 };
 
 /// The specification of the others.

@@ -1,5 +1,5 @@
 // The small triangle kernels on vectors, written once for Highway, which compiles this file anew for each instruction
-// set: a lane for each triangle where they are offered, for each pixel where texels are found.
+// set: a lane for each triangle where covered samples are found, then one for each sample.
 #include "raster/instruction_sets.h"
 #include "raster/pixel_bounds.h"
 #include "raster/small_triangle_kernels.h"
@@ -19,7 +19,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Doubles = hn::CappedTag<double, mostVertexLanes>;
 using Floats = hn::Rebind<float, Doubles>;
 using Integers = hn::Rebind<std::int32_t, Doubles>;
-using Numbers = hn::Rebind<std::uint32_t, Doubles>;
 using Bytes = hn::Rebind<std::uint8_t, Doubles>;
 using Double = hn::Vec<Doubles>;
 using Float = hn::Vec<Floats>;
@@ -30,13 +29,11 @@ constexpr Floats floats;
 constexpr Integers integers;
 
 Double all(double value) { return hn::Set(doubles, value); }
-Float all(float value) { return hn::Set(floats, value); }
 Integer all(std::int32_t value) { return hn::Set(integers, value); }
 
-template <typename Tag>
-std::uint32_t bitsOf(Tag tag, hn::Mask<Tag> mask) {
+std::uint32_t bitsOf(hn::Mask<Integers> mask) {
   std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(tag, mask, bits);
+  hn::StoreMaskBits(integers, mask, bits);
   return bits[0];
 }
 
@@ -51,149 +48,145 @@ struct Corners {
   Value a, b, c;
 };
 
-/// Pixels of [first, first + count) whose samples lie between the least and the largest snapped value; none in lanes
-/// without a triangle.
+template <typename Tag, typename Value>
+Corners<hn::Vec<Tag>> gathered(Tag tag, const Value* values, const Corners<Integer>& at) {
+  return {hn::GatherIndex(tag, values, at.a), hn::GatherIndex(tag, values, at.b), hn::GatherIndex(tag, values, at.c)};
+}
+
+/// Which corners the triangles of a part have, and the samples that they cover, each in one number.
+struct Covered {
+  HWY_ALIGN std::int32_t corners[3][largestCluster];
+  HWY_ALIGN std::int32_t samples[SmallSamples::most];
+  std::size_t count = 0;
+};
+
+/// A sample in one number: rows and columns are below 2^12.
+constexpr int rowShift = 12, triangleShift = 24;
+
+Integer packed(Integer triangle, Integer row, Integer column) {
+  return hn::Or(hn::Or(hn::ShiftLeft<triangleShift>(triangle), hn::ShiftLeft<rowShift>(row)), column);
+}
+
+/// The first sample of pixels [first, first + count) that lies between the least and the largest snapped value, and
+/// how many there are.
 struct Samples {
   Integer first, count;
 
-  Samples(const Corners<Integer>& at, int scissorFirst, int scissorCount, hn::Mask<Integers> there) {
+  Samples(const Corners<Integer>& at, int scissorFirst, int scissorCount) {
     const Integer least = hn::Min(hn::Min(at.a, at.b), at.c), largest = hn::Max(hn::Max(at.a, at.b), at.c);
     first = hn::Max(hn::ShiftRight<8>(hn::Add(least, all(127))), all(scissorFirst));
     const Integer end = hn::Min(hn::ShiftRight<8>(hn::Add(largest, all(128))), all(scissorFirst + scissorCount));
-    count = hn::IfThenElseZero(there, hn::Sub(end, first));
+    count = hn::Sub(end, first);
   }
 };
 
-/// Positions less that of the first sample.
-Corners<Float> fromSample(const Corners<Integer>& at, Integer first) {
-  const Integer sample = hn::Add(hn::ShiftLeft<8>(first), all(128));
-  const auto from = [&](Integer position) { return hn::ConvertTo(floats, hn::Sub(position, sample)); };
-  return {from(at.a), from(at.b), from(at.c)};
+/// Positions less that of a sample.
+Corners<Integer> fromSample(const Corners<Integer>& at, Integer pixel) {
+  const Integer sample = hn::Add(hn::ShiftLeft<8>(pixel), all(128));
+  return {hn::Sub(at.a, sample), hn::Sub(at.b, sample), hn::Sub(at.c, sample)};
 }
 
-Float cross(Float ax, Float ay, Float bx, Float by) { return hn::Sub(hn::Mul(ax, by), hn::Mul(bx, ay)); }
+Integer cross(Integer ax, Integer ay, Integer bx, Integer by) { return hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx)); }
 
-/// Edges, as SmallEdge in small_triangle_kernels.cpp.
-struct SmallEdges {
-  Float a, b, c, least;
+/// An edge from p to q of triangles of positive area: at + right * i + down * j at the sample i columns and j rows from
+/// the origin, negative where it is not covered.
+struct SmallEdge {
+  Integer at, right, down;
 
-  SmallEdges() = default;
-  SmallEdges(Float px, Float py, Float qx, Float qy, Float orientation) {
-    const Float zero = hn::Zero(floats), scale = hn::Mul(orientation, all(256.0F));
-    a = hn::Mul(scale, hn::Sub(py, qy));
-    b = hn::Mul(scale, hn::Sub(qx, px));
-    c = hn::Mul(orientation, cross(px, py, qx, qy));
-    const auto isTop = hn::And(hn::Eq(a, zero), hn::Gt(b, zero));
-    least = hn::IfThenZeroElse(hn::Or(hn::Gt(a, zero), isTop), all(1.0F));
-  }
-
-  Float at(int i, int j) const {
-    return hn::Add(hn::Add(c, hn::Mul(a, all(static_cast<float>(i)))), hn::Mul(b, all(static_cast<float>(j))));
+  SmallEdge(Integer px, Integer py, Integer qx, Integer qy) {
+    right = hn::ShiftLeft<8>(hn::Sub(py, qy));
+    down = hn::ShiftLeft<8>(hn::Sub(qx, px));
+    const auto isTop = hn::And(hn::Eq(py, qy), hn::Gt(qx, px));
+    const Integer least = hn::IfThenZeroElse(hn::Or(hn::Gt(py, qy), isTop), all(1));
+    at = hn::Sub(cross(px, py, qx, qy), least);
   }
 };
 
-Double dot(const Corners<Double>& a, const Corners<Double>& b) {
-  return hn::Add(hn::Add(hn::Mul(a.a, b.a), hn::Mul(a.b, b.b)), hn::Mul(a.c, b.c));
-}
-
-Corners<Double> promoted(const Corners<Float>& of) {
-  return {hn::PromoteTo(doubles, of.a), hn::PromoteTo(doubles, of.b), hn::PromoteTo(doubles, of.c)};
+Corners<Integer> sum(const Corners<Integer>& a, const Corners<Integer>& b) {
+  return {hn::Add(a.a, b.a), hn::Add(a.b, b.b), hn::Add(a.c, b.c)};
 }
 
 /// Triangles side by side, from the `from`th of a part on.
 class Group {
  public:
-  Group(const OfferedTriangles& triangles, std::uint32_t from, hn::Mask<Integers> there, const DepthBuffer& buffer)
-      : Group(triangles, corners(triangles, from), there, buffer) {
-    firstNumber_ = triangles.firstNumber + from;
+  Group(const SmallTriangles& triangles, std::uint32_t from, hn::Mask<Integers> there, const Scissor& part,
+        Covered& covered) {
+    const auto corner = [&](std::size_t k) {
+      const auto bytes = hn::LoadU(Bytes(), triangles.mesh.corners[k].data() + triangles.part.firstTriangle + from);
+      hn::Store(hn::PromoteTo(integers, bytes), integers, covered.corners[k] + from);
+      return hn::PromoteTo(integers, bytes);
+    };
+    const Corners<Integer> at{corner(0), corner(1), corner(2)};
+    const Corners<Integer> across = gathered(integers, triangles.placed.across.data(), at);
+    const Corners<Integer> down = gathered(integers, triangles.placed.down.data(), at);
+    const Samples columns(across, part.column, part.width), rows(down, part.row, part.height);
+    setEdges(fromSample(across, columns.first), fromSample(down, rows.first));
+    columns_ = columns.count;
+    rows_ = hn::IfThenElseZero(hn::AndNot(isFlat_, there), rows.count);
+    const Integer triangle = hn::Add(all(static_cast<std::int32_t>(from)), hn::Iota(integers, 0));
+    first_ = packed(triangle, rows.first, columns.first);
   }
 
-  bool offer(DepthBuffer& buffer, UndecidedSamples& undecided) const {
-    bool isTaken = false;
-    const auto reach = [](Integer count, int i) { return hn::Gt(count, all(i)); };
-    for (int j = 0; !hn::AllFalse(integers, reach(rows_.count, j)); ++j)
-      for (int i = 0;; ++i) {
-        const auto inside = hn::And(reach(rows_.count, j), reach(columns_.count, i));
-        if (hn::AllFalse(integers, inside)) break;
-        isTaken = offerSamples(i, j, hn::RebindMask(floats, inside), buffer, undecided) || isTaken;
-      }
-    return isTaken;
+  hn::Mask<Integers> isNegative() const { return isNegative_; }
+
+  void appendSamples(Covered& covered) const {
+    Corners<Integer> edges = at_;
+    Integer sample = first_;
+    for (int j = 0;; ++j) {
+      const auto isRow = hn::Gt(rows_, all(j));
+      if (hn::AllFalse(integers, isRow)) return;
+      appendRow(edges, sample, hn::IfThenElseZero(isRow, columns_), covered);
+      edges = sum(edges, down_);
+      sample = hn::Add(sample, all(1 << rowShift));
+    }
   }
 
  private:
-  static Corners<Integer> corners(const OfferedTriangles& triangles, std::uint32_t from) {
-    const auto load = [&](std::size_t k) {
-      return hn::PromoteTo(integers,
-                           hn::LoadU(Bytes(), triangles.mesh.corners[k].data() + triangles.part.firstTriangle + from));
-    };
-    return {load(0), load(1), load(2)};
+  void setEdges(const Corners<Integer>& x, const Corners<Integer>& y) {
+    const Integer area = cross(hn::Sub(x.b, x.a), hn::Sub(y.b, y.a), hn::Sub(x.c, x.a), hn::Sub(y.c, y.a));
+    isNegative_ = hn::Lt(area, hn::Zero(integers));
+    isFlat_ = hn::Eq(area, hn::Zero(integers));
+    // With two corners swapped, a negative area is positive.
+    const Integer bx = hn::IfThenElse(isNegative_, x.c, x.b), cx = hn::IfThenElse(isNegative_, x.b, x.c);
+    const Integer by = hn::IfThenElse(isNegative_, y.c, y.b), cy = hn::IfThenElse(isNegative_, y.b, y.c);
+    const SmallEdge a(bx, by, cx, cy), b(cx, cy, x.a, y.a), c(x.a, y.a, bx, by);
+    at_ = {a.at, b.at, c.at};
+    right_ = {a.right, b.right, c.right};
+    down_ = {a.down, b.down, c.down};
   }
 
-  template <typename Tag, typename Value>
-  static Corners<hn::Vec<Tag>> gathered(Tag tag, const Value* values, const Corners<Integer>& at) {
-    return {hn::GatherIndex(tag, values, at.a), hn::GatherIndex(tag, values, at.b), hn::GatherIndex(tag, values, at.c)};
-  }
-
-  Group(const OfferedTriangles& triangles, const Corners<Integer>& at, hn::Mask<Integers> there,
-        const DepthBuffer& buffer)
-      : Group(gathered(integers, triangles.placed.across.data(), at),
-              gathered(integers, triangles.placed.down.data(), at), gathered(floats, triangles.placed.w.data(), at),
-              there, buffer) {}
-
-  Group(const Corners<Integer>& across, const Corners<Integer>& down, const Corners<Float>& w, hn::Mask<Integers> there,
-        const DepthBuffer& buffer)
-      : columns_(across, buffer.scissor.column, buffer.scissor.width, there),
-        rows_(down, buffer.scissor.row, buffer.scissor.height, there) {
-    const Corners<Float> x = fromSample(across, columns_.first), y = fromSample(down, rows_.first);
-    const Float area = cross(hn::Sub(x.b, x.a), hn::Sub(y.b, y.a), hn::Sub(x.c, x.a), hn::Sub(y.c, y.a));
-    rows_.count = hn::IfThenZeroElse(hn::RebindMask(integers, hn::Eq(area, hn::Zero(floats))), rows_.count);
-    const Float orientation = hn::IfThenElse(hn::Gt(area, hn::Zero(floats)), all(1.0F), all(-1.0F));
-    edges_[0] = SmallEdges(x.b, y.b, x.c, y.c, orientation);
-    edges_[1] = SmallEdges(x.c, y.c, x.a, y.a, orientation);
-    edges_[2] = SmallEdges(x.a, y.a, x.b, y.b, orientation);
-    const Corners<Double> depth = promoted(w);
-    const Double product = hn::Mul(hn::Mul(depth.a, depth.b), depth.c);
-    const Double scale = hn::Div(all(1.0), hn::Mul(product, hn::PromoteTo(doubles, hn::Abs(area))));
-    weights_ = {hn::Mul(hn::Mul(depth.b, depth.c), scale), hn::Mul(hn::Mul(depth.c, depth.a), scale),
-                hn::Mul(hn::Mul(depth.a, depth.b), scale)};
-  }
-
-  /// The samples i columns and j rows from the first.
-  bool offerSamples(int i, int j, hn::Mask<Floats> inside, DepthBuffer& buffer, UndecidedSamples& undecided) const {
-    const Corners<Float> e{edges_[0].at(i, j), edges_[1].at(i, j), edges_[2].at(i, j)};
-    const auto covered = hn::And(hn::And(inside, hn::Ge(e.a, edges_[0].least)),
-                                 hn::And(hn::Ge(e.b, edges_[1].least), hn::Ge(e.c, edges_[2].least)));
-    if (hn::AllFalse(floats, covered)) return false;
-    HWY_ALIGN double inverseDepths[mostVertexLanes];
-    HWY_ALIGN std::int32_t columns[mostVertexLanes], rows[mostVertexLanes];
-    hn::Store(dot(promoted(e), weights_), doubles, inverseDepths);
-    hn::Store(hn::Add(columns_.first, all(i)), integers, columns);
-    hn::Store(hn::Add(rows_.first, all(j)), integers, rows);
-    bool isTaken = false;
-    for (std::uint32_t left = bitsOf(floats, covered); left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::uint32_t>(__builtin_ctz(left));
-      const std::uint32_t number = firstNumber_ + lane;
-      const DepthTest test = testDepth(inverseDepths[lane], number, buffer.pixelAt(columns[lane], rows[lane]), buffer);
-      isTaken = isTaken || test == DepthTest::Taken;
-      if (test == DepthTest::Undecided) undecided.add(number, columns[lane], rows[lane]);
+  /// `left`: how many samples each row has.
+  void appendRow(Corners<Integer> edges, Integer sample, Integer left, Covered& covered) const {
+    const Integer one = all(1);
+    for (; !hn::AllFalse(integers, hn::Gt(left, hn::Zero(integers))); left = hn::Sub(left, one)) {
+      // Not negative, all four.
+      const Integer signs = hn::Or(hn::Or(edges.a, edges.b), hn::Or(edges.c, hn::Sub(left, one)));
+      const auto isCovered = hn::Gt(signs, all(-1));
+      hn::StoreU(hn::Compress(sample, isCovered), integers, covered.samples + covered.count);
+      covered.count += hn::CountTrue(integers, isCovered);
+      edges = sum(edges, right_);
+      sample = hn::Add(sample, one);
     }
-    return isTaken;
   }
 
-  Samples columns_, rows_;
-  SmallEdges edges_[3];
-  Corners<Double> weights_;
-  std::uint32_t firstNumber_ = 0;
+  Corners<Integer> at_, right_, down_;  ///< of the edges, see SmallEdge
+  Integer rows_, columns_;              ///< of samples that may be covered
+  Integer first_;                       ///< the first of them
+  hn::Mask<Integers> isNegative_, isFlat_;
 };
 
-bool offer(const OfferedTriangles& triangles, DepthBuffer& buffer, UndecidedSamples& undecided) {
-  const auto lanes = static_cast<std::uint32_t>(hn::Lanes(integers));
-  bool isTaken = false;
-  for (std::uint32_t from = 0; from < triangles.part.triangles; from += lanes) {
-    const std::uint32_t bits = triangles.set >> from & ((1U << lanes) - 1);
-    if (bits != 0) isTaken = Group(triangles, from, maskOf(bits), buffer).offer(buffer, undecided) || isTaken;
-  }
-  return isTaken;
+Float cross(Float ax, Float ay, Float bx, Float by) { return hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx)); }
+
+Double dot(const Corners<Double>& a, const Corners<Double>& b) {
+  return hn::Add(hn::Add(hn::Mul(a.a, b.a), hn::Mul(a.b, b.b)), hn::Mul(a.c, b.c));
+}
+
+Corners<Float> converted(const Corners<Integer>& of) {
+  return {hn::ConvertTo(floats, of.a), hn::ConvertTo(floats, of.b), hn::ConvertTo(floats, of.c)};
+}
+
+Corners<Double> promoted(const Corners<Float>& of) {
+  return {hn::PromoteTo(doubles, of.a), hn::PromoteTo(doubles, of.b), hn::PromoteTo(doubles, of.c)};
 }
 
 /// A texture coordinate, as SmallTexel in small_triangle_kernels.cpp.
@@ -201,7 +194,8 @@ struct SmallTexel {
   Double texel;
   hn::Mask<Doubles> isClear;
 
-  SmallTexel(const Corners<Double>& weights, Double inverseSum, const Corners<Double>& coordinate, Double size) {
+  SmallTexel(const Corners<Double>& weights, Double inverseSum, const Corners<Double>& coordinate, int texels) {
+    const Double size = all(static_cast<double>(texels));
     const Double position = hn::Mul(hn::Mul(dot(weights, coordinate), inverseSum), size);
     const Double largest =
         hn::Mul(hn::Max(hn::Max(hn::Abs(coordinate.a), hn::Abs(coordinate.b)), hn::Abs(coordinate.c)), size);
@@ -212,34 +206,61 @@ struct SmallTexel {
   }
 };
 
-SmallTexels findTexels(const SmallPixels& pixels, std::size_t count) {
-  const std::size_t lanes = hn::Lanes(doubles);
-  SmallTexels found;
-  for (std::size_t i = 0; i < count; i += lanes) {
-    const auto load = [i](const SmallPixels::Values& values) { return hn::LoadU(floats, values.data() + i); };
-    const auto corners = [&](const std::array<SmallPixels::Values, 3>& values) {
-      return Corners<Float>{load(values[0]), load(values[1]), load(values[2])};
-    };
-    const Corners<Float> x = corners(pixels.across), y = corners(pixels.down);
-    const Corners<Double> w = promoted(corners(pixels.w));
-    const Corners<Double> e =
-        promoted({cross(x.b, y.b, x.c, y.c), cross(x.c, y.c, x.a, y.a), cross(x.a, y.a, x.b, y.b)});
-    const Corners<Double> weights{hn::Mul(e.a, hn::Mul(w.b, w.c)), hn::Mul(e.b, hn::Mul(w.c, w.a)),
-                                  hn::Mul(e.c, hn::Mul(w.a, w.b))};
-    const Double sum = hn::Add(hn::Add(weights.a, weights.b), weights.c), inverseSum = hn::Div(all(1.0), sum);
-    const Double columns = hn::LoadU(doubles, pixels.columns.data() + i);
-    const Double rows = hn::LoadU(doubles, pixels.rows.data() + i);
-    const SmallTexel column(weights, inverseSum, promoted(corners(pixels.u)), columns);
-    const SmallTexel row(weights, inverseSum, promoted(corners(pixels.v)), rows);
-    const Double texel = hn::Add(hn::Mul(row.texel, columns), column.texel);
-    hn::StoreU(hn::BitCast(Numbers(), hn::DemoteTo(integers, texel)), Numbers(), found.texels.data() + i);
-    found.decided |= bitsOf(doubles, hn::And(column.isClear, row.isClear)) << i;
-    found.negative |= bitsOf(doubles, hn::Lt(sum, hn::Zero(doubles))) << i;
+/// Samples side by side, from the `i`th on.
+void show(const SmallTriangles& triangles, const Covered& covered, std::size_t i, SmallSamples& samples) {
+  const Integer sample = hn::Load(integers, covered.samples + i), low = all((1 << rowShift) - 1);
+  const Integer triangle = hn::ShiftRight<triangleShift>(sample);
+  const Integer row = hn::And(hn::ShiftRight<rowShift>(sample), low), column = hn::And(sample, low);
+  hn::StoreU(triangle, integers, samples.triangles.data() + i);
+  hn::StoreU(row, integers, samples.rows.data() + i);
+  hn::StoreU(column, integers, samples.columns.data() + i);
+
+  const auto corner = [&](std::size_t k) { return hn::GatherIndex(integers, covered.corners[k], triangle); };
+  const Corners<Integer> at{corner(0), corner(1), corner(2)};
+  const Corners<Float> x = converted(fromSample(gathered(integers, triangles.placed.across.data(), at), column));
+  const Corners<Float> y = converted(fromSample(gathered(integers, triangles.placed.down.data(), at), row));
+  const Corners<Double> w = promoted(gathered(floats, triangles.placed.w.data(), at));
+  const Corners<Double> e = promoted({cross(x.b, y.b, x.c, y.c), cross(x.c, y.c, x.a, y.a), cross(x.a, y.a, x.b, y.b)});
+  const Double area = hn::Add(hn::Add(e.a, e.b), e.c), product = hn::Mul(hn::Mul(w.a, w.b), w.c);
+  const Corners<Double> weights{hn::Mul(e.a, hn::Mul(w.b, w.c)), hn::Mul(e.b, hn::Mul(w.c, w.a)),
+                                hn::Mul(e.c, hn::Mul(w.a, w.b))};
+  const Double sum = hn::Add(hn::Add(weights.a, weights.b), weights.c);
+  hn::StoreU(hn::Div(sum, hn::Mul(product, area)), doubles, samples.inverseDepths.data() + i);
+
+  if (triangles.columns == 1 && triangles.rows == 1) {
+    hn::StoreU(hn::Zero(integers), integers, samples.texels.data() + i);
+    return;
   }
-  return found;
+  const Double inverseSum = hn::Div(all(1.0), sum);
+  const float* const texcoords = &triangles.mesh.texcoords[triangles.part.firstVertex].x;
+  const Corners<Integer> pair{hn::Add(at.a, at.a), hn::Add(at.b, at.b), hn::Add(at.c, at.c)};
+  const SmallTexel across(weights, inverseSum, promoted(gathered(floats, texcoords, pair)), triangles.columns);
+  const SmallTexel down(weights, inverseSum, promoted(gathered(floats, texcoords + 1, pair)), triangles.rows);
+  const Double texel = hn::Add(hn::Mul(down.texel, all(static_cast<double>(triangles.columns))), across.texel);
+  const Double undecided = all(static_cast<double>(undecidedTexel));
+  const Double told = hn::IfThenElse(hn::And(across.isClear, down.isClear), texel, undecided);
+  hn::StoreU(hn::DemoteTo(integers, told), integers, samples.texels.data() + i);
 }
 
-SmallTriangleKernels smallTriangleKernels() { return {hwy::TargetName(HWY_TARGET), offer, findTexels}; }
+void findSamples(const SmallTriangles& triangles, const Scissor& part, SmallSamples& samples) {
+  const auto lanes = static_cast<std::uint32_t>(hn::Lanes(integers));
+  Covered covered;
+  samples.negative = 0;
+  for (std::uint32_t from = 0; from < triangles.part.triangles; from += lanes) {
+    const std::uint32_t bits = triangles.set >> from & ((1U << lanes) - 1);
+    if (bits == 0) continue;
+    const Group group(triangles, from, maskOf(bits), part, covered);
+    group.appendSamples(covered);
+    samples.negative |= bitsOf(group.isNegative()) << from;
+  }
+  samples.count = covered.count;
+  // The lanes behind the last one show it, too.
+  hn::StoreU(all(covered.samples[std::max(covered.count, std::size_t{1}) - 1]), integers,
+             covered.samples + covered.count);
+  for (std::size_t i = 0; i < covered.count; i += lanes) show(triangles, covered, i, samples);
+}
+
+SmallTriangleKernels smallTriangleKernels() { return {hwy::TargetName(HWY_TARGET), findSamples}; }
 
 }  // namespace
 }  // namespace hemitex::raster::HWY_NAMESPACE

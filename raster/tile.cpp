@@ -9,7 +9,6 @@
 #include "raster/pixel_bounds.h"
 #include "raster/screen_triangle.h"
 #include "raster/small_triangle_kernels.h"
-#include "raster/small_triangles.h"
 
 namespace hemitex::raster {
 namespace {
@@ -68,9 +67,9 @@ class Tile {
   Tile(const PreparedDraws& draws, const PixelKernels& kernels, const Face& face)
       : draws_(draws),
         kernels_(kernels),
-        buffer_(face.scissor),
+        face_(face),
         isMirrored_(determinant(face) < 0),
-        small_(draws, face.scissor, isMirrored_),
+        buffer_(face.scissor),
         row_(buffer_.pitch) {}
 
   /// Whether nothing of a box can be seen behind what was drawn so far.
@@ -85,42 +84,49 @@ class Tile {
   const Word* resolve(int row);
 
  private:
-  ScreenTriangle screenTriangle(std::uint32_t number) const {
-    return SmallTriangles::holds(number) ? small_.screenTriangle(number) : taken_[number];
-  }
+  /// Numbers of small triangles in the depth buffer: from here on they count those of the mesh.
+  static constexpr std::uint32_t firstSmall = 0x80000000;
+  static bool isSmall(std::uint32_t number) { return number >= firstSmall; }  // where it is not noTriangle
+
+  ScreenTriangle screenTriangle(std::uint32_t number) const;
   bool offerExactly(const ScreenTriangle& triangle, std::uint32_t number, const Pixel& pixel);
+  Word wordExactly(std::uint32_t number, const Pixel& pixel);
   Shading& shading(std::uint32_t triangle);
   void resolveRun(const PixelRun& run, Shading& shading, Word* words);
   void findTexels(const PixelRun& run, Shading::Texels& texels, Word base, Word* words);
-  void resolveSmall(std::uint32_t number, int row, int first, int end);
-  void resolveWaiting(int row);
 
   const PreparedDraws& draws_;
   const PixelKernels& kernels_;
-  DepthBuffer buffer_;
+  const Face& face_;
   bool isMirrored_;
+  DepthBuffer buffer_;
   std::vector<ScreenTriangle> taken_;     ///< by some pixel
   std::vector<Shading> shadings_;         ///< of those that a pixel shows in the end
   std::vector<std::uint32_t> shadingOf_;  ///< of a taken triangle: its place in `shadings_`, or noTriangle
-  SmallTriangles small_;
+  std::vector<Word> smallWords_;          ///< of the buffer's pixels that show small triangles; none before the first
   std::vector<Word> row_;
   UndecidedPixels undecided_;
-  UndecidedSamples undecidedSmall_;
-  /// Pixels of the row that show small triangles and wait until they are many.
-  struct Waiting {
-    std::size_t count = 0;
-    SmallPixels pixels{};
-    std::array<std::uint32_t, mostSmallPixels> numbers;
-    std::array<int, mostSmallPixels> columns;  ///< of the tile
-    std::array<const Draw*, mostSmallPixels> draws;
-  };
-  Waiting waiting_;
+  SmallSamples samples_;
 };
 
 /// The larger 1/w wins; on an exact tie the earlier triangle in draw order, whichever was drawn first.
 bool isNearer(const ScreenTriangle& a, const ScreenTriangle& b, const Pixel& pixel) {
   if (isNearerExactly(a, b, pixel.column, pixel.row)) return true;
   return std::tie(a.draw, a.number) < std::tie(b.draw, b.number) && !isNearerExactly(b, a, pixel.column, pixel.row);
+}
+
+/// A triangle by its number in the depth buffer. Small ones are set up anew: few pixels ask for them.
+ScreenTriangle Tile::screenTriangle(std::uint32_t number) const {
+  if (!isSmall(number)) return taken_[number];
+  const std::uint32_t inMesh = number - firstSmall;
+  const auto part = std::upper_bound(draws_.mesh.parts.begin(), draws_.mesh.parts.end(), inMesh,
+                                     [](std::uint32_t t, const ClusterPart& p) { return t < p.firstTriangle; }) -
+                    1;
+  const Cluster& cluster = draws_.clusters[static_cast<std::size_t>(part - draws_.mesh.parts.begin())];
+  const TriangleRun one = triangleOf(cluster, inMesh - part->firstTriangle);
+  std::vector<ScreenTriangle> alone;
+  appendScreenTriangles(draws_.list, face_, {&one, 1}, {}, alone);
+  return alone.front();
 }
 
 /// Whether the pixel took it.
@@ -141,13 +147,43 @@ void Tile::draw(const ScreenTriangle& triangle) {
 }
 
 void Tile::draw(std::uint32_t cluster, const PlacedVertices& placed, std::uint32_t small) {
-  const std::uint32_t first = small_.add(cluster, placed);
-  bool isTaken = bestSmallTriangleKernels().offer({draws_.mesh, draws_.mesh.parts[cluster], placed, small, first},
-                                                  buffer_, undecidedSmall_);
-  for (const auto& [number, pixel] : undecidedSmall_.samples)
-    isTaken = offerExactly(small_.screenTriangle(number), number, pixel) || isTaken;
-  undecidedSmall_.samples.clear();
-  if (!isTaken) small_.removeLast();
+  smallWords_.resize(buffer_.triangle.size());
+  const ClusterPart& part = draws_.mesh.parts[cluster];
+  const std::vector<TriangleRun>& runs = draws_.clusters[cluster].runs;
+  const Draw& first = draws_.list.draws[runs.front().draw];
+  SmallTriangles triangles{draws_.mesh, part, placed, small};
+  if (first.indexMap) {  // then it is the only draw
+    const IndexMap& map = draws_.list.indexMaps[static_cast<std::size_t>(*first.indexMap)];
+    triangles.columns = map.width;
+    triangles.rows = map.height;
+  }
+  bestSmallTriangleKernels().findSamples(triangles, buffer_.scissor, samples_);
+  for (std::size_t i = 0; i < samples_.count; ++i) {
+    const auto t = static_cast<std::uint32_t>(samples_.triangles[i]);
+    const std::uint32_t number = firstSmall + part.firstTriangle + t;
+    const Pixel pixel{samples_.columns[i], samples_.rows[i]};
+    const std::size_t p = buffer_.pixelAt(pixel.column, pixel.row);
+    const DepthTest test = testDepth(samples_.inverseDepths[i], number, p, buffer_);
+    if (test == DepthTest::Hidden) continue;
+    if (test == DepthTest::Undecided && !offerExactly(screenTriangle(number), number, pixel)) continue;
+    if (samples_.texels[i] == undecidedTexel) {
+      smallWords_[p] = wordExactly(number, pixel);
+      continue;
+    }
+    const Draw& draw = runs.size() == 1 ? first : draws_.list.draws[triangleOf(draws_.clusters[cluster], t).draw];
+    const bool facesAway = ((samples_.negative >> t & 1) != 0) == isMirrored_;
+    smallWords_[p] = wordOf(draws_, draw, facesAway, static_cast<Word>(samples_.texels[i]));
+  }
+}
+
+/// The word of a pixel that shows a triangle.
+Word Tile::wordExactly(std::uint32_t number, const Pixel& pixel) {
+  const ScreenTriangle triangle = screenTriangle(number);
+  Shading shading = shadingOf(draws_, triangle);
+  std::array<Word, 1 + mostLanes> words;
+  const double* const inverseDepth = buffer_.inverseDepth.data() + buffer_.pixelAt(pixel.column, pixel.row);
+  resolveRun({&triangle, pixel.row, pixel.column, 1, inverseDepth}, shading, words.data());
+  return words.front();
 }
 
 Shading& Tile::shading(std::uint32_t triangle) {
@@ -203,52 +239,14 @@ const Word* Tile::resolve(int row) {
     if (end < width && triangles[end] == number) end = kernels_.endOfRun(triangles, first, width);
     if (number == noTriangle)
       std::fill(row_.begin() + first, row_.begin() + end, backgroundWord(draws_.list.format));
-    else if (SmallTriangles::holds(number))
-      resolveSmall(number, row, first, end);
+    else if (isSmall(number))
+      std::copy_n(smallWords_.data() + begin + first, end - first, row_.data() + first);
     else
       resolveRun({&taken_[number], row, buffer_.scissor.column + first, end - first,
                   buffer_.inverseDepth.data() + begin + static_cast<std::size_t>(first)},
                  shading(number), row_.data() + first);
   }
-  resolveWaiting(row);
   return row_.data();
-}
-
-/// Pixels of the tile's columns [first, end) that show one small triangle.
-void Tile::resolveSmall(std::uint32_t number, int row, int first, int end) {
-  const Draw& draw = small_.drawOf(number);
-  const IndexMap* const map =
-      draw.indexMap ? &draws_.list.indexMaps[static_cast<std::size_t>(*draw.indexMap)] : nullptr;
-  for (int column = first; column < end; ++column) {
-    const std::size_t i = waiting_.count++;
-    small_.show(number, {buffer_.scissor.column + column, row}, waiting_.pixels, i);
-    waiting_.pixels.columns[i] = map ? map->width : 1;
-    waiting_.pixels.rows[i] = map ? map->height : 1;
-    waiting_.numbers[i] = number;
-    waiting_.columns[i] = column;
-    waiting_.draws[i] = &draw;
-    if (waiting_.count == mostSmallPixels) resolveWaiting(row);
-  }
-}
-
-void Tile::resolveWaiting(int row) {
-  const SmallTexels found = bestSmallTriangleKernels().findTexels(waiting_.pixels, waiting_.count);
-  for (std::size_t i = 0; i < waiting_.count; ++i) {
-    Word& word = row_[static_cast<std::size_t>(waiting_.columns[i])];
-    const bool facesAway = ((found.negative >> i & 1) != 0) == isMirrored_;
-    if ((found.decided >> i & 1) != 0) {
-      word = wordOf(draws_, *waiting_.draws[i], facesAway, found.texels[i]);
-      continue;
-    }
-    const ScreenTriangle triangle = small_.screenTriangle(waiting_.numbers[i]);
-    Shading shading = shadingOf(draws_, triangle);
-    const int column = buffer_.scissor.column + waiting_.columns[i];
-    std::array<Word, 1 + mostLanes> words;
-    resolveRun({&triangle, row, column, 1, buffer_.inverseDepth.data() + buffer_.pixelAt(column, row)}, shading,
-               words.data());
-    word = words.front();
-  }
-  waiting_.count = 0;
 }
 
 struct PlacedCluster {

@@ -1,6 +1,7 @@
 /// Tiles: a face is drawn in parts, each on its own and small enough to stay in a processor's second-level cache. In a
-/// tile, triangles are set up and offered to the depth buffer in draw order; then the words of the pixels are resolved,
-/// once a visible pixel.
+/// tile, triangles are set up and offered to the depth buffer, the nearest clusters first; then the words of the pixels
+/// are resolved, once a visible pixel. Small triangles have as few pixels as there are of them: theirs are resolved
+/// while all that they need is at hand, when a pixel takes them.
 #pragma once
 
 #include <cstdint>
