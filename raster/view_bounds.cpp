@@ -10,6 +10,9 @@ namespace {
 /// The vertex stage's five roundings of binary32 change the product of a row and a distance by less than 2^-21 of their
 /// lengths' product; this leaves room for more.
 constexpr double vertexRounding = 0x1p-19;
+/// Below binary32's least normal number, each of a row's three products is off by up to 2^-150, whatever its size; a
+/// side of the view takes one row and at most twice another.
+constexpr double vertexUnderflow = 0x1p-146;
 
 /// A box as seen from an eye.
 struct SeenBox {
@@ -39,6 +42,8 @@ void narrow(double low, double high, int resolution, int& first, int& count) {
 }
 
 }  // namespace
+
+double ViewBounds::Row::offAt(double reach) const { return rounding * reach + vertexUnderflow; }
 
 ViewBounds::Row ViewBounds::rowOf(const glm::dvec3& row, double size) {
   return {row, glm::abs(row), vertexRounding * size};
@@ -74,7 +79,7 @@ bool ViewBounds::mayShow(const Box& box) const {
   // With the NaN of an infinite box, none of them.
   return std::none_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
     const double least = glm::dot(plane.row.row, seen.centre) - glm::dot(plane.row.absolute, seen.half);
-    return least - plane.offset > plane.row.rounding * seen.reach;
+    return least - plane.offset > plane.row.offAt(seen.reach);
   });
 }
 
@@ -82,7 +87,7 @@ BoxPlace ViewBounds::placeOf(const Box& box) const {
   const SeenBox seen(box, eye_);
   const auto rangeOf = [&seen](const Row& row) {
     const double middle = glm::dot(row.row, seen.centre);
-    const double reach = glm::dot(row.absolute, seen.half) + row.rounding * seen.reach;
+    const double reach = glm::dot(row.absolute, seen.half) + row.offAt(seen.reach);
     return Range{middle - reach, middle + reach};
   };
   const Range w = rangeOf(w_);

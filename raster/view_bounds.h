@@ -36,6 +36,9 @@ class ViewBounds {
   struct Row {
     glm::dvec3 row, absolute;  ///< and its coordinates' sizes
     double rounding;           ///< what the vertex stage may be off, for each unit of distance from the eye
+
+    /// What the vertex stage may be off for a position that is no farther from the eye than `reach`.
+    double offAt(double reach) const;
   };
   /// Points with row . d > offset are not shown.
   struct Plane {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <limits>
 
 #include "raster/cluster.h"
@@ -106,6 +107,45 @@ TEST_CASE("a box holds the samples that its corners are snapped onto, and no oth
   CHECK(partOf(2, 0.25).width == 0);
   CHECK(partOf(2, 3.25).row == 41);
   CHECK(partOf(2, 3.25).height == 3);
+}
+
+TEST_CASE("bounds hold where the vertex stage computes with binary32's least numbers", "[bounds]") {
+  for (const int exponent : {-130, -144, -146, -147}) {
+    DrawList list = clouds();
+    const float scale = std::ldexp(1.0F, exponent);
+    for (glm::vec3& position : list.positions) position *= scale;
+    std::mt19937 random(6);
+    const auto point = [&](float size) {
+      return glm::vec3(tests::uniform(random, -size, size), tests::uniform(random, -size, size),
+                       tests::uniform(random, -size, size));
+    };
+    int samples = 0, outside = 0;
+    for (int view = 0; view < 20; ++view) {
+      Face face = tests::frontFace(64);
+      face.w = glm::normalize(point(1));
+      face.x = glm::normalize(glm::cross(face.w, point(1)));
+      face.y = glm::cross(face.w, face.x);
+      face.eye = scale * point(2);
+      face.nearDistance = std::numeric_limits<float>::denorm_min();
+      const ViewBounds bounds(face);
+      for (const Cluster& cluster : clustersOf(list)) {
+        const BoxPlace place = bounds.placeOf(cluster.box);
+        std::vector<ScreenTriangle> found;
+        appendScreenTriangles(list, face, cluster.runs, {}, found);
+        for (const ScreenTriangle& triangle : found) {
+          const double nearest = nearestSample(triangle);
+          if (nearest == 0) continue;
+          ++samples;
+          const bool isBounded =
+              bounds.mayShow(cluster.box) && isInside(place.part, triangle) && nearest < place.inverseDepth;
+          outside += isBounded ? 0 : 1;
+        }
+      }
+    }
+    INFO("2^" << exponent);
+    CHECK(samples > 500);
+    CHECK(outside == 0);
+  }
 }
 
 TEST_CASE("a box with a value that is not finite may be anywhere in the view", "[bounds]") {
