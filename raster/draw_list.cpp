@@ -15,7 +15,12 @@ void validateFormat(const WordFormat& format) {
     throw InputError("the channels of a word format must be 1 to 32 bits wide, 2 to 32 bits in all");
 }
 
+/// Kernels number texels by 32-bit integers with a sign.
+constexpr std::int64_t mostTexels = std::int64_t{1} << 31;
+
 void validateIndexMap(const IndexMap& map, Word largest) {
+  if (std::int64_t{map.width} * map.height > mostTexels)
+    throw InputError("an index map has more than 2^31 texels", "use smaller ones, or more of them");
   if (map.width < 1 || map.height < 1 ||
       map.words.size() != static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height))
     throw InputError("an index map does not hold width x height words");

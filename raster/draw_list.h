@@ -15,7 +15,7 @@ namespace hemitex::raster {
 struct IndexMap {
   int width = 0;
   int height = 0;
-  std::vector<Word> words;  ///< width * height of them
+  std::vector<Word> words;  ///< width * height of them, at most 2^31
 };
 
 /// A run of triangles that share an offset and an index map.

@@ -400,6 +400,15 @@ TEST_CASE("what item buffers held before does not matter", "[renderer]") {
   }
 }
 
+TEST_CASE("an index map has at most 2^31 texels, whose numbers every kernel holds", "[renderer]") {
+  raster::DrawList list = plainList();
+  list.indexMaps.push_back({65536, 32769, {}});
+  CHECK_THROWS_WITH(raster::validate(list), Catch::Contains("2^31"));
+  // As many as there may be; only their words are missing.
+  list.indexMaps[0] = {65536, 32768, {}};
+  CHECK_THROWS_WITH(raster::validate(list), Catch::Contains("width x height words"));
+}
+
 TEST_CASE("draw lists and faces that break the rules are input errors", "[renderer]") {
   const auto list = [] {
     raster::DrawList good;
