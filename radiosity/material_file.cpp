@@ -10,9 +10,6 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// What surfaces make of more, reflecting it for ever, would leave the range of binary32, which images hold.
-constexpr double largestEmission = 1e30;
-
 glm::dvec3 readColor(const TextLine& line, const Place& place) {
   std::array<double, 3> n{};
   const std::size_t count = readNumbers(line.rest, n, place);

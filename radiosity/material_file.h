@@ -11,6 +11,9 @@
 
 namespace hemitex::radiosity {
 
+/// What surfaces make of more, reflecting it for ever, would leave the range of binary32, which images hold.
+inline constexpr double largestEmission = 1e30;
+
 /// A `map_Kd` or `map_Ke`.
 struct MapStatement {
   std::filesystem::path image;  ///< relative to the material file's folder; empty where the line names none
@@ -21,7 +24,7 @@ struct MapStatement {
 struct MaterialStatement {
   std::string name;
   std::optional<glm::dvec3> reflectance = {};  ///< Kd, finite and not negative
-  std::optional<glm::dvec3> emission = {};     ///< Ke, 0 to 1e30
+  std::optional<glm::dvec3> emission = {};     ///< Ke, 0 to largestEmission
   std::optional<MapStatement> reflectanceMap = {};
   std::optional<MapStatement> emissionMap = {};
 };

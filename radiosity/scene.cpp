@@ -20,6 +20,9 @@ namespace {
 /// The square of a smaller length would leave the range of binary32, in which everything is drawn.
 constexpr double smallestExtent = 1e-18;
 
+/// Of the brightest light: what surfaces receive of less would leave the range of binary32, which images hold.
+constexpr double smallestEmission = 1e-30;
+
 /// What `mtllib` says is one file whose name may have blanks, where there is one; else a file a word.
 std::vector<std::filesystem::path> materialFiles(const ObjFile& obj, const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
@@ -106,8 +109,8 @@ void measureBounds(Scene& scene) {
   scene.extent = glm::length(high - low);
 }
 
-/// Whether a material emits in some band somewhere.
-bool emits(const Scene& scene, const Material& material) {
+/// What a material emits at most in any band.
+double brightestEmission(const Scene& scene, const Material& material) {
   glm::dvec3 largest(1.0);
   if (material.emissionMap) {
     largest = glm::dvec3(0.0);
@@ -115,7 +118,7 @@ bool emits(const Scene& scene, const Material& material) {
     for (const glm::dvec3& pixel : map.pixels) largest = glm::max(largest, pixel);
   }
   const glm::dvec3 emission = material.emission * largest;
-  return emission.r > 0 || emission.g > 0 || emission.b > 0;
+  return std::max({emission.r, emission.g, emission.b});
 }
 
 glm::dvec3 doubledArea(const Triangle& t) {
@@ -151,9 +154,11 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
 }
 
 void requireEmission(const Scene& scene, const std::filesystem::path& file) {
-  const auto emitsLight = [&](const Material& material) { return emits(scene, material); };
-  if (std::any_of(scene.materials.begin(), scene.materials.end(), emitsLight)) return;
-  fail({file}, "nothing in the scene emits light", "give a material an emission (Ke in the MTL file)");
+  double brightest = 0;
+  for (const Material& material : scene.materials) brightest = std::max(brightest, brightestEmission(scene, material));
+  if (brightest == 0)
+    fail({file}, "nothing in the scene emits light", "give a material an emission (Ke in the MTL file)");
+  if (brightest < smallestEmission) fail({file}, "nothing in the scene emits 1e-30 or more", "scale the light up");
 }
 
 double area(const Triangle& triangle) { return 0.5 * glm::length(doubledArea(triangle)); }

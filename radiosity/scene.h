@@ -78,7 +78,7 @@ struct SceneSettings {
 /// light is needed is for the caller to say (see requireEmission).
 Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings = {});
 
-/// Throws InputError where nothing in the scene emits.
+/// Throws InputError where nothing in the scene emits, or no more than images can hold.
 void requireEmission(const Scene& scene, const std::filesystem::path& file);
 
 /// Area of a triangle, and its unit normal on the side from which it winds counter-clockwise.

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "radiosity/material_file.h"
 #include "radiosity/nearest_names.h"
 #include "radiosity/sections.h"
 #include "raster/input_error.h"
@@ -113,8 +114,8 @@ class Editor {
 
   void apply(const SetEmission& edit) {
     requireAll(
-        edit.to, [](double value) { return value >= 0 && std::isfinite(value); },
-        "the emission of `" + edit.name + "` is below 0 or not finite");
+        edit.to, [](double value) { return value >= 0 && value <= largestEmission; },
+        "the emission of `" + edit.name + "` is below 0 or above 1e30");
     setMaterial(edit.name, [&](Material& material) { material.emission = edit.to; });
   }
 

@@ -123,6 +123,8 @@ TEST_CASE("edits that cannot be made are told with what to do", "[scene_edits]")
   CHECK(messageOf({Move{"square0", glm::dvec3(1e6)}}).find("extents") != std::string::npos);
   CHECK(messageOf({SetReflectance{"square0", glm::dvec3(1)}}).find("below 1") != std::string::npos);
   CHECK(messageOf({SetEmission{"square0", {0, -1, 0}}}).find("below 0") != std::string::npos);
+  CHECK(messageOf({SetEmission{"square0", {0, 0, 2e30}}}).find("above 1e30") != std::string::npos);
+  CHECK(messageOf({SetEmission{"square0", {0, 0, 1e30}}}).empty());
   CHECK(messageOf({Remove{"square*"}, Remove{"pair"}}).find("nothing of the scene") != std::string::npos);
   CHECK(messageOf({Remove{"square*"}}).empty());
 }

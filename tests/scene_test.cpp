@@ -300,6 +300,10 @@ TEST_CASE("a scene needs something that emits", "[scene]") {
   scene.images.push_back({1, 1, {glm::dvec3(1, 1, 0)}});
   scene.materials[0].emissionMap = 0;
   CHECK_THROWS_AS(requireEmission(scene, "scene.obj"), raster::InputError);
+  // Images hold nothing below 1e-45.
+  CHECK_NOTHROW(requireEmission(loadMaterial("Kd 0.5\nKe 0 1e-30 1e-31\n"), "scene.obj"));
+  CHECK_THROWS_WITH(requireEmission(loadMaterial("Kd 0.5\nKe 1e-31\n"), "scene.obj"),
+                    Catch::Contains("scene.obj") && Catch::Contains("1e-30") && Catch::Contains("up"));
 }
 
 TEST_CASE("two-sided scenes have each surface twice, turned over", "[scene]") {

@@ -93,6 +93,7 @@ std::vector<LimitCase> limitCases() {
       warning("a reflectance of 1", "below 1", withMaterial("Kd 1\nKe 1\n")),
       error("a negative reflectance", "0", withMaterial("Kd -0.1\nKe 1\n")),
       error("an emission of 2e30", "1e30", withMaterial("Kd 0.5\nKe 2e30\n")),
+      error("an emission of 1e-31", "1e-30", withMaterial("Kd 0.5\nKe 1e-31\n")),
       error("no emission at all", "something emits", withMaterial("Kd 0.5\nKe 0\n")),
       error("an index map of more than 24 bits", "4096 x 4096 texels", {}, {.texels = 5793}),
       error("257 surfaces of 16 x 16 texels in 16 bits", "65534 words", manySquares(), {.texels = 16}, "r5g6b5"),
