@@ -38,20 +38,28 @@ std::uint32_t wordCount(const WordLayout& layout) {
 WordSlots::WordSlots(const Discretization& discretization, const WordLayout& layout)
     : back_(static_cast<std::uint32_t>(discretization.elements.size())), backWord_(raster::backWord(layout.format)) {
   if (layout.indexMaps == IndexMaps::Unique) {
-    blocks_.push_back({.count = back_});
+    addBlocks(back_, nullptr);
   } else if (layout.indexMaps == IndexMaps::Packed) {
-    const std::vector<std::uint32_t>& elements = layout.packedElements;
-    blocks_.push_back({.count = static_cast<std::uint32_t>(elements.size()), .slots = elements.data()});
+    addBlocks(layout.packedElements.size(), layout.packedElements.data());
   } else if (!layout.aligned) {
     // Words follow each other without a gap.
     tables_.push_back(elementsOf(discretization, layout, 0, wordCount(layout)));
-    blocks_.push_back({.count = wordCount(layout), .slots = tables_.back().data()});
+    addBlocks(tables_.back().size(), tables_.back().data());
   } else {
     if (layout.textured > 0) bits_ = layout.indexBits;
     addPages(discretization, layout);
     addSinglePages(discretization, layout);
   }
   mask_ = (std::uint32_t{1} << bits_) - 1;
+}
+
+/// Blocks for words that follow each other; the slots as well, from 0 on, where they are null.
+void WordSlots::addBlocks(std::size_t words, const std::uint32_t* slots) {
+  const std::size_t size = std::size_t{1} << bits_;
+  for (std::size_t begin = 0; begin < words; begin += size)
+    blocks_.push_back({.count = static_cast<std::uint32_t>(std::min(words - begin, size)),
+                       .first = static_cast<std::uint32_t>(begin),
+                       .slots = slots == nullptr ? nullptr : slots + begin});
 }
 
 /// A block for each page of more than a texel.
@@ -61,6 +69,8 @@ void WordSlots::addPages(const Discretization& discretization, const WordLayout&
     const Grid& grid = discretization.grids[layout.byOffset[number]];
     Block block{.count = texelCount(page), .first = grid.firstElement};
     if (page.columns != grid.columns || page.rows != grid.rows) {
+      // Behind the grid's last row nothing has a slot.
+      block.count = static_cast<std::uint32_t>(page.columns) * static_cast<std::uint32_t>(grid.rows);
       tables_.push_back(elementsOf(discretization, layout, page.offset, block.count));
       block.slots = tables_.back().data();
     } else if (!isPlain(grid)) {
@@ -75,10 +85,7 @@ void WordSlots::addSinglePages(const Discretization& discretization, const WordL
   const auto singles = static_cast<std::uint32_t>(layout.pages.size()) - layout.textured;
   const auto first = static_cast<raster::Word>(blocks_.size() << bits_);
   tables_.push_back(elementsOf(discretization, layout, first, singles));
-  for (std::uint64_t begin = 0; begin < singles; begin += std::uint64_t{1} << bits_) {
-    const auto count = static_cast<std::uint32_t>(std::min(singles - begin, std::uint64_t{1} << bits_));
-    blocks_.push_back({.count = count, .slots = tables_.back().data() + begin});
-  }
+  addBlocks(singles, tables_.back().data());
 }
 
 std::size_t WordSlots::bytes() const {

@@ -45,12 +45,13 @@ class WordSlots {
     const std::uint32_t* slots = nullptr;  ///< one a word, noElement where there is none
   };
 
+  void addBlocks(std::size_t words, const std::uint32_t* slots);
   void addPages(const Discretization& discretization, const WordLayout& layout);
   void addSinglePages(const Discretization& discretization, const WordLayout& layout);
 
   std::uint32_t back_;
   raster::Word backWord_;
-  int bits_ = 31;
+  int bits_ = 20;  ///< of a page; where pages do not matter, any number
   std::uint32_t mask_;
   std::vector<Block> blocks_;
   std::vector<std::vector<std::uint32_t>> tables_;  ///< of blocks that no table elsewhere serves

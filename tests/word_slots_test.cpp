@@ -20,7 +20,8 @@ Scene mixedScene() {
                   flat("light", rectangle({0, 0}, {1, 1})), flat("lamp", rectangle({0, 0}, {1, 1})), star(7, 3)});
 }
 
-/// How many of the words 0 to 65535, and of the last ones there are, have a slot that is not elementOf's.
+/// How many of the words 0 to 65535, of some behind them and of the last ones there are, have a slot that is not
+/// elementOf's.
 int wrongSlots(const Discretization& discretization, const WordSettings& settings) {
   const WordLayout layout = layOut(discretization, settings);
   const WordSlots slots(discretization, layout);
@@ -30,6 +31,7 @@ int wrongSlots(const Discretization& discretization, const WordSettings& setting
   };
   int wrong = 0;
   for (Word word = 0; word < 0x10000; ++word) wrong += isWrong(word) ? 1 : 0;
+  for (Word word = 0x10000; word < 0x800000; word += 97) wrong += isWrong(word) ? 1 : 0;
   for (Word word = 0xffffff00; word != 0; ++word) wrong += isWrong(word) ? 1 : 0;
   return wrong;
 }
@@ -49,6 +51,8 @@ TEST_CASE("the slot of every word is the element that it stands for", "[rows]") 
     CHECK(wrongSlots(mixed, {format, Blend::ClampedAdd, true, IndexMaps::Unique}) == 0);
   }
   CHECK(wrongSlots(mixed, {"r8g8b8a8", Blend::ClampedAdd, true, IndexMaps::Shared, 64}) == 0);
+  // Seven million words.
+  CHECK(wrongSlots(mixed, {"r8g8b8a8", Blend::IntegerAdd, false, IndexMaps::Shared, 1024}) == 0);
 }
 
 TEST_CASE("words of a scene without textures have slots, and so have more single words than a page holds", "[rows]") {
@@ -69,4 +73,11 @@ TEST_CASE("grids whose every texel is an element need no table", "[rows]") {
   const WordLayout layout = layOut(plain);
   // Six blocks of 16 bytes, which a growing vector may double, and an empty table of single words.
   CHECK(WordSlots(plain, layout).bytes() <= 2 * 6 * 16);
+}
+
+TEST_CASE("a page much larger than its grid needs a table of the rows that the grid has", "[rows]") {
+  const Discretization plain = discretize(closedCube(glm::dvec3(0.5), glm::dvec3(1)), {.texels = 16});
+  const WordLayout layout = layOut(plain, {.page = 4096});
+  // Six tables of 16 rows; pages whole would take 400 MB.
+  CHECK(WordSlots(plain, layout).bytes() <= 6 * 16 * 4096 * sizeof(std::uint32_t) + 2 * 6 * 16);
 }
