@@ -63,6 +63,18 @@ void validate(const Scene& scene, const DiscretizationSettings& settings) {
   }
 }
 
+/// Texels and elements are numbered in 32 bits, and so is whatever has a word of its own.
+void validateSizes(const Scene& scene, const DiscretizationSettings& settings) {
+  std::uint64_t texels = 0;
+  for (const Surface& surface : scene.surfaces) {
+    const GridSize size = gridSizeOf(surface, settings);
+    texels += static_cast<std::uint64_t>(size.columns) * static_cast<std::uint64_t>(size.rows);
+  }
+  if (texels >= 0xffffffff)
+    throw InputError("the surfaces have " + std::to_string(texels) + " texels in all, more than there are words",
+                     "use fewer texels a surface");
+}
+
 /// Where every triangle's chart collapses to nothing, the texel with the most area stands for all.
 void coverOneAtLeast(TexelAreas& texels) {
   if (std::any_of(texels.coverage.begin(), texels.coverage.end(), [](double c) { return c > coverageNoise; })) return;
@@ -233,6 +245,7 @@ void append(Discretization& whole, Discretization part) {
 Discretization discretized(const Scene& scene, const DiscretizationSettings& settings,
                            const std::vector<Quadtree>& quadtrees) {
   validate(scene, settings);
+  validateSizes(scene, settings);
   std::vector<Discretization> parts(scene.surfaces.size());
   raster::parallelFor(parts.size(), [&](std::size_t surface) {
     const Quadtree* quadtree = quadtrees.empty() ? nullptr : &quadtrees[surface];

@@ -86,7 +86,8 @@ struct DiscretizationSettings {
   std::optional<int> patches = {};  ///< instead: patches along the longer side of every surface's grid; at least 1
 };
 
-/// Throws InputError on a setting out of range or a name in surfaceTexels that no surface has.
+/// Throws InputError on a setting out of range, a name in surfaceTexels that no surface has, and where there would be
+/// 2^32 - 1 texels or more in all.
 /// Element areas sum to each surface's area to 1e-12 relative.
 Discretization discretize(const Scene& scene, const DiscretizationSettings& settings);
 
