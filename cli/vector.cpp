@@ -56,6 +56,7 @@ reference::TestVector vectorOf(const ExportOptions& options, Console& console) {
   const auto faces = radiosity::facesOver(radiosity::hemicubeFaces(options.resolution), options.eye - scene.origin,
                                           options.normal / length, options.up, nearDistance);
   for (std::size_t f = 0; f < faces.size(); ++f) {
+    raster::validate(faces[f]);
     const std::string name = faceNames[f];
     vector.faces.push_back({name, faces[f], name + ".u32", {}});
   }

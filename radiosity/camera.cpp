@@ -13,6 +13,8 @@ namespace hemitex::radiosity {
 namespace {
 
 constexpr int largestSide = 4096;
+/// In degrees: less would stretch what is seen beyond binary32.
+constexpr double smallestFieldOfView = 1e-6;
 
 /// Orthonormal, right = forward x up.
 struct Axes {
@@ -45,8 +47,8 @@ raster::Face cameraFace(const Scene& scene, const Camera& camera, int width, int
   if (std::min(width, height) < 1 || std::max(width, height) > largestSide)
     throw raster::InputError("a picture of " + std::to_string(width) + " x " + std::to_string(height) + " samples",
                              "choose sides from 1 to " + std::to_string(largestSide));
-  if (!(camera.fov > 0 && camera.fov < 180))
-    throw raster::InputError("the field of view must lie between 0 and 180 degrees");
+  if (!(camera.fov >= smallestFieldOfView && camera.fov < 180))
+    throw raster::InputError("the field of view must lie between 1e-6 and 180 degrees");
   const Axes axes = cameraAxes(camera);
   const int resolution = (std::max(width, height) + 1) / 2 * 2;
   const double scale = height / (tangentOfDegrees(camera.fov / 2) * resolution);

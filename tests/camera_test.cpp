@@ -142,6 +142,7 @@ TEST_CASE("a camera that cannot see is the user's fault", "[camera]") {
   refuses({good.eye, good.lookAt, {0, 0, 3}, 60});
   refuses({good.eye, good.lookAt, {0, 0, 0}, 60});
   refuses({good.eye, good.lookAt, good.up, 0});
+  refuses({good.eye, good.lookAt, good.up, 9e-7});
   refuses({good.eye, good.lookAt, good.up, 180});
   const double nan = std::numeric_limits<double>::quiet_NaN();
   refuses({good.eye, good.lookAt, good.up, nan});
