@@ -17,7 +17,8 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// The square of a larger coordinate would leave the range of binary32, in which everything is drawn.
+/// The square of a larger coordinate would leave the range of binary32, in which everything is drawn. A larger texture
+/// coordinate has no place between texels.
 constexpr double largestCoordinate = 1e18;
 
 /// What the lines of numbers say.
@@ -64,6 +65,8 @@ class NumberReader {
   void readTexcoord(std::string_view rest, const Place& place) {
     std::array<double, 3> n{};
     if (readNumbers(rest, n, place) == 0) fail(place, "a texture coordinate has at least 1 number");
+    if (std::max(std::fabs(n[0]), std::fabs(n[1])) > largestCoordinate)
+      fail(place, "a texture coordinate is above 1e18 in size", "use coordinates from 0 to 1, or of some repetitions");
     obj_.texcoords.emplace_back(n[0], n[1]);
   }
 

@@ -38,7 +38,7 @@ struct ObjCorner {
 struct ObjFile {
   std::vector<glm::dvec3> positions;              ///< finite, each coordinate at most 1e18 in size
   std::vector<std::optional<glm::dvec3>> colors;  ///< one a position: the r g b of `v x y z r g b`
-  std::vector<glm::dvec2> texcoords;              ///< finite
+  std::vector<glm::dvec2> texcoords;              ///< the same
   std::vector<ObjCorner> corners;
   std::vector<ObjPolygon> polygons;            ///< in file order
   std::vector<ObjSection> sections;            ///< in the order of their first faces
@@ -48,9 +48,9 @@ struct ObjFile {
 /// Reads a file. Throws InputError where it cannot be read, and as parseObj.
 ObjFile readObj(const std::filesystem::path& file);
 
-/// Reads the text of `file`. Throws InputError with the line on a malformed or non-finite number, a coordinate above
-/// 1e18 in size, a vertex that has too few numbers, an index that is malformed or out of range, and a face with fewer
-/// than three corners.
+/// Reads the text of `file`. Throws InputError with the line on a malformed or non-finite number, a coordinate of a
+/// vertex or of a texture above 1e18 in size, a vertex that has too few numbers, an index that is malformed or out of
+/// range, and a face with fewer than three corners.
 ObjFile parseObj(std::string_view text, const std::filesystem::path& file);
 
 }  // namespace hemitex::radiosity

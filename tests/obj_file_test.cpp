@@ -58,6 +58,7 @@ TEST_CASE("what is wrong in an OBJ file is refused with its line", "[obj]") {
       {"v 0 0 0\rv 1 infinity 0\r", 2, "'infinity' is not a finite number"},
       {"v 0 0 1e999\n", 1, "'1e999' is outside the range"},
       {"v 0 0 -2e18\n", 1, "above 1e18"},
+      {"vt 0 -2e18\n", 1, "above 1e18"},
       {"v 0 0\n", 1, "3 coordinates"},
       {"v\n", 1, "3 coordinates"},
       {"v 0 0 # 0\n", 1, "3 coordinates"},
