@@ -7,26 +7,37 @@ namespace {
 
 constexpr std::size_t fanOut = 8;
 
+Box around(const Box& a, const Box& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
+
+std::vector<ClusterGroup> groupsOf(std::span<const Cluster> clusters) {
+  std::vector<ClusterGroup> groups;
+  for (std::uint32_t c = 0; c < clusters.size(); ++c) {
+    if (c % fanOut == 0) groups.push_back({c, c, clusters[c].box});
+    groups.back().end = c + 1;
+    groups.back().box = around(groups.back().box, clusters[c].box);
+  }
+  return groups;
+}
+
 std::vector<Box> parentsOf(const std::vector<Box>& boxes) {
   std::vector<Box> parents;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (i % fanOut == 0) parents.push_back(boxes[i]);
-    parents.back().low = glm::min(parents.back().low, boxes[i].low);
-    parents.back().high = glm::max(parents.back().high, boxes[i].high);
+    parents.back() = around(parents.back(), boxes[i]);
   }
   return parents;
 }
 
 }  // namespace
 
-ClusterTree::ClusterTree(std::span<const Cluster> clusters) {
-  if (clusters.empty()) return;
+ClusterTree::ClusterTree(std::span<const Cluster> clusters) : groups_(groupsOf(clusters)) {
+  if (groups_.empty()) return;
   levels_.emplace_back();
-  for (const Cluster& cluster : clusters) levels_.back().push_back(cluster.box);
+  for (const ClusterGroup& group : groups_) levels_.back().push_back(group.box);
   while (levels_.back().size() > 1) levels_.push_back(parentsOf(levels_.back()));
 }
 
-std::vector<std::uint32_t> ClusterTree::clustersIn(const ViewBounds& view) const {
+std::vector<std::uint32_t> ClusterTree::groupsIn(const ViewBounds& view) const {
   std::vector<std::uint32_t> found;
   if (!levels_.empty()) visit(levels_.size() - 1, 0, view, found);
   return found;

@@ -72,18 +72,20 @@ class Tile {
         buffer_(face.scissor),
         row_(buffer_.pitch) {}
 
-  /// Whether nothing of a box can be seen behind what was drawn so far.
+  /// Whether nothing of a box can be seen, or only behind what was drawn so far.
   bool hides(const BoxPlace& place) const { return kernels_.isHidden(buffer_, place.part, place.inverseDepth); }
 
-  /// Offers a triangle to the depth buffer, and keeps it if a pixel took it.
-  void draw(const ScreenTriangle& triangle);
-  /// The same for small triangles of a cluster, a bit each.
-  void draw(std::uint32_t cluster, const PlacedVertices& placed, std::uint32_t small);
+  /// Draws a cluster but for triangles in `skipped` (ascending); returns how many of them were dropped because a value
+  /// was not finite.
+  std::uint64_t draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped);
 
   /// After all triangles: the words of a row of the face, in this tile's columns; valid until the next call.
   const Word* resolve(int row);
 
  private:
+  void offer(const ScreenTriangle& triangle);
+  void drawSmall(std::uint32_t cluster, std::uint32_t small);
+
   /// Numbers of small triangles in the depth buffer: from here on they count those of the mesh.
   static constexpr std::uint32_t firstSmall = 0x80000000;
   static bool isSmall(std::uint32_t number) { return number >= firstSmall; }  // where it is not noTriangle
@@ -106,7 +108,9 @@ class Tile {
   std::vector<Word> smallWords_;          ///< of the buffer's pixels that show small triangles; none before the first
   std::vector<Word> row_;
   UndecidedPixels undecided_;
-  SmallSamples samples_;
+  PlacedVertices placed_;                  ///< of the cluster that is drawn
+  std::vector<ScreenTriangle> triangles_;  ///< of the cluster
+  SmallSamples samples_;                   ///< of the cluster
 };
 
 /// The larger 1/w wins; on an exact tie the earlier triangle in draw order, whichever was drawn first.
@@ -138,7 +142,18 @@ bool Tile::offerExactly(const ScreenTriangle& triangle, std::uint32_t number, co
   return true;
 }
 
-void Tile::draw(const ScreenTriangle& triangle) {
+std::uint64_t Tile::draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped) {
+  triangles_.clear();
+  const SeenTriangles seen =
+      appendScreenTriangles(draws_.list, draws_.mesh, draws_.clusters[cluster], draws_.mesh.parts[cluster],
+                            bestVertexKernels(), face_, skipped, placed_, triangles_);
+  for (const ScreenTriangle& triangle : triangles_) offer(triangle);
+  if (seen.small != 0) drawSmall(cluster, seen.small);
+  return seen.dropped;
+}
+
+/// Offers a triangle to the depth buffer, and keeps it if a pixel took it.
+void Tile::offer(const ScreenTriangle& triangle) {
   const auto number = static_cast<std::uint32_t>(taken_.size());
   bool isTaken = kernels_.offer(triangle, number, buffer_, undecided_);
   for (const Pixel& pixel : undecided_.pixels) isTaken = offerExactly(triangle, number, pixel) || isTaken;
@@ -146,12 +161,13 @@ void Tile::draw(const ScreenTriangle& triangle) {
   if (isTaken) taken_.push_back(triangle);
 }
 
-void Tile::draw(std::uint32_t cluster, const PlacedVertices& placed, std::uint32_t small) {
+/// Offers the samples of small triangles of a cluster, a bit each, with their words.
+void Tile::drawSmall(std::uint32_t cluster, std::uint32_t small) {
   smallWords_.resize(buffer_.triangle.size());
   const ClusterPart& part = draws_.mesh.parts[cluster];
   const std::vector<TriangleRun>& runs = draws_.clusters[cluster].runs;
   const Draw& first = draws_.list.draws[runs.front().draw];
-  SmallTriangles triangles{draws_.mesh, part, placed, small};
+  SmallTriangles triangles{draws_.mesh, part, placed_, small};
   if (first.indexMap) {  // then it is the only draw
     const IndexMap& map = draws_.list.indexMaps[static_cast<std::size_t>(*first.indexMap)];
     triangles.columns = map.width;
@@ -249,18 +265,18 @@ const Word* Tile::resolve(int row) {
   return row_.data();
 }
 
-struct PlacedCluster {
-  std::uint32_t cluster;
+struct PlacedGroup {
+  std::uint32_t number;
   BoxPlace place;
 };
 
-/// The clusters that a face may show, the nearest first.
-std::vector<PlacedCluster> clustersIn(const PreparedDraws& draws, const Face& face) {
-  const ViewBounds view(face);
-  std::vector<PlacedCluster> found;
-  for (const std::uint32_t c : draws.tree.clustersIn(view)) found.push_back({c, view.placeOf(draws.clusters[c].box)});
-  std::sort(found.begin(), found.end(), [](const PlacedCluster& a, const PlacedCluster& b) {
-    return std::tie(b.place.inverseDepth, a.cluster) < std::tie(a.place.inverseDepth, b.cluster);
+/// The groups of clusters that a view may show, the nearest first. Not the clusters one by one: what follows each other
+/// in memory is faster to read, and of a group that is hidden none is looked at.
+std::vector<PlacedGroup> groupsIn(const ClusterTree& tree, const ViewBounds& view) {
+  std::vector<PlacedGroup> found;
+  for (const std::uint32_t g : tree.groupsIn(view)) found.push_back({g, view.placeOf(tree.group(g).box)});
+  std::sort(found.begin(), found.end(), [](const PlacedGroup& a, const PlacedGroup& b) {
+    return std::tie(b.place.inverseDepth, a.number) < std::tie(a.place.inverseDepth, b.number);
   });
   return found;
 }
@@ -281,16 +297,12 @@ std::uint64_t drawTile(const PreparedDraws& draws, const PixelKernels& kernels, 
                        std::span<const std::uint32_t> skipped, Word* words, std::size_t pitch) {
   std::uint64_t dropped = 0;
   Tile tile(draws, kernels, face);
-  PlacedVertices placed;
-  std::vector<ScreenTriangle> triangles;
-  for (const auto& [c, place] : clustersIn(draws, face)) {
-    if (tile.hides(place)) continue;
-    triangles.clear();
-    const SeenTriangles seen = appendScreenTriangles(draws.list, draws.mesh, draws.clusters[c], draws.mesh.parts[c],
-                                                     bestVertexKernels(), face, skipped, placed, triangles);
-    dropped += seen.dropped;
-    for (const ScreenTriangle& triangle : triangles) tile.draw(triangle);
-    if (seen.small != 0) tile.draw(c, placed, seen.small);
+  const ViewBounds view(face);
+  for (const PlacedGroup& placed : groupsIn(draws.tree, view)) {
+    if (tile.hides(placed.place)) continue;
+    const ClusterGroup& group = draws.tree.group(placed.number);
+    for (std::uint32_t c = group.first; c < group.end; ++c)
+      if (!tile.hides(view.placeOf(draws.clusters[c].box))) dropped += tile.draw(c, skipped);
   }
   for (int row = face.scissor.row; row < face.scissor.row + face.scissor.height; ++row, words += pitch)
     std::copy_n(tile.resolve(row), face.scissor.width, words);

@@ -91,7 +91,10 @@ BoxPlace ViewBounds::placeOf(const Box& box) const {
     return Range{middle - reach, middle + reach};
   };
   const Range w = rangeOf(w_);
-  if (!(w.low > nearDistance_)) return {scissor_, std::numeric_limits<double>::infinity()};
+  if (!(w.low > nearDistance_)) {
+    if (!mayShow(box)) return {{scissor_.column, scissor_.row, 0, 0}, 0};
+    return {scissor_, std::numeric_limits<double>::infinity()};
+  }
   // Where numerator and denominator range independently of each other, a quotient is largest at one of their ends. What
   // clipping cuts off a triangle leaves it inside of what it was. 1/w at a sample is a mean of the vertices' own.
   const auto least = [&](const Range& range) { return range.low / (range.low < 0 ? w.low : w.high); };

@@ -17,9 +17,10 @@ struct Box {
 
 /// Where a box stands in a view.
 struct BoxPlace {
-  Scissor part;  ///< the part of the scissor rectangle outside of which no triangle inside the box covers a sample
-  double
-      inverseDepth;  ///< 1/w of no triangle inside the box is larger; infinite where the box may touch the near plane
+  /// The part of the scissor rectangle outside of which no triangle inside the box covers a sample; it may be empty.
+  Scissor part;
+  /// 1/w of no triangle inside the box is larger; infinite where it may be seen and touch the near plane.
+  double inverseDepth;
 };
 
 class ViewBounds {

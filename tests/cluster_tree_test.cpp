@@ -1,6 +1,7 @@
-// The tree finds what asking every cluster finds.
+// The tree finds what asking every group finds, and no cluster stands outside of its group.
 #include "raster/cluster_tree.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
 
@@ -29,21 +30,32 @@ std::vector<Cluster> scattered(std::size_t count) {
   return clustersOf(list);
 }
 
+bool isInside(const Box& inner, const Box& outer) {
+  return glm::min(inner.low, outer.low) == outer.low && glm::max(inner.high, outer.high) == outer.high;
+}
+
 }  // namespace
 
-TEST_CASE("the tree finds the clusters that may cover a sample, in draw order", "[cluster_tree]") {
-  for (const std::size_t count : {0, 1, 7, 8, 9, 64, 65, 1000}) {
+TEST_CASE("the tree finds the groups of clusters that may cover a sample, in draw order", "[cluster_tree]") {
+  for (const std::uint32_t count : {0, 1, 7, 8, 9, 64, 65, 1000}) {
     const std::vector<Cluster> clusters = scattered(count);
     REQUIRE(clusters.size() == count);
     const ClusterTree tree(clusters);
+    const std::uint32_t groups = (count + 7) / 8;
+    for (std::uint32_t g = 0; g < groups; ++g) {
+      const ClusterGroup& group = tree.group(g);
+      CHECK(group.first == 8 * g);
+      CHECK(group.end == std::min(8 * (g + 1), count));
+      for (std::uint32_t c = group.first; c < group.end; ++c) CHECK(isInside(clusters[c].box, group.box));
+    }
     for (Face face : tests::threeFaces())
       for (const int width : {64, 8, 1}) {
         face.scissor.width = width;
+        const ViewBounds view(face);
         std::vector<std::uint32_t> expected;
-        for (std::uint32_t c = 0; c < count; ++c)
-          if (mayCover(face, clusters[c])) expected.push_back(c);
-        CHECK(tree.clustersIn(ViewBounds(face)) == expected);
-        if (count == 1000) CHECK((expected.size() > 50 && expected.size() < 500));
+        for (std::uint32_t g = 0; g < groups; ++g)
+          if (view.mayShow(tree.group(g).box)) expected.push_back(g);
+        CHECK(tree.groupsIn(view) == expected);
       }
   }
 }

@@ -75,7 +75,7 @@ TEST_CASE("the triangles in a box lie in the part of the view and not before the
         CHECK(isInside(place.part, triangle));
         nearest = std::max(nearest, nearestSample(triangle));
       }
-      CHECK(nearest < place.inverseDepth);
+      CHECK((found.empty() || nearest < place.inverseDepth));
       if (nearest == 0 || place.inverseDepth == std::numeric_limits<double>::infinity()) continue;
       ++bounded;
       area += place.part.width * place.part.height;
@@ -146,6 +146,17 @@ TEST_CASE("bounds hold where the vertex stage computes with binary32's least num
     CHECK(samples > 500);
     CHECK(outside == 0);
   }
+}
+
+TEST_CASE("nothing shows of a box behind the near plane or beside the view, only of one that is in it", "[bounds]") {
+  const ViewBounds bounds(tests::frontFace(64));
+  const auto widthOf = [&bounds](const glm::dvec3& low, const glm::dvec3& high) {
+    return bounds.placeOf({low, high}).part.width;
+  };
+  CHECK(widthOf({-1, -1, -2}, {1, 1, 0}) == 0);
+  CHECK(widthOf({3, -1, -2}, {4, 1, 2}) == 0);
+  CHECK(widthOf({3, -1, 1}, {4, 1, 2}) == 0);
+  CHECK(widthOf({-1, -1, -2}, {1, 1, 2}) == 64);
 }
 
 TEST_CASE("a box with a value that is not finite may be anywhere in the view", "[bounds]") {
