@@ -1,13 +1,13 @@
-/// Small triangles: those that span less than six pixels either way. Where a scene is cut finely there is next to
+/// Small triangles: those that span less than eight pixels either way. Where a scene is cut finely there is next to
 /// nothing else, and setting each of them up as a screen triangle takes longer than its pixels do. So there are kernels
 /// that find what those of a cluster show, straight from its placed vertices: first the samples that they cover, as
 /// many triangles at a time as a vector has lanes; then 1/w and texels, as many samples at a time. There is a plain
 /// version, which says what they compute, and one for each SIMD instruction set that the processor has; all give the
 /// same numbers, bit for bit.
 ///
-/// Positions count from a sample near by: corners are less than 2^11 sub-pixels away from it and the values of edges
-/// below 2^23, so that 32 bits hold, and compute, them without rounding, integers or binary32. 1/w and texels come from
-/// binary64; where its error bound (pixel_bounds.h) does not tell the texel, the caller finds it exactly.
+/// Positions count from a sample near by: corners are less than 2^11 sub-pixels away from it, and the values of edges
+/// integers below 2^23. 1/w and texels come from binary64; where its error bound (pixel_bounds.h) does not tell the
+/// texel, the caller finds it exactly.
 #pragma once
 
 #include <array>
@@ -35,8 +35,8 @@ inline constexpr std::int32_t undecidedTexel = -1;
 
 /// The samples that small triangles of one part cover, one after the other.
 struct SmallSamples {
-  /// Less than six pixels hold six samples at most; kernels may touch as many more as they have lanes.
-  static constexpr std::size_t most = 6 * 6 * largestCluster + mostVertexLanes;
+  /// Less than eight pixels hold eight samples at most; kernels may touch as many more as they have lanes.
+  static constexpr std::size_t most = 8 * 8 * largestCluster + mostVertexLanes;
   template <typename Value>
   using Each = std::array<Value, most>;
 

@@ -175,17 +175,15 @@ class Group {
   hn::Mask<Integers> isNegative_, isFlat_;
 };
 
-Float cross(Float ax, Float ay, Float bx, Float by) { return hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx)); }
-
 Double dot(const Corners<Double>& a, const Corners<Double>& b) {
   return hn::Add(hn::Add(hn::Mul(a.a, b.a), hn::Mul(a.b, b.b)), hn::Mul(a.c, b.c));
 }
 
-Corners<Float> converted(const Corners<Integer>& of) {
-  return {hn::ConvertTo(floats, of.a), hn::ConvertTo(floats, of.b), hn::ConvertTo(floats, of.c)};
+Corners<Double> promoted(const Corners<Float>& of) {
+  return {hn::PromoteTo(doubles, of.a), hn::PromoteTo(doubles, of.b), hn::PromoteTo(doubles, of.c)};
 }
 
-Corners<Double> promoted(const Corners<Float>& of) {
+Corners<Double> promoted(const Corners<Integer>& of) {
   return {hn::PromoteTo(doubles, of.a), hn::PromoteTo(doubles, of.b), hn::PromoteTo(doubles, of.c)};
 }
 
@@ -217,8 +215,8 @@ void show(const SmallTriangles& triangles, const Covered& covered, std::size_t i
 
   const auto corner = [&](std::size_t k) { return hn::GatherIndex(integers, covered.corners[k], triangle); };
   const Corners<Integer> at{corner(0), corner(1), corner(2)};
-  const Corners<Float> x = converted(fromSample(gathered(integers, triangles.placed.across.data(), at), column));
-  const Corners<Float> y = converted(fromSample(gathered(integers, triangles.placed.down.data(), at), row));
+  const Corners<Integer> x = fromSample(gathered(integers, triangles.placed.across.data(), at), column);
+  const Corners<Integer> y = fromSample(gathered(integers, triangles.placed.down.data(), at), row);
   const Corners<Double> w = promoted(gathered(floats, triangles.placed.w.data(), at));
   const Corners<Double> e = promoted({cross(x.b, y.b, x.c, y.c), cross(x.c, y.c, x.a, y.a), cross(x.a, y.a, x.b, y.b)});
   const Double area = hn::Add(hn::Add(e.a, e.b), e.c), product = hn::Mul(hn::Mul(w.a, w.b), w.c);

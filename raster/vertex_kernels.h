@@ -32,8 +32,8 @@ inline constexpr std::int32_t beyondAny = 31;
 /// Outside of something that triangles are clipped to, or not finite.
 inline constexpr std::int32_t notInside = 32;
 
-/// In sub-pixels: six pixels, see small_triangle_kernels.h.
-inline constexpr std::int32_t smallSpan = 6 * 256;
+/// In sub-pixels: eight pixels, see small_triangle_kernels.h.
+inline constexpr std::int32_t smallSpan = 8 * 256;
 
 /// Triangles of a cluster, a bit each.
 struct TriangleSets {

@@ -18,7 +18,7 @@ using namespace hemitex::raster;
 namespace {
 
 std::vector<Face> faces() {
-  std::vector<Face> all{tests::frontFace(64), tests::frontFace(64), tests::frontFace(32)};
+  std::vector<Face> all{tests::frontFace(64), tests::frontFace(64), tests::frontFace(32), tests::frontFace(128)};
   all[1].x = -all[1].x;
   all[1].scissor = {17, 9, 31, 40};
   return all;
