@@ -67,7 +67,7 @@ class Refinement {
   std::size_t shoot(std::uint32_t patch, const FormFactorRow& row);
 
   const ShotLight& light() const { return light_; }
-  /// The account, with what is unshot summed afresh.
+  /// The account, summed afresh over elements and patches.
   Energy energy() const;
   /// The sizes of all patches' unshot flux, and what is astray, over the emitted flux, bands summed. Where nothing is
   /// emitted, over what was emitted last; 0 where nothing ever was.
@@ -80,6 +80,7 @@ class Refinement {
   std::size_t bytes() const;
 
  private:
+  glm::dvec3 absorbed() const;
   void makeRadiosity(std::vector<glm::dvec3>& received) const;
   std::vector<glm::dvec3> unshotByPatches() const;
 
@@ -88,7 +89,7 @@ class Refinement {
   ShotLight light_;
   UnshotFlux unshot_;  ///< one a patch
   glm::dvec3 emitted_{0.0};
-  FluxSum absorbed_, lost_, lostToBacks_;
+  FluxSum lost_, lostToBacks_;
 };
 
 }  // namespace hemitex::radiosity
