@@ -14,6 +14,13 @@ PreparedDraws::MapTraits traitsOf(const IndexMap& map) {
   return traits;
 }
 
+template <typename Value>
+void prefetch(const std::vector<Value>& values, std::size_t first, std::size_t count) {
+  constexpr std::size_t line = 64;  // bytes that memory hands out at a time
+  const auto* const begin = reinterpret_cast<const char*>(values.data() + first);
+  for (std::size_t byte = 0; byte < count * sizeof(Value); byte += line) __builtin_prefetch(begin + byte);
+}
+
 }  // namespace
 
 PreparedDraws prepare(DrawList list) {
@@ -25,6 +32,14 @@ PreparedDraws prepare(DrawList list) {
   draws.mesh = meshOf(draws.list, draws.clusters);
   for (const IndexMap& map : draws.list.indexMaps) draws.maps.push_back(traitsOf(map));
   return draws;
+}
+
+void prefetch(const PreparedDraws& draws, std::uint32_t cluster) {
+  const ClusterPart& part = draws.mesh.parts[cluster];
+  for (const auto& values : draws.mesh.positions) prefetch(values, part.firstVertex, part.vertices);
+  prefetch(draws.mesh.texcoords, part.firstVertex, part.vertices);
+  for (const auto& corners : draws.mesh.corners) prefetch(corners, part.firstTriangle, part.triangles);
+  prefetch(draws.clusters[cluster].runs, 0, 1);
 }
 
 }  // namespace hemitex::raster

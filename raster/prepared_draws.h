@@ -1,6 +1,7 @@
 /// A draw list made ready to be drawn into any face.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "raster/cluster.h"
@@ -25,5 +26,8 @@ struct PreparedDraws {
 
 /// Throws InputError where the list breaks the rules (see validate).
 PreparedDraws prepare(DrawList list);
+
+/// Asks memory for all that drawing a cluster reads: on the way, it takes as long as another cluster's drawing.
+void prefetch(const PreparedDraws& draws, std::uint32_t cluster);
 
 }  // namespace hemitex::raster

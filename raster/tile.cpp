@@ -298,12 +298,18 @@ std::uint64_t drawTile(const PreparedDraws& draws, const PixelKernels& kernels, 
   std::uint64_t dropped = 0;
   Tile tile(draws, kernels, face);
   const ViewBounds view(face);
+  std::optional<std::uint32_t> awaited;  // a cluster on its way from memory
   for (const PlacedGroup& placed : groupsIn(draws.tree, view)) {
     if (tile.hides(placed.place)) continue;
     const ClusterGroup& group = draws.tree.group(placed.number);
-    for (std::uint32_t c = group.first; c < group.end; ++c)
-      if (!tile.hides(view.placeOf(draws.clusters[c].box))) dropped += tile.draw(c, skipped);
+    for (std::uint32_t c = group.first; c < group.end; ++c) {
+      if (tile.hides(view.placeOf(draws.clusters[c].box))) continue;
+      prefetch(draws, c);
+      if (awaited) dropped += tile.draw(*awaited, skipped);
+      awaited = c;
+    }
   }
+  if (awaited) dropped += tile.draw(*awaited, skipped);
   for (int row = face.scissor.row; row < face.scissor.row + face.scissor.height; ++row, words += pitch)
     std::copy_n(tile.resolve(row), face.scissor.width, words);
   return dropped;
