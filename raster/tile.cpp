@@ -88,7 +88,7 @@ class Tile {
 
   /// Numbers of small triangles in the depth buffer: from here on they count those of the mesh.
   static constexpr std::uint32_t firstSmall = 0x80000000;
-  static bool isSmall(std::uint32_t number) { return number >= firstSmall; }  // where it is not noTriangle
+  static bool isSmall(std::uint32_t number) { return number >= firstSmall && number != noTriangle; }
 
   ScreenTriangle screenTriangle(std::uint32_t number) const;
   bool offerExactly(const ScreenTriangle& triangle, std::uint32_t number, const Pixel& pixel);
@@ -252,11 +252,13 @@ const Word* Tile::resolve(int row) {
   for (int first = 0, end = 0; first < width; first = end) {
     const std::uint32_t number = triangles[first];
     end = first + 1;
+    if (isSmall(number)) {
+      row_[static_cast<std::size_t>(first)] = smallWords_[begin + static_cast<std::size_t>(first)];
+      continue;
+    }
     if (end < width && triangles[end] == number) end = kernels_.endOfRun(triangles, first, width);
     if (number == noTriangle)
       std::fill(row_.begin() + first, row_.begin() + end, backgroundWord(draws_.list.format));
-    else if (isSmall(number))
-      std::copy_n(smallWords_.data() + begin + first, end - first, row_.data() + first);
     else
       resolveRun({&taken_[number], row, buffer_.scissor.column + first, end - first,
                   buffer_.inverseDepth.data() + begin + static_cast<std::size_t>(first)},
