@@ -1,5 +1,4 @@
 /// `hemitex paper`: the tables and figures of Nielsen and Christensen (2002), made again.
-#include <chrono>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -16,6 +15,7 @@
 #include "raster/parallel.h"
 #include "reference/paper_scenes.h"
 #include "reference/paper_tables.h"
+#include "reference/stopwatch.h"
 
 namespace hemitex::cli {
 namespace {
@@ -60,7 +60,7 @@ std::string summary(const std::vector<reference::PaperRun>& runs) {
 
 void makePaper(const std::filesystem::path& output, Context& context) {
   Console& console = context.console;
-  const auto start = std::chrono::steady_clock::now();
+  const reference::Stopwatch all;
   Staging{output};  // a folder that cannot be written is told before the work, not after it
   const auto progress = [&console](double fraction, const std::string& what) { console.progress(fraction, what); };
   // As the machine of the paper had it: what is done on more threads would hide what is done on one.
@@ -74,7 +74,7 @@ void makePaper(const std::filesystem::path& output, Context& context) {
                                         [&console](const std::string& what) { console.progress(1, what); });
   console.endProgress();
   result["warnings"] = console.given();
-  result["times"] = {{"all_s", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()}};
+  result["times"] = {{"all_s", all.seconds()}};
   radiosity::writeFile(staging.folder() / "paper.json", toText(result));
   radiosity::writeFile(staging.folder() / "report.html", paperPage(result, staging.folder()));
   staging.commit();

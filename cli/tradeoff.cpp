@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -15,6 +14,7 @@
 #include "cli/staging.h"
 #include "cli/tradeoff_page.h"
 #include "radiosity/write_file.h"
+#include "reference/stopwatch.h"
 
 namespace hemitex::cli {
 namespace {
@@ -97,14 +97,6 @@ std::optional<reference::RowComparison> comparisonOf(const std::vector<reference
   return reference::compareRows(scene, discretization, settings);
 }
 
-class Stopwatch {
- public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 /// The fastest choice for each error, for people.
 std::string summary(const Tradeoff& tradeoff) {
   std::ostringstream text;
@@ -129,9 +121,29 @@ std::string summary(const Tradeoff& tradeoff) {
   return text.str();
 }
 
+/// All that is measured against the truth, which is of the fine grids.
+Tradeoff measuredAgainst(const reference::TrueRadiosity& truth, const radiosity::Scene& scene,
+                         const radiosity::Discretization& fine, const TradeoffOptions& options, Console& console) {
+  const auto progress = [&console](std::size_t done, std::size_t count) {
+    console.progress(static_cast<double>(done) / static_cast<double>(count),
+                     "solution " + std::to_string(done + 1) + " of " + std::to_string(count));
+  };
+  const std::vector<reference::TradeChoice> choices =
+      reference::tradeChoices(options.methods, options.texels, options.patches);
+  Tradeoff tradeoff{scene,
+                    fine,
+                    truth,
+                    options.methods,
+                    reference::measureTradeoff(scene, fine, truth, options.methods, choices, progress),
+                    reference::trueRowError(fine, truth, fine),
+                    comparisonOf(options.methods, scene, fine)};
+  console.endProgress();
+  return tradeoff;
+}
+
 void measure(const TradeoffOptions& options, Context& context) {
   Console& console = context.console;
-  const Stopwatch all;
+  const reference::Stopwatch all;
   const radiosity::Scene scene = sceneOf(options.scene, console);
   radiosity::requireEmission(scene, options.scene.file);
   const radiosity::Camera camera = cameraOf({}, scene, options.scene.file);
@@ -140,24 +152,11 @@ void measure(const TradeoffOptions& options, Context& context) {
   const radiosity::Discretization fine =
       radiosity::discretize(scene, {.texels = finest, .patch = options.patches.front()});
 
-  const Stopwatch truthTime;
+  const reference::Stopwatch truthTime;
   console.progress(0, "the truth");
   const reference::TrueRadiosity truth = reference::trueRadiosity(scene, fine, {.samples = options.samples});
   const double truthSeconds = truthTime.seconds();
-  const auto progress = [&console](std::size_t done, std::size_t count) {
-    console.progress(static_cast<double>(done) / static_cast<double>(count),
-                     "solution " + std::to_string(done + 1) + " of " + std::to_string(count));
-  };
-  const std::vector<reference::TradeChoice> choices =
-      reference::tradeChoices(options.methods, options.texels, options.patches);
-  const Tradeoff tradeoff{scene,
-                          fine,
-                          truth,
-                          options.methods,
-                          reference::measureTradeoff(scene, fine, truth, options.methods, choices, progress),
-                          reference::trueRowError(fine, truth, fine),
-                          comparisonOf(options.methods, scene, fine)};
-  console.endProgress();
+  const Tradeoff tradeoff = measuredAgainst(truth, scene, fine, options, console);
 
   ordered_json result = {{"scene", options.scene.file.filename().string()}, {"settings", settingsJson(options)}};
   result.update(toJson(tradeoff));

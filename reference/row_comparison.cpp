@@ -1,7 +1,6 @@
 #include "reference/row_comparison.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -11,6 +10,7 @@
 #include "raster/software_renderer.h"
 #include "reference/ray_rows.h"
 #include "reference/shooter.h"
+#include "reference/stopwatch.h"
 
 namespace hemitex::reference {
 namespace {
@@ -46,18 +46,17 @@ double sumOfStandardErrors(const MeasuredRow& row) {
 
 void race(std::vector<Contender>& contenders, const std::vector<std::uint32_t>& patches,
           const std::vector<MeasuredRow>& truth, int repeats) {
-  using Clock = std::chrono::steady_clock;
   for (int repeat = 0; repeat < repeats; ++repeat)
     for (Contender& contender : contenders) {
-      Clock::duration spent{};
+      double spent = 0;
       for (std::size_t p = 0; p < patches.size(); ++p) {
-        const Clock::time_point start = Clock::now();
+        const Stopwatch watch;
         const radiosity::FormFactorRow row = contender.rowOf(patches[p]);
-        spent += Clock::now() - start;
+        spent += watch.seconds();
         if (repeat == 0)
           contender.quality.error += distanceToTruth(row, truth[p]) / static_cast<double>(patches.size());
       }
-      contender.seconds.push_back(std::chrono::duration<double>(spent).count());
+      contender.seconds.push_back(spent);
     }
   for (Contender& contender : contenders) {
     const auto middle = contender.seconds.begin() + repeats / 2;

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <optional>
 #include <utility>
 
 #include "reference/pareto_front.h"
+#include "reference/stopwatch.h"
 
 namespace hemitex::reference {
 namespace {
@@ -36,7 +36,7 @@ struct TimedSolution {
 
   TimedSolution(const Scene& scene, const TradeMethod& method, const TradeChoice& choice)
       : discretization(radiosity::discretize(scene, {.texels = choice.texels, .patch = choice.patch})) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     rowOf = method.rows(scene, discretization, choice.setting);
     rows.resize(discretization.patches.size());
     const auto keepRow = [this](std::uint32_t patch) {
@@ -44,7 +44,7 @@ struct TimedSolution {
       return *rows[patch];
     };
     solution = radiosity::solve(scene, discretization, keepRow, {.residual = tradeResidual});
-    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    seconds = watch.seconds();
   }
   TimedSolution(const TimedSolution&) = delete;
   TimedSolution& operator=(const TimedSolution&) = delete;

@@ -1,0 +1,92 @@
+#include "cli/solve_run.h"
+
+#include <cmath>
+
+#include "cli/json.h"
+#include "radiosity/adaptive_discretization.h"
+#include "radiosity/drawn_rows.h"
+#include "reference/error_bound.h"
+#include "reference/ray_rows.h"
+
+namespace hemitex::cli {
+
+ChosenSettings settingsFor(const SolveOptions& asked, const radiosity::Scene& scene, Console& console) {
+  if (!asked.maxError) return {asked};
+  SolveOptions options = asked;
+  options.solver.residual = reference::residualFor(*asked.maxError);
+  const int texels = asked.discretization.texels;
+  const auto setEffort = [&](const reference::Effort& effort) {
+    options.discretization.patches = effort.patches;
+    options.drawing.resolution = effort.resolution;
+    options.drawing.split = effort.split;
+  };
+  const auto solveWith = [&](const reference::Effort& effort) {
+    setEffort(effort);
+    radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
+    const radiosity::WordLayout layout = layoutOf(options.word, discretization, console);
+    return solvedBy(options, scene, std::move(discretization), layout, console).solution.radiosity;
+  };
+  const reference::ErrorBoundChoice choice =
+      reference::chooseEffort(scene, discretizationOf(asked.discretization, scene), texels, solveWith, *asked.maxError);
+  setEffort(choice.effort);
+  // What was asked for a surface binds more than what was chosen.
+  options.discretization.surfaceTexels.insert(choice.surfaceTexels.begin(), choice.surfaceTexels.end());
+  return {options, choice.expectedError};
+}
+
+radiosity::Discretization discretizationFor(const SolveOptions& options, const radiosity::Scene& scene,
+                                            Console& console) {
+  if (!options.adaptive) return discretizationOf(options.discretization, scene);
+  const auto solveElements = [&](const radiosity::Discretization& discretization) {
+    const radiosity::WordLayout layout = layoutOf(options.word, discretization, console);
+    return solvedBy(options, scene, discretization, layout, console).solution.radiosity;
+  };
+  return radiosity::adaptiveDiscretization(scene, options.discretization, *options.adaptive, solveElements);
+}
+
+Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radiosity::Discretization discretization,
+                const radiosity::WordLayout& layout, Console& console) {
+  const auto solveBy = [&](const radiosity::Discretization& shooting, auto& rows) {
+    const auto rowOf = [&rows](std::uint32_t patch) { return rows.ofPatch(patch); };
+    radiosity::Solution solution =
+        radiosity::solve(scene, shooting, rowOf, options.solver, progressOf(options.solver, console));
+    console.endProgress();
+    return solution;
+  };
+  if (usesRays(options)) {
+    reference::RayRows rows(scene, discretization, {.rays = options.samples, .start = reference::RayStart::Area});
+    radiosity::Solution solution = solveBy(discretization, rows);
+    return {std::move(discretization), std::move(solution)};
+  }
+  radiosity::DrawnRows drawn(scene, std::move(discretization), layout, options.drawing);
+  radiosity::Solution solution = solveBy(drawn.discretization(), drawn.rows());
+  return {drawn.discretization(), std::move(solution), radiosity::formFactor(drawn.rows().projection().captured)};
+}
+
+std::unique_ptr<radiosity::DynamicSolution> dynamicSolution(const SolveOptions& options, const radiosity::Scene& scene,
+                                                            radiosity::Discretization discretization,
+                                                            Console& console) {
+  const auto layOut = [&word = options.word, &console](const radiosity::Discretization& edited) {
+    return layoutOf(word, edited, console);
+  };
+  auto dynamic = std::make_unique<radiosity::DynamicSolution>(
+      scene, std::move(discretization),
+      radiosity::DynamicSettings{options.discretization, options.drawing, options.solver}, layOut,
+      progressOf(options.solver, console));
+  console.endProgress();
+  return dynamic;
+}
+
+Solved solvedBy(const radiosity::DynamicSolution& dynamic) {
+  return {dynamic.discretization(), dynamic.solution(), radiosity::formFactor(dynamic.captured())};
+}
+
+radiosity::Progress progressOf(const radiosity::SolverSettings& settings, Console& console) {
+  return [&settings, &console](int shots, double residual) {
+    const double fraction = settings.shots ? static_cast<double>(shots) / *settings.shots
+                                           : std::log(residual) / std::log(settings.residual);
+    console.progress(fraction, "shot " + std::to_string(shots) + ", unshot " + toText(residual));
+  };
+}
+
+}  // namespace hemitex::cli

@@ -1,0 +1,48 @@
+/// What `hemitex solve` does between reading a scene and writing it lit: settings are chosen where a bound on the error
+/// asks for that, surfaces become elements, patches shoot.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "cli/console.h"
+#include "cli/solve_options.h"
+#include "radiosity/discretization.h"
+#include "radiosity/dynamic_solution.h"
+#include "radiosity/scene.h"
+#include "radiosity/solver.h"
+#include "radiosity/word_layout.h"
+
+namespace hemitex::cli {
+
+/// Settings as they were given, or as they were chosen for a bound on the error.
+struct ChosenSettings {
+  SolveOptions options;
+  std::optional<double> expectedError = {};  ///< where they were chosen
+};
+ChosenSettings settingsFor(const SolveOptions& asked, const radiosity::Scene& scene, Console& console);
+
+/// Elements: texels, or leaves of quadtrees that solutions have refined.
+radiosity::Discretization discretizationFor(const SolveOptions& options, const radiosity::Scene& scene,
+                                            Console& console);
+
+/// A solution, and the discretization whose patches shot.
+struct Solved {
+  radiosity::Discretization discretization;
+  radiosity::Solution solution;
+  double captured = 1;  ///< of the light that leaves a patch, by what finds rows; the rest is lost
+};
+
+Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radiosity::Discretization discretization,
+                const radiosity::WordLayout& layout, Console& console);
+
+/// A solution that follows edits, and what it is before the first of them. `options` and `console` outlive it.
+std::unique_ptr<radiosity::DynamicSolution> dynamicSolution(const SolveOptions& options, const radiosity::Scene& scene,
+                                                            radiosity::Discretization discretization, Console& console);
+Solved solvedBy(const radiosity::DynamicSolution& dynamic);
+
+/// How far the solution is: shots done of those asked for, or the residual's way down, on a logarithmic scale. Both
+/// arguments outlive it.
+radiosity::Progress progressOf(const radiosity::SolverSettings& settings, Console& console);
+
+}  // namespace hemitex::cli
