@@ -64,10 +64,13 @@ Word texelExactly(const ScreenTriangle& triangle, const IndexMap& map, const Pix
 /// The part of a face that is drawn, while it is drawn.
 class Tile {
  public:
-  Tile(const PreparedDraws& draws, const PixelKernels& kernels, const Face& face)
+  /// For words and their pitch see drawTile.
+  Tile(const PreparedDraws& draws, const PixelKernels& kernels, const Face& face, Word* words, std::size_t pitch)
       : draws_(draws),
         kernels_(kernels),
         face_(face),
+        words_(words),
+        pitch_(pitch),
         isMirrored_(determinant(face) < 0),
         buffer_(face.scissor),
         row_(buffer_.pitch) {}
@@ -79,8 +82,8 @@ class Tile {
   /// was not finite.
   std::uint64_t draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped);
 
-  /// After all triangles: the words of a row of the face, in this tile's columns; valid until the next call.
-  const Word* resolve(int row);
+  /// After all triangles: the words of a row of the face, in this tile's columns.
+  void resolve(int row);
 
  private:
   void offer(const ScreenTriangle& triangle);
@@ -90,6 +93,7 @@ class Tile {
   static constexpr std::uint32_t firstSmall = 0x80000000;
   static bool isSmall(std::uint32_t number) { return number >= firstSmall && number != noTriangle; }
 
+  Word* wordsOf(int row) const { return words_ + static_cast<std::size_t>(row - buffer_.scissor.row) * pitch_; }
   ScreenTriangle screenTriangle(std::uint32_t number) const;
   bool offerExactly(const ScreenTriangle& triangle, std::uint32_t number, const Pixel& pixel);
   Word wordExactly(std::uint32_t number, const Pixel& pixel);
@@ -100,12 +104,13 @@ class Tile {
   const PreparedDraws& draws_;
   const PixelKernels& kernels_;
   const Face& face_;
+  Word* words_;  ///< those of small triangles are there, the others come when they are resolved
+  std::size_t pitch_;
   bool isMirrored_;
   DepthBuffer buffer_;
   std::vector<ScreenTriangle> taken_;     ///< by some pixel
   std::vector<Shading> shadings_;         ///< of those that a pixel shows in the end
   std::vector<std::uint32_t> shadingOf_;  ///< of a taken triangle: its place in `shadings_`, or noTriangle
-  std::vector<Word> smallWords_;          ///< of the buffer's pixels that show small triangles; none before the first
   std::vector<Word> row_;
   UndecidedPixels undecided_;
   PlacedVertices placed_;                  ///< of the cluster that is drawn
@@ -163,7 +168,6 @@ void Tile::offer(const ScreenTriangle& triangle) {
 
 /// Offers the samples of small triangles of a cluster, a bit each, with their words.
 void Tile::drawSmall(std::uint32_t cluster, std::uint32_t small) {
-  smallWords_.resize(buffer_.triangle.size());
   const ClusterPart& part = draws_.mesh.parts[cluster];
   const std::vector<TriangleRun>& runs = draws_.clusters[cluster].runs;
   const Draw& first = draws_.list.draws[runs.front().draw];
@@ -182,13 +186,14 @@ void Tile::drawSmall(std::uint32_t cluster, std::uint32_t small) {
     const DepthTest test = testDepth(samples_.inverseDepths[i], number, p, buffer_);
     if (test == DepthTest::Hidden) continue;
     if (test == DepthTest::Undecided && !offerExactly(screenTriangle(number), number, pixel)) continue;
+    Word& word = wordsOf(pixel.row)[pixel.column - buffer_.scissor.column];
     if (samples_.texels[i] == undecidedTexel) {
-      smallWords_[p] = wordExactly(number, pixel);
+      word = wordExactly(number, pixel);
       continue;
     }
     const Draw& draw = runs.size() == 1 ? first : draws_.list.draws[triangleOf(draws_.clusters[cluster], t).draw];
     const bool facesAway = ((samples_.negative >> t & 1) != 0) == isMirrored_;
-    smallWords_[p] = wordOf(draws_, draw, facesAway, static_cast<Word>(samples_.texels[i]));
+    word = wordOf(draws_, draw, facesAway, static_cast<Word>(samples_.texels[i]));
   }
 }
 
@@ -245,7 +250,8 @@ void Tile::resolveRun(const PixelRun& run, Shading& shading, Word* words) {
     word = texels.isSum ? shading.word | map[word] : blend(list.format, list.blend, shading.word, map[word]);
 }
 
-const Word* Tile::resolve(int row) {
+void Tile::resolve(int row) {
+  Word* const words = wordsOf(row);
   const std::size_t begin = buffer_.rowAt(row);
   const std::uint32_t* const triangles = buffer_.triangle.data() + begin;
   const int width = buffer_.scissor.width;
@@ -253,7 +259,7 @@ const Word* Tile::resolve(int row) {
     const std::uint32_t number = triangles[first];
     end = first + 1;
     if (isSmall(number)) {
-      row_[static_cast<std::size_t>(first)] = smallWords_[begin + static_cast<std::size_t>(first)];
+      row_[static_cast<std::size_t>(first)] = words[first];
       continue;
     }
     if (end < width && triangles[end] == number) end = kernels_.endOfRun(triangles, first, width);
@@ -264,7 +270,7 @@ const Word* Tile::resolve(int row) {
                   buffer_.inverseDepth.data() + begin + static_cast<std::size_t>(first)},
                  shading(number), row_.data() + first);
   }
-  return row_.data();
+  std::copy_n(row_.data(), width, words);
 }
 
 struct PlacedGroup {
@@ -298,7 +304,7 @@ std::vector<Scissor> tilesOf(const Face& face) {
 std::uint64_t drawTile(const PreparedDraws& draws, const PixelKernels& kernels, const Face& face,
                        std::span<const std::uint32_t> skipped, Word* words, std::size_t pitch) {
   std::uint64_t dropped = 0;
-  Tile tile(draws, kernels, face);
+  Tile tile(draws, kernels, face, words, pitch);
   const ViewBounds view(face);
   std::optional<std::uint32_t> awaited;  // a cluster on its way from memory
   for (const PlacedGroup& placed : groupsIn(draws.tree, view)) {
@@ -312,8 +318,7 @@ std::uint64_t drawTile(const PreparedDraws& draws, const PixelKernels& kernels, 
     }
   }
   if (awaited) dropped += tile.draw(*awaited, skipped);
-  for (int row = face.scissor.row; row < face.scissor.row + face.scissor.height; ++row, words += pitch)
-    std::copy_n(tile.resolve(row), face.scissor.width, words);
+  for (int row = face.scissor.row; row < face.scissor.row + face.scissor.height; ++row) tile.resolve(row);
   return dropped;
 }
 
