@@ -1,7 +1,11 @@
 // Memory that is measured is memory that is there.
 #include "reference/bench_solution.h"
 
+#include <malloc.h>
+
 #include <catch2/catch.hpp>
+#include <cstddef>
+#include <vector>
 
 #include "radiosity/discretization.h"
 #include "radiosity/refinement.h"
@@ -10,7 +14,21 @@
 
 using namespace hemitex;
 
+namespace {
+
+/// Whether the allocator says what the heap holds: that of the address sanitizer does not.
+bool heapIsTold() {
+  const std::vector<std::byte> some(1000);
+  return mallinfo2().uordblks > 0;
+}
+
+}  // namespace
+
 TEST_CASE("the memory of a solution holds what an element and a pixel must have", "[bench]") {
+  if (!heapIsTold()) {
+    WARN("skipped: the allocator does not say what the heap holds");
+    return;
+  }
   const radiosity::Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
   const reference::SolutionMemory memory = reference::solutionMemory(scene, 128, 128);
   // The element, its place in its patch, its texel's, and the light that it received; a pixel's word.
