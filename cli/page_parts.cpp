@@ -5,18 +5,34 @@
 #include <fstream>
 #include <iterator>
 
+#include "cli/carried_files.h"
 #include "cli/json.h"
 
 namespace hemitex::cli {
+namespace {
 
+/// Puts `by` in the place of the first `mark`, which the text has.
 void fillIn(std::string& text, const std::string& mark, const std::string& by) {
   text.replace(text.find(mark), mark.size(), by);
 }
 
+/// JSON for a script element, which the letters `</` could end.
 std::string scriptText(const nlohmann::ordered_json& json) {
   std::string text = toText(json);
   for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos;) text.replace(at, 2, "<\\/");
   return text;
+}
+
+}  // namespace
+
+std::string completePage(std::string page, const nlohmann::ordered_json& result,
+                         const nlohmann::ordered_json& pictures) {
+  fillIn(page, "{{page style}}", pageStyle);
+  fillIn(page, "{{page script}}", pageScript);
+  fillIn(page, "{{chart library}}", chartLibrary);
+  fillIn(page, "{{result}}", scriptText(result));
+  fillIn(page, "{{pictures}}", scriptText(pictures));
+  return page;
 }
 
 std::string base64OfFile(const std::filesystem::path& file) {

@@ -7,11 +7,11 @@
 
 namespace hemitex::cli {
 
-/// Puts `by` in the place of the first `mark`, which the text has.
-void fillIn(std::string& text, const std::string& mark, const std::string& by);
-
-/// JSON for a script element, which the letters `</` could end.
-std::string scriptText(const nlohmann::ordered_json& json);
+/// The page whose text is `page`, with what stands for its parts replaced by them: `{{page style}}` and `{{page
+/// script}}` by what pages share, `{{chart library}}` by what draws their plots, and `{{result}}` and `{{pictures}}` by
+/// what the page shows. The text has each of them once.
+std::string completePage(std::string page, const nlohmann::ordered_json& result,
+                         const nlohmann::ordered_json& pictures);
 
 /// A file's bytes as letters, for a picture inside a page.
 std::string base64OfFile(const std::filesystem::path& file);

@@ -11,11 +11,7 @@ std::string paperPage(const nlohmann::ordered_json& result, const std::filesyste
     const auto file = figure.at("file").get<std::string>();
     pictures[file] = base64OfFile(folder / file);
   }
-  std::string page = paperPageText;
-  fillIn(page, "{{chart library}}", chartLibrary);
-  fillIn(page, "{{result}}", scriptText(result));
-  fillIn(page, "{{pictures}}", scriptText(pictures));
-  return page;
+  return completePage(paperPageText, result, pictures);
 }
 
 }  // namespace hemitex::cli

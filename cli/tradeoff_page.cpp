@@ -123,11 +123,8 @@ ordered_json legend() {
 
 std::string tradeoffPage(const Tradeoff& tradeoff, const radiosity::Camera& camera, const ordered_json& result,
                          const std::filesystem::path& folder) {
-  std::string page = pageText;
-  fillIn(page, "{{chart library}}", chartLibrary);
-  fillIn(page, "{{result}}", scriptText(result));
-  fillIn(page, "{{pictures}}", scriptText({{"legend", legend()}, {"pictures", picturesOf(tradeoff, camera, folder)}}));
-  return page;
+  return completePage(tradeoffPageText, result,
+                      {{"legend", legend()}, {"pictures", picturesOf(tradeoff, camera, folder)}});
 }
 
 }  // namespace hemitex::cli
