@@ -90,13 +90,13 @@ void addPart(const WordSlots& slots, const Projection& projection, const Window&
   for (int row = part.firstRow; row < part.endRow; ++row) add(row, width);
 }
 
-using AllSums = std::span<const std::unique_ptr<ShareSums>>;
+using AllSums = std::span<ShareSums* const>;
 
 /// Calls body(number) for the blocks of a group that any of the sums have, in ascending order.
 template <typename Body>
 void forEachBlock(AllSums all, std::size_t group, const Body& body) {
   std::uint64_t blocks = 0;
-  for (const auto& sums : all) blocks |= sums->blocksIn(group);
+  for (const ShareSums* sums : all) blocks |= sums->blocksIn(group);
   for (; blocks != 0; blocks &= blocks - 1)
     body(static_cast<std::uint32_t>(group * ShareSums::blocksInGroup) +
          static_cast<std::uint32_t>(std::countr_zero(blocks)));
@@ -106,7 +106,7 @@ std::size_t elementsIn(AllSums all, std::size_t group) {
   std::size_t elements = 0;
   forEachBlock(all, group, [&](std::uint32_t number) {
     std::uint64_t touched = 0;
-    for (const auto& sums : all)
+    for (ShareSums* sums : all)
       if (const ShareSums::Block* block = sums->find(number)) touched |= block->touched;
     elements += static_cast<std::size_t>(std::popcount(touched));
   });
@@ -119,7 +119,7 @@ void moveGroup(AllSums all, std::size_t group, std::size_t place, FormFactorRow&
   forEachBlock(all, group, [&](std::uint32_t number) {
     blocks.clear();
     std::uint64_t touched = 0;
-    for (const auto& sums : all)
+    for (ShareSums* sums : all)
       if (ShareSums::Block* block = sums->find(number)) {
         blocks.push_back(block);
         touched |= block->touched;
@@ -147,7 +147,7 @@ std::uint64_t takeLast(FormFactorRow& row, std::uint32_t slot) {
 
 RowCounter::RowCounter(const Discretization& discretization, const WordLayout& layout)
     : slots_(discretization, layout) {
-  sums_.push_back(std::make_unique<ShareSums>(slots_.count()));
+  sumsOfThread();  // there is always one
 }
 
 FormFactorRow RowCounter::rowOf(const Projection& projection, std::span<const Window> windows,
@@ -155,39 +155,31 @@ FormFactorRow RowCounter::rowOf(const Projection& projection, std::span<const Wi
   assert(windows.size() == buffers.size());
   const std::vector<Part> parts = partsOf(windows);
   raster::parallelFor(parts.size(), [&](std::size_t i) {
-    std::unique_ptr<ShareSums> sums = takeSums();
-    addPart(slots_, projection, windows[parts[i].window], buffers[parts[i].window], parts[i], *sums);
-    giveBack(std::move(sums));
+    addPart(slots_, projection, windows[parts[i].window], buffers[parts[i].window], parts[i], sumsOfThread());
   });
   return takeRow();
 }
 
-std::unique_ptr<ShareSums> RowCounter::takeSums() {
+ShareSums& RowCounter::sumsOfThread() {
   const std::lock_guard lock(mutex_);
-  if (sums_.empty()) return std::make_unique<ShareSums>(slots_.count());
-  std::unique_ptr<ShareSums> sums = std::move(sums_.back());
-  sums_.pop_back();
-  return sums;
-}
-
-void RowCounter::giveBack(std::unique_ptr<ShareSums> sums) {
-  const std::lock_guard lock(mutex_);
-  sums_.push_back(std::move(sums));
+  return sums_.try_emplace(std::this_thread::get_id(), slots_.count()).first->second;
 }
 
 FormFactorRow RowCounter::takeRow() {
-  const std::size_t groups = sums_.front()->groups();
+  std::vector<ShareSums*> all;
+  for (auto& [thread, sums] : sums_) all.push_back(&sums);
+  const std::size_t groups = all.front()->groups();
   std::vector<std::size_t> first(groups + 1);
-  raster::parallelFor(groups, [&](std::size_t group) { first[group + 1] = elementsIn(sums_, group); });
+  raster::parallelFor(groups, [&](std::size_t group) { first[group + 1] = elementsIn(all, group); });
   std::partial_sum(first.begin(), first.end(), first.begin());
   FormFactorRow row;
   row.elements.resize(first.back());
   row.shares.resize(first.back());
   raster::parallelFor(groups, [&](std::size_t group) {
-    moveGroup(sums_, group, first[group], row);
-    for (const auto& sums : sums_) sums->clear(group);
+    moveGroup(all, group, first[group], row);
+    for (ShareSums* sums : all) sums->clear(group);
   });
-  for (const auto& sums : sums_) sums->reuse();
+  for (ShareSums* sums : all) sums->reuse();
   row.background = takeLast(row, slots_.background());
   row.back = takeLast(row, slots_.back());
   return row;
@@ -195,7 +187,7 @@ FormFactorRow RowCounter::takeRow() {
 
 std::size_t RowCounter::bytes() const {
   std::size_t bytes = slots_.bytes();
-  for (const auto& sums : sums_) bytes += sums->bytes();
+  for (const auto& [thread, sums] : sums_) bytes += sums.bytes();
   return bytes;
 }
 

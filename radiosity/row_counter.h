@@ -8,9 +8,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <map>
 #include <mutex>
 #include <span>
+#include <thread>
 #include <vector>
 
 #include "radiosity/discretization.h"
@@ -37,16 +38,15 @@ class RowCounter {
   std::size_t bytes() const;
 
  private:
-  /// The sums that the calling thread goes on with, and what it gives back.
-  std::unique_ptr<ShareSums> takeSums();
-  void giveBack(std::unique_ptr<ShareSums> sums);
+  /// What the calling thread sums into.
+  ShareSums& sumsOfThread();
 
   /// Of all sums, which are nothing afterwards.
   FormFactorRow takeRow();
 
   WordSlots slots_;
-  std::vector<std::unique_ptr<ShareSums>> sums_;  ///< one a thread that was at work; here unless it is
-  std::mutex mutex_;                              ///< of `sums_`
+  std::map<std::thread::id, ShareSums> sums_;  ///< of each thread that was at work: its own stays in its cache
+  std::mutex mutex_;                           ///< of which there are
 };
 
 }  // namespace hemitex::radiosity
