@@ -52,41 +52,36 @@ std::vector<View> ProjectedRows::viewsOfPatch(std::uint32_t number) {
 
 FormFactorRow ProjectedRows::ofView(const View& view) {
   const std::vector<Window> windows = wholeFaces(*view.projection);
-  const std::vector<raster::ItemBuffer>& buffers = draw(view, windows);
-  FormFactorRow row = counter_.rowOf(*view.projection, windows, buffers);
+  FormFactorRow row = ofWindows(view, windows);
   if (settings_.pixelsPerElement > 0)
-    row = withCoarserMaps(discretization_, row, pixelsOf(row, view, buffers), settings_.pixelsPerElement);
+    row = withCoarserMaps(discretization_, row, pixelsOf(row, view), settings_.pixelsPerElement);
   row.background += wholeShare - view.projection->captured;
   return row;
 }
 
-const std::vector<raster::ItemBuffer>& ProjectedRows::draw(const View& view, std::span<const Window> windows) {
+FormFactorRow ProjectedRows::ofWindows(const View& view, std::span<const Window> windows) {
   std::vector<raster::Face> faces;
   for (const Window& window : windows) {
     faces.push_back(view.faces[window.face]);
     faces.back().scissor = window.scissor;
   }
-  renderer_.draw(faces, view.skipped, buffers_);
-  return buffers_;
+  renderer_.drawEach(faces, view.skipped, buffers_,
+                     [&](std::size_t w) { counter_.add(*view.projection, windows[w], buffers_[w]); });
+  return counter_.takeRow();
 }
 
-std::vector<std::uint32_t> ProjectedRows::pixelsOf(const FormFactorRow& row, const View& view,
-                                                   const std::vector<raster::ItemBuffer>& buffers) const {
+std::vector<std::uint32_t> ProjectedRows::pixelsOf(const FormFactorRow& row, const View& view) const {
   std::vector<std::uint32_t> pixels(row.elements.size());
-  for (std::size_t face = 0; face < buffers.size(); ++face) {
+  for (std::size_t face = 0; face < buffers_.size(); ++face) {
     const std::vector<std::uint64_t>& before = view.projection->sharesBefore[view.projection->faces[face].shares];
     for (std::size_t i = 0; i + 1 < before.size(); ++i) {
-      const auto element = elementOf(discretization_, layout_, buffers[face].words[i]);
+      const auto element = elementOf(discretization_, layout_, buffers_[face].words[i]);
       if (before[i] == before[i + 1] || !element) continue;
       const auto place = std::lower_bound(row.elements.begin(), row.elements.end(), *element);
       ++pixels[static_cast<std::size_t>(place - row.elements.begin())];
     }
   }
   return pixels;
-}
-
-FormFactorRow ProjectedRows::ofWindows(const View& view, std::span<const Window> windows) {
-  return counter_.rowOf(*view.projection, windows, draw(view, windows));
 }
 
 FormFactorRow ProjectedRows::from(std::uint32_t surface, const SurfacePoint& point) {

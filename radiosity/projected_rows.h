@@ -66,11 +66,8 @@ class ProjectedRows {
   bool isSumOfWindows() const { return settings_.pixelsPerElement == 0; }
 
  private:
-  /// Windows of a view, in `buffers_`.
-  const std::vector<raster::ItemBuffer>& draw(const View& view, std::span<const Window> windows);
-  /// In which each of a row's elements is seen, of a whole view.
-  std::vector<std::uint32_t> pixelsOf(const FormFactorRow& row, const View& view,
-                                      const std::vector<raster::ItemBuffer>& buffers) const;
+  /// In which each of a row's elements is seen, of the whole view that was drawn last.
+  std::vector<std::uint32_t> pixelsOf(const FormFactorRow& row, const View& view) const;
   View viewFrom(std::uint32_t surface, const SurfacePoint& point, const glm::dvec3& up, int halvings, double area);
   const Projection& projectionAfter(int halvings);
 

@@ -51,26 +51,9 @@ void addPixels(const WordSlots& slots, const Word* words, const std::uint64_t* b
   }
 }
 
-/// Rows of a window: what a thread sums at once.
-struct Part {
-  std::size_t window;
-  int firstRow, endRow;  ///< in the window
-};
-
-std::vector<Part> partsOf(std::span<const Window> windows) {
-  constexpr int pixels = 8192;
-  std::vector<Part> parts;
-  for (std::size_t w = 0; w < windows.size(); ++w) {
-    const raster::Scissor& scissor = windows[w].scissor;
-    const int rows = std::max(1, pixels / std::max(1, scissor.width));
-    for (int row = 0; row < scissor.height; row += rows)
-      parts.push_back({w, row, std::min(row + rows, scissor.height)});
-  }
-  return parts;
-}
-
-void addPart(const WordSlots& slots, const Projection& projection, const Window& window,
-             const raster::ItemBuffer& buffer, const Part& part, ShareSums& sums) {
+/// Adds rows [firstRow, endRow) of a window.
+void addRows(const WordSlots& slots, const Projection& projection, const Window& window,
+             const raster::ItemBuffer& buffer, int firstRow, int endRow, ShareSums& sums) {
   const raster::Scissor& some = window.scissor;
   const raster::Scissor& whole = projection.faces[window.face].scissor;
   assert(buffer.width == some.width && buffer.height == some.height);
@@ -85,9 +68,8 @@ void addPart(const WordSlots& slots, const Projection& projection, const Window&
   };
   const auto width = static_cast<std::size_t>(some.width);
   // Where nothing lies between the rows, runs go on from one to the next.
-  if (some.width == whole.width)
-    return add(part.firstRow, width * static_cast<std::size_t>(part.endRow - part.firstRow));
-  for (int row = part.firstRow; row < part.endRow; ++row) add(row, width);
+  if (some.width == whole.width) return add(firstRow, width * static_cast<std::size_t>(endRow - firstRow));
+  for (int row = firstRow; row < endRow; ++row) add(row, width);
 }
 
 using AllSums = std::span<ShareSums* const>;
@@ -150,13 +132,19 @@ RowCounter::RowCounter(const Discretization& discretization, const WordLayout& l
   sumsOfThread();  // there is always one
 }
 
+void RowCounter::add(const Projection& projection, const Window& window, const raster::ItemBuffer& buffer) {
+  constexpr int pixelsOfThread = 8192;
+  const int height = window.scissor.height, rows = std::max(1, pixelsOfThread / std::max(1, window.scissor.width));
+  raster::parallelFor(static_cast<std::size_t>((height + rows - 1) / rows), [&](std::size_t part) {
+    const int firstRow = static_cast<int>(part) * rows;
+    addRows(slots_, projection, window, buffer, firstRow, std::min(firstRow + rows, height), sumsOfThread());
+  });
+}
+
 FormFactorRow RowCounter::rowOf(const Projection& projection, std::span<const Window> windows,
                                 std::span<const raster::ItemBuffer> buffers) {
   assert(windows.size() == buffers.size());
-  const std::vector<Part> parts = partsOf(windows);
-  raster::parallelFor(parts.size(), [&](std::size_t i) {
-    addPart(slots_, projection, windows[parts[i].window], buffers[parts[i].window], parts[i], sumsOfThread());
-  });
+  raster::parallelFor(windows.size(), [&](std::size_t w) { add(projection, windows[w], buffers[w]); });
   return takeRow();
 }
 

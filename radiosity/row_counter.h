@@ -29,8 +29,13 @@ class RowCounter {
   /// Both referenced objects must outlive this one.
   RowCounter(const Discretization& discretization, const WordLayout& layout);
 
-  /// What windows of a projection's faces add up to: the whole row, where they are wholeFaces. A buffer a window;
-  /// drawing a face with a smaller scissor rectangle gives the same words there.
+  /// Adds what a window of a projection's face shows; drawing a face with a smaller scissor rectangle gives the same
+  /// words there. Windows may be added by several threads at a time.
+  void add(const Projection& projection, const Window& window, const raster::ItemBuffer& buffer);
+  /// What the windows that were added since the last row add up to: the whole row, where they are wholeFaces.
+  FormFactorRow takeRow();
+
+  /// The row of these windows, a buffer each.
   FormFactorRow rowOf(const Projection& projection, std::span<const Window> windows,
                       std::span<const raster::ItemBuffer> buffers);
 
@@ -40,9 +45,6 @@ class RowCounter {
  private:
   /// What the calling thread sums into.
   ShareSums& sumsOfThread();
-
-  /// Of all sums, which are nothing afterwards.
-  FormFactorRow takeRow();
 
   WordSlots slots_;
   std::map<std::thread::id, ShareSums> sums_;  ///< of each thread that was at work: its own stays in its cache

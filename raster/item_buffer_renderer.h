@@ -3,11 +3,14 @@
 /// backend implements this one class.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "raster/face.h"
+#include "raster/parallel.h"
 
 namespace hemitex::raster {
 
@@ -21,7 +24,16 @@ class ItemBufferRenderer {
   virtual void draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
                     std::vector<ItemBuffer>& buffers) = 0;
 
-  /// The same into buffers of their own.
+  /// The same, and calls drawn(f) when the buffer of face f is there: not when all are, where a renderer draws some
+  /// before others, and on several threads at a time, where it draws on them. So what reads the buffers finds them in
+  /// the cache, and no thread waits for the last face.
+  virtual void drawEach(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
+                        std::vector<ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) {
+    draw(faces, skipped, buffers);
+    parallelFor(faces.size(), drawn);
+  }
+
+  /// As `draw`, into buffers of their own.
   std::vector<ItemBuffer> render(std::span<const Face> faces, std::span<const std::uint32_t> skipped) {
     std::vector<ItemBuffer> buffers;
     draw(faces, skipped, buffers);

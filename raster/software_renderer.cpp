@@ -11,31 +11,33 @@ SoftwareRenderer::SoftwareRenderer(DrawList list, const PixelKernels& kernels)
 
 void SoftwareRenderer::draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
                             std::vector<ItemBuffer>& buffers) {
-  for (const Face& face : faces) validate(face);
+  drawEach(faces, skipped, buffers, [](std::size_t) {});
+}
 
-  struct Task {
-    std::size_t face;
-    Scissor tile;
-    std::uint64_t dropped = 0;
-  };
-  std::vector<Task> tasks;
+void SoftwareRenderer::drawEach(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
+                                std::vector<ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) {
+  for (const Face& face : faces) validate(face);
   buffers.resize(faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    buffers[f].resize(faces[f].scissor);
-    for (const Scissor& tile : tilesOf(faces[f])) tasks.push_back({f, tile});
-  }
-  parallelFor(tasks.size(), [&](std::size_t i) {
-    Task& task = tasks[i];
-    Face part = faces[task.face];
-    const auto pitch = static_cast<std::size_t>(part.scissor.width);
-    const auto pixel = static_cast<std::size_t>(task.tile.row - part.scissor.row) * pitch +
-                       static_cast<std::size_t>(task.tile.column - part.scissor.column);
-    part.scissor = task.tile;
-    task.dropped = drawTile(draws_, kernels_, part, skipped, buffers[task.face].words.data() + pixel, pitch);
+  parallelFor(faces.size(), [&](std::size_t f) {
+    drawFace(faces[f], skipped, buffers[f]);
+    drawn(f);
   });
-  // Every tile meets what is not finite: the first one of a face speaks for it.
-  for (std::size_t i = 0; i < tasks.size(); ++i)
-    if (i == 0 || tasks[i].face != tasks[i - 1].face) dropped_ += tasks[i].dropped;
+}
+
+void SoftwareRenderer::drawFace(const Face& face, std::span<const std::uint32_t> skipped, ItemBuffer& buffer) {
+  buffer.resize(face.scissor);
+  const std::vector<Scissor> tiles = tilesOf(face);
+  std::vector<std::uint64_t> dropped(tiles.size());
+  parallelFor(tiles.size(), [&](std::size_t i) {
+    Face part = face;
+    part.scissor = tiles[i];
+    const auto pitch = static_cast<std::size_t>(face.scissor.width);
+    const auto pixel = static_cast<std::size_t>(part.scissor.row - face.scissor.row) * pitch +
+                       static_cast<std::size_t>(part.scissor.column - face.scissor.column);
+    dropped[i] = drawTile(draws_, kernels_, part, skipped, buffer.words.data() + pixel, pitch);
+  });
+  // Every tile meets what is not finite: the first one speaks for the face.
+  if (!dropped.empty()) dropped_ += dropped.front();
 }
 
 }  // namespace hemitex::raster

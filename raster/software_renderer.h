@@ -23,6 +23,8 @@ class SoftwareRenderer final : public ItemBufferRenderer {
   /// May be called from several threads at a time.
   void draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
             std::vector<ItemBuffer>& buffers) override;
+  void drawEach(std::span<const Face> faces, std::span<const std::uint32_t> skipped, std::vector<ItemBuffer>& buffers,
+                const std::function<void(std::size_t)>& drawn) override;
 
   /// Triangles dropped so far because the vertex stage gave a value that is not finite, summed over all faces drawn.
   std::uint64_t droppedTriangles() const { return dropped_; }
@@ -30,6 +32,8 @@ class SoftwareRenderer final : public ItemBufferRenderer {
   const DrawList& drawList() const { return draws_.list; }
 
  private:
+  void drawFace(const Face& face, std::span<const std::uint32_t> skipped, ItemBuffer& buffer);
+
   PreparedDraws draws_;
   const PixelKernels& kernels_;
   std::atomic<std::uint64_t> dropped_ = 0;

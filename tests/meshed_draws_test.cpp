@@ -279,6 +279,10 @@ TEST_CASE("Leaving out a triangle of the scene leaves out its pieces", "[meshing
   std::vector<std::uint32_t> expected(end - second);
   std::iota(expected.begin(), expected.end(), second);
   CHECK(skipped == expected);
+  skipped.clear();
+  std::vector<raster::ItemBuffer> buffers;
+  renderer.drawEach({}, lastTriangle, buffers, [](std::size_t) {});
+  CHECK(skipped == expected);
 }
 
 TEST_CASE("The solutions of mesh and textures differ by no more than their rows", "[meshing]") {

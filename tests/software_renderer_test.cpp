@@ -2,6 +2,7 @@
 #include "raster/software_renderer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <catch2/catch.hpp>
 
@@ -380,6 +381,46 @@ TEST_CASE("item buffers are the pinned bits for any number of threads", "[render
   CHECK(hashes[0] == hashes[1]);
   CHECK(hashes[0] == hashes[2]);
   CHECK(hashes[0] == 0x371ce9d26ebca796u);
+}
+
+/// The faces' words, each copied when it is said to be there; how often that was said.
+struct Told {
+  std::vector<raster::ItemBuffer> buffers;
+  std::vector<std::atomic<int>> times;
+};
+
+Told drawnEach(raster::ItemBufferRenderer& renderer, std::span<const raster::Face> faces) {
+  Told told{std::vector<raster::ItemBuffer>(faces.size()), std::vector<std::atomic<int>>(faces.size())};
+  std::vector<raster::ItemBuffer> buffers;
+  renderer.drawEach(faces, {}, buffers, [&](std::size_t f) {
+    told.buffers[f] = buffers[f];
+    ++told.times[f];
+  });
+  return told;
+}
+
+TEST_CASE("a face's buffer is whole when it is said to be there, which is said once", "[renderer]") {
+  // A renderer that knows no more than how to draw all faces, too.
+  struct Plain final : raster::ItemBufferRenderer {
+    raster::SoftwareRenderer renderer{crossingTriangles()};
+    void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+              std::vector<raster::ItemBuffer>& buffers) override {
+      renderer.draw(faces, skipped, buffers);
+    }
+  } plain;
+  const std::array<raster::Face, 3> faces = threeFaces();
+  const std::vector<raster::ItemBuffer> expected = plain.render(faces, {});
+  for (const int threads : {1, 2, 7}) {
+    const raster::ThreadLimit limit(threads);
+    for (raster::ItemBufferRenderer* renderer : {static_cast<raster::ItemBufferRenderer*>(&plain.renderer),
+                                                 static_cast<raster::ItemBufferRenderer*>(&plain)}) {
+      const Told told = drawnEach(*renderer, faces);
+      for (std::size_t f = 0; f < faces.size(); ++f) {
+        CHECK(told.times[f] == 1);
+        CHECK(told.buffers[f].words == expected[f].words);
+      }
+    }
+  }
 }
 
 TEST_CASE("what item buffers held before does not matter", "[renderer]") {
