@@ -63,8 +63,6 @@ std::vector<Cluster> clustersOf(const DrawList& list) {
   return clusters;
 }
 
-bool mayCover(const Face& face, const Cluster& cluster) { return ViewBounds(face).mayShow(cluster.box); }
-
 Scissor coveredBounds(const DrawList& list, std::span<const Cluster> clusters, const Face& face) {
   const ViewBounds view(face);
   std::vector<ScreenTriangle> triangles;

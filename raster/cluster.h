@@ -29,9 +29,6 @@ TriangleRun triangleOf(const Cluster& cluster, std::uint32_t t);
 /// The draws cut into clusters, in draw order. The list is valid.
 std::vector<Cluster> clustersOf(const DrawList& list);
 
-/// False only where no triangle of the cluster covers a sample of the face's scissor rectangle.
-bool mayCover(const Face& face, const Cluster& cluster);
-
 /// The smallest rectangle inside the face's scissor rectangle that holds all samples that triangles of the clusters may
 /// cover; without width and height where there are none.
 Scissor coveredBounds(const DrawList& list, std::span<const Cluster> clusters, const Face& face);

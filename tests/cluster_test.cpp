@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "raster/view_bounds.h"
 #include "tests/raster_scenes.h"
 
 using namespace hemitex;
@@ -84,7 +85,7 @@ TEST_CASE("a cluster that may not cover a sample has no screen triangle, and mos
       for (const Cluster& cluster : clusters) {
         std::vector<ScreenTriangle> triangles;
         appendScreenTriangles(list, face, cluster.runs, {}, triangles);
-        const bool looksAt = mayCover(face, cluster);
+        const bool looksAt = ViewBounds(face).mayShow(cluster.box);
         if (!triangles.empty()) CHECK(looksAt);
         without += triangles.empty() ? 1 : 0;
         leftOut += looksAt ? 0 : 1;
@@ -102,6 +103,6 @@ TEST_CASE("a cluster with a value that is not finite is never left out", "[clust
     DrawList list = plainList();
     tests::addDraw(list, 1);
     addTriangle(list, {{0, 0, -9}, {1, 0, -9}, {0, value, -9}});
-    CHECK(mayCover(tests::frontFace(8), clustersOf(list).front()));
+    CHECK(ViewBounds(tests::frontFace(8)).mayShow(clustersOf(list).front().box));
   }
 }
