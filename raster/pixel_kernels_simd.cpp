@@ -61,6 +61,13 @@ void forEachLane(const Mask mask, const Action& action) {
   for (unsigned left = bits[0]; left != 0; left &= left - 1) action(__builtin_ctz(left));
 }
 
+/// The same lanes of vectors of numbers.
+hn::Mask<Numbers> forNumbers(const Mask mask) {
+  HWY_ALIGN std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(doubles, mask, bits);
+  return hn::LoadMaskBits(Numbers(), bits);
+}
+
 /// A triangle that is offered to a buffer.
 struct Offer {
   const ScreenTriangle& triangle;
@@ -69,7 +76,7 @@ struct Offer {
   std::uint32_t* triangles;
   UndecidedPixels& undecided;
   Corners inverseDepth, leastCovered;
-  hn::Vec<LongNumbers> number;
+  hn::Vec<Numbers> number;
 
   Offer(const ScreenTriangle& offered, std::uint32_t itsNumber, DepthBuffer& to, UndecidedPixels& notDecided)
       : triangle(offered),
@@ -79,7 +86,7 @@ struct Offer {
         undecided(notDecided),
         inverseDepth(offered.inverseDepth),
         leastCovered(raster::leastCovered(offered)),
-        number(hn::Set(LongNumbers(), itsNumber)) {}
+        number(hn::Set(Numbers(), itsNumber)) {}
 
   /// The depth test of the samples from a column on that are `covered`; returns which took the triangle.
   Mask test(Double offered, int column, int row, std::size_t pixel, Mask covered) const {
@@ -89,9 +96,7 @@ struct Offer {
     const Mask taken = hn::And(covered, hn::Gt(difference, margin));
     const Mask open = hn::And(covered, hn::Le(hn::Abs(difference), margin));
     hn::StoreU(hn::IfThenElse(taken, offered, stored), doubles, depths + pixel);
-    const auto numbers = hn::PromoteTo(LongNumbers(), hn::LoadU(Numbers(), triangles + pixel));
-    const auto now = hn::IfThenElse(hn::RebindMask(LongNumbers(), taken), number, numbers);
-    hn::StoreU(hn::TruncateTo(Numbers(), now), Numbers(), triangles + pixel);
+    hn::BlendedStore(number, forNumbers(taken), Numbers(), triangles + pixel);
     if (!hn::AllFalse(doubles, open)) forEachLane(open, [&](int lane) { undecided.add(column + lane, row); });
     return taken;
   }
