@@ -218,16 +218,14 @@ bool isHidden(const DepthBuffer& buffer, const Scissor& part, double inverseDept
 }
 
 int endOfRun(const std::uint32_t* triangles, int first, int end) {
-  const hn::ScalableTag<std::uint32_t> numbers;
+  const hn::CappedTag<std::uint32_t, mostLanes> numbers;
   const auto lanes = static_cast<int>(hn::Lanes(numbers));
   const auto shown = hn::Set(numbers, triangles[first]);
-  int i = first;
-  for (; i + lanes <= end; i += lanes) {
-    const auto same = hn::FindFirstTrue(numbers, hn::Ne(hn::LoadU(numbers, triangles + i), shown));
-    if (same >= 0) return i + static_cast<int>(same);
+  for (int i = first; i < end; i += lanes) {
+    const auto other = hn::FindFirstTrue(numbers, hn::Ne(hn::LoadU(numbers, triangles + i), shown));
+    if (other >= 0) return std::min(i + static_cast<int>(other), end);
   }
-  while (i < end && triangles[i] == triangles[first]) ++i;
-  return i;
+  return end;
 }
 
 /// A texture coordinate along a row.
@@ -240,12 +238,11 @@ struct Texels {
         last(hn::Set(doubles, static_cast<double>(size - 1))),
         middle(hn::Set(doubles, middleOf(size))) {}
 
-  /// The texels of pixels; `decided` loses those farther than `clear` from the middle between two borders.
-  Double find(Double column, Double w, Double clear, Mask& decided) const {
+  /// The texels of pixels, and how far off the middle between two borders each position is.
+  Double find(Double column, Double w, Double& offCentre) const {
     const Double position = hn::Mul(hn::Add(at, hn::Mul(right, column)), w);
     const Double texel = hn::Floor(position);
-    const Double offCentre = hn::Abs(hn::Sub(hn::Sub(position, texel), middle));
-    decided = hn::And(decided, hn::Lt(offCentre, clear));
+    offCentre = hn::Abs(hn::Sub(hn::Sub(position, texel), middle));
     return hn::Max(hn::Min(texel, last), hn::Zero(doubles));
   }
 };
@@ -261,15 +258,17 @@ void findTexelsInBinary64(const PixelRun& run, const TexelPlanes& planes, std::u
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
   const Texels u(planes.u, run.row, planes.width), v(planes.v, run.row, planes.height);
   const Double width = hn::Set(doubles, static_cast<double>(planes.width));
+  const Double end = hn::Set(doubles, static_cast<double>(run.firstColumn + run.count));
+  const Double stride = hn::Set(doubles, static_cast<double>(lanes));
   Double columns = hn::Add(hn::Set(doubles, static_cast<double>(run.firstColumn)), hn::Iota(doubles, 0));
-  for (int i = 0; i < run.count; i += lanes, columns = hn::Add(columns, hn::Set(doubles, static_cast<double>(lanes)))) {
+  for (int i = 0; i < run.count; i += lanes, columns = hn::Add(columns, stride)) {
     const Double w = hn::Div(hn::Set(doubles, 1.0), hn::LoadU(doubles, run.inverseDepth + i));
     const Double clear = hn::Sub(hn::Set(doubles, 0.5 - planes.rounding), hn::Mul(hn::Set(doubles, planes.error), w));
-    Mask decided = firstLanes(lanes);
-    const Double column = u.find(columns, w, clear, decided);
-    const Double row = v.find(columns, w, clear, decided);
+    Double offAcross, offDown;
+    const Double column = u.find(columns, w, offAcross), row = v.find(columns, w, offDown);
     storeTexels(column, row, width, base, texels + i);
-    const Mask open = hn::AndNot(decided, firstLanes(run.count - i));
+    const Mask decided = hn::And(hn::Lt(offAcross, clear), hn::Lt(offDown, clear));
+    const Mask open = hn::AndNot(decided, hn::Lt(columns, end));
     if (!hn::AllFalse(doubles, open))
       forEachLane(open, [&](int lane) { undecided.add(run.firstColumn + i + lane, run.row); });
   }
@@ -300,7 +299,8 @@ struct LineInBinary32 {
 /// Where 1/w changes by a factor of two at most, numbers up to m = 1 + count * |step| are rounded thirteen times on the
 /// way to the quotient, at most twice as large: 26 m units of 2^-24, for which m * 2^-19 stands. Of what the binary64
 /// of the coefficients is off, the first pixel's error counts twice for the same reason, and the border's product with
-/// what 1/w is off, four units of depthError, as well.
+/// what 1/w is off, four units of depthError, as well. Binary32 holds whole numbers up to 2^24: borders and numbers of
+/// texels have to stay below.
 struct RunInBinary32 {
   double depthStep = 0;
   LineInBinary32 u, v;
@@ -314,51 +314,54 @@ struct RunInBinary32 {
     const double size = 2 + run.count * std::max(std::abs(u.step), std::abs(v.step));
     const double borders = 1 + std::abs(u.border) + std::abs(v.border);
     clear = 0.5 - size * 0x1p-19 - 2 * (planes.error * w + planes.rounding) - 8 * depthError * borders;
-    if (!(last >= 0.5 && last <= 2 && borders < 0x1p30)) clear = 0;
+    const double texels = static_cast<double>(planes.width) * planes.height;
+    if (!(last >= 0.5 && last <= 2 && borders < 0x1p24 && texels <= 0x1p24)) clear = 0;
   }
 };
 
+/// A texture coordinate along a run. Fused or not, products and sums stay within what `clear` leaves for rounding.
 struct TexelsInBinary32 {
-  Float at, step, middle;
-  hn::Vec<WholeNumbers> border, last;
+  Float at, step, middle, border, last;
 
   TexelsInBinary32(const LineInBinary32& line, int size)
       : at(hn::Set(floats, static_cast<float>(line.at))),
         step(hn::Set(floats, static_cast<float>(line.step))),
         middle(hn::Set(floats, static_cast<float>(middleOf(size)))),
-        border(hn::Set(WholeNumbers(), static_cast<std::int32_t>(line.border))),
-        last(hn::Set(WholeNumbers(), size - 1)) {}
+        border(hn::Set(floats, static_cast<float>(line.border))),
+        last(hn::Set(floats, static_cast<float>(size - 1))) {}
 
-  hn::Vec<WholeNumbers> find(Float pixel, Float w, Float clear, hn::Mask<Floats>& decided) const {
-    const Float position = hn::Mul(hn::Add(at, hn::Mul(step, pixel)), w);
+  /// The texels of pixels, and how far off the middle between two borders each position is.
+  Float find(Float pixel, Float w, Float& offCentre) const {
+    const Float position = hn::Mul(hn::MulAdd(step, pixel, at), w);
     const Float texel = hn::Floor(position);
-    decided = hn::And(decided, hn::Lt(hn::Abs(hn::Sub(hn::Sub(position, texel), middle)), clear));
-    const auto number = hn::Add(hn::ConvertTo(WholeNumbers(), texel), border);
-    return hn::Max(hn::Min(number, last), hn::Zero(WholeNumbers()));
+    offCentre = hn::Abs(hn::Sub(hn::Sub(position, texel), middle));
+    return hn::Max(hn::Min(hn::Add(texel, border), last), hn::Zero(floats));
   }
 };
 
 void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
                 UndecidedPixels& undecided) {
-  constexpr int shortest = 24;  // for which it pays
-  if (run.count < shortest) return findTexelsInBinary64(run, planes, base, texels, undecided);
+  // What one vector holds is not worth it.
+  if (run.count <= static_cast<int>(hn::Lanes(doubles)))
+    return findTexelsInBinary64(run, planes, base, texels, undecided);
   const RunInBinary32 line(run, planes, 1 / run.inverseDepth[0]);
   if (!(line.clear > 0.25)) return findTexelsInBinary64(run, planes, base, texels, undecided);
   const auto lanes = static_cast<int>(hn::Lanes(floats));
   const TexelsInBinary32 u(line.u, planes.width), v(line.v, planes.height);
   const Float one = hn::Set(floats, 1.0F), depthStep = hn::Set(floats, static_cast<float>(line.depthStep));
   const Float clear = hn::Set(floats, static_cast<float>(line.clear));
-  const auto width = hn::Set(WholeNumbers(), planes.width);
+  const Float width = hn::Set(floats, static_cast<float>(planes.width));
+  const Float end = hn::Set(floats, static_cast<float>(run.count));
+  const Float stride = hn::Set(floats, static_cast<float>(lanes));
   const auto offset = hn::Set(WholeNumbers(), static_cast<std::int32_t>(base));
-  for (int i = 0; i < run.count; i += lanes) {
-    const Float pixel = hn::Add(hn::Set(floats, static_cast<float>(i)), hn::Iota(floats, 0));
-    const Float w = hn::Div(one, hn::Add(one, hn::Mul(depthStep, pixel)));
-    auto decided = hn::FirstN(floats, hn::Lanes(floats));
-    const auto column = u.find(pixel, w, clear, decided);
-    const auto row = v.find(pixel, w, clear, decided);
-    const auto texel = hn::Add(hn::Add(hn::Mul(row, width), column), offset);
+  Float pixel = hn::Iota(floats, 0);
+  for (int i = 0; i < run.count; i += lanes, pixel = hn::Add(pixel, stride)) {
+    const Float w = hn::Div(one, hn::MulAdd(depthStep, pixel, one));
+    Float offAcross, offDown;
+    const Float column = u.find(pixel, w, offAcross), row = v.find(pixel, w, offDown);
+    const auto texel = hn::Add(hn::ConvertTo(WholeNumbers(), hn::MulAdd(row, width, column)), offset);
     hn::StoreU(texel, WholeNumbers(), reinterpret_cast<std::int32_t*>(texels) + i);
-    const auto open = hn::AndNot(decided, hn::FirstN(floats, static_cast<std::size_t>(run.count - i)));
+    const auto open = hn::AndNot(hn::Lt(hn::Max(offAcross, offDown), clear), hn::Lt(pixel, end));
     if (hn::AllFalse(floats, open)) continue;
     HWY_ALIGN std::uint8_t bits[8] = {};
     hn::StoreMaskBits(floats, open, bits);
