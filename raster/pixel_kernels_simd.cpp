@@ -341,9 +341,8 @@ struct TexelsInBinary32 {
 
 void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
                 UndecidedPixels& undecided) {
-  // What one vector holds is not worth it.
-  if (run.count <= static_cast<int>(hn::Lanes(doubles)))
-    return findTexelsInBinary64(run, planes, base, texels, undecided);
+  constexpr int shortest = 16;  // for which it pays
+  if (run.count < shortest) return findTexelsInBinary64(run, planes, base, texels, undecided);
   const RunInBinary32 line(run, planes, 1 / run.inverseDepth[0]);
   if (!(line.clear > 0.25)) return findTexelsInBinary64(run, planes, base, texels, undecided);
   const auto lanes = static_cast<int>(hn::Lanes(floats));
