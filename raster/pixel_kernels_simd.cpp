@@ -95,7 +95,7 @@ struct Offer {
     const Double margin = hn::Mul(hn::Set(doubles, depthMargin), offered);
     const Mask taken = hn::And(covered, hn::Gt(difference, margin));
     const Mask open = hn::And(covered, hn::Le(hn::Abs(difference), margin));
-    hn::StoreU(hn::IfThenElse(taken, offered, stored), doubles, depths + pixel);
+    hn::BlendedStore(offered, taken, doubles, depths + pixel);
     hn::BlendedStore(number, forNumbers(taken), Numbers(), triangles + pixel);
     if (!hn::AllFalse(doubles, open)) forEachLane(open, [&](int lane) { undecided.add(column + lane, row); });
     return taken;
