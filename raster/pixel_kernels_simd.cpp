@@ -276,9 +276,9 @@ void findTexelsInBinary64(const PixelRun& run, const TexelPlanes& planes, std::u
 
 using Floats = hn::CappedTag<float, mostLanes>;
 using Float = hn::Vec<Floats>;
-using WholeNumbers = hn::Rebind<std::int32_t, Floats>;
 
 constexpr Floats floats;
+constexpr hn::Rebind<std::uint32_t, Floats> texelNumbers;
 
 /// A texture coordinate along a run, counted from a border between texels near its first pixel, so that the numbers are
 /// small: (at + i * step) / (1 + i * depthStep) at pixel i.
@@ -299,8 +299,8 @@ struct LineInBinary32 {
 /// Where 1/w changes by a factor of two at most, numbers up to m = 1 + count * |step| are rounded thirteen times on the
 /// way to the quotient, at most twice as large: 26 m units of 2^-24, for which m * 2^-19 stands. Of what the binary64
 /// of the coefficients is off, the first pixel's error counts twice for the same reason, and the border's product with
-/// what 1/w is off, four units of depthError, as well. Binary32 holds whole numbers up to 2^24: borders and numbers of
-/// texels have to stay below.
+/// what 1/w is off, four units of depthError, as well. Binary32 holds whole numbers up to 2^24: borders stay
+/// below, and numbers of texels below half of it.
 struct RunInBinary32 {
   double depthStep = 0;
   LineInBinary32 u, v;
@@ -315,7 +315,7 @@ struct RunInBinary32 {
     const double borders = 1 + std::abs(u.border) + std::abs(v.border);
     clear = 0.5 - size * 0x1p-19 - 2 * (planes.error * w + planes.rounding) - 8 * depthError * borders;
     const double texels = static_cast<double>(planes.width) * planes.height;
-    if (!(last >= 0.5 && last <= 2 && borders < 0x1p24 && texels <= 0x1p24)) clear = 0;
+    if (!(last >= 0.5 && last <= 2 && borders < 0x1p24 && texels <= 0x1p23)) clear = 0;
   }
 };
 
@@ -352,14 +352,16 @@ void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t ba
   const Float width = hn::Set(floats, static_cast<float>(planes.width));
   const Float end = hn::Set(floats, static_cast<float>(run.count));
   const Float stride = hn::Set(floats, static_cast<float>(lanes));
-  const auto offset = hn::Set(WholeNumbers(), static_cast<std::int32_t>(base));
+  // From 2^23 on binary32 counts by ones: the bits of 2^23 + n are those of 2^23 and n.
+  const Float counting = hn::Set(floats, 0x1p23F);
+  const auto offset = hn::Sub(hn::Set(texelNumbers, base), hn::BitCast(texelNumbers, counting));
   Float pixel = hn::Iota(floats, 0);
   for (int i = 0; i < run.count; i += lanes, pixel = hn::Add(pixel, stride)) {
     const Float w = hn::Div(one, hn::MulAdd(depthStep, pixel, one));
     Float offAcross, offDown;
     const Float column = u.find(pixel, w, offAcross), row = v.find(pixel, w, offDown);
-    const auto texel = hn::Add(hn::ConvertTo(WholeNumbers(), hn::MulAdd(row, width, column)), offset);
-    hn::StoreU(texel, WholeNumbers(), reinterpret_cast<std::int32_t*>(texels) + i);
+    const Float texel = hn::Add(hn::MulAdd(row, width, column), counting);
+    hn::StoreU(hn::Add(hn::BitCast(texelNumbers, texel), offset), texelNumbers, texels + i);
     const auto open = hn::AndNot(hn::Lt(hn::Max(offAcross, offDown), clear), hn::Lt(pixel, end));
     if (hn::AllFalse(floats, open)) continue;
     HWY_ALIGN std::uint8_t bits[8] = {};
