@@ -253,32 +253,60 @@ void storeTexels(Double column, Double row, Double columns, std::uint32_t base, 
   hn::StoreU(hn::Add(texel, hn::Set(Numbers(), base)), Numbers(), texels);
 }
 
+/// What is the same along a run in binary64.
+struct RunInBinary64 {
+  Texels u, v;
+  Double width, end, clear, error;
+
+  RunInBinary64(const PixelRun& run, const TexelPlanes& planes)
+      : u(planes.u, run.row, planes.width),
+        v(planes.v, run.row, planes.height),
+        width(hn::Set(doubles, static_cast<double>(planes.width))),
+        end(hn::Set(doubles, static_cast<double>(run.firstColumn + run.count))),
+        clear(hn::Set(doubles, 0.5 - planes.rounding)),
+        error(hn::Set(doubles, planes.error)) {}
+
+  /// Stores the texels of columns side by side; returns which are undecided.
+  Mask find(Double columns, const double* inverseDepth, std::uint32_t base, std::uint32_t* texels) const {
+    const Double w = hn::Div(hn::Set(doubles, 1.0), hn::LoadU(doubles, inverseDepth));
+    Double offAcross, offDown;
+    const Double column = u.find(columns, w, offAcross), row = v.find(columns, w, offDown);
+    storeTexels(column, row, width, base, texels);
+    const Double limit = hn::Sub(clear, hn::Mul(error, w));
+    const Mask decided = hn::And(hn::Lt(offAcross, limit), hn::Lt(offDown, limit));
+    return hn::AndNot(decided, hn::Lt(columns, end));
+  }
+};
+
+Double columnsFrom(int column) { return hn::Add(hn::Set(doubles, static_cast<double>(column)), hn::Iota(doubles, 0)); }
+
+/// Lists what is undecided in a run; in a function of its own, since a call in a loop costs it its registers.
+HWY_NOINLINE void listUndecided(const PixelRun& run, const TexelPlanes& planes, UndecidedPixels& undecided) {
+  const auto lanes = static_cast<int>(hn::Lanes(doubles));
+  const RunInBinary64 line(run, planes);
+  std::uint32_t texels[mostLanes];
+  for (int i = 0; i < run.count; i += lanes)
+    forEachLane(line.find(columnsFrom(run.firstColumn + i), run.inverseDepth + i, 0, texels),
+                [&](int lane) { undecided.add(run.firstColumn + i + lane, run.row); });
+}
+
 void findTexelsInBinary64(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
                           UndecidedPixels& undecided) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
-  const Texels u(planes.u, run.row, planes.width), v(planes.v, run.row, planes.height);
-  const Double width = hn::Set(doubles, static_cast<double>(planes.width));
-  const Double end = hn::Set(doubles, static_cast<double>(run.firstColumn + run.count));
   const Double stride = hn::Set(doubles, static_cast<double>(lanes));
-  Double columns = hn::Add(hn::Set(doubles, static_cast<double>(run.firstColumn)), hn::Iota(doubles, 0));
-  for (int i = 0; i < run.count; i += lanes, columns = hn::Add(columns, stride)) {
-    const Double w = hn::Div(hn::Set(doubles, 1.0), hn::LoadU(doubles, run.inverseDepth + i));
-    const Double clear = hn::Sub(hn::Set(doubles, 0.5 - planes.rounding), hn::Mul(hn::Set(doubles, planes.error), w));
-    Double offAcross, offDown;
-    const Double column = u.find(columns, w, offAcross), row = v.find(columns, w, offDown);
-    storeTexels(column, row, width, base, texels + i);
-    const Mask decided = hn::And(hn::Lt(offAcross, clear), hn::Lt(offDown, clear));
-    const Mask open = hn::AndNot(decided, hn::Lt(columns, end));
-    if (!hn::AllFalse(doubles, open))
-      forEachLane(open, [&](int lane) { undecided.add(run.firstColumn + i + lane, run.row); });
-  }
+  const RunInBinary64 line(run, planes);
+  Double columns = columnsFrom(run.firstColumn);
+  Mask open = firstLanes(0);
+  for (int i = 0; i < run.count; i += lanes, columns = hn::Add(columns, stride))
+    open = hn::Or(open, line.find(columns, run.inverseDepth + i, base, texels + i));
+  if (!hn::AllFalse(doubles, open)) listUndecided(run, planes, undecided);
 }
 
 using Floats = hn::CappedTag<float, mostLanes>;
 using Float = hn::Vec<Floats>;
+using TexelNumbers = hn::Rebind<std::uint32_t, Floats>;
 
 constexpr Floats floats;
-constexpr hn::Rebind<std::uint32_t, Floats> texelNumbers;
 
 /// A texture coordinate along a run, counted from a border between texels near its first pixel, so that the numbers are
 /// small: (at + i * step) / (1 + i * depthStep) at pixel i.
@@ -339,33 +367,44 @@ struct TexelsInBinary32 {
   }
 };
 
-void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
-                UndecidedPixels& undecided) {
-  constexpr int shortest = 16;  // for which it pays
-  if (run.count < shortest) return findTexelsInBinary64(run, planes, base, texels, undecided);
-  const RunInBinary32 line(run, planes, 1 / run.inverseDepth[0]);
-  if (!(line.clear > 0.25)) return findTexelsInBinary64(run, planes, base, texels, undecided);
-  const auto lanes = static_cast<int>(hn::Lanes(floats));
-  const TexelsInBinary32 u(line.u, planes.width), v(line.v, planes.height);
-  const Float one = hn::Set(floats, 1.0F), depthStep = hn::Set(floats, static_cast<float>(line.depthStep));
-  const Float clear = hn::Set(floats, static_cast<float>(line.clear));
-  const Float width = hn::Set(floats, static_cast<float>(planes.width));
-  const Float end = hn::Set(floats, static_cast<float>(run.count));
-  const Float stride = hn::Set(floats, static_cast<float>(lanes));
+/// What is the same along a run in binary32, in vectors.
+struct WalkInBinary32 {
+  TexelsInBinary32 u, v;
+  Float depthStep, clear, width, end;
   // From 2^23 on binary32 counts by ones: the bits of 2^23 + n are those of 2^23 and n.
-  const Float counting = hn::Set(floats, 0x1p23F);
-  const auto offset = hn::Sub(hn::Set(texelNumbers, base), hn::BitCast(texelNumbers, counting));
-  Float pixel = hn::Iota(floats, 0);
-  for (int i = 0; i < run.count; i += lanes, pixel = hn::Add(pixel, stride)) {
+  Float counting = hn::Set(floats, 0x1p23F);
+  hn::Vec<TexelNumbers> offset;
+
+  WalkInBinary32(const PixelRun& run, const RunInBinary32& line, const TexelPlanes& planes, std::uint32_t base)
+      : u(line.u, planes.width),
+        v(line.v, planes.height),
+        depthStep(hn::Set(floats, static_cast<float>(line.depthStep))),
+        clear(hn::Set(floats, static_cast<float>(line.clear))),
+        width(hn::Set(floats, static_cast<float>(planes.width))),
+        end(hn::Set(floats, static_cast<float>(run.count))),
+        offset(hn::Sub(hn::Set(TexelNumbers(), base), hn::BitCast(TexelNumbers(), counting))) {}
+
+  /// Stores the texels of pixels side by side; returns which are undecided.
+  hn::Mask<Floats> find(Float pixel, std::uint32_t* texels) const {
+    const Float one = hn::Set(floats, 1.0F);
     const Float w = hn::Div(one, hn::MulAdd(depthStep, pixel, one));
     Float offAcross, offDown;
     const Float column = u.find(pixel, w, offAcross), row = v.find(pixel, w, offDown);
     const Float texel = hn::Add(hn::MulAdd(row, width, column), counting);
-    hn::StoreU(hn::Add(hn::BitCast(texelNumbers, texel), offset), texelNumbers, texels + i);
-    const auto open = hn::AndNot(hn::Lt(hn::Max(offAcross, offDown), clear), hn::Lt(pixel, end));
-    if (hn::AllFalse(floats, open)) continue;
+    hn::StoreU(hn::Add(hn::BitCast(TexelNumbers(), texel), offset), TexelNumbers(), texels);
+    return hn::AndNot(hn::Lt(hn::Max(offAcross, offDown), clear), hn::Lt(pixel, end));
+  }
+};
+
+/// The texels of a run of which binary32 leaves some open: those in binary64.
+HWY_NOINLINE void findOpenTexels(const PixelRun& run, const RunInBinary32& line, const TexelPlanes& planes,
+                                 std::uint32_t base, std::uint32_t* texels, UndecidedPixels& undecided) {
+  const WalkInBinary32 walk(run, line, planes, base);
+  const auto lanes = static_cast<int>(hn::Lanes(floats));
+  for (int i = 0; i < run.count; i += lanes) {
+    const Float pixel = hn::Add(hn::Set(floats, static_cast<float>(i)), hn::Iota(floats, 0));
     HWY_ALIGN std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(floats, open, bits);
+    hn::StoreMaskBits(floats, walk.find(pixel, texels + i), bits);
     for (unsigned left = bits[0] + 256U * bits[1]; left != 0; left &= left - 1) {
       const int at = i + __builtin_ctz(left);
       const PixelRun alone{run.triangle, run.row, run.firstColumn + at, 1, run.inverseDepth + at};
@@ -374,6 +413,22 @@ void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t ba
       texels[at] = found[0];
     }
   }
+}
+
+void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
+                UndecidedPixels& undecided) {
+  constexpr int shortest = 16;  // for which it pays
+  if (run.count < shortest) return findTexelsInBinary64(run, planes, base, texels, undecided);
+  const RunInBinary32 line(run, planes, 1 / run.inverseDepth[0]);
+  if (!(line.clear > 0.25)) return findTexelsInBinary64(run, planes, base, texels, undecided);
+  const WalkInBinary32 walk(run, line, planes, base);
+  const auto lanes = static_cast<int>(hn::Lanes(floats));
+  const Float stride = hn::Set(floats, static_cast<float>(lanes));
+  Float pixel = hn::Iota(floats, 0);
+  auto open = hn::FirstN(floats, 0);
+  for (int i = 0; i < run.count; i += lanes, pixel = hn::Add(pixel, stride))
+    open = hn::Or(open, walk.find(pixel, texels + i));
+  if (!hn::AllFalse(floats, open)) findOpenTexels(run, line, planes, base, texels, undecided);
 }
 
 /// The texels of pixels i along a line of exact quotients.
