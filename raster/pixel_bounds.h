@@ -67,14 +67,20 @@ inline constexpr double depthMargin = 4 * depthError;
 /// What the test of a sample against a depth buffer says.
 enum class DepthTest { Hidden, Taken, Undecided };
 
+/// Whether a sample with 1/w = `offered` is in front of one that is `stored`.
+inline DepthTest compareDepths(double offered, double stored) {
+  const double difference = offered - stored;
+  if (std::abs(difference) <= depthMargin * offered) return DepthTest::Undecided;
+  return difference < 0 ? DepthTest::Hidden : DepthTest::Taken;
+}
+
 /// Tests 1/w of a triangle at a pixel of a buffer, by its place there, and stores it where it wins.
 inline DepthTest testDepth(double inverseDepth, std::uint32_t number, std::size_t pixel, DepthBuffer& buffer) {
-  const double difference = inverseDepth - buffer.inverseDepth[pixel];
-  if (std::abs(difference) <= depthMargin * inverseDepth) return DepthTest::Undecided;
-  if (difference < 0) return DepthTest::Hidden;
+  const DepthTest test = compareDepths(inverseDepth, buffer.inverseDepth[pixel]);
+  if (test != DepthTest::Taken) return test;
   buffer.inverseDepth[pixel] = inverseDepth;
   buffer.triangle[pixel] = number;
-  return DepthTest::Taken;
+  return test;
 }
 
 /// The plane of a triangle where it pays, in triangles wider than a vector, and where it is good enough. Each term
@@ -96,6 +102,11 @@ inline std::optional<DepthPlane> depthPlane(const ScreenTriangle& triangle) {
   if (!(16 * unitRoundoff * terms * farthest < depthError)) return {};
   return plane;
 }
+
+/// Appends the samples of a triangle, by its number, that a buffer to which it was offered leaves undecided. No other
+/// triangle in the buffer has that number.
+void listUndecidedSamples(const ScreenTriangle& triangle, std::uint32_t number, const DepthBuffer& buffer,
+                          UndecidedPixels& undecided);
 
 /// Where in a texel a position is farthest from borders that count. A single texel is everywhere, at 0 (see
 /// TexelPlanes).

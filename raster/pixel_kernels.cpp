@@ -13,6 +13,11 @@ bool isCovered(const ScreenTriangle& triangle, const EdgeValues& edge) {
   return true;
 }
 
+double inverseDepthAt(const ScreenTriangle& triangle, const std::optional<DepthPlane>& plane, const EdgeValues& edge,
+                      int column, int row) {
+  return plane ? plane->inverseDepth(column, row) : raster::inverseDepthAt(triangle, edge);
+}
+
 bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided) {
   const std::optional<DepthPlane> plane = depthPlane(triangle);
   bool taken = false;
@@ -20,7 +25,7 @@ bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& bu
     for (int column = triangle.firstColumn; column < triangle.endColumn; ++column) {
       const EdgeValues edge = edgeValues(triangle, column, row);
       if (!isCovered(triangle, edge)) continue;
-      const double inverseDepth = plane ? plane->inverseDepth(column, row) : inverseDepthAt(triangle, edge);
+      const double inverseDepth = inverseDepthAt(triangle, plane, edge, column, row);
       const DepthTest test = testDepth(inverseDepth, number, buffer.pixelAt(column, row), buffer);
       if (test == DepthTest::Undecided) undecided.add(column, row);
       taken = taken || test == DepthTest::Taken;
@@ -124,6 +129,19 @@ TexelPlanes::TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHe
   u = across.plane;
   v = along.plane;
   error = std::max(across.error, along.error);
+}
+
+void listUndecidedSamples(const ScreenTriangle& triangle, std::uint32_t number, const DepthBuffer& buffer,
+                          UndecidedPixels& undecided) {
+  const std::optional<DepthPlane> plane = depthPlane(triangle);
+  for (int row = triangle.firstRow; row < triangle.endRow; ++row)
+    for (int column = triangle.firstColumn; column < triangle.endColumn; ++column) {
+      const std::size_t pixel = buffer.pixelAt(column, row);
+      const EdgeValues edge = edgeValues(triangle, column, row);
+      if (buffer.triangle[pixel] == number || !isCovered(triangle, edge)) continue;
+      const double inverseDepth = inverseDepthAt(triangle, plane, edge, column, row);
+      if (compareDepths(inverseDepth, buffer.inverseDepth[pixel]) == DepthTest::Undecided) undecided.add(column, row);
+    }
 }
 
 void UndecidedPixels::add(int column, int row) { pixels.push_back({column, row}); }

@@ -79,7 +79,8 @@ struct PixelKernels {
   std::string name;  ///< plain, or that of an instruction set
 
   /// Offers the covered samples of a triangle to a buffer whose scissor rectangle its rows and columns lie in: the
-  /// larger 1/w wins. Appends samples where binary64 cannot tell which. Returns whether any pixel took the triangle.
+  /// larger 1/w wins. Appends samples where binary64 cannot tell which. Returns whether any pixel took the triangle,
+  /// whose number is not in the buffer before.
   bool (*offer)(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided);
 
   /// Whether all pixels of a part of the buffer's scissor rectangle show something nearer than 1/w = inverseDepth,

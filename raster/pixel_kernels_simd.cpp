@@ -68,62 +68,56 @@ hn::Mask<Numbers> forNumbers(const Mask mask) {
   return hn::LoadMaskBits(Numbers(), bits);
 }
 
+Mask firstLanes(int count) { return hn::FirstN(doubles, static_cast<std::size_t>(count)); }
+
+/// Which lanes took a triangle somewhere, and which were undecided.
+struct Outcome {
+  Mask taken = firstLanes(0), open = firstLanes(0);
+};
+
 /// A triangle that is offered to a buffer.
 struct Offer {
   const ScreenTriangle& triangle;
   const DepthBuffer& buffer;
   double* depths;
   std::uint32_t* triangles;
-  UndecidedPixels& undecided;
-  Corners inverseDepth, leastCovered;
   hn::Vec<Numbers> number;
 
-  Offer(const ScreenTriangle& offered, std::uint32_t itsNumber, DepthBuffer& to, UndecidedPixels& notDecided)
+  Offer(const ScreenTriangle& offered, std::uint32_t itsNumber, DepthBuffer& to)
       : triangle(offered),
         buffer(to),
         depths(to.inverseDepth.data()),
         triangles(to.triangle.data()),
-        undecided(notDecided),
-        inverseDepth(offered.inverseDepth),
-        leastCovered(raster::leastCovered(offered)),
         number(hn::Set(Numbers(), itsNumber)) {}
 
-  /// The depth test of the samples from a column on that are `covered`; returns which took the triangle.
-  Mask test(Double offered, int column, int row, std::size_t pixel, Mask covered) const {
-    const Double stored = hn::LoadU(doubles, depths + pixel);
-    const Double difference = hn::Sub(offered, stored);
+  /// The depth test of samples side by side that are `covered`.
+  void test(Double offered, std::size_t pixel, Mask covered, Outcome& outcome) const {
+    const Double difference = hn::Sub(offered, hn::LoadU(doubles, depths + pixel));
     const Double margin = hn::Mul(hn::Set(doubles, depthMargin), offered);
     const Mask taken = hn::And(covered, hn::Gt(difference, margin));
-    const Mask open = hn::And(covered, hn::Le(hn::Abs(difference), margin));
+    outcome.taken = hn::Or(outcome.taken, taken);
+    outcome.open = hn::Or(outcome.open, hn::And(covered, hn::Le(hn::Abs(difference), margin)));
     hn::BlendedStore(offered, taken, doubles, depths + pixel);
     hn::BlendedStore(number, forNumbers(taken), Numbers(), triangles + pixel);
-    if (!hn::AllFalse(doubles, open)) forEachLane(open, [&](int lane) { undecided.add(column + lane, row); });
-    return taken;
-  }
-
-  Mask isCovered(const Edges& edges) const {
-    return hn::And(hn::And(hn::Ge(edges.a, leastCovered.a), hn::Ge(edges.b, leastCovered.b)),
-                   hn::Ge(edges.c, leastCovered.c));
   }
 };
 
-Mask firstLanes(int count) { return hn::FirstN(doubles, static_cast<std::size_t>(count)); }
-
 /// A triangle no wider than a vector: each of its rows is one, whose lanes are covered or not.
-Mask offerNarrow(const Offer& offered) {
+Outcome offerNarrow(const Offer& offered) {
   const ScreenTriangle& triangle = offered.triangle;
   const Mask inside = firstLanes(triangle.endColumn - triangle.firstColumn);
-  const Corners down(edgeRowSteps(triangle));
+  const Corners down(edgeRowSteps(triangle)), inverseDepth(triangle.inverseDepth), least(leastCovered(triangle));
   Edges edges(edgeValues(triangle, triangle.firstColumn, triangle.firstRow), Corners(edgeSteps(triangle)));
   std::size_t pixel = offered.buffer.pixelAt(triangle.firstColumn, triangle.firstRow);
-  Mask taken = firstLanes(0);
+  Outcome outcome;
   for (int row = triangle.firstRow; row < triangle.endRow; ++row) {
-    const Mask covered = hn::And(inside, offered.isCovered(edges));
-    taken = hn::Or(taken, offered.test(dot(edges, offered.inverseDepth), triangle.firstColumn, row, pixel, covered));
+    const Mask covered =
+        hn::And(hn::And(inside, hn::Ge(edges.a, least.a)), hn::And(hn::Ge(edges.b, least.b), hn::Ge(edges.c, least.c)));
+    offered.test(dot(edges, inverseDepth), pixel, covered, outcome);
     pixel += offered.buffer.pitch;
     edges.advance(down);
   }
-  return taken;
+  return outcome;
 }
 
 /// The columns that are covered of as many rows as a vector has lanes, [first, end) each: coverage is convex, so each
@@ -152,56 +146,56 @@ struct Spans {
 };
 
 /// The samples of a row from `column` to `end`, all covered, with 1/w from a plane.
-Mask offerSpan(const Offer& offered, const DepthPlane& plane, int row, int column, int end) {
+void offerSpan(const Offer& offered, const DepthPlane& plane, int row, int column, int end, Outcome& outcome) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
   const Double at = hn::Set(doubles, plane.at + plane.down * row), right = hn::Set(doubles, plane.right);
   Double columns = hn::Add(hn::Set(doubles, static_cast<double>(column)), hn::Iota(doubles, 0));
   std::size_t pixel = offered.buffer.pixelAt(column, row);
-  Mask taken = firstLanes(0);
   for (; column < end; column += lanes, pixel += hn::Lanes(doubles)) {
-    const Double inverseDepth = hn::Add(at, hn::Mul(right, columns));
-    taken = hn::Or(taken, offered.test(inverseDepth, column, row, pixel, firstLanes(end - column)));
+    offered.test(hn::Add(at, hn::Mul(right, columns)), pixel, firstLanes(end - column), outcome);
     columns = hn::Add(columns, hn::Set(doubles, static_cast<double>(lanes)));
   }
-  return taken;
 }
 
 /// The same from the edges.
-Mask offerSpan(const Offer& offered, int row, int column, int end) {
+void offerSpan(const Offer& offered, int row, int column, int end, Outcome& outcome) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
   const EdgeValues steps = edgeSteps(offered.triangle);
   const Corners stride({lanes * steps[0], lanes * steps[1], lanes * steps[2]});
+  const Corners inverseDepth(offered.triangle.inverseDepth);
   Edges edges(edgeValues(offered.triangle, column, row), Corners(steps));
   std::size_t pixel = offered.buffer.pixelAt(column, row);
-  Mask taken = firstLanes(0);
   for (; column < end; column += lanes, pixel += hn::Lanes(doubles)) {
-    taken = hn::Or(taken, offered.test(dot(edges, offered.inverseDepth), column, row, pixel, firstLanes(end - column)));
+    offered.test(dot(edges, inverseDepth), pixel, firstLanes(end - column), outcome);
     edges.advance(stride);
   }
-  return taken;
 }
 
-Mask offerWide(const Offer& offered) {
+Outcome offerWide(const Offer& offered) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
   const ScreenTriangle& triangle = offered.triangle;
   const std::optional<DepthPlane> plane = depthPlane(triangle);
-  const EdgeValues least = raster::leastCovered(triangle);
-  Mask taken = firstLanes(0);
+  const EdgeValues least = leastCovered(triangle);
+  Outcome outcome;
   for (int firstRow = triangle.firstRow; firstRow < triangle.endRow; firstRow += lanes) {
     const Spans spans(triangle, least, firstRow);
     for (int row = firstRow; row < std::min(firstRow + lanes, triangle.endRow); ++row) {
       const int first = spans.first[row - firstRow], end = spans.end[row - firstRow];
-      if (first >= end) continue;
-      taken = hn::Or(taken, plane ? offerSpan(offered, *plane, row, first, end) : offerSpan(offered, row, first, end));
+      if (plane)
+        offerSpan(offered, *plane, row, first, end, outcome);
+      else
+        offerSpan(offered, row, first, end, outcome);
     }
   }
-  return taken;
+  return outcome;
 }
 
 bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided) {
   const bool isNarrow = triangle.endColumn - triangle.firstColumn <= static_cast<int>(hn::Lanes(doubles));
-  const Offer offered(triangle, number, buffer, undecided);
-  return !hn::AllFalse(doubles, isNarrow ? offerNarrow(offered) : offerWide(offered));
+  const Offer offered(triangle, number, buffer);
+  const Outcome outcome = isNarrow ? offerNarrow(offered) : offerWide(offered);
+  if (!hn::AllFalse(doubles, outcome.open)) listUndecidedSamples(triangle, number, buffer, undecided);
+  return !hn::AllFalse(doubles, outcome.taken);
 }
 
 bool isHidden(const DepthBuffer& buffer, const Scissor& part, double inverseDepth) {
@@ -281,7 +275,7 @@ struct RunInBinary64 {
 Double columnsFrom(int column) { return hn::Add(hn::Set(doubles, static_cast<double>(column)), hn::Iota(doubles, 0)); }
 
 /// Lists what is undecided in a run; in a function of its own, since a call in a loop costs it its registers.
-HWY_NOINLINE void listUndecided(const PixelRun& run, const TexelPlanes& planes, UndecidedPixels& undecided) {
+HWY_NOINLINE void listUndecidedTexels(const PixelRun& run, const TexelPlanes& planes, UndecidedPixels& undecided) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
   const RunInBinary64 line(run, planes);
   std::uint32_t texels[mostLanes];
@@ -299,7 +293,7 @@ void findTexelsInBinary64(const PixelRun& run, const TexelPlanes& planes, std::u
   Mask open = firstLanes(0);
   for (int i = 0; i < run.count; i += lanes, columns = hn::Add(columns, stride))
     open = hn::Or(open, line.find(columns, run.inverseDepth + i, base, texels + i));
-  if (!hn::AllFalse(doubles, open)) listUndecided(run, planes, undecided);
+  if (!hn::AllFalse(doubles, open)) listUndecidedTexels(run, planes, undecided);
 }
 
 using Floats = hn::CappedTag<float, mostLanes>;

@@ -35,13 +35,14 @@ struct Drawn {
   raster::UndecidedPixels undecided;
 };
 
-/// Each triangle twice, so that its second time is undecided wherever it is in front.
+/// Each triangle twice, so that its second time is undecided wherever it is in front; triangle t has the numbers 2 t
+/// and 2 t + 1.
 Drawn draw(const raster::PixelKernels& kernels, const std::vector<raster::ScreenTriangle>& triangles,
            const raster::Face& face) {
   Drawn drawn{raster::DepthBuffer(face.scissor), {}, {}};
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    for (int time = 0; time < 2; ++time)
-      drawn.taken.push_back(kernels.offer(triangles[t], t, drawn.buffer, drawn.undecided));
+    for (std::uint32_t time = 0; time < 2; ++time)
+      drawn.taken.push_back(kernels.offer(triangles[t], 2 * t + time, drawn.buffer, drawn.undecided));
   return drawn;
 }
 
@@ -76,9 +77,9 @@ int compareTexels(const raster::DrawList& list, const raster::Face& face,
         while (end < columns && drawn.buffer.triangle[begin + static_cast<std::size_t>(end)] == number) ++end;
         if (number == raster::noTriangle) continue;
         longest = std::max(longest, end - first);
-        const raster::PixelRun run{&triangles[number], row, first, end - first,
+        const raster::PixelRun run{&triangles[number / 2], row, first, end - first,
                                    drawn.buffer.inverseDepth.data() + begin + first};
-        const raster::TexelPlanes planes(triangles[number], width, height);
+        const raster::TexelPlanes planes(triangles[number / 2], width, height);
         const auto texels = [&](const raster::PixelKernels& kernels) {
           std::vector<std::uint32_t> found(static_cast<std::size_t>(run.count + raster::mostLanes));
           raster::UndecidedPixels undecided;
