@@ -102,14 +102,13 @@ struct Offer {
   }
 };
 
-/// A triangle no wider than a vector: each of its rows is one, whose lanes are covered or not.
-Outcome offerNarrow(const Offer& offered) {
+/// The samples of a triangle from a column on, as many as a vector has lanes: those of a row are covered or not.
+void offerStrip(const Offer& offered, int column, Outcome& outcome) {
   const ScreenTriangle& triangle = offered.triangle;
-  const Mask inside = firstLanes(triangle.endColumn - triangle.firstColumn);
+  const Mask inside = firstLanes(triangle.endColumn - column);
   const Corners down(edgeRowSteps(triangle)), inverseDepth(triangle.inverseDepth), least(leastCovered(triangle));
-  Edges edges(edgeValues(triangle, triangle.firstColumn, triangle.firstRow), Corners(edgeSteps(triangle)));
-  std::size_t pixel = offered.buffer.pixelAt(triangle.firstColumn, triangle.firstRow);
-  Outcome outcome;
+  Edges edges(edgeValues(triangle, column, triangle.firstRow), Corners(edgeSteps(triangle)));
+  std::size_t pixel = offered.buffer.pixelAt(column, triangle.firstRow);
   for (int row = triangle.firstRow; row < triangle.endRow; ++row) {
     const Mask covered =
         hn::And(hn::And(inside, hn::Ge(edges.a, least.a)), hn::And(hn::Ge(edges.b, least.b), hn::Ge(edges.c, least.c)));
@@ -117,6 +116,14 @@ Outcome offerNarrow(const Offer& offered) {
     pixel += offered.buffer.pitch;
     edges.advance(down);
   }
+}
+
+/// A triangle of few columns.
+Outcome offerNarrow(const Offer& offered) {
+  Outcome outcome;
+  const auto lanes = static_cast<int>(hn::Lanes(doubles));
+  for (int column = offered.triangle.firstColumn; column < offered.triangle.endColumn; column += lanes)
+    offerStrip(offered, column, outcome);
   return outcome;
 }
 
@@ -191,7 +198,7 @@ Outcome offerWide(const Offer& offered) {
 }
 
 bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided) {
-  const bool isNarrow = triangle.endColumn - triangle.firstColumn <= static_cast<int>(hn::Lanes(doubles));
+  const bool isNarrow = triangle.endColumn - triangle.firstColumn <= mostLanes;
   const Offer offered(triangle, number, buffer);
   const Outcome outcome = isNarrow ? offerNarrow(offered) : offerWide(offered);
   if (!hn::AllFalse(doubles, outcome.open)) listUndecidedSamples(triangle, number, buffer, undecided);
