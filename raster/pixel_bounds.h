@@ -108,10 +108,6 @@ inline std::optional<DepthPlane> depthPlane(const ScreenTriangle& triangle) {
 void listUndecidedSamples(const ScreenTriangle& triangle, std::uint32_t number, const DepthBuffer& buffer,
                           UndecidedPixels& undecided);
 
-/// Where in a texel a position is farthest from borders that count. A single texel is everywhere, at 0 (see
-/// TexelPlanes).
-inline double middleOf(int size) { return size == 1 ? 0 : 0.5; }
-
 /// An exact quotient along pixels of a row that show one triangle: (at + i * step) / (below + i * belowStep), for i
 /// from 0. Nothing is rounded but the quotient.
 struct ExactLine {

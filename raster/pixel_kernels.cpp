@@ -48,7 +48,9 @@ int endOfRun(const std::uint32_t* triangles, int first, int end) {
   return i;
 }
 
-double texelOf(double position, int size) { return std::max(std::min(std::floor(position), size - 1.0), 0.0); }
+double texelOf(double position, const TexelPlane& plane) {
+  return std::max(std::min(std::floor(position), plane.last), 0.0);
+}
 
 void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
                 UndecidedPixels& undecided) {
@@ -58,13 +60,13 @@ void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t ba
     const auto position = [&](const TexelPlane& plane) {
       return (plane.at + plane.down * run.row + plane.right * pixelColumn) * w;
     };
-    const auto isClear = [clear](double at, int size) {
-      return std::abs((at - std::floor(at)) - middleOf(size)) < clear;
+    const auto isClear = [clear](double at, const TexelPlane& plane) {
+      return std::abs((at - std::floor(at)) - plane.middle) < clear;
     };
     const double across = position(planes.u), down = position(planes.v);
-    if (isClear(across, planes.width) && isClear(down, planes.height))
-      texels[i] = base + static_cast<std::uint32_t>(texelOf(down, planes.height) * planes.width +
-                                                    texelOf(across, planes.width));
+    if (isClear(across, planes.u) && isClear(down, planes.v))
+      texels[i] =
+          base + static_cast<std::uint32_t>(texelOf(down, planes.v) * (planes.u.last + 1) + texelOf(across, planes.u));
     else
       undecided.add(pixelColumn, run.row);
   }
@@ -93,6 +95,8 @@ struct BoundedPlane {
 BoundedPlane boundedPlane(const ScreenTriangle& triangle, const std::array<double, 3>& coordinate, int size) {
   BoundedPlane result;
   if (size == 1) return result;
+  result.plane.last = size - 1;
+  result.plane.middle = 0.5;
   for (std::size_t k = 0; k < 3; ++k) {
     const double overDepth = coordinate[k] * triangle.inverseDepth[k] * size;
     const auto at = static_cast<double>(triangle.edges[k].c), down = static_cast<double>(triangle.edges[k].b),
@@ -121,11 +125,9 @@ DepthBuffer::DepthBuffer(const Scissor& part)
 
 /// 1/w has its own error, its inverse and the product round twice more.
 TexelPlanes::TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHeight)
-    : rounding(2 * depthError * std::max(largest(triangle.u) * mapWidth, largest(triangle.v) * mapHeight)),
-      width(mapWidth),
-      height(mapHeight) {
-  const BoundedPlane across = boundedPlane(triangle, triangle.u, width);
-  const BoundedPlane along = boundedPlane(triangle, triangle.v, height);
+    : rounding(2 * depthError * std::max(largest(triangle.u) * mapWidth, largest(triangle.v) * mapHeight)) {
+  const BoundedPlane across = boundedPlane(triangle, triangle.u, mapWidth);
+  const BoundedPlane along = boundedPlane(triangle, triangle.v, mapHeight);
   u = across.plane;
   v = along.plane;
   error = std::max(across.error, along.error);

@@ -55,9 +55,13 @@ struct PixelRun {
   const double* inverseDepth;  ///< of each, from the depth buffer
 };
 
-/// A texture coordinate of a triangle in texels, over w: at + down * row + right * column.
+/// A texture coordinate of a triangle in texels, over w: at + down * row + right * column. All is binary64, for each
+/// run of pixels would convert it anew.
 struct TexelPlane {
   double at = 0, down = 0, right = 0;
+  double last = 0;    ///< the last texel
+  double middle = 0;  ///< where in a texel a position is farthest from borders that count: a single texel is
+                      ///< everywhere, at 0
 };
 
 /// Both texture coordinates of a triangle in an index map. A position in texels, (at + down * row) + right * column
@@ -65,7 +69,6 @@ struct TexelPlane {
 struct TexelPlanes {
   TexelPlane u, v;
   double error = 0, rounding = 0;
-  int width = 1, height = 1;  ///< of the map
 
   TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHeight);
 };

@@ -233,11 +233,11 @@ int endOfRun(const std::uint32_t* triangles, int first, int end) {
 struct Texels {
   Double at, right, last, middle;
 
-  Texels(const TexelPlane& plane, int row, int size)
+  Texels(const TexelPlane& plane, double row)
       : at(hn::Set(doubles, plane.at + plane.down * row)),
         right(hn::Set(doubles, plane.right)),
-        last(hn::Set(doubles, static_cast<double>(size - 1))),
-        middle(hn::Set(doubles, middleOf(size))) {}
+        last(hn::Set(doubles, plane.last)),
+        middle(hn::Set(doubles, plane.middle)) {}
 
   /// The texels of pixels, and how far off the middle between two borders each position is.
   Double find(Double column, Double w, Double& offCentre) const {
@@ -260,9 +260,9 @@ struct RunInBinary64 {
   Double width, end, clear, error;
 
   RunInBinary64(const PixelRun& run, const TexelPlanes& planes)
-      : u(planes.u, run.row, planes.width),
-        v(planes.v, run.row, planes.height),
-        width(hn::Set(doubles, static_cast<double>(planes.width))),
+      : u(planes.u, run.row),
+        v(planes.v, run.row),
+        width(hn::Set(doubles, planes.u.last + 1)),
         end(hn::Set(doubles, static_cast<double>(run.firstColumn + run.count))),
         clear(hn::Set(doubles, 0.5 - planes.rounding)),
         error(hn::Set(doubles, planes.error)) {}
@@ -343,7 +343,7 @@ struct RunInBinary32 {
     const double size = 2 + run.count * std::max(std::abs(u.step), std::abs(v.step));
     const double borders = 1 + std::abs(u.border) + std::abs(v.border);
     clear = 0.5 - size * 0x1p-19 - 2 * (planes.error * w + planes.rounding) - 8 * depthError * borders;
-    const double texels = static_cast<double>(planes.width) * planes.height;
+    const double texels = (planes.u.last + 1) * (planes.v.last + 1);
     if (!(last >= 0.5 && last <= 2 && borders < 0x1p24 && texels <= 0x1p23)) clear = 0;
   }
 };
@@ -352,12 +352,12 @@ struct RunInBinary32 {
 struct TexelsInBinary32 {
   Float at, step, middle, border, last;
 
-  TexelsInBinary32(const LineInBinary32& line, int size)
+  TexelsInBinary32(const LineInBinary32& line, const TexelPlane& plane)
       : at(hn::Set(floats, static_cast<float>(line.at))),
         step(hn::Set(floats, static_cast<float>(line.step))),
-        middle(hn::Set(floats, static_cast<float>(middleOf(size)))),
+        middle(hn::Set(floats, static_cast<float>(plane.middle))),
         border(hn::Set(floats, static_cast<float>(line.border))),
-        last(hn::Set(floats, static_cast<float>(size - 1))) {}
+        last(hn::Set(floats, static_cast<float>(plane.last))) {}
 
   /// The texels of pixels, and how far off the middle between two borders each position is.
   Float find(Float pixel, Float w, Float& offCentre) const {
@@ -377,11 +377,11 @@ struct WalkInBinary32 {
   hn::Vec<TexelNumbers> offset;
 
   WalkInBinary32(const PixelRun& run, const RunInBinary32& line, const TexelPlanes& planes, std::uint32_t base)
-      : u(line.u, planes.width),
-        v(line.v, planes.height),
+      : u(line.u, planes.u),
+        v(line.v, planes.v),
         depthStep(hn::Set(floats, static_cast<float>(line.depthStep))),
         clear(hn::Set(floats, static_cast<float>(line.clear))),
-        width(hn::Set(floats, static_cast<float>(planes.width))),
+        width(hn::Set(floats, static_cast<float>(planes.u.last + 1))),
         end(hn::Set(floats, static_cast<float>(run.count))),
         offset(hn::Sub(hn::Set(TexelNumbers(), base), hn::BitCast(TexelNumbers(), counting))) {}
 
