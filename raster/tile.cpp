@@ -82,8 +82,8 @@ class Tile {
   /// was not finite.
   std::uint64_t draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped);
 
-  /// After all triangles: the words of a row of the face, in this tile's columns.
-  void resolve(int row);
+  /// After all triangles: the words.
+  void resolve();
 
  private:
   void offer(const ScreenTriangle& triangle);
@@ -98,6 +98,7 @@ class Tile {
   bool offerExactly(const ScreenTriangle& triangle, std::uint32_t number, const Pixel& pixel);
   Word wordExactly(std::uint32_t number, const Pixel& pixel);
   Shading& shading(std::uint32_t triangle);
+  void resolveRow(int row);
   void resolveRun(const PixelRun& run, Shading& shading, Word* words);
   void findTexels(const PixelRun& run, Shading::Texels& texels, Word base, Word* words);
 
@@ -208,7 +209,6 @@ Word Tile::wordExactly(std::uint32_t number, const Pixel& pixel) {
 }
 
 Shading& Tile::shading(std::uint32_t triangle) {
-  shadingOf_.resize(taken_.size(), noTriangle);
   std::uint32_t& place = shadingOf_[triangle];
   if (place == noTriangle) {
     place = static_cast<std::uint32_t>(shadings_.size());
@@ -250,7 +250,13 @@ void Tile::resolveRun(const PixelRun& run, Shading& shading, Word* words) {
     word = texels.isSum ? shading.word | map[word] : blend(list.format, list.blend, shading.word, map[word]);
 }
 
-void Tile::resolve(int row) {
+void Tile::resolve() {
+  shadings_.reserve(taken_.size());
+  shadingOf_.resize(taken_.size(), noTriangle);
+  for (int row = buffer_.scissor.row; row < buffer_.scissor.row + buffer_.scissor.height; ++row) resolveRow(row);
+}
+
+void Tile::resolveRow(int row) {
   Word* const words = wordsOf(row);
   const std::size_t begin = buffer_.rowAt(row);
   const std::uint32_t* const triangles = buffer_.triangle.data() + begin;
@@ -318,7 +324,7 @@ std::uint64_t drawTile(const PreparedDraws& draws, const PixelKernels& kernels, 
     }
   }
   if (awaited) dropped += tile.draw(*awaited, skipped);
-  for (int row = face.scissor.row; row < face.scissor.row + face.scissor.height; ++row) tile.resolve(row);
+  tile.resolve();
   return dropped;
 }
 
