@@ -129,7 +129,7 @@ std::uint64_t takeLast(FormFactorRow& row, std::uint32_t slot) {
 
 RowCounter::RowCounter(const Discretization& discretization, const WordLayout& layout)
     : slots_(discretization, layout) {
-  sumsOfThread();  // there is always one
+  sums_.mine(slots_.count());  // there is always one
 }
 
 void RowCounter::add(const Projection& projection, const Window& window, const raster::ItemBuffer& buffer) {
@@ -137,7 +137,8 @@ void RowCounter::add(const Projection& projection, const Window& window, const r
   const int height = window.scissor.height, rows = std::max(1, pixelsOfThread / std::max(1, window.scissor.width));
   raster::parallelFor(static_cast<std::size_t>((height + rows - 1) / rows), [&](std::size_t part) {
     const int firstRow = static_cast<int>(part) * rows;
-    addRows(slots_, projection, window, buffer, firstRow, std::min(firstRow + rows, height), sumsOfThread());
+    addRows(slots_, projection, window, buffer, firstRow, std::min(firstRow + rows, height),
+            sums_.mine(slots_.count()));
   });
 }
 
@@ -148,14 +149,9 @@ FormFactorRow RowCounter::rowOf(const Projection& projection, std::span<const Wi
   return takeRow();
 }
 
-ShareSums& RowCounter::sumsOfThread() {
-  const std::lock_guard lock(mutex_);
-  return sums_.try_emplace(std::this_thread::get_id(), slots_.count()).first->second;
-}
-
 FormFactorRow RowCounter::takeRow() {
   std::vector<ShareSums*> all;
-  for (auto& [thread, sums] : sums_) all.push_back(&sums);
+  for (auto& [thread, sums] : sums_.all()) all.push_back(&sums);
   const std::size_t groups = all.front()->groups();
   std::vector<std::size_t> first(groups + 1);
   raster::parallelFor(groups, [&](std::size_t group) { first[group + 1] = elementsIn(all, group); });
@@ -175,7 +171,7 @@ FormFactorRow RowCounter::takeRow() {
 
 std::size_t RowCounter::bytes() const {
   std::size_t bytes = slots_.bytes();
-  for (const auto& [thread, sums] : sums_) bytes += sums.bytes();
+  for (const auto& [thread, sums] : sums_.all()) bytes += sums.bytes();
   return bytes;
 }
 

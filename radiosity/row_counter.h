@@ -8,10 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
-#include <mutex>
 #include <span>
-#include <thread>
 #include <vector>
 
 #include "radiosity/discretization.h"
@@ -21,6 +18,7 @@
 #include "radiosity/word_layout.h"
 #include "radiosity/word_slots.h"
 #include "raster/face.h"
+#include "raster/per_thread.h"
 
 namespace hemitex::radiosity {
 
@@ -43,12 +41,8 @@ class RowCounter {
   std::size_t bytes() const;
 
  private:
-  /// What the calling thread sums into.
-  ShareSums& sumsOfThread();
-
   WordSlots slots_;
-  std::map<std::thread::id, ShareSums> sums_;  ///< of each thread that was at work: its own stays in its cache
-  std::mutex mutex_;                           ///< of which there are
+  raster::PerThread<ShareSums> sums_;
 };
 
 }  // namespace hemitex::radiosity

@@ -117,11 +117,12 @@ double largest(const std::array<double, 3>& values) {
 
 }  // namespace
 
-DepthBuffer::DepthBuffer(const Scissor& part)
-    : scissor(part),
-      pitch(static_cast<std::size_t>(part.width + mostLanes)),
-      inverseDepth(pitch * static_cast<std::size_t>(part.height)),
-      triangle(inverseDepth.size(), noTriangle) {}
+void DepthBuffer::clear(const Scissor& part) {
+  scissor = part;
+  pitch = static_cast<std::size_t>(part.width + mostLanes);
+  inverseDepth.assign(pitch * static_cast<std::size_t>(part.height), 0);
+  triangle.assign(inverseDepth.size(), noTriangle);
+}
 
 /// 1/w has its own error, its inverse and the product round twice more.
 TexelPlanes::TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHeight)

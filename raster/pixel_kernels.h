@@ -22,12 +22,13 @@ inline constexpr int mostLanes = 16;
 
 /// What the pixels of a part of a face show so far, row-major; no triangle where the background is.
 struct DepthBuffer {
-  Scissor scissor;    ///< the part
-  std::size_t pitch;  ///< pixels from row to row: the width and mostLanes
+  Scissor scissor;        ///< the part
+  std::size_t pitch = 0;  ///< pixels from row to row: the width and mostLanes
   std::vector<double> inverseDepth;
   std::vector<std::uint32_t> triangle;
 
-  explicit DepthBuffer(const Scissor& part);
+  /// The background of a part, in the memory that is there.
+  void clear(const Scissor& part);
   /// Where the pixels of a row of the face begin.
   std::size_t rowAt(int row) const { return static_cast<std::size_t>(row - scissor.row) * pitch; }
   std::size_t pixelAt(int column, int row) const {

@@ -10,6 +10,7 @@
 
 #include "raster/draw_list.h"
 #include "raster/item_buffer_renderer.h"
+#include "raster/per_thread.h"
 #include "raster/pixel_kernels.h"
 #include "raster/tile.h"
 
@@ -36,6 +37,7 @@ class SoftwareRenderer final : public ItemBufferRenderer {
 
   PreparedDraws draws_;
   const PixelKernels& kernels_;
+  PerThread<TileMemory> memory_;
   std::atomic<std::uint64_t> dropped_ = 0;
 };
 

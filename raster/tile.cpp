@@ -1,14 +1,14 @@
 #include "raster/tile.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <tuple>
 
 #include "raster/cluster_triangles.h"
 #include "raster/exact.h"
 #include "raster/pixel_bounds.h"
-#include "raster/screen_triangle.h"
-#include "raster/small_triangle_kernels.h"
+#include "raster/view_bounds.h"
 
 namespace hemitex::raster {
 namespace {
@@ -17,63 +17,31 @@ namespace {
 /// caches. Wide, so that runs of pixels are long.
 constexpr int mostColumns = 256, mostRows = 128;
 
-/// How the pixels of a triangle get their words: all the same one, or by texels.
-struct Shading {
-  Word word;  ///< of all pixels, or the offset
-  struct Texels {
-    const IndexMap* map;
-    bool isSum;   ///< the words are sums of offset and texel in which nothing is carried and nothing clamped
-    bool counts;  ///< and the texels are their own numbers
-    TexelPlanes planes;
-    std::optional<ExactTexels> exact;  ///< once a texel was undecided, where there are any
-  };
-  std::optional<Texels> texels;
-};
+/// Numbers of small triangles in the depth buffer: from here on they count those of the mesh.
+constexpr std::uint32_t firstSmall = 0x80000000;
 
-Shading shadingOf(const PreparedDraws& draws, const ScreenTriangle& triangle) {
-  const DrawList& list = draws.list;
-  const Draw& draw = list.draws[triangle.draw];
-  if (triangle.facesAway && draw.back) return {*draw.back, {}};
-  if (!draw.indexMap) return {draw.offset, {}};
-  const IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
-  const PreparedDraws::MapTraits& traits = draws.maps[static_cast<std::size_t>(*draw.indexMap)];
-  const bool isSum = list.blend != Blend::Replace && (draw.offset & traits.bits) == 0;
-  return {draw.offset,
-          Shading::Texels{&map, isSum, isSum && traits.countsTexels, TexelPlanes(triangle, map.width, map.height), {}}};
-}
-
-/// The word of a pixel that shows a draw, and of its index map, if any, a texel by number.
-Word wordOf(const PreparedDraws& draws, const Draw& draw, bool facesAway, Word texel) {
-  if (facesAway && draw.back) return *draw.back;
-  if (!draw.indexMap) return draw.offset;
-  const auto map = static_cast<std::size_t>(*draw.indexMap);
-  const PreparedDraws::MapTraits& traits = draws.maps[map];
-  const bool isSum = draws.list.blend != Blend::Replace && (draw.offset & traits.bits) == 0;
-  if (isSum && traits.countsTexels) return draw.offset + texel;
-  const Word word = draws.list.indexMaps[map].words[texel];
-  return isSum ? draw.offset | word : blend(draws.list.format, draws.list.blend, draw.offset, word);
-}
-
-/// The number of the texel that a sample falls on.
-Word texelExactly(const ScreenTriangle& triangle, const IndexMap& map, const Pixel& pixel) {
-  const int column = texelExactly(triangle, triangle.u, map.width, pixel.column, pixel.row);
-  const int row = texelExactly(triangle, triangle.v, map.height, pixel.column, pixel.row);
-  return static_cast<Word>(row) * static_cast<Word>(map.width) + static_cast<Word>(column);
-}
+bool isSmall(std::uint32_t number) { return number >= firstSmall && number != noTriangle; }
 
 /// The part of a face that is drawn, while it is drawn.
 class Tile {
  public:
   /// For words and their pitch see drawTile.
-  Tile(const PreparedDraws& draws, const PixelKernels& kernels, const Face& face, Word* words, std::size_t pitch)
+  Tile(const PreparedDraws& draws, const PixelKernels& kernels, const Face& face, TileMemory& memory, Word* words,
+       std::size_t pitch)
       : draws_(draws),
         kernels_(kernels),
         face_(face),
         words_(words),
         pitch_(pitch),
         isMirrored_(determinant(face) < 0),
-        buffer_(face.scissor),
-        row_(buffer_.pitch) {}
+        memory_(memory),
+        buffer_(memory.buffer),
+        taken_(memory.taken) {
+    buffer_.clear(face.scissor);
+    taken_.clear();
+    memory.shadings.clear();
+    memory.row.resize(buffer_.pitch);
+  }
 
   /// Whether nothing of a box can be seen, or only behind what was drawn so far.
   bool hides(const BoxPlace& place) const { return kernels_.isHidden(buffer_, place.part, place.inverseDepth); }
@@ -88,19 +56,15 @@ class Tile {
  private:
   void offer(const ScreenTriangle& triangle);
   void drawSmall(std::uint32_t cluster, std::uint32_t small);
-
-  /// Numbers of small triangles in the depth buffer: from here on they count those of the mesh.
-  static constexpr std::uint32_t firstSmall = 0x80000000;
-  static bool isSmall(std::uint32_t number) { return number >= firstSmall && number != noTriangle; }
+  void resolveRow(int row);
+  void resolveRun(const PixelRun& run, Shading& shading, Word* words);
+  void findTexels(const PixelRun& run, Shading::Texels& texels, Word base, Word* words);
 
   Word* wordsOf(int row) const { return words_ + static_cast<std::size_t>(row - buffer_.scissor.row) * pitch_; }
   ScreenTriangle screenTriangle(std::uint32_t number) const;
   bool offerExactly(const ScreenTriangle& triangle, std::uint32_t number, const Pixel& pixel);
   Word wordExactly(std::uint32_t number, const Pixel& pixel);
   Shading& shading(std::uint32_t triangle);
-  void resolveRow(int row);
-  void resolveRun(const PixelRun& run, Shading& shading, Word* words);
-  void findTexels(const PixelRun& run, Shading::Texels& texels, Word base, Word* words);
 
   const PreparedDraws& draws_;
   const PixelKernels& kernels_;
@@ -108,15 +72,9 @@ class Tile {
   Word* words_;  ///< those of small triangles are there, the others come when they are resolved
   std::size_t pitch_;
   bool isMirrored_;
-  DepthBuffer buffer_;
-  std::vector<ScreenTriangle> taken_;     ///< by some pixel
-  std::vector<Shading> shadings_;         ///< of those that a pixel shows in the end
-  std::vector<std::uint32_t> shadingOf_;  ///< of a taken triangle: its place in `shadings_`, or noTriangle
-  std::vector<Word> row_;
-  UndecidedPixels undecided_;
-  PlacedVertices placed_;                  ///< of the cluster that is drawn
-  std::vector<ScreenTriangle> triangles_;  ///< of the cluster
-  SmallSamples samples_;                   ///< of the cluster
+  TileMemory& memory_;
+  DepthBuffer& buffer_;
+  std::vector<ScreenTriangle>& taken_;
 };
 
 /// The larger 1/w wins; on an exact tie the earlier triangle in draw order, whichever was drawn first.
@@ -148,12 +106,14 @@ bool Tile::offerExactly(const ScreenTriangle& triangle, std::uint32_t number, co
   return true;
 }
 
+/// Draws a cluster but for triangles in `skipped` (ascending); returns how many of them were dropped because a value
+/// was not finite.
 std::uint64_t Tile::draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped) {
-  triangles_.clear();
+  memory_.triangles.clear();
   const SeenTriangles seen =
       appendScreenTriangles(draws_.list, draws_.mesh, draws_.clusters[cluster], draws_.mesh.parts[cluster],
-                            bestVertexKernels(), face_, skipped, placed_, triangles_);
-  for (const ScreenTriangle& triangle : triangles_) offer(triangle);
+                            bestVertexKernels(), face_, skipped, memory_.placed, memory_.triangles);
+  for (const ScreenTriangle& triangle : memory_.triangles) offer(triangle);
   if (seen.small != 0) drawSmall(cluster, seen.small);
   return seen.dropped;
 }
@@ -161,9 +121,9 @@ std::uint64_t Tile::draw(std::uint32_t cluster, std::span<const std::uint32_t> s
 /// Offers a triangle to the depth buffer, and keeps it if a pixel took it.
 void Tile::offer(const ScreenTriangle& triangle) {
   const auto number = static_cast<std::uint32_t>(taken_.size());
-  bool isTaken = kernels_.offer(triangle, number, buffer_, undecided_);
-  for (const Pixel& pixel : undecided_.pixels) isTaken = offerExactly(triangle, number, pixel) || isTaken;
-  undecided_.pixels.clear();
+  bool isTaken = kernels_.offer(triangle, number, buffer_, memory_.undecided);
+  for (const Pixel& pixel : memory_.undecided.pixels) isTaken = offerExactly(triangle, number, pixel) || isTaken;
+  memory_.undecided.pixels.clear();
   if (isTaken) taken_.push_back(triangle);
 }
 
@@ -172,67 +132,65 @@ void Tile::drawSmall(std::uint32_t cluster, std::uint32_t small) {
   const ClusterPart& part = draws_.mesh.parts[cluster];
   const std::vector<TriangleRun>& runs = draws_.clusters[cluster].runs;
   const Draw& first = draws_.list.draws[runs.front().draw];
-  SmallTriangles triangles{draws_.mesh, part, placed_, small};
+  SmallTriangles triangles{draws_.mesh, part, memory_.placed, small};
   if (first.indexMap) {  // then it is the only draw
     const IndexMap& map = draws_.list.indexMaps[static_cast<std::size_t>(*first.indexMap)];
     triangles.columns = map.width;
     triangles.rows = map.height;
   }
-  bestSmallTriangleKernels().findSamples(triangles, buffer_.scissor, samples_);
-  for (std::size_t i = 0; i < samples_.count; ++i) {
-    const auto t = static_cast<std::uint32_t>(samples_.triangles[i]);
+  bestSmallTriangleKernels().findSamples(triangles, buffer_.scissor, memory_.samples);
+  for (std::size_t i = 0; i < memory_.samples.count; ++i) {
+    const auto t = static_cast<std::uint32_t>(memory_.samples.triangles[i]);
     const std::uint32_t number = firstSmall + part.firstTriangle + t;
-    const Pixel pixel{samples_.columns[i], samples_.rows[i]};
+    const Pixel pixel{memory_.samples.columns[i], memory_.samples.rows[i]};
     const std::size_t p = buffer_.pixelAt(pixel.column, pixel.row);
-    const DepthTest test = testDepth(samples_.inverseDepths[i], number, p, buffer_);
+    const DepthTest test = testDepth(memory_.samples.inverseDepths[i], number, p, buffer_);
     if (test == DepthTest::Hidden) continue;
     if (test == DepthTest::Undecided && !offerExactly(screenTriangle(number), number, pixel)) continue;
     Word& word = wordsOf(pixel.row)[pixel.column - buffer_.scissor.column];
-    if (samples_.texels[i] == undecidedTexel) {
+    if (memory_.samples.texels[i] == undecidedTexel) {
       word = wordExactly(number, pixel);
       continue;
     }
     const Draw& draw = runs.size() == 1 ? first : draws_.list.draws[triangleOf(draws_.clusters[cluster], t).draw];
-    const bool facesAway = ((samples_.negative >> t & 1) != 0) == isMirrored_;
-    word = wordOf(draws_, draw, facesAway, static_cast<Word>(samples_.texels[i]));
+    const bool facesAway = ((memory_.samples.negative >> t & 1) != 0) == isMirrored_;
+    word = wordOf(draws_, draw, facesAway, static_cast<Word>(memory_.samples.texels[i]));
   }
 }
 
-/// The word of a pixel that shows a triangle.
+/// The word of a pixel that shows a texel.
 Word Tile::wordExactly(std::uint32_t number, const Pixel& pixel) {
   const ScreenTriangle triangle = screenTriangle(number);
-  Shading shading = shadingOf(draws_, triangle);
-  std::array<Word, 1 + mostLanes> words;
-  const double* const inverseDepth = buffer_.inverseDepth.data() + buffer_.pixelAt(pixel.column, pixel.row);
-  resolveRun({&triangle, pixel.row, pixel.column, 1, inverseDepth}, shading, words.data());
-  return words.front();
+  const Draw& draw = draws_.list.draws[triangle.draw];
+  const IndexMap& map = draws_.list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
+  return wordOf(draws_, draw, triangle.facesAway, texelExactly(triangle, map, pixel));
 }
 
 Shading& Tile::shading(std::uint32_t triangle) {
-  std::uint32_t& place = shadingOf_[triangle];
+  std::uint32_t& place = memory_.shadingOf[triangle];
   if (place == noTriangle) {
-    place = static_cast<std::uint32_t>(shadings_.size());
-    shadings_.push_back(shadingOf(draws_, taken_[triangle]));
+    place = static_cast<std::uint32_t>(memory_.shadings.size());
+    memory_.shadings.push_back(shadingOf(draws_, taken_[triangle]));
   }
-  return shadings_[place];
+  return memory_.shadings[place];
 }
 
 /// `base` and the number of the texel of each pixel of a run. Where one texel is undecided, more will be.
 void Tile::findTexels(const PixelRun& run, Shading::Texels& texels, Word base, Word* words) {
   const IndexMap& map = *texels.map;
   if (texels.exact) return kernels_.findExactTexels(run, *texels.exact, map.width, map.height, base, words);
-  kernels_.findTexels(run, texels.planes, base, words, undecided_);
-  if (undecided_.pixels.empty()) return;
+  kernels_.findTexels(run, texels.planes, base, words, memory_.undecided);
+  if (memory_.undecided.pixels.empty()) return;
   const auto u = exactQuotient(*run.triangle, run.triangle->u, map.width);
   const auto v = exactQuotient(*run.triangle, run.triangle->v, map.height);
   if (u && v) {
     texels.exact = {*u, *v};
     kernels_.findExactTexels(run, *texels.exact, map.width, map.height, base, words);
   } else {
-    for (const Pixel& pixel : undecided_.pixels)
+    for (const Pixel& pixel : memory_.undecided.pixels)
       words[pixel.column - run.firstColumn] = base + texelExactly(*run.triangle, map, pixel);
   }
-  undecided_.pixels.clear();
+  memory_.undecided.pixels.clear();
 }
 
 /// The words of pixels that show one triangle.
@@ -251,8 +209,7 @@ void Tile::resolveRun(const PixelRun& run, Shading& shading, Word* words) {
 }
 
 void Tile::resolve() {
-  shadings_.reserve(taken_.size());
-  shadingOf_.resize(taken_.size(), noTriangle);
+  memory_.shadingOf.assign(taken_.size(), noTriangle);
   for (int row = buffer_.scissor.row; row < buffer_.scissor.row + buffer_.scissor.height; ++row) resolveRow(row);
 }
 
@@ -265,18 +222,18 @@ void Tile::resolveRow(int row) {
     const std::uint32_t number = triangles[first];
     end = first + 1;
     if (isSmall(number)) {
-      row_[static_cast<std::size_t>(first)] = words[first];
+      memory_.row[static_cast<std::size_t>(first)] = words[first];
       continue;
     }
     if (end < width && triangles[end] == number) end = kernels_.endOfRun(triangles, first, width);
     if (number == noTriangle)
-      std::fill(row_.begin() + first, row_.begin() + end, backgroundWord(draws_.list.format));
+      std::fill(memory_.row.begin() + first, memory_.row.begin() + end, backgroundWord(draws_.list.format));
     else
       resolveRun({&taken_[number], row, buffer_.scissor.column + first, end - first,
                   buffer_.inverseDepth.data() + begin + static_cast<std::size_t>(first)},
-                 shading(number), row_.data() + first);
+                 shading(number), memory_.row.data() + first);
   }
-  std::copy_n(row_.data(), width, words);
+  std::copy_n(memory_.row.data(), width, words);
 }
 
 struct PlacedGroup {
@@ -308,9 +265,9 @@ std::vector<Scissor> tilesOf(const Face& face) {
 }
 
 std::uint64_t drawTile(const PreparedDraws& draws, const PixelKernels& kernels, const Face& face,
-                       std::span<const std::uint32_t> skipped, Word* words, std::size_t pitch) {
+                       std::span<const std::uint32_t> skipped, TileMemory& memory, Word* words, std::size_t pitch) {
   std::uint64_t dropped = 0;
-  Tile tile(draws, kernels, face, words, pitch);
+  Tile tile(draws, kernels, face, memory, words, pitch);
   const ViewBounds view(face);
   std::optional<std::uint32_t> awaited;  // a cluster on its way from memory
   for (const PlacedGroup& placed : groupsIn(draws.tree, view)) {

@@ -4,6 +4,7 @@
 /// while all that they need is at hand, when a pixel takes them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,15 +12,34 @@
 #include "raster/face.h"
 #include "raster/pixel_kernels.h"
 #include "raster/prepared_draws.h"
+#include "raster/screen_triangle.h"
+#include "raster/shading.h"
+#include "raster/small_triangle_kernels.h"
+#include "raster/vertex_kernels.h"
 
 namespace hemitex::raster {
 
 /// Scissor rectangles that together are the face's own.
 std::vector<Scissor> tilesOf(const Face& face);
 
+/// What a tile takes while it is drawn, kept for the next one: memory that is given back and asked for again with every
+/// tile may cost as much time as drawing it.
+struct TileMemory {
+  DepthBuffer buffer;
+  std::vector<ScreenTriangle> taken;     ///< by some pixel
+  std::vector<Shading> shadings;         ///< of those that a pixel shows in the end
+  std::vector<std::uint32_t> shadingOf;  ///< of a taken triangle: its place in `shadings`, or noTriangle
+  std::vector<Word> row;
+  UndecidedPixels undecided;
+  PlacedVertices placed;                  ///< of the cluster that is drawn
+  std::vector<ScreenTriangle> triangles;  ///< of the cluster
+  SmallSamples samples;                   ///< of the cluster
+};
+
 /// Draws the part of a face that lies in its scissor rectangle: a word a pixel, row by row from `words` on, `pitch`
-/// words from row to row. Returns the number of triangles that were dropped because a value was not finite.
+/// words from row to row. What the memory holds before does not matter. Returns the number of triangles that were
+/// dropped because a value was not finite.
 std::uint64_t drawTile(const PreparedDraws& draws, const PixelKernels& kernels, const Face& face,
-                       std::span<const std::uint32_t> skipped, Word* words, std::size_t pitch);
+                       std::span<const std::uint32_t> skipped, TileMemory& memory, Word* words, std::size_t pitch);
 
 }  // namespace hemitex::raster

@@ -39,7 +39,8 @@ struct Drawn {
 /// and 2 t + 1.
 Drawn draw(const raster::PixelKernels& kernels, const std::vector<raster::ScreenTriangle>& triangles,
            const raster::Face& face) {
-  Drawn drawn{raster::DepthBuffer(face.scissor), {}, {}};
+  Drawn drawn;
+  drawn.buffer.clear(face.scissor);
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
     for (std::uint32_t time = 0; time < 2; ++time)
       drawn.taken.push_back(kernels.offer(triangles[t], 2 * t + time, drawn.buffer, drawn.undecided));
@@ -120,7 +121,8 @@ TEST_CASE("the depth test is the same bits with every instruction set", "[kernel
 TEST_CASE("a part of the depth buffer hides what is behind all of its pixels, with every instruction set",
           "[kernels]") {
   const raster::Face face = frontFace(64);
-  raster::DepthBuffer buffer(face.scissor);
+  raster::DepthBuffer buffer;
+  buffer.clear(face.scissor);
   std::fill(buffer.inverseDepth.begin(), buffer.inverseDepth.end(), 3.0);
   std::vector<raster::PixelKernels> all = raster::simdKernels();
   all.push_back(raster::plainKernels());

@@ -1,0 +1,35 @@
+/// Shading: how the pixels of a triangle get their words, all the same one or by texels.
+#pragma once
+
+#include <optional>
+
+#include "raster/draw_list.h"
+#include "raster/pixel_kernels.h"
+#include "raster/prepared_draws.h"
+#include "raster/screen_triangle.h"
+#include "raster/word.h"
+
+namespace hemitex::raster {
+
+struct Shading {
+  Word word;  ///< of all pixels, or the offset
+  struct Texels {
+    const IndexMap* map;
+    bool isSum;   ///< the words are sums of offset and texel in which nothing is carried and nothing clamped
+    bool counts;  ///< and the texels are their own numbers
+    TexelPlanes planes;
+    std::optional<ExactTexels> exact;  ///< once a texel was undecided, where there are any
+  };
+  std::optional<Texels> texels;
+};
+
+/// Of a triangle on the screen.
+Shading shadingOf(const PreparedDraws& draws, const ScreenTriangle& triangle);
+
+/// The word of a pixel that shows a draw, and of its index map, if any, a texel by number.
+Word wordOf(const PreparedDraws& draws, const Draw& draw, bool facesAway, Word texel);
+
+/// The number of the texel that a sample falls on.
+Word texelExactly(const ScreenTriangle& triangle, const IndexMap& map, const Pixel& pixel);
+
+}  // namespace hemitex::raster
