@@ -39,13 +39,14 @@ std::uint64_t lastChanges(const Word* words, std::size_t count) {
 /// them, and after the last.
 void addPixels(const WordSlots& slots, const Word* words, const std::uint64_t* before, std::size_t count,
                ShareSums& sums) {
+  SlotFinder finder(slots);
   std::uint64_t begin = before[0];
   for (std::size_t pixel = 1; pixel <= count; pixel += pixelsAtOnce) {
     const std::size_t left = count - pixel;
     std::uint64_t ends = left < pixelsAtOnce ? lastChanges(words + pixel, left) : changes(words + pixel);
     for (; ends != 0; ends &= ends - 1) {
       const std::size_t end = pixel + static_cast<std::size_t>(std::countr_zero(ends));
-      sums.add(slots.of(words[end - 1]), before[end] - begin);
+      sums.add(finder.of(words[end - 1]), before[end] - begin);
       begin = before[end];
     }
   }

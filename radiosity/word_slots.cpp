@@ -50,7 +50,6 @@ WordSlots::WordSlots(const Discretization& discretization, const WordLayout& lay
     addPages(discretization, layout);
     addSinglePages(discretization, layout);
   }
-  mask_ = (std::uint32_t{1} << bits_) - 1;
 }
 
 /// Blocks for words that follow each other; the slots as well, from 0 on, where they are null.

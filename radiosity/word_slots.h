@@ -24,20 +24,12 @@ class WordSlots {
   std::uint32_t background() const { return back_ + 1; }
   std::size_t count() const { return std::size_t{back_} + 2; }
 
-  /// The slot of elementOf; of a word that no element has, the background's.
-  std::uint32_t of(raster::Word word) const {
-    if (const std::uint32_t number = word >> bits_; number < blocks_.size()) {
-      const Block& block = blocks_[number];
-      if (const std::uint32_t index = word & mask_; index < block.count)
-        return block.slots == nullptr ? block.first + index : std::min(block.slots[index], background());
-    }
-    return word == backWord_ ? back() : background();
-  }
-
   /// What it takes beside the discretization and the layout.
   std::size_t bytes() const;
 
  private:
+  friend class SlotFinder;
+
   /// The words number * 2^bits_ + [0, count).
   struct Block {
     std::uint32_t count = 0;
@@ -52,9 +44,36 @@ class WordSlots {
   std::uint32_t back_;
   raster::Word backWord_;
   int bits_ = 20;  ///< of a page; where pages do not matter, any number
-  std::uint32_t mask_;
   std::vector<Block> blocks_;
   std::vector<std::vector<std::uint32_t>> tables_;  ///< of blocks that no table elsewhere serves
+};
+
+/// Looks up words one after the other, most of which lie in the same page as the one before.
+class SlotFinder {
+ public:
+  /// The slots must outlive this.
+  explicit SlotFinder(const WordSlots& slots) : slots_(slots) {}
+
+  /// The slot of elementOf; of a word that no element has, the background's.
+  std::uint32_t of(raster::Word word) {
+    if (word - first_ >= block_.count) [[unlikely]]
+      enter(word);
+    const std::uint32_t index = word - first_;
+    if (index >= block_.count) [[unlikely]]
+      return word == slots_.backWord_ ? slots_.back() : slots_.background();
+    return block_.slots == nullptr ? block_.first + index : std::min(block_.slots[index], slots_.background());
+  }
+
+ private:
+  void enter(raster::Word word) {
+    const std::uint32_t number = word >> slots_.bits_;
+    first_ = number << slots_.bits_;
+    block_ = number < slots_.blocks_.size() ? slots_.blocks_[number] : WordSlots::Block{};
+  }
+
+  const WordSlots& slots_;
+  raster::Word first_ = 0;  ///< of the block
+  WordSlots::Block block_;
 };
 
 }  // namespace hemitex::radiosity

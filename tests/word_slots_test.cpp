@@ -21,13 +21,15 @@ Scene mixedScene() {
 }
 
 /// How many of the words 0 to 65535, of some behind them and of the last ones there are, have a slot that is not
-/// elementOf's.
+/// elementOf's, after another word or as the first.
 int wrongSlots(const Discretization& discretization, const WordSettings& settings) {
   const WordLayout layout = layOut(discretization, settings);
   const WordSlots slots(discretization, layout);
+  SlotFinder finder(slots);
   const auto isWrong = [&](Word word) {
     const std::uint32_t other = word == raster::backWord(layout.format) ? slots.back() : slots.background();
-    return slots.of(word) != elementOf(discretization, layout, word).value_or(other);
+    const std::uint32_t slot = elementOf(discretization, layout, word).value_or(other);
+    return finder.of(word) != slot || SlotFinder(slots).of(word) != slot;
   };
   int wrong = 0;
   for (Word word = 0; word < 0x10000; ++word) wrong += isWrong(word) ? 1 : 0;
