@@ -8,48 +8,33 @@
 #include <utility>
 
 #include "raster/parallel.h"
+#include "raster/word_kernels.h"
 
 namespace hemitex::radiosity {
 namespace {
 
 using raster::Word;
 
-constexpr std::size_t pixelsAtOnce = 64;
-
-/// Bit i: word i differs from the one before it; for so many words.
-std::uint64_t changes(const Word* words) {
-  std::array<std::uint8_t, pixelsAtOnce> differs;
-  for (std::size_t i = 0; i < pixelsAtOnce; ++i) differs[i] = words[i] != *(words + i - 1) ? 1 : 0;
-  static_assert(std::endian::native == std::endian::little);
-  const auto eights = std::bit_cast<std::array<std::uint64_t, pixelsAtOnce / 8>>(differs);
-  std::uint64_t bits = 0;
-  // The product gathers the lowest bits of eight bytes in the highest byte.
-  for (std::size_t i = 0; i < eights.size(); ++i) bits |= (eights[i] * 0x0102040810204080U >> 56) << 8 * i;
-  return bits;
-}
-
-/// The same for fewer, and the bit behind them.
-std::uint64_t lastChanges(const Word* words, std::size_t count) {
-  std::uint64_t bits = std::uint64_t{1} << count;
-  for (std::size_t i = 0; i < count; ++i) bits |= std::uint64_t{words[i] != *(words + i - 1)} << i;
-  return bits;
-}
-
 /// Adds pixels that lie side by side, run by run of one word. `before` holds the running sum of shares before each of
 /// them, and after the last.
 void addPixels(const WordSlots& slots, const Word* words, const std::uint64_t* before, std::size_t count,
                ShareSums& sums) {
+  assert(count > 0);
+  constexpr std::size_t pixelsAtOnce = 4096;
+  std::array<std::uint64_t, pixelsAtOnce / raster::changesAtOnce> changes;
   SlotFinder finder(slots);
   std::uint64_t begin = before[0];
-  for (std::size_t pixel = 1; pixel <= count; pixel += pixelsAtOnce) {
-    const std::size_t left = count - pixel;
-    std::uint64_t ends = left < pixelsAtOnce ? lastChanges(words + pixel, left) : changes(words + pixel);
-    for (; ends != 0; ends &= ends - 1) {
-      const std::size_t end = pixel + static_cast<std::size_t>(std::countr_zero(ends));
-      sums.add(finder.of(words[end - 1]), before[end] - begin);
-      begin = before[end];
-    }
+  for (std::size_t pixel = 1; pixel < count; pixel += pixelsAtOnce) {
+    const std::size_t some = std::min(pixelsAtOnce, count - pixel);
+    raster::bestWordKernels().findChanges(words + pixel, some, changes.data());
+    for (std::size_t first = 0; first < some; first += raster::changesAtOnce)
+      for (std::uint64_t ends = changes[first / raster::changesAtOnce]; ends != 0; ends &= ends - 1) {
+        const std::size_t end = pixel + first + static_cast<std::size_t>(std::countr_zero(ends));
+        sums.add(finder.of(words[end - 1]), before[end] - begin);
+        begin = before[end];
+      }
   }
+  sums.add(finder.of(words[count - 1]), before[count] - begin);
 }
 
 /// Adds rows [firstRow, endRow) of a window.
