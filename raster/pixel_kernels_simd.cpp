@@ -309,8 +309,8 @@ using TexelNumbers = hn::Rebind<std::uint32_t, Floats>;
 
 constexpr Floats floats;
 
-/// A texture coordinate along a run, counted from a border between texels near its first pixel, so that the numbers are
-/// small: (at + i * step) / (1 + i * depthStep) at pixel i.
+/// A texture coordinate along a run, counted from a border between texels near the pixel in its middle, so that numbers
+/// are small: (at + i * step) / (1 + i * depthStep) at the i-th pixel from there.
 struct LineInBinary32 {
   double border, at, step;
 
@@ -325,26 +325,29 @@ struct LineInBinary32 {
 /// A run in binary32, which has twice as many lanes and decides nearly everything: what is decided here lies farther
 /// from borders than binary64 is off.
 ///
-/// Where 1/w changes by a factor of two at most, numbers up to m = 1 + count * |step| are rounded thirteen times on the
-/// way to the quotient, at most twice as large: 26 m units of 2^-24, for which m * 2^-19 stands. Of what the binary64
-/// of the coefficients is off, the first pixel's error counts twice for the same reason, and the border's product with
-/// what 1/w is off, four units of depthError, as well. Binary32 holds whole numbers up to 2^24: borders stay
-/// below, and numbers of texels below half of it.
+/// Where 1/w differs from that in the middle by a factor of two at most, numbers up to m = 1 + half the count * |step|
+/// are rounded thirteen times on the way to the quotient, at most twice as large: 26 m units of 2^-24. Of what the
+/// binary64 of the coefficients is off, the error in the middle counts twice for the same reason, and the border's
+/// product with what 1/w is off, four units of depthError, as well. Binary32 holds whole numbers up to 2^24: borders
+/// stay below, and numbers of texels below half of it.
 struct RunInBinary32 {
+  int middle = 0;
   double depthStep = 0;
   LineInBinary32 u, v;
   double clear;  ///< see Texels::find; 1/4 or less where binary32 is not good enough
 
-  RunInBinary32(const PixelRun& run, const TexelPlanes& planes, double w)
-      : depthStep((run.inverseDepth[run.count - 1] * w - 1) / std::max(1, run.count - 1)),
-        u(planes.u, run.firstColumn, run.row, w, depthStep),
-        v(planes.v, run.firstColumn, run.row, w, depthStep) {
-    const double last = 1 + depthStep * (run.count - 1);
-    const double size = 2 + run.count * std::max(std::abs(u.step), std::abs(v.step));
+  RunInBinary32(const PixelRun& run, const TexelPlanes& planes, int inMiddle, double w)
+      : middle(inMiddle),
+        depthStep((run.inverseDepth[run.count - 1] - run.inverseDepth[0]) * w / (run.count - 1)),
+        u(planes.u, run.firstColumn + middle, run.row, w, depthStep),
+        v(planes.v, run.firstColumn + middle, run.row, w, depthStep) {
+    const int half = run.count - middle;
+    const double change = std::abs(depthStep) * half;
+    const double size = 2 + half * std::max(std::abs(u.step), std::abs(v.step));
     const double borders = 1 + std::abs(u.border) + std::abs(v.border);
-    clear = 0.5 - size * 0x1p-19 - 2 * (planes.error * w + planes.rounding) - 8 * depthError * borders;
+    clear = 0.5 - 26 * 0x1p-24 * size - 2 * (planes.error * w + planes.rounding) - 8 * depthError * borders;
     const double texels = (planes.u.last + 1) * (planes.v.last + 1);
-    if (!(last >= 0.5 && last <= 2 && borders < 0x1p24 && texels <= 0x1p23)) clear = 0;
+    if (!(change <= 0.5 && borders < 0x1p24 && texels <= 0x1p23)) clear = 0;
   }
 };
 
@@ -368,6 +371,9 @@ struct TexelsInBinary32 {
   }
 };
 
+/// A texel that binary32 leaves open. One that is told may be the same number: then it is found twice.
+constexpr std::uint32_t openTexel = 0xffffffff;
+
 /// What is the same along a run in binary32, in vectors.
 struct WalkInBinary32 {
   TexelsInBinary32 u, v;
@@ -382,32 +388,35 @@ struct WalkInBinary32 {
         depthStep(hn::Set(floats, static_cast<float>(line.depthStep))),
         clear(hn::Set(floats, static_cast<float>(line.clear))),
         width(hn::Set(floats, static_cast<float>(planes.u.last + 1))),
-        end(hn::Set(floats, static_cast<float>(run.count))),
+        end(hn::Set(floats, static_cast<float>(run.count - line.middle))),
         offset(hn::Sub(hn::Set(TexelNumbers(), base), hn::BitCast(TexelNumbers(), counting))) {}
 
-  /// Stores the texels of pixels side by side; returns which are undecided.
+  /// Stores the texels of pixels side by side, openTexel where they are undecided; returns which are.
   hn::Mask<Floats> find(Float pixel, std::uint32_t* texels) const {
     const Float one = hn::Set(floats, 1.0F);
     const Float w = hn::Div(one, hn::MulAdd(depthStep, pixel, one));
     Float offAcross, offDown;
     const Float column = u.find(pixel, w, offAcross), row = v.find(pixel, w, offDown);
     const Float texel = hn::Add(hn::MulAdd(row, width, column), counting);
-    hn::StoreU(hn::Add(hn::BitCast(TexelNumbers(), texel), offset), TexelNumbers(), texels);
-    return hn::AndNot(hn::Lt(hn::Max(offAcross, offDown), clear), hn::Lt(pixel, end));
+    const auto open = hn::AndNot(hn::Lt(hn::Max(offAcross, offDown), clear), hn::Lt(pixel, end));
+    const auto told = hn::Add(hn::BitCast(TexelNumbers(), texel), offset);
+    hn::StoreU(hn::IfThenElse(hn::RebindMask(TexelNumbers(), open), hn::Set(TexelNumbers(), openTexel), told),
+               TexelNumbers(), texels);
+    return open;
   }
 };
 
-/// The texels of a run of which binary32 leaves some open: those in binary64.
-HWY_NOINLINE void findOpenTexels(const PixelRun& run, const RunInBinary32& line, const TexelPlanes& planes,
-                                 std::uint32_t base, std::uint32_t* texels, UndecidedPixels& undecided) {
-  const WalkInBinary32 walk(run, line, planes, base);
+/// Those texels of a run that binary32 left open, in binary64.
+HWY_NOINLINE void findOpenTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base,
+                                 std::uint32_t* texels, UndecidedPixels& undecided) {
   const auto lanes = static_cast<int>(hn::Lanes(floats));
   for (int i = 0; i < run.count; i += lanes) {
-    const Float pixel = hn::Add(hn::Set(floats, static_cast<float>(i)), hn::Iota(floats, 0));
+    const auto isOpen = hn::Eq(hn::LoadU(TexelNumbers(), texels + i), hn::Set(TexelNumbers(), openTexel));
     HWY_ALIGN std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(floats, walk.find(pixel, texels + i), bits);
+    hn::StoreMaskBits(TexelNumbers(), isOpen, bits);
     for (unsigned left = bits[0] + 256U * bits[1]; left != 0; left &= left - 1) {
       const int at = i + __builtin_ctz(left);
+      if (at >= run.count) return;
       const PixelRun alone{run.triangle, run.row, run.firstColumn + at, 1, run.inverseDepth + at};
       std::uint32_t found[mostLanes];
       findTexelsInBinary64(alone, planes, base, found, undecided);
@@ -420,16 +429,17 @@ void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t ba
                 UndecidedPixels& undecided) {
   constexpr int shortest = 16;  // for which it pays
   if (run.count < shortest) return findTexelsInBinary64(run, planes, base, texels, undecided);
-  const RunInBinary32 line(run, planes, 1 / run.inverseDepth[0]);
+  const int middle = run.count / 2;
+  const RunInBinary32 line(run, planes, middle, 1 / run.inverseDepth[middle]);
   if (!(line.clear > 0.25)) return findTexelsInBinary64(run, planes, base, texels, undecided);
   const WalkInBinary32 walk(run, line, planes, base);
   const auto lanes = static_cast<int>(hn::Lanes(floats));
   const Float stride = hn::Set(floats, static_cast<float>(lanes));
-  Float pixel = hn::Iota(floats, 0);
+  Float pixel = hn::Sub(hn::Iota(floats, 0), hn::Set(floats, static_cast<float>(middle)));
   auto open = hn::FirstN(floats, 0);
   for (int i = 0; i < run.count; i += lanes, pixel = hn::Add(pixel, stride))
     open = hn::Or(open, walk.find(pixel, texels + i));
-  if (!hn::AllFalse(floats, open)) findOpenTexels(run, line, planes, base, texels, undecided);
+  if (!hn::AllFalse(floats, open)) findOpenTexels(run, planes, base, texels, undecided);
 }
 
 /// The texels of pixels i along a line of exact quotients.
