@@ -1,5 +1,6 @@
 /// A value for each thread that asks for one, which it finds again and no other thread has: memory that stays in its
-/// cache. Nothing that is computed may depend on which thread computed it.
+/// cache, and is given back with this and not when the thread ends. Nothing that is computed may depend on which thread
+/// computed it.
 #pragma once
 
 #include <map>
