@@ -328,8 +328,8 @@ struct LineInBinary32 {
 /// Where 1/w differs from that in the middle by a factor of two at most, numbers up to m = 1 + half the count * |step|
 /// are rounded thirteen times on the way to the quotient, at most twice as large: 26 m units of 2^-24. Of what the
 /// binary64 of the coefficients is off, the error in the middle counts twice for the same reason, and the border's
-/// product with what 1/w is off, four units of depthError, as well. Binary32 holds whole numbers up to 2^24: borders
-/// stay below, and numbers of texels below half of it.
+/// product with what 1/w is off, four units of depthError, as well. Binary32 holds whole numbers up to 2^24: numbers of
+/// texels stay below half of it, and where a border does not, all that is near lies on one side of the map.
 struct RunInBinary32 {
   int middle = 0;
   double depthStep = 0;
@@ -347,7 +347,7 @@ struct RunInBinary32 {
     const double borders = 1 + std::abs(u.border) + std::abs(v.border);
     clear = 0.5 - 26 * 0x1p-24 * size - 2 * (planes.error * w + planes.rounding) - 8 * depthError * borders;
     const double texels = (planes.u.last + 1) * (planes.v.last + 1);
-    if (!(change <= 0.5 && borders < 0x1p24 && texels <= 0x1p23)) clear = 0;
+    if (!(change <= 0.5 && texels <= 0x1p23)) clear = 0;
   }
 };
 
