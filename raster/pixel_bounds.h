@@ -83,6 +83,18 @@ inline DepthTest testDepth(double inverseDepth, std::uint32_t number, std::size_
   return test;
 }
 
+/// The value of an edge as at + down * row + right * column, and what these may sum up to in the triangle's rows and
+/// columns, whatever their signs.
+struct EdgePlane {
+  double at, down, right, most;
+
+  EdgePlane(const ScreenTriangle& triangle, const Edge& edge)
+      : at(static_cast<double>(edge.c)),
+        down(static_cast<double>(edge.b)),
+        right(static_cast<double>(edge.a)),
+        most(std::abs(at) + std::abs(down) * triangle.endRow + std::abs(right) * triangle.endColumn) {}
+};
+
 /// The plane of a triangle where it pays, in triangles wider than a vector, and where it is good enough. Each term
 /// passes twelve roundings at most; 16 units of what the terms may sum up to, over the smallest 1/w, bound its error.
 inline std::optional<DepthPlane> depthPlane(const ScreenTriangle& triangle) {
@@ -90,13 +102,11 @@ inline std::optional<DepthPlane> depthPlane(const ScreenTriangle& triangle) {
   DepthPlane plane;
   double terms = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto at = static_cast<double>(triangle.edges[k].c), down = static_cast<double>(triangle.edges[k].b),
-               right = static_cast<double>(triangle.edges[k].a);
-    plane.at += at * triangle.inverseDepth[k];
-    plane.down += down * triangle.inverseDepth[k];
-    plane.right += right * triangle.inverseDepth[k];
-    terms += (std::abs(at) + std::abs(down) * triangle.endRow + std::abs(right) * triangle.endColumn) *
-             triangle.inverseDepth[k];
+    const EdgePlane edge(triangle, triangle.edges[k]);
+    plane.at += edge.at * triangle.inverseDepth[k];
+    plane.down += edge.down * triangle.inverseDepth[k];
+    plane.right += edge.right * triangle.inverseDepth[k];
+    terms += edge.most * triangle.inverseDepth[k];
   }
   const double farthest = std::max({triangle.w[0], triangle.w[1], triangle.w[2]});
   if (!(16 * unitRoundoff * terms * farthest < depthError)) return {};

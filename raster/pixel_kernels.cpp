@@ -92,20 +92,18 @@ struct BoundedPlane {
 /// A coordinate at a corner passes four roundings until it is a factor of the plane, the sums of the plane add three;
 /// rows and columns multiplied and added up make at most five more. 16 units of what the terms may sum up to leave room
 /// for the rounding of that sum. A single texel is everywhere.
-BoundedPlane boundedPlane(const ScreenTriangle& triangle, const std::array<double, 3>& coordinate, int size) {
+BoundedPlane boundedPlane(const ScreenTriangle& triangle, const std::array<EdgePlane, 3>& edges,
+                          const std::array<double, 3>& coordinate, int size) {
   BoundedPlane result;
   if (size == 1) return result;
   result.plane.last = size - 1;
   result.plane.middle = 0.5;
   for (std::size_t k = 0; k < 3; ++k) {
     const double overDepth = coordinate[k] * triangle.inverseDepth[k] * size;
-    const auto at = static_cast<double>(triangle.edges[k].c), down = static_cast<double>(triangle.edges[k].b),
-               right = static_cast<double>(triangle.edges[k].a);
-    result.plane.at += at * overDepth;
-    result.plane.down += down * overDepth;
-    result.plane.right += right * overDepth;
-    result.error +=
-        (std::abs(at) + std::abs(down) * triangle.endRow + std::abs(right) * triangle.endColumn) * std::abs(overDepth);
+    result.plane.at += edges[k].at * overDepth;
+    result.plane.down += edges[k].down * overDepth;
+    result.plane.right += edges[k].right * overDepth;
+    result.error += edges[k].most * std::abs(overDepth);
   }
   result.error *= 16 * unitRoundoff;
   return result;
@@ -127,8 +125,10 @@ void DepthBuffer::clear(const Scissor& part) {
 /// 1/w has its own error, its inverse and the product round twice more.
 TexelPlanes::TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHeight)
     : rounding(2 * depthError * std::max(largest(triangle.u) * mapWidth, largest(triangle.v) * mapHeight)) {
-  const BoundedPlane across = boundedPlane(triangle, triangle.u, mapWidth);
-  const BoundedPlane along = boundedPlane(triangle, triangle.v, mapHeight);
+  const std::array<EdgePlane, 3> edges{EdgePlane(triangle, triangle.edges[0]), EdgePlane(triangle, triangle.edges[1]),
+                                       EdgePlane(triangle, triangle.edges[2])};
+  const BoundedPlane across = boundedPlane(triangle, edges, triangle.u, mapWidth);
+  const BoundedPlane along = boundedPlane(triangle, edges, triangle.v, mapHeight);
   u = across.plane;
   v = along.plane;
   error = std::max(across.error, along.error);
