@@ -1,6 +1,7 @@
 /// Shading: how the pixels of a triangle get their words, all the same one or by texels.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "raster/draw_list.h"
@@ -18,7 +19,8 @@ struct Shading {
     bool isSum;   ///< the words are sums of offset and texel in which nothing is carried and nothing clamped
     bool counts;  ///< and the texels are their own numbers
     TexelPlanes planes;
-    std::optional<ExactTexels> exact;  ///< once a texel was undecided, where there are any
+    std::unique_ptr<const ExactTexels> exact;  ///< once a texel was undecided, where there are any:
+                                               ///< so seldom that shadings are not to be large for it
   };
   std::optional<Texels> texels;
 };

@@ -184,7 +184,7 @@ void Tile::findTexels(const PixelRun& run, Shading::Texels& texels, Word base, W
   const auto u = exactQuotient(*run.triangle, run.triangle->u, map.width);
   const auto v = exactQuotient(*run.triangle, run.triangle->v, map.height);
   if (u && v) {
-    texels.exact = {*u, *v};
+    texels.exact = std::make_unique<const ExactTexels>(ExactTexels{*u, *v});
     kernels_.findExactTexels(run, *texels.exact, map.width, map.height, base, words);
   } else {
     for (const Pixel& pixel : memory_.undecided.pixels)
