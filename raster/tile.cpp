@@ -1,7 +1,6 @@
 #include "raster/tile.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <tuple>
 
@@ -40,6 +39,7 @@ class Tile {
     buffer_.clear(face.scissor);
     taken_.clear();
     memory.shadings.clear();
+    memory.undecided.pixels.clear();
     memory.row.resize(buffer_.pitch);
   }
 
