@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <mutex>
+#include <vector>
 
 namespace hemitex::raster {
 
@@ -19,6 +20,14 @@ inline void forEveryInstructionSet(const std::function<void()>& action) {
     action();
   }
   hwy::SetSupportedTargetsForTest(0);
+}
+
+/// What `chosen` gives with each of them, the best first.
+template <typename Kernels, typename Chosen>
+std::vector<Kernels> ofEveryInstructionSet(const Chosen& chosen) {
+  std::vector<Kernels> all;
+  forEveryInstructionSet([&] { all.push_back(chosen()); });
+  return all;
 }
 
 }  // namespace hemitex::raster

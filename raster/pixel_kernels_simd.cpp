@@ -473,16 +473,11 @@ namespace {
 
 HWY_EXPORT(kernels);
 
-std::vector<PixelKernels> allKernels() {
-  std::vector<PixelKernels> all;
-  forEveryInstructionSet([&all] { all.push_back(HWY_DYNAMIC_DISPATCH(kernels)()); });
-  return all;
-}
-
 }  // namespace
 
 const std::vector<PixelKernels>& simdKernels() {
-  static const std::vector<PixelKernels> all = allKernels();
+  static const std::vector<PixelKernels> all =
+      ofEveryInstructionSet<PixelKernels>([] { return HWY_DYNAMIC_DISPATCH(kernels)(); });
   return all;
 }
 

@@ -270,16 +270,11 @@ namespace {
 
 HWY_EXPORT(smallTriangleKernels);
 
-std::vector<SmallTriangleKernels> allKernels() {
-  std::vector<SmallTriangleKernels> all;
-  forEveryInstructionSet([&all] { all.push_back(HWY_DYNAMIC_DISPATCH(smallTriangleKernels)()); });
-  return all;
-}
-
 }  // namespace
 
 const std::vector<SmallTriangleKernels>& simdSmallTriangleKernels() {
-  static const std::vector<SmallTriangleKernels> all = allKernels();
+  static const std::vector<SmallTriangleKernels> all =
+      ofEveryInstructionSet<SmallTriangleKernels>([] { return HWY_DYNAMIC_DISPATCH(smallTriangleKernels)(); });
   return all;
 }
 

@@ -153,16 +153,11 @@ namespace {
 
 HWY_EXPORT(vertexKernels);
 
-std::vector<VertexKernels> allKernels() {
-  std::vector<VertexKernels> all;
-  forEveryInstructionSet([&all] { all.push_back(HWY_DYNAMIC_DISPATCH(vertexKernels)()); });
-  return all;
-}
-
 }  // namespace
 
 const std::vector<VertexKernels>& simdVertexKernels() {
-  static const std::vector<VertexKernels> all = allKernels();
+  static const std::vector<VertexKernels> all =
+      ofEveryInstructionSet<VertexKernels>([] { return HWY_DYNAMIC_DISPATCH(vertexKernels)(); });
   return all;
 }
 

@@ -48,16 +48,11 @@ namespace {
 
 HWY_EXPORT(wordKernels);
 
-std::vector<WordKernels> allKernels() {
-  std::vector<WordKernels> all;
-  forEveryInstructionSet([&all] { all.push_back(HWY_DYNAMIC_DISPATCH(wordKernels)()); });
-  return all;
-}
-
 }  // namespace
 
 const std::vector<WordKernels>& simdWordKernels() {
-  static const std::vector<WordKernels> all = allKernels();
+  static const std::vector<WordKernels> all =
+      ofEveryInstructionSet<WordKernels>([] { return HWY_DYNAMIC_DISPATCH(wordKernels)(); });
   return all;
 }
 
