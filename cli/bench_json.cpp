@@ -24,22 +24,22 @@ ordered_json runJson(const reference::BenchRun& run) {
           {"what", run.what},
           {"median_ms", run.seconds.median * milliseconds},
           {"min_ms", run.seconds.least * milliseconds},
-          {"repeats", run.seconds.repeats}};
+          {"repeats", run.seconds.turns.size()}};
 }
 
 ordered_json coresJson(const reference::CoreGains& gains) {
   return {{"arithmetic", gains.arithmetic},
           {"hemicube", gains.hemicube},
           {"solution", gains.solution},
-          {"hemicube_of_arithmetic", gains.hemicube / gains.arithmetic},
-          {"solution_of_arithmetic", gains.solution / gains.arithmetic}};
+          {"hemicube_of_arithmetic", gains.hemicubeOfArithmetic},
+          {"solution_of_arithmetic", gains.solutionOfArithmetic}};
 }
 
 ordered_json wallJson(const reference::WallTimes& wall) {
   return {{"resolution", wall.resolution},
           {"tied_ms", wall.tied.median * milliseconds},
           {"moved_ms", wall.moved.median * milliseconds},
-          {"ratio", wall.tied.median / wall.moved.median}};
+          {"ratio", ratioOf(wall.tied, wall.moved)}};
 }
 
 ordered_json growthJson(const reference::BenchGrowth& growth) {

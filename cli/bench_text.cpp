@@ -40,12 +40,12 @@ class Table {
 };
 
 /// Milliseconds of what was run; in brackets, over those of a hemicube.
-std::string runCell(const std::map<std::string, double>& medians, const std::string& what) {
-  const auto found = medians.find(what);
-  if (found == medians.end()) return "";
-  const std::string text = rounded(1000 * found->second);
+std::string runCell(const std::map<std::string, Timing>& timings, const std::string& what) {
+  const auto found = timings.find(what);
+  if (found == timings.end()) return "";
+  const std::string text = inMilliseconds(found->second);
   if (what == "hemicube") return text;
-  return text + " (" + rounded(found->second / medians.at("hemicube"), 2) + ")";
+  return text + " (" + rounded(ratioOf(found->second, timings.at("hemicube")), 2) + ")";
 }
 
 /// A line for each scene, number of triangles and resolution.
@@ -57,13 +57,13 @@ std::string runsText(const std::vector<BenchRun>& runs) {
   Table table(head);
   const auto place = [](const BenchRun& run) { return std::make_tuple(run.scene, run.triangles, run.resolution); };
   for (std::size_t first = 0, end = 0; first < runs.size(); first = end) {
-    std::map<std::string, double> medians;
+    std::map<std::string, Timing> timings;
     for (; end < runs.size() && place(runs[end]) == place(runs[first]); ++end)
-      medians[runs[end].what] = runs[end].seconds.median;
+      timings[runs[end].what] = runs[end].seconds;
     const BenchRun& run = runs[first];
     std::vector<std::string> cells{run.scene, std::to_string(run.triangles), std::to_string(run.elements),
                                    std::to_string(run.resolution)};
-    for (const std::string& what : columns) cells.push_back(runCell(medians, what));
+    for (const std::string& what : columns) cells.push_back(runCell(timings, what));
     table.add(cells);
   }
   return "Milliseconds; in brackets, over those of a hemicube.\n\n" + table.text();
@@ -98,15 +98,15 @@ std::string wallText(const std::vector<WallTimes>& walls) {
   Table table({"R", "tied, ms", "moved, ms", "ratio"});
   for (const WallTimes& wall : walls)
     table.add({std::to_string(wall.resolution), inMilliseconds(wall.tied), inMilliseconds(wall.moved),
-               rounded(wall.tied.median / wall.moved.median)});
+               rounded(ratioOf(wall.tied, wall.moved))});
   return table.text();
 }
 
 std::string coresText(const CoreGains& gains) {
   Table table({"on two threads", "times faster", "of what arithmetic gains"});
-  for (const auto& [what, gain] :
-       {std::pair{"arithmetic", gains.arithmetic}, {"hemicube", gains.hemicube}, {"solution", gains.solution}})
-    table.add({what, rounded(gain), rounded(gain / gains.arithmetic)});
+  table.add({"arithmetic", rounded(gains.arithmetic), "1"});
+  table.add({"hemicube", rounded(gains.hemicube), rounded(gains.hemicubeOfArithmetic)});
+  table.add({"solution", rounded(gains.solution), rounded(gains.solutionOfArithmetic)});
   return table.text();
 }
 

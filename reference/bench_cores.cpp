@@ -28,7 +28,7 @@ void multiplyAndAdd() {
 
 }  // namespace
 
-std::vector<double> gainsOfSecondCore(std::span<const std::function<void()>> tasks, int repeats) {
+std::vector<GainByTurn> gainsOfSecondCore(std::span<const std::function<void()>> tasks, int repeats) {
   std::vector<std::function<void()>> limited;
   for (const std::function<void()>& task : tasks)
     for (const int threads : {1, 2})
@@ -37,8 +37,9 @@ std::vector<double> gainsOfSecondCore(std::span<const std::function<void()>> tas
         task();
       });
   const std::vector<Timing> timings = timeInTurns(limited, repeats);
-  std::vector<double> gains;
-  for (std::size_t i = 0; i < timings.size(); i += 2) gains.push_back(timings[i].median / timings[i + 1].median);
+  std::vector<GainByTurn> gains;
+  for (std::size_t i = 0; i < timings.size(); i += 2)
+    gains.push_back(quotients(timings[i].turns, timings[i + 1].turns));
   return gains;
 }
 
@@ -54,9 +55,10 @@ CoreGains coreGains(const BenchScene& bench, int resolution, int shots, int repe
     const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
     radiosity::solve(bench.scene, drawn.discretization(), rowOf, {.residual = 0, .shots = shots, .rowCacheBytes = 0});
   };
-  const std::vector<double> gains =
+  const std::vector<GainByTurn> gains =
       gainsOfSecondCore(std::vector<std::function<void()>>{multiplyAndAdd, hemicubes, solution}, repeats);
-  return {gains[0], gains[1], gains[2]};
+  return {medianOf(gains[0]), medianOf(gains[1]), medianOf(gains[2]), medianOf(quotients(gains[1], gains[0])),
+          medianOf(quotients(gains[2], gains[0]))};
 }
 
 }  // namespace hemitex::reference

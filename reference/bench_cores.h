@@ -10,12 +10,16 @@
 
 namespace hemitex::reference {
 
-/// How many times faster each task is on two threads than on one: each runs on one and then on two, all in turns.
-std::vector<double> gainsOfSecondCore(std::span<const std::function<void()>> tasks, int repeats);
+/// How many times faster a task is on two threads than on one, in each turn.
+using GainByTurn = std::vector<double>;
 
-/// These gains.
+/// That of each task: each runs on one thread and then on two, all in turns.
+std::vector<GainByTurn> gainsOfSecondCore(std::span<const std::function<void()>> tasks, int repeats);
+
+/// Medians of these gains, and of what they are of those of arithmetic in the same turn.
 struct CoreGains {
   double arithmetic = 0, hemicube = 0, solution = 0;
+  double hemicubeOfArithmetic = 0, solutionOfArithmetic = 0;
 };
 
 /// `resolution` is that of both; the solution has `shots`. More than one thread must be allowed.

@@ -89,7 +89,7 @@ std::vector<BenchRatio> ratiosOf(const std::vector<BenchRun>& runs, const std::s
     for (const BenchRun& other : runs)
       if (other.what == of && other.scene == run.scene && other.triangles == run.triangles &&
           other.resolution == run.resolution)
-        ratios.push_back({run.scene, run.triangles, run.resolution, run.seconds.median / other.seconds.median});
+        ratios.push_back({run.scene, run.triangles, run.resolution, ratioOf(run.seconds, other.seconds)});
   }
   return ratios;
 }
@@ -124,16 +124,13 @@ std::vector<Requirement> requirements(const BenchReport& report) {
                 error.hemicube / error.rays, 0.5);
   for (const BenchGrowth& growth : report.growth)
     list.atMost("times the drawing time of the fewest elements at the most, " + growth.scene,
-                growth.points.back().draw.median / growth.points.front().draw.median, 1.05);
+                ratioOf(growth.points.back().draw, growth.points.front().draw), 1.05);
   if (report.cores) {
-    list.atLeast("of what arithmetic gains from the second core, a hemicube",
-                 report.cores->hemicube / report.cores->arithmetic, 0.93);
-    list.atLeast("of what arithmetic gains from the second core, a solution",
-                 report.cores->solution / report.cores->arithmetic, 0.93);
+    list.atLeast("of what arithmetic gains from the second core, a hemicube", report.cores->hemicubeOfArithmetic, 0.93);
+    list.atLeast("of what arithmetic gains from the second core, a solution", report.cores->solutionOfArithmetic, 0.93);
   }
   for (const WallTimes& wall : report.walls)
-    list.atMost("times the moved wall, R = " + std::to_string(wall.resolution), wall.tied.median / wall.moved.median,
-                2);
+    list.atMost("times the moved wall, R = " + std::to_string(wall.resolution), ratioOf(wall.tied, wall.moved), 2);
   if (report.parts)
     list.atMost("of a solution's time beside its hemicubes, " + std::to_string(report.parts->elements) + " elements",
                 report.parts->beside() / report.parts->total(), 0.2);

@@ -60,7 +60,7 @@ struct BenchRatio {
   int resolution = 0;
   double ratio = 0;
 };
-/// The medians of `what` over those of `of`, wherever both were run.
+/// Times of `what` over those of `of`, wherever both were run.
 std::vector<BenchRatio> ratiosOf(const std::vector<BenchRun>& runs, const std::string& what, const std::string& of);
 
 struct Requirement {

@@ -92,7 +92,7 @@ SolutionParts solutionParts(const radiosity::Scene& scene, int texels, int resol
                                       &SolutionParts::spreading, &SolutionParts::accounting}) {
     std::vector<double> seconds;
     for (const SolutionParts& repeat : times) seconds.push_back(repeat.*part);
-    medians.*part = timingOf(seconds).median;
+    medians.*part = medianOf(seconds);
   }
   return medians;
 }

@@ -79,7 +79,7 @@ double sumOfMedians(const std::vector<ShotTimes>& repeats, std::vector<double> S
   for (std::size_t shot = 0; shot < (repeats.front().*times).size(); ++shot) {
     std::vector<double> ofShot;
     for (const ShotTimes& repeat : repeats) ofShot.push_back((repeat.*times).at(shot));
-    sum += timingOf(ofShot).median;
+    sum += medianOf(ofShot);
   }
   return sum;
 }
@@ -91,7 +91,7 @@ PaperTimes mediansOf(const std::vector<ShotTimes>& repeats) {
   std::vector<double> rest;
   for (const ShotTimes& repeat : repeats) rest.push_back(repeat.rest);
   const double formFactors = sumOfMedians(repeats, &ShotTimes::formFactors);
-  return {formFactors + timingOf(rest).median, formFactors, sumOfMedians(repeats, &ShotTimes::draw)};
+  return {formFactors + medianOf(rest), formFactors, sumOfMedians(repeats, &ShotTimes::draw)};
 }
 
 std::vector<PaperRun> measurePaperRuns(const std::vector<PaperScene>& scenes, const std::vector<PaperDevice>& devices,

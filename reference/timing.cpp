@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "reference/stopwatch.h"
 
@@ -23,13 +24,32 @@ double secondsOf(const std::function<void()>& task, double shortest) {
 
 }  // namespace
 
-Timing timingOf(std::vector<double> seconds) {
-  assert(!seconds.empty());
-  std::sort(seconds.begin(), seconds.end());
-  const std::size_t half = seconds.size() / 2;
-  const double median = seconds.size() % 2 == 1 ? seconds[half] : (seconds[half - 1] + seconds[half]) / 2;
-  return {median, seconds.front(), static_cast<int>(seconds.size())};
+double medianOf(std::vector<double> values) {
+  assert(!values.empty());
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
+
+Timing timingOf(std::vector<double> turns) {
+  const double median = medianOf(turns), least = *std::min_element(turns.begin(), turns.end());
+  return {median, least, std::move(turns)};
+}
+
+Timing operator/(const Timing& timing, double parts) {
+  Timing part{timing.median / parts, timing.least / parts, timing.turns};
+  for (double& seconds : part.turns) seconds /= parts;
+  return part;
+}
+
+std::vector<double> quotients(std::span<const double> turns, std::span<const double> others) {
+  assert(turns.size() == others.size());
+  std::vector<double> result;
+  for (std::size_t turn = 0; turn < turns.size(); ++turn) result.push_back(turns[turn] / others[turn]);
+  return result;
+}
+
+double ratioOf(const Timing& timing, const Timing& other) { return medianOf(quotients(timing.turns, other.turns)); }
 
 std::vector<Timing> timeInTurns(std::span<const std::function<void()>> tasks, int repeats, double shortest) {
   for (const std::function<void()>& task : tasks) task();

@@ -12,16 +12,23 @@ namespace hemitex::reference {
 /// Seconds of one call.
 struct Timing {
   double median = 0, least = 0;
-  int repeats = 0;
+  std::vector<double> turns;  ///< each, in their order
 };
 
 /// Of a part, where a call did so many.
-inline Timing operator/(const Timing& timing, double parts) {
-  return {timing.median / parts, timing.least / parts, timing.repeats};
-}
+Timing operator/(const Timing& timing, double parts);
 
 /// Of times taken, one at least.
-Timing timingOf(std::vector<double> seconds);
+Timing timingOf(std::vector<double> turns);
+
+double medianOf(std::vector<double> values);
+
+/// What each turn gave over what it gave of something else; of as many.
+std::vector<double> quotients(std::span<const double> turns, std::span<const double> others);
+
+/// How many times longer one thing takes than another that ran in the same turns: the median of what each turn says. A
+/// machine that is slower for a while is slower for both, whereas their medians may be of different whiles.
+double ratioOf(const Timing& timing, const Timing& other);
 
 /// Seconds that a turn takes at least.
 inline constexpr double shortestTurn = 0.02;

@@ -33,7 +33,8 @@ TEST_CASE("every task runs on one thread and then on two, in turns", "[bench]") 
   };
   const auto gains =
       reference::gainsOfSecondCore(std::vector<std::function<void()>>{task(0), task(1), task(2)}, repeats);
-  CHECK(gains.size() == 3);
+  REQUIRE(gains.size() == 3);
+  for (const reference::GainByTurn& ofTask : gains) CHECK(ofTask.size() == repeats);
   // Once before the clock runs, then the repeats.
   REQUIRE(turns.size() == 3 * (1 + repeats));
   for (std::size_t i = 0; i < turns.size(); ++i) {

@@ -13,7 +13,7 @@ TEST_CASE("what is timed runs once without the clock and then in turns", "[bench
   CHECK(calls == "abababab");
   REQUIRE(timings.size() == 2);
   for (const Timing& timing : timings) {
-    CHECK(timing.repeats == 3);
+    CHECK(timing.turns.size() == 3);
     CHECK(timing.least >= 0);
     CHECK(timing.median >= timing.least);
   }
@@ -36,4 +36,13 @@ TEST_CASE("the median of an even number of times lies between the middle ones", 
   CHECK(timingOf({3, 1, 2}).median == 2);
   CHECK(timingOf({4, 1, 3, 2}).median == 2.5);
   CHECK(timingOf({4, 1, 3, 2}).least == 1);
+}
+
+TEST_CASE("a ratio is that of turns, whatever the machine's pace in each", "[bench]") {
+  // One takes three times as long as the other. The machine is half as fast from the second of four turns on, the other
+  // misses that in its own second turn: the medians' ratio would be 6 / 1.5.
+  const Timing timing = timingOf({3, 6, 6, 6}), other = timingOf({1, 1, 2, 2});
+  CHECK(ratioOf(timing, other) == 3);
+  CHECK(timing.median / other.median == 4);
+  CHECK(ratioOf(timing / 2, other) == 1.5);
 }
