@@ -109,9 +109,11 @@ class SurfaceValues {
   SurfaceValues(const glm::dvec3& ofMaterial, const std::vector<glm::dvec3>& mapped)
       : ofMaterial_(ofMaterial), mapped_(mapped.empty() ? nullptr : mapped.data()) {}
 
-  const glm::dvec3& of(std::uint32_t element) const { return mapped_ == nullptr ? ofMaterial_ : mapped_[element]; }
+  const glm::dvec3& of(std::uint32_t element) const { return areEqual() ? ofMaterial_ : mapped_[element]; }
+  /// Every element has the same for sure.
+  bool areEqual() const { return mapped_ == nullptr; }
   /// That of every element is 0 for sure.
-  bool areZero() const { return mapped_ == nullptr && ofMaterial_ == glm::dvec3(0); }
+  bool areZero() const { return areEqual() && ofMaterial_ == glm::dvec3(0); }
 
  private:
   const glm::dvec3& ofMaterial_;

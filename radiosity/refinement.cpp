@@ -66,40 +66,96 @@ std::vector<Part> partsOf(const FormFactorRow& row, const Discretization& discre
 /// Elements that a row names so far ahead are fetched while others receive: they lie far apart, and memory is slow.
 constexpr std::size_t fetchedAhead = 32;
 
-/// What a shot does to entries of one surface: its elements receive, and what they reflect is unshot in their patches,
-/// whose blocks are appended.
-void receive(const Part& some, std::uint32_t surface, const glm::dvec3& shot, const FormFactorRow& row,
-             const Scene& scene, const Discretization& discretization, std::vector<glm::dvec3>& received,
-             UnshotFlux& unshot, std::vector<std::uint32_t>& blocks) {
-  const SurfaceValues reflectance = reflectances(scene, discretization, surface);
-  // As spans, which no call in the loop can change.
-  const std::span elements(row.elements), patchOf(discretization.patchOf);
-  const std::span shares(row.shares);
-  const std::span light(received);
-  std::uint32_t lastBlock = std::numeric_limits<std::uint32_t>::max();
-  for (std::size_t i = some.first; i < some.end; ++i) {
-    if (i + fetchedAhead < some.end) __builtin_prefetch(&light[elements[i + fetchedAhead]], 1);
-    const std::uint32_t element = elements[i], patch = patchOf[element];
-    const glm::dvec3 arriving = shot * formFactor(shares[i]);
-    light[element] += arriving;
-    unshot.add(patch, arriving * reflectance.of(element));
+/// Entries of a row that name elements of one surface, and what is shot along it.
+struct Arrival {
+  std::uint32_t surface;
+  std::span<const std::uint32_t> elements;
+  std::span<const std::uint64_t> shares;
+  glm::dvec3 shot;
+};
+
+/// The unshot flux of patches that receive, and their blocks.
+class ReceivingPatches {
+ public:
+  ReceivingPatches(UnshotFlux& unshot, std::vector<std::uint32_t>& blocks) : unshot_(unshot), blocks_(blocks) {}
+
+  void add(std::uint32_t patch, const glm::dvec3& flux) {
+    unshot_.add(patch, flux);
     const std::uint32_t block = patch / UnshotFlux::patchesInBlock;
-    if (block != lastBlock) blocks.push_back(lastBlock = block);
+    if (block != last_) blocks_.push_back(last_ = block);
+  }
+
+ private:
+  UnshotFlux& unshot_;
+  std::vector<std::uint32_t>& blocks_;
+  std::uint32_t last_ = std::numeric_limits<std::uint32_t>::max();
+};
+
+/// Lets elements receive, and calls reflect(i, light) for what arrives at the i-th.
+template <typename Reflect>
+void receive(const Arrival& arrival, std::span<glm::dvec3> received, const Reflect& reflect) {
+  const std::span elements = arrival.elements;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (i + fetchedAhead < elements.size()) __builtin_prefetch(&received[elements[i + fetchedAhead]], 1);
+    const glm::dvec3 light = arrival.shot * formFactor(arrival.shares[i]);
+    received[elements[i]] += light;
+    reflect(i, light);
   }
 }
 
-/// The same to all entries of a part, surface by surface.
-void receive(const Part& part, const glm::dvec3& shot, const FormFactorRow& row, const Scene& scene,
-             const Discretization& discretization, std::vector<glm::dvec3>& received, UnshotFlux& unshot,
-             std::vector<std::uint32_t>& blocks) {
+/// What elements reflect is unshot in their patches, element by element.
+void receiveByElements(const Arrival& arrival, const SurfaceValues& reflectance, const Discretization& discretization,
+                       std::span<glm::dvec3> received, ReceivingPatches patches) {
+  const std::span patchOf(discretization.patchOf);
+  receive(arrival, received, [&, elements = arrival.elements](std::size_t i, const glm::dvec3& light) {
+    patches.add(patchOf[elements[i]], light * reflectance.of(elements[i]));
+  });
+}
+
+/// The same where all elements reflect alike and patches have several that receive: their shares are summed first.
+void receiveByPatches(const Arrival& arrival, const glm::dvec3& reflectance, const Discretization& discretization,
+                      std::span<glm::dvec3> received, ReceivingPatches patches) {
+  const Grid& grid = discretization.grids[arrival.surface];
+  const std::span patchOf(discretization.patchOf);
+  std::vector<std::uint64_t> shareOf(grid.patchCount);
+  receive(arrival, received,
+          [&, elements = arrival.elements, firstPatch = grid.firstPatch](std::size_t i, const glm::dvec3&) {
+            shareOf[patchOf[elements[i]] - firstPatch] += arrival.shares[i];
+          });
+  const glm::dvec3 reflected = arrival.shot * reflectance;
+  for (std::uint32_t p = 0; p < grid.patchCount; ++p)
+    if (shareOf[p] != 0) patches.add(grid.firstPatch + p, reflected * formFactor(shareOf[p]));
+}
+
+/// What a part of a row touched.
+struct Receipt {
+  std::vector<std::uint32_t> blocks;  ///< of patches that received
+  std::size_t visits = 0;             ///< elements and patches that it looked at
+};
+
+/// What a shot does to all entries of a part, surface by surface.
+Receipt receive(const Part& part, const glm::dvec3& shot, const FormFactorRow& row, const Scene& scene,
+                const Discretization& discretization, std::span<glm::dvec3> received, UnshotFlux& unshot) {
+  Receipt receipt{.blocks = {}, .visits = part.end - part.first};
   for (std::size_t first = part.first, end = part.first; first < part.end; first = end) {
     const std::uint32_t surface = discretization.elements[row.elements[first]].surface;
+    const Grid& grid = discretization.grids[surface];
     const auto behind = std::lower_bound(row.elements.begin() + static_cast<std::ptrdiff_t>(first),
-                                         row.elements.begin() + static_cast<std::ptrdiff_t>(part.end),
-                                         endOf(discretization.grids[surface]));
+                                         row.elements.begin() + static_cast<std::ptrdiff_t>(part.end), endOf(grid));
     end = static_cast<std::size_t>(behind - row.elements.begin());
-    receive({first, end}, surface, shot, row, scene, discretization, received, unshot, blocks);
+    const std::size_t count = end - first;
+    const Arrival arrival{surface, std::span(row.elements).subspan(first, count),
+                          std::span(row.shares).subspan(first, count), shot};
+    const SurfaceValues reflectance = reflectances(scene, discretization, surface);
+    const ReceivingPatches patches(unshot, receipt.blocks);
+    if (reflectance.areEqual() && grid.patchCount <= count / 2) {
+      receiveByPatches(arrival, reflectance.of(grid.firstElement), discretization, received, patches);
+      receipt.visits += grid.patchCount;
+    } else {
+      receiveByElements(arrival, reflectance, discretization, received, patches);
+    }
   }
+  return receipt;
 }
 
 }  // namespace
@@ -141,18 +197,22 @@ std::size_t Refinement::shoot(std::uint32_t patch, const FormFactorRow& row) {
   light_.shot[patch] += shot;
   unshot_.clear(patch);
   const std::vector<Part> parts = partsOf(row, discretization_);
-  std::vector<std::vector<std::uint32_t>> received(parts.size());  // blocks of patches, by each part
+  std::vector<Receipt> receipts(parts.size());
   // Patches belong to surfaces, so that no two threads change the same one.
   raster::parallelFor(parts.size(), [&](std::size_t i) {
-    receive(parts[i], shot, row, scene_, discretization_, light_.received, unshot_, received[i]);
+    receipts[i] = receive(parts[i], shot, row, scene_, discretization_, light_.received, unshot_);
   });
   std::vector<std::uint32_t> blocks{patch / UnshotFlux::patchesInBlock};
-  for (const std::vector<std::uint32_t>& ofPart : received) blocks.insert(blocks.end(), ofPart.begin(), ofPart.end());
+  std::size_t visits = 0;
+  for (const Receipt& receipt : receipts) {
+    blocks.insert(blocks.end(), receipt.blocks.begin(), receipt.blocks.end());
+    visits += receipt.visits;
+  }
   lost_.add(shot * formFactor(row.background + row.back));
   lostToBacks_.add(shot * formFactor(row.back));
   light_.lost = lost_.value();
   light_.lostToBacks = lostToBacks_.value();
-  return row.elements.size() + unshot_.update(blocks);
+  return visits + unshot_.update(blocks);
 }
 
 Energy Refinement::energy() const {

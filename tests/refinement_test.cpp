@@ -37,20 +37,23 @@ Scene litCube(const glm::dvec3& emission) {
 }  // namespace
 
 TEST_CASE("a refinement goes on from what was shot as if it had not been left", "[refinement]") {
-  tests::HemicubeWorld world(litCube({3, 2, 1}), 4, 2);
-  ProjectedRows rows = world.rows(32);
-  RowCache cache(std::size_t{1} << 30);
-  const RowSource rowOf = rowsOf(rows, cache);
-  Refinement whole(world.scene, world.discretization);
-  shoot(whole, rowOf, 20);
-  Refinement continued(world.scene, world.discretization, whole.light());
-  // The same sums in another order: a few units in the last place, of the largest patch's flux.
-  CHECK(continued.residual() == Approx(whole.residual()).epsilon(1e-12));
-  shoot(whole, rowOf, 20);
-  shoot(continued, rowOf, 20);
-  for (std::size_t e = 0; e < world.discretization.elements.size(); ++e)
-    for (int band = 0; band < 3; ++band)
-      CHECK(continued.radiosity()[e][band] == Approx(whole.radiosity()[e][band]).epsilon(1e-12));
+  // Patches of an element receive element by element, those of four as a whole.
+  for (const int patch : {1, 2}) {
+    tests::HemicubeWorld world(litCube({3, 2, 1}), 4, patch);
+    ProjectedRows rows = world.rows(32);
+    RowCache cache(std::size_t{1} << 30);
+    const RowSource rowOf = rowsOf(rows, cache);
+    Refinement whole(world.scene, world.discretization);
+    shoot(whole, rowOf, 20);
+    Refinement continued(world.scene, world.discretization, whole.light());
+    // The same sums in another order: a few units in the last place, of the largest patch's flux.
+    CHECK(continued.residual() == Approx(whole.residual()).epsilon(1e-12));
+    shoot(whole, rowOf, 20);
+    shoot(continued, rowOf, 20);
+    for (std::size_t e = 0; e < world.discretization.elements.size(); ++e)
+      for (int band = 0; band < 3; ++band)
+        CHECK(continued.radiosity()[e][band] == Approx(whole.radiosity()[e][band]).epsilon(1e-12));
+  }
 }
 
 TEST_CASE("a light that goes out is taken back by negative shots, and the account closes", "[refinement]") {
@@ -113,4 +116,30 @@ TEST_CASE("a shot looks at what its row has, not at all elements or patches", "[
   // 64 blocks, and the root has 16 children.
   for (int shot = 0; shot < 1000; ++shot)
     REQUIRE(refinement.shoot(refinement.brightestPatch(), row) <= 10 + 11 * (64 + 64) + 16);
+}
+
+TEST_CASE("a shot that much of a surface receives looks at its patches at most once for two elements", "[refinement]") {
+  const Scene scene = litCube({3, 2, 1});
+  const Discretization discretization = discretize(scene, {.texels = 64, .patch = 2});
+  const Grid& grid = discretization.grids[0];
+  REQUIRE(grid.patchCount == 1024);
+  // The least that is seen of it so often, and one less.
+  for (const std::uint32_t seen : {2048U, 2047U}) {
+    FormFactorRow row;
+    for (std::uint32_t e = 0; e < seen; ++e) row.elements.push_back(grid.firstElement + e);
+    row.shares.assign(seen, wholeShare / 4096);
+    row.background = wholeShare - seen * (wholeShare / 4096);
+    Refinement refinement(scene, discretization);
+    const std::size_t visits = refinement.shoot(refinement.brightestPatch(), row);
+    // 2048 elements lie in 512 patches, these in eight blocks, the shooter in another; below the root are 96 of them.
+    const std::size_t updated = (8 + 1) * 64 + 2 * (64 + 64) + 2;
+    INFO(seen << " elements: " << visits);
+    CHECK(visits >= seen + (seen == 2048 ? grid.patchCount : 0));
+    CHECK(visits <= seen + (seen == 2048 ? grid.patchCount : 0) + updated);
+    // What arrives is unshot in part, and absorbed in part, wherever it is summed.
+    const Energy energy = refinement.energy();
+    const double arrived = static_cast<double>(seen) / 4096 * energy.emitted.x / static_cast<double>(grid.patchCount);
+    CHECK(energy.absorbed.x == Approx((1 - 0.7) * arrived).epsilon(1e-12));
+    CHECK(energy.emitted.x - energy.unshot.x == Approx(0.3 * arrived + energy.lost.x).epsilon(1e-12));
+  }
 }
