@@ -83,7 +83,8 @@ void measureRest(reference::BenchReport& report, const std::vector<reference::Be
   progress("memory");
   report.memory = reference::solutionMemory(box.scene, texels, resolution);
   progress("parts of a solution");
-  report.parts = reference::solutionParts(box.scene, texels, 256, 1000, settings.repeats);
+  for (const int side : settings.resolutions)
+    report.parts.push_back(reference::solutionParts(box.scene, texels, side, 300, settings.repeats));
 }
 
 /// The numbers, the tables and the pictures of docs/performance.md.

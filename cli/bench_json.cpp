@@ -101,7 +101,7 @@ ordered_json toJson(const reference::BenchReport& report) {
           {"two_cores", report.cores ? coresJson(*report.cores) : ordered_json::object()},
           {"tied_wall", listOf(report.walls, wallJson)},
           {"growth", listOf(report.growth, growthJson)},
-          {"solution_parts", report.parts ? partsJson(*report.parts) : ordered_json::object()},
+          {"solution_parts", listOf(report.parts, partsJson)},
           {"memory", report.memory ? memoryJson(*report.memory) : ordered_json::object()},
           {"equal_time_error", listOf(report.errors, errorJson)},
           {"crossover", listOf(reference::crossovers(report.runs), crossoverJson)},

@@ -110,16 +110,18 @@ std::string coresText(const CoreGains& gains) {
   return table.text();
 }
 
-std::string partsText(const SolutionParts& parts) {
-  Table table({"part of a solution", "ms", "percent"});
-  for (const auto& [what, seconds] : {std::pair{"hemicubes", parts.hemicubes},
-                                      {"start", parts.start},
-                                      {"picking the next patch", parts.picking},
-                                      {"spreading the light", parts.spreading},
-                                      {"accounting", parts.accounting}})
-    table.add({what, rounded(1000 * seconds), rounded(100 * seconds / parts.total())});
-  return std::to_string(parts.elements) + " elements, " + std::to_string(parts.shots) +
-         " shots, R = " + std::to_string(parts.resolution) + "\n\n" + table.text();
+/// A line for each resolution.
+std::string partsText(const std::vector<SolutionParts>& solutions) {
+  Table table({"elements", "shots", "R", "solution, ms", "hemicubes, percent", "start", "picking the next patch",
+               "spreading the light", "accounting"});
+  for (const SolutionParts& parts : solutions) {
+    std::vector<std::string> cells{std::to_string(parts.elements), std::to_string(parts.shots),
+                                   std::to_string(parts.resolution), rounded(1000 * parts.total())};
+    for (const double seconds : {parts.hemicubes, parts.start, parts.picking, parts.spreading, parts.accounting})
+      cells.push_back(rounded(100 * seconds / parts.total()));
+    table.add(cells);
+  }
+  return table.text();
 }
 
 std::string memoryText(const SolutionMemory& memory) {
@@ -144,7 +146,7 @@ std::string benchText(const BenchReport& report) {
   if (!report.growth.empty()) text += growthText(report.growth);
   if (!report.walls.empty()) text += wallText(report.walls);
   if (report.cores) text += coresText(*report.cores);
-  if (report.parts) text += partsText(*report.parts);
+  if (!report.parts.empty()) text += partsText(report.parts);
   if (report.memory) text += memoryText(*report.memory);
   return text + requirementsText(report);
 }

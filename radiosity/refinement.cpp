@@ -148,6 +148,7 @@ Receipt receive(const Part& part, const glm::dvec3& shot, const FormFactorRow& r
                           std::span(row.shares).subspan(first, count), shot};
     const SurfaceValues reflectance = reflectances(scene, discretization, surface);
     const ReceivingPatches patches(unshot, receipt.blocks);
+    // No pass over more patches than that: a row may name few elements of a large surface.
     if (reflectance.areEqual() && grid.patchCount <= count / 2) {
       receiveByPatches(arrival, reflectance.of(grid.firstElement), discretization, received, patches);
       receipt.visits += grid.patchCount;

@@ -131,9 +131,10 @@ std::vector<Requirement> requirements(const BenchReport& report) {
   }
   for (const WallTimes& wall : report.walls)
     list.atMost("times the moved wall, R = " + std::to_string(wall.resolution), ratioOf(wall.tied, wall.moved), 2);
-  if (report.parts)
-    list.atMost("of a solution's time beside its hemicubes, " + std::to_string(report.parts->elements) + " elements",
-                report.parts->beside() / report.parts->total(), 0.2);
+  for (const SolutionParts& parts : report.parts)
+    list.atMost("of a solution's time beside its hemicubes, " + std::to_string(parts.elements) +
+                    " elements, R = " + std::to_string(parts.resolution),
+                parts.beside() / parts.total(), 0.2);
   if (report.memory) {
     list.atMost("bytes an element", report.memory->bytesPerElement, 64);
     list.atMost("bytes a pixel", report.memory->bytesPerPixel, 24);

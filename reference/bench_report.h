@@ -35,7 +35,7 @@ struct BenchReport {
   std::optional<CoreGains> cores;
   std::vector<WallTimes> walls;
   std::vector<BenchGrowth> growth;
-  std::optional<SolutionParts> parts;
+  std::vector<SolutionParts> parts;
   std::optional<SolutionMemory> memory;
   std::vector<EqualTimeError> errors;
 };

@@ -54,8 +54,7 @@ TEST_CASE("the further requirements compare what they say", "[bench]") {
   report.walls = {{32, timingOf({3}), timingOf({2})}};
   report.growth = {
       {"paper-room", 512, {{16, 1, timingOf({1}), {}}, {64, 1, timingOf({9}), {}}, {1024, 1, timingOf({1.06}), {}}}}};
-  report.parts =
-      SolutionParts{.elements = 9, .start = 1, .picking = 1, .hemicubes = 12, .spreading = 1, .accounting = 0};
+  report.parts = {{.elements = 9, .start = 1, .picking = 1, .hemicubes = 12, .spreading = 1, .accounting = 0}};
   report.memory = SolutionMemory{64, 25, 0};
   report.errors = {{"cornell-box", 256, 1, 0.1, 0.25}};
   const std::vector<Requirement> list = requirements(report);
