@@ -1,5 +1,5 @@
-/// What all pixel kernels have in common: the values of a triangle's edges at samples, and how far off binary64 may be
-/// in what is computed from them.
+/// What the kernels of depths, texels and small triangles have in common: the values of a triangle's edges at samples, and
+/// how far off binary64 may be in what is computed from them.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "raster/pixel_kernels.h"
+#include "raster/depth_buffer.h"
 #include "raster/screen_triangle.h"
 
 namespace hemitex::raster {
@@ -112,28 +112,5 @@ inline std::optional<DepthPlane> depthPlane(const ScreenTriangle& triangle) {
   if (!(16 * unitRoundoff * terms * farthest < depthError)) return {};
   return plane;
 }
-
-/// Appends the samples of a triangle, by its number, that a buffer to which it was offered leaves undecided. No other
-/// triangle in the buffer has that number.
-void listUndecidedSamples(const ScreenTriangle& triangle, std::uint32_t number, const DepthBuffer& buffer,
-                          UndecidedPixels& undecided);
-
-/// An exact quotient along pixels of a row that show one triangle: (at + i * step) / (below + i * belowStep), for i
-/// from 0. Nothing is rounded but the quotient.
-struct ExactLine {
-  double at = 0, step = 0;
-  double below = 0, belowStep = 0;
-
-  ExactLine(const PixelRun& run, const ExactQuotient& quotient) {
-    const EdgeValues first = edgeValues(*run.triangle, run.firstColumn, run.row);
-    const EdgeValues steps = edgeSteps(*run.triangle);
-    for (std::size_t k = 0; k < 3; ++k) {
-      at += first[k] * quotient.numerator[k];
-      step += steps[k] * quotient.numerator[k];
-      below += first[k] * quotient.denominator[k];
-      belowStep += steps[k] * quotient.denominator[k];
-    }
-  }
-};
 
 }  // namespace hemitex::raster

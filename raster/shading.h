@@ -4,10 +4,11 @@
 #include <memory>
 #include <optional>
 
+#include "raster/depth_buffer.h"
 #include "raster/draw_list.h"
-#include "raster/pixel_kernels.h"
 #include "raster/prepared_draws.h"
 #include "raster/screen_triangle.h"
+#include "raster/texel_kernels.h"
 #include "raster/word.h"
 
 namespace hemitex::raster {

@@ -6,7 +6,7 @@
 
 namespace hemitex::raster {
 
-SoftwareRenderer::SoftwareRenderer(DrawList list, const PixelKernels& kernels)
+SoftwareRenderer::SoftwareRenderer(DrawList list, const TileKernels& kernels)
     : draws_(prepare(std::move(list))), kernels_(kernels) {}
 
 void SoftwareRenderer::draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,

@@ -1,7 +1,7 @@
 /// The reference renderer: the raster rules on the CPU, bit for bit, for any number of threads.
 ///
 /// Each face is cut into tiles (tile.h), which are drawn independently of each other: depth first, then one word a
-/// visible pixel. Both decide in binary64 where its error bound allows (pixel_kernels.h), and in exact arithmetic
+/// visible pixel. Both decide in binary64 where its error bound allows (pixel_bounds.h), and in exact arithmetic
 /// (exact.h) where it does not.
 #pragma once
 
@@ -11,7 +11,6 @@
 #include "raster/draw_list.h"
 #include "raster/item_buffer_renderer.h"
 #include "raster/per_thread.h"
-#include "raster/pixel_kernels.h"
 #include "raster/tile.h"
 
 namespace hemitex::raster {
@@ -19,7 +18,7 @@ namespace hemitex::raster {
 class SoftwareRenderer final : public ItemBufferRenderer {
  public:
   /// Throws InputError where the list breaks the rules (see validate).
-  explicit SoftwareRenderer(DrawList list, const PixelKernels& kernels = bestKernels());
+  explicit SoftwareRenderer(DrawList list, const TileKernels& kernels = {});
 
   /// May be called from several threads at a time.
   void draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
@@ -36,7 +35,7 @@ class SoftwareRenderer final : public ItemBufferRenderer {
   void drawFace(const Face& face, std::span<const std::uint32_t> skipped, ItemBuffer& buffer);
 
   PreparedDraws draws_;
-  const PixelKernels& kernels_;
+  TileKernels kernels_;
   PerThread<TileMemory> memory_;
   std::atomic<std::uint64_t> dropped_ = 0;
 };

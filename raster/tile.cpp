@@ -25,7 +25,7 @@ bool isSmall(std::uint32_t number) { return number >= firstSmall && number != no
 class Tile {
  public:
   /// For words and their pitch see drawTile.
-  Tile(const PreparedDraws& draws, const PixelKernels& kernels, const Face& face, TileMemory& memory, Word* words,
+  Tile(const PreparedDraws& draws, const TileKernels& kernels, const Face& face, TileMemory& memory, Word* words,
        std::size_t pitch)
       : draws_(draws),
         kernels_(kernels),
@@ -44,7 +44,7 @@ class Tile {
   }
 
   /// Whether nothing of a box can be seen, or only behind what was drawn so far.
-  bool hides(const BoxPlace& place) const { return kernels_.isHidden(buffer_, place.part, place.inverseDepth); }
+  bool hides(const BoxPlace& place) const { return kernels_.depth.isHidden(buffer_, place.part, place.inverseDepth); }
 
   /// Draws a cluster but for triangles in `skipped` (ascending); returns how many of them were dropped because a value
   /// was not finite.
@@ -67,7 +67,7 @@ class Tile {
   Shading& shading(std::uint32_t triangle);
 
   const PreparedDraws& draws_;
-  const PixelKernels& kernels_;
+  const TileKernels& kernels_;
   const Face& face_;
   Word* words_;  ///< those of small triangles are there, the others come when they are resolved
   std::size_t pitch_;
@@ -112,7 +112,7 @@ std::uint64_t Tile::draw(std::uint32_t cluster, std::span<const std::uint32_t> s
   memory_.triangles.clear();
   const SeenTriangles seen =
       appendScreenTriangles(draws_.list, draws_.mesh, draws_.clusters[cluster], draws_.mesh.parts[cluster],
-                            bestVertexKernels(), face_, skipped, memory_.placed, memory_.triangles);
+                            kernels_.vertices, face_, skipped, memory_.placed, memory_.triangles);
   for (const ScreenTriangle& triangle : memory_.triangles) offer(triangle);
   if (seen.small != 0) drawSmall(cluster, seen.small);
   return seen.dropped;
@@ -121,7 +121,7 @@ std::uint64_t Tile::draw(std::uint32_t cluster, std::span<const std::uint32_t> s
 /// Offers a triangle to the depth buffer, and keeps it if a pixel took it.
 void Tile::offer(const ScreenTriangle& triangle) {
   const auto number = static_cast<std::uint32_t>(taken_.size());
-  bool isTaken = kernels_.offer(triangle, number, buffer_, memory_.undecided);
+  bool isTaken = kernels_.depth.offer(triangle, number, buffer_, memory_.undecided);
   for (const Pixel& pixel : memory_.undecided.pixels) isTaken = offerExactly(triangle, number, pixel) || isTaken;
   memory_.undecided.pixels.clear();
   if (isTaken) taken_.push_back(triangle);
@@ -138,7 +138,7 @@ void Tile::drawSmall(std::uint32_t cluster, std::uint32_t small) {
     triangles.columns = map.width;
     triangles.rows = map.height;
   }
-  bestSmallTriangleKernels().findSamples(triangles, buffer_.scissor, memory_.samples);
+  kernels_.smallTriangles.findSamples(triangles, buffer_.scissor, memory_.samples);
   for (std::size_t i = 0; i < memory_.samples.count; ++i) {
     const auto t = static_cast<std::uint32_t>(memory_.samples.triangles[i]);
     const std::uint32_t number = firstSmall + part.firstTriangle + t;
@@ -178,14 +178,14 @@ Shading& Tile::shading(std::uint32_t triangle) {
 /// `base` and the number of the texel of each pixel of a run. Where one texel is undecided, more will be.
 void Tile::findTexels(const PixelRun& run, Shading::Texels& texels, Word base, Word* words) {
   const IndexMap& map = *texels.map;
-  if (texels.exact) return kernels_.findExactTexels(run, *texels.exact, map.width, map.height, base, words);
-  kernels_.findTexels(run, texels.planes, base, words, memory_.undecided);
+  if (texels.exact) return kernels_.texels.findExactTexels(run, *texels.exact, map.width, map.height, base, words);
+  kernels_.texels.findTexels(run, texels.planes, base, words, memory_.undecided);
   if (memory_.undecided.pixels.empty()) return;
   const auto u = exactQuotient(*run.triangle, run.triangle->u, map.width);
   const auto v = exactQuotient(*run.triangle, run.triangle->v, map.height);
   if (u && v) {
     texels.exact = std::make_unique<const ExactTexels>(ExactTexels{*u, *v});
-    kernels_.findExactTexels(run, *texels.exact, map.width, map.height, base, words);
+    kernels_.texels.findExactTexels(run, *texels.exact, map.width, map.height, base, words);
   } else {
     for (const Pixel& pixel : memory_.undecided.pixels)
       words[pixel.column - run.firstColumn] = base + texelExactly(*run.triangle, map, pixel);
@@ -225,7 +225,7 @@ void Tile::resolveRow(int row) {
       memory_.row[static_cast<std::size_t>(first)] = words[first];
       continue;
     }
-    if (end < width && triangles[end] == number) end = kernels_.endOfRun(triangles, first, width);
+    if (end < width && triangles[end] == number) end = kernels_.depth.endOfRun(triangles, first, width);
     if (number == noTriangle)
       std::fill(memory_.row.begin() + first, memory_.row.begin() + end, backgroundWord(draws_.list.format));
     else
@@ -264,7 +264,7 @@ std::vector<Scissor> tilesOf(const Face& face) {
   return tiles;
 }
 
-std::uint64_t drawTile(const PreparedDraws& draws, const PixelKernels& kernels, const Face& face,
+std::uint64_t drawTile(const PreparedDraws& draws, const TileKernels& kernels, const Face& face,
                        std::span<const std::uint32_t> skipped, TileMemory& memory, Word* words, std::size_t pitch) {
   std::uint64_t dropped = 0;
   Tile tile(draws, kernels, face, memory, words, pitch);

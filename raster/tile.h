@@ -9,12 +9,14 @@
 #include <span>
 #include <vector>
 
+#include "raster/depth_buffer.h"
+#include "raster/depth_kernels.h"
 #include "raster/face.h"
-#include "raster/pixel_kernels.h"
 #include "raster/prepared_draws.h"
 #include "raster/screen_triangle.h"
 #include "raster/shading.h"
 #include "raster/small_triangle_kernels.h"
+#include "raster/texel_kernels.h"
 #include "raster/vertex_kernels.h"
 
 namespace hemitex::raster {
@@ -36,10 +38,18 @@ struct TileMemory {
   SmallSamples samples;                   ///< of the cluster
 };
 
+/// What a tile is drawn with: the best of each, where nothing else is asked for.
+struct TileKernels {
+  const VertexKernels& vertices = bestVertexKernels();
+  const SmallTriangleKernels& smallTriangles = bestSmallTriangleKernels();
+  const DepthKernels& depth = bestDepthKernels();
+  const TexelKernels& texels = bestTexelKernels();
+};
+
 /// Draws the part of a face that lies in its scissor rectangle: a word a pixel, row by row from `words` on, `pitch`
 /// words from row to row. What the memory holds before does not matter. Returns the number of triangles that were
 /// dropped because a value was not finite.
-std::uint64_t drawTile(const PreparedDraws& draws, const PixelKernels& kernels, const Face& face,
+std::uint64_t drawTile(const PreparedDraws& draws, const TileKernels& kernels, const Face& face,
                        std::span<const std::uint32_t> skipped, TileMemory& memory, Word* words, std::size_t pitch);
 
 }  // namespace hemitex::raster

@@ -1,6 +1,7 @@
 /// Small draw lists and faces for the tests of the rasterizer, and drawing them.
 #pragma once
 
+#include "raster/cluster.h"
 #include "raster/software_renderer.h"
 #include "reference/simple_draws.h"
 
@@ -78,6 +79,25 @@ inline std::array<raster::Face, 3> threeFaces() {
   faces[1].w = {1, 0, 0};
   faces[1].x = {0, 0, 1};
   faces[1].scissor = {0, 64, 128, 64};
+  return faces;
+}
+
+/// A draw list's triangles as a face sees them.
+inline std::vector<raster::ScreenTriangle> screenTriangles(const raster::DrawList& list, const raster::Face& face) {
+  std::vector<raster::ScreenTriangle> triangles;
+  for (const raster::Cluster& cluster : raster::clustersOf(list))
+    raster::appendScreenTriangles(list, face, cluster.runs, {}, triangles);
+  return triangles;
+}
+
+/// These, and a face with a narrow part of its columns, so that rows end at every place of a vector.
+inline std::vector<raster::Face> facesAndParts() {
+  std::vector<raster::Face> faces;
+  for (const raster::Face& face : threeFaces()) faces.push_back(face);
+  for (int width = 1; width < 20; ++width) {
+    faces.push_back(frontFace(64));
+    faces.back().scissor = {21, 5, width, 40};
+  }
   return faces;
 }
 

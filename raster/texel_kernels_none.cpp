@@ -1,10 +1,10 @@
 // In place of the kernels on vectors where hemitex is built without SIMD.
-#include "raster/pixel_kernels.h"
+#include "raster/texel_kernels.h"
 
 namespace hemitex::raster {
 
-const std::vector<PixelKernels>& simdKernels() {
-  static const std::vector<PixelKernels> none;
+const std::vector<TexelKernels>& simdTexelKernels() {
+  static const std::vector<TexelKernels> none;
   return none;
 }
 

@@ -1,52 +1,13 @@
-#include "raster/pixel_kernels.h"
+#include "raster/texel_kernels.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "raster/exact_line.h"
 #include "raster/pixel_bounds.h"
 
 namespace hemitex::raster {
 namespace {
-
-bool isCovered(const ScreenTriangle& triangle, const EdgeValues& edge) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (edge[k] < leastCovered(triangle)[k]) return false;
-  return true;
-}
-
-double inverseDepthAt(const ScreenTriangle& triangle, const std::optional<DepthPlane>& plane, const EdgeValues& edge,
-                      int column, int row) {
-  return plane ? plane->inverseDepth(column, row) : raster::inverseDepthAt(triangle, edge);
-}
-
-bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided) {
-  const std::optional<DepthPlane> plane = depthPlane(triangle);
-  bool taken = false;
-  for (int row = triangle.firstRow; row < triangle.endRow; ++row)
-    for (int column = triangle.firstColumn; column < triangle.endColumn; ++column) {
-      const EdgeValues edge = edgeValues(triangle, column, row);
-      if (!isCovered(triangle, edge)) continue;
-      const double inverseDepth = inverseDepthAt(triangle, plane, edge, column, row);
-      const DepthTest test = testDepth(inverseDepth, number, buffer.pixelAt(column, row), buffer);
-      if (test == DepthTest::Undecided) undecided.add(column, row);
-      taken = taken || test == DepthTest::Taken;
-    }
-  return taken;
-}
-
-bool isHidden(const DepthBuffer& buffer, const Scissor& part, double inverseDepth) {
-  for (int row = part.row; row < part.row + part.height; ++row) {
-    const double* const depths = buffer.inverseDepth.data() + buffer.rowAt(row) + (part.column - buffer.scissor.column);
-    for (int i = 0; i < part.width; ++i)
-      if (depths[i] <= inverseDepth) return false;
-  }
-  return true;
-}
-
-int endOfRun(const std::uint32_t* triangles, int first, int end) {
-  int i = first;
-  while (i < end && triangles[i] == triangles[first]) ++i;
-  return i;
-}
 
 double texelOf(double position, const TexelPlane& plane) {
   return std::max(std::min(std::floor(position), plane.last), 0.0);
@@ -115,13 +76,6 @@ double largest(const std::array<double, 3>& values) {
 
 }  // namespace
 
-void DepthBuffer::clear(const Scissor& part) {
-  scissor = part;
-  pitch = static_cast<std::size_t>(part.width + mostLanes);
-  inverseDepth.assign(pitch * static_cast<std::size_t>(part.height), 0);
-  triangle.assign(inverseDepth.size(), noTriangle);
-}
-
 /// 1/w has its own error, its inverse and the product round twice more.
 TexelPlanes::TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHeight)
     : rounding(2 * depthError * std::max(largest(triangle.u) * mapWidth, largest(triangle.v) * mapHeight)) {
@@ -134,26 +88,13 @@ TexelPlanes::TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHe
   error = std::max(across.error, along.error);
 }
 
-void listUndecidedSamples(const ScreenTriangle& triangle, std::uint32_t number, const DepthBuffer& buffer,
-                          UndecidedPixels& undecided) {
-  const std::optional<DepthPlane> plane = depthPlane(triangle);
-  for (int row = triangle.firstRow; row < triangle.endRow; ++row)
-    for (int column = triangle.firstColumn; column < triangle.endColumn; ++column) {
-      const std::size_t pixel = buffer.pixelAt(column, row);
-      const EdgeValues edge = edgeValues(triangle, column, row);
-      if (buffer.triangle[pixel] == number || !isCovered(triangle, edge)) continue;
-      const double inverseDepth = inverseDepthAt(triangle, plane, edge, column, row);
-      if (compareDepths(inverseDepth, buffer.inverseDepth[pixel]) == DepthTest::Undecided) undecided.add(column, row);
-    }
-}
-
-void UndecidedPixels::add(int column, int row) { pixels.push_back({column, row}); }
-
-const PixelKernels& plainKernels() {
-  static const PixelKernels kernels{"plain", offer, isHidden, endOfRun, findTexels, findExactTexels};
+const TexelKernels& plainTexelKernels() {
+  static const TexelKernels kernels{"plain", findTexels, findExactTexels};
   return kernels;
 }
 
-const PixelKernels& bestKernels() { return simdKernels().empty() ? plainKernels() : simdKernels().front(); }
+const TexelKernels& bestTexelKernels() {
+  return simdTexelKernels().empty() ? plainTexelKernels() : simdTexelKernels().front();
+}
 
 }  // namespace hemitex::raster

@@ -1,0 +1,30 @@
+// Tiles are the same whatever instruction sets they are drawn with.
+#include "raster/tile.h"
+
+#include <catch2/catch.hpp>
+
+#include "tests/raster_scenes.h"
+
+using namespace hemitex;
+using namespace hemitex::tests;
+
+TEST_CASE("item buffers are the same with every instruction set", "[kernels]") {
+  const std::vector<raster::Face> faces = facesAndParts();
+  for (const raster::DrawList& list : {crossingTriangles(), smallTriangles(200)}) {
+    const auto words = [&](const raster::TileKernels& kernels) {
+      std::vector<raster::Word> all;
+      for (const raster::ItemBuffer& buffer : raster::SoftwareRenderer(list, kernels).render(faces, {}))
+        all.insert(all.end(), buffer.words.begin(), buffer.words.end());
+      return all;
+    };
+    const std::vector<raster::Word> plain = words({raster::plainVertexKernels(), raster::plainSmallTriangleKernels(),
+                                                   raster::plainDepthKernels(), raster::plainTexelKernels()});
+    for (std::size_t k = 0; k < raster::simdDepthKernels().size(); ++k) {
+      const raster::TileKernels kernels{raster::simdVertexKernels()[k], raster::simdSmallTriangleKernels()[k],
+                                        raster::simdDepthKernels()[k], raster::simdTexelKernels()[k]};
+      INFO(kernels.depth.name);
+      CHECK(kernels.vertices.name == kernels.depth.name);
+      CHECK(words(kernels) == plain);
+    }
+  }
+}
