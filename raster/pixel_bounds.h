@@ -1,5 +1,5 @@
-/// What the kernels of depths, texels and small triangles have in common: the values of a triangle's edges at samples, and
-/// how far off binary64 may be in what is computed from them.
+/// What the kernels of depths, texels and small triangles have in common: the values of a triangle's edges at samples,
+/// and how far off binary64 may be in what is computed from them.
 #pragma once
 
 #include <algorithm>
