@@ -5,6 +5,7 @@
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <set>
 #include <thread>
 
 #include "cli/bench_json.h"
@@ -15,6 +16,7 @@
 #include "cli/scene_folder.h"
 #include "cli/staging.h"
 #include "radiosity/write_file.h"
+#include "raster/input_error.h"
 #include "raster/parallel.h"
 #include "reference/bench_report.h"
 
@@ -31,7 +33,12 @@ struct BenchOptions {
 std::vector<reference::BenchScene> scenesOf(const BenchOptions& options) {
   if (options.scenes.empty()) return reference::benchScenes(sceneFolder());
   std::vector<reference::BenchScene> scenes;
-  for (const std::filesystem::path& file : options.scenes) scenes.push_back(reference::benchScene(file));
+  std::set<std::string> names;
+  for (const std::filesystem::path& file : options.scenes) {
+    scenes.push_back(reference::benchScene(file));
+    if (!names.insert(scenes.back().name).second)
+      throw raster::InputError(file.string() + ": another scene has the same name", "rename one of them");
+  }
   return scenes;
 }
 
@@ -113,9 +120,11 @@ void bench(const BenchOptions& options, Context& context) {
     report.runs.insert(report.runs.end(), runs.begin(), runs.end());
     ++done;
   }
-  if (options.scenes.empty())
+  if (options.scenes.empty()) {
     measureRest(report, scenes, context, settings,
                 [&](const std::string& what) { console.progress(done / all, what); });
+    report.requirements = requirementsOf(report);
+  }
   console.endProgress();
   if (!options.output.empty()) writeFiles(report, options.output);
   std::cout << (context.json ? toText(toJson(report)) : benchText(report));
@@ -125,7 +134,9 @@ void bench(const BenchOptions& options, Context& context) {
 
 void addBench(CLI::App& program, Context& context) {
   const auto options = std::make_shared<BenchOptions>();
-  CLI::App* command = program.add_subcommand("bench", "Speed, beside meshing, Embree and OpenGL; some minutes' work");
+  CLI::App* command = program.add_subcommand("bench",
+                                             "Speed, beside meshing, Embree and OpenGL; some minutes' "
+                                             "work on one thread, or as many as --threads says");
   command->add_option("SCENE", options->scenes,
                       "Wavefront OBJ files, for their runs alone (default: the paper's room, the Cornell box and "
                       "the gallery, also cut into up to 1,000,000 triangles, and all else that is measured)");

@@ -58,6 +58,7 @@ ordered_json partsJson(const reference::SolutionParts& parts) {
           {"resolution", parts.resolution},
           {"shots", parts.shots},
           {"total_ms", parts.total() * milliseconds},
+          {"beside_percent", 100 * parts.besideOfTotal},
           {"percent",
            {{"hemicubes", parts.hemicubes * percent},
             {"start", parts.start * percent},
@@ -105,7 +106,7 @@ ordered_json toJson(const reference::BenchReport& report) {
           {"memory", report.memory ? memoryJson(*report.memory) : ordered_json::object()},
           {"equal_time_error", listOf(report.errors, errorJson)},
           {"crossover", listOf(reference::crossovers(report.runs), crossoverJson)},
-          {"requirements", listOf(reference::requirements(report), requirementJson)}};
+          {"requirements", listOf(report.requirements, requirementJson)}};
 }
 
 }  // namespace hemitex::cli

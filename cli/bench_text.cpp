@@ -39,12 +39,12 @@ class Table {
   std::ostringstream text_;
 };
 
-/// Milliseconds of what was run; in brackets, over those of a hemicube.
+/// Milliseconds of what was run; in brackets, over those of a hemicube, but for solutions: they choose other patches.
 std::string runCell(const std::map<std::string, Timing>& timings, const std::string& what) {
   const auto found = timings.find(what);
   if (found == timings.end()) return "";
   const std::string text = inMilliseconds(found->second);
-  if (what == "hemicube") return text;
+  if (what == "hemicube" || what == "shot" || what == "solution") return text;
   return text + " (" + rounded(ratioOf(found->second, timings.at("hemicube")), 2) + ")";
 }
 
@@ -130,9 +130,9 @@ std::string memoryText(const SolutionMemory& memory) {
          " MB at most in all of this run\n\n";
 }
 
-std::string requirementsText(const BenchReport& report) {
+std::string requirementsText(const std::vector<Requirement>& requirements) {
   Table table({"what", "measured", "limit", "kept"});
-  for (const Requirement& requirement : requirements(report))
+  for (const Requirement& requirement : requirements)
     table.add({requirement.what, rounded(requirement.measured), rounded(requirement.limit),
                requirement.isKept ? "yes" : "NO"});
   return table.text();
@@ -148,7 +148,8 @@ std::string benchText(const BenchReport& report) {
   if (report.cores) text += coresText(*report.cores);
   if (!report.parts.empty()) text += partsText(report.parts);
   if (report.memory) text += memoryText(*report.memory);
-  return text + requirementsText(report);
+  if (!report.requirements.empty()) text += requirementsText(report.requirements);
+  return text;
 }
 
 }  // namespace hemitex::cli

@@ -38,9 +38,13 @@ std::vector<GainByTurn> gainsOfSecondCore(std::span<const std::function<void()>>
       });
   const std::vector<Timing> timings = timeInTurns(limited, repeats);
   std::vector<GainByTurn> gains;
-  for (std::size_t i = 0; i < timings.size(); i += 2)
-    gains.push_back(quotients(timings[i].turns, timings[i + 1].turns));
+  for (std::size_t i = 0; i < timings.size(); i += 2) gains.push_back(gainOf(timings[i], timings[i + 1]));
   return gains;
+}
+
+CoreGains coreGains(const GainByTurn& arithmetic, const GainByTurn& hemicube, const GainByTurn& solution) {
+  return {medianOf(arithmetic), medianOf(hemicube), medianOf(solution), medianOf(quotients(hemicube, arithmetic)),
+          medianOf(quotients(solution, arithmetic))};
 }
 
 CoreGains coreGains(const BenchScene& bench, int resolution, int shots, int repeats) {
@@ -57,8 +61,7 @@ CoreGains coreGains(const BenchScene& bench, int resolution, int shots, int repe
   };
   const std::vector<GainByTurn> gains =
       gainsOfSecondCore(std::vector<std::function<void()>>{multiplyAndAdd, hemicubes, solution}, repeats);
-  return {medianOf(gains[0]), medianOf(gains[1]), medianOf(gains[2]), medianOf(quotients(gains[1], gains[0])),
-          medianOf(quotients(gains[2], gains[0]))};
+  return coreGains(gains[0], gains[1], gains[2]);
 }
 
 }  // namespace hemitex::reference

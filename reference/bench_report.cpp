@@ -12,14 +12,18 @@ namespace {
 const std::string room = "paper-room", complexScene = "gallery";
 constexpr std::size_t million = 1000000;
 
-/// Gathers requirements.
+/// Gathers requirements. What is required of several is held against the worst of them, and of none against nothing.
 class Requirements {
  public:
-  void atLeast(const std::string& what, std::optional<double> measured, double limit) {
-    if (measured) list_.push_back({what + ", at least", *measured, limit, *measured >= limit});
+  void atLeast(const std::string& what, const std::vector<double>& measured, double limit) {
+    if (measured.empty()) return;
+    const double worst = *std::min_element(measured.begin(), measured.end());
+    list_.push_back({what + ", at least", worst, limit, worst >= limit});
   }
-  void atMost(const std::string& what, std::optional<double> measured, double limit) {
-    if (measured) list_.push_back({what + ", at most", *measured, limit, *measured <= limit});
+  void atMost(const std::string& what, const std::vector<double>& measured, double limit) {
+    if (measured.empty()) return;
+    const double worst = *std::max_element(measured.begin(), measured.end());
+    list_.push_back({what + ", at most", worst, limit, worst <= limit});
   }
   std::vector<Requirement> list() && { return std::move(list_); }
 
@@ -27,13 +31,13 @@ class Requirements {
   std::vector<Requirement> list_;
 };
 
-/// The smallest ratio of those that `isMeant`.
-std::optional<double> least(const std::vector<BenchRatio>& ratios,
-                            const std::function<bool(const BenchRatio&)>& isMeant) {
-  std::optional<double> smallest;
+/// The ratios that `isMeant`.
+std::vector<double> those(const std::vector<BenchRatio>& ratios,
+                          const std::function<bool(const BenchRatio&)>& isMeant) {
+  std::vector<double> meant;
   for (const BenchRatio& ratio : ratios)
-    if (isMeant(ratio)) smallest = std::min(smallest.value_or(ratio.ratio), ratio.ratio);
-  return smallest;
+    if (isMeant(ratio)) meant.push_back(ratio.ratio);
+  return meant;
 }
 
 /// The number of triangles of a scene as it is: the fewest.
@@ -52,22 +56,22 @@ void addRuns(const std::vector<BenchRun>& runs, Requirements& list) {
     return r.scene == scene && r.triangles == own.at(scene);
   };
   const auto embree = ratiosOf(runs, "embree", "hemicube"), openGl = ratiosOf(runs, "opengl", "hemicube");
-  list.atLeast("times faster than Embree, the room", least(embree, [&](const BenchRatio& r) { return isOwn(r, room); }),
+  list.atLeast("times faster than Embree, the room", those(embree, [&](const BenchRatio& r) { return isOwn(r, room); }),
                5);
   list.atLeast("times faster than Embree, the complex scene",
-               least(embree, [&](const BenchRatio& r) { return isOwn(r, complexScene); }), 4);
+               those(embree, [&](const BenchRatio& r) { return isOwn(r, complexScene); }), 4);
   list.atLeast("times faster than Embree, 1,000,000 triangles from R = 512 up",
-               least(embree, [](const BenchRatio& r) { return r.triangles >= million && r.resolution >= 512; }), 1);
+               those(embree, [](const BenchRatio& r) { return r.triangles >= million && r.resolution >= 512; }), 1);
   list.atLeast("times faster than OpenGL, from 8,000 triangles up",
-               least(openGl, [](const BenchRatio& r) { return r.triangles >= 8000; }), 8);
+               those(openGl, [](const BenchRatio& r) { return r.triangles >= 8000; }), 8);
   list.atLeast("times faster than OpenGL, below 8,000 triangles",
-               least(openGl, [](const BenchRatio& r) { return r.triangles < 8000; }), 5);
+               those(openGl, [](const BenchRatio& r) { return r.triangles < 8000; }), 5);
   list.atMost("times the floor, the room at R = 1024",
-              least(ratiosOf(runs, "hemicube", "floor"),
+              those(ratiosOf(runs, "hemicube", "floor"),
                     [&](const BenchRatio& r) { return isOwn(r, room) && r.resolution == 1024; }),
               2.5);
   list.atLeast("times faster than meshing, the complex scene at R = 128",
-               least(ratiosOf(runs, "hemicube-mesh", "hemicube"),
+               those(ratiosOf(runs, "hemicube-mesh", "hemicube"),
                      [&](const BenchRatio& r) { return isOwn(r, complexScene) && r.resolution == 128; }),
                13.3);
 }
@@ -116,28 +120,30 @@ std::vector<Crossover> crossovers(const std::vector<BenchRun>& runs) {
   return result;
 }
 
-std::vector<Requirement> requirements(const BenchReport& report) {
+std::vector<Requirement> requirementsOf(const BenchReport& report) {
   Requirements list;
   addRuns(report.runs, list);
   for (const EqualTimeError& error : report.errors)
     list.atMost("of the error of rays at equal time, " + error.scene + " at R = " + std::to_string(error.resolution),
-                error.hemicube / error.rays, 0.5);
+                {error.hemicube / error.rays}, 0.5);
   for (const BenchGrowth& growth : report.growth)
     list.atMost("times the drawing time of the fewest elements at the most, " + growth.scene,
-                ratioOf(growth.points.back().draw, growth.points.front().draw), 1.05);
+                {ratioOf(growth.points.back().draw, growth.points.front().draw)}, 1.05);
   if (report.cores) {
-    list.atLeast("of what arithmetic gains from the second core, a hemicube", report.cores->hemicubeOfArithmetic, 0.93);
-    list.atLeast("of what arithmetic gains from the second core, a solution", report.cores->solutionOfArithmetic, 0.93);
+    list.atLeast("of what arithmetic gains from the second core, a hemicube", {report.cores->hemicubeOfArithmetic},
+                 0.93);
+    list.atLeast("of what arithmetic gains from the second core, a solution", {report.cores->solutionOfArithmetic},
+                 0.93);
   }
   for (const WallTimes& wall : report.walls)
-    list.atMost("times the moved wall, R = " + std::to_string(wall.resolution), ratioOf(wall.tied, wall.moved), 2);
+    list.atMost("times the moved wall, R = " + std::to_string(wall.resolution), {ratioOf(wall.tied, wall.moved)}, 2);
   for (const SolutionParts& parts : report.parts)
     list.atMost("of a solution's time beside its hemicubes, " + std::to_string(parts.elements) +
                     " elements, R = " + std::to_string(parts.resolution),
-                parts.beside() / parts.total(), 0.2);
+                {parts.besideOfTotal}, 0.2);
   if (report.memory) {
-    list.atMost("bytes an element", report.memory->bytesPerElement, 64);
-    list.atMost("bytes a pixel", report.memory->bytesPerPixel, 24);
+    list.atMost("bytes an element", {report.memory->bytesPerElement}, 64);
+    list.atMost("bytes a pixel", {report.memory->bytesPerPixel}, 24);
   }
   return std::move(list).list();
 }

@@ -29,6 +29,13 @@ struct EqualTimeError {
   double hemicube = 0, rays = 0;
 };
 
+/// Something that is asked of the measurements, and whether they say so.
+struct Requirement {
+  std::string what;
+  double measured = 0, limit = 0;
+  bool isKept = false;
+};
+
 /// What was measured; what was not is empty.
 struct BenchReport {
   std::vector<BenchRun> runs;
@@ -38,6 +45,7 @@ struct BenchReport {
   std::vector<SolutionParts> parts;
   std::optional<SolutionMemory> memory;
   std::vector<EqualTimeError> errors;
+  std::vector<Requirement> requirements;  ///< they speak of the program's own scenes
 };
 
 /// Of every resolution of turned hemicubes, which solutions use, that rays were measured around.
@@ -63,12 +71,7 @@ struct BenchRatio {
 /// Times of `what` over those of `of`, wherever both were run.
 std::vector<BenchRatio> ratiosOf(const std::vector<BenchRun>& runs, const std::string& what, const std::string& of);
 
-struct Requirement {
-  std::string what;
-  double measured = 0, limit = 0;
-  bool isKept = false;
-};
-/// What was measured of the requirements; the worst of all that one speaks of.
-std::vector<Requirement> requirements(const BenchReport& report);
+/// What was measured of the requirements, of each the worst of all that it speaks of.
+std::vector<Requirement> requirementsOf(const BenchReport& report);
 
 }  // namespace hemitex::reference

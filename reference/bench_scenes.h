@@ -18,11 +18,11 @@ struct BenchScene {
   radiosity::WordSettings words;
 };
 
-/// The room and the gallery as finely as the paper's fine level, whatever else by the program's defaults.
+/// By the program's defaults. Throws InputError where nothing emits.
 BenchScene benchScene(const std::filesystem::path& file);
 
 /// The paper's room, the Cornell box and the gallery, which stands for the paper's complex scene, from the folder of
-/// the scenes that come with the program.
+/// the scenes that come with the program; the room and the gallery as finely as the paper's fine level.
 std::vector<BenchScene> benchScenes(const std::filesystem::path& folder);
 
 }  // namespace hemitex::reference

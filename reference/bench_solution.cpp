@@ -63,6 +63,7 @@ SolutionParts solveOnce(const radiosity::Scene& scene, radiosity::DrawnRows& dra
   }
   timed(parts.accounting, [&] { return refinement->energy(); });
   timed(parts.accounting, [&] { return std::move(*refinement).radiosity(); });
+  parts.besideOfTotal = parts.beside() / parts.total();
   return parts;
 }
 
@@ -88,8 +89,9 @@ SolutionParts solutionParts(const radiosity::Scene& scene, int texels, int resol
   std::vector<SolutionParts> times;
   for (int repeat = 0; repeat < repeats; ++repeat) times.push_back(solveOnce(scene, drawn, shots));
   SolutionParts medians{.elements = drawn.discretization().elements.size(), .resolution = resolution, .shots = shots};
-  for (double SolutionParts::*part : {&SolutionParts::start, &SolutionParts::picking, &SolutionParts::hemicubes,
-                                      &SolutionParts::spreading, &SolutionParts::accounting}) {
+  for (double SolutionParts::*part :
+       {&SolutionParts::start, &SolutionParts::picking, &SolutionParts::hemicubes, &SolutionParts::spreading,
+        &SolutionParts::accounting, &SolutionParts::besideOfTotal}) {
     std::vector<double> seconds;
     for (const SolutionParts& repeat : times) seconds.push_back(repeat.*part);
     medians.*part = medianOf(seconds);

@@ -7,7 +7,7 @@
 
 namespace hemitex::reference {
 
-/// Seconds of a solution of so many shots, the medians over its repeats.
+/// Seconds of a solution of so many shots, the median over its repeats of each.
 struct SolutionParts {
   std::size_t elements = 0;
   int resolution = 0, shots = 0;
@@ -16,6 +16,8 @@ struct SolutionParts {
   double hemicubes = 0;   ///< rows of form factors
   double spreading = 0;   ///< a shot's light over its row
   double accounting = 0;  ///< the residual after each shot; energy and radiosity in the end
+
+  double besideOfTotal = 0;  ///< all but the hemicubes; the median over the repeats of what it is of each
 
   double beside() const { return start + picking + spreading + accounting; }
   double total() const { return beside() + hemicubes; }

@@ -10,6 +10,18 @@
 
 using namespace hemitex;
 
+TEST_CASE("what the second core brings is held against arithmetic turn by turn", "[bench]") {
+  // A gain is what one thread takes over what two take.
+  CHECK(reference::gainOf(reference::timingOf({4, 9}), reference::timingOf({2, 3})) == reference::GainByTurn{2, 3});
+  // The second core is only half there in a turn: arithmetic says so, too.
+  const reference::CoreGains gains = reference::coreGains({2, 2, 1}, {1.8, 0.9, 0.9}, {1, 2, 1});
+  CHECK(gains.arithmetic == 2);
+  CHECK(gains.hemicube == 0.9);
+  CHECK(gains.solution == 1);
+  CHECK(gains.hemicubeOfArithmetic == 0.9);
+  CHECK(gains.solutionOfArithmetic == 1);
+}
+
 TEST_CASE("every task runs on one thread and then on two, in turns", "[bench]") {
   constexpr int repeats = 2;
   struct Turns {  // of a task, on one thread and on two; each has as many calls as the clock asks for

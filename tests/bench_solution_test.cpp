@@ -48,4 +48,5 @@ TEST_CASE("the parts of a solution are those of the shots asked for", "[bench]")
   CHECK(parts.hemicubes > 0);
   CHECK(parts.beside() > 0);
   CHECK(parts.total() == Approx(parts.hemicubes + parts.beside()));
+  CHECK(parts.besideOfTotal == Approx(parts.beside() / parts.total()));
 }

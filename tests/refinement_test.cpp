@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <utility>
 
 #include "radiosity/row_cache.h"
 #include "tests/box_scene.h"
@@ -37,9 +38,12 @@ Scene litCube(const glm::dvec3& emission) {
 }  // namespace
 
 TEST_CASE("a refinement goes on from what was shot as if it had not been left", "[refinement]") {
-  // Patches of an element receive element by element, those of four as a whole.
-  for (const int patch : {1, 2}) {
+  // Patches of an element receive element by element, those of four as a whole, but where elements reflect differently.
+  for (const auto& [patch, isMapped] : {std::pair(1, false), {2, false}, {2, true}}) {
     tests::HemicubeWorld world(litCube({3, 2, 1}), 4, patch);
+    if (isMapped)
+      for (std::size_t e = 0; e < world.discretization.elements.size(); ++e)
+        world.discretization.mappedReflectance.push_back(glm::dvec3(0.1, 0.2, 0.3) * static_cast<double>(e % 4));
     ProjectedRows rows = world.rows(32);
     RowCache cache(std::size_t{1} << 30);
     const RowSource rowOf = rowsOf(rows, cache);
@@ -48,6 +52,10 @@ TEST_CASE("a refinement goes on from what was shot as if it had not been left", 
     Refinement continued(world.scene, world.discretization, whole.light());
     // The same sums in another order: a few units in the last place, of the largest patch's flux.
     CHECK(continued.residual() == Approx(whole.residual()).epsilon(1e-12));
+    const Energy energy = whole.energy();
+    for (int band = 0; band < 3; ++band)
+      CHECK(energy.absorbed[band] + energy.unshot[band] + energy.lost[band] ==
+            Approx(energy.emitted[band]).epsilon(1e-12));
     shoot(whole, rowOf, 20);
     shoot(continued, rowOf, 20);
     for (std::size_t e = 0; e < world.discretization.elements.size(); ++e)
