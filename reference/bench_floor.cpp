@@ -29,7 +29,7 @@ BenchFloor::BenchFloor(const radiosity::Discretization& discretization, const ra
 radiosity::FormFactorRow BenchFloor::row(std::span<const raster::ItemBuffer> words) {
   raster::parallelFor((cleared_.size() + part - 1) / part, [this](std::size_t i) {
     const std::size_t first = i * part, count = std::min(part, cleared_.size() - first);
-    const std::vector<std::byte> fragments(count * fragmentBytes);
+    fragments_.mine().assign(count * fragmentBytes, std::byte{0});
     std::fill_n(cleared_.begin() + static_cast<std::ptrdiff_t>(first), count, raster::Word{0});
   });
   return counter_.rowOf(projection_, faces_, words);

@@ -13,6 +13,7 @@
 #include "radiosity/row_counter.h"
 #include "radiosity/word_layout.h"
 #include "raster/face.h"
+#include "raster/per_thread.h"
 
 namespace hemitex::reference {
 
@@ -34,6 +35,7 @@ class BenchFloor {
   std::vector<radiosity::Window> faces_;
   radiosity::RowCounter counter_;
   std::vector<raster::Word> cleared_;  ///< of all faces
+  raster::PerThread<std::vector<std::byte>> fragments_;
 };
 
 }  // namespace hemitex::reference

@@ -61,11 +61,12 @@ class Tasks {
         rows_(world.scene, world.discretization, world.layout, *world.textures, {.resolution = resolution}),
         floor_(world.discretization, world.layout, rows_.projection()) {
     for (const std::uint32_t patch : patches_) views_.push_back(rows_.viewsOfPatch(patch).front());
-    for (const View& view : views_) drawn_.push_back(world.textures->render(view.faces, view.skipped));
+    // Of one patch: words of several would push each other out of the cache, where those of a hemicube are.
+    drawn_ = world.textures->render(views_.front().faces, views_.front().skipped);
     add("hemicube", [this](std::size_t i) { rows_.ofPatch(patches_[i]); });
     add("draw", [this](std::size_t i) { world_.textures->draw(views_[i].faces, views_[i].skipped, words_); });
     add("embree", [this](std::size_t i) { world_.rays.cast(views_[i].faces, hits_); });
-    add("floor", [this](std::size_t i) { floor_.row(drawn_[i]); });
+    tasks_.push_back({"floor", [this] { floor_.row(drawn_); }});
     if (world.openGl && withOpenGl)
       add("opengl", [this](std::size_t i) { world_.openGl->draw(views_[i].faces, views_[i].skipped, words_); });
     if (!world.mesh) return;
@@ -101,8 +102,8 @@ class Tasks {
   ProjectedRows rows_;
   std::unique_ptr<ProjectedRows> meshRows_;
   BenchFloor floor_;
-  std::vector<View> views_;                             ///< one a patch
-  std::vector<std::vector<raster::ItemBuffer>> drawn_;  ///< one a view
+  std::vector<View> views_;                ///< one a patch
+  std::vector<raster::ItemBuffer> drawn_;  ///< of the first view
   std::vector<raster::ItemBuffer> words_, hits_;
   std::vector<Task> tasks_;
   int shots_ = 0;

@@ -26,7 +26,7 @@ struct BenchRun {
   /// - embree: rays through the same pixels, which triangle each meets (pixel_rays.h);
   /// - opengl: the faces drawn and read back, without the sum; from 100,000 triangles on, where it takes long, at the
   ///   highest resolution alone;
-  /// - floor: buffers cleared and the row summed of words drawn before (bench_floor.h);
+  /// - floor: buffers cleared and the row summed of words drawn before, of the first patch (bench_floor.h);
   /// - solution: so many shots by the solver, `benchShots`, or fewer where no light is left; shot: the mean one.
   std::string what;
   Timing seconds;
