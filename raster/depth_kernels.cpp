@@ -1,5 +1,7 @@
 #include "raster/depth_kernels.h"
 
+#include <optional>
+
 #include "raster/pixel_bounds.h"
 
 namespace hemitex::raster {
@@ -24,7 +26,7 @@ bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& bu
       const EdgeValues edge = edgeValues(triangle, column, row);
       if (!isCovered(triangle, edge)) continue;
       const double inverseDepth = inverseDepthAt(triangle, plane, edge, column, row);
-      const DepthTest test = testDepth(inverseDepth, number, buffer.pixelAt(column, row), buffer);
+      const DepthTest test = offerDepth(inverseDepth, number, buffer.pixelAt(column, row), buffer);
       if (test == DepthTest::Undecided) undecided.add(column, row);
       taken = taken || test == DepthTest::Taken;
     }

@@ -1,4 +1,7 @@
 // The depth kernels on vectors, written once for Highway, which compiles this file anew for each instruction set.
+#include <algorithm>
+#include <optional>
+
 #include "raster/depth_kernels.h"
 #include "raster/instruction_sets.h"
 #include "raster/pixel_bounds.h"

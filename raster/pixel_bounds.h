@@ -74,8 +74,8 @@ inline DepthTest compareDepths(double offered, double stored) {
   return difference < 0 ? DepthTest::Hidden : DepthTest::Taken;
 }
 
-/// Tests 1/w of a triangle at a pixel of a buffer, by its place there, and stores it where it wins.
-inline DepthTest testDepth(double inverseDepth, std::uint32_t number, std::size_t pixel, DepthBuffer& buffer) {
+/// Offers 1/w of a triangle to a pixel of a buffer, by its place there, which stores it where it wins.
+inline DepthTest offerDepth(double inverseDepth, std::uint32_t number, std::size_t pixel, DepthBuffer& buffer) {
   const DepthTest test = compareDepths(inverseDepth, buffer.inverseDepth[pixel]);
   if (test != DepthTest::Taken) return test;
   buffer.inverseDepth[pixel] = inverseDepth;

@@ -44,15 +44,21 @@ void findExactTexels(const PixelRun& run, const ExactTexels& exact, int width, i
     texels[i] = base + static_cast<std::uint32_t>(texel(v, i, height) * width + texel(u, i, width));
 }
 
-/// A plane and how far off what comes of it may be, in texels over w.
+/// A plane, how far off what comes of it may be, in texels over w, and how far off 1/w and the product may put a
+/// position, in texels.
 struct BoundedPlane {
   TexelPlane plane;
-  double error = 0;
+  double error = 0, rounding = 0;
 };
+
+double largest(const std::array<double, 3>& values) {
+  return std::max(std::max(std::abs(values[0]), std::abs(values[1])), std::abs(values[2]));
+}
 
 /// A coordinate at a corner passes four roundings until it is a factor of the plane, the sums of the plane add three;
 /// rows and columns multiplied and added up make at most five more. 16 units of what the terms may sum up to leave room
-/// for the rounding of that sum. A single texel is everywhere.
+/// for the rounding of that sum. 1/w has its own error, its inverse and the product round twice more. A single texel is
+/// everywhere.
 BoundedPlane boundedPlane(const ScreenTriangle& triangle, const std::array<EdgePlane, 3>& edges,
                           const std::array<double, 3>& coordinate, int size) {
   BoundedPlane result;
@@ -67,18 +73,13 @@ BoundedPlane boundedPlane(const ScreenTriangle& triangle, const std::array<EdgeP
     result.error += edges[k].most * std::abs(overDepth);
   }
   result.error *= 16 * unitRoundoff;
+  result.rounding = 2 * depthError * largest(coordinate) * size;
   return result;
-}
-
-double largest(const std::array<double, 3>& values) {
-  return std::max(std::max(std::abs(values[0]), std::abs(values[1])), std::abs(values[2]));
 }
 
 }  // namespace
 
-/// 1/w has its own error, its inverse and the product round twice more.
-TexelPlanes::TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHeight)
-    : rounding(2 * depthError * std::max(largest(triangle.u) * mapWidth, largest(triangle.v) * mapHeight)) {
+TexelPlanes::TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHeight) {
   const std::array<EdgePlane, 3> edges{EdgePlane(triangle, triangle.edges[0]), EdgePlane(triangle, triangle.edges[1]),
                                        EdgePlane(triangle, triangle.edges[2])};
   const BoundedPlane across = boundedPlane(triangle, edges, triangle.u, mapWidth);
@@ -86,6 +87,7 @@ TexelPlanes::TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHe
   u = across.plane;
   v = along.plane;
   error = std::max(across.error, along.error);
+  rounding = std::max(across.rounding, along.rounding);
 }
 
 const TexelKernels& plainTexelKernels() {

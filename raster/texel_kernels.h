@@ -1,8 +1,8 @@
 /// Texel kernels: the texels of a run of pixels that show one triangle. There is a plain version, which says what they
 /// compute, and one for each SIMD instruction set that the processor has; all give the same numbers, bit for bit.
 ///
-/// The kernels decide in binary64 where its error bound allows. What it does not decide, they list as undecided; the
-/// caller decides it exactly (exact.h).
+/// The kernels decide in floating point where its error bound (texel_kernels.cpp) allows. What it does not decide, they
+/// list as undecided; the caller decides it exactly (exact.h).
 #pragma once
 
 #include <cstdint>
@@ -48,8 +48,9 @@ struct ExactTexels {
 struct TexelKernels {
   std::string name;  ///< plain, or that of an instruction set
 
-  /// The texels of a run, at most mostLanes more than it has: `base` and row * width + column each. Appends those that
-  /// binary64 cannot tell; what `texels` says of them is not to be used.
+  /// The texels of a run: `base` and row * width + column each. Appends pixels whose texels binary64 cannot tell; what
+  /// `texels` says of them is not to be used. Kernels may write up to mostLanes more texels behind the run's, and read
+  /// as many more depths.
   void (*findTexels)(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
                      UndecidedPixels& undecided);
 

@@ -1,6 +1,7 @@
 #include "raster/tile.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <tuple>
 
@@ -106,8 +107,6 @@ bool Tile::offerExactly(const ScreenTriangle& triangle, std::uint32_t number, co
   return true;
 }
 
-/// Draws a cluster but for triangles in `skipped` (ascending); returns how many of them were dropped because a value
-/// was not finite.
 std::uint64_t Tile::draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped) {
   memory_.triangles.clear();
   const SeenTriangles seen =
@@ -144,7 +143,7 @@ void Tile::drawSmall(std::uint32_t cluster, std::uint32_t small) {
     const std::uint32_t number = firstSmall + part.firstTriangle + t;
     const Pixel pixel{memory_.samples.columns[i], memory_.samples.rows[i]};
     const std::size_t p = buffer_.pixelAt(pixel.column, pixel.row);
-    const DepthTest test = testDepth(memory_.samples.inverseDepths[i], number, p, buffer_);
+    const DepthTest test = offerDepth(memory_.samples.inverseDepths[i], number, p, buffer_);
     if (test == DepthTest::Hidden) continue;
     if (test == DepthTest::Undecided && !offerExactly(screenTriangle(number), number, pixel)) continue;
     Word& word = wordsOf(pixel.row)[pixel.column - buffer_.scissor.column];

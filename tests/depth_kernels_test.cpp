@@ -12,14 +12,6 @@ using namespace hemitex::tests;
 
 namespace {
 
-/// In order of rows and columns: the order in which kernels list pixels is theirs.
-std::vector<std::pair<int, int>> sorted(const raster::UndecidedPixels& undecided) {
-  std::vector<std::pair<int, int>> pixels;
-  for (const raster::Pixel& pixel : undecided.pixels) pixels.emplace_back(pixel.row, pixel.column);
-  std::sort(pixels.begin(), pixels.end());
-  return pixels;
-}
-
 struct Drawn {
   raster::DepthBuffer buffer;
   std::vector<bool> taken;
@@ -41,7 +33,11 @@ Drawn draw(const raster::DepthKernels& kernels, const std::vector<raster::Screen
 }  // namespace
 
 TEST_CASE("the depth test is the same bits with every instruction set", "[kernels]") {
-  const raster::DrawList list = crossingTriangles();
+  raster::DrawList list = crossingTriangles();
+  // Wide ones in front of all, with a side along a row of samples, which belongs to one of them.
+  const auto near = [](float x, float y) { return glm::vec3(x, y, 1) / 64.0F; };
+  for (const float y : {-0.9F, 0.9F})
+    addTriangle(list, {near(-0.9F, 1.0F / 128), near(0.9F, 1.0F / 128), near(0.1F, y)}, {{0, 0}, {1, 0}, {0, 1}});
   for (const raster::Face& face : facesAndParts()) {
     const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
     const Drawn plain = draw(raster::plainDepthKernels(), triangles, face);
@@ -54,6 +50,23 @@ TEST_CASE("the depth test is the same bits with every instruction set", "[kernel
       CHECK(drawn.taken == plain.taken);
       CHECK(sorted(drawn.undecided) == sorted(plain.undecided));
     }
+  }
+}
+
+TEST_CASE("runs end where another triangle is shown, with every instruction set", "[kernels]") {
+  // Runs of 1, 2, 3, ... pixels; what lies behind `end` goes on with the last.
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t length = 1; length < 40; ++length) triangles.insert(triangles.end(), length, length % 2);
+  const auto size = static_cast<int>(triangles.size());
+  triangles.insert(triangles.end(), raster::mostLanes, triangles.back());
+  std::vector<raster::DepthKernels> all = raster::simdDepthKernels();
+  all.push_back(raster::plainDepthKernels());
+  for (const raster::DepthKernels& kernels : all) {
+    INFO(kernels.name);
+    for (int end = size - 60; end <= size; ++end)
+      for (int first = 0, length = 1; first < end; first += length, ++length)
+        for (int i = first; i < std::min(first + length, end); ++i)
+          REQUIRE(kernels.endOfRun(triangles.data(), i, end) == std::min(first + length, end));
   }
 }
 

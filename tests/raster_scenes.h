@@ -2,6 +2,7 @@
 #pragma once
 
 #include "raster/cluster.h"
+#include "raster/depth_buffer.h"
 #include "raster/software_renderer.h"
 #include "reference/simple_draws.h"
 
@@ -99,6 +100,14 @@ inline std::vector<raster::Face> facesAndParts() {
     faces.back().scissor = {21, 5, width, 40};
   }
   return faces;
+}
+
+/// In order of rows and columns: the order in which kernels list pixels is theirs.
+inline std::vector<std::pair<int, int>> sorted(const raster::UndecidedPixels& undecided) {
+  std::vector<std::pair<int, int>> pixels;
+  for (const raster::Pixel& pixel : undecided.pixels) pixels.emplace_back(pixel.row, pixel.column);
+  std::sort(pixels.begin(), pixels.end());
+  return pixels;
 }
 
 }  // namespace hemitex::tests

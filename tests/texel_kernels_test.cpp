@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+#include <utility>
 
 #include "raster/depth_kernels.h"
+#include "raster/pixel_bounds.h"
 #include "tests/raster_scenes.h"
 
 using namespace hemitex;
@@ -27,6 +31,25 @@ raster::DepthBuffer drawn(const std::vector<raster::ScreenTriangle>& triangles, 
   return buffer;
 }
 
+/// What kernels find in a run.
+struct Texels {
+  std::vector<std::uint32_t> texels;
+  std::vector<std::pair<int, int>> undecided;
+};
+
+Texels texelsOf(const raster::TexelKernels& kernels, const raster::PixelRun& run, const raster::TexelPlanes& planes) {
+  // Behind the run stands what kernels may take for a texel that is still open.
+  Texels found{std::vector<std::uint32_t>(static_cast<std::size_t>(run.count + raster::mostLanes), 0xffffffff), {}};
+  raster::UndecidedPixels undecided;
+  kernels.findTexels(run, planes, 7, found.texels.data(), undecided);
+  found.texels.resize(static_cast<std::size_t>(run.count));
+  found.undecided = sorted(undecided);
+  for (const auto& [row, column] : found.undecided)
+    if (column >= run.firstColumn && column < run.firstColumn + run.count)
+      found.texels[static_cast<std::size_t>(column - run.firstColumn)] = 0;
+  return found;
+}
+
 /// Holds the texels of each run that a face shows against those of the plain kernels; returns the longest run.
 int compareTexels(const raster::DrawList& list, const raster::Face& face,
                   const std::vector<std::pair<int, int>>& maps) {
@@ -45,19 +68,12 @@ int compareTexels(const raster::DrawList& list, const raster::Face& face,
         const raster::PixelRun run{&triangles[number], row, first, end - first,
                                    buffer.inverseDepth.data() + begin + first};
         const raster::TexelPlanes planes(triangles[number], width, height);
-        const auto texels = [&](const raster::TexelKernels& kernels) {
-          std::vector<std::uint32_t> found(static_cast<std::size_t>(run.count + raster::mostLanes));
-          raster::UndecidedPixels undecided;
-          kernels.findTexels(run, planes, 7, found.data(), undecided);
-          for (const raster::Pixel& pixel : undecided.pixels)
-            found[static_cast<std::size_t>(pixel.column - run.firstColumn)] = 0xffffffff;
-          found.resize(static_cast<std::size_t>(run.count));
-          return found;
-        };
-        const std::vector<std::uint32_t> plain = texels(raster::plainTexelKernels());
+        const Texels plain = texelsOf(raster::plainTexelKernels(), run, planes);
         for (const raster::TexelKernels& kernels : raster::simdTexelKernels()) {
           INFO(kernels.name << ", row " << row << ", columns " << first << " to " << end);
-          REQUIRE(texels(kernels) == plain);
+          const Texels found = texelsOf(kernels, run, planes);
+          REQUIRE(found.undecided == plain.undecided);
+          REQUIRE(found.texels == plain.texels);
         }
       }
   return longest;
@@ -73,15 +89,83 @@ TEST_CASE("texels are the same with every instruction set, along walls steep and
   // Each wall fills the view; its depth grows from left to right, its coordinates leave the map on both sides.
   raster::Face face = frontFace(256);
   face.scissor.height = 24;
-  for (const float depth : {1.0F, 1.5F, 4.0F, 300.0F})
-    for (const float reach : {0.9F, 7.0F, 1e6F}) {
+  for (const float depth : {1.0F, 1.5F, 4.0F, 20.0F, 300.0F})
+    for (const float reach : {0.01F, 0.9F, 7.0F, 1e3F, 1e6F, 1e9F}) {
       raster::DrawList list = plainList();
       addDraw(list, 0);
       addTriangle(list, {{-1.1F, -1.2F, 1}, {1.1F * depth, -1.3F * depth, depth}, {0, 5, 1.2F}},
                   {{0.05F, 0.03F}, {reach, 0.4F}, {0.3F, -reach}});
-      const int longest = compareTexels(list, face, {{16, 16}, {1, 7}, {1024, 1000}});
+      const int longest = compareTexels(list, face, {{16, 16}, {1, 7}, {1024, 1000}, {5, 65536}});
       CHECK(longest > 200);
     }
+}
+
+TEST_CASE("a single texel is everywhere, however large coordinates are", "[kernels]") {
+  raster::DrawList list = plainList();
+  addDraw(list, 0);
+  addTriangle(list, {{-1, -1, 1}, {3, -1, 1}, {-1, 3, 1}}, {{-1e18F, 0}, {1e18F, 1e18F}, {7, -1e18F}});
+  const raster::Face face = frontFace(64);
+  const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
+  const raster::DepthBuffer buffer = drawn(triangles, face);
+  const raster::PixelRun run{triangles.data(), 3, 0, 64, buffer.inverseDepth.data() + buffer.rowAt(3)};
+  std::vector<raster::TexelKernels> all = raster::simdTexelKernels();
+  all.push_back(raster::plainTexelKernels());
+  for (const raster::TexelKernels& kernels : all) {
+    INFO(kernels.name);
+    const Texels found = texelsOf(kernels, run, raster::TexelPlanes(triangles.front(), 1, 1));
+    CHECK(found.undecided.empty());
+    CHECK(found.texels == std::vector<std::uint32_t>(64, 7));
+  }
+}
+
+TEST_CASE("a texel beside a border is the exact one or undecided, with every instruction set", "[kernels]") {
+  // Walls as above. Coordinates are moved so that a pixel of a run, often the first or the last, where 1/w differs most
+  // from that in the middle, lies 2^-6 to 2^-25 texels from a border: far off what rounding can do and close to it.
+  raster::Face face = frontFace(256);
+  face.scissor.height = 4;
+  std::mt19937 random(4);
+  const auto below = [&random](int end) { return static_cast<int>(random() % static_cast<unsigned>(end)); };
+  int decided = 0, open = 0;
+  for (const float depth : {1.0F, 1.5F, 3.1F, 30.0F, 300.0F})
+    for (const int size : {5, 16, 1024, 65536})
+      for (const float reach : {1e-3F, 0.9F, 7.0F, 40.0F}) {
+        raster::DrawList list = plainList();
+        addDraw(list, 0);
+        addTriangle(list, {{-1.1F, -1.2F, 1}, {1.1F * depth, -1.3F * depth, depth}, {0, 5, 1.2F}},
+                    {{0.05F, 0.03F}, {0.05F + reach, 0.4F}, {0.3F, -reach}});
+        const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
+        const raster::DepthBuffer buffer = drawn(triangles, face);
+        for (int times = 0; times < 60; ++times) {
+          const int row = below(4), first = below(100), count = times % 2 == 0 ? 256 - first : 20 + below(156 - 20);
+          const std::size_t begin = buffer.pixelAt(first, row);
+          REQUIRE(buffer.triangle[begin] == 0);
+          REQUIRE(raster::plainDepthKernels().endOfRun(buffer.triangle.data() + begin, 0, count) == count);
+          const int at = times % 3 == 0 ? 0 : times % 3 == 1 ? count - 1 : below(count);
+          raster::ScreenTriangle triangle = triangles.front();
+          const raster::EdgeValues edge = raster::edgeValues(triangle, first + at, row);
+          double position = 0;
+          for (std::size_t k = 0; k < 3; ++k) position += edge[k] * triangle.inverseDepth[k] * triangle.u[k];
+          position = position / raster::inverseDepthAt(triangle, edge) * size;
+          const double off = std::ldexp(random() % 2 == 0 ? 1 : -1, -6 - below(20));
+          for (double& u : triangle.u) u += (std::round(position) + off - position) / size;
+          const raster::PixelRun run{&triangle, row, first, count, buffer.inverseDepth.data() + begin};
+          const raster::TexelPlanes planes(triangle, size, 8);
+          const auto exact =
+              static_cast<std::uint32_t>(7 + raster::texelExactly(triangle, triangle.v, 8, first + at, row) * size +
+                                         raster::texelExactly(triangle, triangle.u, size, first + at, row));
+          for (const raster::TexelKernels& kernels : raster::simdTexelKernels()) {
+            const Texels found = texelsOf(kernels, run, planes);
+            const bool isOpen =
+                std::binary_search(found.undecided.begin(), found.undecided.end(), std::pair(row, first + at));
+            ++(isOpen ? open : decided);
+            INFO(kernels.name << ", depth " << depth << ", size " << size << ", reach " << reach << ", off " << off);
+            if (!isOpen) REQUIRE(found.texels[static_cast<std::size_t>(at)] == exact);
+          }
+        }
+      }
+  if (raster::simdTexelKernels().empty()) return;
+  CHECK(decided > 10 * open);
+  CHECK(open > 0);
 }
 
 TEST_CASE("exact quotients give the texels of the exact fallback, with every instruction set", "[kernels]") {

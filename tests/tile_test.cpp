@@ -2,11 +2,24 @@
 #include "raster/tile.h"
 
 #include <catch2/catch.hpp>
+#include <set>
+#include <string>
 
+#include "raster/word_kernels.h"
 #include "tests/raster_scenes.h"
 
 using namespace hemitex;
 using namespace hemitex::tests;
+
+TEST_CASE("there are kernels of every instruction set, once", "[kernels]") {
+  std::set<std::string> names;
+  for (const raster::DepthKernels& kernels : raster::simdDepthKernels()) names.insert(kernels.name);
+  CHECK(names.size() == raster::simdDepthKernels().size());
+  CHECK(raster::simdVertexKernels().size() == names.size());
+  CHECK(raster::simdSmallTriangleKernels().size() == names.size());
+  CHECK(raster::simdTexelKernels().size() == names.size());
+  CHECK(raster::simdWordKernels().size() == names.size());
+}
 
 TEST_CASE("item buffers are the same with every instruction set", "[kernels]") {
   const std::vector<raster::Face> faces = facesAndParts();
@@ -23,7 +36,8 @@ TEST_CASE("item buffers are the same with every instruction set", "[kernels]") {
       const raster::TileKernels kernels{raster::simdVertexKernels()[k], raster::simdSmallTriangleKernels()[k],
                                         raster::simdDepthKernels()[k], raster::simdTexelKernels()[k]};
       INFO(kernels.depth.name);
-      CHECK(kernels.vertices.name == kernels.depth.name);
+      for (const std::string& name : {kernels.vertices.name, kernels.smallTriangles.name, kernels.texels.name})
+        CHECK(name == kernels.depth.name);
       CHECK(words(kernels) == plain);
     }
   }
