@@ -1,4 +1,5 @@
-/// Small draw lists and faces for the tests of the rasterizer, and drawing them.
+/// Small draw lists and faces for the tests of the rasterizer, and drawing them. Random numbers are drawn in the order
+/// of the text: between braces, for the arguments of a call have none.
 #pragma once
 
 #include "raster/cluster.h"
@@ -33,7 +34,10 @@ inline raster::DrawList crossingTriangles() {
       const auto point = [&] {
         return glm::vec3{uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -1, 4)};
       };
-      const auto coordinate = [&] { return glm::vec2(uniform(random, 0, 1), uniform(random, 0, 1)); };
+      const auto coordinate = [&] {
+        const float v = uniform(random, 0, 1), u = uniform(random, 0, 1);
+        return glm::vec2(u, v);
+      };
       const glm::vec3 a = point(), b = a + 0.3f * point(), c = a + 0.3f * point();
       const glm::vec2 ta = coordinate(), tb = coordinate(), tc = coordinate();
       addTriangle(list, {a, b, c}, {ta, tb, tc});
@@ -63,9 +67,9 @@ inline raster::DrawList smallTriangles(std::uint32_t draws) {
       for (std::size_t k = 0; k < 3; ++k) {
         const float w = isOnGrid ? 1 + static_cast<float>((draw * 37 + t) % 1024) / 1024 : between(1, 3);
         const glm::vec2 at =
-            isOnGrid ? glm::vec2(steps(8), steps(8)) / 64.0F : glm::vec2(between(0, 0.13F), between(0, 0.13F));
+            isOnGrid ? glm::vec2{steps(8), steps(8)} / 64.0F : glm::vec2{between(0, 0.13F), between(0, 0.13F)};
         p[k] = {(x + at.x) * w, (y + at.y) * w, w};
-        texture[k] = isOnGrid ? glm::vec2(steps(8) / 8, steps(4) / 4) : glm::vec2(between(0, 1), between(0, 1));
+        texture[k] = isOnGrid ? glm::vec2{steps(8) / 8, steps(4) / 4} : glm::vec2{between(0, 1), between(0, 1)};
       }
       if (isFlat) p[2] = random() % 2 == 0 ? p[0] : 0.5F * (p[0] + p[1]);
       addTriangle(list, {p[0], p[1], p[2]}, {texture[0], texture[1], texture[2]});

@@ -37,7 +37,7 @@ TEST_CASE("the nearest triangle is the same whether boxes are looked into first 
   // Single triangles, a scene each, say how far each of them is.
   std::mt19937 random(5);
   std::uniform_real_distribution<double> coordinate(-1, 1);
-  const auto point = [&] { return glm::dvec3(coordinate(random), coordinate(random), coordinate(random)); };
+  const auto point = [&] { return glm::dvec3{coordinate(random), coordinate(random), coordinate(random)}; };
   Scene scene;
   scene.extent = 3;
   scene.surfaces.resize(3);

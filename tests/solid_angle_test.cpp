@@ -18,7 +18,7 @@ struct Random {
   double uniform(double low, double high) { return low + (high - low) * double(bits()) / 4294967296.0; }
   glm::dvec3 direction() {
     for (;;) {
-      const glm::dvec3 p(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+      const glm::dvec3 p{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
       if (glm::dot(p, p) <= 1 && glm::dot(p, p) > 1e-3) return glm::normalize(p);
     }
   }

@@ -12,11 +12,11 @@ constexpr int mapSize = 19;
 using Corners = std::array<glm::vec3, 3>;
 using Coordinates = std::array<glm::vec2, 3>;
 
-/// A point whose picture is (x, y) at depth w; exact where w is a power of two.
-glm::vec3 seenAt(float x, float y, float w) { return {x * w, y * w, w}; }
+/// A point whose picture is (p.x, p.y) at depth p.z; exact where that is a power of two.
+glm::vec3 seenAt(const glm::vec3& p) { return {p.x * p.z, p.y * p.z, p.z}; }
 
 glm::vec3 anywhere(std::mt19937& random, float low = 0.5f, float high = 4) {
-  return seenAt(uniform(random, -1.3f, 1.3f), uniform(random, -1.3f, 1.3f), uniform(random, low, high));
+  return seenAt({uniform(random, -1.3f, 1.3f), uniform(random, -1.3f, 1.3f), uniform(random, low, high)});
 }
 
 Coordinates anyCoordinates(std::mt19937& random) {
@@ -67,7 +67,7 @@ DrawnCase onSamples(std::mt19937& random) {
       const float unit = std::array<float, 4>{1.0f / 16, 1.0f / 32, 1.0f / 4096, 1.0f / 8192}[random() % 4];
       const auto grid = [&] { return std::nearbyint(uniform(random, -1.3f, 1.3f) / unit) * unit; };
       const float x = grid(), y = grid();
-      corner = seenAt(x, y, std::array<float, 3>{0.5f, 1, 2}[random() % 3]);
+      corner = seenAt({x, y, std::array<float, 3>{0.5f, 1, 2}[random() % 3]});
     }
     add(result, p, anyCoordinates(random));
   }
@@ -90,7 +90,7 @@ DrawnCase bordersOnSamples(std::mt19937& random) {
   Coordinates t;
   for (std::size_t k = 0; k < 3; ++k) {
     const float x = std::nearbyint(uniform(random, -8, 8)) / 4, y = std::nearbyint(uniform(random, -8, 8)) / 4;
-    p[k] = seenAt(x, y, w);
+    p[k] = seenAt({x, y, w});
     t[k] = {coordinate(x, shiftU), coordinate(y, shiftV)};
   }
   add(result, p, t);
@@ -119,7 +119,7 @@ DrawnCase guardBandClipped(std::mt19937& random) {
     Corners p;
     for (glm::vec3& corner : p) {
       const float size = std::array<float, 3>{1, 30, 1000}[random() % 3];
-      corner = seenAt(uniform(random, -size, size), uniform(random, -size, size), uniform(random, 0.1f, 3));
+      corner = seenAt({uniform(random, -size, size), uniform(random, -size, size), uniform(random, 0.1f, 3)});
       if (random() % 6 == 0) corner.x = (random() % 2 == 0 ? 8 : -8) * corner.z;
     }
     add(result, p, anyCoordinates(random));
@@ -133,7 +133,7 @@ DrawnCase steep(std::mt19937& random) {
   for (int k = 0; k < 4; ++k) {
     Corners p;
     for (glm::vec3& corner : p)
-      corner = seenAt(uniform(random, -1.3f, 1.3f), uniform(random, -1.3f, 1.3f), random() % 2 == 0 ? 1e-2f : 1e4f);
+      corner = seenAt({uniform(random, -1.3f, 1.3f), uniform(random, -1.3f, 1.3f), random() % 2 == 0 ? 1e-2f : 1e4f});
     add(result, p, anyCoordinates(random));
   }
   return result;
