@@ -169,9 +169,10 @@ class Group {
     }
   }
 
-  Corners<Integer> at_, right_, down_;  ///< of the edges, see SmallEdge
-  Integer rows_, columns_;              ///< of samples that may be covered
-  Integer first_;                       ///< the first of them
+  // Not left to an implicit constructor, which would not be compiled for the instruction set.
+  Corners<Integer> at_{all(0), all(0), all(0)}, right_ = at_, down_ = at_;  ///< of the edges, see SmallEdge
+  Integer rows_, columns_;                                                  ///< of samples that may be covered
+  Integer first_;                                                           ///< the first of them
   hn::Mask<Integers> isNegative_, isFlat_;
 };
 
