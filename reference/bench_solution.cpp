@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "radiosity/drawn_rows.h"
@@ -92,9 +93,9 @@ SolutionParts solutionParts(const radiosity::Scene& scene, int texels, int resol
   for (double SolutionParts::*part :
        {&SolutionParts::start, &SolutionParts::picking, &SolutionParts::hemicubes, &SolutionParts::spreading,
         &SolutionParts::accounting, &SolutionParts::besideOfTotal}) {
-    std::vector<double> seconds;
-    for (const SolutionParts& repeat : times) seconds.push_back(repeat.*part);
-    medians.*part = medianOf(seconds);
+    std::vector<double> values;
+    for (const SolutionParts& repeat : times) values.push_back(repeat.*part);
+    medians.*part = medianOf(std::move(values));
   }
   return medians;
 }

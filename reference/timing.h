@@ -21,6 +21,7 @@ Timing operator/(const Timing& timing, double parts);
 /// Of times taken, one at least.
 Timing timingOf(std::vector<double> turns);
 
+/// Of values, one at least; between the two in the middle where their number is even.
 double medianOf(std::vector<double> values);
 
 /// What each turn gave over what it gave of something else; of as many.

@@ -35,7 +35,7 @@ inline raster::DrawList crossingTriangles() {
         return glm::vec3{uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -1, 4)};
       };
       const auto coordinate = [&] {
-        const float v = uniform(random, 0, 1), u = uniform(random, 0, 1);
+        const float v = uniform(random, 0, 1), u = uniform(random, 0, 1);  // in this order: their words are pinned
         return glm::vec2(u, v);
       };
       const glm::vec3 a = point(), b = a + 0.3f * point(), c = a + 0.3f * point();
