@@ -28,11 +28,7 @@ PieceCorner crossing(const PieceCorner& a, const PieceCorner& b, int axis, doubl
   return corner;
 }
 
-struct Halves {
-  Piece below, above;
-};
-
-/// The parts of a piece on both sides of a line, which belongs to both.
+/// The parts of a piece on both sides of a line of the grid, which belongs to both.
 Halves split(const Piece& piece, int axis, double line) {
   Halves halves;
   for (std::size_t i = 0; i < piece.size; ++i) {
@@ -99,11 +95,34 @@ void forEachCellOf(const Piece& polygon, const PieceVisitor& visit) {
   });
 }
 
+Halves split(const Piece& piece, const std::array<double, 12>& distances) {
+  Halves halves;
+  for (std::size_t i = 0; i < piece.size; ++i) {
+    const std::size_t next = i + 1 < piece.size ? i + 1 : 0;
+    const PieceCorner& a = piece.corners[i];
+    const PieceCorner& b = piece.corners[next];
+    if (distances[i] <= 0) append(halves.below, a);
+    if (distances[i] >= 0) append(halves.above, a);
+    if ((distances[i] < 0 && distances[next] > 0) || (distances[i] > 0 && distances[next] < 0)) {
+      const double t = distances[i] / (distances[i] - distances[next]);
+      const PieceCorner corner{a.grid + t * (b.grid - a.grid), a.weight + t * (b.weight - a.weight)};
+      append(halves.below, corner);
+      append(halves.above, corner);
+    }
+  }
+  return halves;
+}
+
+Piece clippedTo(const Piece& piece, const glm::dvec2& low, const glm::dvec2& high) {
+  Piece clipped = split(piece, columnAxis, low.x).above;
+  clipped = split(clipped, columnAxis, high.x).below;
+  clipped = split(clipped, rowAxis, low.y).above;
+  return split(clipped, rowAxis, high.y).below;
+}
+
 Piece clippedToCell(const std::array<glm::dvec2, 3>& grid, std::int64_t column, std::int64_t row) {
-  Piece piece = split(wholeTriangle(grid), columnAxis, static_cast<double>(column)).above;
-  piece = split(piece, columnAxis, static_cast<double>(column + 1)).below;
-  piece = split(piece, rowAxis, static_cast<double>(row)).above;
-  return split(piece, rowAxis, static_cast<double>(row + 1)).below;
+  const glm::dvec2 low(static_cast<double>(column), static_cast<double>(row));
+  return clippedTo(wholeTriangle(grid), low, low + 1.0);
 }
 
 // In the plane of the two weights the triangle is half the unit square, so twice a piece's area there is its share.

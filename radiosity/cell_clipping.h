@@ -22,11 +22,21 @@ struct PieceCorner {
   glm::dvec2 weight;  ///< barycentric, of the triangle's corners 1 and 2
 };
 
-/// A convex polygon cut from a triangle, or from a quad. Each of the four sides of a cell adds at most one corner.
+/// A convex polygon cut from a triangle, from a quad, or from a piece of at most eight corners. Each of the four sides of
+/// a cell adds at most one corner.
 struct Piece {
-  std::array<PieceCorner, 8> corners;
+  std::array<PieceCorner, 12> corners;
   std::size_t size = 0;
 };
+
+/// The parts of a piece on both sides of a line.
+struct Halves {
+  Piece below, above;
+};
+
+/// Splits a piece where the signed distances of its corners from a line, one a corner, change their sign. Corners at
+/// distance 0 belong to both parts.
+Halves split(const Piece& piece, const std::array<double, 12>& distances);
 
 /// The triangle as a piece of its own, corners in cells.
 Piece wholeTriangle(const std::array<glm::dvec2, 3>& grid);
@@ -42,6 +52,8 @@ void forEachCellOf(const Piece& polygon, const PieceVisitor& visit);
 
 /// The part of a triangle inside the closed cell [column, column + 1] x [row, row + 1]; empty where there is none.
 Piece clippedToCell(const std::array<glm::dvec2, 3>& grid, std::int64_t column, std::int64_t row);
+/// The part of a piece inside the rectangle [low, high] of the grid.
+Piece clippedTo(const Piece& piece, const glm::dvec2& low, const glm::dvec2& high);
 
 /// The share of the triangle's area that the piece has, in [0, 1].
 double share(const Piece& piece);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "radiosity/exposure.h"
 #include "radiosity/grid_size.h"
 #include "radiosity/map_average.h"
 #include "radiosity/spill.h"
@@ -95,7 +96,7 @@ class LeafTriangles {
   std::uint32_t of(const Leaf& leaf) {
     const int columns = grid_.columns / leaf.side, rows = grid_.rows / leaf.side;
     const auto [found, isNew] = bySide_.try_emplace(leaf.side);
-    if (isNew) found->second = texelAreas(surface_, columns, rows).triangle;
+    if (isNew) found->second = texelAreas(surface_, {columns, rows, {}}).triangle;
     return found->second[texelOfCell(leaf.column / leaf.side, leaf.row / leaf.side, columns, rows)];
   }
 
@@ -109,7 +110,7 @@ class LeafTriangles {
 void makeElements(const Surface& surface, std::uint32_t number, Discretization& part) {
   constexpr std::uint32_t none = ~0u;
   Grid& grid = part.grids.front();
-  TexelAreas texels = texelAreas(surface, grid.columns, grid.rows);
+  TexelAreas texels = texelAreas(surface, texelGrid(grid));
   coverOneAtLeast(texels);
   grid.spill = spillTexels(grid.columns, grid.rows, texels.coverage);
   LeafTriangles triangles(surface, grid);
@@ -120,6 +121,7 @@ void makeElements(const Surface& surface, std::uint32_t number, Discretization& 
   for (std::uint32_t texel = 0; texel < grid.spill.size(); ++texel) {
     grid.covered.push_back(texels.coverage[texel] > coverageNoise);
     grid.phantoms += grid.covered[texel] ? 0 : 1;
+    grid.buried += grid.covered[texel] || findCut(grid.cutTexels, texel) == nullptr ? 0 : 1;
     if (grid.spill[texel] != texel || elementAt(texel) != none) continue;
     elementAt(texel) = static_cast<std::uint32_t>(part.elements.size());
     const Leaf leaf = leafOf(grid, texel);
@@ -206,14 +208,15 @@ std::vector<glm::dvec3> mappedValues(const Scene& scene, const Surface& surface,
 }
 
 /// The discretization of one surface alone, without a quadtree where that is null: elements and patches are numbered
-/// from 0.
+/// from 0. `cut` are the texels that are not wholly exposed.
 Discretization discretizeSurface(const Scene& scene, std::uint32_t number, const DiscretizationSettings& settings,
-                                 const Quadtree* quadtree) {
+                                 const Quadtree* quadtree, const std::vector<CutTexel>& cut) {
   const Surface& surface = scene.surfaces[number];
   const GridSize size = gridSizeOf(surface, settings);
   Discretization part;
   part.grids.push_back({.columns = size.columns, .rows = size.rows, .spill = {}, .covered = {}});
   if (quadtree) part.grids.front().quadtree = *quadtree;
+  part.grids.front().cutTexels = cut;
   makeElements(surface, number, part);
   const int side = patchSide(size, settings);
   if (quadtree) validateNesting(surface, size, *quadtree, side);
@@ -241,15 +244,13 @@ void append(Discretization& whole, Discretization part) {
   moveTo(whole.patchElements, part.patchElements);
 }
 
-/// One quadtree a surface, or none at all.
-Discretization discretized(const Scene& scene, const DiscretizationSettings& settings,
-                           const std::vector<Quadtree>& quadtrees) {
-  validate(scene, settings);
-  validateSizes(scene, settings);
+/// All surfaces by themselves, one after the other. One quadtree a surface, or none at all; cut texels of each.
+Discretization assembled(const Scene& scene, const DiscretizationSettings& settings,
+                         const std::vector<Quadtree>& quadtrees, const std::vector<std::vector<CutTexel>>& cut) {
   std::vector<Discretization> parts(scene.surfaces.size());
   raster::parallelFor(parts.size(), [&](std::size_t surface) {
     const Quadtree* quadtree = quadtrees.empty() ? nullptr : &quadtrees[surface];
-    parts[surface] = discretizeSurface(scene, static_cast<std::uint32_t>(surface), settings, quadtree);
+    parts[surface] = discretizeSurface(scene, static_cast<std::uint32_t>(surface), settings, quadtree, cut[surface]);
   });
   std::size_t elements = 0, patches = 0;
   for (const Discretization& part : parts) {
@@ -263,6 +264,19 @@ Discretization discretized(const Scene& scene, const DiscretizationSettings& set
   whole.patchElements.reserve(elements);
   whole.patches.reserve(patches);
   for (Discretization& part : parts) append(whole, std::exchange(part, {}));
+  return whole;
+}
+
+/// One quadtree a surface, or none at all.
+Discretization discretized(const Scene& scene, const DiscretizationSettings& settings,
+                           const std::vector<Quadtree>& quadtrees) {
+  validate(scene, settings);
+  validateSizes(scene, settings);
+  std::vector<std::vector<CutTexel>> cut(scene.surfaces.size());
+  Discretization whole = assembled(scene, settings, quadtrees, cut);
+  cut = cutTexels(scene, whole);
+  if (std::any_of(cut.begin(), cut.end(), [](const std::vector<CutTexel>& some) { return !some.empty(); }))
+    whole = assembled(scene, settings, quadtrees, cut);
   averageMaps(scene, whole);
   return whole;
 }

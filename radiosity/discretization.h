@@ -9,6 +9,10 @@
 /// texels to elements, says where every texel's light goes: to its own element, to the one it merged into, or, for a
 /// phantom (a sample can fall on one at a chart's border), to the nearest element.
 ///
+/// What lies inside a solid is not exposed (see exposure.h): it has no part in areas and centres, so that it neither
+/// receives nor sends. A texel that is wholly buried is a phantom, and one of which less than a quarter is exposed
+/// merges.
+///
 /// Under a quadtree elements are not texels but its leaves: all texels of a leaf spill to one element. A texel is still
 /// what slivers are measured by: where one merges with a neighbour, its light goes to that neighbour's leaf.
 #pragma once
@@ -20,13 +24,14 @@
 #include <string>
 #include <vector>
 
+#include "radiosity/exposed_pieces.h"
 #include "radiosity/quadtree.h"
 #include "radiosity/scene.h"
 
 namespace hemitex::radiosity {
 
 struct Element {
-  double area = 0;  ///< of the surface inside its texels, in the scene's units squared; above 0
+  double area = 0;  ///< of the exposed surface inside its texels, in the scene's units squared; above 0
   std::uint32_t surface = 0;
   std::uint32_t texel = 0;  ///< row * columns + column of its own texel, the one the others merged into; of a leaf of
                             ///< several texels the first that is one's own
@@ -53,6 +58,8 @@ struct Grid {
   std::vector<std::uint32_t> spill;       ///< columns * rows: the element each texel gives its light to
   std::vector<bool> covered;              ///< columns * rows: whether the texel has area
   std::uint32_t phantoms = 0;             ///< texels without area
+  std::uint32_t buried = 0;               ///< those of them that have area, but inside solids alone
+  std::vector<CutTexel> cutTexels = {};   ///< texels that are buried in part or wholly, ascending
   std::optional<Quadtree> quadtree = {};  ///< whose leaves are the elements; without one every texel is a leaf
 };
 
@@ -88,7 +95,7 @@ struct DiscretizationSettings {
 
 /// Throws InputError on a setting out of range, a name in surfaceTexels that no surface has, and where there would be
 /// 2^32 - 1 texels or more in all.
-/// Element areas sum to each surface's area to 1e-12 relative.
+/// Element areas sum to the exposed area of each surface to 1e-12 relative.
 Discretization discretize(const Scene& scene, const DiscretizationSettings& settings);
 
 /// The same with the leaves of quadtrees as elements: one a surface, over a grid of as many columns and rows. Throws
@@ -128,6 +135,9 @@ SurfaceValues emissions(const Scene& scene, const Discretization& discretization
 glm::dvec3 reflectance(const Scene& scene, const Discretization& discretization, std::uint32_t element);
 glm::dvec3 emission(const Scene& scene, const Discretization& discretization, std::uint32_t element);
 
+/// The texels of a grid, and what of them is exposed. Refers to the grid.
+inline TexelGrid texelGrid(const Grid& grid) { return {grid.columns, grid.rows, grid.cutTexels}; }
+
 /// The area of a patch's elements.
 double patchArea(const Discretization& discretization, const Patch& patch);
 
@@ -141,12 +151,14 @@ struct SurfacePoint {
 /// The point of a triangle of a surface with these barycentric weights, of its corners 1 and 2.
 SurfacePoint pointOn(const Surface& surface, std::uint32_t triangle, const glm::dvec2& weights);
 
-/// The centre of a patch, computed from the chart: the surface's point at the middle of the block or, where the chart
-/// has a hole there, in the covered texel nearest to the middle. Always on the surface.
+/// The centre of a patch: the centroid in the chart of what is exposed in its block or, where that is not exposed
+/// itself, a point of the exposed piece nearest to it. Always on the surface.
 SurfacePoint patchCentre(const Scene& scene, const Discretization& discretization, const Patch& patch);
 
 /// The centre of an element: the surface's point at the middle of its own texel or leaf or, where the chart does not
-/// cover that, at the centroid of the largest piece of the surface inside. Always on the surface.
+/// cover that, at the centroid of the largest piece of the surface inside. Where the texel or leaf is buried in part it
+/// is the centroid of what is exposed or, where that is not exposed itself, a point of the exposed piece nearest to it.
+/// Always on the surface.
 SurfacePoint elementCentre(const Scene& scene, const Discretization& discretization, std::uint32_t element);
 
 }  // namespace hemitex::radiosity

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "radiosity/cell_clipping.h"
-#include "radiosity/texel_areas.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -76,18 +75,14 @@ std::vector<glm::dvec3> averageOverElements(const Image& image, const Surface& s
   const Image sized = sizedFor(surface, image);
   std::vector<glm::dvec3> sum(grid.elementCount);
   std::vector<double> weight(grid.elementCount);
-  for (const Triangle& triangle : surface.triangles) {
-    const std::array<glm::dvec2, 3> texcoord = nearTexcoords(triangle);
-    const double surfaceArea = area(triangle);
-    forEachCell(
-        inTexels(triangle, grid.columns, grid.rows), [&](std::int64_t column, std::int64_t row, const Piece& piece) {
-          const std::size_t element = grid.spill[texelOfCell(column, row, grid.columns, grid.rows)] - grid.firstElement;
-          const double pieceArea = share(piece) * surfaceArea;
-          const glm::dvec3 mean = isOnePixel(sized) ? sized.pixels[0] : meanOver(piece, texcoord, sized);
-          sum[element] += pieceArea * mean;
-          weight[element] += pieceArea;
-        });
-  }
+  forEachExposedPiece(surface, texelGrid(grid), [&](std::size_t texel, std::uint32_t t, const Piece& piece) {
+    const Triangle& triangle = surface.triangles[t];
+    const std::size_t element = grid.spill[texel] - grid.firstElement;
+    const double pieceArea = share(piece) * area(triangle);
+    const glm::dvec3 mean = isOnePixel(sized) ? sized.pixels[0] : meanOver(piece, nearTexcoords(triangle), sized);
+    sum[element] += pieceArea * mean;
+    weight[element] += pieceArea;
+  });
   for (std::size_t element = 0; element < sum.size(); ++element) sum[element] /= weight[element];
   return sum;
 }

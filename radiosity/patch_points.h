@@ -11,13 +11,13 @@ namespace hemitex::radiosity {
 
 /// A point of a surface that a part of its area shoots from.
 struct ShootingBlock {
-  SurfacePoint centre;  ///< the surface's point at the middle of the block or, where the chart does not cover that, the
-                        ///< centroid of the largest piece of the surface inside
-  double area = 0;      ///< of the surface inside the block, above 0
+  SurfacePoint centre;  ///< the centroid, in the chart, of what is exposed in the block or, where that is not exposed
+                        ///< itself, the centroid of the exposed piece nearest to it
+  double area = 0;      ///< of the exposed surface inside the block, above 0
 };
 
-/// A rectangle of a surface's chart, in the texels of its grid; nothing where the surface has no area there. Looks at
-/// every triangle of the surface.
+/// A rectangle of a surface's chart, in the texels of its grid; nothing where the surface has no exposed area there.
+/// Looks at every triangle of the surface.
 std::optional<ShootingBlock> shootingBlock(const Surface& surface, const Grid& grid, const glm::dvec2& corner,
                                            const glm::dvec2& size);
 

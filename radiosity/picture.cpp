@@ -76,15 +76,15 @@ std::uint32_t elementAt(const Scene& scene, const Discretization& discretization
 }
 
 /// What must differ between two samples for a line to run between them.
-struct Piece {
+struct ShownPiece {
   std::uint32_t surface = 0, polygon = 0, element = 0;
-  bool operator==(const Piece&) const = default;
+  bool operator==(const ShownPiece&) const = default;
 };
 
 /// Black where one of a sample's four neighbours shows another piece: lines of two samples, which is one pixel.
-Image borderPicture(const std::vector<std::optional<Piece>>& pieces, int width, int height) {
+Image borderPicture(const std::vector<std::optional<ShownPiece>>& pieces, int width, int height) {
   const int columns = 2 * width, rows = 2 * height;
-  const auto at = [&](int column, int row) -> const std::optional<Piece>& {
+  const auto at = [&](int column, int row) -> const std::optional<ShownPiece>& {
     const int c = std::clamp(column, 0, columns - 1), r = std::clamp(row, 0, rows - 1);
     return pieces[static_cast<std::size_t>(r) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(c)];
   };
@@ -92,7 +92,7 @@ Image borderPicture(const std::vector<std::optional<Piece>>& pieces, int width, 
   samples.reserve(pieces.size());
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
-      const std::optional<Piece>& piece = at(column, row);
+      const std::optional<ShownPiece>& piece = at(column, row);
       const bool isBorder = at(column - 1, row) != piece || at(column + 1, row) != piece ||
                             at(column, row - 1) != piece || at(column, row + 1) != piece;
       samples.emplace_back(isBorder ? 0.0 : 1.0);
@@ -101,9 +101,9 @@ Image borderPicture(const std::vector<std::optional<Piece>>& pieces, int width, 
 }
 
 /// The pieces that samples show, where `pieceOf` says which one a sample belongs to.
-std::vector<std::optional<Piece>> piecesOf(const Samples& samples,
-                                           const std::function<Piece(const Visible&)>& pieceOf) {
-  std::vector<std::optional<Piece>> pieces;
+std::vector<std::optional<ShownPiece>> piecesOf(const Samples& samples,
+                                           const std::function<ShownPiece(const Visible&)>& pieceOf) {
+  std::vector<std::optional<ShownPiece>> pieces;
   pieces.reserve(samples.size());
   for (const std::optional<Visible>& visible : samples)
     pieces.push_back(visible ? std::optional(pieceOf(*visible)) : std::nullopt);
@@ -145,7 +145,7 @@ Image elementPicture(const Scene& scene, const Discretization& discretization, c
 
 Image wireframePicture(const Scene& scene, const Camera& camera, int width, int height) {
   const auto pieceOf = [&](const Visible& visible) {
-    return Piece{visible.surface, triangleOf(scene, visible).polygon, 0};
+    return ShownPiece{visible.surface, triangleOf(scene, visible).polygon, 0};
   };
   return borderPicture(piecesOf(seeTwice(scene, camera, width, height), pieceOf), width, height);
 }
@@ -153,7 +153,7 @@ Image wireframePicture(const Scene& scene, const Camera& camera, int width, int 
 Image meshPicture(const Scene& scene, const Discretization& discretization, const Camera& camera, int width,
                   int height) {
   const auto pieceOf = [&](const Visible& visible) {
-    return Piece{visible.surface, triangleOf(scene, visible).polygon, elementAt(scene, discretization, visible)};
+    return ShownPiece{visible.surface, triangleOf(scene, visible).polygon, elementAt(scene, discretization, visible)};
   };
   return borderPicture(piecesOf(seeTwice(scene, camera, width, height), pieceOf), width, height);
 }

@@ -13,6 +13,11 @@ double chartArea(const std::array<glm::dvec2, 3>& grid) {
   return std::abs(a.x * b.y - a.y * b.x) / 2;
 }
 
+struct MeasuredTriangle {
+  std::array<glm::dvec2, 3> corners;  ///< in texels
+  double area, chartArea;             ///< on the surface, and in texels
+};
+
 /// What was found so far of the triangle that stands for each texel.
 struct TexelTriangles {
   std::vector<bool> hasMiddle;
@@ -32,28 +37,28 @@ std::size_t texelOfCell(std::int64_t column, std::int64_t row, int columns, int 
   return j * static_cast<std::size_t>(columns) + i;
 }
 
-TexelAreas texelAreas(const Surface& surface, int columns, int rows) {
-  const std::size_t count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+TexelAreas texelAreas(const Surface& surface, const TexelGrid& grid) {
+  const std::size_t count = static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
   TexelAreas texels{std::vector<double>(count), std::vector<double>(count), std::vector<std::uint32_t>(count)};
   TexelTriangles found{std::vector<bool>(count), std::vector<double>(count)};
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    const std::array<glm::dvec2, 3> grid = inTexels(surface.triangles[t], columns, rows);
-    const double surfaceArea = area(surface.triangles[t]);
-    const double gridArea = chartArea(grid);
-    forEachCell(grid, [&](std::int64_t column, std::int64_t row, const Piece& piece) {
-      const std::size_t texel = texelOfCell(column, row, columns, rows);
-      const double part = share(piece);
-      texels.area[texel] += part * surfaceArea;
-      texels.coverage[texel] += part * gridArea;
-      if (found.hasMiddle[texel]) return;
-      const glm::dvec2 middle(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
-      found.hasMiddle[texel] = weightsAt(grid, middle).has_value();
-      if (found.hasMiddle[texel] || part * surfaceArea > found.largestPiece[texel]) {
-        found.largestPiece[texel] = part * surfaceArea;
-        texels.triangle[texel] = t;
-      }
-    });
+  std::vector<MeasuredTriangle> triangles;
+  for (const Triangle& triangle : surface.triangles) {
+    const std::array<glm::dvec2, 3> corners = inTexels(triangle, grid.columns, grid.rows);
+    triangles.push_back({corners, area(triangle), chartArea(corners)});
   }
+  const auto columns = static_cast<std::size_t>(grid.columns);
+  forEachExposedPiece(surface, grid, [&](std::size_t texel, std::uint32_t t, const Piece& piece) {
+    const double part = share(piece);
+    texels.area[texel] += part * triangles[t].area;
+    texels.coverage[texel] += part * triangles[t].chartArea;
+    if (found.hasMiddle[texel]) return;
+    const glm::dvec2 middle = glm::dvec2(texel % columns, texel / columns) + 0.5;
+    found.hasMiddle[texel] = weightsAt(triangles[t].corners, middle).has_value();
+    if (found.hasMiddle[texel] || part * triangles[t].area > found.largestPiece[texel]) {
+      found.largestPiece[texel] = part * triangles[t].area;
+      texels.triangle[texel] = t;
+    }
+  });
   return texels;
 }
 

@@ -24,25 +24,28 @@ std::vector<glm::dvec3> cornersOf(const std::array<glm::dvec3, 3>& triangle, con
   return corners;
 }
 
-void appendPieces(const radiosity::Scene& scene, const Triangle& triangle, std::uint32_t number, const Grid& grid,
-                  std::vector<SurfacePiece>& pieces) {
-  const std::array<glm::dvec3, 3> corners = inFrame(scene, triangle);
-  const auto append = [&](std::int64_t column, std::int64_t row, const Piece& piece) {
+/// `first` is the number of the surface's first triangle in the scene.
+void appendPieces(const radiosity::Scene& scene, const radiosity::Surface& surface, std::uint32_t first,
+                  const Grid& grid, std::vector<SurfacePiece>& pieces) {
+  const auto append = [&](std::size_t texel, std::uint32_t t, const Piece& piece) {
     if (radiosity::share(piece) == 0) return;
-    const std::uint32_t element = grid.spill[radiosity::texelOfCell(column, row, grid.columns, grid.rows)];
-    pieces.push_back({element, number, radiosity::normal(triangle), cornersOf(corners, piece)});
+    const Triangle& triangle = surface.triangles[t];
+    pieces.push_back(
+        {grid.spill[texel], first + t, radiosity::normal(triangle), cornersOf(inFrame(scene, triangle), piece)});
   };
-  radiosity::forEachCell(radiosity::inTexels(triangle, grid.columns, grid.rows), append);
+  radiosity::forEachExposedPiece(surface, radiosity::texelGrid(grid), append);
 }
 
 }  // namespace
 
 SurfacePieces surfacePieces(const radiosity::Scene& scene, const radiosity::Discretization& discretization) {
   SurfacePieces result;
-  std::uint32_t number = 0;
-  for (std::size_t surface = 0; surface < scene.surfaces.size(); ++surface)
-    for (const Triangle& triangle : scene.surfaces[surface].triangles)
-      appendPieces(scene, triangle, number++, discretization.grids[surface], result.pieces);
+  std::uint32_t first = 0;
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const radiosity::Surface& surface = scene.surfaces[s];
+    appendPieces(scene, surface, first, discretization.grids[s], result.pieces);
+    first += static_cast<std::uint32_t>(surface.triangles.size());
+  }
   std::stable_sort(result.pieces.begin(), result.pieces.end(),
                    [](const SurfacePiece& a, const SurfacePiece& b) { return a.element < b.element; });
   result.first.assign(discretization.elements.size() + 1, 0);

@@ -20,7 +20,7 @@ struct SurfacePiece {
   std::uint32_t element = 0;
   std::uint32_t triangle = 0;
   glm::dvec3 normal;               ///< unit
-  std::vector<glm::dvec3> corner;  ///< counter-clockwise in front; three to seven
+  std::vector<glm::dvec3> corner;  ///< counter-clockwise in front; three to eight
 };
 
 struct SurfacePieces {
