@@ -33,8 +33,8 @@ Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& disc
   }
   std::vector<std::uint32_t> patches;
   for (const std::uint32_t surface : source.surfaces) {
-    const radiosity::Grid& grid = discretization.grids[surface];
-    for (std::uint32_t p = 0; p < grid.patchCount; ++p) patches.push_back(grid.firstPatch + p);
+    const std::vector<std::uint32_t> ofSurface = radiosity::patchesOf(discretization.grids[surface]);
+    patches.insert(patches.end(), ofSurface.begin(), ofSurface.end());
   }
   double area = 0;
   for (const std::uint32_t patch : patches) area += radiosity::patchArea(discretization, discretization.patches[patch]);
@@ -104,6 +104,7 @@ RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretiza
                       const radiosity::DrawingSettings& settings, Console& console) {
   const auto drawn =
       std::make_shared<radiosity::DrawnRows>(scene, discretization, layoutOf(word, discretization, console), settings);
+  drawn->splitAll();
   return [&scene, &receivers, drawn](const Source& source) {
     return meanRow(scene, drawn->discretization(), drawn->rows(), source, receivers);
   };

@@ -223,7 +223,10 @@ void addFormFactors(CLI::App& program, Context& context) {
     if (options->from.empty() && !options->all) throw CLI::RequiredError("--from, or --all --by-surface,");
     const auto projection = projectionNamed(options->method);
     if (projection) options->drawing.projection = *projection;
-    if (!projection) refuseUnused(*command, drawingOptionNames(), options->method);
+    if (!projection) {
+      refuseUnused(*command, drawingOptionNames(), options->method);
+      refuseUnused(*command, {"--split"}, options->method);
+    }
     if (options->method != "rays") refuseUnused(*command, {"--samples", "--aimed"}, options->method);
     context.command = [options, &context] { print(*options, context); };
   });

@@ -197,8 +197,8 @@ std::optional<radiosity::ProjectionKind> projectionNamed(const std::string& meth
 }
 
 std::vector<std::string> drawingOptionNames() {
-  return {"--discretize", "--resolution", "--orientation", "--split", "--pixels-per-element",
-          "--format",     "--index-maps", "--page",        "--blend", "--no-align"};
+  return {"--discretize", "--resolution", "--orientation", "--pixels-per-element", "--format", "--index-maps",
+          "--page",       "--blend",      "--no-align"};
 }
 
 void refuseUnused(const CLI::App& app, const std::vector<std::string>& options, const std::string& method) {

@@ -54,7 +54,7 @@ ordered_json surfacesJson(const radiosity::Scene& scene, const radiosity::Discre
                         {"columns", grid.columns},
                         {"rows", grid.rows},
                         {"elements", grid.elementCount},
-                        {"patches", grid.patchCount},
+                        {"patches", radiosity::patchesOf(grid).size()},
                         {"area", areaOf(discretization, grid)},
                         {"texture",
                          {{"name", textures.names[texture]},

@@ -39,7 +39,7 @@ ordered_json settingsJson(const Showing& showing) {
           {"method", options.method},
           {"resolution", ofProjections(options.drawing.resolution)},
           {"orientation", ofProjections(nameOf(options.drawing.orientation))},
-          {"split", ofProjections(options.drawing.split)},
+          {"split", options.drawing.split},
           {"pixels_per_element", ofProjections(options.drawing.pixelsPerElement)},
           {"samples", usesRays(options) ? ordered_json(options.samples) : ordered_json()},
           {"format", options.word.format},

@@ -46,20 +46,21 @@ radiosity::Discretization discretizationFor(const SolveOptions& options, const r
 
 Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radiosity::Discretization discretization,
                 const radiosity::WordLayout& layout, Console& console) {
-  const auto solveBy = [&](const radiosity::Discretization& shooting, auto& rows) {
+  // Also where rays find the rows: they are split where hemicubes are.
+  radiosity::DrawnRows drawn(scene, std::move(discretization), layout, options.drawing);
+  const auto solveBy = [&](auto& rows) {
     const auto rowOf = [&rows](std::uint32_t patch) { return rows.ofPatch(patch); };
-    radiosity::Solution solution =
-        radiosity::solve(scene, shooting, rowOf, options.solver, progressOf(options.solver, console));
+    radiosity::Solution solution = radiosity::solve(scene, drawn.discretization(), rowOf, options.solver,
+                                                    progressOf(options.solver, console), drawn.splits());
     console.endProgress();
     return solution;
   };
   if (usesRays(options)) {
-    reference::RayRows rows(scene, discretization, {.rays = options.samples, .start = reference::RayStart::Area});
-    radiosity::Solution solution = solveBy(discretization, rows);
-    return {std::move(discretization), std::move(solution)};
+    reference::RayRows rows(scene, drawn.discretization(), {.rays = options.samples, .start = reference::RayStart::Area});
+    radiosity::Solution solution = solveBy(rows);
+    return {drawn.discretization(), std::move(solution)};
   }
-  radiosity::DrawnRows drawn(scene, std::move(discretization), layout, options.drawing);
-  radiosity::Solution solution = solveBy(drawn.discretization(), drawn.rows());
+  radiosity::Solution solution = solveBy(drawn.rows());
   return {drawn.discretization(), std::move(solution), radiosity::formFactor(drawn.rows().projection().captured)};
 }
 

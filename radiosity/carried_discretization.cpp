@@ -31,17 +31,20 @@ Discretization discretizeNew(const EditedScene& edit, const DiscretizationSettin
 void append(Discretization& whole, const Discretization& from, std::uint32_t number) {
   Grid grid = from.grids[number];
   const auto surface = static_cast<std::uint32_t>(whole.grids.size());
-  // Differences that wrap around: unsigned numbers take them as well.
+  // A difference that wraps around: unsigned numbers take it as well.
   const std::uint32_t elementShift = static_cast<std::uint32_t>(whole.elements.size()) - grid.firstElement;
-  const std::uint32_t patchShift = static_cast<std::uint32_t>(whole.patches.size()) - grid.firstPatch;
   for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e) {
     Element element = from.elements[e];
     element.surface = surface;
     whole.elements.push_back(element);
-    whole.patchOf.push_back(from.patchOf[e] + patchShift);
     whole.triangleOf.push_back(from.triangleOf[e]);
   }
-  for (std::uint32_t p = grid.firstPatch; p < grid.firstPatch + grid.patchCount; ++p) {
+  whole.patchOf.resize(whole.elements.size());
+  const std::vector<std::uint32_t> patches = patchesOf(grid);
+  grid.firstPatch = static_cast<std::uint32_t>(whole.patches.size());
+  grid.patchCount = static_cast<std::uint32_t>(patches.size());
+  grid.laterPatches.clear();
+  for (const std::uint32_t p : patches) {
     Patch patch = from.patches[p];
     patch.surface = surface;
     patch.turn = patch.turn.value_or(p);
@@ -49,11 +52,12 @@ void append(Discretization& whole, const Discretization& from, std::uint32_t num
     patch.firstElement = static_cast<std::uint32_t>(whole.patchElements.size());
     std::transform(first, first + patch.elementCount, std::back_inserter(whole.patchElements),
                    [&](std::uint32_t element) { return element + elementShift; });
+    for (auto e = whole.patchElements.end() - patch.elementCount; e != whole.patchElements.end(); ++e)
+      whole.patchOf[*e] = static_cast<std::uint32_t>(whole.patches.size());
     whole.patches.push_back(patch);
   }
   for (std::uint32_t& element : grid.spill) element += elementShift;
   grid.firstElement += elementShift;
-  grid.firstPatch += patchShift;
   whole.grids.push_back(std::move(grid));
 }
 

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include "radiosity/exposure.h"
@@ -169,8 +170,12 @@ void makePatches(std::uint32_t surface, int side, Discretization& part) {
     const int column = static_cast<int>(number) % blockColumns * side,
               row = static_cast<int>(number) / blockColumns * side;
     patchOf[number] = static_cast<std::uint32_t>(part.patches.size());
-    part.patches.push_back({surface, column, row, std::min(block.side, grid.columns - column),
-                            std::min(block.side, grid.rows - row), first, 0});
+    part.patches.push_back({.surface = surface,
+                            .column = column,
+                            .row = row,
+                            .width = std::min(block.side, grid.columns - column),
+                            .height = std::min(block.side, grid.rows - row),
+                            .firstElement = first});
     first += block.elements;
   }
   part.patchElements.resize(part.elements.size());
@@ -331,6 +336,13 @@ glm::dvec3 reflectance(const Scene& scene, const Discretization& discretization,
 
 glm::dvec3 emission(const Scene& scene, const Discretization& discretization, std::uint32_t element) {
   return emissions(scene, discretization, discretization.elements[element].surface).of(element);
+}
+
+std::vector<std::uint32_t> patchesOf(const Grid& grid) {
+  std::vector<std::uint32_t> patches(grid.patchCount);
+  std::iota(patches.begin(), patches.end(), grid.firstPatch);
+  patches.insert(patches.end(), grid.laterPatches.begin(), grid.laterPatches.end());
+  return patches;
 }
 
 double patchArea(const Discretization& discretization, const Patch& patch) {

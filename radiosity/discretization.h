@@ -44,6 +44,7 @@ struct Patch {
   std::uint32_t firstElement = 0, elementCount = 0;  ///< in Discretization::patchElements
   int halvings = 0;  ///< how often its side was halved, for it is near to what it lights (see patch_splitting.h)
   int points = 1;    ///< along its side: it shoots from points x points of them; more than 1 only for a single element
+  bool isSettled = false;  ///< whether to split it has been decided
   /// Instead of its number, what a turned projection over it is turned by (see turnOf): patches that were renumbered
   /// look as they did.
   std::optional<std::uint32_t> turn = {};
@@ -54,7 +55,8 @@ struct Grid {
   int columns = 1;
   int rows = 1;
   std::uint32_t firstElement = 0, elementCount = 0;  ///< its elements, ordered by texel
-  std::uint32_t firstPatch = 0, patchCount = 0;
+  std::uint32_t firstPatch = 0, patchCount = 0;      ///< its patches as they were made, in a row
+  std::vector<std::uint32_t> laterPatches = {};      ///< those that parts of them became when they were split
   std::vector<std::uint32_t> spill;       ///< columns * rows: the element each texel gives its light to
   std::vector<bool> covered;              ///< columns * rows: whether the texel has area
   std::uint32_t phantoms = 0;             ///< texels without area
@@ -73,7 +75,8 @@ struct Discretization {
   /// One an element, in Surface::triangles: the first that covers the middle of its own texel or leaf, else the one
   /// with the largest piece there.
   std::vector<std::uint32_t> triangleOf;
-  std::vector<Patch> patches;                ///< surface by surface, row by row; none without elements
+  /// Surface by surface, row by row, and behind them those that others were split into; none without elements.
+  std::vector<Patch> patches;
   std::vector<std::uint32_t> patchElements;  ///< the elements of each patch, ascending
   /// One an element, maps averaged over it and multiplied with the material's values; empty where no surface has a map
   /// of that kind.
@@ -137,6 +140,9 @@ glm::dvec3 emission(const Scene& scene, const Discretization& discretization, st
 
 /// The texels of a grid, and what of them is exposed. Refers to the grid.
 inline TexelGrid texelGrid(const Grid& grid) { return {grid.columns, grid.rows, grid.cutTexels}; }
+
+/// The numbers of a surface's patches, ascending.
+std::vector<std::uint32_t> patchesOf(const Grid& grid);
 
 /// The area of a patch's elements.
 double patchArea(const Discretization& discretization, const Patch& patch);

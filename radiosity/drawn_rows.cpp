@@ -7,18 +7,6 @@
 #include "raster/software_renderer.h"
 
 namespace hemitex::radiosity {
-namespace {
-
-Discretization splitByTextures(const Scene& scene, Discretization unsplit, const WordLayout& layout,
-                               raster::ItemBufferRenderer& renderer, const DrawingSettings& settings) {
-  if (settings.elementsBy == ElementsBy::Texture)
-    return splitPatches(scene, std::move(unsplit), layout, renderer, settings.split);
-  raster::SoftwareRenderer textures(makeDrawList(scene, unsplit, layout));
-  return splitPatches(scene, std::move(unsplit), layout, textures, settings.split);
-}
-
-}  // namespace
-
 std::unique_ptr<raster::ItemBufferRenderer> softwareRenderer(raster::DrawList list) {
   return std::make_unique<raster::SoftwareRenderer>(std::move(list));
 }
@@ -34,9 +22,23 @@ std::unique_ptr<raster::ItemBufferRenderer> sceneRenderer(const Scene& scene, co
 DrawnRows::DrawnRows(const Scene& scene, Discretization unsplit, WordLayout layout, const DrawingSettings& settings,
                      const RendererFactory& makeRenderer)
     : layout_(std::move(layout)),
-      renderer_(sceneRenderer(scene, unsplit, layout_, settings.elementsBy, makeRenderer)),
-      discretization_(splitByTextures(scene, std::move(unsplit), layout_, *renderer_, settings)),
+      discretization_(std::move(unsplit)),
+      renderer_(sceneRenderer(scene, discretization_, layout_, settings.elementsBy, makeRenderer)),
       rows_(scene, discretization_, layout_, *renderer_,
-            {settings.resolution, settings.orientation, settings.projection, settings.pixelsPerElement}) {}
+            {settings.resolution, settings.orientation, settings.projection, settings.pixelsPerElement}) {
+  if (settings.split >= 1) return;
+  if (settings.elementsBy == ElementsBy::Mesh) textures_ = softwareRenderer(makeDrawList(scene, discretization_, layout_));
+  splitter_.emplace(scene, discretization_, layout_, textures_ ? *textures_ : *renderer_, settings.split);
+}
+
+void DrawnRows::splitAll() {
+  const auto count = static_cast<std::uint32_t>(discretization_.patches.size());
+  for (std::uint32_t patch = 0; splitter_ && patch < count; ++patch) splitter_->split(patch, 1);
+}
+
+PatchSplit DrawnRows::splits() {
+  if (!splitter_) return {};
+  return [this](std::uint32_t patch, double weight) { return splitter_->split(patch, weight); };
+}
 
 }  // namespace hemitex::radiosity

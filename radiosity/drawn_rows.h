@@ -1,16 +1,19 @@
 /// Rows found by drawing, from a discretized scene on: its words laid out, its draw list handed to a renderer, patches
-/// split that are too near to what they light, and every patch's row counted from what is drawn.
+/// split that are too near to what they light when they are about to shoot, and every patch's row counted from what is
+/// drawn.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "radiosity/discretization.h"
 #include "radiosity/form_factors.h"
 #include "radiosity/patch_splitting.h"
 #include "radiosity/projected_rows.h"
 #include "radiosity/scene.h"
+#include "radiosity/solver.h"
 #include "radiosity/word_layout.h"
 #include "raster/draw_list.h"
 #include "raster/item_buffer_renderer.h"
@@ -47,22 +50,29 @@ std::unique_ptr<raster::ItemBufferRenderer> sceneRenderer(const Scene& scene, co
 class DrawnRows {
  public:
   /// `layout` is that of the discretization. The scene must outlive this. Which patches are split, textures say,
-  /// whatever draws the rows, so that the patches do not depend on it.
+  /// also where meshes are drawn, so that the patches do not depend on it.
   DrawnRows(const Scene& scene, Discretization unsplit, WordLayout layout, const DrawingSettings& settings,
             const RendererFactory& makeRenderer = softwareRenderer);
   DrawnRows(const DrawnRows&) = delete;
   DrawnRows& operator=(const DrawnRows&) = delete;
 
-  /// Its patches are split; its elements are what they were.
+  /// Patches that were split are replaced by their parts; elements are what they were.
   const Discretization& discretization() const { return discretization_; }
+  /// Splits all patches as if they had the same flux.
+  void splitAll();
+  /// What splits patches of `discretization()` on the way to a solution; nothing where none is to be split. Refers to
+  /// this.
+  PatchSplit splits();
   const WordLayout& layout() const { return layout_; }
   ProjectedRows& rows() { return rows_; }
 
  private:
   WordLayout layout_;
-  std::unique_ptr<raster::ItemBufferRenderer> renderer_;
   Discretization discretization_;
+  std::unique_ptr<raster::ItemBufferRenderer> renderer_;
   ProjectedRows rows_;
+  std::unique_ptr<raster::ItemBufferRenderer> textures_;  ///< what splits are judged by, where rows are drawn otherwise
+  std::optional<PatchSplitter> splitter_;
 };
 
 }  // namespace hemitex::radiosity

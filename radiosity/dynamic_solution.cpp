@@ -17,12 +17,10 @@ std::uint32_t viewCount(const Patch& patch) {
   return patch.points > 1 ? static_cast<std::uint32_t>(patch.points * patch.points) : 0;
 }
 
-/// Numbers for the views of patches that shoot from several points.
-std::vector<std::uint32_t> firstViews(const Discretization& discretization) {
-  std::vector<std::uint32_t> first;
-  std::uint32_t views = 0;
-  for (const Patch& patch : discretization.patches) first.push_back(std::exchange(views, views + viewCount(patch)));
-  return first;
+/// The number under which the row of a view is kept: no patch has more than 2^8 of them.
+std::uint64_t viewNumber(std::uint32_t patch, std::uint32_t view) {
+  static_assert(mostHalvings <= 4);
+  return (std::uint64_t{patch} << 8) + view;
 }
 
 }  // namespace
@@ -32,12 +30,10 @@ struct DynamicSolution::World {
   World(Scene edited, Discretization shooting, const LayoutFactory& layOut, const DrawingSettings& settings,
         const RendererFactory& makeRenderer)
       : scene(std::move(edited)),
-        drawn(scene, shooting, layOut(shooting), settings, makeRenderer),
-        firstView(firstViews(drawn.discretization())) {}
+        drawn(scene, shooting, layOut(shooting), settings, makeRenderer) {}
 
   const Scene scene;
   DrawnRows drawn;
-  std::vector<std::uint32_t> firstView;  ///< one a patch: the number of the first view that its row is the mean of
 };
 
 namespace {
@@ -68,7 +64,8 @@ Renumbering renumber(const Discretization& before, const Discretization& after, 
     for (std::uint32_t e = 0; e < grid.elementCount; ++e) numbers.element[old.firstElement + e] = grid.firstElement + e;
     if (origins[s].isMoved) continue;
     numbers.isGone[*origins[s].former] = numbers.isCome[s] = false;
-    for (std::uint32_t p = 0; p < grid.patchCount; ++p) numbers.patch[old.firstPatch + p] = grid.firstPatch + p;
+    const std::vector<std::uint32_t> former = patchesOf(old), now = patchesOf(grid);
+    for (std::size_t p = 0; p < now.size(); ++p) numbers.patch[former[p]] = now[p];
   }
   return numbers;
 }
@@ -129,8 +126,6 @@ class LightUpdate {
       : sceneBefore_(sceneBefore),
         before_(before),
         after_(after),
-        firstViewBefore_(firstViews(before.discretization())),
-        firstViewAfter_(firstViews(after.discretization())),
         numbers_(renumber(before.discretization(), after.discretization(), origins)),
         gone_(static_cast<std::uint32_t>(after.discretization().elements.size())),
         change_{before.rows(), after.rows(), ChangedSurfaces(sceneBefore, numbers_.isGone),
@@ -222,8 +217,8 @@ class LightUpdate {
   }
 
   void keepView(std::uint32_t patch, std::uint32_t view, const RowChange& change) {
-    const FormFactorRow* known = kept_.ofViews.find(firstViewBefore_[patch] + view);
-    const std::uint32_t number = firstViewAfter_[*numbers_.patch[patch]] + view;
+    const FormFactorRow* known = kept_.ofViews.find(viewNumber(patch, view));
+    const std::uint64_t number = viewNumber(*numbers_.patch[patch], view);
     if (change.isWhole)
       rows_.ofViews.keep(number, change.after);
     else if (known != nullptr && change.isNothing())
@@ -260,7 +255,6 @@ class LightUpdate {
   const Scene& sceneBefore_;
   DrawnRows& before_;
   DrawnRows& after_;
-  std::vector<std::uint32_t> firstViewBefore_, firstViewAfter_;
   Renumbering numbers_;
   std::uint32_t gone_;  ///< the number of all elements that are gone
   SceneChange change_;
@@ -279,7 +273,6 @@ DynamicSolution::DynamicSolution(Scene scene, Discretization unsplit, DynamicSet
       makeRenderer_(std::move(makeRenderer)),
       world_(std::make_unique<World>(std::move(scene), std::move(unsplit), layOut_, settings_.drawing, makeRenderer_)),
       rows_(settings_.solver.rowCacheBytes) {
-  settings_.drawing.split = 1;  // edits leave patches as they are
   refine(Refinement(world_->scene, discretization()), progress);
 }
 
@@ -298,8 +291,8 @@ FormFactorRow DynamicSolution::rowOf(std::uint32_t patch) {
   if (views.size() == 1) return rows.ofView(views.front());
   std::vector<WeightedRow> weighted;
   for (std::uint32_t view = 0; view < views.size(); ++view) {
-    const auto drawn = [&](std::uint32_t) { return rows.ofView(views[view]); };
-    weighted.push_back({rows_.ofViews.row(world_->firstView[patch] + view, drawn), views[view].area});
+    const auto drawn = [&] { return rows.ofView(views[view]); };
+    weighted.push_back({rows_.ofViews.row(viewNumber(patch, view), drawn), views[view].area});
   }
   return meanOf(weighted);
 }
@@ -307,7 +300,7 @@ FormFactorRow DynamicSolution::rowOf(std::uint32_t patch) {
 void DynamicSolution::refine(Refinement refinement, const Progress& progress) {
   solution_ = radiosity::refine(
       world_->scene, discretization(), refinement, rows_.ofPatches,
-      [this](std::uint32_t patch) { return rowOf(patch); }, settings_.solver, progress);
+      [this](std::uint32_t patch) { return rowOf(patch); }, settings_.solver, progress, world_->drawn.splits());
   light_ = refinement.light();
 }
 

@@ -55,7 +55,7 @@ struct KeptRows {
   explicit KeptRows(std::size_t budget) : ofPatches(budget / 2), ofViews(budget / 2) {}
 
   RowCache ofPatches;
-  RowCache ofViews;  ///< by the numbers of DynamicSolution::World::firstView
+  RowCache ofViews;  ///< by the numbers of views
 };
 
 class DynamicSolution {

@@ -112,15 +112,20 @@ void receiveByElements(const Arrival& arrival, const SurfaceValues& reflectance,
   });
 }
 
-/// The same where all elements reflect alike and patches have several that receive: their shares are summed first.
+/// The same where all elements reflect alike and patches have several that receive: their shares are summed first, but
+/// for patches that others were split into.
 void receiveByPatches(const Arrival& arrival, const glm::dvec3& reflectance, const Discretization& discretization,
                       std::span<glm::dvec3> received, ReceivingPatches patches) {
   const Grid& grid = discretization.grids[arrival.surface];
   const std::span patchOf(discretization.patchOf);
   std::vector<std::uint64_t> shareOf(grid.patchCount);
   receive(arrival, received,
-          [&, elements = arrival.elements, firstPatch = grid.firstPatch](std::size_t i, const glm::dvec3&) {
-            shareOf[patchOf[elements[i]] - firstPatch] += arrival.shares[i];
+          [&, elements = arrival.elements, firstPatch = grid.firstPatch](std::size_t i, const glm::dvec3& light) {
+            const std::uint32_t patch = patchOf[elements[i]];
+            if (patch - firstPatch < shareOf.size())
+              shareOf[patch - firstPatch] += arrival.shares[i];
+            else
+              patches.add(patch, light * reflectance);
           });
   const glm::dvec3 reflected = arrival.shot * reflectance;
   for (std::uint32_t p = 0; p < grid.patchCount; ++p)
@@ -276,25 +281,43 @@ void Refinement::makeRadiosity(std::vector<glm::dvec3>& received) const {
   });
 }
 
-/// What the elements of each patch send out and the patch has not shot yet.
+/// What the elements of a patch send out and the patch has not shot yet.
+glm::dvec3 Refinement::unshotOf(std::uint32_t number) const {
+  const Patch& patch = discretization_.patches[number];
+  const SurfaceValues emission = emissions(scene_, discretization_, patch.surface),
+                      reflectance = reflectances(scene_, discretization_, patch.surface);
+  FluxSum sum;
+  sum.add(-light_.shot[number]);
+  for (std::uint32_t i = 0; i < patch.elementCount; ++i) {
+    const std::uint32_t element = discretization_.patchElements[patch.firstElement + i];
+    sum.add(emission.of(element) * discretization_.elements[element].area +
+            reflectance.of(element) * light_.received[element]);
+  }
+  return sum.value();
+}
+
 std::vector<glm::dvec3> Refinement::unshotByPatches() const {
   assert(light_.shot.size() == discretization_.patches.size());
   assert(light_.received.size() == discretization_.elements.size());
   std::vector<glm::dvec3> unshot(light_.shot.size());
-  raster::parallelFor(unshot.size(), [&](std::size_t p) {
-    const Patch& patch = discretization_.patches[p];
-    const SurfaceValues emission = emissions(scene_, discretization_, patch.surface),
-                        reflectance = reflectances(scene_, discretization_, patch.surface);
-    FluxSum sum;
-    sum.add(-light_.shot[p]);
-    for (std::uint32_t i = 0; i < patch.elementCount; ++i) {
-      const std::uint32_t element = discretization_.patchElements[patch.firstElement + i];
-      sum.add(emission.of(element) * discretization_.elements[element].area +
-              reflectance.of(element) * light_.received[element]);
-    }
-    unshot[p] = sum.value();
-  });
+  raster::parallelFor(unshot.size(),
+                      [&](std::size_t patch) { unshot[patch] = unshotOf(static_cast<std::uint32_t>(patch)); });
   return unshot;
+}
+
+void Refinement::split(std::uint32_t patch, std::span<const std::uint32_t> newPatches) {
+  assert(!hasShot(patch));
+  light_.shot.resize(discretization_.patches.size());
+  unshot_.grow(discretization_.patches.size());
+  std::vector<std::uint32_t> blocks;
+  const auto makeAnew = [&](std::uint32_t changed) {
+    unshot_.clear(changed);
+    unshot_.add(changed, unshotOf(changed));
+    blocks.push_back(changed / UnshotFlux::patchesInBlock);
+  };
+  makeAnew(patch);
+  for (const std::uint32_t newPatch : newPatches) makeAnew(newPatch);
+  unshot_.update(blocks);
 }
 
 }  // namespace hemitex::radiosity

@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "radiosity/discretization.h"
@@ -62,6 +63,12 @@ class Refinement {
 
   /// The patch with the most unshot flux, sizes of the bands summed; the first of equals.
   std::uint32_t brightestPatch() const { return unshot_.brightest(); }
+  /// The unshot flux of a patch, and whether it ever shot any.
+  const glm::dvec3& unshot(std::uint32_t patch) const { return unshot_.flux()[patch]; }
+  bool hasShot(std::uint32_t patch) const { return light_.shot[patch] != glm::dvec3(0); }
+  /// After elements of a patch that never shot have become those of new patches, the last ones: gives each of them the
+  /// unshot flux of its elements.
+  void split(std::uint32_t patch, std::span<const std::uint32_t> newPatches);
   /// Sends the unshot flux of a patch along its row of form factors. Returns how many elements, patches and sums over
   /// patches it looked at: those of the row, and some beside the patches that received.
   std::size_t shoot(std::uint32_t patch, const FormFactorRow& row);
@@ -82,6 +89,7 @@ class Refinement {
  private:
   glm::dvec3 absorbed() const;
   void makeRadiosity(std::vector<glm::dvec3>& received) const;
+  glm::dvec3 unshotOf(std::uint32_t patch) const;
   std::vector<glm::dvec3> unshotByPatches() const;
 
   const Scene& scene_;

@@ -11,33 +11,33 @@ std::size_t bytes(const FormFactorRow& row) {
 
 }  // namespace
 
-const FormFactorRow& RowCache::row(std::uint32_t patch, const RowSource& source) {
-  const auto found = byPatch_.find(patch);
-  if (found == byPatch_.end())
-    keep(patch, source(patch));
+const FormFactorRow& RowCache::row(std::uint64_t number, const std::function<FormFactorRow()>& make) {
+  const auto found = byNumber_.find(number);
+  if (found == byNumber_.end())
+    keep(number, make());
   else
     recent_.splice(recent_.begin(), recent_, found->second);
   return recent_.front().row;
 }
 
-void RowCache::keep(std::uint32_t patch, FormFactorRow row) {
-  if (const auto found = byPatch_.find(patch); found != byPatch_.end()) {
+void RowCache::keep(std::uint64_t number, FormFactorRow row) {
+  if (const auto found = byNumber_.find(number); found != byNumber_.end()) {
     used_ -= bytes(found->second->row);
     recent_.erase(found->second);
   }
-  recent_.push_front({patch, std::move(row)});
-  byPatch_[patch] = recent_.begin();
+  recent_.push_front({number, std::move(row)});
+  byNumber_[number] = recent_.begin();
   used_ += bytes(recent_.front().row);
   while (used_ > budget_ && recent_.size() > 1) {
     used_ -= bytes(recent_.back().row);
-    byPatch_.erase(recent_.back().patch);
+    byNumber_.erase(recent_.back().number);
     recent_.pop_back();
   }
 }
 
-const FormFactorRow* RowCache::find(std::uint32_t patch) const {
-  const auto found = byPatch_.find(patch);
-  return found == byPatch_.end() ? nullptr : &found->second->row;
+const FormFactorRow* RowCache::find(std::uint64_t number) const {
+  const auto found = byNumber_.find(number);
+  return found == byNumber_.end() ? nullptr : &found->second->row;
 }
 
 }  // namespace hemitex::radiosity

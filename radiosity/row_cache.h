@@ -19,23 +19,23 @@ class RowCache {
   /// `budget` in bytes; the row used last is kept whatever it takes.
   explicit RowCache(std::size_t budget) : budget_(budget) {}
 
-  /// The row of a patch, from the source where it is not kept. Valid until the next call.
-  const FormFactorRow& row(std::uint32_t patch, const RowSource& source);
-  /// Keeps a row that was found elsewhere, in place of what was kept for its patch.
-  void keep(std::uint32_t patch, FormFactorRow row);
-  /// The row kept for a patch; none: null. Valid until the next call of `row` or `keep`.
-  const FormFactorRow* find(std::uint32_t patch) const;
+  /// The row of a number (a patch's, say), made where it is not kept. Valid until the next call.
+  const FormFactorRow& row(std::uint64_t number, const std::function<FormFactorRow()>& make);
+  /// Keeps a row that was found elsewhere, in place of what was kept for its number.
+  void keep(std::uint64_t number, FormFactorRow row);
+  /// The row kept for a number; none: null. Valid until the next call of `row` or `keep`.
+  const FormFactorRow* find(std::uint64_t number) const;
 
  private:
   struct Entry {
-    std::uint32_t patch;
+    std::uint64_t number;
     FormFactorRow row;
   };
 
   std::size_t budget_;
   std::size_t used_ = 0;
   std::list<Entry> recent_;  ///< the one used last first
-  std::map<std::uint32_t, std::list<Entry>::iterator> byPatch_;
+  std::map<std::uint64_t, std::list<Entry>::iterator> byNumber_;
 };
 
 }  // namespace hemitex::radiosity

@@ -24,27 +24,40 @@ glm::dvec3 ambientEstimate(const Scene& scene, const Discretization& discretizat
   return energy.unshot / (area - reflecting);
 }
 
+/// More than this share of the emitted flux is not lost to backs by the few pixels that look through a crack.
+constexpr double mostLostToBacks = 0.01;
+
 std::vector<std::string> warningsOf(const Energy& energy) {
   const double emitted = bandSum(energy.emitted);
   const double lostToBacks = emitted > 0 ? bandSum(energy.lostToBacks) / emitted : 0;
-  if (!(lostToBacks > 0.01)) return {};
+  if (!(lostToBacks > mostLostToBacks)) return {};
   const int tenths = static_cast<int>(lostToBacks * 1000 + 0.5);
   return {std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) +
-          " % of the emitted flux was absorbed by the backs of faces; check that faces wind counter-clockwise as seen "
-          "from the lit side, or use --two-sided"};
+          " % of the emitted flux was absorbed by the backs of faces, which are in view of lit surfaces: either a face "
+          "is wound clockwise as seen from its lit side, or a surface is a single sheet that is seen from both sides, "
+          "which --two-sided lights on both"};
 }
 
 /// Shoots until the settings say stop.
-Solution shoot(Refinement& refinement, RowCache& rows, const RowSource& rowOf, const SolverSettings& settings,
-               const Progress& progress) {
+Solution shoot(const Discretization& discretization, Refinement& refinement, RowCache& rows, const RowSource& rowOf,
+               const SolverSettings& settings, const Progress& progress, const PatchSplit& split) {
   Solution solution;
   solution.residual = refinement.residual();
   const auto isDone = [&] {
     return solution.residual <= settings.residual || (settings.shots && solution.shots >= *settings.shots);
   };
+  const double meanFlux = refinement.light().lastEmitted / static_cast<double>(discretization.patches.size());
+  const auto hasBeenSplit = [&](std::uint32_t patch) {
+    if (!split || refinement.hasShot(patch)) return false;
+    const std::vector<std::uint32_t> parts =
+        split(patch, bandSum(glm::abs(refinement.unshot(patch))) / meanFlux);
+    if (!parts.empty()) refinement.split(patch, parts);
+    return !parts.empty();
+  };
   while (!isDone()) {
     const std::uint32_t patch = refinement.brightestPatch();
-    refinement.shoot(patch, rows.row(patch, rowOf));
+    if (hasBeenSplit(patch)) continue;  // another may be brighter than its parts
+    refinement.shoot(patch, rows.row(patch, [&] { return rowOf(patch); }));
     ++solution.shots;
     solution.residual = refinement.residual();
     if (progress) progress(solution.shots, solution.residual);
@@ -66,17 +79,18 @@ Solution finished(Solution solution, const Scene& scene, const Discretization& d
 }  // namespace
 
 Solution solve(const Scene& scene, const Discretization& discretization, const RowSource& rowOf,
-               const SolverSettings& settings, const Progress& progress) {
+               const SolverSettings& settings, const Progress& progress, const PatchSplit& split) {
   assert(!discretization.patches.empty());
   Refinement refinement(scene, discretization);
   RowCache rows(settings.rowCacheBytes);
-  Solution solution = shoot(refinement, rows, rowOf, settings, progress);
+  Solution solution = shoot(discretization, refinement, rows, rowOf, settings, progress, split);
   return finished(std::move(solution), scene, discretization, std::move(refinement));
 }
 
 Solution refine(const Scene& scene, const Discretization& discretization, Refinement& refinement, RowCache& rows,
-                const RowSource& rowOf, const SolverSettings& settings, const Progress& progress) {
-  return finished(shoot(refinement, rows, rowOf, settings, progress), scene, discretization, std::as_const(refinement));
+                const RowSource& rowOf, const SolverSettings& settings, const Progress& progress, const PatchSplit& split) {
+  Solution solution = shoot(discretization, refinement, rows, rowOf, settings, progress, split);
+  return finished(std::move(solution), scene, discretization, std::as_const(refinement));
 }
 
 }  // namespace hemitex::radiosity

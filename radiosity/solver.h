@@ -31,16 +31,23 @@ struct Solution {
   std::vector<std::string> warnings;
 };
 
+/// Splits a patch that is about to shoot for the first time, where one point is too few for it. `weight` is its unshot
+/// flux over the mean of all patches: the brighter a patch, the more a split is worth. Returns the numbers of the new
+/// patches, which are the last of the discretization; elements of the patch have moved to them.
+using PatchSplit = std::function<std::vector<std::uint32_t>(std::uint32_t patch, double weight)>;
+
 /// Called after each shot with the number of shots and the residual.
 using Progress = std::function<void(int shots, double residual)>;
 
-/// Starts from the emission of every element and shoots until the settings say stop. The same for any number of
-/// threads and any budget of the row cache.
+/// Starts from the emission of every element and shoots until the settings say stop. `split` splits patches of
+/// `discretization`; without it they stay as they are. The same for any number of threads and any budget of the row
+/// cache.
 Solution solve(const Scene& scene, const Discretization& discretization, const RowSource& rowOf,
-               const SolverSettings& settings, const Progress& progress = {});
+               const SolverSettings& settings, const Progress& progress = {}, const PatchSplit& split = {});
 
 /// Continues a refinement of the scene until the settings say stop; counts shots from here.
 Solution refine(const Scene& scene, const Discretization& discretization, Refinement& refinement, RowCache& rows,
-                const RowSource& rowOf, const SolverSettings& settings, const Progress& progress = {});
+                const RowSource& rowOf, const SolverSettings& settings, const Progress& progress = {},
+                const PatchSplit& split = {});
 
 }  // namespace hemitex::radiosity

@@ -23,6 +23,20 @@ UnshotFlux::UnshotFlux(std::vector<glm::dvec3> flux) : flux_(std::move(flux)) {
   } while (count > 1);
 }
 
+void UnshotFlux::grow(std::size_t patches) {
+  flux_.resize(patches);
+  std::size_t count = patches;
+  for (std::size_t level = 0; level == 0 || count > 1; ++level) {
+    count = (count + children - 1) / children;
+    if (level < levels_.size()) {
+      levels_[level].resize(count);
+      continue;
+    }
+    levels_.emplace_back(count);
+    for (std::uint32_t number = 0; number < count; ++number) make(level, number);
+  }
+}
+
 /// Makes a node from its children; returns how many they are.
 std::size_t UnshotFlux::make(std::size_t level, std::uint32_t number) {
   const std::size_t below = level == 0 ? flux_.size() : levels_[level - 1].size();

@@ -26,6 +26,8 @@ class UnshotFlux {
   void add(std::uint32_t patch, const glm::dvec3& flux) { flux_[patch] += flux; }
   void clear(std::uint32_t patch) { flux_[patch] = glm::dvec3(0); }
 
+  /// Appends patches without unshot flux until there are so many; `update` is to follow with their blocks.
+  void grow(std::size_t patches);
   /// After changes in these blocks, which may be named more than once. Returns how many patches and nodes it looked at.
   std::size_t update(std::span<const std::uint32_t> blocks);
 

@@ -11,7 +11,6 @@ namespace hemitex::reference {
 namespace {
 
 using radiosity::Discretization;
-using radiosity::RowSource;
 using radiosity::Scene;
 
 /// What is drawn on over patches, how it stands, and which patches are split for it.
@@ -36,14 +35,15 @@ double directionsOf(radiosity::ProjectionKind projection, int resolution) {
 }
 
 TradeMethod drawnMethod(const DrawnStyle& style) {
-  const auto rows = [style](const Scene& scene, Discretization& discretization, int resolution) -> RowSource {
+  const auto rows = [style](const Scene& scene, const Discretization& discretization, int resolution) -> TradeRows {
     const radiosity::DrawingSettings settings{resolution,       style.orientation,
                                               style.split,      radiosity::ElementsBy::Texture,
                                               style.projection, style.pixelsPerElement};
     const auto drawn =
         std::make_shared<radiosity::DrawnRows>(scene, discretization, radiosity::layOut(discretization), settings);
-    discretization = drawn->discretization();
-    return [drawn](std::uint32_t patch) { return drawn->rows().ofPatch(patch); };
+    return {{drawn, &drawn->discretization()},
+            [drawn](std::uint32_t patch) { return drawn->rows().ofPatch(patch); },
+            drawn->splits()};
   };
   const auto directions = [style](int resolution) { return directionsOf(style.projection, resolution); };
   const auto bytes = [style](int resolution) {
@@ -53,9 +53,10 @@ TradeMethod drawnMethod(const DrawnStyle& style) {
 }
 
 TradeMethod rayMethod(const std::string& name, RayStart start) {
-  const auto rows = [start](const Scene& scene, Discretization& discretization, int rays) -> RowSource {
-    const auto rayRows = std::make_shared<RayRows>(scene, discretization, RayRowSettings{rays, start});
-    return [rayRows](std::uint32_t patch) { return rayRows->ofPatch(patch); };
+  const auto rows = [start](const Scene& scene, const Discretization& discretization, int rays) -> TradeRows {
+    const auto kept = std::make_shared<const Discretization>(discretization);
+    const auto rayRows = std::make_shared<RayRows>(scene, *kept, RayRowSettings{rays, start});
+    return {kept, [kept, rayRows](std::uint32_t patch) { return rayRows->ofPatch(patch); }};
   };
   // A direction and a place to start from.
   const auto bytes = [](int rays) { return static_cast<std::size_t>(rays) * 5 * sizeof(float); };

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,13 @@
 
 namespace hemitex::reference {
 
+/// What finds rows, and splits patches on the way.
+struct TradeRows {
+  std::shared_ptr<const radiosity::Discretization> discretization;  ///< whose patches are split
+  radiosity::RowSource rowOf;
+  radiosity::PatchSplit split = {};
+};
+
 struct TradeMethod {
   std::string name;                       ///< one word, as on the command line
   std::string setting;                    ///< what its number is called; always a power of two
@@ -20,9 +28,8 @@ struct TradeMethod {
   std::vector<int> measured;              ///< the numbers that are compared where no others are asked for, ascending
   std::function<double(int)> directions;  ///< in which a row looks, at a setting: pixels or rays
   std::function<std::size_t(int)> bufferBytes;  ///< of item buffers, or of the rays of a row
-  /// Ready to find the rows of the patches of a discretization, which it may split on the way. Scene and discretization
-  /// must outlive it.
-  std::function<radiosity::RowSource(const radiosity::Scene&, radiosity::Discretization&, int)> rows;
+  /// Ready to find the rows of the patches of a discretization. The scene must outlive it.
+  std::function<TradeRows(const radiosity::Scene&, const radiosity::Discretization&, int)> rows;
 };
 
 /// - `hemicube`: from the centre of a patch, its setting the resolution.

@@ -26,29 +26,29 @@ std::vector<double> patchFlux(const Discretization& fine, const TrueRadiosity& t
   return flux;
 }
 
-/// Cannot be moved: the source of rows knows the discretization.
 struct TimedSolution {
-  Discretization discretization;  ///< whose patches shot
-  radiosity::RowSource rowOf;
+  TradeRows source;
   radiosity::Solution solution;
   Rows rows;  ///< of the patches that shot
   double seconds = 0;
-
-  TimedSolution(const Scene& scene, const TradeMethod& method, const TradeChoice& choice)
-      : discretization(radiosity::discretize(scene, {.texels = choice.texels, .patch = choice.patch})) {
-    const Stopwatch watch;
-    rowOf = method.rows(scene, discretization, choice.setting);
-    rows.resize(discretization.patches.size());
-    const auto keepRow = [this](std::uint32_t patch) {
-      rows[patch] = rowOf(patch);
-      return *rows[patch];
-    };
-    solution = radiosity::solve(scene, discretization, keepRow, {.residual = tradeResidual});
-    seconds = watch.seconds();
-  }
-  TimedSolution(const TimedSolution&) = delete;
-  TimedSolution& operator=(const TimedSolution&) = delete;
 };
+
+TimedSolution timedSolution(const Scene& scene, const TradeMethod& method, const TradeChoice& choice) {
+  const Discretization unsplit = radiosity::discretize(scene, {.texels = choice.texels, .patch = choice.patch});
+  TimedSolution timed;
+  const Stopwatch watch;
+  timed.source = method.rows(scene, unsplit, choice.setting);
+  const auto keepRow = [&timed](std::uint32_t patch) {
+    timed.rows.resize(timed.source.discretization->patches.size());
+    timed.rows[patch] = timed.source.rowOf(patch);
+    return *timed.rows[patch];
+  };
+  timed.solution = radiosity::solve(scene, *timed.source.discretization, keepRow, {.residual = tradeResidual}, {},
+                                    timed.source.split);
+  timed.rows.resize(timed.source.discretization->patches.size());
+  timed.seconds = watch.seconds();
+  return timed;
+}
 
 std::size_t bytesOf(const Rows& rows) {
   std::size_t bytes = 0;
@@ -67,7 +67,7 @@ std::size_t bytesOf(const Discretization& discretization) {
 /// All that is no time. The rows of patches that have not shot though there is light are asked for here.
 TradeMeasurement judge(const Discretization& fine, const TrueRadiosity& truth, const TradeMethod& method,
                        const TradeChoice& choice, TimedSolution& timed) {
-  const Discretization& discretization = timed.discretization;
+  const Discretization& discretization = *timed.source.discretization;
   TradeMeasurement measurement;
   measurement.choice = choice;
   measurement.elements = discretization.elements.size();
@@ -81,7 +81,7 @@ TradeMeasurement judge(const Discretization& fine, const TrueRadiosity& truth, c
   measurement.elementBytes = bytesOf(discretization);
   const std::vector<double> flux = patchFlux(fine, truth, discretization);
   for (std::uint32_t patch = 0; patch < timed.rows.size(); ++patch)
-    if (!timed.rows[patch] && flux[patch] > 0) timed.rows[patch] = timed.rowOf(patch);
+    if (!timed.rows[patch] && flux[patch] > 0) timed.rows[patch] = timed.source.rowOf(patch);
   measurement.rowError =
       rowError(patchRows(timed.rows, discretization), patchRows(truth.matrix, fine, discretization), flux);
   measurement.radiosity = std::move(timed.solution.radiosity);
@@ -134,7 +134,7 @@ std::vector<TradeMeasurement> measureTradeoff(const Scene& scene, const Discreti
     const TradeMethod& method = methods[choices[i].method];
     const bool isFirst = i == measurements.size();
     if (!isFirst && measurements[i].seconds.front() > longTime) continue;
-    TimedSolution timed(scene, method, choices[i]);
+    TimedSolution timed = timedSolution(scene, method, choices[i]);
     if (isFirst) measurements.push_back(judge(fine, truth, method, choices[i], timed));
     measurements[i].seconds.push_back(timed.seconds);
   }
