@@ -123,7 +123,7 @@ std::vector<Group> lamp() {
   for (const Polygon& side : faces(inside, sidesOnly)) inner.push_back(reversed(side));
   return {boxGroup("lamp-foot", "black", box({0.15, 0, 0.15}, 0, 0.03), {Side::Bottom}),
           boxGroup("lamp-pole", "brass", box({0.015, 0, 0.015}, 0.03, 1.45), sidesOnly),
-          boxGroup("lamp-bar", "brass", box({0.16, 0, 0.01}, 1.45, 1.47)),
+          boxGroup("lamp-bar", "brass", box({0.16, 0, 0.02}, 1.45, 1.47)),
           boxGroup("lamp-bulb", "light-bulb", box({0.05, 0, 0.05}, 1.47, 1.57)),
           {"lamp-shade-outside", "cream", charted(faces(outside, sidesOnly))},
           {"lamp-shade-inside", "cream", charted(inner)},
