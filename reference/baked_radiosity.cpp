@@ -219,14 +219,17 @@ SurfaceFlux sumOf(const std::vector<std::uint32_t>& elements, const std::array<E
   Estimates estimates;
   estimates.fill(glm::dvec3(0));
   glm::dvec3 squares(0);
+  double areaSquares = 0;
   for (const std::uint32_t e : elements) {
     sum.exposedArea += baked.exposedArea[e];
     sum.flux += baked.flux[e];
     const glm::dvec3 emittedError = radiosity::emission(scene, discretization, e) * baked.exposedAreaError[e];
     squares += emittedError * emittedError;
+    areaSquares += baked.exposedAreaError[e] * baked.exposedAreaError[e];
     for (std::size_t r = 0; r < randomizations; ++r) estimates[r] += reflected[r][e];
   }
-  sum.error = together(meanOf(estimates).standardError, glm::sqrt(squares));
+  sum.exposedAreaError = std::sqrt(areaSquares);
+  sum.fluxError = together(meanOf(estimates).standardError, glm::sqrt(squares));
   return sum;
 }
 

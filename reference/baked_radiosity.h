@@ -30,9 +30,8 @@ struct BakeSettings {
 
 /// Sums over the elements of one surface.
 struct SurfaceFlux {
-  double exposedArea = 0;
-  glm::dvec3 flux{0.0};   ///< that leaves, W per band
-  glm::dvec3 error{0.0};  ///< standard error of `flux`
+  double exposedArea = 0, exposedAreaError = 0;
+  glm::dvec3 flux{0.0}, fluxError{0.0};
 };
 
 /// One value per element, and one per surface. Errors are standard errors, one standard deviation.

@@ -1,5 +1,5 @@
 /// Writes the true light of a scene, by path tracing, as a table of its surfaces:
-/// `hemitex_truth SCENE.obj [--texels N | --texel-size LENGTH] [--paths N] [--seed N] -o FILE.csv`.
+/// `hemitex_truth SCENE.obj [--texels N | --texel-size LENGTH] [--paths N] [--points N] [--seed N] -o FILE.csv`.
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -10,6 +10,7 @@
 #include "radiosity/discretization.h"
 #include "raster/input_error.h"
 #include "reference/baked_radiosity.h"
+#include "tests/truth_table.h"
 
 using namespace hemitex;
 
@@ -41,6 +42,8 @@ Arguments parsed(int argc, char** argv) {
       result.grid.texelSize = std::stod(value);
     else if (name == "--paths")
       result.bake.paths = std::stoi(value);
+    else if (name == "--points")
+      result.bake.points = std::stoi(value);
     else if (name == "--seed")
       result.bake.seed = static_cast<std::uint32_t>(std::stoul(value));
     else
@@ -73,8 +76,8 @@ void printErrors(const radiosity::Scene& scene, const radiosity::Discretization&
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const reference::SurfaceFlux& of = baked.surfaces[s];
     for (int c = 0; c < 3; ++c)
-      if (of.error[c] > 0)
-        largest = std::max(largest, std::min(of.error[c] / of.flux[c] / 2e-3, of.error[c] / emitted[c] / 2e-5));
+      if (of.fluxError[c] > 0)
+        largest = std::max(largest, std::min(of.fluxError[c] / of.flux[c] / 2e-3, of.fluxError[c] / emitted[c] / 2e-5));
   }
   std::printf("%zu elements; standard errors of their flux: %.3g %% of all flux in sum\n", baked.flux.size(),
               100 * error / flux);
@@ -89,14 +92,7 @@ void write(const Arguments& arguments) {
   const radiosity::Discretization discretization = radiosity::discretize(scene, arguments.grid);
   const reference::BakedRadiosity baked = reference::bakedRadiosity(scene, discretization, arguments.bake);
   std::ofstream file(arguments.output, std::ios::binary);
-  file.precision(9);
-  file << "# " << arguments.command << '\n' << "surface,exposed_area,flux_r,flux_g,flux_b,error_r,error_g,error_b\n";
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-    const reference::SurfaceFlux& of = baked.surfaces[s];
-    file << scene.surfaces[s].name << ',' << of.exposedArea;
-    for (const glm::dvec3& value : {of.flux, of.error}) file << ',' << value.r << ',' << value.g << ',' << value.b;
-    file << '\n';
-  }
+  tests::writeTruthTable(file, arguments.command, scene, baked);
   file.close();
   if (!file) throw raster::InputError(arguments.output, 0, "cannot be written", "name a folder that exists");
   printErrors(scene, discretization, baked);
@@ -109,9 +105,10 @@ int main(int argc, char** argv) {
   try {
     write(parsed(argc, argv));
   } catch (const std::exception& error) {
-    std::cerr << "hemitex_truth: " << error.what()
-              << "\nusage: hemitex_truth SCENE.obj [--texels N | --texel-size LENGTH] [--paths N] [--seed N] -o "
-                 "FILE.csv\n";
+    std::cerr
+        << "hemitex_truth: " << error.what()
+        << "\nusage: hemitex_truth SCENE.obj [--texels N | --texel-size LENGTH] [--paths N] [--points N] [--seed N] -o "
+           "FILE.csv\n";
     return 2;
   }
 }
