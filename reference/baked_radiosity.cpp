@@ -22,7 +22,7 @@ constexpr double pi = 3.14159265358979323846;
 /// No path survives a bounce with a higher probability, whatever the reflectance.
 constexpr double maxSurvival = 0.99;
 constexpr int maxBounces = 1024;
-constexpr int buriedRays = 32;
+constexpr int buriedWalks = 32, walkBounces = 64;
 /// In extents: how near to a point a face lies on it. Far above rounding, far below any gap that is meant.
 constexpr double onPoint = 0x1p-30;
 
@@ -103,11 +103,12 @@ class Tracer {
     const SamplePoints points(count, 2 * seed);
     Random random(2 * seed + 1);
     const Shooter shooter = areaShooter(pieces_, std::array{element});
+    const bool emits = total(radiosity::emission(scene_, discretization_, element)) > 0;
     std::array<double, randomizations> shares{};
     for (std::size_t r = 0; r < randomizations; ++r)
       for (std::size_t i = 0; i < count; ++i) {
         const SamplePoint sample = points.at(r, i);
-        if (!isBuried(shootingPoint(shooter, sample[0], sample[1]), random))
+        if (!isBuried(shootingPoint(shooter, sample[0], sample[1]), emits, random))
           shares[r] += 1 / static_cast<double>(count);
       }
     return meanOf(shares);
@@ -144,17 +145,21 @@ class Tracer {
     return caster_.firstHit({from.position, direction, from.triangle});
   }
 
+  /// The light whose share of the flux holds x, in [0, 1).
+  std::vector<Light>::const_iterator lightAt(double x) const {
+    return std::upper_bound(lights_.begin(), std::prev(lights_.end()), x,
+                            [](double value, const Light& light) { return value < light.upTo; });
+  }
+
   void trace(const SamplePoint& sample, Random& random, ElementFlux& arrived) const {
-    const auto light = std::upper_bound(lights_.begin(), std::prev(lights_.end()), sample[0],
-                                        [](double x, const Light& one) { return x < one.upTo; });
-    const double before = light == lights_.begin() ? 0 : std::prev(light)->upTo;
-    ShootingPoint at = shootingPoint(light->shooter, (sample[0] - before) / (light->upTo - before), sample[1]);
+    const glm::dvec3 power = lightAt(sample[0])->power;
+    ShootingPoint at = lightPoint(sample[0], sample[1]);
     glm::dvec3 direction = cosineDirection(at.normal, sample[2], sample[3]), share(1);
     for (int bounce = 0; bounce < maxBounces; ++bounce) {
       const auto hit = cast(at, direction);
       if (!hit || !hit->front) return;
       const std::uint32_t element = elementOf(*hit);
-      arrived[element] += light->power * share;
+      arrived[element] += power * share;
       share *= radiosity::reflectance(scene_, discretization_, element);
       const double survival = std::min(maxSurvival, std::max({share.r, share.g, share.b}));
       if (random.next() >= survival) return;
@@ -171,15 +176,47 @@ class Tracer {
     return hit && !hit->front && glm::distance(pointAt(*hit).position, above) < 2 * onPoint;
   }
 
-  bool isBuried(const ShootingPoint& point, Random& random) const {
-    if (isCovered(point)) return true;
-    bool meetsBacks = false;
-    for (int i = 0; i < buriedRays; ++i) {
-      const auto hit = cast(point, cosineDirection(point.normal, random));
-      if (hit && hit->front) return false;
-      meetsBacks = meetsBacks || hit;
+  ShootingPoint lightPoint(double x, double y) const {
+    const auto light = lightAt(x);
+    const double before = light == lights_.begin() ? 0 : std::prev(light)->upTo;
+    return shootingPoint(light->shooter, (x - before) / (light->upTo - before), y);
+  }
+
+  /// Whether light arrives from a point of the lights, drawn at random.
+  bool seesLight(const ShootingPoint& at, Random& random) const {
+    if (lights_.empty()) return false;
+    const double x = random.next(), y = random.next();
+    const ShootingPoint light = lightPoint(x, y);
+    const glm::dvec3 way = light.position - at.position;
+    if (light.triangle == at.triangle || !(glm::dot(way, at.normal) > 0) || !(glm::dot(way, light.normal) < 0))
+      return false;
+    const auto hit = cast(at, glm::normalize(way));
+    return hit && hit->front && hit->triangle == light.triangle;
+  }
+
+  enum class Walk { Light, Back, Background, Nothing };
+
+  /// What a random walk from a point meets first, reflected by all fronts.
+  Walk walk(ShootingPoint at, Random& random) const {
+    for (int bounce = 0; bounce < walkBounces; ++bounce) {
+      if (seesLight(at, random)) return Walk::Light;
+      const auto hit = cast(at, cosineDirection(at.normal, random));
+      if (!hit) return Walk::Background;
+      if (!hit->front) return Walk::Back;
+      at = pointAt(*hit);
     }
-    return meetsBacks;
+    return Walk::Nothing;
+  }
+
+  bool isBuried(const ShootingPoint& point, bool emits, Random& random) const {
+    if (isCovered(point)) return true;
+    bool isOutside = false;
+    for (int i = 0; i < buriedWalks; ++i) {
+      const Walk met = walk(point, random);
+      if (met == Walk::Light) return false;
+      isOutside = isOutside || met == Walk::Back || (met == Walk::Background && !emits);
+    }
+    return isOutside;
   }
 
   const radiosity::Scene& scene_;

@@ -8,9 +8,10 @@
 /// all errors is a smaller share of the light than with as many rays that are gathered from every element.
 ///
 /// An element's exposed area is found by points spread evenly over it. A point is *buried* where a face that looks the
-/// other way lies on it, or where none of 32 cosine-distributed rays into its hemisphere meets a front and some meet
-/// backs: inside a solid, and where a solid goes through a wall. A point that sees nothing but background is not
-/// buried.
+/// other way lies on it. It also is where none of 32 random walks, reflected by all fronts for up to 64 bounces, comes
+/// to see a light, and some meet a back or leave the scene: inside a solid, in the space that a solid without bottom or
+/// back encloses with the floor and the walls, and outside of a room. In a narrow gap walks meet nothing and stay: its
+/// faces are exposed. So are those of emitters that see nothing but background.
 #pragma once
 
 #include <cstdint>
