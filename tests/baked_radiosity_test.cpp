@@ -93,7 +93,7 @@ TEST_CASE("bakedRadiosity exposes a floor but for the footprint of a box that st
   const bool hasBottom = GENERATE(false, true);
   const Scene scene = roomWithBox({1, 1, 0}, {1.1, 0.7, 0.9}, hasBottom);
   const Discretization discretization = discretize(scene, {.texels = 8});
-  const BakedRadiosity baked = bakedRadiosity(scene, discretization, {.paths = 32, .points = 1 << 13});
+  const BakedRadiosity baked = bakedRadiosity(scene, discretization, {.paths = 32, .points = 256});
   CHECK(exposedAreaOf(scene, baked, "room0") == Approx(12 - 1.1 * 0.7).margin(1e-2));
   CHECK(exposedAreaOf(scene, baked, "room1") == Approx(12).epsilon(1e-12));
   CHECK(exposedAreaOf(scene, baked, "box1") == Approx(1.1 * 0.7).epsilon(1e-12));
@@ -116,7 +116,7 @@ TEST_CASE("bakedRadiosity exposes what hovers, and not what is sunk into the flo
   CHECK(exposedAreaOf(hovering, one, "box0") == Approx(1).epsilon(1e-12));
   const Scene sunk = roomWithBox({1, 1, -0.25}, {1, 1, 1}, true);
   const BakedRadiosity other = bakedRadiosity(sunk, discretize(sunk, {.texels = 2}), {.paths = 32, .points = 1 << 12});
-  CHECK(exposedAreaOf(sunk, other, "room0") == Approx(11).margin(5e-3));
+  CHECK(exposedAreaOf(sunk, other, "room0") == Approx(11).margin(1e-2));
   CHECK(exposedAreaOf(sunk, other, "box2") == Approx(0.75).margin(5e-3));
 }
 
