@@ -2,6 +2,8 @@
 
 namespace hemitex::data {
 
-std::vector<Model> allModels() { return {paperRoom(), cornellBox(), pyramidRoom(), curvedRoom(), gallery(), plant()}; }
+std::vector<Model> allModels() {
+  return {paperRoom(), cornellBox(), pyramidRoom(), curvedRoom(), gallery(), plant(), furnishedRoom()};
+}
 
 }  // namespace hemitex::data

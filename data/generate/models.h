@@ -26,6 +26,9 @@ Model gallery();
 /// A closed room with plants of many small leaves, each a surface of its own.
 Model plant();
 
+/// A closed room with furniture of boxes that stand on and touch each other.
+Model furnishedRoom();
+
 std::vector<Model> allModels();
 
 }  // namespace hemitex::data
