@@ -303,6 +303,14 @@ Discretization discretize(const Scene& scene, const DiscretizationSettings& sett
   return discretized(scene, settings, quadtrees);
 }
 
+Discretization discretizeUnburied(const Scene& scene, const DiscretizationSettings& settings) {
+  validate(scene, settings);
+  validateSizes(scene, settings);
+  Discretization unburied = assembled(scene, settings, {}, std::vector<std::vector<CutTexel>>(scene.surfaces.size()));
+  averageMaps(scene, unburied);
+  return unburied;
+}
+
 void averageMaps(const Scene& scene, Discretization& discretization) {
   const auto valuesOf = [&](glm::dvec3 Material::*value, std::optional<int> Material::*map) {
     std::vector<glm::dvec3> values;

@@ -106,6 +106,10 @@ Discretization discretize(const Scene& scene, const DiscretizationSettings& sett
 Discretization discretize(const Scene& scene, const DiscretizationSettings& settings,
                           const std::vector<Quadtree>& quadtrees);
 
+/// The same as if all of every surface were exposed, inside solids as well: what other ways to find exposed areas start
+/// from.
+Discretization discretizeUnburied(const Scene& scene, const DiscretizationSettings& settings);
+
 /// What discretize also does: maps averaged over the elements. Again where materials have changed since.
 void averageMaps(const Scene& scene, Discretization& discretization);
 

@@ -55,7 +55,7 @@ double exposedAreaOf(const Scene& scene, const BakedRadiosity& baked, const std:
 
 TEST_CASE("bakedRadiosity of a furnace is E over 1 minus r, within its standard errors", "[baked]") {
   const Scene scene = tests::closedCube(glm::dvec3(0.25, 0.5, 0.75), glm::dvec3(1, 2, 3));
-  const Discretization discretization = discretize(scene, {.texels = 4});
+  const Discretization discretization = discretizeUnburied(scene, {.texels = 4});
   const BakedRadiosity baked = bakedRadiosity(scene, discretization, {.paths = 1 << 17, .points = 32});
   const glm::dvec3 exact(1 / 0.75, 2 / 0.5, 3 / 0.25);
   double squares = 0;
@@ -75,7 +75,7 @@ TEST_CASE("bakedRadiosity of a furnace is E over 1 minus r, within its standard 
 
 TEST_CASE("bakedRadiosity of a floor under a light is the closed form", "[baked]") {
   const Scene scene = lampOverFloor();
-  const Discretization discretization = discretize(scene, {.texels = 3});
+  const Discretization discretization = discretizeUnburied(scene, {.texels = 3});
   const BakedRadiosity baked = bakedRadiosity(scene, discretization, {.paths = 1 << 18, .points = 32});
   for (std::uint32_t e = 0; e < 9; ++e) {
     const double x = e % 3 - 1.0, y = e / 3 - 1.0;
@@ -92,7 +92,7 @@ TEST_CASE("bakedRadiosity of a floor under a light is the closed form", "[baked]
 TEST_CASE("bakedRadiosity exposes a floor but for the footprint of a box that stands on it", "[baked]") {
   const bool hasBottom = GENERATE(false, true);
   const Scene scene = roomWithBox({1, 1, 0}, {1.1, 0.7, 0.9}, hasBottom);
-  const Discretization discretization = discretize(scene, {.texels = 8});
+  const Discretization discretization = discretizeUnburied(scene, {.texels = 8});
   const BakedRadiosity baked = bakedRadiosity(scene, discretization, {.paths = 32, .points = 256});
   CHECK(exposedAreaOf(scene, baked, "room0") == Approx(12 - 1.1 * 0.7).margin(1e-2));
   CHECK(exposedAreaOf(scene, baked, "room1") == Approx(12).epsilon(1e-12));
@@ -111,11 +111,11 @@ TEST_CASE("bakedRadiosity exposes a floor but for the footprint of a box that st
 
 TEST_CASE("bakedRadiosity exposes what hovers, and not what is sunk into the floor", "[baked]") {
   const Scene hovering = roomWithBox({1, 1, 1e-3}, {1, 1, 1}, true);
-  const BakedRadiosity one = bakedRadiosity(hovering, discretize(hovering, {.texels = 2}), {.paths = 32, .points = 32});
+  const BakedRadiosity one = bakedRadiosity(hovering, discretizeUnburied(hovering, {.texels = 2}), {.paths = 32, .points = 32});
   CHECK(exposedAreaOf(hovering, one, "room0") == Approx(12).epsilon(1e-12));
   CHECK(exposedAreaOf(hovering, one, "box0") == Approx(1).epsilon(1e-12));
   const Scene sunk = roomWithBox({1, 1, -0.25}, {1, 1, 1}, true);
-  const BakedRadiosity other = bakedRadiosity(sunk, discretize(sunk, {.texels = 2}), {.paths = 32, .points = 1 << 12});
+  const BakedRadiosity other = bakedRadiosity(sunk, discretizeUnburied(sunk, {.texels = 2}), {.paths = 32, .points = 1 << 12});
   CHECK(exposedAreaOf(sunk, other, "room0") == Approx(11).margin(1e-2));
   CHECK(exposedAreaOf(sunk, other, "box2") == Approx(0.75).margin(5e-3));
 }
@@ -123,7 +123,7 @@ TEST_CASE("bakedRadiosity exposes what hovers, and not what is sunk into the flo
 // In a closed room what is emitted is what is absorbed, element by element the arriving flux times 1 - r.
 TEST_CASE("bakedRadiosity keeps the balance of energy in a closed room with a box", "[baked]") {
   const Scene scene = roomWithBox({1, 1, 0}, {1, 1, 1}, false);
-  const Discretization discretization = discretize(scene, {.texels = 4});
+  const Discretization discretization = discretizeUnburied(scene, {.texels = 4});
   const BakedRadiosity baked = bakedRadiosity(scene, discretization, {.paths = 1 << 18});
   double emitted = 0, absorbed = 0;
   for (std::size_t e = 0; e < baked.flux.size(); ++e) {
@@ -136,7 +136,7 @@ TEST_CASE("bakedRadiosity keeps the balance of energy in a closed room with a bo
 
 TEST_CASE("bakedRadiosity gives the same bits for any number of threads, and others for other seeds", "[baked]") {
   const Scene scene = lampOverFloor();
-  const Discretization discretization = discretize(scene, {.texels = 3});
+  const Discretization discretization = discretizeUnburied(scene, {.texels = 3});
   const auto fluxes = [&](int threads, std::uint32_t seed) {
     const raster::ThreadLimit limit(threads);
     return bakedRadiosity(scene, discretization, {.paths = 1 << 12, .points = 32, .seed = seed}).flux;
@@ -148,7 +148,7 @@ TEST_CASE("bakedRadiosity gives the same bits for any number of threads, and oth
 
 TEST_CASE("bakedRadiosity refuses other numbers than 32 times a power of two", "[baked]") {
   const Scene scene = lampOverFloor();
-  const Discretization discretization = discretize(scene, {.texels = 1});
+  const Discretization discretization = discretizeUnburied(scene, {.texels = 1});
   for (const int paths : {0, 31, 96, 100})
     CHECK_THROWS_AS(bakedRadiosity(scene, discretization, {.paths = paths}), raster::InputError);
 }
@@ -156,7 +156,7 @@ TEST_CASE("bakedRadiosity refuses other numbers than 32 times a power of two", "
 TEST_CASE("bakedRadiosity of a scene without light is dark", "[baked]") {
   Scene scene = lampOverFloor();
   scene.materials[1].emission = glm::dvec3(0);
-  const BakedRadiosity baked = bakedRadiosity(scene, discretize(scene, {.texels = 2}), {.paths = 64});
+  const BakedRadiosity baked = bakedRadiosity(scene, discretizeUnburied(scene, {.texels = 2}), {.paths = 64});
   CHECK(fluxOf(baked) == glm::dvec3(0));
 }
 
@@ -169,7 +169,7 @@ TEST_CASE("bakedRadiosity buries the space that a box encloses with the floor an
   scene.materials = {tests::material("grey", glm::dvec3(0.5), glm::dvec3(0)),
                      tests::material("light", glm::dvec3(0.5), glm::dvec3(1))};
   scene.surfaces[1].material = 1;  // the ceiling
-  const BakedRadiosity baked = bakedRadiosity(scene, discretize(scene, {.texels = 4}), {.paths = 32, .points = 1024});
+  const BakedRadiosity baked = bakedRadiosity(scene, discretizeUnburied(scene, {.texels = 4}), {.paths = 32, .points = 1024});
   CHECK(exposedAreaOf(scene, baked, "room0") == Approx(12 - 0.75).margin(5e-3));
   CHECK(exposedAreaOf(scene, baked, "room4") == Approx(8 - 0.5).margin(5e-3));
   CHECK(exposedAreaOf(scene, baked, "box1") == Approx(0.75).epsilon(1e-12));

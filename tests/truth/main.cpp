@@ -89,7 +89,7 @@ void printErrors(const radiosity::Scene& scene, const radiosity::Discretization&
 void write(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const radiosity::Scene scene = radiosity::loadScene(arguments.scene);
-  const radiosity::Discretization discretization = radiosity::discretize(scene, arguments.grid);
+  const radiosity::Discretization discretization = radiosity::discretizeUnburied(scene, arguments.grid);
   const reference::BakedRadiosity baked = reference::bakedRadiosity(scene, discretization, arguments.bake);
   std::ofstream file(arguments.output, std::ios::binary);
   tests::writeTruthTable(file, arguments.command, scene, baked);
