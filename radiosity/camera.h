@@ -26,8 +26,8 @@ struct Camera {
 raster::Face cameraFace(const Scene& scene, const Camera& camera, int width, int height);
 
 /// The view that is shown where none is given: upright, with a field of view of 60 degrees. Of the candidates it is the
-/// one that sees the largest area of fronts in 64 x 48 samples, reduced where backs or near objects fill the picture;
-/// the first of equals.
+/// one with the largest sum, over surfaces, of the square roots of the areas of fronts seen (in 64 x 48 samples),
+/// reduced where backs or near objects fill the picture; the first of equals.
 /// - Where the scene has a floor (fronts that face up, at one height in its lower half, on a quarter of its plan): at
 ///   eye height, from 16 places along the floor's border towards its middle.
 /// - Where that one has no wall behind, or there is no floor: also from outside, through the four sides and from four

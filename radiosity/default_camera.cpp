@@ -54,16 +54,16 @@ glm::dvec3 areaVector(const Triangle& triangle) {
   return 0.5 * glm::cross(b - a, c - a);
 }
 
-double middleHeight(const Triangle& triangle, int up) {
-  return (triangle.position[0][up] + triangle.position[1][up] + triangle.position[2][up]) / 3;
+glm::dvec3 middleOf(const Triangle& triangle) {
+  return (triangle.position[0] + triangle.position[1] + triangle.position[2]) / 3.0;
 }
 
 /// The largest area of fronts at about one height in the lower half of the scene that face up to within 45 degrees.
 struct Floor {
-  int up = 1;         ///< axis
-  double area = 0;    ///< projected along `up`
-  double height = 0;  ///< mean over the area
-  Bounds bounds;      ///< meaningless where the area is 0
+  int up = 1;              ///< axis
+  double area = 0;         ///< projected along `up`
+  glm::dvec3 middle{0.0};  ///< mean over the area
+  Bounds bounds;           ///< meaningless where the area is 0
 };
 
 Floor floorAlong(const Scene& scene, const Bounds& bounds, int up) {
@@ -71,7 +71,7 @@ Floor floorAlong(const Scene& scene, const Bounds& bounds, int up) {
   const double bottom = bounds.low[up], height = bounds.high[up] - bottom;
   const auto levelOf = [&](const Triangle& triangle) {
     if (!(height > 0)) return 0;
-    return std::clamp(static_cast<int>(levels * ((middleHeight(triangle, up) - bottom) / height)), 0, levels - 1);
+    return std::clamp(static_cast<int>(levels * ((middleOf(triangle)[up] - bottom) / height)), 0, levels - 1);
   };
   const auto upwardArea = [&](const Triangle& triangle) {
     const glm::dvec3 area = areaVector(triangle);
@@ -94,10 +94,10 @@ Floor floorAlong(const Scene& scene, const Bounds& bounds, int up) {
     const double area = upwardArea(triangle);
     if (area == 0 || levelOf(triangle) < best || levelOf(triangle) > best + 1) return;
     floor.area += area;
-    floor.height += area * middleHeight(triangle, up);
+    floor.middle += area * middleOf(triangle);
     floor.bounds.include(triangle);
   });
-  if (floor.area > 0) floor.height /= floor.area;
+  if (floor.area > 0) floor.middle /= floor.area;
   return floor;
 }
 
@@ -112,10 +112,10 @@ Floor floorOf(const Scene& scene, const Bounds& bounds) {
 /// The height of the free space above the floor: up to where half of the floor lies below fronts that face down, or to
 /// the top of the scene. What is low above the floor is furniture.
 double freeHeight(const Scene& scene, const Bounds& bounds, const Floor& floor) {
-  const double top = bounds.high[floor.up] - floor.height;
+  const double top = bounds.high[floor.up] - floor.middle[floor.up];
   std::vector<std::pair<double, double>> ceilings;  // height above the floor, area
   forEachTriangle(scene, [&](const Triangle& triangle) {
-    const double height = middleHeight(triangle, floor.up) - floor.height;
+    const double height = middleOf(triangle)[floor.up] - floor.middle[floor.up];
     const double area = -areaVector(triangle)[floor.up];
     if (area > 0 && height > 0.2 * top) ceilings.emplace_back(height, area);
   });
@@ -142,11 +142,10 @@ std::vector<Camera> standingCameras(const Floor& floor, double height) {
   for (std::size_t j = 0; j < places.size(); ++j)
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (i % 4 != 0 && j % 4 != 0) continue;
-      glm::dvec3 eye, target;
+      glm::dvec3 eye, target = floor.middle;
       eye[u] = low[u] + places[i] * size[u];
       eye[v] = low[v] + places[j] * size[v];
-      eye[floor.up] = floor.height + eyeHeight;
-      target = low + 0.5 * size;
+      eye[floor.up] = floor.middle[floor.up] + eyeHeight;
       target[floor.up] = eye[floor.up];
       target[floor.up] -= std::min(0.35 * eyeHeight, 0.4 * glm::distance(eye, target));
       cameras.push_back({eye, target, axisVector(floor.up), viewFov});
@@ -196,14 +195,16 @@ class Judge {
     const auto [u, v] = levelAxes(floor.up);
     const glm::dvec3 size = floor.bounds.high - floor.bounds.low;
     near_ = std::min(0.15 * std::sqrt(size[u] * size[u] + size[v] * size[v]), 0.5 * height);
-    obstacleHeight_ = floor.height + 0.1 * height;
+    obstacleHeight_ = floor.middle[floor.up] + 0.1 * height;
   }
 
   struct View {
-    double score = 0;  ///< area of fronts that are seen, less where backs or near objects fill the picture
+    double score = 0;  ///< how much is seen, less where backs or near objects fill the picture
     double sky = 0;    ///< share of the picture that shows nothing
   };
 
+  /// The sum over the surfaces of the square roots of the areas that are seen of their fronts: of two equal areas, that
+  /// of more surfaces counts more.
   /// A pixel of area a on the plane w = 1, seen at v = P - eye, covers a w^3 / |n . v| of a surface with unit normal n
   /// at P, where w is the depth of v: w^2 for the distance, and w / |n . v| for the slant. The sum over the pixels of
   /// one triangle is taken for at most the triangle's area, so that a wall that is seen at a grazing angle counts no
@@ -236,12 +237,14 @@ class Judge {
         const double w = glm::dot(forward, v);
         seen[{sample->surface, sample->triangle}] += pixelSide * pixelSide * w * w * w / slant;
       }
-    double area = 0;
+    std::map<std::uint32_t, double> areas;  // by surface
     for (const auto& [place, estimate] : seen)
-      area += std::min(estimate, radiosity::area(scene_.surfaces[place.first].triangles[place.second]));
+      areas[place.first] += std::min(estimate, area(scene_.surfaces[place.first].triangles[place.second]));
+    double sum = 0;
+    for (const auto& [surface, area] : areas) sum += std::sqrt(area);
     const double pixels = viewWidth * viewHeight;
     const double clear = (1 - backs / pixels) * (1 - near / pixels) * (nearMiddle > 0 ? 0.1 : 1.0);
-    return {area * clear * clear, sky / pixels};
+    return {sum * clear * clear, sky / pixels};
   }
 
  private:

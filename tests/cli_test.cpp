@@ -292,7 +292,7 @@ TEST_CASE("Edits give a folder a frame, the same for any number of threads, besi
   CHECK(withoutTimes("one/frame-3")["energy"]["emitted"] == json({0.0, 20.0, 20.0}));
 }
 
-TEST_CASE("--emission radiance multiplies the emission of scenes, added files and edits by pi", "[cli]") {
+TEST_CASE("solve --emission radiance multiplies the emission of scenes, added files and edits by pi", "[cli]") {
   const Shell shell;
   writeAll(shell.file("lamp.obj"), "mtllib lamp.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\ng bulb\nusemtl bulb\nf 1 2 3\n");
   writeAll(shell.file("lamp.mtl"), "newmtl bulb\nKd 0\nKe 2\n");

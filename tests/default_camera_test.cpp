@@ -184,7 +184,7 @@ TEST_CASE("defaultCamera sees a room from inside", "[default_camera]") {
   const Scene room = makeRoom();
   const Camera camera = defaultCamera(room);
   checkStands(camera, -1, 1);
-  for (const int axis : {0, 2}) CHECK(std::fabs(camera.eye[axis]) == Approx(0.8));
+  CHECK(std::max(std::fabs(camera.eye.x), std::fabs(camera.eye.z)) == Approx(0.8));
   for (const auto& sample : visibleSamples(room, camera, 16, 16)) CHECK(sample);
 }
 
