@@ -58,7 +58,7 @@ glm::dvec3 middleOf(const Triangle& triangle) {
   return (triangle.position[0] + triangle.position[1] + triangle.position[2]) / 3.0;
 }
 
-/// The largest area of fronts at about one height in the lower half of the scene that face up to within 45 degrees.
+/// The largest area of fronts that face up to within 45 degrees, at about one height in the lower half of the scene.
 struct Floor {
   int up = 1;              ///< axis
   double area = 0;         ///< projected along `up`
@@ -67,7 +67,7 @@ struct Floor {
 };
 
 Floor floorAlong(const Scene& scene, const Bounds& bounds, int up) {
-  constexpr int levels = 64;
+  constexpr int levels = 16;
   const double bottom = bounds.low[up], height = bounds.high[up] - bottom;
   const auto levelOf = [&](const Triangle& triangle) {
     if (!(height > 0)) return 0;
@@ -80,7 +80,7 @@ Floor floorAlong(const Scene& scene, const Bounds& bounds, int up) {
 
   std::array<double, levels> areas{};
   forEachTriangle(scene, [&](const Triangle& t) { areas[static_cast<std::size_t>(levelOf(t))] += upwardArea(t); });
-  // Two levels at a time: rounding may spread a floor over both.
+  // Two levels at a time: a floor that is not flat may lie in both.
   int best = 0;
   const auto areaAt = [&](int level) {
     return areas[static_cast<std::size_t>(level)] + areas[static_cast<std::size_t>(level) + 1];
@@ -132,7 +132,7 @@ glm::dvec3 axisVector(int axis) {
   return vector;
 }
 
-/// Views of a standing person: from places along the border of the floor towards its middle, slightly downwards.
+/// Views at eye height: from places along the border of the floor towards its middle, slightly downwards.
 std::vector<Camera> standingCameras(const Floor& floor, double height) {
   constexpr std::array<double, 5> places{0.1, 0.3, 0.5, 0.7, 0.9};
   const auto [u, v] = levelAxes(floor.up);
@@ -147,13 +147,14 @@ std::vector<Camera> standingCameras(const Floor& floor, double height) {
       eye[v] = low[v] + places[j] * size[v];
       eye[floor.up] = floor.middle[floor.up] + eyeHeight;
       target[floor.up] = eye[floor.up];
+      if (glm::distance(eye, target) < 0.1 * glm::length(size)) continue;
       target[floor.up] -= std::min(0.35 * eyeHeight, 0.4 * glm::distance(eye, target));
       cameras.push_back({eye, target, axisVector(floor.up), viewFov});
     }
   return cameras;
 }
 
-/// From outside against `direction` towards the middle of the bounds, as near as shows all of them.
+/// From outside towards the middle of the bounds, which lies against `direction`; as near as all of them are seen.
 Camera outsideCamera(const Bounds& bounds, const glm::dvec3& direction, int up) {
   const glm::dvec3 middle = 0.5 * (bounds.low + bounds.high), half = 0.5 * (bounds.high - bounds.low);
   const glm::dvec3 backward = glm::normalize(direction);
@@ -190,7 +191,7 @@ std::vector<Camera> cornerCameras(const Bounds& bounds, int up, double side) {
 /// Judges views of one scene.
 class Judge {
  public:
-  Judge(const Scene& scene, const Floor& floor, double height) : scene_(scene), view_(scene), floor_(floor) {
+  Judge(const Scene& scene, const Floor& floor, double height) : scene_(scene), view_(scene), up_(floor.up) {
     if (floor.area == 0) return;
     const auto [u, v] = levelAxes(floor.up);
     const glm::dvec3 size = floor.bounds.high - floor.bounds.low;
@@ -203,8 +204,8 @@ class Judge {
     double sky = 0;    ///< share of the picture that shows nothing
   };
 
-  /// The sum over the surfaces of the square roots of the areas that are seen of their fronts: of two equal areas, that
-  /// of more surfaces counts more.
+  /// The score is the sum, over surfaces, of the square root of the area that is seen: of views of equal areas the one
+  /// that shows more surfaces is better.
   /// A pixel of area a on the plane w = 1, seen at v = P - eye, covers a w^3 / |n . v| of a surface with unit normal n
   /// at P, where w is the depth of v: w^2 for the distance, and w / |n . v| for the slant. The sum over the pixels of
   /// one triangle is taken for at most the triangle's area, so that a wall that is seen at a grazing angle counts no
@@ -212,7 +213,7 @@ class Judge {
   View operator()(const Camera& camera) {
     const double pixelSide = 2 * tangentOfDegrees(camera.fov / 2) / viewHeight;
     const glm::dvec3 forward = glm::normalize(camera.lookAt - camera.eye);
-    std::map<std::pair<std::uint32_t, std::uint32_t>, double> seen;  // by surface and triangle
+    SeenAreas seen;
     int sky = 0, backs = 0, near = 0, nearMiddle = 0;
     const auto samples = view_.seeBothSides(camera, viewWidth, viewHeight);
     for (int row = 0; row < viewHeight; ++row)
@@ -223,9 +224,8 @@ class Judge {
           continue;
         }
         const Triangle& triangle = scene_.surfaces[sample->surface].triangles[sample->triangle];
-        glm::dvec3 v = -camera.eye;
-        for (int k = 0; k < 3; ++k) v += sample->weights[k] * triangle.position[static_cast<std::size_t>(k)];
-        if (glm::length(v) < near_ && (camera.eye + v)[floor_.up] > obstacleHeight_) {
+        const glm::dvec3 v = pointOn(triangle, sample->weights) - camera.eye;
+        if (glm::length(v) < near_ && (camera.eye + v)[up_] > obstacleHeight_) {
           ++near;
           if (isMiddle(row, viewHeight) && isMiddle(column, viewWidth)) ++nearMiddle;
         }
@@ -237,24 +237,35 @@ class Judge {
         const double w = glm::dot(forward, v);
         seen[{sample->surface, sample->triangle}] += pixelSide * pixelSide * w * w * w / slant;
       }
+    const double pixels = viewWidth * viewHeight;
+    const double clear = (1 - backs / pixels) * (1 - near / pixels) * (nearMiddle > 0 ? 0.1 : 1.0);
+    return {sumOfRoots(seen) * clear * clear, sky / pixels};
+  }
+
+ private:
+  using SeenAreas = std::map<std::pair<std::uint32_t, std::uint32_t>, double>;  ///< by surface and triangle
+
+  double sumOfRoots(const SeenAreas& seen) const {
     std::map<std::uint32_t, double> areas;  // by surface
     for (const auto& [place, estimate] : seen)
       areas[place.first] += std::min(estimate, area(scene_.surfaces[place.first].triangles[place.second]));
     double sum = 0;
     for (const auto& [surface, area] : areas) sum += std::sqrt(area);
-    const double pixels = viewWidth * viewHeight;
-    const double clear = (1 - backs / pixels) * (1 - near / pixels) * (nearMiddle > 0 ? 0.1 : 1.0);
-    return {sum * clear * clear, sky / pixels};
+    return sum;
   }
 
- private:
+  static glm::dvec3 pointOn(const Triangle& triangle, const glm::dvec3& weights) {
+    const auto& [a, b, c] = triangle.position;
+    return weights.x * a + weights.y * b + weights.z * c;
+  }
+
   static bool isMiddle(int index, int size) { return index >= size / 4 && index < size - size / 4; }
 
   const Scene& scene_;
   TriangleView view_;
-  Floor floor_;
-  double near_ = 0;  ///< what is nearer than this is too near, except the floor
-  double obstacleHeight_ = 0;
+  int up_;
+  double near_ = 0;            ///< what is nearer than this is too near
+  double obstacleHeight_ = 0;  ///< of the lowest points that may be too near: the floor is none
 };
 
 struct Choice {
@@ -269,6 +280,7 @@ void chooseBest(Judge& judge, const std::vector<Camera>& cameras, Choice& best) 
   }
 }
 
+/// Looks the other way, as much downwards.
 Camera turnedRound(const Camera& camera) {
   Camera turned = camera;
   turned.lookAt = 2.0 * camera.eye - camera.lookAt;
@@ -286,7 +298,7 @@ Camera defaultCamera(const Scene& scene) {
   Choice best;
   if (floor.area > 0.25 * crossSection(bounds, floor.up) && height > 0) {
     chooseBest(judge, standingCameras(floor, height), best);
-    // Who has a wall behind is in a room; who has not may step back.
+    // In a room there is a wall behind the eye. In an open scene views from farther away compete.
     if (best.score > 0 && judge(turnedRound(best.camera)).sky <= 0.25) return best.camera;
     chooseBest(judge, sideCameras(bounds, floor.up), best);
   }
