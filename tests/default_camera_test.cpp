@@ -114,8 +114,8 @@ Scene randomRoom(unsigned seed) {
     const double x = draw(0.1, 3.2), z = draw(0.1, 2.8);
     addTable(surfaces, "table", x, z, 1.6, 0.9);
   }
-  for (int i = 0; i < 4; ++i) {
-    const double x = draw(0, 4.4), z = draw(0, 3.4), height = draw(0.4, 2.2);
+  for (int i = 0; i < 7; ++i) {
+    const double x = draw(0, 4.4), z = draw(0, 3.4), height = draw(0.8, 2.4);
     addBox(surfaces, "crate", {x, 0, z}, {0.6, height, 0.6});
   }
   return sceneOf(std::move(surfaces));
@@ -172,6 +172,21 @@ TEST_CASE("defaultCamera is never inside furniture and rarely close to it", "[de
     close += nearestInMiddle(hits) < 0.15 * roomDiagonal;
   }
   CHECK(close <= 1);
+}
+
+TEST_CASE("defaultCamera avoids posts right before the eye", "[default_camera]") {
+  // Posts before all places of eyes but one.
+  std::vector<Surface> surfaces = emptyRoom();
+  for (const double v : {0.1, 0.3, 0.5, 0.7, 0.9})
+    for (const double u : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+      const bool isBorder = std::min(std::min(u, 1 - u), std::min(v, 1 - v)) < 0.2;
+      if (!isBorder || (u == 0.5 && v == 0.9)) continue;
+      const glm::dvec3 eye(u * roomSize.x, 0, v * roomSize.z), middle(roomSize.x / 2, 0, roomSize.z / 2);
+      const glm::dvec3 post = eye + 0.4 * glm::normalize(middle - eye);
+      addBox(surfaces, "post", post - glm::dvec3(0.03, 0, 0.03), {0.06, 2, 0.06});
+    }
+  const Scene room = sceneOf(std::move(surfaces));
+  CHECK(nearestInMiddle(castPicture(room, defaultCamera(room))) > 0.15 * roomDiagonal);
 }
 
 TEST_CASE("defaultCamera stands on the floor of a storey, below its ceiling", "[default_camera]") {
