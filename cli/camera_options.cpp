@@ -45,7 +45,9 @@ CameraOptions readViewFile(const std::filesystem::path& file) {
 }  // namespace
 
 void addCameraOptions(CLI::App& app, CameraOptions& options) {
-  addVectorOption(app, "--eye", options.eye, "where the camera stands");
+  addVectorOption(
+      app, "--eye", options.eye,
+      "where the camera stands (default: as SCENE.view.json says, else a view of the whole room or object)");
   addVectorOption(app, "--look-at", options.lookAt, "a point in the middle of the picture");
   addVectorOption(app, "--up", options.up, "what is up in the picture");
   addPositive(app, "--fov", options.fov, 180.0, "vertical field of view in degrees");

@@ -74,7 +74,9 @@ void appendEdits(const json& object, const std::filesystem::path& folder, const 
     if (kind == "remove") edits.push_back(radiosity::Remove{name});
     if (kind == "restore") edits.push_back(radiosity::Restore{name});
     if (kind == "add") edits.push_back(radiosity::Add{folder / name, settings, vectorOf(object, "by")});
-    if (kind == "emission") edits.push_back(radiosity::SetEmission{name, vectorOf(object, "to")});
+    if (kind == "emission")
+      edits.push_back(
+          radiosity::SetEmission{name, radiosity::radiosityPerUnit(settings.emission) * vectorOf(object, "to")});
     if (kind == "reflectance") edits.push_back(radiosity::SetReflectance{name, vectorOf(object, "to")});
   }
 }

@@ -8,7 +8,7 @@
 ///     ]}
 ///
 /// A name is that of a surface or a family, or ends with `*` and means all whose names begin so; a list of names means
-/// all of them. Files are found beside the file of edits.
+/// all of them. Files are found beside the file of edits. Emissions have the unit of `Ke` in the scene (`--emission`).
 #pragma once
 
 #include <filesystem>
@@ -26,8 +26,8 @@ struct Frame {
 };
 
 /// Throws InputError where the file cannot be read, is no such list of frames, has a key that no edit has, or an edit
-/// cannot be made, frame after frame, to the scene: names that it does not have, numbers out of range. What is added
-/// is read by `settings`.
+/// cannot be made, frame after frame, to the scene: names that it does not have, numbers out of range. `settings`
+/// say how files that are added are read, and in which unit emissions are.
 std::vector<Frame> readEdits(const std::filesystem::path& file, const radiosity::Scene& scene,
                              const radiosity::SceneSettings& settings);
 

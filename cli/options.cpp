@@ -44,6 +44,7 @@ glm::dvec3 vectorOption(const std::string& name, const std::string& text) {
 
 void addSceneOptions(CLI::App& app, SceneOptions& options) {
   using radiosity::Charts;
+  using radiosity::EmissionUnit;
   app.add_option("SCENE", options.file, "Wavefront OBJ file")->required();
   addChoice<Charts>(app, "--charts", options.settings.charts,
                     {{"auto", Charts::Auto}, {"file", Charts::File}, {"planar", Charts::Planar}},
@@ -51,6 +52,10 @@ void addSceneOptions(CLI::App& app, SceneOptions& options) {
   addPositive(app, "--max-reflectance", options.settings.maxReflectance, 1.0,
               "what a reflectance of 1 or more is lowered to (default 0.9999)");
   app.add_flag("--two-sided", options.settings.twoSided, "give each side of every face a surface of its own");
+  addChoice<EmissionUnit>(app, "--emission", options.settings.emission,
+                          {{"radiosity", EmissionUnit::Radiosity}, {"radiance", EmissionUnit::Radiance}},
+                          "unit of Ke: radiosity in W/m^2, or radiance in W/(m^2 sr), which is multiplied by pi "
+                          "(default radiosity)");
 }
 
 radiosity::Scene sceneOf(const SceneOptions& options, Console& console) {

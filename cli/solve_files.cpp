@@ -18,6 +18,10 @@ std::string chartsName(radiosity::Charts charts) {
   return charts == radiosity::Charts::Auto ? "auto" : charts == radiosity::Charts::File ? "file" : "planar";
 }
 
+std::string emissionName(radiosity::EmissionUnit unit) {
+  return unit == radiosity::EmissionUnit::Radiosity ? "radiosity" : "radiance";
+}
+
 /// The settings that the answer depends on: no path, no thread count.
 ordered_json settingsJson(const Showing& showing) {
   const SolveOptions& options = showing.options;
@@ -29,6 +33,7 @@ ordered_json settingsJson(const Showing& showing) {
   return {{"charts", chartsName(options.scene.settings.charts)},
           {"max_reflectance", options.scene.settings.maxReflectance},
           {"two_sided", options.scene.settings.twoSided},
+          {"emission", emissionName(options.scene.settings.emission)},
           {"texels", options.discretization.texels},
           {"texel_size", orNull(options.discretization.texelSize)},
           {"surface_texels", options.discretization.surfaceTexels},

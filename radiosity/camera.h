@@ -25,10 +25,15 @@ struct Camera {
 /// 1e-5 of the scene's extent is clipped.
 raster::Face cameraFace(const Scene& scene, const Camera& camera, int width, int height);
 
-/// A camera that looks at the middle of the bounds with a field of view of 60 degrees: of a grid of 5 x 5 x 5 points
-/// strictly inside the bounds, the one that sees the largest area of fronts (in 64 x 64 samples); the first of equals.
-/// `up` is +y, and +z where it looks along y. Where no point inside sees a front, as of a box seen from outside, it is
-/// the best of the eight corners of a cube around the bounds. Costs 124 small pictures of the scene.
+/// The view that is shown where none is given: upright, with a field of view of 60 degrees. Of the candidates it is the
+/// one with the largest sum, over surfaces, of the square roots of the areas of fronts seen (in 64 x 48 samples),
+/// reduced where backs or near objects fill the picture; the first of equals.
+/// - Where the scene has a floor (fronts that face up, at one height in its lower half, on a quarter of its plan): at
+///   eye height, from 16 places along the floor's border towards its middle.
+/// - Where that one has no wall behind, or there is no floor: also from outside, through the four sides and from four
+///   corners above; from below only where nothing else shows a front.
+/// Up is +y, or +z where a floor fills the scene along z and hardly anything faces +y. Costs at most 29 small pictures
+/// of the scene.
 Camera defaultCamera(const Scene& scene);
 
 /// The triangles whose backs the eye sees, ascending: pictures leave them out, so that one can look into a closed room.

@@ -20,10 +20,10 @@ glm::dvec3 readColor(const TextLine& line, const Place& place) {
   return color;
 }
 
-glm::dvec3 readEmission(const TextLine& line, const Place& place) {
+glm::dvec3 readEmission(const TextLine& line, const Place& place, EmissionUnit unit) {
   const glm::dvec3 emission = readColor(line, place);
-  if (std::max({emission.r, emission.g, emission.b}) > largestEmission)
-    fail(place, "Ke is above 1e30", "scale the light down");
+  if (radiosityPerUnit(unit) * std::max({emission.r, emission.g, emission.b}) > largestEmission)
+    fail(place, unit == EmissionUnit::Radiance ? "Ke is above 1e30 / pi" : "Ke is above 1e30", "scale the light down");
   return emission;
 }
 
@@ -37,7 +37,8 @@ MapStatement readMap(const TextLine& line) {
 
 }  // namespace
 
-std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::filesystem::path& file) {
+std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::filesystem::path& file,
+                                              EmissionUnit unit) {
   std::vector<MaterialStatement> materials;
   for (const TextLine& line : splitLines(text)) {
     const Place place{file, line.number};
@@ -45,7 +46,7 @@ std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::
     if (materials.empty()) continue;
     MaterialStatement& material = materials.back();
     if (line.keyword == "Kd") material.reflectance = readColor(line, place);
-    if (line.keyword == "Ke") material.emission = readEmission(line, place);
+    if (line.keyword == "Ke") material.emission = readEmission(line, place, unit);
     if (line.keyword == "map_Kd") material.reflectanceMap = readMap(line);
     if (line.keyword == "map_Ke") material.emissionMap = readMap(line);
   }

@@ -9,9 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "radiosity/scene.h"
+
 namespace hemitex::radiosity {
 
-/// What surfaces make of more, reflecting it for ever, would leave the range of binary32, which images hold.
+/// W/m^2 of radiosity. What surfaces make of more, reflecting it for ever, would leave the range of binary32, which
+/// images hold.
 inline constexpr double largestEmission = 1e30;
 
 /// A `map_Kd` or `map_Ke`.
@@ -24,13 +27,15 @@ struct MapStatement {
 struct MaterialStatement {
   std::string name;
   std::optional<glm::dvec3> reflectance = {};  ///< Kd, finite and not negative
-  std::optional<glm::dvec3> emission = {};     ///< Ke, 0 to largestEmission
+  std::optional<glm::dvec3> emission = {};     ///< Ke as written; as radiosity 0 to largestEmission
   std::optional<MapStatement> reflectanceMap = {};
   std::optional<MapStatement> emissionMap = {};
 };
 
 /// Reads the text of `file`, materials in its order. Throws InputError with the line on a malformed, non-finite or
-/// negative Kd or Ke, on one that has neither one number (grey) nor three, and on a Ke above 1e30.
-std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::filesystem::path& file);
+/// negative Kd or Ke, on one that has neither one number (grey) nor three, and on a Ke that is a radiosity above
+/// 1e30 where its unit is `unit`.
+std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::filesystem::path& file,
+                                              EmissionUnit unit = EmissionUnit::Radiosity);
 
 }  // namespace hemitex::radiosity

@@ -21,7 +21,7 @@ struct Definition {
   std::filesystem::path folder;
 };
 
-std::map<std::string, Definition> readDefinitions(const std::vector<std::filesystem::path>& files,
+std::map<std::string, Definition> readDefinitions(const std::vector<std::filesystem::path>& files, EmissionUnit unit,
                                                   std::vector<std::string>& warnings) {
   std::map<std::string, Definition> definitions;
   for (const std::filesystem::path& file : files) {
@@ -30,7 +30,7 @@ std::map<std::string, Definition> readDefinitions(const std::vector<std::filesys
       warnings.push_back("the material file " + file.string() + " cannot be read; its materials become grey 0.5");
       continue;
     }
-    for (MaterialStatement& statement : parseMaterials(*text, file)) {
+    for (MaterialStatement& statement : parseMaterials(*text, file, unit)) {
       definitions.try_emplace(statement.name, Definition{statement, file.parent_path()});
     }
   }
@@ -110,18 +110,18 @@ bool lower(glm::dvec3& reflectance, double maxReflectance) {
   return lowered;
 }
 
-Material makeMaterial(const Definition& definition, double maxReflectance, MapImages& images,
+Material makeMaterial(const Definition& definition, const SceneSettings& settings, MapImages& images,
                       std::vector<std::string>& warnings) {
   const MaterialStatement& statement = definition.statement;
   const std::string owner = "material '" + statement.name + "': ";
   Material material{.name = statement.name};
   if (statement.reflectance) {
     material.reflectance = *statement.reflectance;
-    if (lower(material.reflectance, maxReflectance)) {
-      warnings.push_back(owner + "a reflectance of 1 or more is lowered to " + std::to_string(maxReflectance));
+    if (lower(material.reflectance, settings.maxReflectance)) {
+      warnings.push_back(owner + "a reflectance of 1 or more is lowered to " + std::to_string(settings.maxReflectance));
     }
   } else if (statement.reflectanceMap) {
-    material.reflectance = glm::dvec3(maxReflectance);
+    material.reflectance = glm::dvec3(settings.maxReflectance);
   } else {
     warnings.push_back(owner + "it has no Kd; grey 0.5 stands for it");
   }
@@ -135,21 +135,22 @@ Material makeMaterial(const Definition& definition, double maxReflectance, MapIm
     material.emissionMap = images.emission(*statement.emissionMap, definition);
     if (!material.emissionMap) material.emission *= grey;
   }
+  material.emission *= radiosityPerUnit(settings.emission);
   return material;
 }
 
 }  // namespace
 
 MaterialSet findMaterials(const std::vector<std::string>& names, const std::vector<std::filesystem::path>& files,
-                          double maxReflectance) {
+                          const SceneSettings& settings) {
   MaterialSet set;
-  const std::map<std::string, Definition> definitions = readDefinitions(files, set.warnings);
+  const std::map<std::string, Definition> definitions = readDefinitions(files, settings.emission, set.warnings);
   MapImages images(set);
   std::string unknown;
   for (const std::string& name : names) {
     const auto found = definitions.find(name);
     if (found != definitions.end()) {
-      set.materials.push_back(makeMaterial(found->second, maxReflectance, images, set.warnings));
+      set.materials.push_back(makeMaterial(found->second, settings, images, set.warnings));
     } else if (name.empty()) {
       set.materials.push_back({.name = "default"});
       set.warnings.push_back("faces without a material become grey 0.5");

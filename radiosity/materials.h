@@ -22,10 +22,12 @@ struct MaterialSet {
 /// - A file or a name that is missing: a warning, and reflectance 0.5 for the names that are in no file.
 /// - A material without Kd: a warning and 0.5, or, where it has a map_Kd, the map alone. Without Ke it does not emit,
 ///   or emits what its map_Ke says.
-/// - A reflectance of 1 or more is lowered to `maxReflectance`, with a warning for each material; the values of a
+/// - Emissions are converted from `settings.emission` to radiosity.
+/// - A reflectance of 1 or more is lowered to `settings.maxReflectance`, with a warning for each material; the values
+/// of a
 ///   map_Kd are lowered to 1.
 /// - A map that is missing or cannot be read: a warning, and reflectance 0.5, or half the emission.
 MaterialSet findMaterials(const std::vector<std::string>& names, const std::vector<std::filesystem::path>& files,
-                          double maxReflectance);
+                          const SceneSettings& settings);
 
 }  // namespace hemitex::radiosity

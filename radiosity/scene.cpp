@@ -4,6 +4,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -127,6 +128,8 @@ glm::dvec3 doubledArea(const Triangle& t) {
 
 }  // namespace
 
+double radiosityPerUnit(EmissionUnit unit) { return unit == EmissionUnit::Radiance ? std::numbers::pi : 1.0; }
+
 Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings) {
   if (!(settings.maxReflectance >= 0 && settings.maxReflectance < 1)) {
     throw raster::InputError("the largest reflectance must be at least 0 and below 1");
@@ -137,7 +140,7 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
   if (sections.empty()) fail({file}, "the scene is empty: it has no face with area");
 
   const MaterialChoice choice = chooseMaterials(sections);
-  MaterialSet found = findMaterials(choice.names, materialFiles(obj, file.parent_path()), settings.maxReflectance);
+  MaterialSet found = findMaterials(choice.names, materialFiles(obj, file.parent_path()), settings);
   scene.materials = std::move(found.materials);
   scene.images = std::move(found.images);
   std::move(found.warnings.begin(), found.warnings.end(), std::back_inserter(scene.warnings));

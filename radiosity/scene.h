@@ -21,7 +21,7 @@ namespace hemitex::radiosity {
 struct Material {
   std::string name;
   glm::dvec3 reflectance{0.5};             ///< Kd, diffuse, RGB in [0, 1)
-  glm::dvec3 emission{0.0};                ///< Ke, emitted radiosity, W/m^2 per RGB band, >= 0
+  glm::dvec3 emission{0.0};                ///< Ke as emitted radiosity, W/m^2 per RGB band, >= 0
   std::optional<int> reflectanceMap = {};  ///< map_Kd in Scene::images, linear; scales the reflectance
   std::optional<int> emissionMap = {};     ///< map_Ke in Scene::images, linear; scales the emission
 };
@@ -64,10 +64,20 @@ enum class Charts {
   Planar,  ///< planar parts, whatever the file has
 };
 
+/// What `Ke` is a number of. The scene holds radiosity, whatever the file has.
+enum class EmissionUnit {
+  Radiosity,  ///< emitted power per area, W/m^2
+  Radiance,   ///< of a diffuse emitter, W/(m^2 sr): its radiosity over pi
+};
+
+/// The radiosity that one unit of emission stands for: 1 or pi.
+double radiosityPerUnit(EmissionUnit unit);
+
 struct SceneSettings {
   Charts charts = Charts::Auto;
   double maxReflectance = 0.9999;  ///< a reflectance of 1 or more is lowered to this, with a warning; in [0, 1)
   bool twoSided = false;           ///< gives each side of every surface a surface of its own
+  EmissionUnit emission = EmissionUnit::Radiosity;  ///< unit of Ke
 };
 
 /// Reads an OBJ file and the MTL files and images it names. Throws InputError, with file and line, on a malformed or

@@ -115,7 +115,7 @@ class Editor {
   void apply(const SetEmission& edit) {
     requireAll(
         edit.to, [](double value) { return value >= 0 && value <= largestEmission; },
-        "the emission of `" + edit.name + "` is below 0 or above 1e30");
+        "the emission of `" + edit.name + "` is below 0 or above 1e30 W/m^2");
     setMaterial(edit.name, [&](Material& material) { material.emission = edit.to; });
   }
 

@@ -38,7 +38,7 @@ struct Add {
 /// Gives surfaces an emission or a reflectance of their own; a material's map scales it as before.
 struct SetEmission {
   std::string name;
-  glm::dvec3 to;  ///< W/m^2 per band, 0 to largestEmission (material_file.h)
+  glm::dvec3 to;  ///< radiosity, W/m^2 per band, 0 to largestEmission (material_file.h)
 };
 struct SetReflectance {
   std::string name;

@@ -87,8 +87,16 @@ Visible TriangleView::locate(raster::Word triangle) const {
 }
 
 std::vector<std::optional<Visible>> TriangleView::see(const Camera& camera, int width, int height) {
-  const raster::Face face = cameraFace(scene_, camera, width, height);
-  const std::vector<std::uint32_t> skipped = trianglesFacingAway(scene_, camera.eye);
+  return see(cameraFace(scene_, camera, width, height), trianglesFacingAway(scene_, camera.eye));
+}
+
+std::vector<std::optional<Visible>> TriangleView::seeBothSides(const Camera& camera, int width, int height) {
+  return see(cameraFace(scene_, camera, width, height), {});
+}
+
+std::vector<std::optional<Visible>> TriangleView::see(const raster::Face& face,
+                                                      const std::vector<std::uint32_t>& skipped) {
+  const int width = face.scissor.width, height = face.scissor.height;
   const raster::ItemBuffer buffer = renderer_.render({&face, 1}, skipped).front();
   const raster::Word background = raster::backgroundWord(renderer_.drawList().format);
   const Rays rays(face);

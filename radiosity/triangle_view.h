@@ -19,8 +19,12 @@ class TriangleView {
 
   /// As visibleSamples.
   std::vector<std::optional<Visible>> see(const Camera& camera, int width, int height);
+  /// The same, but triangles that face away are seen like others.
+  std::vector<std::optional<Visible>> seeBothSides(const Camera& camera, int width, int height);
 
  private:
+  std::vector<std::optional<Visible>> see(const raster::Face& face, const std::vector<std::uint32_t>& skipped);
+
   Visible locate(raster::Word triangle) const;
 
   const Scene& scene_;

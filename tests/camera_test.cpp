@@ -1,4 +1,4 @@
-/// The camera: framing, what samples see, and the camera that is chosen where none is given.
+/// The camera: framing, and what samples see.
 #include "radiosity/camera.h"
 
 #include <catch2/catch.hpp>
@@ -204,20 +204,4 @@ TEST_CASE("of two sides in one place the eye sees its own", "[camera]") {
   for (const auto& [z, name] : {std::pair(2.0, "front"), {-2.0, "back"}})
     for (const auto& sample : visibleSamples(scene, {{0, 0, z}, {0, 0, 0}, {0, 1, 0}, 40}, 16, 16))
       REQUIRE((sample && scene.surfaces[sample->surface].name == name));
-}
-
-TEST_CASE("without a camera a room is seen from inside, from far away", "[camera]") {
-  const Scene room = makeRoom();
-  const Camera camera = defaultCamera(room);
-  // The fifths of the room's diagonals that are farthest from its middle see the most: three walls each.
-  for (int axis = 0; axis < 3; ++axis) CHECK(std::fabs(camera.eye[axis]) == Approx(2.0 / 3));
-  CHECK(camera.lookAt == room.origin);
-  for (const auto& sample : visibleSamples(room, camera, 16, 16)) CHECK(sample);
-}
-
-TEST_CASE("without a camera a thing is seen from outside", "[camera]") {
-  const Scene quad = sceneOf({parallelogram("floor", {0, 0, 1}, {1, 0, 0}, {0, 0, -1})});
-  CHECK(defaultCamera(quad).eye.y > 0);
-  const Scene ceiling = sceneOf({parallelogram("ceiling", {0, 0, 0}, {1, 0, 0}, {0, 0, 1})});
-  CHECK(defaultCamera(ceiling).eye.y < 0);
 }

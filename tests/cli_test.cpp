@@ -9,6 +9,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <set>
 #include <sstream>
 #include <string>
@@ -289,6 +290,34 @@ TEST_CASE("Edits give a folder a frame, the same for any number of threads, besi
   CHECK(withoutTimes("one/frame-1")["surfaces"].size() == 7);
   CHECK(withoutTimes("one/frame-3")["surfaces"].size() == 6);
   CHECK(withoutTimes("one/frame-3")["energy"]["emitted"] == json({0.0, 20.0, 20.0}));
+}
+
+TEST_CASE("solve --emission radiance multiplies the emission of scenes, added files and edits by pi", "[cli]") {
+  const Shell shell;
+  writeAll(shell.file("lamp.obj"), "mtllib lamp.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\ng bulb\nusemtl bulb\nf 1 2 3\n");
+  writeAll(shell.file("lamp.mtl"), "newmtl bulb\nKd 0\nKe 2\n");
+  writeAll(shell.file("edits.json"),
+           R"({"frames": [[{"add": "lamp.obj"}, {"emission": "ceiling/lamp", "to": [0, 1, 2]}]]})");
+  const auto emitted = [&](const std::string& folder, const std::string& options) {
+    shell.output(quickSolve + "--edits edits.json -o " + folder + options);
+    std::vector<double> flux;
+    for (const std::string& name : {folder, folder + "/frame-1"}) {
+      const json solution = json::parse(readAll(shell.file(name + "/solution.json")));
+      CHECK(solution["settings"]["emission"] == (options.empty() ? "radiosity" : "radiance"));
+      for (const json& band : solution["energy"]["emitted"]) flux.push_back(band);
+    }
+    return flux;
+  };
+  const std::vector<double> radiosity = emitted("one", ""), radiance = emitted("two", " --emission radiance");
+  // The ceiling has an area of 4, the lamp of 1/2.
+  const std::vector<double> expected{40, 40, 40, 1, 5, 9};
+  REQUIRE(radiosity.size() == expected.size());
+  REQUIRE(radiance.size() == expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    CHECK(radiosity[i] == Approx(expected[i]));
+    CHECK(radiance[i] == Approx(expected[i] * std::numbers::pi));
+  }
+  CHECK(shell.run("solve room.obj -o out --emission lumen").exitCode == 2);
 }
 
 TEST_CASE("A file of edits that is wrong is refused before anything is done, with its frame and what to do", "[cli]") {

@@ -38,6 +38,16 @@ TEST_CASE("what is wrong in an MTL file is refused with its line", "[material]")
   }
 }
 
+TEST_CASE("parseMaterials compares Ke as a radiosity with the largest emission", "[material_file]") {
+  using radiosity::EmissionUnit;
+  const auto read = [](const std::string& emission, EmissionUnit unit) {
+    return parseMaterials("newmtl a\nKe " + emission + "\n", "room.mtl", unit);
+  };
+  CHECK_NOTHROW(read("1e30", EmissionUnit::Radiosity));
+  CHECK(read("3e29", EmissionUnit::Radiance)[0].emission == glm::dvec3(3e29));  // as written
+  CHECK_THROWS_WITH(read("3.2e29", EmissionUnit::Radiance), Catch::Contains("room.mtl:2: Ke is above 1e30 / pi"));
+}
+
 TEST_CASE("materials hold what the file says and nothing else", "[material]") {
   const std::vector<MaterialStatement> materials = parseMaterials(
       "Kd 9 9 9\n# a comment\nnewmtl red paint\nKa x\n\tKd 0.7 0.1 0.1 # dull\nNs 10\n"

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
+#include <numbers>
 #include <set>
 
 #include "raster/input_error.h"
@@ -255,6 +256,26 @@ TEST_CASE("a reflectance of 1 or more is lowered with a warning, less is kept", 
   CHECK(loadMaterial("Kd 0.99999 0 0\n").materials[0].reflectance == glm::dvec3(0.99999, 0, 0));
   CHECK(loadMaterial("Kd 0.99999 0 0\n").warnings.empty());
   CHECK_THROWS_AS(loadMaterial("Kd 1 1 1\n", {.maxReflectance = 1.0}), raster::InputError);
+}
+
+TEST_CASE("loadScene multiplies emission by pi where Ke is radiance, and its maps scale it as before", "[scene]") {
+  constexpr double pi = std::numbers::pi;
+  const SceneSettings radiance{.emission = EmissionUnit::Radiance};
+  CHECK(loadMaterial("Kd 0.5\nKe 3 2 1\n").materials[0].emission == glm::dvec3(3, 2, 1));
+  CHECK(loadMaterial("Kd 0.5\nKe 3 2 1\n", radiance).materials[0].emission == pi * glm::dvec3(3, 2, 1));
+  CHECK(loadMaterial("Kd 0.5\nKe 3 2 1\n", radiance).materials[0].reflectance == glm::dvec3(0.5));
+  CHECK(loadMaterial("Kd 0.5\nKe 4\nmap_Ke none.png\n", radiance).materials[0].emission == glm::dvec3(2 * pi));
+
+  const SceneFiles files("mtllib scene.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n",
+                         "newmtl a\nKd 0.5\nmap_Ke map.exr\n");
+  writeExr(files.path("map.exr"), {1, 1, {glm::dvec3(0.25, 4, 1)}});
+  const Scene scene = files.load(radiance);
+  CHECK(scene.materials[0].emission == glm::dvec3(pi));  // the map alone
+  CHECK(scene.images[static_cast<std::size_t>(*scene.materials[0].emissionMap)].pixels[0] == glm::dvec3(0.25, 4, 1));
+  // Limits are those of radiosity.
+  CHECK_THROWS_AS(loadMaterial("Kd 0.5\nKe 3.2e29\n", radiance), raster::InputError);
+  CHECK_NOTHROW(requireEmission(loadMaterial("Kd 0.5\nKe 3.2e-31\n", radiance), "scene.obj"));
+  CHECK_THROWS_AS(requireEmission(loadMaterial("Kd 0.5\nKe 3.1e-31\n", radiance), "scene.obj"), raster::InputError);
 }
 
 TEST_CASE("a negative reflectance or emission is refused with the material file's line", "[scene]") {
