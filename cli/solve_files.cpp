@@ -22,6 +22,13 @@ std::string emissionName(radiosity::EmissionUnit unit) {
   return unit == radiosity::EmissionUnit::Radiosity ? "radiosity" : "radiance";
 }
 
+/// Only the surfaces whose texels were asked for, and these are square.
+ordered_json surfaceTexelsJson(const radiosity::DiscretizationSettings& settings) {
+  ordered_json texels = ordered_json::object();
+  for (const auto& [name, size] : settings.surfaceTexels) texels[name] = size.columns;
+  return texels;
+}
+
 /// The settings that the answer depends on: no path, no thread count.
 ordered_json settingsJson(const Showing& showing) {
   const SolveOptions& options = showing.options;
@@ -34,9 +41,9 @@ ordered_json settingsJson(const Showing& showing) {
           {"max_reflectance", options.scene.settings.maxReflectance},
           {"two_sided", options.scene.settings.twoSided},
           {"emission", emissionName(options.scene.settings.emission)},
-          {"texels", options.discretization.texels},
+          {"texels", orNull(options.discretization.texels)},
           {"texel_size", orNull(options.discretization.texelSize)},
-          {"surface_texels", options.discretization.surfaceTexels},
+          {"surface_texels", surfaceTexelsJson(options.discretization)},
           {"patch", options.discretization.patches ? ordered_json() : ordered_json(options.discretization.patch)},
           {"patches", orNull(options.discretization.patches)},
           {"adaptive", orNull(options.adaptive)},

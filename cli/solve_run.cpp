@@ -14,7 +14,7 @@ ChosenSettings settingsFor(const SolveOptions& asked, const radiosity::Scene& sc
   if (!asked.maxError) return {asked};
   SolveOptions options = asked;
   options.solver.residual = reference::residualFor(*asked.maxError);
-  const int texels = asked.discretization.texels;
+  const int texels = asked.discretization.texels.value_or(16);
   const auto setEffort = [&](const reference::Effort& effort) {
     options.discretization.patches = effort.patches;
     options.drawing.resolution = effort.resolution;

@@ -53,7 +53,7 @@ std::optional<SolvedFolder> SolvedFolder::around(const std::filesystem::path& sc
   try {
     const json solution = json::parse(stream);
     const json& settings = solution.at("settings");
-    solved.settings_.texels = settings.at("texels").get<int>();
+    if (const json& texels = settings.at("texels"); !texels.is_null()) solved.settings_.texels = texels.get<int>();
     solved.settings_.patch = settings.at("patch").get<int>();
     if (const json& size = settings.at("texel_size"); !size.is_null()) solved.settings_.texelSize = size.get<double>();
     solved.exposure_ = settings.at("exposure").get<double>();
@@ -88,8 +88,8 @@ radiosity::DiscretizationSettings SolvedFolder::grids(const radiosity::Scene& sc
   radiosity::DiscretizationSettings settings = settings_;
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
     const Place& place = places_[s];
-    if (place.columns == place.rows && (settings.texelSize || place.columns != settings.texels))
-      settings.surfaceTexels[scene.surfaces[s].family] = place.columns;
+    if (!settings.texels || radiosity::GridSize(place.columns, place.rows) != radiosity::GridSize(*settings.texels))
+      settings.surfaceTexels[scene.surfaces[s].family] = {place.columns, place.rows};
   }
   return settings;
 }

@@ -46,7 +46,7 @@ void validateTexels(int texels, const std::string& what) {
 }
 
 void validate(const Scene& scene, const DiscretizationSettings& settings) {
-  validateTexels(settings.texels, "the discretization");
+  if (settings.texels) validateTexels(*settings.texels, "the discretization");
   if (settings.texelSize && !(*settings.texelSize > 0 && std::isfinite(*settings.texelSize)))
     throw InputError("the size of a texel is not above 0", "give a length in the scene's units");
   if (settings.patch < 1)
@@ -57,7 +57,8 @@ void validate(const Scene& scene, const DiscretizationSettings& settings) {
   if (settings.patches && *settings.patches < 1)
     throw InputError("a surface has " + std::to_string(*settings.patches) + " patches along a side", "use 1 or more");
   for (const auto& [name, texels] : settings.surfaceTexels) {
-    validateTexels(texels, "surface '" + name + "'");
+    validateTexels(texels.columns, "surface '" + name + "'");
+    validateTexels(texels.rows, "surface '" + name + "'");
     const bool exists = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
                                     [&name = name](const Surface& surface) { return isNamed(surface, name); });
     if (!exists)
@@ -273,9 +274,10 @@ Discretization assembled(const Scene& scene, const DiscretizationSettings& setti
 }
 
 /// One quadtree a surface, or none at all.
-Discretization discretized(const Scene& scene, const DiscretizationSettings& settings,
+Discretization discretized(const Scene& scene, const DiscretizationSettings& asked,
                            const std::vector<Quadtree>& quadtrees) {
-  validate(scene, settings);
+  validate(scene, asked);
+  const DiscretizationSettings settings = followingScene(scene, asked);
   validateSizes(scene, settings);
   std::vector<std::vector<CutTexel>> cut(scene.surfaces.size());
   Discretization whole = assembled(scene, settings, quadtrees, cut);
@@ -303,8 +305,9 @@ Discretization discretize(const Scene& scene, const DiscretizationSettings& sett
   return discretized(scene, settings, quadtrees);
 }
 
-Discretization discretizeUnburied(const Scene& scene, const DiscretizationSettings& settings) {
-  validate(scene, settings);
+Discretization discretizeUnburied(const Scene& scene, const DiscretizationSettings& asked) {
+  validate(scene, asked);
+  const DiscretizationSettings settings = followingScene(scene, asked);
   validateSizes(scene, settings);
   Discretization unburied = assembled(scene, settings, {}, std::vector<std::vector<CutTexel>>(scene.surfaces.size()));
   averageMaps(scene, unburied);

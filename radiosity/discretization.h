@@ -83,15 +83,28 @@ struct Discretization {
   std::vector<glm::dvec3> mappedReflectance, mappedEmission;
 };
 
+/// The texels of a surface's grid.
+struct GridSize {
+  int columns = 1, rows = 1;
+
+  GridSize() = default;
+  GridSize(int side) : columns(side), rows(side) {}
+  GridSize(int columnCount, int rowCount) : columns(columnCount), rows(rowCount) {}
+  bool operator==(const GridSize&) const = default;
+};
+
 struct DiscretizationSettings {
-  int texels = 16;  ///< columns and rows of every surface; 1 to 4096
-  /// Instead: the wanted side of a texel in the scene's units, above 0 (see gridSizeOf).
+  std::optional<int> texels = {};  ///< columns and rows of every surface; 1 to 4096
+  /// Instead: the wanted side of a texel in the scene's units, above 0 (see gridSizeOf). With neither, texels have a
+  /// size that follows the scene (see followingScene).
   std::optional<double> texelSize = {};
-  int mostTexels = 4096;  ///< columns and rows that a texel size may ask for; 1 to 4096
+  bool powersOfTwo = false;  ///< with a texel size: grids have 1, 2, 4, ... columns and rows, so that many are alike
+  int mostTexels = 4096;     ///< columns and rows that a texel size may ask for; 1 to 4096
   /// Every texel that this asks for is cut into so many along each side, as far as 4096 columns and rows allow: levels
   /// of detail whose texels nest. At least 1. What is named below keeps its number.
   int subdivision = 1;
-  std::map<std::string, int> surfaceTexels = {};  ///< by surface name or, less binding, family; 1 = not discretized
+  /// By surface name or, less binding, family; 1 = not discretized.
+  std::map<std::string, GridSize> surfaceTexels = {};
   int patch = 4;                                  ///< texels along a patch's side; at least 1
   std::optional<int> patches = {};  ///< instead: patches along the longer side of every surface's grid; at least 1
 };

@@ -28,8 +28,18 @@ glm::dvec2 chartLengths(const Surface& surface) {
   return totalArea > 0 ? sum / totalArea : sum;
 }
 
+/// The power of two nearest to a number, by their ratio.
+double nearestPowerOfTwo(double number) {
+  double power = 1;
+  while (2 * power * power < number * number) power *= 2;
+  return power;
+}
+
 /// Texels of at most the wanted size along an axis. Charts are binary32: a millionth more is not one texel more.
 int texelsAlong(double length, const DiscretizationSettings& settings) {
+  if (settings.powersOfTwo)
+    return std::min(static_cast<int>(nearestPowerOfTwo(std::min(length / *settings.texelSize, 0x1p12))),
+                    settings.mostTexels);
   const double texels = std::ceil(length / *settings.texelSize * (1 - 1e-6));
   return static_cast<int>(std::clamp(texels, 1.0, static_cast<double>(settings.mostTexels)));
 }
@@ -50,14 +60,30 @@ bool fit(const Scene& scene, const DiscretizationSettings& settings, int pages, 
 
 }  // namespace
 
+DiscretizationSettings followingScene(const Scene& scene, DiscretizationSettings settings) {
+  if (settings.texels || settings.texelSize) return settings;
+  constexpr double elementsPerSurface = 128, mostElements = 0x1p16;
+  constexpr int mostTexels = 64;
+  double sum = 0;
+  for (const Surface& surface : scene.surfaces)
+    for (const Triangle& triangle : surface.triangles) sum += area(triangle);
+  const double elements = std::min(elementsPerSurface * static_cast<double>(scene.surfaces.size()), mostElements);
+  settings.texelSize = std::sqrt(sum / elements);
+  settings.powersOfTwo = true;
+  settings.mostTexels = mostTexels;
+  return settings;
+}
+
 GridSize gridSizeOf(const Surface& surface, const DiscretizationSettings& settings) {
   for (const std::string& name : {surface.name, surface.family})
     if (const auto found = settings.surfaceTexels.find(name); found != settings.surfaceTexels.end())
-      return {found->second, found->second};
-  GridSize size{settings.texels, settings.texels};
+      return found->second;
+  GridSize size;
   if (settings.texelSize) {
     const glm::dvec2 lengths = chartLengths(surface);
     size = {texelsAlong(lengths.x, settings), texelsAlong(lengths.y, settings)};
+  } else {
+    size = *settings.texels;
   }
   return {subdivided(size.columns, settings.subdivision), subdivided(size.rows, settings.subdivision)};
 }
