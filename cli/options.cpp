@@ -177,8 +177,8 @@ void addDrawingOptions(CLI::App& app, radiosity::DrawingSettings& settings) {
                          {{"aligned", Orientation::Aligned}, {"turned", Orientation::Turned}},
                          "projections all alike, or each turned about its normal (default turned)");
   addPositive(app, "--split", settings.split, std::numeric_limits<double>::infinity(),
-              "quarter patches while more than this share of their light would come straight back to them from white "
-              "surroundings (default 0.0125); 1 or more splits none");
+              "quarter patches while more than this share of their light would go elsewhere from other points of them, "
+              "bright ones sooner (default 0.003); 1 or more splits none");
   addPositive(
       app, "--pixels-per-element", settings.pixelsPerElement, std::numeric_limits<double>::infinity(),
       "coarser index maps, shot by shot, where a surface covers fewer pixels than this for each of its elements "

@@ -30,7 +30,7 @@ enum class ElementsBy {
 struct DrawingSettings {
   int resolution = 256;  ///< pixels along the side of a face; even, 2 to 4096
   Orientation orientation = Orientation::Turned;
-  double split = defaultMostReturning;  ///< see splitPatches; 1 or more splits none
+  double split = defaultMostMisdirected;  ///< see splitPatches; 1 or more splits none
   ElementsBy elementsBy = ElementsBy::Texture;
   ProjectionKind projection = ProjectionKind::Hemicube;
   double pixelsPerElement = 0;  ///< see ViewSettings

@@ -19,7 +19,7 @@ std::uint32_t viewCount(const Patch& patch) {
 
 /// The number under which the row of a view is kept: no patch has more than 2^8 of them.
 std::uint64_t viewNumber(std::uint32_t patch, std::uint32_t view) {
-  static_assert(mostHalvings <= 4);
+  static_assert(mostSplits <= 4);
   return (std::uint64_t{patch} << 8) + view;
 }
 

@@ -28,11 +28,22 @@ glm::dvec2 chartLengths(const Surface& surface) {
   return totalArea > 0 ? sum / totalArea : sum;
 }
 
+/// Columns and rows at least of a surface that is not flat, where texels follow the scene: its faces look different ways.
+constexpr int fewestOfCurved = 8;
+
 /// The power of two nearest to a number, by their ratio.
 double nearestPowerOfTwo(double number) {
   double power = 1;
   while (2 * power * power < number * number) power *= 2;
   return power;
+}
+
+/// Whether all triangles face the same way, to within the tolerance of planar parts.
+bool isFlat(const Surface& surface) {
+  const glm::dvec3 first = normal(surface.triangles.front());
+  return std::all_of(surface.triangles.begin(), surface.triangles.end(), [&](const Triangle& triangle) {
+    return glm::length(glm::cross(first, normal(triangle))) <= 1e-4 && glm::dot(first, normal(triangle)) > 0;
+  });
 }
 
 /// Texels of at most the wanted size along an axis. Charts are binary32: a millionth more is not one texel more.
@@ -62,7 +73,7 @@ bool fit(const Scene& scene, const DiscretizationSettings& settings, int pages, 
 
 DiscretizationSettings followingScene(const Scene& scene, DiscretizationSettings settings) {
   if (settings.texels || settings.texelSize) return settings;
-  constexpr double elementsPerSurface = 128, mostElements = 0x1p16;
+  constexpr double elementsPerSurface = 90, mostElements = 0x1p16;
   constexpr int mostTexels = 64;
   double sum = 0;
   for (const Surface& surface : scene.surfaces)
@@ -82,6 +93,10 @@ GridSize gridSizeOf(const Surface& surface, const DiscretizationSettings& settin
   if (settings.texelSize) {
     const glm::dvec2 lengths = chartLengths(surface);
     size = {texelsAlong(lengths.x, settings), texelsAlong(lengths.y, settings)};
+    if (settings.powersOfTwo && !isFlat(surface)) {
+      size.columns = std::max(size.columns, fewestOfCurved);
+      size.rows = std::max(size.rows, fewestOfCurved);
+    }
   } else {
     size = *settings.texels;
   }

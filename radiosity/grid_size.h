@@ -10,7 +10,7 @@ namespace hemitex::radiosity {
 inline constexpr int largestGrid = 4096;  ///< columns, and rows
 
 /// The settings with the texel size that follows the scene where they name none: a size with which all surfaces together
-/// have about 128 elements per surface, or 2^16 where that is less. Grids then have sides of 1, 2, 4, ... 64 texels, so
+/// have about 90 elements per surface, or 2^16 where that is less. Grids then have sides of 1, 2, 4, ... 64 texels, so
 /// that large surfaces have many elements, small ones few, and index maps are shared.
 DiscretizationSettings followingScene(const Scene& scene, DiscretizationSettings settings);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "radiosity/patch_points.h"
@@ -11,6 +12,16 @@ namespace {
 
 /// Of the hemicubes that say how near a patch is.
 constexpr int scoutResolution = 32;
+/// Parts of at least this weight are drawn at the whole resolution, and at half of it those with less than a
+/// `weightOfHalving`-th of that, and so on. The error of a row falls with the 1.5th power of the resolution and its cost
+/// grows with the square: least error for all cost takes resolutions in proportion to the weight to the power of 1 / 2.5.
+constexpr double weightOfWhole = 2, weightOfHalving = 5.656854249492381;
+
+int halvingsFor(double weight) {
+  int halvings = 0;
+  for (; weight * weightOfHalving <= weightOfWhole && halvings < mostHalvings; weight *= weightOfHalving) ++halvings;
+  return halvings;
+}
 
 }  // namespace
 
@@ -18,51 +29,52 @@ constexpr int scoutResolution = 32;
 struct PatchSplitter::Part {
   Patch block;
   std::vector<std::uint32_t> elements;  ///< ascending
+  int depth = 0;                        ///< how often its side was halved, its points' distance included
 };
 
 PatchSplitter::PatchSplitter(const Scene& scene, Discretization& discretization, const WordLayout& layout,
-                             raster::ItemBufferRenderer& renderer, double mostReturning)
+                             raster::ItemBufferRenderer& renderer, double mostMisdirected)
     : scene_(scene),
       discretization_(discretization),
       rows_(scene, discretization, layout, renderer, {.resolution = scoutResolution}),
       share_(discretization.patches.size()),
-      mostReturning_(mostReturning) {
+      mostMisdirected_(mostMisdirected) {
   for (const Patch& patch : discretization.patches) patchArea_.push_back(patchArea(discretization, patch));
 }
 
 std::vector<std::uint32_t> PatchSplitter::split(std::uint32_t number, double weight) {
   Patch& patch = discretization_.patches[number];
-  if (patch.isSettled || mostReturning_ >= 1) return {};
+  if (patch.isSettled || mostMisdirected_ >= 1) return {};
   patch.isSettled = true;
   const auto first = discretization_.patchElements.begin() + patch.firstElement;
   std::vector<Part> parts;
-  split({patch, std::vector<std::uint32_t>(first, first + patch.elementCount)}, weight, parts);
+  split(Part{patch, std::vector<std::uint32_t>(first, first + patch.elementCount)}, weight, parts);
   return replace(number, parts);
 }
 
 /// Appends what becomes of a part.
-void PatchSplitter::split(const Part& part, double weight, std::vector<Part>& parts) {
-  const double limit = mostReturning_ / weight;
+void PatchSplitter::split(Part part, double weight, std::vector<Part>& parts) {
+  part.block.halvings = halvingsFor(weight);
+  const double limit = mostMisdirected_ / std::sqrt(weight);
   // Not even all of its light would be too much.
-  if (limit >= 1 || part.block.halvings == mostHalvings) {
-    parts.push_back(part);
+  const bool isFaint = limit >= 1;
+  double misdirected = isFaint || part.depth == mostSplits ? 0 : misdirectedShareOf(part);
+  if (misdirected <= limit) {
+    parts.push_back(std::move(part));
     return;
   }
-  const double area = areaOf(part);
-  double returning = returningShareOf(part, area);
-  if (returning <= limit) {
-    parts.push_back(part);
-  } else if (std::max(part.block.width, part.block.height) > leafSideOf(part)) {
+  if (std::max(part.block.width, part.block.height) > leafSideOf(part)) {
+    const double area = areaOf(part);
     for (const Part& quarter : quarters(part)) split(quarter, weight * areaOf(quarter) / area, parts);
-  } else {
-    // Each doubling of the points leaves a quarter of the area to each, and so of its flux and of its light's way back.
-    Part finer = part;
-    for (; returning > limit && finer.block.halvings < mostHalvings; returning /= 16) {
-      finer.block.points *= 2;
-      ++finer.block.halvings;
-    }
-    parts.push_back(finer);
+    return;
   }
+  // Each doubling of the points leaves a quarter of the area to each, and so of its flux and of what goes astray of it.
+  for (; misdirected > mostMisdirected_ / std::sqrt(weight) && part.depth < mostSplits; misdirected /= 4, weight /= 4) {
+    part.block.points *= 2;
+    ++part.depth;
+  }
+  part.block.halvings = halvingsFor(weight);
+  parts.push_back(std::move(part));
 }
 
 double PatchSplitter::areaOf(const Part& part) const {
@@ -77,13 +89,22 @@ int PatchSplitter::leafSideOf(const Part& part) const {
   return leafOf(discretization_.grids[element.surface], element.texel).side;
 }
 
-double PatchSplitter::returningShareOf(const Part& part, double area) {
+double PatchSplitter::misdirectedShareOf(const Part& part) {
   const Patch& block = part.block;
   const auto shooting = shootingBlock(scene_.surfaces[block.surface], discretization_.grids[block.surface],
                                       glm::dvec2(block.column, block.row), glm::dvec2(block.width, block.height));
   const SurfacePoint centre =
       shooting ? shooting->centre : elementCentre(scene_, discretization_, part.elements.front());
-  return returningShareOf(rows_.from(block.surface, centre), area);
+  return returningShareOf(rows_.from(block.surface, centre), areaOf(part)) + foldOf(part);
+}
+
+/// By how much the sum of its elements' normals falls short of their number, both weighted by area.
+double PatchSplitter::foldOf(const Part& part) const {
+  glm::dvec3 sum(0);
+  for (const std::uint32_t element : part.elements)
+    sum += discretization_.elements[element].area *
+           normal(scene_.surfaces[part.block.surface].triangles[discretization_.triangleOf[element]]);
+  return std::max(0.0, 1 - glm::length(sum) / areaOf(part));
 }
 
 /// Of what has this row and this area, all patches being white.
@@ -115,7 +136,7 @@ std::vector<PatchSplitter::Part> PatchSplitter::quarters(const Part& part) const
     cut.row += upper ? height : 0;
     cut.width = right ? block.width - width : width;
     cut.height = upper ? block.height - height : height;
-    ++cut.halvings;
+    quarter[static_cast<std::size_t>(k)].depth = part.depth + 1;
   }
   const int columns = discretization_.grids[block.surface].columns;
   for (const std::uint32_t element : part.elements) {
@@ -159,8 +180,8 @@ std::vector<std::uint32_t> PatchSplitter::replace(std::uint32_t patch, const std
 }
 
 Discretization splitPatches(const Scene& scene, Discretization discretization, const WordLayout& layout,
-                            raster::ItemBufferRenderer& renderer, double mostReturning) {
-  PatchSplitter splitter(scene, discretization, layout, renderer, mostReturning);
+                            raster::ItemBufferRenderer& renderer, double mostMisdirected) {
+  PatchSplitter splitter(scene, discretization, layout, renderer, mostMisdirected);
   const auto count = static_cast<std::uint32_t>(discretization.patches.size());
   for (std::uint32_t patch = 0; patch < count; ++patch) splitter.split(patch, 1);
   return discretization;

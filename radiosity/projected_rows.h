@@ -20,7 +20,7 @@
 namespace hemitex::radiosity {
 
 /// Halving stops here: below, a hemicube's pixels are as wide as what it is to tell apart.
-inline constexpr int smallestResolution = 16;
+inline constexpr int smallestResolution = 32;
 
 struct ViewSettings {
   int resolution = 256;  ///< pixels along the side of a face; even, 2 to 4096
@@ -54,8 +54,8 @@ class ProjectedRows {
   FormFactorRow ofPatch(std::uint32_t patch);
 
   /// The views that the row of a patch is found from: of its centre or, where it shoots from several points, of each
-  /// of them. A part of a split patch shoots less light, so that a coarser projection does: the resolution is halved
-  /// as often as the side was, down to smallestResolution.
+  /// of them. Where little light is shot from a point a coarser projection does: the resolution is halved as often
+  /// as the patch says, down to smallestResolution.
   std::vector<View> viewsOfPatch(std::uint32_t patch);
   /// The row of one view.
   FormFactorRow ofView(const View& view);

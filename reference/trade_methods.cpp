@@ -76,7 +76,7 @@ std::vector<TradeMethod> tradeMethods() {
   using radiosity::Orientation;
   using radiosity::ProjectionKind;
   const std::vector<int> few{32, 64, 128, 256, 512};
-  const double split = radiosity::defaultMostReturning, unsplit = 1;
+  const double split = radiosity::defaultMostMisdirected, unsplit = 1;
   const std::vector<int> many{32, 64, 128, 256, 512, 1024, 2048};
   return {drawnMethod({"hemicube", ProjectionKind::Hemicube, Orientation::Aligned, unsplit, many}),
           drawnMethod({"turned-hemicube", ProjectionKind::Hemicube, Orientation::Turned, unsplit, few}),
