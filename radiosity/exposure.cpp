@@ -4,12 +4,16 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <utility>
 
 #include "radiosity/drawn_rows.h"
+#include "radiosity/hemicube.h"
+#include "radiosity/shooting_view.h"
 #include "radiosity/texel_areas.h"
 #include "radiosity/triangle_slices.h"
 
@@ -155,7 +159,10 @@ class CutSurface {
     join();
   }
 
+  /// By triangle.
   const std::vector<Cutting>& cuttings() const { return cuttings_; }
+  /// Their numbers, by texel and triangle.
+  const std::vector<std::uint32_t>& byTexel() const { return order_; }
 
   /// The cuttings of each region, the largest first.
   std::vector<std::vector<std::uint32_t>> regions() {
@@ -267,57 +274,105 @@ class CutSurface {
   std::vector<std::uint32_t> order_;  ///< by texel
 };
 
-/// Cuttings of a surface that may be buried together, and what is seen from there.
+/// What a pixel of a region's hemicubes shows of a front.
+struct Sighting {
+  std::uint32_t surface = 0, texel = 0;
+  glm::dvec3 eye{0.0}, direction{0.0};  ///< through the middle of the pixel; the scene's origin not subtracted
+  double share = 0;                     ///< of the light that leaves the region
+};
+
+/// A region that may be buried.
 struct Region {
-  std::uint32_t surface = 0;
-  std::vector<Cutting> cuttings;
-  FormFactorRow seen;
+  std::vector<Sighting> fronts;
+  double backs = 0;  ///< share of the light that meets backs
   bool isBuried = true;
 };
 
-/// What a texel has beside regions that may be buried.
-struct Neighbours {
-  std::uint32_t surface = 0;
-  std::vector<Cutting> cuttings;
+/// What a region sees through the pixels of hemicubes over some of its points.
+class Lookout {
+ public:
+  Lookout(const Scene& scene, const Discretization& unburied)
+      : scene_(scene),
+        boxes_(triangleBoxes(scene)),
+        layout_(layOut(unburied, {.format = "r32ui", .blend = raster::Blend::IntegerAdd, .aligned = false})),
+        renderer_(softwareRenderer(makeDrawList(scene, unburied, layout_))),
+        projection_(hemicube(resolution)) {}
+
+  /// Adds what is seen from a point, which counts for `weight`.
+  void look(std::uint32_t surface, const SurfacePoint& point, double weight, Region& region) {
+    const glm::dvec3 eye = eyeOver(scene_, surface, point);
+    const std::vector<std::uint32_t> skipped = skippedTriangles(scene_, boxes_, surface, point);
+    const std::vector<raster::Face> faces =
+        facesOver(projection_.faces, eye - scene_.origin, point.normal, glm::dvec3(0),
+                  nearDistance(scene_, boxes_, eye, skipped, projection_.squaredReach));
+    renderer_->draw(faces, skipped, buffers_);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (std::size_t pixel = 0; pixel < buffers_[f].words.size(); ++pixel)
+        add(faces[f], f, pixel, eye, weight, region);
+  }
+
+ private:
+  void add(const raster::Face& face, std::size_t number, std::size_t pixel, const glm::dvec3& eye, double weight,
+           Region& region) const {
+    const auto width = static_cast<std::size_t>(face.scissor.width);
+    const int column = face.scissor.column + static_cast<int>(pixel % width);
+    const int row = face.scissor.row + static_cast<int>(pixel / width);
+    const double share = weight * formFactor(shareOf(projection_, number, column, row));
+    const raster::Word word = buffers_[number].words[pixel];
+    if (word == raster::backWord(layout_.format)) region.backs += share;
+    const std::optional<PageIndex> seen = pageIndexOf(layout_, word);
+    if (!seen) return;
+    const glm::dvec2 place = (glm::dvec2(column, row) + 0.5) * (2.0 / face.resolution) - 1.0;
+    const glm::dvec3 direction = place.x * glm::dvec3(face.x) + place.y * glm::dvec3(face.y) + glm::dvec3(face.w);
+    region.fronts.push_back({seen->page, seen->index, eye, direction, share});
+  }
+
+  const Scene& scene_;
+  std::vector<TriangleBox> boxes_;
+  WordLayout layout_;
+  std::unique_ptr<raster::ItemBufferRenderer> renderer_;
+  Projection projection_;
+  std::vector<raster::ItemBuffer> buffers_;
+};
+
+/// The cuttings of a surface that has regions which may be buried.
+struct DoubtfulSurface {
+  std::vector<Cutting> cuttings;                       ///< by texel
+  std::vector<std::optional<std::size_t>> regionOf;    ///< one a cutting; nothing where it is exposed for sure
 };
 
 /// Finds the regions that may be buried, and which of them are.
 class BuriedRegions {
  public:
   BuriedRegions(const Scene& scene, const Discretization& unburied)
-      : scene_(scene),
-        unburied_(unburied),
-        layout_(layOut(unburied, {.format = "r32ui", .blend = raster::Blend::IntegerAdd, .aligned = false})),
-        renderer_(softwareRenderer(makeDrawList(scene, unburied, layout_))),
-        rows_(scene, unburied, layout_, *renderer_, {.resolution = resolution}) {}
+      : scene_(scene), unburied_(unburied), lookout_(scene, unburied) {}
 
   void add(std::uint32_t surface, CutSurface& cut) {
-    std::vector<std::vector<std::uint32_t>> whole;
-    bool hasCandidate = false;
-    std::vector<Cutting> rest;
-    for (const std::vector<std::uint32_t>& region : cut.regions()) {
-      std::vector<Cutting> cuttings;
-      for (const std::uint32_t c : region) cuttings.push_back(cut.cuttings()[c]);
-      if (const auto seen = seenFrom(surface, cuttings)) {
-        regions_.push_back({surface, std::move(cuttings), *seen});
-        hasCandidate = true;
-      } else {
-        rest.insert(rest.end(), cuttings.begin(), cuttings.end());
-      }
+    std::vector<std::optional<std::size_t>> regionOf(cut.cuttings().size());
+    bool isDoubtful = false;
+    for (const std::vector<std::uint32_t>& cuttings : cut.regions()) {
+      std::optional<Region> region = doubtfulRegion(surface, cut.cuttings(), cuttings);
+      if (!region) continue;
+      isDoubtful = true;
+      for (const std::uint32_t cutting : cuttings) regionOf[cutting] = regions_.size();
+      regions_.push_back(std::move(*region));
     }
-    if (hasCandidate) rest_.push_back({surface, std::move(rest)});
+    if (!isDoubtful) return;
+    DoubtfulSurface& doubtful = surfaces_[surface];
+    for (const std::uint32_t cutting : cut.byTexel()) {
+      doubtful.cuttings.push_back(cut.cuttings()[cutting]);
+      doubtful.regionOf.push_back(regionOf[cutting]);
+    }
   }
 
   /// Takes out regions that see exposed fronts until none is left that does.
   void settle() {
-    for (const Region& region : regions_) count(region, 1);
     bool hasChanged = true;
     while (hasChanged) {
       hasChanged = false;
       for (Region& region : regions_) {
         if (!region.isBuried || !seesExposed(region)) continue;
         region.isBuried = false;
-        count(region, -1);
         hasChanged = true;
       }
     }
@@ -325,94 +380,101 @@ class BuriedRegions {
 
   std::vector<std::vector<CutTexel>> cutTexels() const {
     std::vector<std::vector<CutTexel>> cut(scene_.surfaces.size());
-    for (const Neighbours& neighbours : rest_) {
-      std::map<std::uint32_t, std::vector<Cutting>> exposedIn;
-      std::vector<const Region*> own;
-      for (const Region& region : regions_)
-        if (region.surface == neighbours.surface) own.push_back(&region);
-      for (const Region* region : own)
-        if (region->isBuried)
-          for (const Cutting& cutting : region->cuttings) exposedIn[cutting.texel];
-      const auto keep = [&](const std::vector<Cutting>& cuttings) {
-        for (const Cutting& cutting : cuttings)
-          if (const auto found = exposedIn.find(cutting.texel); found != exposedIn.end())
-            found->second.push_back(cutting);
-      };
-      bool hasExposed = !neighbours.cuttings.empty();
-      keep(neighbours.cuttings);
-      for (const Region* region : own) {
-        if (region->isBuried) continue;
-        keep(region->cuttings);
-        hasExposed = true;
+    for (const auto& [number, surface] : surfaces_) {
+      std::vector<CutTexel> texels;
+      bool hasExposed = false;
+      for (std::size_t first = 0, end = 0; first < surface.cuttings.size(); first = end) {
+        const std::uint32_t texel = surface.cuttings[first].texel;
+        CutTexel entry{texel};
+        for (; end < surface.cuttings.size() && surface.cuttings[end].texel == texel; ++end)
+          if (!isBuried(surface.regionOf[end])) entry.exposed.push_back(pieceOf(number, surface.cuttings[end]));
+        hasExposed = hasExposed || !entry.exposed.empty();
+        if (entry.exposed.size() < end - first) texels.push_back(std::move(entry));
       }
-      if (!hasExposed) continue;
-      for (auto& [texel, cuttings] : exposedIn)
-        cut[neighbours.surface].push_back({texel, piecesOf(neighbours.surface, texel, cuttings)});
+      if (hasExposed) cut[number] = std::move(texels);
     }
     return cut;
   }
 
  private:
-  /// The mean of what is seen from some points of a region; nothing where no back is, or where the region emits and
-  /// sees anything else.
-  std::optional<FormFactorRow> seenFrom(std::uint32_t surface, const std::vector<Cutting>& cuttings) {
-    std::vector<WeightedRow> rows;
+  bool isBuried(const std::optional<std::size_t>& region) const { return region && regions_[*region].isBuried; }
+
+  /// What is seen from some points of a region; nothing where no back is, or where the region emits and sees anything
+  /// else.
+  std::optional<Region> doubtfulRegion(std::uint32_t surface, const std::vector<Cutting>& all,
+                                       const std::vector<std::uint32_t>& cuttings) {
+    Region region;
     const std::size_t count = std::min(pointsOfRegion, cuttings.size());
     for (std::size_t i = 0; i < count; ++i) {
-      const Cutting& cutting = cuttings[i * cuttings.size() / count];
-      rows.push_back({rows_.from(surface, pointOn(scene_.surfaces[surface], cutting.triangle, cutting.centre)), 1});
-      if (rows.size() == 1 && rows.front().row.back == 0) return std::nullopt;
+      const Cutting& cutting = all[cuttings[i * cuttings.size() / count]];
+      lookout_.look(surface, pointOn(scene_.surfaces[surface], cutting.triangle, cutting.centre),
+                    1 / static_cast<double>(count), region);
+      if (region.backs == 0) return std::nullopt;
     }
-    FormFactorRow mean = meanOf(rows);
-    if (!emissions(scene_, unburied_, surface).areZero() && sum(mean.shares) > mean.back) return std::nullopt;
-    return mean;
-  }
-
-  static std::uint64_t sum(const std::vector<std::uint64_t>& shares) {
-    return std::accumulate(shares.begin(), shares.end(), std::uint64_t{0});
-  }
-
-  /// Counts the area of a region into what is buried of its elements, or out of it.
-  void count(const Region& region, int sign) {
-    const Grid& grid = unburied_.grids[region.surface];
-    for (const Cutting& cutting : region.cuttings) buriedArea_[grid.spill[cutting.texel]] += sign * cutting.area;
+    const double fronts = std::accumulate(region.fronts.begin(), region.fronts.end(), 0.0,
+                                          [](double sum, const Sighting& front) { return sum + front.share; });
+    if (fronts > region.backs && !emissions(scene_, unburied_, surface).areZero()) return std::nullopt;
+    return region;
   }
 
   bool seesExposed(const Region& region) const {
     double fronts = 0;
-    for (std::size_t i = 0; i < region.seen.elements.size(); ++i) {
-      const std::uint32_t element = region.seen.elements[i];
-      const auto buried = buriedArea_.find(element);
-      const double share = buried == buriedArea_.end() ? 0 : buried->second / unburied_.elements[element].area;
-      fronts += formFactor(region.seen.shares[i]) * std::clamp(1 - share, 0.0, 1.0);
-    }
-    return fronts >= leastExposed * (fronts + formFactor(region.seen.back));
+    for (const Sighting& front : region.fronts)
+      if (!isBuried(regionAt(front))) fronts += front.share;
+    return fronts >= leastExposed * (fronts + region.backs);
   }
 
-  /// The exposed pieces of a texel, by triangle.
-  std::vector<TexelPiece> piecesOf(std::uint32_t surface, std::uint32_t texel, std::vector<Cutting>& cuttings) const {
-    std::stable_sort(cuttings.begin(), cuttings.end(),
-                     [](const Cutting& a, const Cutting& b) { return a.triangle < b.triangle; });
-    const Grid& grid = unburied_.grids[surface];
-    std::vector<TexelPiece> pieces;
-    for (const Cutting& cutting : cuttings) {
-      const auto columns = static_cast<std::uint32_t>(grid.columns);
-      const auto corners = inTexels(scene_.surfaces[surface].triangles[cutting.triangle], grid.columns, grid.rows);
-      pieces.push_back({cutting.triangle, cutting.piece
-                                              ? *cutting.piece
-                                              : clippedToCell(corners, texel % columns, texel / columns)});
+  /// The region that a front belongs to: of the texel's cuttings the one that the line of sight passes, or passes
+  /// nearest to.
+  std::optional<std::size_t> regionAt(const Sighting& front) const {
+    const auto surface = surfaces_.find(front.surface);
+    if (surface == surfaces_.end()) return std::nullopt;
+    const auto& [cuttings, regionOf] = surface->second;
+    const auto first = std::lower_bound(cuttings.begin(), cuttings.end(), front.texel,
+                                        [](const Cutting& c, std::uint32_t texel) { return c.texel < texel; });
+    double nearest = std::numeric_limits<double>::infinity();
+    std::optional<std::size_t> region;
+    for (auto c = first; c != cuttings.end() && c->texel == front.texel; ++c) {
+      const double distance = distanceFrom(scene_.surfaces[front.surface].triangles[c->triangle], *c, front);
+      if (c != first && distance >= nearest) continue;
+      nearest = distance;
+      region = regionOf[static_cast<std::size_t>(c - cuttings.begin())];
     }
-    return pieces;
+    return region;
+  }
+
+  /// How far a line of sight passes outside of a cutting's piece, in weights; 0 inside.
+  static double distanceFrom(const Triangle& triangle, const Cutting& cutting, const Sighting& front) {
+    const auto& [a, b, c] = triangle.position;
+    const glm::dvec3 along1 = b - a, along2 = c - a, n = glm::cross(along1, along2);
+    const glm::dvec3 met = front.eye + glm::dot(n, a - front.eye) / glm::dot(n, front.direction) * front.direction - a;
+    const double scale = glm::dot(n, n);
+    const glm::dvec2 weights(glm::dot(glm::cross(met, along2), n) / scale, glm::dot(glm::cross(along1, met), n) / scale);
+    if (!cutting.piece)
+      return std::max({0.0, -weights.x, -weights.y, weights.x + weights.y - 1});
+    const Piece& piece = *cutting.piece;
+    double outside = 0;
+    for (std::size_t i = 0; i < piece.size; ++i) {
+      const glm::dvec2 from = piece.corners[i].weight, edge = piece.corners[(i + 1) % piece.size].weight - from;
+      const double length = glm::length(edge);
+      if (length > 0) outside = std::max(outside, -cross(edge, weights - from) / length);
+    }
+    return outside;
+  }
+
+  TexelPiece pieceOf(std::uint32_t surface, const Cutting& cutting) const {
+    if (cutting.piece) return {cutting.triangle, *cutting.piece};
+    const Grid& grid = unburied_.grids[surface];
+    const auto columns = static_cast<std::uint32_t>(grid.columns);
+    const auto corners = inTexels(scene_.surfaces[surface].triangles[cutting.triangle], grid.columns, grid.rows);
+    return {cutting.triangle, clippedToCell(corners, cutting.texel % columns, cutting.texel / columns)};
   }
 
   const Scene& scene_;
   const Discretization& unburied_;
-  WordLayout layout_;
-  std::unique_ptr<raster::ItemBufferRenderer> renderer_;
-  ProjectedRows rows_;
+  Lookout lookout_;
   std::vector<Region> regions_;
-  std::vector<Neighbours> rest_;  ///< of the surfaces that have regions which may be buried
-  std::map<std::uint32_t, double> buriedArea_;  ///< by element
+  std::map<std::uint32_t, DoubtfulSurface> surfaces_;
 };
 
 }  // namespace

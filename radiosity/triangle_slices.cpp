@@ -112,6 +112,12 @@ std::optional<Slice> sliceOf(const Triangle& triangle, const WeightedTriangle& p
   return Slice{ends[0], ends[1]};
 }
 
+/// Whether the middle of a triangle lies behind another one.
+bool showsBack(const Triangle& other, const Triangle& triangle) {
+  const auto& [a, b, c] = triangle.position;
+  return glm::dot(normal(other), (a + b + c) / 3.0 - other.position[0]) < 0;
+}
+
 using Edge = std::pair<std::array<double, 3>, std::array<double, 3>>;
 
 Edge edgeOf(const Triangle& triangle, std::size_t opposite) {
@@ -142,7 +148,7 @@ class Slicer {
     tree_ = Tree(boxes);
   }
 
-  /// Those inside the triangle, and those along its edges.
+  /// Those inside the triangle or along its edges with their backs to it, and the others along its edges.
   struct Found {
     std::vector<Slice> inside, along;
   };
@@ -158,7 +164,9 @@ class Slicer {
       if (other == number) continue;
       const std::optional<Slice> slice = sliceOf(*triangles_[other], plane);
       const std::optional<Slice> part = slice ? plane.clipped(*slice, tolerance_) : std::nullopt;
-      if (part) (plane.clipped(*part, -tolerance_) ? found.inside : found.along).push_back(*part);
+      if (!part) continue;
+      const bool isInside = plane.clipped(*part, -tolerance_) || showsBack(*triangles_[other], *triangles_[number]);
+      (isInside ? found.inside : found.along).push_back(*part);
     }
     return found;
   }
