@@ -92,11 +92,13 @@ class TexelSlices {
   std::map<std::uint32_t, std::vector<std::uint32_t>> byTexel_;
 };
 
-/// Whether a slice lies between two points, given in the same weights.
+/// Whether a slice lies between two points, given in the same weights. A line through the common end of two slices
+/// meets one of them whatever the rounding: slices are taken for a millionth longer.
 bool parts(const Slice& slice, const glm::dvec2& a, const glm::dvec2& b) {
   const glm::dvec2 along = slice.to - slice.from, step = b - a;
-  const double sideA = cross(along, a - slice.from), sideB = cross(along, b - slice.from);
-  const double sideFrom = cross(step, slice.from - a), sideTo = cross(step, slice.to - a);
+  const glm::dvec2 from = slice.from - 1e-6 * along, to = slice.to + 1e-6 * along;
+  const double sideA = cross(along, a - from), sideB = cross(along, b - from);
+  const double sideFrom = cross(step, from - a), sideTo = cross(step, to - a);
   return (sideA <= 0) != (sideB <= 0) && std::min(sideFrom, sideTo) <= 0 && std::max(sideFrom, sideTo) >= 0;
 }
 
