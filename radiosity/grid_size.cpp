@@ -29,7 +29,7 @@ glm::dvec2 chartLengths(const Surface& surface) {
 }
 
 /// Columns and rows at least of a surface that is not flat, where texels follow the scene: its faces look different ways.
-constexpr int fewestOfCurved = 8;
+constexpr int fewestOfCurved = 4;
 
 /// The power of two nearest to a number, by their ratio.
 double nearestPowerOfTwo(double number) {
