@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <map>
 #include <optional>
 #include <utility>
 
+#include "radiosity/neighbours.h"
 #include "radiosity/shooting_view.h"
 #include "raster/parallel.h"
 
@@ -21,6 +21,9 @@ namespace index = boost::geometry::index;
 using BoostPoint = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
 using BoostBox = boost::geometry::model::box<BoostPoint>;
 using BoxedTriangle = std::pair<BoostBox, std::uint32_t>;  ///< with its number in the scene
+
+/// Of the tolerance: far above what rounding does to a slice.
+constexpr double roundingShare = 0x1p-10;
 
 BoostBox boxAround(const Triangle& triangle, double margin) {
   const auto& [a, b, c] = triangle.position;
@@ -112,22 +115,6 @@ std::optional<Slice> sliceOf(const Triangle& triangle, const WeightedTriangle& p
   return Slice{ends[0], ends[1]};
 }
 
-using Edge = std::pair<std::array<double, 3>, std::array<double, 3>>;
-
-Edge edgeOf(const Triangle& triangle, std::size_t opposite) {
-  const glm::dvec3 &a = triangle.position[(opposite + 1) % 3], &b = triangle.position[(opposite + 2) % 3];
-  const std::array<double, 3> first{a.x, a.y, a.z}, second{b.x, b.y, b.z};
-  return first < second ? Edge{first, second} : Edge{second, first};
-}
-
-/// The triangles of a surface that have each edge.
-std::map<Edge, std::vector<std::uint32_t>> trianglesByEdge(const Surface& surface) {
-  std::map<Edge, std::vector<std::uint32_t>> triangles;
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) triangles[edgeOf(surface.triangles[t], k)].push_back(t);
-  return triangles;
-}
-
 /// Slices of a triangle by what else the scene has.
 class Slicer {
  public:
@@ -142,9 +129,15 @@ class Slicer {
     tree_ = Tree(boxes);
   }
 
+  /// A slice along an edge of a triangle, and the triangle that makes it, by its number in the scene.
+  struct EdgeSlice {
+    Slice slice;
+    std::uint32_t other = 0;
+  };
   /// Those inside the triangle, and those along its edges.
   struct Found {
-    std::vector<Slice> inside, along;
+    std::vector<Slice> inside;
+    std::vector<EdgeSlice> along;
   };
   Found slicesOf(std::uint32_t number) const {
     std::vector<BoxedTriangle> near;
@@ -157,29 +150,28 @@ class Slicer {
     for (const std::uint32_t other : others) {
       if (other == number) continue;
       const std::optional<Slice> slice = sliceOf(*triangles_[other], plane);
-      const std::optional<Slice> part = slice ? plane.clipped(*slice, tolerance_) : std::nullopt;
-      if (part) (plane.clipped(*part, -tolerance_) ? found.inside : found.along).push_back(*part);
+      // Moved outwards the edges meet far from an acute corner: what only passes there is not in the triangle.
+      if (!slice || !plane.clipped(*slice, roundingShare * tolerance_)) continue;
+      const Slice part = *plane.clipped(*slice, tolerance_);
+      if (plane.clipped(part, -tolerance_))
+        found.inside.push_back(part);
+      else
+        found.along.push_back({part, other});
     }
     return found;
   }
 
-  /// Of the slices along the edges of a triangle, those along edges that it shares with a triangle in its plane.
-  std::vector<Slice> alongInnerEdges(const Surface& surface, std::uint32_t triangle,
-                                     const std::map<Edge, std::vector<std::uint32_t>>& byEdge,
-                                     const std::vector<Slice>& along) const {
-    const WeightedTriangle plane(surface.triangles[triangle], 0, tolerance_);
-    const auto liesInPlane = [&](std::uint32_t other) {
-      const auto& corners = surface.triangles[other].position;
-      return other != triangle && std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
-               return std::abs(plane.heightOf(corner)) <= lift_;
-             });
-    };
+  /// Of the slices along the edges of a triangle, those along edges that it shares with a neighbour in its surface, but
+  /// for those by neighbours themselves: where a surface folds, its triangles slice each other along the edge.
+  /// `first` is the number in the scene of the surface's first triangle.
+  std::vector<Slice> alongInnerEdges(const Triangle& triangle, const std::array<std::uint32_t, 3>& neighbours,
+                                     std::size_t first, const std::vector<EdgeSlice>& along) const {
+    const WeightedTriangle plane(triangle, 0, tolerance_);
     std::vector<Slice> inner;
-    for (const Slice& slice : along) {
-      const std::optional<std::size_t> opposite = plane.edgeAlong(slice);
-      if (!opposite) continue;
-      const std::vector<std::uint32_t>& sharing = byEdge.at(edgeOf(surface.triangles[triangle], *opposite));
-      if (std::any_of(sharing.begin(), sharing.end(), liesInPlane)) inner.push_back(slice);
+    for (const EdgeSlice& edge : along) {
+      const std::optional<std::size_t> opposite = plane.edgeAlong(edge.slice);
+      if (!opposite || neighbours[*opposite] == noNeighbour || first + neighbours[*opposite] == edge.other) continue;
+      inner.push_back(edge.slice);
     }
     return inner;
   }
@@ -197,7 +189,7 @@ class Slicer {
 std::vector<std::vector<Slice>> triangleSlices(const Scene& scene) {
   const Slicer slicer(scene);
   std::vector<std::vector<Slice>> slices(triangleCount(scene));
-  std::vector<std::vector<Slice>> along(slices.size());
+  std::vector<std::vector<Slicer::EdgeSlice>> along(slices.size());
   raster::parallelFor(slices.size(), [&](std::size_t number) {
     auto [inside, beside] = slicer.slicesOf(static_cast<std::uint32_t>(number));
     slices[number] = std::move(inside);
@@ -210,12 +202,13 @@ std::vector<std::vector<Slice>> triangleSlices(const Scene& scene) {
     const Surface& surface = scene.surfaces[s];
     // A triangle alone has no inner edge.
     if (surface.triangles.size() == 1) return;
-    const auto hasSlices = [](const std::vector<Slice>& some) { return !some.empty(); };
+    const auto hasSlices = [](const std::vector<Slicer::EdgeSlice>& some) { return !some.empty(); };
     const auto begin = along.begin() + static_cast<std::ptrdiff_t>(first[s]);
     if (std::none_of(begin, begin + static_cast<std::ptrdiff_t>(surface.triangles.size()), hasSlices)) return;
-    const auto byEdge = trianglesByEdge(surface);
+    const auto ofTriangle = neighbours(surface);
     for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-      const std::vector<Slice> inner = slicer.alongInnerEdges(surface, t, byEdge, along[first[s] + t]);
+      const std::vector<Slice> inner =
+          slicer.alongInnerEdges(surface.triangles[t], ofTriangle[t], first[s], along[first[s] + t]);
       slices[first[s] + t].insert(slices[first[s] + t].end(), inner.begin(), inner.end());
     }
   });
