@@ -150,7 +150,8 @@ std::vector<Piece> splitBy(const Piece& piece, const TrianglePlane& plane, const
     first = std::min(first, place);
     last = std::max(last, place);
   }
-  if (std::min(last, length) - std::max(first, 0.0) <= tolerance) return {piece};
+  // Pieces may be narrower than the tolerance.
+  if (std::min(last, length) - std::max(first, 0.0) <= std::min(tolerance, (last - first) / 2)) return {piece};
   std::vector<Piece> result;
   for (const Piece& half : {halves.below, halves.above}) {
     if (half.size <= 8) {
@@ -385,8 +386,8 @@ class CutSurface {
       for (std::size_t i = 0; i < borders.size(); ++i) {
         const glm::dvec2 from = borders[i].from - start, to = borders[i].to - start;
         if (std::max(std::abs(cross(along, from)), std::abs(cross(along, to))) > tolerance_) continue;
-        const auto [low, high] = std::minmax(glm::dot(along, from), glm::dot(along, to));
-        edges[k].push_back({{low, high}, owners[i]});
+        const double first = glm::dot(along, from), last = glm::dot(along, to);
+        edges[k].push_back({{std::min(first, last), std::max(first, last)}, owners[i]});
       }
     }
     return edges;

@@ -25,7 +25,7 @@ double entry(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& or
 
 }  // namespace
 
-RayTree::RayTree(const Scene& scene) {
+RayTree::RayTree(const Scene& scene) : touching_(0x1p-30 * scene.extent) {
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
     for (std::uint32_t t = 0; t < scene.surfaces[s].triangles.size(); ++t) {
       const auto& [a, b, c] = scene.surfaces[s].triangles[t].position;
@@ -101,13 +101,16 @@ void RayTree::trace(const glm::dvec3& origin, const glm::dvec3& direction, doubl
 }
 
 std::optional<TriangleHit> RayTree::firstHit(const glm::dvec3& origin, const glm::dvec3& direction) const {
-  std::optional<TriangleHit> nearest;
+  const double touching = touching_ / glm::length(direction);
+  std::optional<TriangleHit> front, back;
   trace(origin, direction, std::numeric_limits<double>::infinity(),
         [&](const TriangleHit& hit, const Leaf&, double& end) {
+          std::optional<TriangleHit>& nearest = hit.isFront ? front : back;
+          if (nearest && nearest->distance <= hit.distance) return;
           nearest = hit;
-          end = hit.distance;
+          end = std::min(end, hit.distance + touching);
         });
-  return nearest;
+  return back && (!front || back->distance <= front->distance + touching) ? back : front;
 }
 
 bool RayTree::meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine) const {

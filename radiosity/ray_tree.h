@@ -26,7 +26,8 @@ class RayTree {
   /// Keeps copies of all corners. Takes n log n for n triangles.
   explicit RayTree(const Scene& scene);
 
-  /// The triangle that a ray meets first; of several at the same distance any.
+  /// The triangle that a ray meets first. Where faces touch, to within 2^-30 extents of the scene, it is one whose back
+  /// the ray meets, if there is one: nothing is seen of the front of a face that touches another.
   std::optional<TriangleHit> firstHit(const glm::dvec3& origin, const glm::dvec3& direction) const;
   /// Whether the ray meets a triangle from its back up to a distance, in lengths of its direction, that faces along it:
   /// whose normal's angle with it has at least this cosine.
@@ -50,6 +51,7 @@ class RayTree {
   void trace(const glm::dvec3& origin, const glm::dvec3& direction, double end, const Meet& meet) const;
   void build(std::uint32_t begin, std::uint32_t end);
 
+  double touching_;
   std::vector<Leaf> leaves_;
   std::vector<Node> nodes_;
 };
