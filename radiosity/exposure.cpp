@@ -503,8 +503,9 @@ std::vector<LookDirection> lookDirections() {
 class BuriedRegions {
  public:
   /// `slices` has an entry a triangle of the scene.
-  BuriedRegions(const Scene& scene, const Discretization& unburied, const std::vector<std::vector<Slice>>& slices)
-      : scene_(scene), unburied_(unburied), cut_(scene.surfaces.size()), regionOf_(scene.surfaces.size()), rays_(scene) {
+  BuriedRegions(const Scene& scene, const Discretization& unburied, const std::vector<std::vector<Slice>>& slices,
+                const RayTree& rays)
+      : scene_(scene), unburied_(unburied), cut_(scene.surfaces.size()), regionOf_(scene.surfaces.size()), rays_(rays) {
     cutSurfaces(slices);
     std::vector<std::optional<Seen>> seen(regions_.size());
     raster::parallelFor(regions_.size(), [&](std::size_t r) { seen[r] = seenFrom(regions_[r]); });
@@ -633,7 +634,7 @@ class BuriedRegions {
   const Discretization& unburied_;
   std::vector<std::optional<CutSurface>> cut_;         ///< of surfaces that have slices
   std::vector<std::vector<std::uint32_t>> regionOf_;  ///< of each cutting, by surface
-  RayTree rays_;
+  const RayTree& rays_;
   std::vector<LookDirection> directions_ = lookDirections();
   std::vector<Region> regions_;
 };
@@ -644,9 +645,10 @@ std::vector<std::vector<CutTexel>> cutTexels(const Scene& scene, const Discretiz
   std::vector<std::vector<CutTexel>> cut(scene.surfaces.size());
   if (std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& s) { return s.twin.has_value(); }))
     return cut;
-  const std::vector<std::vector<Slice>> slices = triangleSlices(scene);
+  const RayTree rays(scene);
+  const std::vector<std::vector<Slice>> slices = triangleSlices(scene, rays);
   if (std::all_of(slices.begin(), slices.end(), [](const auto& some) { return some.empty(); })) return cut;
-  const BuriedRegions regions(scene, unburied, slices);
+  const BuriedRegions regions(scene, unburied, slices, rays);
   raster::parallelFor(cut.size(),
                       [&](std::size_t s) { cut[s] = regions.cutTexels(static_cast<std::uint32_t>(s)); });
   return cut;

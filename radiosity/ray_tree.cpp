@@ -11,16 +11,16 @@ constexpr std::uint32_t trianglesOfLeaf = 4;
 /// Where a ray enters a box; infinity where it misses it or enters it behind `end`. `inverse` is 1 over the direction.
 double entry(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& origin, const glm::dvec3& inverse,
              double end) {
-  double first = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double a = (low[axis] - origin[axis]) * inverse[axis], b = (high[axis] - origin[axis]) * inverse[axis];
-    // Where the ray lies in a side of the box, 0 times infinity is no number, and compares as false: the side is not
-    // counted.
-    const double near = a < b ? a : b, far = a < b ? b : a;
-    if (near > first) first = near;
-    if (far < end) end = far;
-  }
-  return first <= end ? first : std::numeric_limits<double>::infinity();
+  const glm::dvec3 a = (low - origin) * inverse, b = (high - origin) * inverse;
+  const double first = std::max(std::max(0.0, std::min(a.x, b.x)), std::max(std::min(a.y, b.y), std::min(a.z, b.z)));
+  const double last = std::min(std::min(end, std::max(a.x, b.x)), std::min(std::max(a.y, b.y), std::max(a.z, b.z)));
+  return first <= last ? first : std::numeric_limits<double>::infinity();
+}
+
+/// 1 over a direction; of 0 a large number instead, so that 0 times it is 0.
+glm::dvec3 inverseOf(const glm::dvec3& direction) {
+  const auto inverse = [](double x) { return x == 0 ? 1e300 : 1 / x; };
+  return {inverse(direction.x), inverse(direction.y), inverse(direction.z)};
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ RayTree::RayTree(const Scene& scene) : touching_(0x1p-30 * scene.extent) {
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
     for (std::uint32_t t = 0; t < scene.surfaces[s].triangles.size(); ++t) {
       const auto& [a, b, c] = scene.surfaces[s].triangles[t].position;
-      leaves_.push_back({a, b - a, c - a, s, t});
+      leaves_.push_back({a, b - a, c - a, s, t, static_cast<std::uint32_t>(leaves_.size())});
     }
   build(0, static_cast<std::uint32_t>(leaves_.size()));
 }
@@ -69,7 +69,7 @@ void RayTree::build(std::uint32_t begin, std::uint32_t end) {
 
 template <typename Meet>
 void RayTree::trace(const glm::dvec3& origin, const glm::dvec3& direction, double end, const Meet& meet) const {
-  const glm::dvec3 inverse = 1.0 / direction;
+  const glm::dvec3 inverse = inverseOf(direction);
   const auto meetLeaf = [&](const Leaf& leaf) {
     // Moeller and Trumbore 1997.
     const glm::dvec3 p = glm::cross(direction, leaf.along2), offset = origin - leaf.corner;
@@ -111,6 +111,30 @@ std::optional<TriangleHit> RayTree::firstHit(const glm::dvec3& origin, const glm
           end = std::min(end, hit.distance + touching);
         });
   return back && (!front || back->distance <= front->distance + touching) ? back : front;
+}
+
+void RayTree::appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vector<std::uint32_t>& numbers) const {
+  const auto isNear = [&](const glm::dvec3& otherLow, const glm::dvec3& otherHigh) {
+    return otherLow.x <= high.x && otherLow.y <= high.y && otherLow.z <= high.z && otherHigh.x >= low.x &&
+           otherHigh.y >= low.y && otherHigh.z >= low.z;
+  };
+  std::array<std::uint32_t, 64> waiting;
+  std::size_t count = 0;
+  waiting[count++] = 0;
+  while (count > 0) {
+    const std::uint32_t number = waiting[--count];
+    const Node& node = nodes_[number];
+    if (!isNear(node.low, node.high)) continue;
+    for (std::uint32_t i = node.second; i < node.second + node.triangles; ++i) {
+      const Leaf& leaf = leaves_[i];
+      const glm::dvec3 b = leaf.corner + leaf.along1, c = leaf.corner + leaf.along2;
+      if (isNear(glm::min(glm::min(leaf.corner, b), c), glm::max(glm::max(leaf.corner, b), c)))
+        numbers.push_back(leaf.number);
+    }
+    if (node.triangles > 0) continue;
+    waiting[count++] = node.second;
+    waiting[count++] = number + 1;
+  }
 }
 
 bool RayTree::meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine) const {

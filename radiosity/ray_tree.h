@@ -1,5 +1,5 @@
-/// Rays through a scene: which triangle a ray meets first. A hierarchy of boxes, for the few rays that say what is seen
-/// from a point; in binary64, so that it sees gaps and solids that are far smaller than an item buffer's depths tell
+/// A hierarchy of boxes around a scene's triangles: which triangle a ray meets first, and which are near a box. For the
+/// few rays that say what is seen from a point; in binary64, so that it sees gaps and solids that are far smaller than an item buffer's depths tell
 /// apart.
 #pragma once
 
@@ -32,11 +32,13 @@ class RayTree {
   /// Whether the ray meets a triangle from its back up to a distance, in lengths of its direction, that faces along it:
   /// whose normal's angle with it has at least this cosine.
   bool meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine) const;
+  /// Appends the numbers in the scene of the triangles whose boxes meet the box [low, high], in any order.
+  void appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vector<std::uint32_t>& numbers) const;
 
  private:
   struct Leaf {
     glm::dvec3 corner, along1, along2;
-    std::uint32_t surface, triangle;
+    std::uint32_t surface, triangle, number;
   };
   /// The first child of an inner node is the next node. A node of the tree's bottom has triangles instead.
   struct Node {

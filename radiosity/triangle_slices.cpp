@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -17,19 +14,8 @@
 namespace hemitex::radiosity {
 namespace {
 
-namespace index = boost::geometry::index;
-using BoostPoint = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
-using BoostBox = boost::geometry::model::box<BoostPoint>;
-using BoxedTriangle = std::pair<BoostBox, std::uint32_t>;  ///< with its number in the scene
-
 /// Of the tolerance: far above what rounding does to a slice.
 constexpr double roundingShare = 0x1p-10;
-
-BoostBox boxAround(const Triangle& triangle, double margin) {
-  const auto& [a, b, c] = triangle.position;
-  const glm::dvec3 low = glm::min(glm::min(a, b), c) - margin, high = glm::max(glm::max(a, b), c) + margin;
-  return {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
-}
 
 /// A triangle with what its barycentric weights are found with.
 class WeightedTriangle {
@@ -118,15 +104,10 @@ std::optional<Slice> sliceOf(const Triangle& triangle, const WeightedTriangle& p
 /// Slices of a triangle by what else the scene has.
 class Slicer {
  public:
-  explicit Slicer(const Scene& scene)
-      : lift_(eyeLift * scene.extent), tolerance_(eyeMove * scene.extent) {
-    std::vector<BoxedTriangle> boxes;
+  Slicer(const Scene& scene, const RayTree& tree)
+      : lift_(eyeLift * scene.extent), tolerance_(eyeMove * scene.extent), tree_(tree) {
     for (const Surface& surface : scene.surfaces)
-      for (const Triangle& triangle : surface.triangles) {
-        boxes.emplace_back(boxAround(triangle, 0), static_cast<std::uint32_t>(triangles_.size()));
-        triangles_.push_back(&triangle);
-      }
-    tree_ = Tree(boxes);
+      for (const Triangle& triangle : surface.triangles) triangles_.push_back(&triangle);
   }
 
   /// A slice along an edge of a triangle, and the triangle that makes it, by its number in the scene.
@@ -140,10 +121,9 @@ class Slicer {
     std::vector<EdgeSlice> along;
   };
   Found slicesOf(std::uint32_t number) const {
-    std::vector<BoxedTriangle> near;
-    tree_.query(index::intersects(boxAround(*triangles_[number], tolerance_)), std::back_inserter(near));
+    const auto& [a, b, c] = triangles_[number]->position;
     std::vector<std::uint32_t> others;
-    for (const BoxedTriangle& other : near) others.push_back(other.second);
+    tree_.appendNear(glm::min(glm::min(a, b), c) - tolerance_, glm::max(glm::max(a, b), c) + tolerance_, others);
     std::sort(others.begin(), others.end());
     const WeightedTriangle plane(*triangles_[number], lift_, tolerance_);
     Found found;
@@ -177,17 +157,17 @@ class Slicer {
   }
 
  private:
-  using Tree = index::rtree<BoxedTriangle, index::quadratic<16>>;
-
   double lift_, tolerance_;
   std::vector<const Triangle*> triangles_;
-  Tree tree_;
+  const RayTree& tree_;
 };
 
 }  // namespace
 
-std::vector<std::vector<Slice>> triangleSlices(const Scene& scene) {
-  const Slicer slicer(scene);
+std::vector<std::vector<Slice>> triangleSlices(const Scene& scene) { return triangleSlices(scene, RayTree(scene)); }
+
+std::vector<std::vector<Slice>> triangleSlices(const Scene& scene, const RayTree& tree) {
+  const Slicer slicer(scene, tree);
   std::vector<std::vector<Slice>> slices(triangleCount(scene));
   std::vector<std::vector<Slicer::EdgeSlice>> along(slices.size());
   raster::parallelFor(slices.size(), [&](std::size_t number) {

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "radiosity/ray_tree.h"
 #include "radiosity/scene.h"
 
 namespace hemitex::radiosity {
@@ -18,5 +19,7 @@ struct Slice {
 /// above the triangle, as the eyes of its patches do. Slices along the border of a surface are left out: they separate
 /// nothing. So are those along an edge by the triangle's own neighbour there. Takes n log n for n triangles of about equal size, beside the slices themselves.
 std::vector<std::vector<Slice>> triangleSlices(const Scene& scene);
+/// The same with a tree of the scene at hand.
+std::vector<std::vector<Slice>> triangleSlices(const Scene& scene, const RayTree& tree);
 
 }  // namespace hemitex::radiosity
