@@ -2,31 +2,21 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
-#include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 
+#include "radiosity/neighbours.h"
 #include "radiosity/shooting_view.h"
 #include "raster/parallel.h"
 
 namespace hemitex::radiosity {
 namespace {
 
-namespace index = boost::geometry::index;
-using BoostPoint = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
-using BoostBox = boost::geometry::model::box<BoostPoint>;
-using BoxedTriangle = std::pair<BoostBox, std::uint32_t>;  ///< with its number in the scene
-
-BoostBox boxAround(const Triangle& triangle, double margin) {
-  const auto& [a, b, c] = triangle.position;
-  const glm::dvec3 low = glm::min(glm::min(a, b), c) - margin, high = glm::max(glm::max(a, b), c) + margin;
-  return {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
-}
+/// Of the tolerance: far above what rounding does to a slice.
+constexpr double roundingShare = 0x1p-10;
 
 /// A triangle with what its barycentric weights are found with.
 class WeightedTriangle {
@@ -49,11 +39,18 @@ class WeightedTriangle {
     return glm::dot(point - corner_, normal_) / glm::length(normal_) - lift_;
   }
 
-  glm::dvec2 weightsOf(const glm::dvec3& point) const {
-    const glm::dvec3 offset = point - corner_;
-    const double scale = glm::dot(normal_, normal_);
-    return {glm::dot(glm::cross(offset, along2_), normal_) / scale,
-            glm::dot(glm::cross(along1_, offset), normal_) / scale};
+  glm::dvec2 weightsOf(const glm::dvec3& point) const { return weightsOfStep(point - corner_); }
+
+  /// How far the weights change from where a triangle crosses the plane of the slices to where its plane meets that of
+  /// this one; not at all where both are parallel, to within a lift in some hundred.
+  glm::dvec2 stepToSurface(const Triangle& triangle) const {
+    constexpr double leastSine = 1 / 256.0;
+    const glm::dvec3 n = normal_ / glm::length(normal_), m = normal(triangle);
+    // Along the triangle, as long as the sine of the angle between both.
+    const glm::dvec3 down = glm::dot(m, n) * m - n;
+    const double squaredSine = glm::dot(down, down);
+    if (squaredSine < leastSine * leastSine) return glm::dvec2(0);
+    return weightsOfStep(lift_ / squaredSine * down);
   }
 
   double lengthOf(const Slice& slice) const {
@@ -87,6 +84,12 @@ class WeightedTriangle {
   }
 
  private:
+  glm::dvec2 weightsOfStep(const glm::dvec3& offset) const {
+    const double scale = glm::dot(normal_, normal_);
+    return {glm::dot(glm::cross(offset, along2_), normal_) / scale,
+            glm::dot(glm::cross(along1_, offset), normal_) / scale};
+  }
+
   static std::array<double, 3> allWeights(const glm::dvec2& weights) {
     return {1 - weights.x - weights.y, weights.x, weights.y};
   }
@@ -106,106 +109,91 @@ std::optional<Slice> sliceOf(const Triangle& triangle, const WeightedTriangle& p
     const std::size_t next = (k + 1) % 3;
     if ((height[k] >= 0) == (height[next] >= 0)) continue;
     const double t = height[k] / (height[k] - height[next]);
-    ends[count++] = plane.weightsOf(triangle.position[k] + t * (triangle.position[next] - triangle.position[k]));
+    // Not of a point between: where a scene lies does not matter then.
+    const glm::dvec2 from = plane.weightsOf(triangle.position[k]), to = plane.weightsOf(triangle.position[next]);
+    ends[count++] = from + t * (to - from);
   }
   if (count < 2) return std::nullopt;
-  return Slice{ends[0], ends[1]};
+  const glm::dvec2 step = plane.stepToSurface(triangle);
+  return Slice{ends[0] + step, ends[1] + step};
 }
 
-/// Whether the middle of a triangle lies behind another one.
-bool showsBack(const Triangle& other, const Triangle& triangle) {
-  const auto& [a, b, c] = triangle.position;
-  return glm::dot(normal(other), (a + b + c) / 3.0 - other.position[0]) < 0;
-}
-
-using Edge = std::pair<std::array<double, 3>, std::array<double, 3>>;
-
-Edge edgeOf(const Triangle& triangle, std::size_t opposite) {
-  const glm::dvec3 &a = triangle.position[(opposite + 1) % 3], &b = triangle.position[(opposite + 2) % 3];
-  const std::array<double, 3> first{a.x, a.y, a.z}, second{b.x, b.y, b.z};
-  return first < second ? Edge{first, second} : Edge{second, first};
-}
-
-/// The triangles of a surface that have each edge.
-std::map<Edge, std::vector<std::uint32_t>> trianglesByEdge(const Surface& surface) {
-  std::map<Edge, std::vector<std::uint32_t>> triangles;
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) triangles[edgeOf(surface.triangles[t], k)].push_back(t);
-  return triangles;
+bool isBefore(const Slice& a, const Slice& b) {
+  return std::tie(a.from.x, a.from.y, a.to.x, a.to.y) < std::tie(b.from.x, b.from.y, b.to.x, b.to.y);
 }
 
 /// Slices of a triangle by what else the scene has.
 class Slicer {
  public:
-  explicit Slicer(const Scene& scene)
-      : lift_(eyeLift * scene.extent), tolerance_(eyeMove * scene.extent) {
-    std::vector<BoxedTriangle> boxes;
+  Slicer(const Scene& scene, const RayTree& tree)
+      : lift_(eyeLift * scene.extent), tolerance_(eyeMove * scene.extent), tree_(tree) {
     for (const Surface& surface : scene.surfaces)
-      for (const Triangle& triangle : surface.triangles) {
-        boxes.emplace_back(boxAround(triangle, 0), static_cast<std::uint32_t>(triangles_.size()));
-        triangles_.push_back(&triangle);
-      }
-    tree_ = Tree(boxes);
+      for (const Triangle& triangle : surface.triangles) triangles_.push_back(&triangle);
   }
 
-  /// Those inside the triangle or along its edges with their backs to it, and the others along its edges.
+  /// A slice along an edge of a triangle, and the triangle that makes it, by its number in the scene.
+  struct EdgeSlice {
+    Slice slice;
+    std::uint32_t other = 0;
+  };
+  /// Those inside the triangle, and those along its edges.
   struct Found {
-    std::vector<Slice> inside, along;
+    std::vector<Slice> inside;
+    std::vector<EdgeSlice> along;
   };
   Found slicesOf(std::uint32_t number) const {
-    std::vector<BoxedTriangle> near;
-    tree_.query(index::intersects(boxAround(*triangles_[number], tolerance_)), std::back_inserter(near));
+    const auto& [a, b, c] = triangles_[number]->position;
     std::vector<std::uint32_t> others;
-    for (const BoxedTriangle& other : near) others.push_back(other.second);
-    std::sort(others.begin(), others.end());
+    tree_.appendNear(glm::min(glm::min(a, b), c) - tolerance_, glm::max(glm::max(a, b), c) + tolerance_, others);
     const WeightedTriangle plane(*triangles_[number], lift_, tolerance_);
     Found found;
     for (const std::uint32_t other : others) {
       if (other == number) continue;
       const std::optional<Slice> slice = sliceOf(*triangles_[other], plane);
-      const std::optional<Slice> part = slice ? plane.clipped(*slice, tolerance_) : std::nullopt;
-      if (!part) continue;
-      const bool isInside = plane.clipped(*part, -tolerance_) || showsBack(*triangles_[other], *triangles_[number]);
-      (isInside ? found.inside : found.along).push_back(*part);
+      // Moved outwards the edges meet far from an acute corner: what only passes there is not in the triangle.
+      if (!slice || !plane.clipped(*slice, roundingShare * tolerance_)) continue;
+      const Slice part = *plane.clipped(*slice, tolerance_);
+      if (plane.clipped(part, -tolerance_))
+        found.inside.push_back(part);
+      else
+        found.along.push_back({part, other});
     }
+    // By where they are: the order of surfaces does not matter.
+    std::sort(found.inside.begin(), found.inside.end(), isBefore);
+    std::sort(found.along.begin(), found.along.end(),
+              [](const EdgeSlice& one, const EdgeSlice& two) { return isBefore(one.slice, two.slice); });
     return found;
   }
 
-  /// Of the slices along the edges of a triangle, those along edges that it shares with a triangle in its plane.
-  std::vector<Slice> alongInnerEdges(const Surface& surface, std::uint32_t triangle,
-                                     const std::map<Edge, std::vector<std::uint32_t>>& byEdge,
-                                     const std::vector<Slice>& along) const {
-    const WeightedTriangle plane(surface.triangles[triangle], 0, tolerance_);
-    const auto liesInPlane = [&](std::uint32_t other) {
-      const auto& corners = surface.triangles[other].position;
-      return other != triangle && std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
-               return std::abs(plane.heightOf(corner)) <= lift_;
-             });
-    };
+  /// Of the slices along the edges of a triangle, those along edges that it shares with a neighbour in its surface, but
+  /// for those by neighbours themselves: where a surface folds, its triangles slice each other along the edge.
+  /// `first` is the number in the scene of the surface's first triangle.
+  std::vector<Slice> alongInnerEdges(const Triangle& triangle, const std::array<std::uint32_t, 3>& neighbours,
+                                     std::size_t first, const std::vector<EdgeSlice>& along) const {
+    const WeightedTriangle plane(triangle, 0, tolerance_);
     std::vector<Slice> inner;
-    for (const Slice& slice : along) {
-      const std::optional<std::size_t> opposite = plane.edgeAlong(slice);
-      if (!opposite) continue;
-      const std::vector<std::uint32_t>& sharing = byEdge.at(edgeOf(surface.triangles[triangle], *opposite));
-      if (std::any_of(sharing.begin(), sharing.end(), liesInPlane)) inner.push_back(slice);
+    for (const EdgeSlice& edge : along) {
+      const std::optional<std::size_t> opposite = plane.edgeAlong(edge.slice);
+      if (!opposite || neighbours[*opposite] == noNeighbour || first + neighbours[*opposite] == edge.other) continue;
+      inner.push_back(edge.slice);
     }
     return inner;
   }
 
  private:
-  using Tree = index::rtree<BoxedTriangle, index::quadratic<16>>;
-
   double lift_, tolerance_;
   std::vector<const Triangle*> triangles_;
-  Tree tree_;
+  const RayTree& tree_;
 };
 
 }  // namespace
 
-std::vector<std::vector<Slice>> triangleSlices(const Scene& scene) {
-  const Slicer slicer(scene);
+std::vector<std::vector<Slice>> triangleSlices(const Scene& scene) { return triangleSlices(scene, RayTree(scene)); }
+
+std::vector<std::vector<Slice>> triangleSlices(const Scene& scene, const RayTree& tree) {
+  const Slicer slicer(scene, tree);
   std::vector<std::vector<Slice>> slices(triangleCount(scene));
-  std::vector<std::vector<Slice>> along(slices.size());
+  std::vector<std::vector<Slicer::EdgeSlice>> along(slices.size());
   raster::parallelFor(slices.size(), [&](std::size_t number) {
     auto [inside, beside] = slicer.slicesOf(static_cast<std::uint32_t>(number));
     slices[number] = std::move(inside);
@@ -218,12 +206,13 @@ std::vector<std::vector<Slice>> triangleSlices(const Scene& scene) {
     const Surface& surface = scene.surfaces[s];
     // A triangle alone has no inner edge.
     if (surface.triangles.size() == 1) return;
-    const auto hasSlices = [](const std::vector<Slice>& some) { return !some.empty(); };
+    const auto hasSlices = [](const std::vector<Slicer::EdgeSlice>& some) { return !some.empty(); };
     const auto begin = along.begin() + static_cast<std::ptrdiff_t>(first[s]);
     if (std::none_of(begin, begin + static_cast<std::ptrdiff_t>(surface.triangles.size()), hasSlices)) return;
-    const auto byEdge = trianglesByEdge(surface);
+    const auto ofTriangle = neighbours(surface);
     for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-      const std::vector<Slice> inner = slicer.alongInnerEdges(surface, t, byEdge, along[first[s] + t]);
+      const std::vector<Slice> inner =
+          slicer.alongInnerEdges(surface.triangles[t], ofTriangle[t], first[s], along[first[s] + t]);
       slices[first[s] + t].insert(slices[first[s] + t].end(), inner.begin(), inner.end());
     }
   });
