@@ -99,7 +99,7 @@ TEST_CASE("no element is covered for less than a quarter of a texel but where it
     const Discretization discretization = discretize(scene, {.texels = texels});
     for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
       const Grid& grid = discretization.grids[s];
-      const std::vector<double> coverage = texelAreas(scene.surfaces[s], texels, texels).coverage;
+      const std::vector<double> coverage = texelAreas(scene.surfaces[s], texelGrid(grid)).coverage;
       std::vector<double> ofElement(grid.elementCount);
       for (std::size_t texel = 0; texel < coverage.size(); ++texel)
         ofElement[grid.spill[texel] - grid.firstElement] += coverage[texel];
