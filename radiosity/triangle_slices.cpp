@@ -9,6 +9,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "radiosity/shooting_view.h"
@@ -106,10 +107,16 @@ std::optional<Slice> sliceOf(const Triangle& triangle, const WeightedTriangle& p
     const std::size_t next = (k + 1) % 3;
     if ((height[k] >= 0) == (height[next] >= 0)) continue;
     const double t = height[k] / (height[k] - height[next]);
-    ends[count++] = plane.weightsOf(triangle.position[k] + t * (triangle.position[next] - triangle.position[k]));
+    // Not of a point between: where a scene lies does not matter then.
+    const glm::dvec2 from = plane.weightsOf(triangle.position[k]), to = plane.weightsOf(triangle.position[next]);
+    ends[count++] = from + t * (to - from);
   }
   if (count < 2) return std::nullopt;
   return Slice{ends[0], ends[1]};
+}
+
+bool isBefore(const Slice& a, const Slice& b) {
+  return std::tie(a.from.x, a.from.y, a.to.x, a.to.y) < std::tie(b.from.x, b.from.y, b.to.x, b.to.y);
 }
 
 using Edge = std::pair<std::array<double, 3>, std::array<double, 3>>;
@@ -131,8 +138,7 @@ std::map<Edge, std::vector<std::uint32_t>> trianglesByEdge(const Surface& surfac
 /// Slices of a triangle by what else the scene has.
 class Slicer {
  public:
-  explicit Slicer(const Scene& scene)
-      : lift_(eyeLift * scene.extent), tolerance_(eyeMove * scene.extent) {
+  explicit Slicer(const Scene& scene) : lift_(eyeLift * scene.extent), tolerance_(eyeMove * scene.extent) {
     std::vector<BoxedTriangle> boxes;
     for (const Surface& surface : scene.surfaces)
       for (const Triangle& triangle : surface.triangles) {
@@ -149,17 +155,17 @@ class Slicer {
   Found slicesOf(std::uint32_t number) const {
     std::vector<BoxedTriangle> near;
     tree_.query(index::intersects(boxAround(*triangles_[number], tolerance_)), std::back_inserter(near));
-    std::vector<std::uint32_t> others;
-    for (const BoxedTriangle& other : near) others.push_back(other.second);
-    std::sort(others.begin(), others.end());
     const WeightedTriangle plane(*triangles_[number], lift_, tolerance_);
     Found found;
-    for (const std::uint32_t other : others) {
+    for (const auto& [box, other] : near) {
       if (other == number) continue;
       const std::optional<Slice> slice = sliceOf(*triangles_[other], plane);
       const std::optional<Slice> part = slice ? plane.clipped(*slice, tolerance_) : std::nullopt;
       if (part) (plane.clipped(*part, -tolerance_) ? found.inside : found.along).push_back(*part);
     }
+    // By where they are: the order of surfaces does not matter.
+    std::sort(found.inside.begin(), found.inside.end(), isBefore);
+    std::sort(found.along.begin(), found.along.end(), isBefore);
     return found;
   }
 
