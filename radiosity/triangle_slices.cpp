@@ -50,11 +50,18 @@ class WeightedTriangle {
     return glm::dot(point - corner_, normal_) / glm::length(normal_) - lift_;
   }
 
-  glm::dvec2 weightsOf(const glm::dvec3& point) const {
-    const glm::dvec3 offset = point - corner_;
-    const double scale = glm::dot(normal_, normal_);
-    return {glm::dot(glm::cross(offset, along2_), normal_) / scale,
-            glm::dot(glm::cross(along1_, offset), normal_) / scale};
+  glm::dvec2 weightsOf(const glm::dvec3& point) const { return weightsOfStep(point - corner_); }
+
+  /// How far the weights change from where a triangle crosses the plane of the slices to where its plane meets that of
+  /// this one; not at all where both are parallel, to within a lift in some hundred.
+  glm::dvec2 stepToSurface(const Triangle& triangle) const {
+    constexpr double leastSine = 1 / 256.0;
+    const glm::dvec3 n = normal_ / glm::length(normal_), m = normal(triangle);
+    const glm::dvec3 down =
+        glm::dot(m, n) * m - n;  // along the triangle, as long as the sine of the angle between both
+    const double squaredSine = glm::dot(down, down);
+    if (squaredSine < leastSine * leastSine) return glm::dvec2(0);
+    return weightsOfStep(lift_ / squaredSine * down);
   }
 
   double lengthOf(const Slice& slice) const {
@@ -88,6 +95,12 @@ class WeightedTriangle {
   }
 
  private:
+  glm::dvec2 weightsOfStep(const glm::dvec3& offset) const {
+    const double scale = glm::dot(normal_, normal_);
+    return {glm::dot(glm::cross(offset, along2_), normal_) / scale,
+            glm::dot(glm::cross(along1_, offset), normal_) / scale};
+  }
+
   static std::array<double, 3> allWeights(const glm::dvec2& weights) {
     return {1 - weights.x - weights.y, weights.x, weights.y};
   }
@@ -112,7 +125,8 @@ std::optional<Slice> sliceOf(const Triangle& triangle, const WeightedTriangle& p
     ends[count++] = from + t * (to - from);
   }
   if (count < 2) return std::nullopt;
-  return Slice{ends[0], ends[1]};
+  const glm::dvec2 step = plane.stepToSurface(triangle);
+  return Slice{ends[0] + step, ends[1] + step};
 }
 
 bool isBefore(const Slice& a, const Slice& b) {

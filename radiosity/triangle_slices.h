@@ -15,8 +15,9 @@ struct Slice {
 };
 
 /// The slices of every triangle of the scene, by the triangle's number in the scene. The plane lies `eyeLift` extents
-/// above the triangle, as the eyes of its patches do. Slices along the border of a surface are left out: they separate
-/// nothing. Takes n log n for n triangles of about equal size, beside the slices themselves.
+/// above the triangle, as the eyes of its patches do; from there they are moved along what crosses it, onto the
+/// triangle. Slices along the border of a surface are left out: they separate nothing. Takes n log n for n triangles of
+/// about equal size, beside the slices themselves.
 std::vector<std::vector<Slice>> triangleSlices(const Scene& scene);
 
 }  // namespace hemitex::radiosity

@@ -324,7 +324,7 @@ TEST_CASE("after a move, patches that shoot from several points still draw nothi
   };
   Scene scene = lampRoom();
   DynamicSettings split = settings();
-  split.drawing.split = 0.02;
+  split.drawing.split = 0.005;
   Discretization discretization = discretize(scene, split.discretization);
   DynamicSolution dynamic(std::move(scene), std::move(discretization), split, layOutWords, {}, counting);
   const auto& patches = dynamic.discretization().patches;

@@ -127,7 +127,7 @@ TEST_CASE("a patch on the diagonal of a bent quad is centred where the areas of 
       const SurfacePoint centre = patchCentre(scene, discretization, patch);
       CHECK(centre.triangle == 1);
       const glm::dvec2 place = placeOnChart(scene, discretization.grids[0], 0, centre);
-      const glm::dvec2 expected = double(patch.column) + patch.width * glm::dvec2(2 * a + b, a + 2 * b) / (3 * (a + b));
+      const glm::dvec2 expected = double(patch.column) + double(patch.width) * glm::dvec2(2 * a + b, a + 2 * b) / (3 * (a + b));
       CHECK(glm::distance(place, expected) < 1e-13 * texels);
     }
   }
