@@ -302,7 +302,7 @@ TEST_CASE("on the Cornell box quadtrees err less than texels of which there are 
   };
   std::vector<glm::dvec3> radiosity;
   const Discretization adaptive =
-      adaptiveDiscretization(scene, finest, 2e-4, [&](const Discretization& d) { return radiosity = solved(d); });
+      adaptiveDiscretization(scene, finest, 1.2e-4, [&](const Discretization& d) { return radiosity = solved(d); });
   CHECK(2 * adaptive.elements.size() < uniform.elements.size());
   CHECK(errorOf(adaptive, radiosity) < errorOf(uniform, solved(uniform)));
 }

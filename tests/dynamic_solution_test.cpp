@@ -170,8 +170,8 @@ TEST_CASE("an updated solution is a fresh one of the edited scene within the res
 }
 
 TEST_CASE("the floor under an object that moved away is lit as if it had never stood there", "[dynamic]") {
-  // Against a scene that begins without the object. What stays buried would give what it receives to the elements beside
-  // it, or to none.
+  // Against a scene that begins without the object. What stays buried would give what it receives to the elements
+  // beside it, or to none.
   const auto dynamic = solved();
   dynamic->update({{Remove{"cube"}}});
   EditedScene edit = edited(lampRoom(), {}, {{Remove{"cube"}}});
