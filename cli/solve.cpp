@@ -76,8 +76,9 @@ void warnOf(const Solved& solved, Console& console) {
                     " of the light that leaves a patch; the rest is lost, and the scene darker for it");
 }
 
-void solve(const SolveOptions& asked, Context& context) {
+void solve(SolveOptions asked, Context& context) {
   Console& console = context.console;
+  asked.discretization.isUnburied = !asked.edits.empty();
   Laps laps;
   const radiosity::Scene scene = sceneOf(asked.scene, console);
   radiosity::requireEmission(scene, asked.scene.file);

@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <iterator>
 #include <utility>
+
+#include "radiosity/grid_size.h"
+
 namespace hemitex::radiosity {
 namespace {
 
@@ -17,14 +20,14 @@ DiscretizationSettings settingsFor(const Scene& scene, DiscretizationSettings se
   return settings;
 }
 
-/// The surfaces of a scene that were not there before, discretized by themselves.
+/// The surfaces of a scene that were not there before, discretized by themselves: what they are buried in is not there.
 Discretization discretizeNew(const EditedScene& edit, const DiscretizationSettings& settings) {
   Scene scene;
   scene.materials = edit.scene.materials;
   scene.images = edit.scene.images;
   for (std::size_t s = 0; s < edit.origins.size(); ++s)
     if (!edit.origins[s].former) scene.surfaces.push_back(edit.scene.surfaces[s]);
-  return scene.surfaces.empty() ? Discretization() : discretize(scene, settingsFor(scene, settings));
+  return scene.surfaces.empty() ? Discretization() : discretizeUnburied(scene, settingsFor(scene, followingScene(edit.scene, settings)));
 }
 
 /// Appends a surface with its elements and patches, renumbered.

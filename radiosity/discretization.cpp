@@ -281,7 +281,7 @@ Discretization discretized(const Scene& scene, const DiscretizationSettings& ask
   validateSizes(scene, settings);
   std::vector<std::vector<CutTexel>> cut(scene.surfaces.size());
   Discretization whole = assembled(scene, settings, quadtrees, cut);
-  cut = cutTexels(scene, whole);
+  if (!settings.isUnburied) cut = cutTexels(scene, whole);
   if (std::any_of(cut.begin(), cut.end(), [](const std::vector<CutTexel>& some) { return !some.empty(); }))
     whole = assembled(scene, settings, quadtrees, cut);
   averageMaps(scene, whole);
@@ -305,13 +305,10 @@ Discretization discretize(const Scene& scene, const DiscretizationSettings& sett
   return discretized(scene, settings, quadtrees);
 }
 
-Discretization discretizeUnburied(const Scene& scene, const DiscretizationSettings& asked) {
-  validate(scene, asked);
-  const DiscretizationSettings settings = followingScene(scene, asked);
-  validateSizes(scene, settings);
-  Discretization unburied = assembled(scene, settings, {}, std::vector<std::vector<CutTexel>>(scene.surfaces.size()));
-  averageMaps(scene, unburied);
-  return unburied;
+Discretization discretizeUnburied(const Scene& scene, const DiscretizationSettings& settings) {
+  DiscretizationSettings unburied = settings;
+  unburied.isUnburied = true;
+  return discretize(scene, unburied);
 }
 
 void averageMaps(const Scene& scene, Discretization& discretization) {

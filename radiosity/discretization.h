@@ -105,6 +105,8 @@ struct DiscretizationSettings {
   int subdivision = 1;
   /// By surface name or, less binding, family; 1 = not discretized.
   std::map<std::string, GridSize> surfaceTexels = {};
+  /// As if all of every surface were exposed, inside solids as well: where solids move, what they bury changes.
+  bool isUnburied = false;
   int patch = 4;                                  ///< texels along a patch's side; at least 1
   std::optional<int> patches = {};  ///< instead: patches along the longer side of every surface's grid; at least 1
 };
@@ -119,8 +121,7 @@ Discretization discretize(const Scene& scene, const DiscretizationSettings& sett
 Discretization discretize(const Scene& scene, const DiscretizationSettings& settings,
                           const std::vector<Quadtree>& quadtrees);
 
-/// The same as if all of every surface were exposed, inside solids as well: what other ways to find exposed areas start
-/// from.
+/// The same with settings that are unburied: what other ways to find exposed areas start from.
 Discretization discretizeUnburied(const Scene& scene, const DiscretizationSettings& settings);
 
 /// What discretize also does: maps averaged over the elements. Again where materials have changed since.

@@ -8,6 +8,7 @@
 #include "radiosity/carried_discretization.h"
 #include "radiosity/changed_rows.h"
 #include "radiosity/flux_sum.h"
+#include "radiosity/grid_size.h"
 #include "radiosity/patch_points.h"
 
 namespace hemitex::radiosity {
@@ -273,6 +274,7 @@ DynamicSolution::DynamicSolution(Scene scene, Discretization unsplit, DynamicSet
       makeRenderer_(std::move(makeRenderer)),
       world_(std::make_unique<World>(std::move(scene), std::move(unsplit), layOut_, settings_.drawing, makeRenderer_)),
       rows_(settings_.solver.rowCacheBytes) {
+  settings_.discretization = followingScene(world_->scene, settings_.discretization);
   refine(Refinement(world_->scene, discretization()), progress);
 }
 

@@ -60,7 +60,8 @@ struct KeptRows {
 
 class DynamicSolution {
  public:
-  /// Solves the scene. `unsplit` is its discretization by the settings.
+  /// Solves the scene. `unsplit` is its discretization by the settings, which are to be unburied: what solids bury
+  /// would be as dark as before where they have moved away.
   DynamicSolution(Scene scene, Discretization unsplit, DynamicSettings settings, LayoutFactory layOut,
                   const Progress& progress = {}, RendererFactory makeRenderer = softwareRenderer);
   ~DynamicSolution();

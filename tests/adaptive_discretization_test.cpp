@@ -180,7 +180,8 @@ TEST_CASE("a leaf that is near to what it lights shoots from several points, not
   const Scene scene = furnishedRoom();
   const std::vector<Quadtree> trees(scene.surfaces.size(), uniformQuadtree(texels, 8));
   const Discretization unsplit = discretize(scene, {.texels = texels}, trees);
-  const DrawnRows drawn(scene, unsplit, layOut(unsplit, {.format = "r8g8b8"}), {});
+  DrawnRows drawn(scene, unsplit, layOut(unsplit, {.format = "r8g8b8"}), {});
+  drawn.splitAll();
   const Discretization& discretization = drawn.discretization();
   REQUIRE(discretization.patches.size() == unsplit.patches.size());
   int ofSeveralPoints = 0;
@@ -291,7 +292,7 @@ TEST_CASE("on the Cornell box quadtrees err less than texels of which there are 
     DrawnRows drawn(scene, discretization, layOut(discretization, {.format = "r32ui"}),
                     {.resolution = 128, .split = 0.05});
     const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
-    return solve(scene, drawn.discretization(), rowOf, {.residual = 0.01}).radiosity;
+    return solve(scene, drawn.discretization(), rowOf, {.residual = 0.01}, {}, drawn.splits()).radiosity;
   };
   const DiscretizationSettings finest{.texels = 32, .patches = 4};
   const Discretization fine = discretize(scene, finest), uniform = discretize(scene, {.texels = 16, .patches = 4});
@@ -301,7 +302,7 @@ TEST_CASE("on the Cornell box quadtrees err less than texels of which there are 
   };
   std::vector<glm::dvec3> radiosity;
   const Discretization adaptive =
-      adaptiveDiscretization(scene, finest, 2e-4, [&](const Discretization& d) { return radiosity = solved(d); });
+      adaptiveDiscretization(scene, finest, 1.2e-4, [&](const Discretization& d) { return radiosity = solved(d); });
   CHECK(2 * adaptive.elements.size() < uniform.elements.size());
   CHECK(errorOf(adaptive, radiosity) < errorOf(uniform, solved(uniform)));
 }

@@ -138,7 +138,7 @@ TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind"
       "solve room.obj -o out --max-error 0.1 --resolution 64", "solve room.obj -o out --max-error 0.1 --patch 2",
       "solve room.obj -o out --max-error 0.1 --method rays", "solve room.obj -o out --split -1",
       "solve room.obj -o out --split nan", "solve room.obj -o out --orientation up",
-      "solve room.obj -o out --method rays --split 0.1", "solve room.obj -o out --discretize points",
+      "solve room.obj -o out --method rays --split 0", "solve room.obj -o out --discretize points",
       "solve room.obj -o out --method rays --discretize mesh", "solve room.obj -o out --residual 0",
       "solve room.obj -o out --residual -1", "solve room.obj -o out --residual nan",
       "solve room.obj -o out --residual 1e999", "solve room.obj -o out --residual inf",
@@ -648,9 +648,9 @@ TEST_CASE("Analytic form factors are the closed forms', and say that blockers ar
 
 TEST_CASE("The paper's room without its shadows: hemicubes and closed forms agree on what nothing hides", "[cli]") {
   // From the light no ray to these surfaces meets the box; a part of the floor is behind it. A hemicube of 256 pixels
-  // misses a few of them along a surface's rim, each of up to 1/(pi 128^2) = 2e-5.
+  // misses a few of them along a surface's rim, each of up to 1/(pi 128^2) = 2e-5. The light shoots from 8 x 8 patches.
   const Shell shell;
-  const std::string command = "formfactors " HEMITEX_DATA "/paper-room.obj --from light --by-surface --json --method ";
+  const std::string command = "formfactors " HEMITEX_DATA "/paper-room.obj --texels 16 --patch 2 --from light --by-surface --json --method ";
   const json analytic = json::parse(shell.output(command + "analytic"))["row"];
   const json hemicube = json::parse(shell.output(command + "hemicube"))["row"];
   REQUIRE(analytic.size() == 13);
@@ -1049,7 +1049,9 @@ TEST_CASE("The bench times everything that it promises, on the scene as it is an
   std::map<std::pair<int, int>, std::set<std::string>> found;
   for (const json& run : result["runs"]) {
     CHECK(run["scene"] == "room");
-    CHECK(run["elements"] == 6 * 16 * 16);
+    // Texels have the size of which 128 fit each of six equal squares: of 8 and 16 along a side, both as near to the
+    // root of 128, the smaller is taken.
+    CHECK(run["elements"] == 6 * 8 * 8);
     CHECK(run["threads"] == 1);
     CHECK(run["repeats"] == 11);
     CHECK(run["min_ms"] > 0.0);
@@ -1079,5 +1081,5 @@ TEST_CASE("The bench times everything that it promises, on the scene as it is an
   const std::size_t curves = cut.size() - 1;  // but for drawing alone
   CHECK(count("<polyline") == curves);
   CHECK(count("<circle") == 2 * curves);
-  CHECK(readAll(shell.file("out/tables.md")).find("| room | 12 | 1536 | 16 | ") != std::string::npos);
+  CHECK(readAll(shell.file("out/tables.md")).find("| room | 12 | 384 | 16 | ") != std::string::npos);
 }

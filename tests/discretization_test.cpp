@@ -92,6 +92,38 @@ TEST_CASE("elements have the surface's area, and every texel spills to one", "[d
   }
 }
 
+TEST_CASE("surfaces that meet at an edge are exposed up to it, however acute the angle", "[discretization]") {
+  for (const double degrees : {1.0, 5.0, 30.0, 90.0, 175.0}) {
+    CAPTURE(degrees);
+    const double angle = degrees / 180 * 3.14159265358979323846;
+    const Scene scene = sceneOf({parallelogram("floor", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                                 parallelogram("over", {0, 0, 0}, {0, std::cos(angle), std::sin(angle)}, {1, 0, 0})});
+    for (const int texels : {1, 5}) {
+      const Discretization discretization = discretize(scene, {.texels = texels});
+      for (std::uint32_t s = 0; s < 2; ++s) CHECK(sumOfAreas(discretization, s) == Approx(1).epsilon(1e-12));
+    }
+  }
+}
+
+TEST_CASE("a floor is buried under a pyramid, up to its outline", "[discretization]") {
+  // The outline lies in the floor, and off the borders of texels. A pyramid that is sunk shows less of its foot: at
+  // half its height the base is half as wide.
+  const std::array<glm::dvec2, 4> base{{{0.21, 0.23}, {0.71, 0.23}, {0.71, 0.73}, {0.21, 0.73}}};
+  for (const double sunk : {0.0, 0.25})
+    for (const int texels : {1, 4, 16}) {
+      CAPTURE(sunk, texels);
+      std::vector<Surface> surfaces{parallelogram("floor", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})};
+      for (std::size_t side = 0; side < 4; ++side) {
+        const Corner a{{base[side], -sunk}, {0, 0}}, b{{base[(side + 1) % 4], -sunk}, {1, 0}};
+        surfaces.push_back(
+            surfaceOf("side" + std::to_string(side), {triangleOf(a, b, {{0.46, 0.48, 0.5 - sunk}, {0, 1}})}));
+      }
+      const Discretization discretization = discretize(sceneOf(surfaces), {.texels = texels});
+      const double width = 0.5 * (1 - sunk / 0.5);
+      CHECK(sumOfAreas(discretization, 0) == Approx(1 - width * width).epsilon(1e-9));
+    }
+}
+
 TEST_CASE("no element is covered for less than a quarter of a texel but where it has no neighbour",
           "[discretization]") {
   const Scene scene = sceneOf(tableOfSurfaces());
@@ -99,7 +131,7 @@ TEST_CASE("no element is covered for less than a quarter of a texel but where it
     const Discretization discretization = discretize(scene, {.texels = texels});
     for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
       const Grid& grid = discretization.grids[s];
-      const std::vector<double> coverage = texelAreas(scene.surfaces[s], texels, texels).coverage;
+      const std::vector<double> coverage = texelAreas(scene.surfaces[s], texelGrid(grid)).coverage;
       std::vector<double> ofElement(grid.elementCount);
       for (std::size_t texel = 0; texel < coverage.size(); ++texel)
         ofElement[grid.spill[texel] - grid.firstElement] += coverage[texel];

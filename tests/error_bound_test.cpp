@@ -143,7 +143,7 @@ TEST_CASE("The true error keeps the bound that was asked for", "[error_bound]") 
       };
       const ErrorBoundChoice choice = chooseEffort(scene, finest, texels, solveWith, bound);
       DiscretizationSettings settings = settingsFor(texels, choice.effort);
-      settings.surfaceTexels = choice.surfaceTexels;
+      settings.surfaceTexels.insert(choice.surfaceTexels.begin(), choice.surfaceTexels.end());
       const Solution solution = solutionOf(scene, settings, choice.effort, residualFor(bound));
       const auto found = onOtherGrids(discretize(scene, settings), solution.radiosity, finest);
       const double error = errorOf(finest, found, truth.radiosity).fluxWeighted;

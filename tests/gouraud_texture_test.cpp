@@ -36,7 +36,7 @@ TEST_CASE("a texel that is cut but not covered at its centre shows what is cut o
   const Scene scene = sceneOf({flat("sliver", {{glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 0.9)}})});
   const Discretization discretization = discretize(scene, {.texels = 4});
   const std::vector<glm::dvec3> values(discretization.elements.size(), glm::dvec3(3));
-  const TexelAreas areas = texelAreas(scene.surfaces[0], 4, 4);
+  const TexelAreas areas = texelAreas(scene.surfaces[0], texelGrid(discretization.grids[0]));
   const std::vector<glm::dvec3> texels = gouraudTexels(scene.surfaces[0], discretization.grids[0], values, 1);
   CHECK(std::any_of(areas.coverage.begin(), areas.coverage.end(), [](double c) { return c > 0 && c < 0.5; }));
   for (const glm::dvec3& texel : texels) CHECK(glm::distance(texel, glm::dvec3(3)) < 1e-14);

@@ -144,19 +144,24 @@ inline double totalArea(const radiosity::Surface& surface) {
   return static_cast<double>(sum);
 }
 
-/// The surfaces that properties are tested on: whole and curved, slivers and holes, charts that end inside texels.
+/// The surfaces that properties are tested on: whole and curved, slivers and holes, charts that end inside texels. They
+/// lie over each other, apart: none cuts another, so that all of each is exposed.
 inline std::vector<radiosity::Surface> tableOfSurfaces() {
-  return {parallelogram("square", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
-          quad("warped", {{{0, 0, 0}, {2, 0, 1}, {2, 3, -1}, {0, 1, 2}}}),
-          flat("triangle", {{glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0.3, 1)}}),
-          flat("corner", rectangle({0.37, 0.41}, {0.43, 0.52})),
-          lShape(),
-          ring(40),
-          thinDiagonal(0.01),
-          thinDiagonal(1e-6),
-          bump(50),
-          star(60, 1),
-          star(500, 2)};
+  std::vector<radiosity::Surface> surfaces{parallelogram("square", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                                           quad("warped", {{{0, 0, 0}, {2, 0, 1}, {2, 3, -1}, {0, 1, 2}}}),
+                                           flat("triangle", {{glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0.3, 1)}}),
+                                           flat("corner", rectangle({0.37, 0.41}, {0.43, 0.52})),
+                                           lShape(),
+                                           ring(40),
+                                           thinDiagonal(0.01),
+                                           thinDiagonal(1e-6),
+                                           bump(50),
+                                           star(60, 1),
+                                           star(500, 2)};
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+    for (radiosity::Triangle& triangle : surfaces[s].triangles)
+      for (glm::dvec3& corner : triangle.position) corner.z += 8.0 * static_cast<double>(s);
+  return surfaces;
 }
 
 /// A closed room with a box on its floor (without a face that would lie on it) and a sheet that hangs in it.

@@ -185,7 +185,7 @@ TEST_CASE("samples exactly on the borders of charts stay with their surface in a
   constexpr int resolution = 64, tiles = 8;
   const auto at = [](int i) { return -1 + (2 * i * (resolution / tiles) + 1.0) / resolution; };
   std::vector<Surface> surfaces;
-  std::map<std::string, int> texels;
+  std::map<std::string, GridSize> texels;
   for (int row = 0; row < tiles; ++row)
     for (int column = 0; column < tiles; ++column) {
       std::array<glm::dvec3, 4> corner{{{at(column), at(row), -1},

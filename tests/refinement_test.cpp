@@ -24,8 +24,7 @@ void shoot(Refinement& refinement, const RowSource& rowOf, int shots, double res
 
 /// Rows, each drawn once.
 RowSource rowsOf(ProjectedRows& rows, RowCache& cache) {
-  return
-      [&](std::uint32_t patch) { return cache.row(patch, [&](std::uint32_t number) { return rows.ofPatch(number); }); };
+  return [&](std::uint32_t patch) { return cache.row(patch, [&, patch] { return rows.ofPatch(patch); }); };
 }
 
 Scene litCube(const glm::dvec3& emission) {

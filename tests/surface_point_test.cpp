@@ -97,33 +97,40 @@ TEST_CASE("a parallelogram's patches and elements are centred where its edges sa
   }
 }
 
-TEST_CASE("where the middle of a patch is a hole, the nearest covered texel gives its centre", "[centres]") {
-  // The L lacks its upper right quarter. One patch of 4 x 4 texels has its middle on the L's inner corner: it is on the
-  // surface. With 6 x 6 texels and patches of 5, the first block's middle (2.5, 2.5) is on it as well, and the hole's
-  // own block at (5, 5) has no elements. On the ring, one patch has its middle in the hole.
+TEST_CASE("a patch is centred at the centroid of its surface or, where that is a hole, of the triangle nearest to it",
+          "[centres]") {
+  // The L is the lower half, of area 1/2 about (1/2, 1/4), and the upper left quarter about (1/4, 3/4): its centroid is
+  // at (1/2 * 1/2 + 1/4 * 1/4) / (3/4) = 5/12 along both axes. On the ring, one patch has its centroid in the hole.
   const Scene scene = sceneOf({lShape(), ring(64)});
   const Discretization discretization = discretize(scene, {.texels = 4, .patch = 4});
-  CHECK(glm::length(patchCentre(scene, discretization, discretization.patches[0]).position - glm::dvec3(0.5, 0.5, 0)) <
-        1e-15);
-  // The hole's radius is 0.2: the four inner texels around it have their middles at 0.125 * sqrt(2) = 0.18 from it, in
-  // the hole. Theirs are the nearest own texels; the first is (1, 1), whose piece of the ring lies around the direction
-  // of its outer corner, (0.25, 0.25).
+  CHECK(glm::length(patchCentre(scene, discretization, discretization.patches[0]).position -
+                    glm::dvec3(5 / 12.0, 5 / 12.0, 0)) < 1e-15);
+  // The ring's triangles have two corners on one of its circles, of radii 0.2 and 0.5, and one on the other. Those with
+  // two on the inner one are nearest: they are centred at a third of 0.2 + 0.2 + 0.5 but for the turn of 1/64 from
+  // corner to corner, whose cosine is above 0.995.
   const glm::dvec3 centre = patchCentre(scene, discretization, discretization.patches[1]).position;
   const double radius = glm::length(glm::dvec2(centre) - 0.5);
-  CHECK(radius > 0.199);
-  CHECK(centre.x >= 0.25);
-  CHECK(centre.x <= 0.5);
-  CHECK(centre.y >= 0.25);
-  CHECK(centre.y <= 0.5);
+  CHECK(radius <= 0.3);
+  CHECK(radius > 0.995 * 0.3);
 }
 
-TEST_CASE("a patch's middle on the diagonal of its quad is found on the first of the two triangles", "[centres]") {
+TEST_CASE("a patch on the diagonal of a bent quad is centred where the areas of both triangles say", "[centres]") {
+  // A block of side s at the diagonal is cut into two triangles whose centroids lie at (2/3, 1/3) s and (1/3, 2/3) s,
+  // weighted by areas a and b: at ((2a + b)/3, (a + 2b)/3) s / (a + b), on the larger triangle.
   const Scene scene = sceneOf({quad("warped", {{{0, 0, 0}, {2, 0, 1}, {2, 3, -1}, {0, 1, 2}}})});
+  const double a = area(scene.surfaces[0].triangles[0]), b = area(scene.surfaces[0].triangles[1]);
+  REQUIRE(b > 1.05 * a);
   for (const int texels : {2, 3, 10, 48}) {
     const Discretization discretization = discretize(scene, {.texels = texels, .patch = 2});
-    for (const Patch& patch : discretization.patches)
-      if (patch.column == patch.row && patch.width == patch.height)
-        CHECK(patchCentre(scene, discretization, patch).triangle == 0);
+    for (const Patch& patch : discretization.patches) {
+      if (patch.column != patch.row || patch.width != patch.height) continue;
+      const SurfacePoint centre = patchCentre(scene, discretization, patch);
+      CHECK(centre.triangle == 1);
+      const glm::dvec2 place = placeOnChart(scene, discretization.grids[0], 0, centre);
+      const glm::dvec2 expected =
+          double(patch.column) + double(patch.width) * glm::dvec2(2 * a + b, a + 2 * b) / (3 * (a + b));
+      CHECK(glm::distance(place, expected) < 1e-13 * texels);
+    }
   }
 }
 

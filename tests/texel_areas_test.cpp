@@ -25,19 +25,19 @@ TEST_CASE("the areas inside texels sum to the surface's area, whatever the chart
   for (const Surface& surface : tableOfSurfaces())
     for (const auto& [columns, rows] : grids) {
       INFO(surface.name << " " << columns << " x " << rows);
-      CHECK(sumOf(texelAreas(surface, columns, rows).area) == Approx(totalArea(surface)).epsilon(1e-12));
+      CHECK(sumOf(texelAreas(surface, {columns, rows, {}}).area) == Approx(totalArea(surface)).epsilon(1e-12));
     }
 }
 
 TEST_CASE("a million texels still sum to the surface's area", "[texels]") {
   for (const Surface& surface : {lShape(), bump(50), thinDiagonal(1e-6)})
-    CHECK(sumOf(texelAreas(surface, 1024, 1024).area) == Approx(totalArea(surface)).epsilon(1e-12));
+    CHECK(sumOf(texelAreas(surface, {1024, 1024, {}}).area) == Approx(totalArea(surface)).epsilon(1e-12));
 }
 
 TEST_CASE("a parallelogram's texels are all equal and wholly covered", "[texels]") {
   // |(2,0,1) x (0,3,1)| = |(-3,-2,6)| = 7.
   const Surface surface = parallelogram("p", {5, 5, 5}, {2, 0, 1}, {0, 3, 1});
-  const TexelAreas texels = texelAreas(surface, 24, 7);
+  const TexelAreas texels = texelAreas(surface, {24, 7, {}});
   for (std::size_t i = 0; i < texels.area.size(); ++i) {
     CHECK(texels.area[i] == Approx(7.0 / (24 * 7)).epsilon(1e-13));
     CHECK(texels.coverage[i] == Approx(1).epsilon(1e-13));
@@ -46,7 +46,8 @@ TEST_CASE("a parallelogram's texels are all equal and wholly covered", "[texels]
 
 TEST_CASE("half a square covers the texels below its diagonal, and those on it by half", "[texels]") {
   const int n = 12;
-  const TexelAreas texels = texelAreas(flat("half", {{glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(1, 1)}}), n, n);
+  const Surface surface = flat("half", {{glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(1, 1)}});
+  const TexelAreas texels = texelAreas(surface, {n, n, {}});
   for (int row = 0; row < n; ++row)
     for (int column = 0; column < n; ++column) {
       const double expected = column > row ? 1 : column == row ? 0.5 : 0;
@@ -58,7 +59,7 @@ TEST_CASE("a non-planar quad's texels have the areas of the triangle they lie in
   // Each triangle is mapped affinely, so a texel wholly inside one has area(triangle) / (area on the chart) / n^2.
   const Surface surface = quad("warped", {{{0, 0, 0}, {2, 0, 1}, {2, 3, -1}, {0, 1, 2}}});
   const int n = 8;
-  const TexelAreas texels = texelAreas(surface, n, n);
+  const TexelAreas texels = texelAreas(surface, {n, n, {}});
   for (int row = 0; row < n; ++row)
     for (int column = 0; column < n; ++column) {
       const double lower = area(surface.triangles[0]) * 2 / (n * n), upper = area(surface.triangles[1]) * 2 / (n * n);
@@ -70,7 +71,7 @@ TEST_CASE("a non-planar quad's texels have the areas of the triangle they lie in
 TEST_CASE("the triangle of a texel covers its middle wherever any does", "[texels]") {
   for (const Surface& surface : tableOfSurfaces()) {
     const int columns = 21, rows = 17;
-    const TexelAreas texels = texelAreas(surface, columns, rows);
+    const TexelAreas texels = texelAreas(surface, {columns, rows, {}});
     for (int row = 0; row < rows; ++row)
       for (int column = 0; column < columns; ++column) {
         const glm::dvec2 middle(column + 0.5, row + 0.5);
@@ -86,7 +87,7 @@ TEST_CASE("the triangle of a texel covers its middle wherever any does", "[texel
 TEST_CASE("without a triangle over its middle a texel has the triangle of the largest piece", "[texels]") {
   // Two rectangles in the corners of a 1 x 1 grid: 0.1 x 0.1 and 0.2 x 0.3; the latter is cut into triangles 2 and 3.
   const Surface surface = flat("corners", joined(rectangle({0, 0}, {0.1, 0.1}), rectangle({0.8, 0.7}, {1, 1})));
-  CHECK(texelAreas(surface, 1, 1).triangle.front() >= 2);
+  CHECK(texelAreas(surface, {1, 1, {}}).triangle.front() >= 2);
 }
 
 TEST_CASE("a triangle whose chart collapses keeps its area", "[texels]") {
@@ -94,7 +95,7 @@ TEST_CASE("a triangle whose chart collapses keeps its area", "[texels]") {
   for (const glm::dvec2& point : {glm::dvec2(0.5, 0.5), glm::dvec2(0, 1), glm::dvec2(1, 1)}) {
     Surface surface = flat("flat", rectangle({0, 0}, {1, 1}));
     surface.triangles.push_back(triangleOf({{0, 0, 1}, point}, {{1, 0, 1}, point}, {{0, 1, 1}, point}));
-    const TexelAreas texels = texelAreas(surface, 4, 4);
+    const TexelAreas texels = texelAreas(surface, {4, 4, {}});
     CHECK(sumOf(texels.area) == Approx(1.5).epsilon(1e-14));
     CHECK(sumOf(texels.coverage) == Approx(16).epsilon(1e-14));
   }

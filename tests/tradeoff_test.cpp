@@ -26,9 +26,9 @@ Scene litCube() {
 
 /// The rows that a matrix holds, all of them times `factor`.
 TradeMethod rowsOfTruth(const TrueRadiosity& truth, const Discretization& fine, double factor) {
-  const auto rows = [&truth, &fine, factor](const Scene&, Discretization& own, int) -> radiosity::RowSource {
+  const auto rows = [&truth, &fine, factor](const Scene&, const Discretization& own, int) -> TradeRows {
     const auto all = std::make_shared<PatchRows>(patchRows(truth.matrix, fine, own));
-    return [all, factor](std::uint32_t patch) {
+    const auto rowOf = [all, factor](std::uint32_t patch) {
       FormFactorRow row;
       row.background = radiosity::wholeShare;
       for (std::uint32_t e = 0; e < all->elements; ++e) {
@@ -41,6 +41,7 @@ TradeMethod rowsOfTruth(const TrueRadiosity& truth, const Discretization& fine, 
       }
       return row;
     };
+    return {std::make_shared<const Discretization>(own), rowOf};
   };
   return {.name = "truth",
           .setting = "none",

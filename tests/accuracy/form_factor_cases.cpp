@@ -140,14 +140,15 @@ FormFactorTheme coincident() {
   const Surface under = facingUp(unitSquare), over = facingDown(unitSquare, 1);
   const Surface turned = tests::parallelogram("turned", {0, 0, 1}, {1, 0, 0}, {0, 1, 0});
   const double c = reference::parallelRectangles(unitSquare, unitSquare, 1);
-  // A floor that goes on behind the wall, a wall that goes on below the floor: half of each is behind the other.
+  // A floor that goes on behind the wall, a wall that goes on below the floor: half of each is behind the other. It sees
+  // nothing but a back, and counts as the inside of a solid: what is left of both are unit squares that share an edge.
   const AxisRectangle both{{0, 1}, {-1, 1}};
   const std::string order = "the first in the file is seen";
   return {
       "Coincident and interpenetrating surfaces",
       R"(Of surfaces at the same distance the first in the file is seen, by hemicubes as by rays, be it one that turns its back:
-see the last of the limits. Squares that cross are in front of each other by halves; the one hemicube stands where they
-cross, and sees nothing of the other.)",
+see the last of the limits. Of squares that cross, the half behind the other sees nothing but a back: it counts as the
+inside of a solid, and what is left of both are rectangles that share an edge.)",
       {{"two squares in one place: to the first in the file", "Howell C-11", {under, over, over}, c, true},
        {"to the second", order, {under, over, over}, 0, true, 2},
        {"two that are back to back: to the one that faces, first in the file",
@@ -156,10 +157,11 @@ cross, and sees nothing of the other.)",
         c,
         true},
        {"to the one that faces, second in the file", order, {under, turned, over}, 0, true, 2},
-       {"squares that cross in their middles, at a right angle",
-        "Howell C-14, symmetry",
+       {"rectangles of 1 x 2 that cross in their middles, at a right angle",
+        "Howell C-14",
         {facingUp(both), facingAlongY(both)},
-        reference::perpendicularRectangles(unitSquare, unitSquare) / 2}}};
+        reference::perpendicularRectangles(unitSquare, unitSquare),
+        true}}};
 }
 
 FormFactorTheme scaledAndMoved() {

@@ -51,7 +51,7 @@ class Curve {
     radiosity::DrawnRows drawn(scene_, discretization, radiosity::layOut(discretization, {.format = "r32ui"}),
                                {.resolution = side});
     const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
-    return radiosity::solve(scene_, drawn.discretization(), rowOf, {}).radiosity;
+    return radiosity::solve(scene_, drawn.discretization(), rowOf, {}, {}, drawn.splits()).radiosity;
   }
 
   Point pointOf(const radiosity::Discretization& discretization, const std::vector<glm::dvec3>& radiosity) const {
