@@ -67,8 +67,8 @@ radiosity::Scene sceneOf(const SceneOptions& options, Console& console) {
 }
 
 void addDiscretizationOptions(CLI::App& app, radiosity::DiscretizationSettings& settings) {
-  CLI::Option* texels =
-      addInteger(app, "--texels", settings.texels, 1, largestTexels, "texels along every surface's side (default: a size that follows the scene)");
+  CLI::Option* texels = addInteger(app, "--texels", settings.texels, 1, largestTexels,
+                                   "texels along every surface's side (default: a size that follows the scene)");
   addPositive(app, "--texel-size", settings.texelSize, std::numeric_limits<double>::infinity(),
               "instead: the side of a texel in the scene's units")
       ->excludes(texels);

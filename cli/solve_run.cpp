@@ -56,7 +56,8 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
     return solution;
   };
   if (usesRays(options)) {
-    reference::RayRows rows(scene, drawn.discretization(), {.rays = options.samples, .start = reference::RayStart::Area});
+    reference::RayRows rows(scene, drawn.discretization(),
+                            {.rays = options.samples, .start = reference::RayStart::Area});
     radiosity::Solution solution = solveBy(rows);
     return {drawn.discretization(), std::move(solution)};
   }

@@ -27,7 +27,8 @@ Discretization discretizeNew(const EditedScene& edit, const DiscretizationSettin
   scene.images = edit.scene.images;
   for (std::size_t s = 0; s < edit.origins.size(); ++s)
     if (!edit.origins[s].former) scene.surfaces.push_back(edit.scene.surfaces[s]);
-  return scene.surfaces.empty() ? Discretization() : discretizeUnburied(scene, settingsFor(scene, followingScene(edit.scene, settings)));
+  return scene.surfaces.empty() ? Discretization()
+                                : discretizeUnburied(scene, settingsFor(scene, followingScene(edit.scene, settings)));
 }
 
 /// Appends a surface with its elements and patches, renumbered.

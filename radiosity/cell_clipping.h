@@ -22,8 +22,8 @@ struct PieceCorner {
   glm::dvec2 weight;  ///< barycentric, of the triangle's corners 1 and 2
 };
 
-/// A convex polygon cut from a triangle, from a quad, or from a piece of at most eight corners. Each of the four sides of
-/// a cell adds at most one corner.
+/// A convex polygon cut from a triangle, from a quad, or from a piece of at most eight corners. Each of the four sides
+/// of a cell adds at most one corner.
 struct Piece {
   std::array<PieceCorner, 12> corners;
   std::size_t size = 0;

@@ -57,11 +57,11 @@ struct Grid {
   std::uint32_t firstElement = 0, elementCount = 0;  ///< its elements, ordered by texel
   std::uint32_t firstPatch = 0, patchCount = 0;      ///< its patches as they were made, in a row
   std::vector<std::uint32_t> laterPatches = {};      ///< those that parts of them became when they were split
-  std::vector<std::uint32_t> spill;       ///< columns * rows: the element each texel gives its light to
-  std::vector<bool> covered;              ///< columns * rows: whether the texel has area
-  std::uint32_t phantoms = 0;             ///< texels without area
-  std::uint32_t buried = 0;               ///< those of them that have area, but inside solids alone
-  std::vector<CutTexel> cutTexels = {};   ///< texels that are buried in part or wholly, ascending
+  std::vector<std::uint32_t> spill;                  ///< columns * rows: the element each texel gives its light to
+  std::vector<bool> covered;                         ///< columns * rows: whether the texel has area
+  std::uint32_t phantoms = 0;                        ///< texels without area
+  std::uint32_t buried = 0;                          ///< those of them that have area, but inside solids alone
+  std::vector<CutTexel> cutTexels = {};              ///< texels that are buried in part or wholly, ascending
   std::optional<Quadtree> quadtree = {};  ///< whose leaves are the elements; without one every texel is a leaf
 };
 
@@ -107,7 +107,7 @@ struct DiscretizationSettings {
   std::map<std::string, GridSize> surfaceTexels = {};
   /// As if all of every surface were exposed, inside solids as well: where solids move, what they bury changes.
   bool isUnburied = false;
-  int patch = 4;                                  ///< texels along a patch's side; at least 1
+  int patch = 4;                    ///< texels along a patch's side; at least 1
   std::optional<int> patches = {};  ///< instead: patches along the longer side of every surface's grid; at least 1
 };
 

@@ -27,7 +27,8 @@ DrawnRows::DrawnRows(const Scene& scene, Discretization unsplit, WordLayout layo
       rows_(scene, discretization_, layout_, *renderer_,
             {settings.resolution, settings.orientation, settings.projection, settings.pixelsPerElement}) {
   if (settings.split >= 1) return;
-  if (settings.elementsBy == ElementsBy::Mesh) textures_ = softwareRenderer(makeDrawList(scene, discretization_, layout_));
+  if (settings.elementsBy == ElementsBy::Mesh)
+    textures_ = softwareRenderer(makeDrawList(scene, discretization_, layout_));
   splitter_.emplace(scene, discretization_, layout_, textures_ ? *textures_ : *renderer_, settings.split);
 }
 

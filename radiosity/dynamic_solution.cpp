@@ -30,8 +30,7 @@ std::uint64_t viewNumber(std::uint32_t patch, std::uint32_t view) {
 struct DynamicSolution::World {
   World(Scene edited, Discretization shooting, const LayoutFactory& layOut, const DrawingSettings& settings,
         const RendererFactory& makeRenderer)
-      : scene(std::move(edited)),
-        drawn(scene, shooting, layOut(shooting), settings, makeRenderer) {}
+      : scene(std::move(edited)), drawn(scene, shooting, layOut(shooting), settings, makeRenderer) {}
 
   const Scene scene;
   DrawnRows drawn;

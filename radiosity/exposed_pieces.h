@@ -21,7 +21,7 @@ struct TexelPiece {
 
 /// A texel that is buried in part or wholly, and what of it is exposed.
 struct CutTexel {
-  std::uint32_t texel = 0;              ///< row * columns + column
+  std::uint32_t texel = 0;               ///< row * columns + column
   std::vector<TexelPiece> exposed = {};  ///< by triangle
 };
 

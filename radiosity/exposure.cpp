@@ -13,9 +13,9 @@
 #include <utility>
 
 #include "radiosity/neighbours.h"
+#include "radiosity/projection.h"
 #include "radiosity/ray_tree.h"
 #include "radiosity/shooting_view.h"
-#include "radiosity/projection.h"
 #include "radiosity/texel_areas.h"
 #include "radiosity/triangle_slices.h"
 #include "raster/parallel.h"
@@ -65,8 +65,8 @@ double uncovered(const Range& range, std::vector<Range>& covers) {
   return left + range.high - end;
 }
 
-/// What of a range along a line a segment covers that lies along it. The segment's ends are given as the place along the
-/// line and the distance from it.
+/// What of a range along a line a segment covers that lies along it. The segment's ends are given as the place along
+/// the line and the distance from it.
 std::optional<Range> coverOf(const Range& range, glm::dvec2 from, glm::dvec2 to, double distance) {
   if (from.x > to.x) std::swap(from, to);
   const double low = std::max(range.low, from.x), high = std::min(range.high, to.x);
@@ -232,7 +232,8 @@ class CutSurface {
     if (slices_[triangle].empty()) return first;
     const auto [a, b, c] = inTexels(surface_.triangles[triangle], grid_.columns, grid_.rows);
     const glm::dvec2 place = a + weights.x * (b - a) + weights.y * (c - a);
-    const std::uint32_t texel = texelAt(static_cast<std::int64_t>(std::floor(place.x)), static_cast<std::int64_t>(std::floor(place.y)));
+    const std::uint32_t texel =
+        texelAt(static_cast<std::int64_t>(std::floor(place.x)), static_cast<std::int64_t>(std::floor(place.y)));
     for (std::uint32_t i = first; i < end; ++i)
       if (cuttings_[i].texel == texel && (!cuttings_[i].piece || contains(*cuttings_[i].piece, weights))) return i;
     return first;
@@ -282,20 +283,21 @@ class CutSurface {
     SegmentTree tree(slices, 2 * tolerance_);
     std::vector<Slice> borders;
     std::vector<std::uint32_t> owners;
-    forEachCell(inTexels(surface_.triangles[triangle], grid_.columns, grid_.rows),
-                [&](std::int64_t column, std::int64_t row, const Piece& whole) {
-                  if (share(whole) <= smallestShare) return;
-                  const std::vector<Piece> pieces = piecesOf(whole, plane, slices, tree);
-                  for (const Piece& piece : pieces) {
-                    add(texelAt(column, row), triangle, piece, wholeArea);
-                    if (pieces.size() > 1) cuttings_.back().piece = std::make_shared<const Piece>(piece);
-                    for (std::size_t i = 0; i < piece.size; ++i) {
-                      const std::size_t next = (i + 1) % piece.size;
-                      borders.push_back({plane.place(piece.corners[i].weight), plane.place(piece.corners[next].weight)});
-                      owners.push_back(static_cast<std::uint32_t>(cuttings_.size() - 1));
-                    }
-                  }
-                });
+    forEachCell(
+        inTexels(surface_.triangles[triangle], grid_.columns, grid_.rows),
+        [&](std::int64_t column, std::int64_t row, const Piece& whole) {
+          if (share(whole) <= smallestShare) return;
+          const std::vector<Piece> pieces = piecesOf(whole, plane, slices, tree);
+          for (const Piece& piece : pieces) {
+            add(texelAt(column, row), triangle, piece, wholeArea);
+            if (pieces.size() > 1) cuttings_.back().piece = std::make_shared<const Piece>(piece);
+            for (std::size_t i = 0; i < piece.size; ++i) {
+              const std::size_t next = (i + 1) % piece.size;
+              borders.push_back({plane.place(piece.corners[i].weight), plane.place(piece.corners[next].weight)});
+              owners.push_back(static_cast<std::uint32_t>(cuttings_.size() - 1));
+            }
+          }
+        });
     joinAlong(borders, owners, slices, tree);
     edges_[triangle] = edgesOf(triangle, borders, owners);
   }
@@ -357,7 +359,8 @@ class CutSurface {
     SegmentTree others(borders, tolerance_);
     for (std::uint32_t i = 0; i < borders.size(); ++i)
       for (const std::uint32_t j : others.near(borders[i].from, borders[i].to))
-        if (j > i && rootOf(owners[i]) != rootOf(owners[j]) && areJoined(borders[i], borders[j], slices, tree, tolerance_))
+        if (j > i && rootOf(owners[i]) != rootOf(owners[j]) &&
+            areJoined(borders[i], borders[j], slices, tree, tolerance_))
           join(owners[i], owners[j]);
   }
 
@@ -454,8 +457,8 @@ class CutSurface {
   const Grid& grid_;
   std::span<const std::vector<Slice>> slices_;  ///< one entry a triangle
   double tolerance_;
-  std::vector<Cutting> cuttings_;       ///< by triangle
-  std::vector<std::uint32_t> first_;    ///< of each triangle's cuttings, and behind the last
+  std::vector<Cutting> cuttings_;         ///< by triangle
+  std::vector<std::uint32_t> first_;      ///< of each triangle's cuttings, and behind the last
   std::map<std::uint32_t, Edges> edges_;  ///< of the triangles that have slices
 };
 
@@ -469,8 +472,8 @@ struct Region {
 /// What is seen from a region, as form factors.
 struct Seen {
   double backs = 0, exposedFronts = 0;
-  double lights = 0;                              ///< of the exposed fronts those that emit
-  std::size_t points = 0;                         ///< that it is seen from; shares are their sums
+  double lights = 0;                             ///< of the exposed fronts those that emit
+  std::size_t points = 0;                        ///< that it is seen from; shares are their sums
   std::map<std::uint32_t, double> regions = {};  ///< fronts, by region
 };
 
@@ -550,7 +553,8 @@ class BuriedRegions {
     for (std::uint32_t s = 0; s < regions.size(); ++s) {
       if (cut_[s]) regionOf_[s].resize(cut_[s]->cuttings().size());
       for (std::vector<std::uint32_t>& cuttings : regions[s]) {
-        for (const std::uint32_t cutting : cuttings) regionOf_[s][cutting] = static_cast<std::uint32_t>(regions_.size());
+        for (const std::uint32_t cutting : cuttings)
+          regionOf_[s][cutting] = static_cast<std::uint32_t>(regions_.size());
         regions_.push_back({s, std::move(cuttings)});
       }
     }
@@ -628,22 +632,22 @@ class BuriedRegions {
   }
 
   /// The exposed pieces of a texel, by triangle.
-  std::vector<TexelPiece> piecesOf(std::uint32_t surface, std::uint32_t texel, const std::vector<Cutting>& cuttings) const {
+  std::vector<TexelPiece> piecesOf(std::uint32_t surface, std::uint32_t texel,
+                                   const std::vector<Cutting>& cuttings) const {
     const Grid& grid = unburied_.grids[surface];
     const auto columns = static_cast<std::uint32_t>(grid.columns);
     std::vector<TexelPiece> pieces;
     for (const Cutting& cutting : cuttings) {
       const auto corners = inTexels(scene_.surfaces[surface].triangles[cutting.triangle], grid.columns, grid.rows);
-      pieces.push_back({cutting.triangle, cutting.piece
-                                              ? *cutting.piece
-                                              : clippedToCell(corners, texel % columns, texel / columns)});
+      pieces.push_back({cutting.triangle,
+                        cutting.piece ? *cutting.piece : clippedToCell(corners, texel % columns, texel / columns)});
     }
     return pieces;
   }
 
   const Scene& scene_;
   const Discretization& unburied_;
-  std::vector<std::optional<CutSurface>> cut_;         ///< of surfaces that have slices
+  std::vector<std::optional<CutSurface>> cut_;        ///< of surfaces that have slices
   std::vector<std::vector<std::uint32_t>> regionOf_;  ///< of each cutting, by surface
   const RayTree& rays_;
   std::vector<LookDirection> directions_ = lookDirections();
@@ -660,8 +664,7 @@ std::vector<std::vector<CutTexel>> cutTexels(const Scene& scene, const Discretiz
   const std::vector<std::vector<Slice>> slices = triangleSlices(scene, rays);
   if (std::all_of(slices.begin(), slices.end(), [](const auto& some) { return some.empty(); })) return cut;
   const BuriedRegions regions(scene, unburied, slices, rays);
-  raster::parallelFor(cut.size(),
-                      [&](std::size_t s) { cut[s] = regions.cutTexels(static_cast<std::uint32_t>(s)); });
+  raster::parallelFor(cut.size(), [&](std::size_t s) { cut[s] = regions.cutTexels(static_cast<std::uint32_t>(s)); });
   return cut;
 }
 

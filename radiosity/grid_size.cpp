@@ -28,7 +28,8 @@ glm::dvec2 chartLengths(const Surface& surface) {
   return totalArea > 0 ? sum / totalArea : sum;
 }
 
-/// Columns and rows at least of a surface that is not flat, where texels follow the scene: its faces look different ways.
+/// Columns and rows at least of a surface that is not flat, where texels follow the scene: its faces look different
+/// ways.
 constexpr int fewestOfCurved = 4;
 
 /// The power of two nearest to a number, by their ratio.

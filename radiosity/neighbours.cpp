@@ -35,7 +35,8 @@ std::vector<std::array<std::uint32_t, 3>> neighbours(const Surface& surface) {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> edges;
   edges.reserve(numbers.size());
   for (std::uint32_t corner = 0; corner < numbers.size(); ++corner) {
-    const std::uint32_t first = corner / 3 * 3, a = numbers[first + (corner + 1) % 3], b = numbers[first + (corner + 2) % 3];
+    const std::uint32_t first = corner / 3 * 3, a = numbers[first + (corner + 1) % 3],
+                        b = numbers[first + (corner + 2) % 3];
     edges.emplace_back(std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), corner);
   }
   std::sort(edges.begin(), edges.end());

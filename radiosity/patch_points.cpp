@@ -10,8 +10,8 @@ namespace {
 struct BlockPiece {
   std::uint32_t triangle = 0;
   Piece piece;
-  double area = 0;          ///< on the surface
-  glm::dvec2 centre{0.0};   ///< in texels
+  double area = 0;         ///< on the surface
+  glm::dvec2 centre{0.0};  ///< in texels
 };
 
 /// The polygon has the point inside or on its border; polygons of a chart may wind either way.
@@ -29,17 +29,15 @@ bool contains(const Piece& piece, const glm::dvec2& point) {
 std::vector<BlockPiece> piecesIn(const Surface& surface, const Grid& grid, const glm::dvec2& corner,
                                  const glm::dvec2& size) {
   std::vector<BlockPiece> pieces;
-  forEachExposedPiece(surface, texelGrid(grid), corner, corner + size,
-                      [&](std::size_t, std::uint32_t t, const Piece& piece) {
-                        const double inside = share(piece) * area(surface.triangles[t]);
-                        if (!(inside > 0)) return;
-                        const std::array<glm::dvec2, 3> corners =
-                            inTexels(surface.triangles[t], grid.columns, grid.rows);
-                        const glm::dvec2 weights = centroid(piece);
-                        pieces.push_back({t, piece, inside,
-                                          corners[0] + weights.x * (corners[1] - corners[0]) +
-                                              weights.y * (corners[2] - corners[0])});
-                      });
+  forEachExposedPiece(
+      surface, texelGrid(grid), corner, corner + size, [&](std::size_t, std::uint32_t t, const Piece& piece) {
+        const double inside = share(piece) * area(surface.triangles[t]);
+        if (!(inside > 0)) return;
+        const std::array<glm::dvec2, 3> corners = inTexels(surface.triangles[t], grid.columns, grid.rows);
+        const glm::dvec2 weights = centroid(piece);
+        pieces.push_back({t, piece, inside,
+                          corners[0] + weights.x * (corners[1] - corners[0]) + weights.y * (corners[2] - corners[0])});
+      });
   return pieces;
 }
 
@@ -59,7 +57,8 @@ std::optional<ShootingBlock> shootingBlock(const Surface& surface, const Grid& g
   const BlockPiece* nearest = &pieces.front();
   for (const BlockPiece& piece : pieces) {
     if (contains(piece.piece, middle))
-      if (const auto weights = weightsAt(inTexels(surface.triangles[piece.triangle], grid.columns, grid.rows), middle)) {
+      if (const auto weights =
+              weightsAt(inTexels(surface.triangles[piece.triangle], grid.columns, grid.rows), middle)) {
         block.centre = pointOn(surface, piece.triangle, *weights);
         return block;
       }

@@ -13,8 +13,9 @@ namespace {
 /// Of the hemicubes that say how near a patch is.
 constexpr int scoutResolution = 32;
 /// Parts of at least this weight are drawn at the whole resolution, and at half of it those with less than a
-/// `weightOfHalving`-th of that, and so on. The error of a row falls with the 1.5th power of the resolution and its cost
-/// grows with the square: least error for all cost takes resolutions in proportion to the weight to the power of 1 / 2.5.
+/// `weightOfHalving`-th of that, and so on. The error of a row falls with the 1.5th power of the resolution and its
+/// cost grows with the square: least error for all cost takes resolutions in proportion to the weight to the power of 1
+/// / 2.5.
 constexpr double weightOfWhole = 2, weightOfHalving = 5.656854249492381;
 
 int halvingsFor(double weight) {

@@ -4,8 +4,8 @@
 /// patch is small for its distance. Between two parallel squares a side apart it is 20 % too much, at half a side 33 %
 /// (the cases of Baum, Rushmeier and Winget 1989). So a patch is quartered while too much of its light is misdirected.
 ///
-/// How much that is, its own row says. With A the areas, F_ij A_i / A_j is by reciprocity F_ji, the share of what patch j
-/// sends out that reaches i, so
+/// How much that is, its own row says. With A the areas, F_ij A_i / A_j is by reciprocity F_ji, the share of what patch
+/// j sends out that reaches i, so
 ///
 ///     sum_j F_ij min(1, F_ij A_i / A_j)
 ///
@@ -15,10 +15,10 @@
 /// other points of the patch may not see. One low hemicube is enough to find both. Where a patch goes round a fold, the
 /// share by which its normals cancel is added.
 ///
-/// A patch is looked at when it is about to shoot for the first time, with the flux that it has then. Its weight is this
-/// flux over the mean of all patches. Error is flux times misdirected share, and either falls to a quarter where a patch
-/// is quartered, so that work is best spent where the share is in proportion to the root of the weight: the limit of a
-/// patch of weight w is that of the settings over sqrt(w). Likewise faint patches are drawn at lower resolutions.
+/// A patch is looked at when it is about to shoot for the first time, with the flux that it has then. Its weight is
+/// this flux over the mean of all patches. Error is flux times misdirected share, and either falls to a quarter where a
+/// patch is quartered, so that work is best spent where the share is in proportion to the root of the weight: the limit
+/// of a patch of weight w is that of the settings over sqrt(w). Likewise faint patches are drawn at lower resolutions.
 ///
 /// Each part shoots the light of its own elements. One cannot be cut, so a patch of one shoots from several points
 /// at once.

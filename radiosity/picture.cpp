@@ -102,7 +102,7 @@ Image borderPicture(const std::vector<std::optional<ShownPiece>>& pieces, int wi
 
 /// The pieces that samples show, where `pieceOf` says which one a sample belongs to.
 std::vector<std::optional<ShownPiece>> piecesOf(const Samples& samples,
-                                           const std::function<ShownPiece(const Visible&)>& pieceOf) {
+                                                const std::function<ShownPiece(const Visible&)>& pieceOf) {
   std::vector<std::optional<ShownPiece>> pieces;
   pieces.reserve(samples.size());
   for (const std::optional<Visible>& visible : samples)

@@ -93,8 +93,8 @@ void RayTree::trace(const glm::dvec3& origin, const glm::dvec3& direction, doubl
     for (std::uint32_t i = 0; i < node.triangles; ++i) meetLeaf(leaves_[node.second + i]);
     if (node.triangles > 0) continue;
     const Node &first = nodes_[number + 1], &second = nodes_[node.second];
-    const bool isFirstNearer = entry(first.low, first.high, origin, inverse, end) <
-                               entry(second.low, second.high, origin, inverse, end);
+    const bool isFirstNearer =
+        entry(first.low, first.high, origin, inverse, end) < entry(second.low, second.high, origin, inverse, end);
     waiting[count++] = isFirstNearer ? node.second : number + 1;
     waiting[count++] = isFirstNearer ? number + 1 : node.second;
   }

@@ -1,6 +1,6 @@
 /// A hierarchy of boxes around a scene's triangles: which triangle a ray meets first, and which are near a box. For the
-/// few rays that say what is seen from a point; in binary64, so that it sees gaps and solids that are far smaller than an item buffer's depths tell
-/// apart.
+/// few rays that say what is seen from a point; in binary64, so that it sees gaps and solids that are far smaller than
+/// an item buffer's depths tell apart.
 #pragma once
 
 #include <cstdint>
@@ -43,12 +43,12 @@ class RayTree {
   /// The first child of an inner node is the next node. A node of the tree's bottom has triangles instead.
   struct Node {
     glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-    std::uint32_t second = 0;        ///< the other child, or the first triangle
-    std::uint32_t triangles = 0;     ///< 0 of an inner node
+    std::uint32_t second = 0;     ///< the other child, or the first triangle
+    std::uint32_t triangles = 0;  ///< 0 of an inner node
   };
 
-  /// Calls meet(hit, end) for triangles in the ray's way, the nearer ones first as far as boxes tell, up to `end`, which
-  /// meet may bring nearer.
+  /// Calls meet(hit, end) for triangles in the ray's way, the nearer ones first as far as boxes tell, up to `end`,
+  /// which meet may bring nearer.
   template <typename Meet>
   void trace(const glm::dvec3& origin, const glm::dvec3& direction, double end, const Meet& meet) const;
   void build(std::uint32_t begin, std::uint32_t end);

@@ -49,8 +49,7 @@ Solution shoot(const Discretization& discretization, Refinement& refinement, Row
   const double meanFlux = refinement.light().lastEmitted / static_cast<double>(discretization.patches.size());
   const auto hasBeenSplit = [&](std::uint32_t patch) {
     if (!split || refinement.hasShot(patch)) return false;
-    const std::vector<std::uint32_t> parts =
-        split(patch, bandSum(glm::abs(refinement.unshot(patch))) / meanFlux);
+    const std::vector<std::uint32_t> parts = split(patch, bandSum(glm::abs(refinement.unshot(patch))) / meanFlux);
     if (!parts.empty()) refinement.split(patch, parts);
     return !parts.empty();
   };
@@ -88,7 +87,8 @@ Solution solve(const Scene& scene, const Discretization& discretization, const R
 }
 
 Solution refine(const Scene& scene, const Discretization& discretization, Refinement& refinement, RowCache& rows,
-                const RowSource& rowOf, const SolverSettings& settings, const Progress& progress, const PatchSplit& split) {
+                const RowSource& rowOf, const SolverSettings& settings, const Progress& progress,
+                const PatchSplit& split) {
   Solution solution = shoot(discretization, refinement, rows, rowOf, settings, progress, split);
   return finished(std::move(solution), scene, discretization, std::as_const(refinement));
 }

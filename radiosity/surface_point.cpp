@@ -13,12 +13,10 @@ SurfacePoint pointOn(const Surface& surface, std::uint32_t number, const glm::dv
 }
 
 SurfacePoint patchCentre(const Scene& scene, const Discretization& discretization, const Patch& patch) {
-  const auto block =
-      shootingBlock(scene.surfaces[patch.surface], discretization.grids[patch.surface],
-                    glm::dvec2(patch.column, patch.row), glm::dvec2(patch.width, patch.height));
+  const auto block = shootingBlock(scene.surfaces[patch.surface], discretization.grids[patch.surface],
+                                   glm::dvec2(patch.column, patch.row), glm::dvec2(patch.width, patch.height));
   // Where a chart has next to no area in the block it may have none left, to within rounding.
-  return block ? block->centre
-               : elementCentre(scene, discretization, discretization.patchElements[patch.firstElement]);
+  return block ? block->centre : elementCentre(scene, discretization, discretization.patchElements[patch.firstElement]);
 }
 
 /// A leaf of a quadtree is a texel of a grid that is so much coarser.

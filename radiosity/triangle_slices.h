@@ -17,8 +17,8 @@ struct Slice {
 
 /// The slices of every triangle of the scene, by the triangle's number in the scene. The plane lies `eyeLift` extents
 /// above the triangle, as the eyes of its patches do; from there they are moved along what crosses it, onto the
-/// triangle. Slices along the border of a surface are left out: they separate nothing. So are those along an edge by the
-/// triangle's own neighbour there. Takes n log n for n triangles of about equal size, beside the slices themselves.
+/// triangle. Slices along the border of a surface are left out: they separate nothing. So are those along an edge by
+/// the triangle's own neighbour there. Takes n log n for n triangles of about equal size, beside the slices themselves.
 std::vector<std::vector<Slice>> triangleSlices(const Scene& scene);
 /// The same with a tree of the scene at hand.
 std::vector<std::vector<Slice>> triangleSlices(const Scene& scene, const RayTree& tree);

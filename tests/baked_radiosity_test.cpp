@@ -111,11 +111,13 @@ TEST_CASE("bakedRadiosity exposes a floor but for the footprint of a box that st
 
 TEST_CASE("bakedRadiosity exposes what hovers, and not what is sunk into the floor", "[baked]") {
   const Scene hovering = roomWithBox({1, 1, 1e-3}, {1, 1, 1}, true);
-  const BakedRadiosity one = bakedRadiosity(hovering, discretizeUnburied(hovering, {.texels = 2}), {.paths = 32, .points = 32});
+  const BakedRadiosity one =
+      bakedRadiosity(hovering, discretizeUnburied(hovering, {.texels = 2}), {.paths = 32, .points = 32});
   CHECK(exposedAreaOf(hovering, one, "room0") == Approx(12).epsilon(1e-12));
   CHECK(exposedAreaOf(hovering, one, "box0") == Approx(1).epsilon(1e-12));
   const Scene sunk = roomWithBox({1, 1, -0.25}, {1, 1, 1}, true);
-  const BakedRadiosity other = bakedRadiosity(sunk, discretizeUnburied(sunk, {.texels = 2}), {.paths = 32, .points = 1 << 12});
+  const BakedRadiosity other =
+      bakedRadiosity(sunk, discretizeUnburied(sunk, {.texels = 2}), {.paths = 32, .points = 1 << 12});
   CHECK(exposedAreaOf(sunk, other, "room0") == Approx(11).margin(1e-2));
   CHECK(exposedAreaOf(sunk, other, "box2") == Approx(0.75).margin(5e-3));
 }
@@ -169,7 +171,8 @@ TEST_CASE("bakedRadiosity buries the space that a box encloses with the floor an
   scene.materials = {tests::material("grey", glm::dvec3(0.5), glm::dvec3(0)),
                      tests::material("light", glm::dvec3(0.5), glm::dvec3(1))};
   scene.surfaces[1].material = 1;  // the ceiling
-  const BakedRadiosity baked = bakedRadiosity(scene, discretizeUnburied(scene, {.texels = 4}), {.paths = 32, .points = 1024});
+  const BakedRadiosity baked =
+      bakedRadiosity(scene, discretizeUnburied(scene, {.texels = 4}), {.paths = 32, .points = 1024});
   CHECK(exposedAreaOf(scene, baked, "room0") == Approx(12 - 0.75).margin(5e-3));
   CHECK(exposedAreaOf(scene, baked, "room4") == Approx(8 - 0.5).margin(5e-3));
   CHECK(exposedAreaOf(scene, baked, "box1") == Approx(0.75).epsilon(1e-12));

@@ -650,7 +650,8 @@ TEST_CASE("The paper's room without its shadows: hemicubes and closed forms agre
   // From the light no ray to these surfaces meets the box; a part of the floor is behind it. A hemicube of 256 pixels
   // misses a few of them along a surface's rim, each of up to 1/(pi 128^2) = 2e-5. The light shoots from 8 x 8 patches.
   const Shell shell;
-  const std::string command = "formfactors " HEMITEX_DATA "/paper-room.obj --texels 16 --patch 2 --from light --by-surface --json --method ";
+  const std::string command =
+      "formfactors " HEMITEX_DATA "/paper-room.obj --texels 16 --patch 2 --from light --by-surface --json --method ";
   const json analytic = json::parse(shell.output(command + "analytic"))["row"];
   const json hemicube = json::parse(shell.output(command + "hemicube"))["row"];
   REQUIRE(analytic.size() == 13);

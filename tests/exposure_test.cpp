@@ -198,7 +198,8 @@ void checkSpill(const Scene& scene, const Discretization& discretization) {
 
 Scene loaded(const data::Model& model) {
   const TemporaryFolder folder;
-  for (const data::File& file : data::files(model)) std::ofstream(folder.path / file.name, std::ios::binary) << file.text;
+  for (const data::File& file : data::files(model))
+    std::ofstream(folder.path / file.name, std::ios::binary) << file.text;
   return loadScene(folder.path / (model.name + ".obj"));
 }
 
@@ -281,8 +282,7 @@ TEST_CASE("discretize takes the footprint of a box out of the floor's area", "[e
                                     std::pair(glm::dvec3(1, 0.8, 0), glm::dvec3(0.31, 0.7, 1)),
                                     std::pair(glm::dvec3(0.6, 0.5, 0), glm::dvec3(0.01, 2, 1)));
   CAPTURE(hasBottom, low.x, low.y);
-  checkAreas(joined({room(), box("box", low, size, hasBottom)}),
-             {{"room0", floorArea - size.x * size.y}, {"box0", 0}});
+  checkAreas(joined({room(), box("box", low, size, hasBottom)}), {{"room0", floorArea - size.x * size.y}, {"box0", 0}});
 }
 
 TEST_CASE("discretize takes the footprint of a box out of a floor of several triangles", "[exposure]") {
@@ -345,11 +345,11 @@ TEST_CASE("discretize buries the part of a box that is sunk into the floor", "[e
   CAPTURE(depth);
   const double height = 0.9 - depth;
   checkAreas(joined({room(), box("box", {1.03, 0.71, -depth}, {1.1, 0.7, 0.9})}), {{"room0", floorArea - 1.1 * 0.7},
-                                                                                  {"box0", 0},
-                                                                                  {"box2", 0.7 * height},
-                                                                                  {"box3", 0.7 * height},
-                                                                                  {"box4", 1.1 * height},
-                                                                                  {"box5", 1.1 * height}});
+                                                                                   {"box0", 0},
+                                                                                   {"box2", 0.7 * height},
+                                                                                   {"box3", 0.7 * height},
+                                                                                   {"box4", 1.1 * height},
+                                                                                   {"box5", 1.1 * height}});
 }
 
 TEST_CASE("discretize buries nothing under a box that hovers", "[exposure]") {
@@ -410,9 +410,8 @@ TEST_CASE("discretize buries where a box touches two walls, and where one touche
                                                                         {"box4", 0}});
   Surfaces open = box("box", {0, 0, 0}, {0.8, 0.6, 1.1});
   open = {open[1], open[3], open[5]};
-  checkAreas(joined({room(), open}), {{"room0", floorArea - 0.8 * 0.6},
-                                      {"room2", 3 * 2 - 0.6 * 1.1},
-                                      {"room4", 4 * 2 - 0.8 * 1.1}});
+  checkAreas(joined({room(), open}),
+             {{"room0", floorArea - 0.8 * 0.6}, {"room2", 3 * 2 - 0.6 * 1.1}, {"room4", 4 * 2 - 0.8 * 1.1}});
   checkAreas(joined({room(), box("box", {1.3, 0.9, 1.8}, {0.8, 0.6, 0.2})}),
              {{"room1", floorArea - 0.8 * 0.6}, {"box1", 0}});
 }
@@ -425,11 +424,12 @@ TEST_CASE("discretize buries what a leaning box cuts out of the floor, and its p
   // Cut by the floor at 0.2 / sine along the bottom, and at 0.2 / cosine along the left side.
   const double alongBottom = 0.2 / sine, alongSide = 0.2 / cosine;
   const double triangle = alongBottom * alongSide / 2;
-  checkAreas(joined({room(), leaning}), {{"room0", floorArea - 0.7 * std::hypot(alongBottom, alongSide)},
-                                         {"box0", 0.7 * (1 - alongBottom)},
-                                         {"box2", 0.7 * (0.9 - alongSide)},
-                                         {"box4", 0.9 - triangle},
-                                         {"box5", 0.9 - triangle}},
+  checkAreas(joined({room(), leaning}),
+             {{"room0", floorArea - 0.7 * std::hypot(alongBottom, alongSide)},
+              {"box0", 0.7 * (1 - alongBottom)},
+              {"box2", 0.7 * (0.9 - alongSide)},
+              {"box4", 0.9 - triangle},
+              {"box5", 0.9 - triangle}},
              leaningTolerance);
 }
 
@@ -439,7 +439,8 @@ TEST_CASE("discretize takes the polygon that a ball is cut in out of the floor's
   const double radius = 0.6;
   // At its equator; and halfway between two rings, where facets are planes and the polygon has the mean radius.
   const double ring = std::sqrt(3.0) / 2;
-  for (const auto& [height, polygonRadius] : {std::pair(0.0, radius), std::pair(-0.25 * radius, radius * (1 + ring) / 2)}) {
+  for (const auto& [height, polygonRadius] :
+       {std::pair(0.0, radius), std::pair(-0.25 * radius, radius * (1 + ring) / 2)}) {
     CAPTURE(isTessellated, height);
     const Scene scene = tests::sceneOf(joined({around, ball("ball", {1.9, 1.4, height}, radius)}));
     for (const int texels : {1, 4, 5, 16}) {
@@ -483,9 +484,11 @@ TEST_CASE("discretize buries nothing by sheets that are seen from one side", "[e
 }
 
 TEST_CASE("discretize keeps the light that comes from inside a solid, and none other", "[exposure]") {
-  const Surfaces surfaces = joined({room(), box("lamp", {1, 1, 1.8}, {0.6, 0.5, 0.4}), box("box", {2.6, 0.9, 0}, {0.8, 0.6, 0.3}),
-                              {tests::parallelogram("panel", {3.95, 0.8, 0.6}, {0, 0, 0.5}, {0, 0.9, 0})},
-                              box("on-panel", {3.75, 1.1, 0.8}, {0.2, 0.3, 0.2})});
+  const Surfaces surfaces = joined({room(),
+                                    box("lamp", {1, 1, 1.8}, {0.6, 0.5, 0.4}),
+                                    box("box", {2.6, 0.9, 0}, {0.8, 0.6, 0.3}),
+                                    {tests::parallelogram("panel", {3.95, 0.8, 0.6}, {0, 0, 0.5}, {0, 0.9, 0})},
+                                    box("on-panel", {3.75, 1.1, 0.8}, {0.2, 0.3, 0.2})});
   Scene scene = tests::sceneOf(surfaces);
   scene.materials = {tests::material("grey", glm::dvec3(0.5), glm::dvec3(0)),
                      tests::material("light", glm::dvec3(0), glm::dvec3(2))};
@@ -524,8 +527,8 @@ TEST_CASE("discretize never buries a light in the open", "[exposure]") {
 }
 
 TEST_CASE("discretize buries only footprints in a room whose every surface is touched", "[exposure]") {
-  const Surfaces surfaces = joined({room(), box("a", {0.5, 0.4, 0}, {0.4, 0.4, 2}), box("b", {0, 1.3, 0.7}, {4, 0.3, 0.3}),
-                                    box("c", {2.3, 0, 1.2}, {0.3, 3, 0.3})});
+  const Surfaces surfaces = joined({room(), box("a", {0.5, 0.4, 0}, {0.4, 0.4, 2}),
+                                    box("b", {0, 1.3, 0.7}, {4, 0.3, 0.3}), box("c", {2.3, 0, 1.2}, {0.3, 3, 0.3})});
   checkAreas(surfaces, {{"room0", floorArea - 0.16},
                         {"room1", floorArea - 0.16},
                         {"room2", 6 - 0.09},
@@ -547,8 +550,8 @@ TEST_CASE("discretize buries footprints outdoors, where there are no walls", "[e
   for (int j = 0; j < 4; ++j)
     for (int i = 0; i < 4; ++i) {
       const glm::dvec3 size(1.3 + 0.2 * i, 1.7 + 0.3 * j, 1 + i * j);
-      surfaces = joined({surfaces, box("tower" + std::to_string(4 * j + i) + "-", {-9 + 4.7 * i, -9 + 4.9 * j, 0}, size,
-                                       hasBottom)});
+      surfaces = joined(
+          {surfaces, box("tower" + std::to_string(4 * j + i) + "-", {-9 + 4.7 * i, -9 + 4.9 * j, 0}, size, hasBottom)});
       footprints += size.x * size.y;
     }
   surfaces = joined({surfaces, box("lamp", {0, 0, 15}, {1, 1, 0.2})});
@@ -577,8 +580,8 @@ TEST_CASE("patchCentre of a triangle that is one texel is its centroid", "[expos
   const Scene scene = tests::sceneOf({tests::flat("triangle", {corner})});
   const Discretization discretization = discretize(scene, {.texels = 1});
   const glm::dvec2 centroid = (corner[0] + corner[1] + corner[2]) / 3.0;
-  CHECK(glm::distance(patchCentre(scene, discretization, discretization.patches[0]).position,
-                      glm::dvec3(centroid, 0)) < 1e-15);
+  CHECK(glm::distance(patchCentre(scene, discretization, discretization.patches[0]).position, glm::dvec3(centroid, 0)) <
+        1e-15);
 }
 
 // Where all fronts have one radiosity, any light that goes into the dark inside of the box is missing.
@@ -646,8 +649,7 @@ TEST_CASE("discretize of random rooms exposes what bakedRadiosity finds exposed"
     const Scene scene = loaded(data::randomRoom(seed));
     const DiscretizationSettings settings{.texels = 4};
     const Discretization unburied = discretizeUnburied(scene, settings), exposed = discretize(scene, settings);
-    const reference::BakedRadiosity baked =
-        reference::bakedRadiosity(scene, unburied, {.paths = 32, .points = points});
+    const reference::BakedRadiosity baked = reference::bakedRadiosity(scene, unburied, {.paths = 32, .points = points});
     double roomArea = 0;
     for (const Surface& surface : scene.surfaces) roomArea += tests::totalArea(surface);
     for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {

@@ -25,8 +25,8 @@ Scene randomTriangles(unsigned seed, int count) {
   std::vector<Surface> surfaces;
   for (int i = 0; i < count; ++i) {
     const glm::dvec3 a = point(), b = a + 0.6 * (point() - 0.5), c = a + 0.6 * (point() - 0.5);
-    surfaces.push_back(tests::surfaceOf("t" + std::to_string(i),
-                                        {tests::triangleOf({a, {0, 0}}, {b, {1, 0}}, {c, {0, 1}})}));
+    surfaces.push_back(
+        tests::surfaceOf("t" + std::to_string(i), {tests::triangleOf({a, {0, 0}}, {b, {1, 0}}, {c, {0, 1}})}));
   }
   return tests::sceneOf(std::move(surfaces));
 }

@@ -140,8 +140,9 @@ FormFactorTheme coincident() {
   const Surface under = facingUp(unitSquare), over = facingDown(unitSquare, 1);
   const Surface turned = tests::parallelogram("turned", {0, 0, 1}, {1, 0, 0}, {0, 1, 0});
   const double c = reference::parallelRectangles(unitSquare, unitSquare, 1);
-  // A floor that goes on behind the wall, a wall that goes on below the floor: half of each is behind the other. It sees
-  // nothing but a back, and counts as the inside of a solid: what is left of both are unit squares that share an edge.
+  // A floor that goes on behind the wall, a wall that goes on below the floor: half of each is behind the other. It
+  // sees nothing but a back, and counts as the inside of a solid: what is left of both are unit squares that share an
+  // edge.
   const AxisRectangle both{{0, 1}, {-1, 1}};
   const std::string order = "the first in the file is seen";
   return {
