@@ -2,6 +2,7 @@
 /// viewer of OBJ files, a picture of it, and the numbers.
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "cli/commands.h"
 #include "cli/edits_file.h"
@@ -88,14 +89,16 @@ void solve(SolveOptions asked, Context& context) {
       isEdited ? readEdits(asked.edits, scene, asked.scene.settings) : std::vector<Frame>();
   laps.lap("load_s");
   Staging{asked.output};  // a folder that cannot be written is told before the work, not after it
-  const auto [options, expectedError] = settingsFor(asked, scene, console);
-  if (expectedError) laps.lap("choose_s");
-  radiosity::Discretization unsplit = discretizationFor(options, scene, console);
-  const radiosity::WordLayout layout = layoutOf(options.word, unsplit, console);
+  radiosity::Discretization unsplit = discretizationFor(asked, scene, console);
+  const radiosity::WordLayout layout = layoutOf(asked.word, unsplit, console);
   laps.lap("discretize_s");
+  const std::optional<BoundedSolution> bounded = solvedWithin(asked, scene, unsplit, layout, console);
+  const SolveOptions& options = bounded ? bounded->options : asked;
   const std::unique_ptr<radiosity::DynamicSolution> dynamic =
       isEdited ? dynamicSolution(options, scene, std::move(unsplit), console) : nullptr;
-  const Solved solved = dynamic ? solvedBy(*dynamic) : solvedBy(options, scene, std::move(unsplit), layout, console);
+  const Solved solved = dynamic   ? solvedBy(*dynamic)
+                        : bounded ? bounded->solved
+                                  : solvedBy(options, scene, std::move(unsplit), layout, console);
   warnOf(solved, console);
   laps.lap("solve_s");
 
@@ -106,7 +109,7 @@ void solve(SolveOptions asked, Context& context) {
   laps.lap("write_s");
   ordered_json text = description(lit, showing);
   text["captured"] = solved.captured;
-  if (expectedError) text["expected_error"] = *expectedError;
+  if (bounded) text["expected_error"] = bounded->expectedError;
   for (std::size_t f = 0; f < frames.size(); ++f)
     text["frames"].push_back(writeFrame(staging.folder(), f + 1, frames[f], *dynamic, showing, console));
   text["times"] = laps.times();

@@ -57,9 +57,9 @@ void addChosenSettings(CLI::App& app, SolveOptions& options) {
   CLI::Option* maxError = addPositive(
       app, "--max-error", options.maxError, 1,
       "let the error of the elements' radiosity be at most this share of all light, weighted by flux: resolution, "
-      "patches, splits, residual and coarser index maps than --texels are chosen for it");
-  for (const char* chosen : {"--resolution", "--orientation", "--split", "--pixels-per-element", "--patch",
-                             "--texel-size", "--residual", "--shots", "--samples"})
+      "splits and residual are chosen for it");
+  for (const char* chosen : {"--resolution", "--orientation", "--split", "--pixels-per-element", "--residual",
+                             "--shots", "--samples"})
     maxError->excludes(app.get_option(chosen));
   CLI::Option* adaptive = addPositive(
       app, "--adaptive", options.adaptive, 1,
@@ -118,8 +118,10 @@ void addSolveOptions(CLI::App& command, SolveOptions& options) {
 void completeOptions(const CLI::App& command, SolveOptions& options) {
   refuseUnused(command, usesRays(options) ? drawingOptionNames() : std::vector<std::string>{"--samples"},
                options.method);
-  // What errors grow to was learnt of hemicubes.
+  // What is chosen are settings of hemicubes.
   if (options.method != "hemicube") refuseUnused(command, {"--max-error"}, options.method);
+  // Quadtrees stand over grids of one power of two.
+  if (options.adaptive && !options.discretization.texels) options.discretization.texels = 16;
   if (const auto projection = projectionNamed(options.method)) options.drawing.projection = *projection;
   validateFilter(options);
   if (usesRays(options)) refuseUnused(command, {"--edits"}, options.method);

@@ -5,33 +5,25 @@
 #include "cli/json.h"
 #include "radiosity/adaptive_discretization.h"
 #include "radiosity/drawn_rows.h"
-#include "reference/error_bound.h"
+#include "radiosity/error_bound.h"
 #include "reference/ray_rows.h"
 
 namespace hemitex::cli {
 
-ChosenSettings settingsFor(const SolveOptions& asked, const radiosity::Scene& scene, Console& console) {
-  if (!asked.maxError) return {asked};
-  SolveOptions options = asked;
-  options.solver.residual = reference::residualFor(*asked.maxError);
-  const int texels = asked.discretization.texels.value_or(16);
-  const auto setEffort = [&](const reference::Effort& effort) {
-    options.discretization.patches = effort.patches;
-    options.drawing.resolution = effort.resolution;
-    options.drawing.split = effort.split;
+std::optional<BoundedSolution> solvedWithin(const SolveOptions& asked, const radiosity::Scene& scene,
+                                            const radiosity::Discretization& discretization,
+                                            const radiosity::WordLayout& layout, Console& console) {
+  if (!asked.maxError) return std::nullopt;
+  BoundedSolution bounded{asked};
+  bounded.options.solver.residual = radiosity::residualFor(*asked.maxError);
+  const auto solveWith = [&](const radiosity::Effort& effort) {
+    bounded.options.drawing.resolution = effort.resolution;
+    bounded.options.drawing.split = effort.split;
+    bounded.solved = solvedBy(bounded.options, scene, discretization, layout, console);
+    return bounded.solved.solution.radiosity;
   };
-  const auto solveWith = [&](const reference::Effort& effort) {
-    setEffort(effort);
-    radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
-    const radiosity::WordLayout layout = layoutOf(options.word, discretization, console);
-    return solvedBy(options, scene, std::move(discretization), layout, console).solution.radiosity;
-  };
-  const reference::ErrorBoundChoice choice =
-      reference::chooseEffort(scene, discretizationOf(asked.discretization, scene), texels, solveWith, *asked.maxError);
-  setEffort(choice.effort);
-  // What was asked for a surface binds more than what was chosen.
-  options.discretization.surfaceTexels.insert(choice.surfaceTexels.begin(), choice.surfaceTexels.end());
-  return {options, choice.expectedError};
+  bounded.expectedError = radiosity::chooseEffort(discretization, solveWith, *asked.maxError).expectedError;
+  return bounded;
 }
 
 radiosity::Discretization discretizationFor(const SolveOptions& options, const radiosity::Scene& scene,

@@ -15,13 +15,6 @@
 
 namespace hemitex::cli {
 
-/// Settings as they were given, or as they were chosen for a bound on the error.
-struct ChosenSettings {
-  SolveOptions options;
-  std::optional<double> expectedError = {};  ///< where they were chosen
-};
-ChosenSettings settingsFor(const SolveOptions& asked, const radiosity::Scene& scene, Console& console);
-
 /// Elements: texels, or leaves of quadtrees that solutions have refined.
 radiosity::Discretization discretizationFor(const SolveOptions& options, const radiosity::Scene& scene,
                                             Console& console);
@@ -35,6 +28,18 @@ struct Solved {
 
 Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radiosity::Discretization discretization,
                 const radiosity::WordLayout& layout, Console& console);
+
+/// A solution within a bound on the error, and the settings that were chosen for it.
+struct BoundedSolution {
+  SolveOptions options;
+  Solved solved = {};
+  double expectedError = 0;
+};
+
+/// Where a bound on the error was asked for: settings are chosen so that the solution keeps it.
+std::optional<BoundedSolution> solvedWithin(const SolveOptions& asked, const radiosity::Scene& scene,
+                                            const radiosity::Discretization& discretization,
+                                            const radiosity::WordLayout& layout, Console& console);
 
 /// A solution that follows edits, and what it is before the first of them. `options` and `console` outlive it.
 std::unique_ptr<radiosity::DynamicSolution> dynamicSolution(const SolveOptions& options, const radiosity::Scene& scene,

@@ -16,7 +16,7 @@
 /// share by which its normals cancel is added.
 ///
 /// A patch is looked at when it is about to shoot for the first time, with the flux that it has then. Its weight is
-/// this flux over the mean of all patches. Error is flux times misdirected share, and either falls to a quarter where a
+/// this flux over a 128th of all emitted flux. Error is flux times misdirected share, and either falls to a quarter where a
 /// patch is quartered, so that work is best spent where the share is in proportion to the root of the weight: the limit
 /// of a patch of weight w is that of the settings over sqrt(w). Likewise faint patches are drawn at lower resolutions.
 ///

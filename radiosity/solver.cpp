@@ -38,18 +38,21 @@ std::vector<std::string> warningsOf(const Energy& energy) {
           "which --two-sided lights on both"};
 }
 
+/// All emitted flux, in units of what a patch of weight 1 shoots.
+constexpr double unitsOfFlux = 128;
+
 /// Shoots until the settings say stop.
-Solution shoot(const Discretization& discretization, Refinement& refinement, RowCache& rows, const RowSource& rowOf,
+Solution shoot(Refinement& refinement, RowCache& rows, const RowSource& rowOf,
                const SolverSettings& settings, const Progress& progress, const PatchSplit& split) {
   Solution solution;
   solution.residual = refinement.residual();
   const auto isDone = [&] {
     return solution.residual <= settings.residual || (settings.shots && solution.shots >= *settings.shots);
   };
-  const double meanFlux = refinement.light().lastEmitted / static_cast<double>(discretization.patches.size());
+const double unitFlux = refinement.light().lastEmitted / unitsOfFlux;
   const auto hasBeenSplit = [&](std::uint32_t patch) {
     if (!split || refinement.hasShot(patch)) return false;
-    const std::vector<std::uint32_t> parts = split(patch, bandSum(glm::abs(refinement.unshot(patch))) / meanFlux);
+    const std::vector<std::uint32_t> parts = split(patch, bandSum(glm::abs(refinement.unshot(patch))) / unitFlux);
     if (!parts.empty()) refinement.split(patch, parts);
     return !parts.empty();
   };
@@ -82,14 +85,14 @@ Solution solve(const Scene& scene, const Discretization& discretization, const R
   assert(!discretization.patches.empty());
   Refinement refinement(scene, discretization);
   RowCache rows(settings.rowCacheBytes);
-  Solution solution = shoot(discretization, refinement, rows, rowOf, settings, progress, split);
+  Solution solution = shoot(refinement, rows, rowOf, settings, progress, split);
   return finished(std::move(solution), scene, discretization, std::move(refinement));
 }
 
 Solution refine(const Scene& scene, const Discretization& discretization, Refinement& refinement, RowCache& rows,
                 const RowSource& rowOf, const SolverSettings& settings, const Progress& progress,
                 const PatchSplit& split) {
-  Solution solution = shoot(discretization, refinement, rows, rowOf, settings, progress, split);
+  Solution solution = shoot(refinement, rows, rowOf, settings, progress, split);
   return finished(std::move(solution), scene, discretization, std::as_const(refinement));
 }
 

@@ -1,115 +1,138 @@
 /// What a bound on the error costs: for every scene and bound, what `solve --max-error` takes, the choice included,
-/// beside the cheapest of a grid of settings that keep the bound, and the true error of both. Prints a table; times are
-/// of one thread, in seconds of the processor.
+/// beside the cheapest setting of `tradeoff` that keeps the bound, and the true error of both. The truth is found by
+/// light tracing. Prints a line per scene and bound, and how often bounds were kept; times are in seconds of the
+/// processor.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "radiosity/patch_splitting.h"
-#include "radiosity/projected_rows.h"
+#include "radiosity/drawn_rows.h"
+#include "radiosity/error_bound.h"
 #include "radiosity/solver.h"
-#include "radiosity/word_layout.h"
-#include "raster/parallel.h"
-#include "raster/software_renderer.h"
-#include "reference/error_bound.h"
+#include "reference/baked_radiosity.h"
 #include "reference/radiosity_error.h"
-#include "reference/true_radiosity.h"
+#include "reference/trade_methods.h"
+#include "reference/tradeoff.h"
 
 using namespace hemitex;
 
 namespace {
 
-constexpr int texels = 16;
-constexpr int samples = 1 << 14;  // of the truth: 0.25 % are left to chance
+using Radiosity = std::vector<glm::dvec3>;
 
-struct Solved {
-  std::vector<glm::dvec3> radiosity;  ///< one an element of the finest index maps
-  double seconds;
-};
+constexpr int paths = 1 << 24;
 
-/// Solves a scene, all steps from the discretization on.
-class World {
+/// The processor's seconds since it was made.
+class ProcessorWatch {
  public:
-  explicit World(const std::string& name)
-      : scene_(radiosity::loadScene(HEMITEX_DATA "/" + name + ".obj")),
-        finest_(radiosity::discretize(scene_, {.texels = texels})),
-        truth_(reference::trueRadiosity(scene_, finest_, {.samples = samples}).radiosity) {}
-
-  Solved solve(const reference::Effort& effort, const std::map<std::string, int>& surfaceTexels,
-               double residual) const {
-    const std::clock_t start = std::clock();
-    radiosity::Discretization discretization =
-        radiosity::discretize(scene_, {.texels = texels, .surfaceTexels = surfaceTexels, .patches = effort.patches});
-    const radiosity::WordLayout layout = radiosity::layOut(discretization);
-    raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene_, discretization, layout));
-    discretization = radiosity::splitPatches(scene_, std::move(discretization), layout, renderer, effort.split);
-    radiosity::ProjectedRows rows(scene_, discretization, layout, renderer,
-                                  {effort.resolution, radiosity::Orientation::Turned});
-    const radiosity::Solution solution = radiosity::solve(
-        scene_, discretization, [&rows](std::uint32_t patch) { return rows.ofPatch(patch); }, {.residual = residual});
-    const double time = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    return {reference::onOtherGrids(discretization, solution.radiosity, finest_), time};
-  }
-
-  double errorOf(const Solved& solved) const {
-    return reference::errorOf(finest_, solved.radiosity, truth_).fluxWeighted;
-  }
-
-  reference::ErrorBoundChoice choose(double bound, double& seconds) const {
-    const auto solveWith = [&](const reference::Effort& effort) {
-      Solved solved = solve(effort, {}, reference::residualFor(bound));
-      seconds += solved.seconds;
-      return std::move(solved.radiosity);
-    };
-    return reference::chooseEffort(scene_, finest_, texels, solveWith, bound);
-  }
+  double seconds() const { return static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
 
  private:
-  radiosity::Scene scene_;
-  radiosity::Discretization finest_;
-  std::vector<glm::dvec3> truth_;
+  std::clock_t start_ = std::clock();
 };
 
-std::string text(const reference::Effort& effort) {
-  char line[64];
-  std::snprintf(line, sizeof line, "%d patches, split %.4f, R = %d", effort.patches, effort.split, effort.resolution);
-  return line;
+struct Timed {
+  Radiosity radiosity;
+  double seconds = 0;
+};
+
+/// A scene with the elements that follow it, and their true radiosity.
+struct World {
+  radiosity::Scene scene;
+  radiosity::Discretization discretization;
+  Radiosity truth;
+
+  explicit World(const std::string& file)
+      : scene(radiosity::loadScene(file)), discretization(radiosity::discretize(scene, {})) {
+    const radiosity::Discretization unburied = radiosity::discretizeUnburied(scene, {});
+    const reference::BakedRadiosity baked =
+        reference::bakedRadiosity(scene, unburied, {.paths = paths, .points = 32, .seed = 0});
+    truth.resize(discretization.elements.size());
+    for (std::size_t e = 0; e < unburied.elements.size(); ++e) {
+      const radiosity::Element& element = unburied.elements[e];
+      truth[discretization.grids[element.surface].spill[element.texel]] += baked.flux[e];
+    }
+    for (std::size_t e = 0; e < truth.size(); ++e) truth[e] /= discretization.elements[e].area;
+  }
+
+  double errorOf(const Radiosity& found) const {
+    return reference::errorOf(discretization, found, truth).fluxWeighted;
+  }
+};
+
+Timed solvedWithin(const World& world, double bound) {
+  const ProcessorWatch watch;
+  Timed timed;
+  const auto solveWith = [&](const radiosity::Effort& effort) {
+    radiosity::DrawnRows drawn(world.scene, world.discretization, radiosity::layOut(world.discretization),
+                               {.resolution = effort.resolution, .split = effort.split});
+    const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
+    return timed.radiosity = radiosity::solve(world.scene, drawn.discretization(), rowOf,
+                                              {.residual = radiosity::residualFor(bound)}, {}, drawn.splits())
+                                 .radiosity;
+  };
+  radiosity::chooseEffort(world.discretization, solveWith, bound);
+  timed.seconds = watch.seconds();
+  return timed;
 }
 
-void compare(const World& world, const std::string& name, double bound) {
-  double seconds = 0;
-  const reference::ErrorBoundChoice choice = world.choose(bound, seconds);
-  const Solved chosen = world.solve(choice.effort, choice.surfaceTexels, reference::residualFor(bound));
-  seconds += chosen.seconds;
-  Solved cheapest{{}, 1e30};
-  reference::Effort best;
-  for (const int patches : {2, 4})
-    for (const double split : {0.1, 0.05, 0.03, 0.025, 0.0175, 0.0125})
-      for (const int resolution : {48, 64, 80, 96, 112, 128, 144, 160, 192}) {
-        Solved solved = world.solve({patches, split, resolution}, {}, reference::residualFor(bound));
-        if (solved.seconds > cheapest.seconds || world.errorOf(solved) > bound) continue;
-        best = {patches, split, resolution};
-        cheapest = std::move(solved);
-      }
-  std::printf("%-12s %5.3f | %-40s %.4f expected, %.4f true, %6.3f s | %-40s %.4f true, %6.3f s | %.2f\n", name.c_str(),
-              bound, text(choice.effort).c_str(), choice.expectedError, world.errorOf(chosen), seconds,
-              text(best).c_str(), world.errorOf(cheapest), cheapest.seconds, seconds / cheapest.seconds);
-  std::fflush(stdout);
+Timed solvedBy(const World& world, const reference::TradeMethod& method, int setting) {
+  const ProcessorWatch watch;
+  const reference::TradeRows rows = method.rows(world.scene, world.discretization, setting);
+  Radiosity radiosity = radiosity::solve(world.scene, *rows.discretization, rows.rowOf,
+                                         {.residual = reference::tradeResidual}, {}, rows.split)
+                            .radiosity;
+  return {std::move(radiosity), watch.seconds()};
+}
+
+struct Setting {
+  std::string name;
+  double error = 0, seconds = 0;
+};
+
+std::vector<Setting> measuredSettings(const World& world) {
+  std::vector<Setting> settings;
+  for (const reference::TradeMethod& method : reference::tradeMethods())
+    for (const int setting : method.measured) {
+      const Timed timed = solvedBy(world, method, setting);
+      const double error = world.errorOf(timed.radiosity);
+      settings.push_back({method.name + " " + std::to_string(setting), error, timed.seconds});
+      if (error < 0.005) break;  // finer ones cost more
+    }
+  return settings;
 }
 
 }  // namespace
 
-/// The scenes of data/ whose names are given, or all.
+/// The scenes whose files are given.
 int main(int argc, char** argv) {
-  std::vector<std::string> names(argv + 1, argv + argc);
-  if (names.empty()) names = {"cornell-box", "curved-room", "paper-room", "pyramid-room"};
-  for (const std::string& name : names) {
-    const World world(name);
-    const raster::ThreadLimit one(1);
-    for (const double bound : {0.03, 0.01}) compare(world, name, bound);
+  const std::vector<double> bounds{0.03, 0.01};
+  std::vector<std::vector<double>> ratios(bounds.size());
+  std::vector<int> kept(bounds.size());
+  for (int i = 1; i < argc; ++i) {
+    const World world(argv[i]);
+    const std::vector<Setting> settings = measuredSettings(world);
+    for (std::size_t b = 0; b < bounds.size(); ++b) {
+      const Timed chosen = solvedWithin(world, bounds[b]);
+      const double error = world.errorOf(chosen.radiosity);
+      const Setting* cheapest = nullptr;
+      for (const Setting& setting : settings)
+        if (setting.error <= bounds[b] && (cheapest == nullptr || setting.seconds < cheapest->seconds))
+          cheapest = &setting;
+      kept[b] += error <= bounds[b] ? 1 : 0;
+      if (cheapest != nullptr) ratios[b].push_back(chosen.seconds / cheapest->seconds);
+      std::printf("%-28s %.3f | %.4f true, %6.3f s | %-24s %.4f true, %6.3f s | %.2f\n", argv[i], bounds[b], error,
+                  chosen.seconds, cheapest == nullptr ? "none" : cheapest->name.c_str(),
+                  cheapest == nullptr ? 0 : cheapest->error, cheapest == nullptr ? 0 : cheapest->seconds,
+                  cheapest == nullptr ? 0 : ratios[b].back());
+      std::fflush(stdout);
+    }
+  }
+  for (std::size_t b = 0; b < bounds.size(); ++b) {
+    std::sort(ratios[b].begin(), ratios[b].end());
+    std::printf("%.3f kept in %d of %d; cost over the cheapest, median %.2f\n", bounds[b], kept[b], argc - 1,
+                ratios[b].empty() ? 0 : ratios[b][ratios[b].size() / 2]);
   }
 }
