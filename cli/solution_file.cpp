@@ -43,6 +43,13 @@ double areaOf(const radiosity::Discretization& discretization, const radiosity::
   return area;
 }
 
+/// Texels that lie inside solids wholly.
+std::uint64_t buriedTexels(const radiosity::Discretization& discretization) {
+  std::uint64_t buried = 0;
+  for (const radiosity::Grid& grid : discretization.grids) buried += grid.buried;
+  return buried;
+}
+
 ordered_json surfacesJson(const radiosity::Scene& scene, const radiosity::Discretization& discretization) {
   const radiosity::TextureLayout textures = radiosity::layOutTextures(scene, discretization);
   ordered_json surfaces = ordered_json::array();
@@ -76,6 +83,7 @@ ordered_json describe(const radiosity::Scene& scene, const radiosity::Discretiza
           {"elements", discretization.elements.size()},
           {"patches", discretization.patches.size()},
           {"phantoms", phantoms.spareTexels + phantoms.alignmentGaps},
+          {"buried", buriedTexels(discretization)},
           {"phantom_causes", {{"spare_texels", phantoms.spareTexels}, {"alignment_gaps", phantoms.alignmentGaps}}},
           {"index_bits", layout.indexBits},
           {"shots", solution.shots},

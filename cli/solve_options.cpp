@@ -58,8 +58,8 @@ void addChosenSettings(CLI::App& app, SolveOptions& options) {
       app, "--max-error", options.maxError, 1,
       "let the error of the elements' radiosity be at most this share of all light, weighted by flux: resolution, "
       "splits and residual are chosen for it");
-  for (const char* chosen : {"--resolution", "--orientation", "--split", "--pixels-per-element", "--residual",
-                             "--shots", "--samples"})
+  for (const char* chosen :
+       {"--resolution", "--orientation", "--split", "--pixels-per-element", "--residual", "--shots", "--samples"})
     maxError->excludes(app.get_option(chosen));
   CLI::Option* adaptive = addPositive(
       app, "--adaptive", options.adaptive, 1,

@@ -45,7 +45,7 @@ ErrorBoundChoice chooseEffort(const Discretization& discretization, const SolveW
   double expected = 0;
   for (std::size_t step = 1; step < ladder.size(); ++step) {
     std::vector<glm::dvec3> finer = solveWith(ladder[step]);
-    expected = difference(discretization, coarser, finer) / std::sqrt(2.0);
+    expected = difference(discretization, coarser, finer);
     if (expected <= bound) return {ladder[step], expected};
     coarser = std::move(finer);
   }

@@ -2,13 +2,14 @@
 ///
 /// The error of a solution is the flux by which its elements differ from the true radiosity, as a share of all flux.
 /// Two things cause it, and each has its setting: points that shoot for too large patches (the limit of splits) and
-/// directions between pixels (the resolution of hemicubes). A ladder of efforts refines both together. From step to step
-/// work grows by about 1.6, and the error falls to about two thirds.
+/// directions between pixels (the resolution of hemicubes). A ladder of efforts refines both together. From step to
+/// step work grows by about 1.6, and the error falls to about two thirds.
 ///
-/// How large the error is, the scene itself says: it is solved at one effort after the other, and two solutions that
-/// follow each other differ by what the coarser one is wrong, as far as errors are independent: D^2 = e^2 + e'^2. With
-/// e' no more than e, the finer one's error e' is at most D / sqrt(2). The first solution for which this is within the
-/// bound is the answer. It is an estimate, and no proof for every scene.
+/// How large the error is, the scene itself says: it is solved at one effort after the other. Two solutions that follow
+/// each other, of errors e and e' < e, differ by D. Where their errors are independent, D^2 = e^2 + e'^2, and e' is
+/// below D / sqrt(2); where they are alike, D = e - e', and with e' two thirds of e it is 2 D. What is expected of the
+/// finer one lies between: D. The first solution for which this is within the bound is the answer. It is an estimate,
+/// and no proof for every scene.
 #pragma once
 
 #include <functional>

@@ -179,12 +179,15 @@ TEST_CASE("the floor under an object that moved away is lit as if it had never s
   const DynamicSolution fresh(std::move(edit.scene), std::move(discretization), settings(), layOutWords);
   REQUIRE(fresh.scene().surfaces[0].name == dynamic->scene().surfaces[0].name);
   const Grid &grid = dynamic->discretization().grids[0], &freshGrid = fresh.discretization().grids[0];
+  double different = 0, all = 0;
   for (std::size_t texel = 0; texel < grid.spill.size(); ++texel) {
-    CAPTURE(texel);
-    // Patches are split where the first solution was bright: a few percent apart.
-    CHECK(dynamic->solution().radiosity[grid.spill[texel]].x ==
-          Approx(fresh.solution().radiosity[freshGrid.spill[texel]].x).epsilon(0.1));
+    const double expected = fresh.solution().radiosity[freshGrid.spill[texel]].x;
+    different += std::abs(dynamic->solution().radiosity[grid.spill[texel]].x - expected);
+    all += expected;
   }
+  // Patches were split where the first solution was bright, and hemicubes of 48 pixels are coarse: a few percent apart.
+  // Four of 36 texels under the cube that stay dark would make a tenth.
+  CHECK(different < 0.05 * all);
 }
 
 TEST_CASE("a restored object has the texels that the scene gave it", "[dynamic]") {

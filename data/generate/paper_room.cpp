@@ -12,7 +12,7 @@ Model paperRoom() {
       "The scene of figure 2 of K. H. Nielsen and N. J. Christensen, \"Fast Texture-Based Form Factor Calculations for",
       "Radiosity using Graphics Hardware\", journal of graphics tools 6(4), 2002: a closed room, a box and a light.",
       "Each of its 13 quads is a surface. The paper gives counts but no lengths: these, in metres, are made up. The",
-      "box floats 0.4 m over the floor, so all its faces are lit; the light hangs 1 mm below the ceiling.",
+      "box floats 0.4 m over the floor, so all its faces are lit; the light hangs 1 cm below the ceiling.",
       "Written by hemitex_data.",
   };
   model.aboutMaterials = {
@@ -42,7 +42,7 @@ Model paperRoom() {
 
   // Light and ceiling share no plane, so which of them is seen depends on no rounding. Where the ceiling has 3 x 3 or
   // 4 x 4 patches, no patch's centre lies behind the light: from there a hemicube would see little but its back.
-  model.groups.push_back({"light", "light", {reversed(rectangle(-0.45, 0.45, 0.2, 1.1, 2.999))}});
+  model.groups.push_back({"light", "light", {reversed(rectangle(-0.45, 0.45, 0.2, 1.1, 2.99))}});
   model.view = {{0, 1.5, 6}, {0, 1.5, 0}, {0, 1, 0}, 41};
   return model;
 }

@@ -57,9 +57,7 @@ struct World {
     for (std::size_t e = 0; e < truth.size(); ++e) truth[e] /= discretization.elements[e].area;
   }
 
-  double errorOf(const Radiosity& found) const {
-    return reference::errorOf(discretization, found, truth).fluxWeighted;
-  }
+  double errorOf(const Radiosity& found) const { return reference::errorOf(discretization, found, truth).fluxWeighted; }
 };
 
 Timed solvedWithin(const World& world, double bound) {
