@@ -16,9 +16,10 @@
 /// share by which its normals cancel is added.
 ///
 /// A patch is looked at when it is about to shoot for the first time, with the flux that it has then. Its weight is
-/// this flux over a 128th of all emitted flux. Error is flux times misdirected share, and either falls to a quarter where a
-/// patch is quartered, so that work is best spent where the share is in proportion to the root of the weight: the limit
-/// of a patch of weight w is that of the settings over sqrt(w). Likewise faint patches are drawn at lower resolutions.
+/// this flux over a 256th of all emitted flux. Error is flux times misdirected share, and either falls to a quarter
+/// where a patch is quartered, so that work is best spent where the share is in proportion to the root of the weight:
+/// the limit of a patch of weight w is that of the settings over sqrt(w). Likewise faint patches are drawn at lower
+/// resolutions.
 ///
 /// Each part shoots the light of its own elements. One cannot be cut, so a patch of one shoots from several points
 /// at once.

@@ -39,7 +39,7 @@ std::vector<std::string> warningsOf(const Energy& energy) {
 }
 
 /// All emitted flux, in units of what a patch of weight 1 shoots.
-constexpr double unitsOfFlux = 128;
+constexpr double unitsOfFlux = 256;
 
 /// Shoots until the settings say stop.
 Solution shoot(Refinement& refinement, RowCache& rows, const RowSource& rowOf,

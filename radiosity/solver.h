@@ -32,8 +32,8 @@ struct Solution {
 };
 
 /// Splits a patch that is about to shoot for the first time, where one point is too few for it. `weight` is its unshot
-/// flux over a 128th of all emitted flux: the brighter a patch, the more a split is worth. Returns the numbers of the new
-/// patches, which are the last of the discretization; elements of the patch have moved to them.
+/// flux over a 256th of all emitted flux: the brighter a patch, the more a split is worth. Returns the numbers of the
+/// new patches, which are the last of the discretization; elements of the patch have moved to them.
 using PatchSplit = std::function<std::vector<std::uint32_t>(std::uint32_t patch, double weight)>;
 
 /// Called after each shot with the number of shots and the residual.
