@@ -234,7 +234,7 @@ TEST_CASE("A bound on the error chooses the settings, which say what they are", 
   const Shell shell;
   const std::string given = "solve room.obj --texels 4 --size 40x30 --json ";
   const json loose = json::parse(shell.output(given + "--max-error 0.2 -o loose"));
-  const json tight = json::parse(shell.output(given + "--max-error 0.002 -o tight"));
+  const json tight = json::parse(shell.output(given + "--max-error 0.0005 -o tight"));
   for (const json* solution : {&loose, &tight}) {
     CHECK((*solution)["expected_error"] <= (*solution)["settings"]["max_error"]);
     CHECK((*solution)["residual"] <= (*solution)["settings"]["residual"]);
