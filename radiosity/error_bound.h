@@ -5,11 +5,11 @@
 /// directions between pixels (the resolution of hemicubes). A ladder of efforts refines both together. From step to
 /// step work grows by about 1.6, and the error falls to about two thirds.
 ///
-/// How large the error is, the scene itself says: it is solved at one effort after the other. Two solutions that follow
-/// each other, of errors e and e' < e, differ by D. Where their errors are independent, D^2 = e^2 + e'^2, and e' is
-/// below D / sqrt(2); where they are alike, D = e - e', and with e' two thirds of e it is 2 D. What is expected of the
-/// finer one lies between: D. The first solution for which this is within the bound is the answer. It is an estimate,
-/// and no proof for every scene.
+/// How large the error is, the scene itself says: it is solved at one effort after the other. Hemicubes of different
+/// resolutions over different parts of patches err independently for the most part, so that two solutions of errors e
+/// and e' < e differ by D with D^2 = e^2 + e'^2, and e' is below D / sqrt(2). A share of the bound is left for what
+/// both have in common. The first solution of which so much is expected is the answer. It is an estimate, and no proof
+/// for every scene.
 #pragma once
 
 #include <functional>
