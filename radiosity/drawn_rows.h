@@ -58,7 +58,7 @@ class DrawnRows {
 
   /// Patches that were split are replaced by their parts; elements are what they were.
   const Discretization& discretization() const { return discretization_; }
-  /// Splits all patches as if they had the same flux.
+  /// Splits all patches as if they had weight 1.
   void splitAll();
   /// What splits patches of `discretization()` on the way to a solution; nothing where none is to be split. Refers to
   /// this.

@@ -42,14 +42,14 @@ std::vector<std::string> warningsOf(const Energy& energy) {
 constexpr double unitsOfFlux = 256;
 
 /// Shoots until the settings say stop.
-Solution shoot(Refinement& refinement, RowCache& rows, const RowSource& rowOf,
-               const SolverSettings& settings, const Progress& progress, const PatchSplit& split) {
+Solution shoot(Refinement& refinement, RowCache& rows, const RowSource& rowOf, const SolverSettings& settings,
+               const Progress& progress, const PatchSplit& split) {
   Solution solution;
   solution.residual = refinement.residual();
   const auto isDone = [&] {
     return solution.residual <= settings.residual || (settings.shots && solution.shots >= *settings.shots);
   };
-const double unitFlux = refinement.light().lastEmitted / unitsOfFlux;
+  const double unitFlux = refinement.light().lastEmitted / unitsOfFlux;
   const auto hasBeenSplit = [&](std::uint32_t patch) {
     if (!split || refinement.hasShot(patch)) return false;
     const std::vector<std::uint32_t> parts = split(patch, bandSum(glm::abs(refinement.unshot(patch))) / unitFlux);
