@@ -6,9 +6,9 @@
 #include <iostream>
 #include <new>
 
-#include "cli/commands.h"
-#include "raster/input_error.h"
-#include "raster/parallel.h"
+#include "cli/common/commands.h"
+#include "raster/base/input_error.h"
+#include "raster/base/parallel.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include "data/generate/models.h"
 #include "data/generate/random_room.h"
-#include "raster/input_error.h"
+#include "raster/base/input_error.h"
 
 namespace {
 

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/point_to_polygon.h"
-#include "reference/polygon_to_polygon.h"
-#include "reference/ray_form_factors.h"
+#include "reference/closed_forms/point_to_polygon.h"
+#include "reference/closed_forms/polygon_to_polygon.h"
+#include "reference/rays/monte_carlo_form_factors.h"
 #include "tests/accuracy/form_factor_cases.h"
-#include "tests/hand_scenes.h"
-#include "tests/hemicube_world.h"
-#include "tests/outline_bound.h"
+#include "tests/support/hand_scenes.h"
+#include "tests/support/hemicube_world.h"
+#include "tests/support/outline_bound.h"
 
 namespace hemitex::accuracy {
 namespace {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "reference/polygon_to_polygon.h"
-#include "reference/rectangle_form_factors.h"
+#include "reference/closed_forms/polygon_to_polygon.h"
+#include "reference/closed_forms/rectangles.h"
 #include "tests/accuracy/numbers.h"
-#include "tests/hand_scenes.h"
+#include "tests/support/hand_scenes.h"
 
 namespace hemitex::accuracy {
 namespace {

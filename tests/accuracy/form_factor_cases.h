@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "radiosity/scene.h"
-#include "reference/sample_points.h"
+#include "radiosity/scene/scene.h"
+#include "reference/rays/sample_points.h"
 
 namespace hemitex::accuracy {
 

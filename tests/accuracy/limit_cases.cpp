@@ -5,11 +5,11 @@
 #include <functional>
 #include <stdexcept>
 
-#include "radiosity/solver.h"
-#include "raster/input_error.h"
-#include "tests/hand_scenes.h"
-#include "tests/hemicube_world.h"
-#include "tests/temporary_folder.h"
+#include "radiosity/solver/progressive_solver.h"
+#include "raster/base/input_error.h"
+#include "tests/support/hand_scenes.h"
+#include "tests/support/hemicube_world.h"
+#include "tests/support/temporary_folder.h"
 
 namespace hemitex::accuracy {
 namespace {

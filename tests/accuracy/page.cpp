@@ -60,7 +60,7 @@ What hemitex gives where scenes are at their worst, against what is known exactl
     cmake --build --preset release --target hemitex_accuracy
     build/release/bin/hemitex_accuracy docs/accuracy.md
 
-tests/accuracy_test.cpp measures every section again, and fails where the page says something else or where an error is
+tests/system/accuracy_test.cpp measures every section again, and fails where the page says something else or where an error is
 larger than it has a reason to be.
 
 Tables of form factors say how far each value is from the exact one, relative to it (in parts of all light where it is

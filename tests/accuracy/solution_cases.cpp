@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "radiosity/solver.h"
-#include "tests/hand_scenes.h"
-#include "tests/hemicube_world.h"
+#include "radiosity/solver/progressive_solver.h"
+#include "tests/support/hand_scenes.h"
+#include "tests/support/hemicube_world.h"
 
 namespace hemitex::accuracy {
 namespace {

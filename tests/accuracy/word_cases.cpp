@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "radiosity/word_layout.h"
-#include "raster/input_error.h"
+#include "radiosity/index_maps/id_layout.h"
+#include "raster/base/input_error.h"
 
 namespace hemitex::accuracy {
 namespace {

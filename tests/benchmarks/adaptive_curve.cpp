@@ -1,14 +1,14 @@
 /// Error against elements on the Cornell box, for equal texels and for quadtrees: prints a table. The error is that of
-/// constant elements at every texel of a fine solution, weighted by flux (reference/radiosity_error.h). Behind
+/// constant elements at every texel of a fine solution, weighted by flux (reference/solution/radiosity_error.h). Behind
 /// quadtrees stands how many equal elements have the same error, between two counts on a logarithmic scale.
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
-#include "radiosity/adaptive_discretization.h"
-#include "radiosity/drawn_rows.h"
-#include "radiosity/solver.h"
-#include "reference/radiosity_error.h"
+#include "radiosity/discretization/adaptive_subdivision.h"
+#include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/solver/progressive_solver.h"
+#include "reference/solution/radiosity_error.h"
 
 using namespace hemitex;
 

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "radiosity/drawn_rows.h"
-#include "radiosity/error_bound.h"
-#include "radiosity/solver.h"
-#include "reference/baked_radiosity.h"
-#include "reference/radiosity_error.h"
-#include "reference/trade_methods.h"
-#include "reference/tradeoff.h"
+#include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/solver/error_control.h"
+#include "radiosity/solver/progressive_solver.h"
+#include "reference/solution/baked_radiosity.h"
+#include "reference/solution/radiosity_error.h"
+#include "reference/tradeoff/methods.h"
+#include "reference/tradeoff/tradeoff.h"
 
 using namespace hemitex;
 

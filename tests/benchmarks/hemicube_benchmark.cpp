@@ -1,9 +1,9 @@
 // How long a hemicube takes on one core: from a patch's centre to its row of form factors, over all patches of a scene.
 #include <benchmark/benchmark.h>
 
-#include "radiosity/projected_rows.h"
-#include "raster/parallel.h"
-#include "raster/software_renderer.h"
+#include "radiosity/form_factors/projected_form_factors.h"
+#include "raster/base/parallel.h"
+#include "raster/software/software_renderer.h"
 
 using namespace hemitex;
 using namespace hemitex::radiosity;

@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "radiosity/discretization.h"
-#include "raster/input_error.h"
-#include "reference/baked_radiosity.h"
-#include "tests/truth_table.h"
+#include "radiosity/discretization/discretize.h"
+#include "raster/base/input_error.h"
+#include "reference/solution/baked_radiosity.h"
+#include "tests/support/truth_table.h"
 
 using namespace hemitex;
 

@@ -1,0 +1,157 @@
+/// `hemitex bench`: how fast hemicubes are, beside whatever else gives the same pixels.
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <set>
+#include <thread>
+
+#include "cli/bench/json_report.h"
+#include "cli/bench/plots.h"
+#include "cli/bench/tables.h"
+#include "cli/common/commands.h"
+#include "cli/common/opengl_device.h"
+#include "cli/common/scene_folder.h"
+#include "cli/common/staging.h"
+#include "raster/base/file_io.h"
+#include "raster/base/input_error.h"
+#include "raster/base/parallel.h"
+#include "reference/bench/report.h"
+
+namespace hemitex::cli {
+namespace {
+
+struct BenchOptions {
+  std::filesystem::path output;  ///< empty: none
+  std::vector<std::filesystem::path> scenes;
+  std::vector<int> resolutions;
+  std::vector<std::size_t> triangles;
+};
+
+std::vector<reference::BenchScene> scenesOf(const BenchOptions& options) {
+  if (options.scenes.empty()) return reference::benchScenes(sceneFolder());
+  std::vector<reference::BenchScene> scenes;
+  std::set<std::string> names;
+  for (const std::filesystem::path& file : options.scenes) {
+    scenes.push_back(reference::benchScene(file));
+    if (!names.insert(scenes.back().name).second)
+      throw raster::InputError(file.string() + ": another scene has the same name", "rename one of them");
+  }
+  return scenes;
+}
+
+reference::BenchSettings settingsOf(const BenchOptions& options, Context& context) {
+  reference::BenchSettings settings;
+  if (!options.resolutions.empty()) settings.resolutions = options.resolutions;
+  if (!options.triangles.empty() || !options.scenes.empty()) settings.triangles = options.triangles;
+  settings.threads = std::max(1, context.threads);
+  // Mesa's rasterizer on the CPU reads it when the first context is made. Other devices do not.
+  setenv("LP_NUM_THREADS", std::to_string(settings.threads).c_str(), 1);
+  settings.openGl = openGlRenderers(context.console, "no times of OpenGL");
+  return settings;
+}
+
+using Progress = std::function<void(const std::string&)>;
+
+/// What speed is asked for beside the runs, on scenes of its own: the room and the Cornell box.
+void measureRest(reference::BenchReport& report, const std::vector<reference::BenchScene>& scenes, Context& context,
+                 const reference::BenchSettings& settings, const Progress& progress) {
+  constexpr int resolution = 512;
+  const reference::BenchScene &room = scenes[0], &box = scenes[1];
+  if (context.threads != 1 && std::thread::hardware_concurrency() > 1) {
+    progress("two cores");
+    report.cores = reference::coreGains(room, resolution, 40, settings.repeats);
+  }
+  const raster::ThreadLimit limit(settings.threads);
+  progress("walls");
+  for (const int side : {32, resolution}) report.walls.push_back(reference::wallTimes(side, settings.repeats));
+  constexpr std::array<int, 4> sides{16, 64, 256, 1024};
+  for (const reference::BenchScene* scene : {&room, &box}) {
+    progress("growth, " + scene->name);
+    report.growth.push_back(
+        {scene->name, resolution, reference::growthOf(scene->scene, sides, resolution, settings.repeats)});
+  }
+  for (const reference::BenchScene* scene : {&room, &box}) {
+    progress("errors, " + scene->name);
+    const reference::RowComparisonSettings rows{.hemicubes = {},
+                                                .turnedHemicubes = settings.resolutions,
+                                                .rays = {1 << 10, 1 << 12, 1 << 14, 1 << 16, 1 << 18, 1 << 20},
+                                                .points = 8,
+                                                .truthSamples = 1 << 9,
+                                                .repeats = settings.repeats};
+    const auto discretization = radiosity::discretize(scene->scene, scene->elements);
+    const auto errors = equalTimeErrors(scene->name, compareRows(scene->scene, discretization, rows));
+    report.errors.insert(report.errors.end(), errors.begin(), errors.end());
+  }
+  // A million elements in all.
+  const int texels = static_cast<int>(std::ceil(1000 / std::sqrt(static_cast<double>(box.scene.surfaces.size()))));
+  progress("memory");
+  report.memory = reference::solutionMemory(box.scene, texels, resolution);
+  progress("parts of a solution");
+  for (const int side : settings.resolutions)
+    report.parts.push_back(reference::solutionParts(box.scene, texels, side, 300, settings.repeats));
+}
+
+/// The numbers, the tables and the pictures of docs/performance.md.
+void writeFiles(const reference::BenchReport& report, const std::filesystem::path& output) {
+  Staging staging(output);
+  const auto write = [&staging](const std::string& name, const std::string& text) {
+    radiosity::writeFile(staging.folder() / name, text);
+  };
+  write("bench.json", toText(toJson(report)));
+  write("tables.md", benchText(report));
+  if (!report.growth.empty()) write("growth.svg", svgOf(growthPlot(report.growth)));
+  for (const Plot& plot : trianglesPlots(report.runs)) write("triangles-" + plot.name + ".svg", svgOf(plot));
+  staging.commit();
+}
+
+void bench(const BenchOptions& options, Context& context) {
+  Console& console = context.console;
+  if (!options.output.empty()) Staging{options.output};  // what cannot be written is told before the work
+  const std::vector<reference::BenchScene> scenes = scenesOf(options);
+  const reference::BenchSettings settings = settingsOf(options, context);
+  reference::BenchReport report;
+  double done = 0;
+  const double all = static_cast<double>(scenes.size()) + (options.scenes.empty() ? 1 : 0);
+  for (const reference::BenchScene& scene : scenes) {
+    const auto runs = benchRuns(scene, settings, [&](const std::string& what) { console.progress(done / all, what); });
+    report.runs.insert(report.runs.end(), runs.begin(), runs.end());
+    ++done;
+  }
+  if (options.scenes.empty()) {
+    measureRest(report, scenes, context, settings,
+                [&](const std::string& what) { console.progress(done / all, what); });
+    report.requirements = requirementsOf(report);
+  }
+  console.endProgress();
+  if (!options.output.empty()) writeFiles(report, options.output);
+  std::cout << (context.json ? toText(toJson(report)) : benchText(report));
+}
+
+}  // namespace
+
+void addBench(CLI::App& program, Context& context) {
+  const auto options = std::make_shared<BenchOptions>();
+  CLI::App* command = program.add_subcommand("bench",
+                                             "Speed, beside meshing, Embree and OpenGL; some minutes' "
+                                             "work on one thread, or as many as --threads says");
+  command->add_option("SCENE", options->scenes,
+                      "Wavefront OBJ files, for their runs alone (default: the paper's room, the Cornell box and "
+                      "the gallery, also cut into up to 1,000,000 triangles, and all else that is measured)");
+  addResolutions(*command, options->resolutions);
+  const auto readTriangles = [options](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts)
+      options->triangles.push_back(static_cast<std::size_t>(integerOption("--triangles", text, 1, 100000000)));
+  };
+  command
+      ->add_option_function<std::vector<std::string>>("--triangles", readTriangles,
+                                                      "cut the scenes into so many triangles, too (repeatable)")
+      ->allow_extra_args(false)
+      ->type_name("N");
+  command->add_option("-o,--output", options->output, "folder for bench.json, tables.md and pictures of curves");
+  command->callback([options, &context] { context.command = [options, &context] { bench(*options, context); }; });
+}
+
+}  // namespace hemitex::cli

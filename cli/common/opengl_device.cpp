@@ -1,0 +1,22 @@
+#include "cli/common/opengl_device.h"
+
+#include "cli/common/renderers.h"
+#include "raster/base/input_error.h"
+
+namespace hemitex::cli {
+
+/// Whether it is there an empty list tells.
+radiosity::RendererFactory openGlRenderers(Console& console, const std::string& without) {
+  const auto make = [](const raster::DrawList& list) { return makeRenderer(list, Device::OpenGl); };
+  try {
+    raster::DrawList empty;
+    empty.format = *raster::formatNamed("r8g8b8a8");
+    make(empty);
+    return make;
+  } catch (const raster::InputError& error) {
+    console.message(without + ": " + error.what());
+    return {};
+  }
+}
+
+}  // namespace hemitex::cli

@@ -1,0 +1,16 @@
+#include "cli/common/scene_folder.h"
+
+#include "raster/base/input_error.h"
+
+namespace hemitex::cli {
+
+std::filesystem::path sceneFolder() {
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
+  const std::filesystem::path folder = program.parent_path().parent_path() / "share" / "hemitex";
+  if (!std::filesystem::is_directory(folder))
+    throw raster::InputError(folder.string(), 0, "the scenes that come with the program are not here",
+                             "keep the program where `cmake --install` puts it");
+  return folder;
+}
+
+}  // namespace hemitex::cli

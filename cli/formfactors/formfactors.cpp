@@ -1,0 +1,235 @@
+/// `hemitex formfactors`: which share of the light that leaves a surface reaches which element, as CSV or JSON; for the
+/// matrix of all surfaces also what holds for every such matrix, and by how much this one misses it.
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/common/commands.h"
+#include "cli/common/json.h"
+#include "cli/common/surface_names.h"
+#include "cli/common/table.h"
+#include "cli/formfactors/methods.h"
+#include "reference/solution/form_factor_matrix.h"
+#include "reference/solution/reciprocity_smoothing.h"
+
+namespace hemitex::cli {
+namespace {
+
+struct FormFactorOptions {
+  SceneOptions scene;
+  radiosity::DiscretizationSettings discretization;
+  radiosity::WordSettings word;
+  std::string method = "hemicube";
+  radiosity::DrawingSettings drawing;
+  RayOptions rays;
+  std::string from;
+  bool bySurface = false;
+  bool all = false;
+  bool smooth = false;
+};
+
+const std::string blockersIgnored = "blockers are not looked at";
+
+RowMethod methodOf(const FormFactorOptions& options, const radiosity::Scene& scene,
+                   const radiosity::Discretization& discretization, const Receivers& receivers, Console& console) {
+  if (options.method == "rays") return rayMethod(scene, discretization, receivers, options.rays);
+  if (options.method == "analytic") return analyticMethod(scene, discretization, receivers);
+  return drawnMethod(scene, discretization, receivers, options.word, options.drawing, console);
+}
+
+/// What was asked for, beside the numbers.
+nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
+  if (options.method == "rays")
+    return {{"method", options.method}, {"samples", options.rays.samples}, {"aimed", options.rays.aimed}};
+  if (options.method == "analytic") return {{"method", options.method}, {"blockers_ignored", true}};
+  return {{"method", options.method},
+          {"discretize", nameOf(options.drawing.elementsBy)},
+          {"resolution", options.drawing.resolution},
+          {"orientation", nameOf(options.drawing.orientation)},
+          {"split", options.drawing.split},
+          {"pixels_per_element", options.drawing.pixelsPerElement}};
+}
+
+/// The columns behind those that say from where to where.
+void appendValue(std::vector<Cell>& cells, const Row& row, std::size_t receiver) {
+  cells.emplace_back(row.formFactor[receiver]);
+  if (!row.standardError.empty()) cells.emplace_back(row.standardError[receiver]);
+}
+std::vector<std::string> withValue(std::vector<std::string> columns, const Row& row) {
+  columns.emplace_back("form_factor");
+  if (!row.standardError.empty()) columns.emplace_back("standard_error");
+  return columns;
+}
+
+/// A table of form factors, one row a receiver: element by element, or family by family.
+Table tableOf(const radiosity::Scene& scene, const radiosity::Discretization& discretization, const Row& row) {
+  const auto cells = [&](std::size_t index) {
+    const radiosity::Element& element = discretization.elements[index];
+    const auto columns = static_cast<std::uint32_t>(discretization.grids[element.surface].columns);
+    std::vector<Cell> line{scene.surfaces[element.surface].name, std::int64_t{element.texel % columns},
+                           std::int64_t{element.texel / columns}, element.area};
+    appendValue(line, row, index);
+    return line;
+  };
+  return {withValue({"surface", "column", "row", "area"}, row), discretization.elements.size(), cells};
+}
+
+Table tableOf(const Families& families, const Receivers& receivers, const Row& row) {
+  const auto cells = [&](std::size_t index) {
+    std::vector<Cell> line{families.names[index], receivers.area[index]};
+    appendValue(line, row, index);
+    return line;
+  };
+  return {withValue({"surface", "area"}, row), families.names.size(), cells};
+}
+
+Table tableOf(const Families& families, const std::vector<Row>& matrix) {
+  const std::size_t count = families.names.size();
+  const auto cells = [&families, &matrix, count](std::size_t index) {
+    std::vector<Cell> line{families.names[index / count], families.names[index % count]};
+    appendValue(line, matrix[index / count], index % count);
+    return line;
+  };
+  return {withValue({"from", "to"}, matrix.front()), count * count, cells};
+}
+
+void tellCaptured(const Row& row, Console& console) {
+  if (row.captured && *row.captured < 1)
+    console.message("the projection captures " + toText(*row.captured) + " of the light; the rest counts as leaving");
+}
+
+void printRow(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
+              const radiosity::Discretization& discretization) {
+  const Source source = sourceNamed(scene, discretization, options.from);
+  const Families families = familiesOf(scene);
+  const Receivers receivers =
+      options.bySurface ? familiesAsReceivers(discretization, families) : elementsAsReceivers(discretization);
+  const Row row = methodOf(options, scene, discretization, receivers, context.console)(source);
+  tellCaptured(row, context.console);
+  context.console.message(
+      "from " + options.from + ": " +
+      (row.background ? toText(*row.background) + " leaves the scene, " + toText(*row.back) + " meets backs of faces"
+                      : blockersIgnored));
+  const Table table = options.bySurface ? tableOf(families, receivers, row) : tableOf(scene, discretization, row);
+  if (!context.json) return writeCsv(std::cout, table);
+  nlohmann::ordered_json result{{"from", options.from}};
+  result.update(settingsOf(options));
+  result.update({{"row", toJson(table)}});
+  if (row.background) result.update({{"background", *row.background}, {"back", *row.back}});
+  if (row.captured) result["captured"] = *row.captured;
+  std::cout << toText(result);
+}
+
+reference::FormFactorMatrix factorsOf(const std::vector<Row>& matrix) {
+  reference::FormFactorMatrix factors{matrix.size(), {}};
+  for (const Row& row : matrix)
+    factors.factors.insert(factors.factors.end(), row.formFactor.begin(), row.formFactor.end());
+  return factors;
+}
+
+/// Smooths the values; their standard errors stay those of the measurement.
+reference::MatrixDifference smooth(std::vector<Row>& matrix, const Receivers& receivers) {
+  const reference::FormFactorMatrix raw = factorsOf(matrix);
+  const reference::FormFactorMatrix result = reference::smoothed(raw, receivers.area);
+  for (std::size_t i = 0; i < matrix.size(); ++i)
+    std::copy_n(result.factors.begin() + static_cast<std::ptrdiff_t>(i * matrix.size()), matrix.size(),
+                matrix[i].formFactor.begin());
+  return reference::difference(raw, result);
+}
+
+void tellChecks(const std::vector<Row>& matrix, const reference::MatrixChecks& checks, const Families& families,
+                Console& console) {
+  const auto most = [&](std::optional<double> Row::*share) {
+    const auto row =
+        std::max_element(matrix.begin(), matrix.end(), [&](const Row& a, const Row& b) { return a.*share < b.*share; });
+    return toText(*((*row).*share)) + " (from " + families.names[static_cast<std::size_t>(row - matrix.begin())] + ")";
+  };
+  console.message("rows sum to " + toText(checks.smallestRowSum) + " ... " + toText(checks.largestRowSum));
+  console.message(matrix.front().background ? "at most " + most(&Row::background) + " leaves the scene, at most " +
+                                                  most(&Row::back) + " meets backs of faces"
+                                            : blockersIgnored);
+  console.message("reciprocity is missed by at most " + toText(checks.reciprocity) + " of the smaller area's light (" +
+                  families.names[checks.from] + ", " + families.names[checks.to] + ")");
+}
+
+void printMatrix(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
+                 const radiosity::Discretization& discretization) {
+  const Families families = familiesOf(scene);
+  const Receivers receivers = familiesAsReceivers(discretization, families);
+  const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context.console);
+  const std::size_t count = families.names.size();
+  std::vector<Row> matrix;
+  for (std::size_t from = 0; from < count; ++from) {
+    context.console.progress(static_cast<double>(from) / static_cast<double>(count), families.names[from]);
+    matrix.push_back(rowFrom({families.surfaces[from]}));
+  }
+  context.console.endProgress();
+  nlohmann::ordered_json result = settingsOf(options);
+  if (options.smooth) {
+    const reference::MatrixDifference moved = smooth(matrix, receivers);
+    context.console.message("smoothing moved form factors by at most " + toText(moved.largest) + ", by " +
+                            toText(moved.rootMeanSquare) + " in the root mean square");
+    result["smoothing"] = {{"largest", moved.largest}, {"root_mean_square", moved.rootMeanSquare}};
+  }
+  const reference::MatrixChecks checks = reference::checkMatrix(factorsOf(matrix), receivers.area);
+  tellCaptured(matrix.front(), context.console);
+  tellChecks(matrix, checks, families, context.console);
+  const Table table = tableOf(families, matrix);
+  if (!context.json) return writeCsv(std::cout, table);
+  result.update({{"matrix", toJson(table)},
+                 {"row_sums", {checks.smallestRowSum, checks.largestRowSum}},
+                 {"reciprocity", checks.reciprocity}});
+  if (matrix.front().captured) result["captured"] = *matrix.front().captured;
+  std::cout << toText(result);
+}
+
+void print(const FormFactorOptions& options, Context& context) {
+  const radiosity::Scene scene = sceneOf(options.scene, context.console);
+  const radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
+  (options.all ? printMatrix : printRow)(options, context, scene, discretization);
+}
+
+}  // namespace
+
+void addFormFactors(CLI::App& program, Context& context) {
+  const auto options = std::make_shared<FormFactorOptions>();
+  CLI::App* command = program.add_subcommand("formfactors", "Form factors from a surface, as CSV");
+  addSceneOptions(*command, options->scene);
+  CLI::Option* from =
+      command->add_option("--from", options->from, "where the light leaves")->type_name("SURFACE[:COL,ROW]");
+  CLI::Option* bySurface = command->add_flag("--by-surface", options->bySurface, "add up the elements of a surface");
+  CLI::Option* all = command->add_flag("--all", options->all, "from every surface to every surface");
+  all->needs(bySurface)->excludes(from);
+  command->add_flag("--smooth", options->smooth, "move the matrix to reciprocity, least squares; its row sums stay")
+      ->needs(all);
+  addChoice<std::string>(*command, "--method", options->method,
+                         {{"hemicube", "hemicube"},
+                          {"single-plane", "single-plane"},
+                          {"tetrahedron", "tetrahedron"},
+                          {"rays", "rays"},
+                          {"analytic", "analytic"}},
+                         "how they are found (default hemicube)");
+  addDrawingOptions(*command, options->drawing);
+  addInteger(*command, "--samples", options->rays.samples, 64, 1 << 28,
+             "rays a row, or with --aimed points that they leave from (default 65536)");
+  command->add_flag("--aimed", options->rays.aimed,
+                    "rays: aim at each receiver, from closed forms, instead of all over the hemisphere; slow for many");
+  addDiscretizationOptions(*command, options->discretization);
+  addWordOptions(*command, options->word);
+  command->callback([options, command, &context] {
+    if (options->from.empty() && !options->all) throw CLI::RequiredError("--from, or --all --by-surface,");
+    const auto projection = projectionNamed(options->method);
+    if (projection) options->drawing.projection = *projection;
+    if (!projection) {
+      refuseUnused(*command, drawingOptionNames(), options->method);
+      refuseUnused(*command, {"--split"}, options->method);
+    }
+    if (options->method != "rays") refuseUnused(*command, {"--samples", "--aimed"}, options->method);
+    context.command = [options, &context] { print(*options, context); };
+  });
+}
+
+}  // namespace hemitex::cli

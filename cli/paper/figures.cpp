@@ -1,0 +1,268 @@
+#include "cli/paper/figures.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "cli/common/camera_options.h"
+#include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/index_maps/phantom_indices.h"
+#include "radiosity/pictures/pictures.h"
+#include "radiosity/solver/progressive_solver.h"
+#include "radiosity/textures/radiosity_texture.h"
+#include "reference/paper/tables.h"
+
+namespace hemitex::cli {
+namespace {
+
+using nlohmann::ordered_json;
+using radiosity::Camera;
+using radiosity::Discretization;
+using radiosity::Image;
+using radiosity::Scene;
+using radiosity::WordLayout;
+
+constexpr int width = 640, height = 480;
+
+/// Writes pictures, and keeps the list of them.
+class Album {
+ public:
+  explicit Album(const std::filesystem::path& folder) : folder_(folder) {}
+
+  /// A panel of a figure of the paper.
+  void addPanel(int figure, const std::string& panel, const Image& image, const std::string& caption) {
+    add(figure, panel, "figure-" + std::to_string(figure) + panel + ".png", image, caption);
+  }
+  /// A picture that the paper has not.
+  void addOwn(const std::string& name, const Image& image, const std::string& caption) {
+    add(0, name, name + ".png", image, caption);
+  }
+  const ordered_json& list() const { return list_; }
+
+ private:
+  void add(int figure, const std::string& panel, const std::string& file, const Image& image,
+           const std::string& caption) {
+    radiosity::writePng(folder_ / file, image);
+    list_.push_back({{"figure", figure}, {"panel", panel}, {"file", file}, {"caption", caption}});
+  }
+
+  std::filesystem::path folder_;
+  ordered_json list_ = ordered_json::array();
+};
+
+/// A scene of the program's folder with its camera.
+struct Stage {
+  Scene scene;
+  Camera camera;
+};
+
+Stage stageOf(const std::filesystem::path& folder, const std::string& name) {
+  const std::filesystem::path file = folder / (name + ".obj");
+  Stage stage{radiosity::loadScene(file), {}};
+  CameraOptions options;
+  options.width = width;
+  options.height = height;
+  stage.camera = cameraOf(options, stage.scene, file);
+  return stage;
+}
+
+/// What a solution shows, one value an element, exposed for the eye.
+struct Shown {
+  Discretization discretization;
+  std::vector<glm::dvec3> values;
+};
+
+Shown solved(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
+             const radiosity::SolverSettings& settings) {
+  // As in the paper no patch is split. Looking for those that should be takes a drawing of each.
+  radiosity::DrawnRows drawn(scene, discretization, layout, {.resolution = 128, .split = 1});
+  const auto rowOf = [&drawn](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
+  const radiosity::Solution solution = radiosity::solve(scene, drawn.discretization(), rowOf, settings);
+  Shown shown{drawn.discretization(), radiosity::displayRadiosity(scene, drawn.discretization(), solution)};
+  const double exposure = radiosity::defaultExposure(scene, shown.discretization, shown.values);
+  for (glm::dvec3& value : shown.values) value *= exposure;
+  return shown;
+}
+
+Image unfiltered(const Scene& scene, const Shown& shown, const Camera& camera) {
+  return radiosity::elementPicture(scene, shown.discretization, shown.values, camera, width, height);
+}
+
+const reference::PaperLevel& mediumOf(const reference::PaperScene& scene) {
+  return *std::find_if(scene.levels.begin(), scene.levels.end(),
+                       [](const reference::PaperLevel& level) { return level.name == "medium"; });
+}
+
+/// Walls of 8 x 8 elements, faces of the box of 3 x 3 and the light in one: 439. One index map serves all.
+Discretization figure2Discretization(const Scene& scene) {
+  radiosity::DiscretizationSettings settings{.texels = 8, .surfaceTexels = {{"light", 1}}, .patch = 2};
+  for (const char* face : {"bottom", "top", "front", "right", "back", "left"})
+    settings.surfaceTexels[std::string("box-") + face] = 3;
+  return radiosity::discretize(scene, settings);
+}
+
+void addFigure2(Album& album, const Stage& stage) {
+  constexpr int mapSide = 8;
+  const auto& [scene, camera] = stage;
+  const Discretization discretization = figure2Discretization(scene);
+  const WordLayout layout = radiosity::layOut(discretization, {.page = mapSide});
+  album.addPanel(2, "a", radiosity::indexMapPicture(scene, discretization, layout, camera, width, height),
+                 "Index maps laid over the surfaces: the level of a texel is its number in the map.");
+  album.addPanel(2, "b", radiosity::offsetPicture(scene, discretization, layout, camera, width, height),
+                 "The offset of each surface, one colour each.");
+  album.addPanel(2, "c", radiosity::wordPicture(scene, discretization, layout, camera, width, height),
+                 "What the hemicube draws: offset and index added, (a) + (b). Every element has a number of its own.");
+  album.addPanel(2, "d", radiosity::wireframePicture(scene, camera, width, height),
+                 "What is drawn for it: 13 quads, however many elements there are.");
+  album.addPanel(2, "e", radiosity::meshPicture(scene, discretization, camera, width, height),
+                 "What regular meshing draws for the same elements: " + std::to_string(discretization.elements.size()) +
+                     " quads.");
+  album.addPanel(2, "f", radiosity::indexMapImage(mapSide, mapSide, height / mapSide),
+                 "The one index map, 8 x 8 texels, that serves all surfaces. Where a surface has fewer elements the "
+                 "rest of it is left over.");
+}
+
+void addFigure3(Album& album, const std::filesystem::path& sceneFolder, const reference::PaperScene& simple,
+                const Camera& camera) {
+  const reference::PaperLevel& medium = mediumOf(simple);
+  album.addPanel(
+      3, "a",
+      unfiltered(simple.scene, solved(simple.scene, medium.discretization, medium.layout, {.residual = 0.01}), camera),
+      "The scene of Figure 2, medium: one texel an element, without filtering.");
+  const auto addScene = [&](const std::string& panel, const std::string& name, int texels, const std::string& caption) {
+    const Stage stage = stageOf(sceneFolder, name);
+    const Discretization discretization = radiosity::discretize(stage.scene, {.texels = texels, .patch = 4});
+    const Shown shown = solved(stage.scene, discretization, radiosity::layOut(discretization), {.residual = 0.01});
+    album.addPanel(3, panel, unfiltered(stage.scene, shown, stage.camera), caption);
+  };
+  addScene("b", "pyramid-room", 16,
+           "Surfaces that are no rectangles: the sides of a pyramid, and the floor around it.");
+  addScene("c", "curved-room", 24, "A curved surface of 5000 triangles is one surface under one index map.");
+}
+
+/// A page of the packed solution: the light of the elements whose texels lie there, black where none does.
+Image packedPage(const Shown& shown, const WordLayout& layout, std::size_t page) {
+  const int columns = layout.pages[page].columns, rows = layout.pages[page].rows;
+  Image image{columns, rows,
+              std::vector<glm::dvec3>(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows))};
+  for (std::size_t surface = 0; surface < layout.places.size(); ++surface) {
+    const radiosity::RectanglePlace& place = layout.places[surface];
+    const radiosity::Grid& grid = shown.discretization.grids[surface];
+    if (place.page != static_cast<int>(page)) continue;
+    for (int texel = 0; texel < grid.columns * grid.rows; ++texel) {
+      if (!grid.covered[static_cast<std::size_t>(texel)]) continue;
+      const int column = place.column + texel % grid.columns, row = place.row + texel / grid.columns;
+      image.pixels[static_cast<std::size_t>((rows - 1 - row) * columns + column)] =
+          shown.values[grid.spill[static_cast<std::size_t>(texel)]];
+    }
+  }
+  return image;
+}
+
+/// Pictures of one size side by side, four in a row, with a grey line between them.
+Image sheetOf(const std::vector<Image>& pages) {
+  constexpr int inRow = 4, gap = 4;
+  int largest = 0;
+  for (const Image& page : pages) largest = std::max({largest, page.width, page.height});
+  const int side = largest + gap, rows = (static_cast<int>(pages.size()) + inRow - 1) / inRow;
+  Image sheet{inRow * side + gap, rows * side + gap, {}};
+  sheet.pixels.assign(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height), glm::dvec3(0.5));
+  for (std::size_t page = 0; page < pages.size(); ++page) {
+    const int left = gap + static_cast<int>(page) % inRow * side, top = gap + static_cast<int>(page) / inRow * side;
+    for (int row = 0; row < pages[page].height; ++row)
+      std::copy_n(pages[page].pixels.begin() + row * pages[page].width, pages[page].width,
+                  sheet.pixels.begin() + (top + row) * sheet.width + left);
+  }
+  return sheet;
+}
+
+void addFigure4(Album& album, const reference::PaperScene& complex, const Camera& camera) {
+  constexpr int shots = 1000;
+  const reference::PaperLevel& medium = mediumOf(complex);
+  const Shown shown = solved(complex.scene, medium.discretization, medium.layout, {.shots = shots});
+  album.addPanel(4, "a", unfiltered(complex.scene, shown, camera),
+                 "The complex scene, 8088 triangles, medium, without filtering: a vaulted hall between a library and a "
+                 "picture gallery.");
+  album.addPanel(4, "b",
+                 radiosity::wordPicture(complex.scene, medium.discretization, medium.layout, camera, width, height),
+                 "What the hemicube draws: surfaces of one page of elements share a colour, its offset.");
+  const auto closeUp = [&](const std::string& panel, const glm::dvec3& eye, const glm::dvec3& lookAt, double fov,
+                           const std::string& caption) {
+    album.addPanel(4, panel, unfiltered(complex.scene, shown, {.eye = eye, .lookAt = lookAt, .fov = fov}), caption);
+  };
+  closeUp("c", {1.7, 1.5, 4.5}, {-0.2, 0.75, 2.2}, 42, "A table in the light of its lamp, and chairs.");
+  closeUp("d", {-4.3, 1.7, 0.3}, {-6.6, 1.35, -2}, 45, "Built-in shelves: every book is a surface of its own.");
+  closeUp("e", {4.6, 1.7, 1.2}, {6.4, 1.5, -5.5}, 50, "The gallery, the portal to the round room, and a vase.");
+  std::vector<Image> pages;
+  for (std::size_t page = 0; page < medium.layout.pages.size(); ++page)
+    pages.push_back(packedPage(shown, medium.layout, page));
+  const std::string count = std::to_string(pages.size()), side = std::to_string(pages[0].width);
+  album.addPanel(4, "f", sheetOf(pages),
+                 "The light of all surfaces in " + count + " radiosity textures of " + side + " x " + side +
+                     " texels. Black texels belong to no surface.");
+  for (std::size_t page = 0; page < pages.size(); ++page)
+    album.addPanel(4, "f-" + std::to_string(page + 1), pages[page],
+                   "Texture " + std::to_string(page + 1) + " of " + count + ".");
+}
+
+/// What clamped adds make of offsets that follow each other without gaps: maps of 12 x 12 texels soon have offsets
+/// whose sums with an index pass 255.
+void addWrongAnswers(Album& album, const Stage& stage, const Discretization& discretization) {
+  const WordLayout layout = radiosity::layOut(discretization, {.aligned = false});
+  const radiosity::BlendErrors errors =
+      radiosity::blendErrorPicture(stage.scene, discretization, layout, stage.camera, width, height);
+  album.addOwn("wrong-answers", errors.picture,
+               "Offsets packed without gaps, added colour by colour without carry: " + std::to_string(errors.pixels) +
+                   " of " + std::to_string(width * height) +
+                   " pixels, magenta here, name a wrong element. With aligned offsets or integer adds none does.");
+}
+
+void addPlant(Album& album, const std::filesystem::path& sceneFolder) {
+  const Stage stage = stageOf(sceneFolder, "plant");
+  const Discretization discretization = radiosity::discretize(stage.scene, {.texelSize = 0.25, .patch = 4});
+  const Shown shown = solved(stage.scene, discretization, radiosity::layOut(discretization), {.shots = 200});
+  album.addOwn("plant", unfiltered(stage.scene, shown, stage.camera),
+               "Plants of 1000 leaves, " + std::to_string(radiosity::triangleCount(stage.scene)) +
+                   " triangles: each side of a leaf is a surface and an element already, so there is nothing to mesh.");
+}
+
+const reference::PaperScene& sceneNamed(const std::vector<reference::PaperScene>& scenes, const std::string& name) {
+  const auto found = std::find_if(scenes.begin(), scenes.end(), [&](const auto& scene) { return scene.name == name; });
+  assert(found != scenes.end());
+  return *found;
+}
+
+}  // namespace
+
+ordered_json writePaperFigures(const std::filesystem::path& sceneFolder,
+                               const std::vector<reference::PaperScene>& scenes, const std::filesystem::path& folder,
+                               const PictureProgress& progress) {
+  Album album(folder);
+  const Stage room = stageOf(sceneFolder, "paper-room");
+  progress("Figure 2");
+  addFigure2(album, room);
+  progress("Figure 3");
+  addFigure3(album, sceneFolder, sceneNamed(scenes, reference::simpleScene), room.camera);
+  progress("Figure 4");
+  addFigure4(album, sceneNamed(scenes, reference::complexScene), stageOf(sceneFolder, "gallery").camera);
+  progress("what the paper does not show");
+  addWrongAnswers(album, room, mediumOf(sceneNamed(scenes, reference::simpleScene)).discretization);
+  addPlant(album, sceneFolder);
+  return album.list();
+}
+
+ordered_json phantomsJson(const std::vector<reference::PaperScene>& scenes) {
+  ordered_json result = ordered_json::array();
+  for (const std::string& name : {reference::simpleScene, reference::complexScene}) {
+    const Discretization& discretization = mediumOf(sceneNamed(scenes, name)).discretization;
+    for (const radiosity::IndexMapUse& use : radiosity::compareIndexMaps(discretization))
+      result.push_back({{"scene", name},
+                        {"index_maps", use.name},
+                        {"offsets", use.offsets},
+                        {"words", use.words},
+                        {"spare_texels", use.phantoms.spareTexels},
+                        {"alignment_gaps", use.phantoms.alignmentGaps}});
+  }
+  return result;
+}
+
+}  // namespace hemitex::cli

@@ -1,0 +1,94 @@
+/// `hemitex paper`: the tables and figures of Nielsen and Christensen (2002), made again.
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+#include "cli/common/commands.h"
+#include "cli/common/opengl_device.h"
+#include "cli/common/scene_folder.h"
+#include "cli/common/staging.h"
+#include "cli/paper/figures.h"
+#include "cli/paper/page.h"
+#include "cli/paper/report.h"
+#include "raster/base/file_io.h"
+#include "raster/base/parallel.h"
+#include "reference/bench/stopwatch.h"
+#include "reference/paper/scenes.h"
+#include "reference/paper/tables.h"
+
+namespace hemitex::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// The reference renderer and, where there is one, OpenGL.
+std::vector<reference::PaperDevice> devices(Console& console) {
+  std::vector<reference::PaperDevice> devices{{"software", radiosity::softwareRenderer}};
+  const radiosity::RendererFactory openGl = openGlRenderers(console, "no hardware columns");
+  if (openGl) devices.push_back({"opengl", openGl, 500000});
+  return devices;
+}
+
+std::string times(double total, double formFactors) {
+  std::ostringstream text;
+  text << std::setprecision(3) << total << " (" << formFactors << ')';
+  return text.str();
+}
+
+/// The tables for people: seconds in all and, in brackets, for form factors.
+std::string summary(const std::vector<reference::PaperRun>& runs) {
+  std::ostringstream text;
+  text << std::setprecision(3);
+  for (const reference::PaperRun& run : runs) {
+    text << run.scene << ", " << run.device << ", " << run.discretize << ", " << run.level << ", R = " << run.resolution
+         << ": " << times(run.seconds.total, run.seconds.formFactors) << " s for " << run.shots << " shots, "
+         << run.elements << " elements";
+    const auto published = reference::publishedTimes(run);
+    if (published && published->total && published->formFactors)
+      text << "; the paper: " << times(*published->total, *published->formFactors) << " s";
+    text << '\n';
+  }
+  for (const reference::SpeedUp& s : reference::speedUps(runs))
+    text << s.scene << ", " << s.device << ", " << s.level << ", R = " << s.resolution << ": textures are "
+         << times(s.total, s.formFactors) << " times faster\n";
+  for (const reference::Promise& promise : reference::promises(runs))
+    text << (promise.isKept ? "kept: " : "NOT KEPT: ") << promise.what << ": " << promise.measured << " (limit "
+         << promise.limit << ")\n";
+  return text.str();
+}
+
+void makePaper(const std::filesystem::path& output, Context& context) {
+  Console& console = context.console;
+  const reference::Stopwatch all;
+  Staging{output};  // a folder that cannot be written is told before the work, not after it
+  const auto progress = [&console](double fraction, const std::string& what) { console.progress(fraction, what); };
+  // As the machine of the paper had it: what is done on more threads would hide what is done on one.
+  const raster::ThreadLimit oneProcessor(1);
+  const std::vector<reference::PaperScene> scenes = reference::paperScenes(sceneFolder());
+  const std::vector<reference::PaperRun> runs = reference::measurePaperRuns(scenes, devices(console), {}, progress);
+  ordered_json result = paperJson(runs);
+  result["phantoms"] = phantomsJson(scenes);
+  Staging staging(output);
+  result["figures"] = writePaperFigures(sceneFolder(), scenes, staging.folder(),
+                                        [&console](const std::string& what) { console.progress(1, what); });
+  console.endProgress();
+  result["warnings"] = console.given();
+  result["times"] = {{"all_s", all.seconds()}};
+  radiosity::writeFile(staging.folder() / "paper.json", toText(result));
+  radiosity::writeFile(staging.folder() / "report.html", paperPage(result, staging.folder()));
+  staging.commit();
+  std::cout << (context.json ? toText(result) : summary(runs));
+}
+
+}  // namespace
+
+void addPaper(CLI::App& program, Context& context) {
+  const auto output = std::make_shared<std::filesystem::path>();
+  CLI::App* command =
+      program.add_subcommand("paper", "Make the tables and figures of the paper again, some minutes' work");
+  addOutput(*command, *output, "folder for report.html, paper.json and the pictures");
+  command->callback([output, &context] { context.command = [output, &context] { makePaper(*output, context); }; });
+}
+
+}  // namespace hemitex::cli

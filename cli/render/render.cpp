@@ -1,0 +1,200 @@
+/// `hemitex render`: pictures of a scene, solved or not: its light, or how it is drawn into the hemicube (Figures 2 and
+/// 3 of Nielsen and Christensen 2002).
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "cli/common/camera_options.h"
+#include "cli/common/commands.h"
+#include "cli/common/json.h"
+#include "cli/common/staging.h"
+#include "cli/common/surface_names.h"
+#include "cli/render/solved_folder.h"
+#include "radiosity/pictures/pictures.h"
+#include "radiosity/projection/hemicube.h"
+#include "radiosity/projection/patch_view.h"
+#include "radiosity/projection/projection.h"
+#include "raster/base/input_error.h"
+#include "raster/software/software_renderer.h"
+
+namespace hemitex::cli {
+namespace {
+
+using radiosity::Image;
+
+struct RenderOptions;
+/// What is drawn, and from where.
+struct Subject {
+  radiosity::Scene scene;
+  std::optional<SolvedFolder> solved;
+  radiosity::Camera camera;
+};
+/// One of the things that a picture may show.
+using View = Image (*)(const RenderOptions&, const Subject&, Console&);
+
+struct RenderOptions {
+  SceneOptions scene;
+  radiosity::DiscretizationSettings discretization;
+  bool gridsGiven = false;  ///< the user said how many texels, so that a solved folder is not asked
+  radiosity::WordSettings word;
+  CameraOptions camera;
+  View show = nullptr;
+  bool mesh = false;
+  std::string from;
+  int resolution = 256;
+  std::filesystem::path output;
+};
+
+Subject subjectOf(const RenderOptions& options, Console& console) {
+  Subject subject{radiosity::loadScene(options.scene.file, options.scene.settings), {}, {}};
+  subject.solved = SolvedFolder::around(options.scene.file, subject.scene);
+  if (subject.solved)
+    subject.solved->restoreCharts(subject.scene);
+  else
+    console.warnings(subject.scene.warnings);  // a lit scene is white on purpose, not too reflective
+  subject.camera = cameraOf(options.camera, subject.scene, options.scene.file);
+  return subject;
+}
+
+/// The grids of a solved folder, unless the user asked for others.
+radiosity::Discretization shownDiscretization(const RenderOptions& options, const Subject& subject) {
+  const bool asSolved = subject.solved && !options.gridsGiven;
+  return discretizationOf(asSolved ? subject.solved->grids(subject.scene) : options.discretization, subject.scene);
+}
+
+/// Light as textures show it: bilinear.
+Image radiosityView(const RenderOptions& options, const Subject& subject, Console& console) {
+  const int width = options.camera.width, height = options.camera.height;
+  if (!subject.solved) console.message("the scene is not solved: this shows its reflectances");
+  if (!subject.solved || !options.camera.exposure)
+    return radiosity::unlitPicture(subject.scene, subject.camera, width, height);
+  radiosity::Scene exposed = subject.scene;
+  subject.solved->expose(exposed, *options.camera.exposure);
+  return radiosity::unlitPicture(exposed, subject.camera, width, height);
+}
+
+/// Light as it was solved: one value an element (Figure 3).
+Image elementView(const RenderOptions& options, const Subject& subject, Console&) {
+  if (!subject.solved || options.gridsGiven)
+    throw raster::InputError(options.scene.file.string(), 0, "is not a solved scene, whose elements could be shown",
+                             "solve it first, and render scene.obj of its folder without options for texels");
+  const radiosity::Discretization discretization = shownDiscretization(options, subject);
+  std::vector<glm::dvec3> values = subject.solved->radiosity(discretization);
+  for (glm::dvec3& value : values) value *= options.camera.exposure.value_or(subject.solved->exposure());
+  return radiosity::elementPicture(subject.scene, discretization, values, subject.camera, options.camera.width,
+                                   options.camera.height);
+}
+
+/// Figure 2 (a) to (c): index maps, offsets, or the words that are their sums.
+template <auto picture>
+Image wordView(const RenderOptions& options, const Subject& subject, Console& console) {
+  const radiosity::Discretization discretization = shownDiscretization(options, subject);
+  return picture(subject.scene, discretization, layoutOf(options.word, discretization, console), subject.camera,
+                 options.camera.width, options.camera.height);
+}
+
+/// Where the blend made words of other elements, and on how many pixels.
+Image blendErrorView(const RenderOptions& options, const Subject& subject, Console& console) {
+  const radiosity::Discretization discretization = shownDiscretization(options, subject);
+  radiosity::BlendErrors errors =
+      radiosity::blendErrorPicture(subject.scene, discretization, layoutOf(options.word, discretization, console),
+                                   subject.camera, options.camera.width, options.camera.height);
+  if (errors.pixels > 0) console.warning(std::to_string(errors.pixels) + " pixels show words of other elements");
+  return std::move(errors.picture);
+}
+
+/// Figure 2 (d) and (e).
+Image wireframeView(const RenderOptions& options, const Subject& subject, Console&) {
+  const int width = options.camera.width, height = options.camera.height;
+  if (!options.mesh) return radiosity::wireframePicture(subject.scene, subject.camera, width, height);
+  return radiosity::meshPicture(subject.scene, shownDiscretization(options, subject), subject.camera, width, height);
+}
+
+/// Figure 2 (f): the largest index map of the scene, as large as the picture allows.
+Image indexMapView(const RenderOptions& options, const Subject& subject, Console&) {
+  const radiosity::Discretization discretization = shownDiscretization(options, subject);
+  const auto& largest = *std::max_element(
+      discretization.grids.begin(), discretization.grids.end(),
+      [](const radiosity::Grid& a, const radiosity::Grid& b) { return a.columns * a.rows < b.columns * b.rows; });
+  const int side = std::min(options.camera.width / largest.columns, options.camera.height / largest.rows);
+  return radiosity::indexMapImage(largest.columns, largest.rows, std::max(side, 1));
+}
+
+/// The surface that shoots first, as far as materials tell: the first that emits, else the first.
+std::uint32_t firstEmitter(const radiosity::Scene& scene) {
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+    if (scene.materials[static_cast<std::size_t>(scene.surfaces[s].material)].emission != glm::dvec3(0)) return s;
+  return 0;
+}
+
+/// The projection over an element, or over the first patch of a surface.
+template <radiosity::ProjectionKind kind>
+Image projectionView(const RenderOptions& options, const Subject& subject, Console& console) {
+  const radiosity::Scene& scene = subject.scene;
+  const radiosity::Discretization discretization = shownDiscretization(options, subject);
+  const radiosity::WordLayout layout = layoutOf(options.word, discretization, console);
+  const Source source =
+      options.from.empty() ? Source{{firstEmitter(scene)}} : sourceNamed(scene, discretization, options.from);
+  const std::uint32_t surface = source.surfaces.front();
+  const radiosity::Patch& patch = discretization.patches[discretization.grids[surface].firstPatch];
+  const radiosity::SurfacePoint point = source.element
+                                            ? radiosity::elementCentre(scene, discretization, *source.element)
+                                            : radiosity::patchCentre(scene, discretization, patch);
+  const radiosity::Projection projection = radiosity::projectionOf(kind, options.resolution);
+  const auto skipped = radiosity::skippedTriangles(scene, surface, point);
+  const double nearDistance = radiosity::nearDistance(scene, point.position, skipped, projection.squaredReach);
+  const auto faces =
+      radiosity::facesOver(projection.faces, point.position - scene.origin, point.normal, glm::dvec3(0), nearDistance);
+  raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));
+  const std::vector<raster::ItemBuffer> buffers = renderer.render(faces, skipped);
+  return kind == radiosity::ProjectionKind::Hemicube ? radiosity::hemicubePicture(layout, faces, buffers)
+                                                     : radiosity::facesPicture(layout, projection, faces, buffers);
+}
+
+void render(const RenderOptions& options, Context& context) {
+  const Image image = options.show(options, subjectOf(options, context.console), context.console);
+  Staging staging(std::filesystem::absolute(options.output).parent_path());
+  radiosity::writePng(staging.folder() / options.output.filename(), image);
+  staging.commit();
+  if (context.json)
+    std::cout << toText({{"width", image.width}, {"height", image.height}, {"warnings", context.console.given()}});
+}
+
+}  // namespace
+
+void addRender(CLI::App& program, Context& context) {
+  const auto options = std::make_shared<RenderOptions>();
+  options->show = radiosityView;
+  CLI::App* command = program.add_subcommand("render", "Draw a picture of a scene, solved or not");
+  addSceneOptions(*command, options->scene);
+  addOutput(*command, options->output, "the picture, a PNG file")->check([](const std::string& name) {
+    return std::filesystem::path(name).extension() == ".png" ? "" : "the name of the picture has to end in .png";
+  });
+  addChoice<View>(*command, "--show", options->show,
+                  {{"radiosity", radiosityView},
+                   {"elements", elementView},
+                   {"ids", wordView<radiosity::wordPicture>},
+                   {"index-map", wordView<radiosity::indexMapPicture>},
+                   {"offsets", wordView<radiosity::offsetPicture>},
+                   {"blend-errors", blendErrorView},
+                   {"wireframe", wireframeView},
+                   {"hemicube", projectionView<radiosity::ProjectionKind::Hemicube>},
+                   {"single-plane", projectionView<radiosity::ProjectionKind::SinglePlane>},
+                   {"tetrahedron", projectionView<radiosity::ProjectionKind::CubicTetrahedron>},
+                   {"map", indexMapView}},
+                  "what the picture shows (default radiosity)");
+  addChoice<bool>(*command, "--discretize", options->mesh, {{"texture", false}, {"mesh", true}},
+                  "with --show wireframe: the polygons, or the mesh that regular meshing would make");
+  command->add_option("--from", options->from, "where the projection stands (default: the first surface that emits)")
+      ->type_name("SURFACE[:COL,ROW]");
+  addResolution(*command, options->resolution);
+  addCameraOptions(*command, options->camera);
+  addDiscretizationOptions(*command, options->discretization);
+  addWordOptions(*command, options->word);
+  command->callback([options, command, &context] {
+    for (const char* name : {"--texels", "--texel-size", "--surface"}) options->gridsGiven |= command->count(name) > 0;
+    context.command = [options, &context] { render(*options, context); };
+  });
+}
+
+}  // namespace hemitex::cli

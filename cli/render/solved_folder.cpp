@@ -1,0 +1,128 @@
+#include "cli/render/solved_folder.h"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "cli/common/surface_names.h"
+#include "radiosity/scene/image.h"
+#include "raster/base/input_error.h"
+
+namespace hemitex::cli {
+namespace {
+
+using nlohmann::json;
+
+/// A number of texels or a place among them. Throws std::out_of_range where it is below `least`.
+int texelsAt(const json& object, const char* key, int least) {
+  const int value = object.at(key).get<int>();
+  if (value < least) throw std::out_of_range(std::string(key) + " is below " + std::to_string(least));
+  return value;
+}
+
+/// A coordinate of a texture as one of the chart at [start, start + length] of its `size` texels, as binary32.
+double chartCoordinate(double texture, int size, int start, int length) {
+  const double chart = (texture * size - start) / length;
+  return static_cast<float>(std::clamp(chart, 0.0, 1.0));
+}
+
+radiosity::Image scaled(radiosity::Image image, double factor) {
+  for (glm::dvec3& pixel : image.pixels) pixel *= factor;
+  return image;
+}
+
+/// An sRGB-encoded colour, its linear value multiplied.
+glm::dvec3 scaledColour(const glm::dvec3& encoded, double factor) {
+  glm::dvec3 colour(0);
+  for (int band = 0; band < 3; ++band)
+    colour[band] = radiosity::encodeSrgb(radiosity::decodeSrgb(encoded[band]) * factor) / 255.0;
+  return colour;
+}
+
+}  // namespace
+
+std::optional<SolvedFolder> SolvedFolder::around(const std::filesystem::path& sceneFile,
+                                                 const radiosity::Scene& scene) {
+  SolvedFolder solved;
+  solved.folder_ = sceneFile.parent_path();
+  const std::filesystem::path file = solved.folder_ / "solution.json";
+  std::ifstream stream(file);
+  if (!stream) return std::nullopt;
+  try {
+    const json solution = json::parse(stream);
+    const json& settings = solution.at("settings");
+    if (const json& texels = settings.at("texels"); !texels.is_null()) solved.settings_.texels = texels.get<int>();
+    solved.settings_.patch = settings.at("patch").get<int>();
+    if (const json& size = settings.at("texel_size"); !size.is_null()) solved.settings_.texelSize = size.get<double>();
+    solved.exposure_ = settings.at("exposure").get<double>();
+    // The lit scene has a group for each surface, in their order; what has no chart may have come apart.
+    const json& surfaces = solution.at("surfaces");
+    for (const std::uint32_t family : familiesOf(scene).ofSurface) {
+      const json& surface = surfaces.at(family);
+      const json& texture = surface.at("texture");
+      solved.places_.push_back({texture.at("name").get<std::string>(), texelsAt(texture, "width", 1),
+                                texelsAt(texture, "height", 1), texelsAt(texture, "column", 0),
+                                texelsAt(texture, "row", 0), texelsAt(surface, "columns", 1),
+                                texelsAt(surface, "rows", 1)});
+    }
+  } catch (const std::exception& error) {
+    throw raster::InputError(file.string(), 0, std::string("does not describe the scene beside it: ") + error.what(),
+                             "solve the scene again");
+  }
+  return solved;
+}
+
+void SolvedFolder::restoreCharts(radiosity::Scene& scene) const {
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const Place& place = places_[s];
+    for (radiosity::Triangle& triangle : scene.surfaces[s].triangles)
+      for (glm::dvec2& corner : triangle.chart)
+        corner = {chartCoordinate(corner.x, place.width, place.column, place.columns),
+                  chartCoordinate(corner.y, place.height, place.row, place.rows)};
+  }
+}
+
+radiosity::DiscretizationSettings SolvedFolder::grids(const radiosity::Scene& scene) const {
+  radiosity::DiscretizationSettings settings = settings_;
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const Place& place = places_[s];
+    if (!settings.texels || radiosity::GridSize(place.columns, place.rows) != radiosity::GridSize(*settings.texels))
+      settings.surfaceTexels[scene.surfaces[s].family] = {place.columns, place.rows};
+  }
+  return settings;
+}
+
+std::vector<glm::dvec3> SolvedFolder::radiosity(const radiosity::Discretization& discretization) const {
+  std::map<std::string, radiosity::Image> textures;
+  std::vector<glm::dvec3> values;
+  for (const radiosity::Element& element : discretization.elements) {
+    const Place& place = places_[element.surface];
+    const auto [texture, isNew] = textures.try_emplace(place.texture);
+    if (isNew) texture->second = radiosity::readImage(folder_ / (place.texture + ".exr"));
+    const radiosity::Image& image = texture->second;
+    const auto columns = static_cast<std::uint32_t>(place.columns);
+    const int column = place.column + static_cast<int>(element.texel % columns);
+    const int row = image.height - 1 - place.row - static_cast<int>(element.texel / columns);
+    if (column < 0 || column >= image.width || row < 0 || row >= image.height)
+      throw raster::InputError((folder_ / (place.texture + ".exr")).string(), 0, "is smaller than solution.json says",
+                               "solve the scene again");
+    values.push_back(image.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
+                                  static_cast<std::size_t>(column)]);
+  }
+  return values;
+}
+
+void SolvedFolder::expose(radiosity::Scene& scene, double exposure) const {
+  for (const radiosity::Material& material : scene.materials)
+    if (material.reflectanceMap)
+      scene.images[static_cast<std::size_t>(*material.reflectanceMap)] =
+          scaled(radiosity::readImage(folder_ / (material.name + ".exr")), exposure);
+  for (radiosity::Surface& surface : scene.surfaces)
+    for (radiosity::Triangle& triangle : surface.triangles)
+      if (triangle.cornerColor)
+        for (glm::dvec3& colour : *triangle.cornerColor) colour = scaledColour(colour, exposure / exposure_);
+}
+
+}  // namespace hemitex::cli

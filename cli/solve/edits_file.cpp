@@ -1,0 +1,119 @@
+#include "cli/solve/edits_file.h"
+
+#include <array>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "radiosity/scene/name_suggestions.h"
+#include "raster/base/input_error.h"
+
+namespace hemitex::cli {
+namespace {
+
+using json = nlohmann::ordered_json;
+using radiosity::Edit;
+using raster::InputError;
+
+const std::string form =
+    "write {\"frames\": [[{\"move\": NAME, \"by\": [x,y,z]}, ...], ...]}; edits are move, remove, restore, add, "
+    "emission "
+    "and reflectance";
+
+/// The key beside the edit's own that says what is done, and whether it has to be there.
+struct EditForm {
+  std::string argument;
+  bool isRequired;
+};
+const std::map<std::string, EditForm>& editForms() {
+  static const std::map<std::string, EditForm> forms = {{"move", {"by", true}},     {"remove", {"", false}},
+                                                        {"restore", {"", false}},   {"add", {"by", false}},
+                                                        {"emission", {"to", true}}, {"reflectance", {"to", true}}};
+  return forms;
+}
+
+/// Which edit an object is. Throws InputError where it is none, or has other keys than it should.
+std::string kindOf(const json& object) {
+  if (!object.is_object() || object.empty()) throw InputError("an edit is no object: " + object.dump(), form);
+  std::string kind;
+  for (const auto& [key, value] : object.items())
+    if (editForms().contains(key))
+      kind = kind.empty() ? key : throw InputError("an edit is two: " + object.dump(), form);
+  std::set<std::string> known;
+  for (const auto& [name, some] : editForms()) known.insert({name, some.argument});
+  known.erase("");
+  for (const auto& [key, value] : object.items())
+    if (key != kind && (kind.empty() || key != editForms().at(kind).argument))
+      throw InputError("`" + key + "` is no key of " + (kind.empty() ? "an edit" : "`" + kind + "`"),
+                       "keys that come near: " + radiosity::nearestNames(known, key));
+  const EditForm& found = editForms().at(kind);
+  if (found.isRequired && !object.contains(found.argument))
+    throw InputError("`" + kind + "` has no `" + found.argument + "`", form);
+  return kind;
+}
+
+glm::dvec3 vectorOf(const json& object, const std::string& key) {
+  if (!object.contains(key)) return glm::dvec3(0);
+  const auto values = object.at(key).get<std::array<double, 3>>();
+  return {values[0], values[1], values[2]};
+}
+
+std::vector<std::string> namesOf(const json& value) {
+  return value.is_array() ? value.get<std::vector<std::string>>() : std::vector{value.get<std::string>()};
+}
+
+/// Appends the edits of an object, one a name.
+void appendEdits(const json& object, const std::filesystem::path& folder, const radiosity::SceneSettings& settings,
+                 std::vector<Edit>& edits) {
+  const std::string kind = kindOf(object);
+  for (const std::string& name : namesOf(object.at(kind))) {
+    if (kind == "move") edits.push_back(radiosity::Move{name, vectorOf(object, "by")});
+    if (kind == "remove") edits.push_back(radiosity::Remove{name});
+    if (kind == "restore") edits.push_back(radiosity::Restore{name});
+    if (kind == "add") edits.push_back(radiosity::Add{folder / name, settings, vectorOf(object, "by")});
+    if (kind == "emission")
+      edits.push_back(
+          radiosity::SetEmission{name, radiosity::radiosityPerUnit(settings.emission) * vectorOf(object, "to")});
+    if (kind == "reflectance") edits.push_back(radiosity::SetReflectance{name, vectorOf(object, "to")});
+  }
+}
+
+json framesOf(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) throw InputError(file.string(), 0, "cannot be read", "give a file of edits");
+  const json content = json::parse(stream);
+  if (!content.is_object() || !content.contains("frames") || content.size() != 1 || !content.at("frames").is_array())
+    throw InputError(file.string(), 0, "is no list of frames", form);
+  return content.at("frames");
+}
+
+}  // namespace
+
+std::vector<Frame> readEdits(const std::filesystem::path& file, const radiosity::Scene& scene,
+                             const radiosity::SceneSettings& settings) {
+  std::vector<Frame> frames;
+  std::string where;
+  try {
+    radiosity::EditedScene state{scene, {}, {}};
+    for (const json& frame : framesOf(file)) {
+      where = "frame " + std::to_string(frames.size() + 1) + ": ";
+      if (!frame.is_array()) throw InputError("it is no list of edits", form);
+      std::vector<Edit> edits;
+      for (const json& object : frame) appendEdits(object, file.parent_path(), settings, edits);
+      state = radiosity::edited(std::move(state.scene), std::move(state.removed), edits);
+      frames.push_back({frame, std::move(edits)});
+    }
+  } catch (const json::exception& error) {
+    throw InputError(file.string(), 0, where + error.what(), form);
+  } catch (const InputError& error) {
+    // What is wrong with a file that is added says so itself.
+    if (!error.file().empty()) throw;
+    throw InputError(file.string(), 0, where + error.what());
+  }
+  return frames;
+}
+
+}  // namespace hemitex::cli

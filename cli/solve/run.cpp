@@ -1,0 +1,86 @@
+#include "cli/solve/run.h"
+
+#include <cmath>
+
+#include "cli/common/json.h"
+#include "radiosity/discretization/adaptive_subdivision.h"
+#include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/solver/error_control.h"
+#include "reference/rays/embree_form_factors.h"
+
+namespace hemitex::cli {
+
+std::optional<BoundedSolution> solvedWithin(const SolveOptions& asked, const radiosity::Scene& scene,
+                                            const radiosity::Discretization& discretization,
+                                            const radiosity::WordLayout& layout, Console& console) {
+  if (!asked.maxError) return std::nullopt;
+  BoundedSolution bounded{asked};
+  bounded.options.solver.residual = radiosity::residualFor(*asked.maxError);
+  const auto solveWith = [&](const radiosity::Effort& effort) {
+    bounded.options.drawing.resolution = effort.resolution;
+    bounded.options.drawing.split = effort.split;
+    bounded.solved = solvedBy(bounded.options, scene, discretization, layout, console);
+    return bounded.solved.solution.radiosity;
+  };
+  bounded.expectedError = radiosity::chooseEffort(discretization, solveWith, *asked.maxError).expectedError;
+  return bounded;
+}
+
+radiosity::Discretization discretizationFor(const SolveOptions& options, const radiosity::Scene& scene,
+                                            Console& console) {
+  if (!options.adaptive) return discretizationOf(options.discretization, scene);
+  const auto solveElements = [&](const radiosity::Discretization& discretization) {
+    const radiosity::WordLayout layout = layoutOf(options.word, discretization, console);
+    return solvedBy(options, scene, discretization, layout, console).solution.radiosity;
+  };
+  return radiosity::adaptiveDiscretization(scene, options.discretization, *options.adaptive, solveElements);
+}
+
+Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radiosity::Discretization discretization,
+                const radiosity::WordLayout& layout, Console& console) {
+  // Also where rays find the rows: they are split where hemicubes are.
+  radiosity::DrawnRows drawn(scene, std::move(discretization), layout, options.drawing);
+  const auto solveBy = [&](auto& rows) {
+    const auto rowOf = [&rows](std::uint32_t patch) { return rows.ofPatch(patch); };
+    radiosity::Solution solution = radiosity::solve(scene, drawn.discretization(), rowOf, options.solver,
+                                                    progressOf(options.solver, console), drawn.splits());
+    console.endProgress();
+    return solution;
+  };
+  if (usesRays(options)) {
+    reference::RayRows rows(scene, drawn.discretization(),
+                            {.rays = options.samples, .start = reference::RayStart::Area});
+    radiosity::Solution solution = solveBy(rows);
+    return {drawn.discretization(), std::move(solution)};
+  }
+  radiosity::Solution solution = solveBy(drawn.rows());
+  return {drawn.discretization(), std::move(solution), radiosity::formFactor(drawn.rows().projection().captured)};
+}
+
+std::unique_ptr<radiosity::DynamicSolution> dynamicSolution(const SolveOptions& options, const radiosity::Scene& scene,
+                                                            radiosity::Discretization discretization,
+                                                            Console& console) {
+  const auto layOut = [&word = options.word, &console](const radiosity::Discretization& edited) {
+    return layoutOf(word, edited, console);
+  };
+  auto dynamic = std::make_unique<radiosity::DynamicSolution>(
+      scene, std::move(discretization),
+      radiosity::DynamicSettings{options.discretization, options.drawing, options.solver}, layOut,
+      progressOf(options.solver, console));
+  console.endProgress();
+  return dynamic;
+}
+
+Solved solvedBy(const radiosity::DynamicSolution& dynamic) {
+  return {dynamic.discretization(), dynamic.solution(), radiosity::formFactor(dynamic.captured())};
+}
+
+radiosity::Progress progressOf(const radiosity::SolverSettings& settings, Console& console) {
+  return [&settings, &console](int shots, double residual) {
+    const double fraction = settings.shots ? static_cast<double>(shots) / *settings.shots
+                                           : std::log(residual) / std::log(settings.residual);
+    console.progress(fraction, "shot " + std::to_string(shots) + ", unshot " + toText(residual));
+  };
+}
+
+}  // namespace hemitex::cli

@@ -1,0 +1,134 @@
+/// `hemitex solve`: progressive radiosity. An OBJ scene goes in; a folder comes out that holds the lit scene for any
+/// viewer of OBJ files, a picture of it, and the numbers.
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "cli/common/commands.h"
+#include "cli/common/json.h"
+#include "cli/common/staging.h"
+#include "cli/solve/edits_file.h"
+#include "cli/solve/options.h"
+#include "cli/solve/output.h"
+#include "cli/solve/run.h"
+#include "raster/base/file_io.h"
+#include "reference/bench/stopwatch.h"
+
+namespace hemitex::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Seconds that the parts of a run took.
+class Laps {
+ public:
+  /// The time since the last lap goes to `name`.
+  void lap(const std::string& name) {
+    times_[name] = watch_.seconds();
+    watch_ = reference::Stopwatch();
+  }
+  const ordered_json& times() const { return times_; }
+
+ private:
+  reference::Stopwatch watch_;
+  ordered_json times_;
+};
+
+ordered_json toJson(const radiosity::UpdateCost& cost) {
+  return {{"in_windows", cost.rowsInWindows},
+          {"whole", cost.rowsWhole},
+          {"taken_back", cost.rowsTakenBack},
+          {"left", cost.rowsLeft},
+          {"started_over", cost.startedOver}};
+}
+
+/// The update of one frame: its folder beside those of the others, and what the index of all says of it.
+ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number, const Frame& frame,
+                        radiosity::DynamicSolution& dynamic, const Showing& showing, Console& console) {
+  Laps laps;
+  const radiosity::UpdateCost cost = dynamic.update(frame.edits, progressOf(showing.options.solver, console));
+  console.endProgress();
+  laps.lap("update_s");
+  const std::string name = "frame-" + std::to_string(number);
+  std::filesystem::create_directory(folder / name);
+  const Lit lit{dynamic.scene(), dynamic.discretization(), dynamic.layout(), dynamic.solution()};
+  console.warnings(lit.solution.warnings);
+  writeSolved(folder / name, lit, showing);
+  laps.lap("write_s");
+  ordered_json text = description(lit, showing);
+  text["edits"] = frame.written;
+  text["rows"] = toJson(cost);
+  text["times"] = laps.times();
+  text["warnings"] = lit.solution.warnings;
+  radiosity::writeFile(folder / name / "solution.json", toText(text));
+  return {{"folder", name},
+          {"edits", frame.written},
+          {"shots", lit.solution.shots},
+          {"residual", lit.solution.residual},
+          {"rows", toJson(cost)},
+          {"times", laps.times()}};
+}
+
+/// What is told of a solution beside its numbers.
+void warnOf(const Solved& solved, Console& console) {
+  console.warnings(solved.solution.warnings);
+  if (solved.captured < 1)
+    console.warning("the single plane captures " + toText(solved.captured) +
+                    " of the light that leaves a patch; the rest is lost, and the scene darker for it");
+}
+
+void solve(SolveOptions asked, Context& context) {
+  Console& console = context.console;
+  asked.discretization.isUnburied = !asked.edits.empty();
+  Laps laps;
+  const radiosity::Scene scene = sceneOf(asked.scene, console);
+  radiosity::requireEmission(scene, asked.scene.file);
+  const radiosity::Camera camera = cameraOf(asked.camera, scene, asked.scene.file);
+  const bool isEdited = !asked.edits.empty();
+  const std::vector<Frame> frames =
+      isEdited ? readEdits(asked.edits, scene, asked.scene.settings) : std::vector<Frame>();
+  laps.lap("load_s");
+  Staging{asked.output};  // a folder that cannot be written is told before the work, not after it
+  radiosity::Discretization unsplit = discretizationFor(asked, scene, console);
+  const radiosity::WordLayout layout = layoutOf(asked.word, unsplit, console);
+  laps.lap("discretize_s");
+  const std::optional<BoundedSolution> bounded = solvedWithin(asked, scene, unsplit, layout, console);
+  const SolveOptions& options = bounded ? bounded->options : asked;
+  const std::unique_ptr<radiosity::DynamicSolution> dynamic =
+      isEdited ? dynamicSolution(options, scene, std::move(unsplit), console) : nullptr;
+  const Solved solved = dynamic   ? solvedBy(*dynamic)
+                        : bounded ? bounded->solved
+                                  : solvedBy(options, scene, std::move(unsplit), layout, console);
+  warnOf(solved, console);
+  laps.lap("solve_s");
+
+  Staging staging(options.output);
+  const Lit lit{scene, solved.discretization, layout, solved.solution};
+  const Showing showing{options, camera, exposureOf(options, lit)};
+  writeSolved(staging.folder(), lit, showing);
+  laps.lap("write_s");
+  ordered_json text = description(lit, showing);
+  text["captured"] = solved.captured;
+  if (bounded) text["expected_error"] = bounded->expectedError;
+  for (std::size_t f = 0; f < frames.size(); ++f)
+    text["frames"].push_back(writeFrame(staging.folder(), f + 1, frames[f], *dynamic, showing, console));
+  text["times"] = laps.times();
+  text["warnings"] = console.given();
+  radiosity::writeFile(staging.folder() / "solution.json", toText(text));
+  staging.commit();
+  std::cout << (context.json ? toText(text) : summary(text));
+}
+
+}  // namespace
+
+void addSolve(CLI::App& program, Context& context) {
+  const auto options = std::make_shared<SolveOptions>();
+  CLI::App* command = program.add_subcommand("solve", "Light a scene by progressive radiosity");
+  addSolveOptions(*command, *options);
+  command->callback([options, command, &context] {
+    completeOptions(*command, *options);
+    context.command = [options, &context] { solve(*options, context); };
+  });
+}
+
+}  // namespace hemitex::cli

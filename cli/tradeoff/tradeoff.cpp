@@ -1,0 +1,215 @@
+/// `hemitex tradeoff`: what accuracy costs on a scene. Every method at its settings, on several grids, against the
+/// truth: numbers, and a page with plots and with pictures of where the error sits.
+#include "reference/tradeoff/tradeoff.h"
+
+#include <algorithm>
+#include <bit>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+#include "cli/common/camera_options.h"
+#include "cli/common/commands.h"
+#include "cli/common/json.h"
+#include "cli/common/staging.h"
+#include "cli/tradeoff/page.h"
+#include "raster/base/file_io.h"
+#include "reference/bench/stopwatch.h"
+
+namespace hemitex::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct TradeoffOptions {
+  SceneOptions scene;
+  std::vector<int> texels = {16, 8, 4}, patches = {4, 1, 2, 8};
+  int samples = 1 << 14;
+  std::vector<reference::TradeMethod> methods = reference::tradeMethods();
+  std::filesystem::path output;
+};
+
+constexpr int mostTexels = 4096;
+
+constexpr int mostSamePointsResolution = 1024, mostSamePointsRays = 1 << 22;
+
+/// `16,8,4`.
+std::vector<int> integersOption(const std::string& name, const std::string& text, int low, int high) {
+  std::vector<int> numbers;
+  std::istringstream stream(text + ',');
+  for (std::string part; std::getline(stream, part, ',');) numbers.push_back(integerOption(name, part, low, high));
+  return numbers;
+}
+
+/// True rows of coarse elements are sums over fine ones, so coarse grids have to consist of fine ones.
+void requireDivisors(const std::vector<int>& texels) {
+  const int finest = *std::max_element(texels.begin(), texels.end());
+  for (const int number : texels)
+    if (finest % number != 0)
+      throw CLI::ValidationError("--texels",
+                                 std::to_string(number) + " does not divide the finest, " + std::to_string(finest));
+}
+
+/// `NAME`, or `NAME=N,N,...` with settings.
+reference::TradeMethod methodOption(const std::string& text, const std::vector<reference::TradeMethod>& all) {
+  const std::string name = text.substr(0, text.find('='));
+  std::string names;
+  for (reference::TradeMethod method : all) {
+    names += (names.empty() ? "" : "|") + method.name;
+    if (method.name != name) continue;
+    if (name.size() == text.size()) return method;
+    method.measured = integersOption("--method", text.substr(name.size() + 1), method.least, method.most);
+    for (const int setting : method.measured)
+      if (!std::has_single_bit(static_cast<unsigned>(setting)))
+        throw CLI::ValidationError("--method", std::to_string(setting) + " is not a power of two");
+    std::sort(method.measured.begin(), method.measured.end());
+    return method;
+  }
+  throw CLI::ValidationError("--method", "`" + name + "` is none of " + names);
+}
+
+ordered_json settingsJson(const TradeoffOptions& options) {
+  ordered_json methods;
+  for (const reference::TradeMethod& method : options.methods) methods[method.name] = method.measured;
+  return {{"texels", options.texels},         {"patch", options.patches},
+          {"samples", options.samples},       {"residual", reference::tradeResidual},
+          {"rounds", reference::tradeRounds}, {"once_above_s", reference::longTime},
+          {"methods", std::move(methods)}};
+}
+
+/// Hemicubes and rays from the same points, at the settings of these methods, and with as many rays as take the time of
+/// the finest; nothing where one of them was not asked for. Yet finer hemicubes would take longer than all the rest.
+std::optional<reference::RowComparison> comparisonOf(const std::vector<reference::TradeMethod>& methods,
+                                                     const radiosity::Scene& scene,
+                                                     const radiosity::Discretization& discretization) {
+  reference::RowComparisonSettings settings{
+      .hemicubes = {}, .turnedHemicubes = {}, .rays = {}, .points = 12, .truthSamples = 1 << 9, .repeats = 3};
+  for (const reference::TradeMethod& method : methods)
+    for (const int setting : method.measured) {
+      const bool isLongest = setting > mostSamePointsResolution;
+      if (method.name == "hemicube" && !isLongest) settings.hemicubes.push_back(setting);
+      if (method.name == "turned-hemicube" && !isLongest) settings.turnedHemicubes.push_back(setting);
+      if (method.name == "centre-rays") settings.rays.push_back(setting);
+    }
+  if (settings.hemicubes.empty() || settings.rays.empty()) return std::nullopt;
+  if (settings.hemicubes.back() == mostSamePointsResolution && settings.rays.back() < mostSamePointsRays)
+    settings.rays.push_back(mostSamePointsRays);
+  return reference::compareRows(scene, discretization, settings);
+}
+
+/// The fastest choice for each error, for people.
+std::string summary(const Tradeoff& tradeoff) {
+  std::ostringstream text;
+  const auto percent = [](double value) {
+    std::ostringstream number;
+    number << std::setprecision(2) << 100 * value << " %";
+    return number.str();
+  };
+  text << std::setprecision(3);
+  for (const double level : errorLevels) {
+    const std::optional<std::size_t> fastest = fastestWithin(tradeoff, level);
+    text << "within " << percent(level) << ": ";
+    if (!fastest) {
+      text << "none\n";
+      continue;
+    }
+    const reference::TradeMeasurement& choice = tradeoff.measurements[*fastest];
+    text << nameOf(tradeoff, choice) << ": " << reference::seconds(choice) << " s, error "
+         << percent(choice.error.fluxWeighted) << '\n';
+  }
+  text << "the truth itself is known to " << percent(tradeoff.truth.error.fluxWeighted) << '\n';
+  return text.str();
+}
+
+/// All that is measured against the truth, which is of the fine grids.
+Tradeoff measuredAgainst(const reference::TrueRadiosity& truth, const radiosity::Scene& scene,
+                         const radiosity::Discretization& fine, const TradeoffOptions& options, Console& console) {
+  const auto progress = [&console](std::size_t done, std::size_t count) {
+    console.progress(static_cast<double>(done) / static_cast<double>(count),
+                     "solution " + std::to_string(done + 1) + " of " + std::to_string(count));
+  };
+  const std::vector<reference::TradeChoice> choices =
+      reference::tradeChoices(options.methods, options.texels, options.patches);
+  Tradeoff tradeoff{scene,
+                    fine,
+                    truth,
+                    options.methods,
+                    reference::measureTradeoff(scene, fine, truth, options.methods, choices, progress),
+                    reference::trueRowError(fine, truth, fine),
+                    comparisonOf(options.methods, scene, fine)};
+  console.endProgress();
+  return tradeoff;
+}
+
+void measure(const TradeoffOptions& options, Context& context) {
+  Console& console = context.console;
+  const reference::Stopwatch all;
+  const radiosity::Scene scene = sceneOf(options.scene, console);
+  radiosity::requireEmission(scene, options.scene.file);
+  const radiosity::Camera camera = cameraOf({}, scene, options.scene.file);
+  Staging{options.output};  // a folder that cannot be written is told before the work, not after it
+  const int finest = *std::max_element(options.texels.begin(), options.texels.end());
+  const radiosity::Discretization fine =
+      radiosity::discretize(scene, {.texels = finest, .patch = options.patches.front()});
+
+  const reference::Stopwatch truthTime;
+  console.progress(0, "the truth");
+  const reference::TrueRadiosity truth = reference::trueRadiosity(scene, fine, {.samples = options.samples});
+  const double truthSeconds = truthTime.seconds();
+  const Tradeoff tradeoff = measuredAgainst(truth, scene, fine, options, console);
+
+  ordered_json result = {{"scene", options.scene.file.filename().string()}, {"settings", settingsJson(options)}};
+  result.update(toJson(tradeoff));
+  result["warnings"] = console.given();
+  result["times"]["truth_s"] = truthSeconds;
+  result["times"]["threads"] = context.threads;
+  result["times"]["all_s"] = all.seconds();
+  Staging staging(options.output);
+  std::ostringstream csv;
+  writeCsv(csv, choiceTable(tradeoff));
+  radiosity::writeFile(staging.folder() / "tradeoff.csv", csv.view());
+  radiosity::writeFile(staging.folder() / "tradeoff.json", toText(result));
+  radiosity::writeFile(staging.folder() / "report.html", tradeoffPage(tradeoff, camera, result, staging.folder()));
+  staging.commit();
+  std::cout << (context.json ? toText(result) : summary(tradeoff));
+}
+
+}  // namespace
+
+void addTradeoff(CLI::App& program, Context& context) {
+  const auto options = std::make_shared<TradeoffOptions>();
+  CLI::App* command = program.add_subcommand("tradeoff", "Measure what accuracy costs: every method against the truth");
+  addSceneOptions(*command, options->scene);
+  addOutput(*command, options->output, "folder for tradeoff.json, tradeoff.csv and report.html");
+  const auto readTexels = [options](const std::string& text) {
+    options->texels = integersOption("--texels", text, 1, mostTexels);
+    requireDivisors(options->texels);
+  };
+  command
+      ->add_option_function<std::string>("--texels", readTexels,
+                                         "texels along a surface's side: first those on which all settings are "
+                                         "measured; the finest are the truth's (default 16,8,4)")
+      ->type_name("N,N,...");
+  const auto readPatches = [options](const std::string& text) {
+    options->patches = integersOption("--patch", text, 1, mostTexels);
+  };
+  command
+      ->add_option_function<std::string>("--patch", readPatches,
+                                         "elements along a patch's side, likewise (default 4,1,2,8)")
+      ->type_name("N,N,...");
+  const auto readMethods = [options](const std::vector<std::string>& texts) {
+    std::vector<reference::TradeMethod> methods;
+    for (const std::string& text : texts) methods.push_back(methodOption(text, reference::tradeMethods()));
+    options->methods = std::move(methods);
+  };
+  command
+      ->add_option_function<std::vector<std::string>>("--method", readMethods,
+                                                      "a method, and its settings (repeatable; default: all)")
+      ->allow_extra_args(false)
+      ->type_name("NAME[=N,...]");
+  addInteger(*command, "--samples", options->samples, 128, 1 << 20,
+             "rays of the truth an element, on average (default 16384)");
+  command->callback([options, &context] { context.command = [options, &context] { measure(*options, context); }; });
+}
+
+}  // namespace hemitex::cli

@@ -1,0 +1,104 @@
+/// `hemitex vector calibrate`: a device's profile, measured from its answers to probing vectors. The vectors are
+/// written first; when the device has drawn them, its answers give the profile that `vector check` judges it by.
+#include <iostream>
+#include <memory>
+
+#include "cli/common/commands.h"
+#include "cli/common/json.h"
+#include "cli/common/staging.h"
+#include "cli/common/table.h"
+#include "raster/base/file_io.h"
+#include "raster/base/input_error.h"
+#include "reference/calibration/calibration.h"
+#include "reference/vectors/candidate.h"
+
+namespace hemitex::cli {
+namespace {
+
+namespace filesystem = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct CalibrateOptions {
+  filesystem::path probes;                      ///< where to write probing vectors
+  filesystem::path vectors, candidate, output;  ///< where they were drawn from, what the device drew, the profile
+};
+
+void writeProbes(const filesystem::path& folder, const Context& context) {
+  const std::vector<reference::TestVector> vectors = vectorsOf(reference::makeProbes());
+  for (const reference::TestVector& vector : vectors) {
+    Staging staging(folder / vector.name);
+    reference::writeVector(staging.folder(), vector, {});
+    staging.commit();
+  }
+  const auto row = [&](std::size_t index) -> std::vector<Cell> {
+    return {vectors[index].name, vectors[index].catches};
+  };
+  const Table table{{"name", "catches"}, vectors.size(), row};
+  if (context.json)
+    std::cout << toText({{"vectors", toJson(table)}});
+  else
+    writeCsv(std::cout, table);
+}
+
+/// Answers count for the probes that this program makes, and for no others.
+void requireSame(const filesystem::path& folder, const reference::TestVector& probe) {
+  const reference::TestVector drawn = reference::readVector(folder);
+  if (drawn.list.positions != probe.list.positions || drawn.list.texcoords != probe.list.texcoords)
+    throw raster::InputError(folder.string(), 0, "is not the probing vector that this program knows",
+                             "write them again with vector calibrate --probes, and draw them");
+}
+
+/// The keys of the profile and their values, a row each.
+Table tableOf(const Json& profile) {
+  const auto row = [profile](std::size_t index) -> std::vector<Cell> {
+    const auto entry = std::next(profile.begin(), static_cast<std::ptrdiff_t>(index));
+    return {entry.key(), entry->is_string() ? entry->get<std::string>() : entry->dump()};
+  };
+  return {{"key", "value"}, profile.size(), row};
+}
+
+void calibrateDevice(const CalibrateOptions& options, Context& context) {
+  const reference::ProbingSet probes = reference::makeProbes();
+  std::vector<raster::ItemBuffer> answers;
+  for (const reference::TestVector& probe : vectorsOf(probes)) {
+    requireSame(options.vectors / probe.name, probe);
+    answers.push_back(reference::readCandidate(options.candidate / probe.name, probe).front());
+  }
+  const reference::Calibration calibration = reference::calibrate(probes, answers);
+  context.failed = !calibration.faults.empty();
+  const std::string profile = toJson(calibration.profile);
+  if (!context.failed) radiosity::writeFile(options.output, profile);
+  if (context.json) {
+    std::cout << toText({{"profile", context.failed ? Json() : Json::parse(profile)}, {"faults", calibration.faults}});
+  } else if (context.failed) {
+    for (const std::string& fault : calibration.faults) std::cout << fault << '\n';
+  } else {
+    writeCsv(std::cout, tableOf(Json::parse(profile)));
+  }
+}
+
+}  // namespace
+
+void addVectorCalibrate(CLI::App& vector, Context& context) {
+  const auto options = std::make_shared<CalibrateOptions>();
+  CLI::App* command = vector.add_subcommand("calibrate", "Measure what a device does, for vector check --profile");
+  CLI::Option* probes = command->add_option("--probes", options->probes, "write the probing vectors into this folder");
+  CLI::Option* folder = command->add_option("DIR", options->vectors, "folder of the probing vectors");
+  CLI::Option* candidate = command->add_option("--candidate", options->candidate, "folder with the device's words");
+  CLI::Option* output = addOutput(*command, options->output, "the profile, as JSON")->required(false);
+  folder->needs(candidate, output)->excludes(probes);
+  candidate->needs(folder);
+  output->needs(folder);
+  command->callback([options, &context] {
+    if (options->probes.empty() && options->vectors.empty())
+      throw CLI::ValidationError("calibrate", "give --probes FOLDER, or DIR with --candidate and -o");
+    context.command = [options, &context] {
+      if (options->vectors.empty())
+        writeProbes(options->probes, context);
+      else
+        calibrateDevice(*options, context);
+    };
+  });
+}
+
+}  // namespace hemitex::cli

@@ -1,0 +1,156 @@
+/// `hemitex vector check`: the item buffers of a device against the raster rules, pixel by pixel, for one vector or for
+/// a whole suite.
+#include <algorithm>
+#include <functional>
+#include <iostream>
+#include <memory>
+
+#include "cli/common/commands.h"
+#include "cli/common/staging.h"
+#include "cli/common/table.h"
+#include "raster/base/file_io.h"
+#include "raster/base/input_error.h"
+#include "reference/diagnosis/verdict_report.h"
+#include "reference/vectors/candidate.h"
+#include "reference/verdict/minimal_failure.h"
+#include "reference/verdict/verdict_picture.h"
+
+namespace hemitex::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CheckOptions {
+  fs::path vector, candidate, profile, junit, picture, minimal;
+};
+
+bool isVector(const fs::path& folder) { return fs::exists(folder / "vector.json"); }
+
+/// The folders of a suite's vectors, in the order of their names; of a vector, or what should be one, the folder
+/// itself.
+std::vector<fs::path> vectorFolders(const fs::path& folder) {
+  if (isVector(folder) || !fs::is_directory(folder)) return {folder};
+  std::vector<fs::path> folders;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (isVector(entry.path())) folders.push_back(entry.path());
+  std::sort(folders.begin(), folders.end());
+  return folders.empty() ? std::vector{folder} : folders;
+}
+
+/// Every vector of a suite needs its answer; a backend that is on its way sees at once which are missing.
+void requireAnswers(const std::vector<fs::path>& vectors, const fs::path& candidate) {
+  std::string missing;
+  std::size_t count = 0;
+  for (const fs::path& vector : vectors) {
+    if (fs::is_directory(candidate / vector.filename())) continue;
+    missing += (count++ == 0 ? "" : ", ") + vector.filename().string();
+  }
+  if (count > 0)
+    throw raster::InputError(
+        candidate.string(), 0,
+        "has no folder for " + std::to_string(count) + " of " + std::to_string(vectors.size()) + " vectors: " + missing,
+        "a device answers a suite with a folder a vector; delete those vectors that it cannot draw");
+}
+
+/// Counts by verdict, a row each of what is named.
+Table tableOf(const std::string& what, std::size_t size, const std::function<std::string(std::size_t)>& nameAt,
+              const std::function<reference::VerdictCounts(std::size_t)>& countsAt) {
+  std::vector<std::string> columns{what};
+  for (std::size_t k = 0; k < reference::pixelVerdicts; ++k)
+    columns.push_back(nameOf(static_cast<reference::PixelVerdict>(k)));
+  const auto row = [=](std::size_t index) {
+    std::vector<Cell> cells{nameAt(index)};
+    for (const std::uint64_t count : countsAt(index)) cells.emplace_back(static_cast<std::int64_t>(count));
+    return cells;
+  };
+  return {columns, size, row};
+}
+
+void printVector(const reference::Report& report, bool asJson) {
+  if (asJson) {
+    std::cout << toJson(report);
+    return;
+  }
+  const std::vector<reference::FaceVerdict>& faces = report.verdict.faces;
+  writeCsv(std::cout, tableOf(
+                          "face", faces.size(), [&](std::size_t f) { return faces[f].name; },
+                          [&](std::size_t f) { return countVerdicts(faces[f]); }));
+  for (const reference::ErrorPixel& error : report.errors)
+    std::cout << "error in " << error.face << ": " << toText(error) << '\n';
+  if (!report.findings.empty()) std::cout << "diagnosis: " << toText(report.findings) << '\n';
+}
+
+void printSuite(const std::vector<reference::Report>& reports, bool asJson) {
+  if (asJson) {
+    std::cout << reference::toJson(reports);
+    return;
+  }
+  const auto nameAt = [&](std::size_t k) { return k < reports.size() ? reports[k].verdict.vector : "all"; };
+  const auto countsAt = [&](std::size_t k) {
+    return k < reports.size() ? countVerdicts(reports[k].verdict) : countVerdicts(reports);
+  };
+  writeCsv(std::cout, tableOf("vector", reports.size() + 1, nameAt, countsAt));
+  for (const reference::Report& report : reports)
+    if (!report.errors.empty())
+      std::cout << "error in " << report.verdict.vector << ", " << report.errors[0].face << ": "
+                << toText(report.errors[0]) << '\n';
+  if (const auto common = reference::commonFault(reports)) std::cout << "diagnosis: " << toText(*common) << '\n';
+}
+
+/// The smallest part of the vector that fails, and beside it the device's word, as a candidate.
+void writeMinimal(const std::filesystem::path& folder, const reference::MinimalFailure& minimal) {
+  Staging staging(folder);
+  reference::writeVector(staging.folder(), minimal.vector, {&minimal.expected, 1});
+  const std::filesystem::path candidate = staging.folder() / "candidate";
+  std::filesystem::create_directory(candidate);
+  reference::writeCandidate(candidate, minimal.vector, {&minimal.found, 1});
+  staging.commit();
+}
+
+void check(const CheckOptions& options, Context& context) {
+  const reference::DeviceProfile profile =
+      options.profile.empty() ? reference::DeviceProfile{} : reference::readProfile(options.profile);
+  const std::vector<fs::path> folders = vectorFolders(options.vector);
+  const bool isSuite = folders != std::vector{options.vector};
+  if (isSuite) requireAnswers(folders, options.candidate);
+  std::vector<reference::TestVector> vectors;
+  std::vector<reference::Report> reports;
+  for (const fs::path& folder : folders) {
+    vectors.push_back(reference::readVector(folder));
+    const fs::path candidate = isSuite ? options.candidate / folder.filename() : options.candidate;
+    reports.push_back(reportOn(vectors.back(), reference::readCandidate(candidate, vectors.back()), profile));
+  }
+  const auto failing = std::find_if(reports.begin(), reports.end(),
+                                    [](const reference::Report& report) { return hasErrors(report.verdict); });
+  context.failed = failing != reports.end();
+
+  const std::size_t shown = context.failed ? static_cast<std::size_t>(failing - reports.begin()) : 0;
+  const reference::TestVector& vector = vectors[shown];
+  const reference::Verdict& verdict = reports[shown].verdict;
+  if (!options.junit.empty()) radiosity::writeFile(options.junit, toJUnit(reports));
+  if (!options.picture.empty())
+    radiosity::writePng(options.picture, toPicture(verdict, raster::backgroundWord(vector.list.format)));
+  if (context.failed && !options.minimal.empty()) writeMinimal(options.minimal, minimize(vector, verdict, profile));
+  isSuite ? printSuite(reports, context.json) : printVector(reports.front(), context.json);
+}
+
+}  // namespace
+
+void addVectorCheck(CLI::App& vector, Context& context) {
+  const auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = vector.add_subcommand("check", "Judge a device's words: exact, explained, or an error (exit 1)");
+  command->add_option("DIR", options->vector, "folder of the vector, or of a suite of vectors")->required();
+  command
+      ->add_option("--candidate", options->candidate, "folder with the device's words; of a suite, a folder a vector")
+      ->required();
+  command->add_option("--profile", options->profile, "what the device may do, as JSON (default: a Vulkan device)");
+  command->add_option("--junit", options->junit, "JUnit XML: a test suite a vector, a test case a face");
+  command->add_option(
+      "--diff", options->picture,
+      "PNG with expected, found and verdict beside each other; of a suite, its first vector that fails");
+  command->add_option("--minimize", options->minimal,
+                      "folder for the fewest triangles and the pixel that still fail; of a suite likewise");
+  command->callback([options, &context] { context.command = [options, &context] { check(*options, context); }; });
+}
+
+}  // namespace hemitex::cli

@@ -1,0 +1,119 @@
+/// `hemitex vector explain`: what the raster rules do at one pixel, from the triangles that cover it to the word.
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "cli/common/commands.h"
+#include "cli/common/json.h"
+#include "cli/common/table.h"
+#include "cli/vector/pixel_trace_text.h"
+#include "raster/base/input_error.h"
+#include "reference/vectors/vector_file.h"
+#include "reference/verdict/id_origin.h"
+
+namespace hemitex::cli {
+namespace {
+
+struct Pixel {
+  std::string face;
+  int column = 0, row = 0;
+};
+
+/// `FACE,I,J`; the name of a face may hold commas itself.
+Pixel pixelOption(const std::string& text) {
+  const std::size_t second = text.rfind(',');
+  const std::size_t first =
+      second == std::string::npos || second == 0 ? std::string::npos : text.rfind(',', second - 1);
+  if (first != std::string::npos) {
+    const std::optional<int> column = parseInteger(text.substr(first + 1, second - first - 1));
+    const std::optional<int> row = parseInteger(text.substr(second + 1));
+    if (column && row) return {text.substr(0, first), *column, *row};
+  }
+  throw CLI::ValidationError("--pixel", "`" + text + "` is not FACE,COLUMN,ROW");
+}
+
+const reference::VectorFace& faceOf(const reference::TestVector& vector, const Pixel& pixel) {
+  std::string names;
+  for (const reference::VectorFace& face : vector.faces) {
+    if (face.name == pixel.face) return face;
+    names += (names.empty() ? "" : ", ") + face.name;
+  }
+  throw raster::InputError("the vector has no face \"" + pixel.face + "\"", "it has " + names);
+}
+
+void requireInside(const raster::Scissor& scissor, const Pixel& pixel) {
+  if (pixel.column >= scissor.column && pixel.column < scissor.column + scissor.width && pixel.row >= scissor.row &&
+      pixel.row < scissor.row + scissor.height)
+    return;
+  throw raster::InputError("the face has no pixel " + std::to_string(pixel.column) + "," + std::to_string(pixel.row),
+                           "its columns begin at " + std::to_string(scissor.column) + ", its rows at " +
+                               std::to_string(scissor.row) + ", and there are " + std::to_string(scissor.width) +
+                               " x " + std::to_string(scissor.height));
+}
+
+/// The triangles that cover the pixel, nearest first.
+Table tableOf(const std::vector<reference::Fragment>& fragments) {
+  const auto row = [&fragments](std::size_t index) -> std::vector<Cell> {
+    const reference::Fragment& fragment = fragments[index];
+    const auto texel = [&](int reference::Texel::*side) {
+      return fragment.texel ? Cell(std::int64_t{*fragment.texel.*side}) : Cell("");
+    };
+    return {std::int64_t{fragment.triangle},
+            std::int64_t{fragment.draw},
+            fragment.facesAway ? "back" : "front",
+            1 / fragment.inverseDepth,
+            fragment.u,
+            fragment.v,
+            texel(&reference::Texel::column),
+            texel(&reference::Texel::row),
+            std::int64_t{fragment.word}};
+  };
+  return {{"triangle", "draw", "facing", "w", "u", "v", "column", "row", "word"}, fragments.size(), row};
+}
+
+void explain(const std::filesystem::path& folder, const Pixel& pixel, const Context& context) {
+  const reference::TestVector vector = reference::readVector(folder);
+  const raster::Face& face = faceOf(vector, pixel).face;
+  requireInside(face.scissor, pixel);
+  const auto derivation = reference::derive(vector.list, face, pixel.column, pixel.row);
+  const auto fragments = reference::fragmentsAt(vector.list, face, pixel.column, pixel.row);
+  const raster::Word word = derivation ? derivation->word : raster::backgroundWord(vector.list.format);
+  const auto draw = derivation ? std::optional(fragments.front().draw) : std::nullopt;
+  const std::string origin = toText(reference::originOf(vector.list, word, draw));
+  if (context.json) {
+    std::cout << toText({{"face", pixel.face},
+                         {"column", pixel.column},
+                         {"row", pixel.row},
+                         {"word", word},
+                         {"from", origin},
+                         {"derivation", derivation ? toJson(*derivation) : nlohmann::ordered_json()},
+                         {"triangles", toJson(tableOf(fragments))}});
+    return;
+  }
+  std::cout << "pixel " << pixel.column << ',' << pixel.row << " of " << pixel.face << " holds " << word << ": "
+            << origin << "\n";
+  if (!derivation) return;
+  std::cout << toText(*derivation, vector.list, face) << "triangles that cover it, nearest first:\n";
+  writeCsv(std::cout, tableOf(fragments));
+}
+
+}  // namespace
+
+void addVectorExplain(CLI::App& vector, Context& context) {
+  struct Options {
+    std::filesystem::path folder;
+    Pixel pixel;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = vector.add_subcommand("explain", "Say what the rules do at one pixel");
+  command->add_option("DIR", options->folder, "folder of the vector")->required();
+  const auto read = [options](const std::string& text) { options->pixel = pixelOption(text); };
+  command->add_option_function<std::string>("--pixel", read, "which pixel of the viewport")
+      ->required()
+      ->type_name("FACE,COLUMN,ROW");
+  command->callback([options, &context] {
+    context.command = [options, &context] { explain(options->folder, options->pixel, context); };
+  });
+}
+
+}  // namespace hemitex::cli

@@ -1,0 +1,47 @@
+/// `hemitex vector suite`: every test vector of the suite with its words, a folder each, and what each of them catches.
+#include <iostream>
+#include <memory>
+
+#include "cli/common/commands.h"
+#include "cli/common/json.h"
+#include "cli/common/scene_folder.h"
+#include "cli/common/staging.h"
+#include "cli/common/table.h"
+#include "reference/vectors/scene_vectors.h"
+#include "reference/vectors/vector_suite.h"
+
+namespace hemitex::cli {
+namespace {
+
+namespace filesystem = std::filesystem;
+
+void writeSuite(const filesystem::path& output, const Context& context) {
+  const std::vector<reference::TestVector> suite = reference::wholeSuite(sceneFolder());
+  std::vector<std::string> hashes;
+  for (const reference::TestVector& vector : suite) {
+    const std::vector<raster::ItemBuffer> buffers = reference::render(vector);
+    Staging staging(output / vector.name);
+    reference::writeVector(staging.folder(), vector, buffers);
+    staging.commit();
+    hashes.push_back(reference::wordsHash(buffers));
+  }
+  const auto row = [&](std::size_t index) -> std::vector<Cell> {
+    return {suite[index].name, suite[index].catches, hashes[index]};
+  };
+  const Table table{{"name", "catches", "hash"}, suite.size(), row};
+  if (context.json)
+    std::cout << toText({{"vectors", toJson(table)}});
+  else
+    writeCsv(std::cout, table);
+}
+
+}  // namespace
+
+void addVectorSuite(CLI::App& vector, Context& context) {
+  const auto output = std::make_shared<filesystem::path>();
+  CLI::App* command = vector.add_subcommand("suite", "Write every test vector of the suite, a folder each");
+  addOutput(*command, *output, "folder for the vectors");
+  command->callback([output, &context] { context.command = [output, &context] { writeSuite(*output, context); }; });
+}
+
+}  // namespace hemitex::cli

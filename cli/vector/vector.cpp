@@ -1,0 +1,160 @@
+/// `hemitex vector`: test vectors for the authors of backends. `export` writes the draw list of a scene and the five
+/// faces of a hemicube; `render` adds the item buffers that the raster rules demand. The other commands have
+/// files of their own.
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <memory>
+
+#include "cli/common/commands.h"
+#include "cli/common/json.h"
+#include "cli/common/renderers.h"
+#include "cli/common/staging.h"
+#include "cli/common/table.h"
+#include "radiosity/projection/hemicube.h"
+#include "radiosity/projection/patch_view.h"
+#include "radiosity/projection/projection.h"
+#include "raster/base/input_error.h"
+#include "reference/trace/stage_dump.h"
+#include "reference/vectors/vector_file.h"
+
+namespace hemitex::cli {
+namespace {
+
+struct ExportOptions {
+  SceneOptions scene;
+  radiosity::DiscretizationSettings discretization;
+  radiosity::WordSettings word;
+  std::string name;
+  glm::dvec3 eye{0.0};
+  glm::dvec3 normal{0.0};
+  glm::dvec3 up{0.0};
+  int resolution = 256;
+  std::optional<double> nearDistance;
+  std::filesystem::path output;
+  bool stages = false;
+};
+
+/// Sides are named by where they look when the top face is seen with `up` upwards.
+constexpr std::array<const char*, 5> faceNames = {"top", "side-right", "side-up", "side-left", "side-down"};
+
+reference::TestVector vectorOf(const ExportOptions& options, Console& console) {
+  const radiosity::Scene scene = sceneOf(options.scene, console);
+  const radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
+  const radiosity::WordLayout layout = layoutOf(options.word, discretization, console);
+  const double length = glm::length(options.normal);
+  if (!(length > 0) || !std::isfinite(length)) throw raster::InputError("--normal has no direction");
+
+  reference::TestVector vector;
+  vector.name = options.name.empty() ? options.scene.file.stem().string() : options.name;
+  vector.origin = scene.origin;
+  vector.list = radiosity::makeDrawList(scene, discretization, layout);
+  const double nearDistance = options.nearDistance
+                                  ? *options.nearDistance
+                                  : radiosity::nearDistance(scene, options.eye, {}, radiosity::hemicubeSquaredReach);
+  const auto faces = radiosity::facesOver(radiosity::hemicubeFaces(options.resolution), options.eye - scene.origin,
+                                          options.normal / length, options.up, nearDistance);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    raster::validate(faces[f]);
+    const std::string name = faceNames[f];
+    vector.faces.push_back({name, faces[f], name + ".u32", {}});
+  }
+  return vector;
+}
+
+/// The faces of a vector, as a table.
+Table tableOf(const reference::TestVector& vector) {
+  const auto row = [&](std::size_t index) -> std::vector<Cell> {
+    const reference::VectorFace& face = vector.faces[index];
+    return {face.name, std::int64_t{face.face.scissor.width}, std::int64_t{face.face.scissor.height}, face.hash};
+  };
+  return {{"face", "width", "height", "hash"}, vector.faces.size(), row};
+}
+
+void printFaces(const reference::TestVector& vector, const Context& context) {
+  if (context.json)
+    std::cout << toText({{"name", vector.name}, {"faces", toJson(tableOf(vector))}});
+  else
+    writeCsv(std::cout, tableOf(vector));
+}
+
+void exportVector(const ExportOptions& options, Context& context) {
+  const reference::TestVector vector = vectorOf(options, context.console);
+  Staging staging(options.output);
+  reference::writeVector(staging.folder(), vector, {});
+  if (options.stages) reference::writeStages(staging.folder(), vector);
+  staging.commit();
+  printFaces(vector, context);
+}
+
+struct RenderOptions {
+  std::filesystem::path input, output;
+  Device device = Device::Software;
+  bool stages = false;
+};
+
+void renderVector(const RenderOptions& options, const Context& context) {
+  reference::TestVector vector = reference::readVector(options.input);
+  std::vector<raster::Face> faces;
+  for (const reference::VectorFace& face : vector.faces) faces.push_back(face.face);
+  const std::vector<raster::ItemBuffer> buffers = makeRenderer(vector.list, options.device)->render(faces, {});
+  for (std::size_t f = 0; f < buffers.size(); ++f) vector.faces[f].hash = reference::wordsHash(buffers[f].words);
+  Staging staging(options.output);
+  reference::writeVector(staging.folder(), vector, buffers);
+  if (options.stages) reference::writeStages(staging.folder(), vector);
+  staging.commit();
+  printFaces(vector, context);
+}
+
+void addStages(CLI::App& command, bool& stages) {
+  command.add_flag("--stages", stages, "write what lies between vertices and words, too (stages.json)");
+}
+
+void addExport(CLI::App& parent, Context& context) {
+  const auto options = std::make_shared<ExportOptions>();
+  CLI::App* command = parent.add_subcommand("export", "Write a scene and the faces of a hemicube as a test vector");
+  addSceneOptions(*command, options->scene);
+  addVectorOption(*command, "--eye", options->eye, "where the hemicube stands")->required();
+  addVectorOption(*command, "--normal", options->normal, "what its top face looks along")->required();
+  addVectorOption(*command, "--up", options->up, "turns it about the normal");
+  addResolution(*command, options->resolution);
+  addPositive(*command, "--near", options->nearDistance, std::numeric_limits<float>::max(),
+              "near distance (default: one that clips nothing open)");
+  command->add_option("--name", options->name, "of the vector (default: the scene's)");
+  addDiscretizationOptions(*command, options->discretization);
+  addWordOptions(*command, options->word);
+  addStages(*command, options->stages);
+  addOutput(*command, options->output, "folder for the vector");
+  command->callback(
+      [options, &context] { context.command = [options, &context] { exportVector(*options, context); }; });
+}
+
+void addRenderVector(CLI::App& parent, Context& context) {
+  const auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = parent.add_subcommand("render", "Draw a test vector: its words and their hashes");
+  command->add_option("DIR", options->input, "folder of the vector")->required();
+  addChoice<Device>(*command, "--device", options->device,
+                    {{"software", Device::Software},
+                     {"opengl", Device::OpenGl},
+                     {"opengl-fixed-function", Device::OpenGlFixedFunction}},
+                    "what draws it (default software, by the rules)");
+  addStages(*command, options->stages);
+  addOutput(*command, options->output, "folder for the vector with its words; may be the same");
+  command->callback(
+      [options, &context] { context.command = [options, &context] { renderVector(*options, context); }; });
+}
+
+}  // namespace
+
+void addVector(CLI::App& program, Context& context) {
+  CLI::App* command = program.add_subcommand("vector", "Test vectors for rasterizer backends");
+  addExport(*command, context);
+  addRenderVector(*command, context);
+  addVectorSuite(*command, context);
+  addVectorCheck(*command, context);
+  addVectorExplain(*command, context);
+  addVectorCalibrate(*command, context);
+}
+
+}  // namespace hemitex::cli

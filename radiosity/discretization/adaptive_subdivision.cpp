@@ -1,0 +1,88 @@
+#include "radiosity/discretization/adaptive_subdivision.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <optional>
+#include <string>
+
+#include "raster/base/input_error.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+double bandSum(const glm::dvec3& value) { return value.x + value.y + value.z; }
+
+/// The element of every leaf, at its lowest texel; nothing for leaves without area.
+std::vector<std::optional<std::uint32_t>> elementsOfLeaves(const Discretization& discretization, const Grid& grid) {
+  std::vector<std::optional<std::uint32_t>> elements(grid.spill.size());
+  for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e) {
+    const Leaf leaf = leafOf(grid, discretization.elements[e].texel);
+    elements[static_cast<std::size_t>(leaf.row * grid.columns + leaf.column)] = e;
+  }
+  return elements;
+}
+
+/// The change of radiosity across a leaf on the way to a neighbour.
+double changeTo(const Leaf& leaf, const glm::dvec3& own, const Leaf& neighbour, const glm::dvec3& other) {
+  return bandSum(glm::abs(other - own)) * leaf.side / ((leaf.side + neighbour.side) / 2.0);
+}
+
+Quadtree refinedTree(const Discretization& discretization, const Grid& grid, std::span<const glm::dvec3> radiosity,
+                     double mostFlux) {
+  const auto elements = elementsOfLeaves(discretization, grid);
+  const auto elementOf = [&](const Leaf& leaf) {
+    return elements[static_cast<std::size_t>(leaf.row * grid.columns + leaf.column)];
+  };
+  Quadtree tree = *grid.quadtree;
+  for (const Leaf& leaf : leavesOf(*grid.quadtree)) {
+    const std::optional<std::uint32_t> own = elementOf(leaf);
+    if (leaf.side == 1 || !own) continue;
+    double change = 0;
+    for (const Leaf& neighbour : neighboursOf(*grid.quadtree, leaf))
+      if (const std::optional<std::uint32_t> other = elementOf(neighbour))
+        change = std::max(change, changeTo(leaf, radiosity[*own], neighbour, radiosity[*other]));
+    if (discretization.elements[*own].area * change > mostFlux) split(tree, leaf);
+  }
+  balance(tree);
+  return tree;
+}
+
+/// The quadtree of a surface before the first round.
+Quadtree coarseTree(const Surface& surface, const Grid& grid) {
+  const int texels = grid.columns;
+  if (grid.rows != texels || !std::has_single_bit(static_cast<unsigned>(texels)))
+    throw raster::InputError("surface '" + surface.name + "' has " + std::to_string(grid.columns) + " x " +
+                                 std::to_string(grid.rows) + " texels, over which there is no quadtree",
+                             "use as many columns as rows, a power of two");
+  return uniformQuadtree(texels, std::max(1, texels / coarsestElements));
+}
+
+}  // namespace
+
+std::vector<Quadtree> refined(const Discretization& discretization, std::span<const glm::dvec3> radiosity,
+                              double tolerance) {
+  assert(radiosity.size() == discretization.elements.size());
+  double flux = 0;
+  for (std::size_t e = 0; e < radiosity.size(); ++e) flux += discretization.elements[e].area * bandSum(radiosity[e]);
+  std::vector<Quadtree> trees;
+  for (const Grid& grid : discretization.grids)
+    trees.push_back(refinedTree(discretization, grid, radiosity, tolerance * flux));
+  return trees;
+}
+
+Discretization adaptiveDiscretization(const Scene& scene, const DiscretizationSettings& settings, double tolerance,
+                                      const SolveElements& solveElements) {
+  std::vector<Quadtree> trees;
+  const Discretization finest = discretize(scene, settings);
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+    trees.push_back(coarseTree(scene.surfaces[s], finest.grids[s]));
+  for (;;) {
+    Discretization discretization = discretize(scene, settings, trees);
+    std::vector<Quadtree> finer = refined(discretization, solveElements(discretization), tolerance);
+    if (finer == trees) return discretization;
+    trees = std::move(finer);
+  }
+}
+
+}  // namespace hemitex::radiosity

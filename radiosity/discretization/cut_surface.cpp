@@ -1,0 +1,448 @@
+#include "radiosity/discretization/cut_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "radiosity/discretization/neighbours.h"
+#include "radiosity/discretization/texel_areas.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// Neighbours of a surface belong together up to this fold: the cosine of the angle between their normals.
+constexpr double leastCosine = 0.7;
+/// Relative to the area of its triangle; a smaller piece is rounding noise.
+constexpr double smallestShare = 1e-14;
+
+double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+/// A range along a line.
+struct Range {
+  double low = 0, high = 0;
+};
+
+/// What of a range other ranges leave uncovered.
+double uncovered(const Range& range, std::vector<Range>& covers) {
+  std::sort(covers.begin(), covers.end(), [](const Range& a, const Range& b) { return a.low < b.low; });
+  double left = 0, end = range.low;
+  for (const Range& cover : covers) {
+    left += std::max(0.0, std::min(cover.low, range.high) - end);
+    end = std::max(end, std::min(cover.high, range.high));
+  }
+  return left + range.high - end;
+}
+
+/// What of a range along a line a segment covers that lies along it. The segment's ends are given as the place along
+/// the line and the distance from it.
+std::optional<Range> coverOf(const Range& range, glm::dvec2 from, glm::dvec2 to, double distance) {
+  if (from.x > to.x) std::swap(from, to);
+  const double low = std::max(range.low, from.x), high = std::min(range.high, to.x);
+  if (low >= high) return std::nullopt;
+  const double slope = (to.y - from.y) / (to.x - from.x);
+  const auto isNear = [&](double place) { return std::abs(from.y + slope * (place - from.x)) <= distance; };
+  if (!isNear(low) || !isNear(high)) return std::nullopt;
+  return Range{low, high};
+}
+
+namespace index = boost::geometry::index;
+using BoostPoint = boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian>;
+using BoostBox = boost::geometry::model::box<BoostPoint>;
+
+BoostBox boxAround(const glm::dvec2& a, const glm::dvec2& b, double margin) {
+  const glm::dvec2 low = glm::min(a, b) - margin, high = glm::max(a, b) + margin;
+  return {{low.x, low.y}, {high.x, high.y}};
+}
+
+/// Segments in the plane of a triangle, found by where they are.
+class SegmentTree {
+ public:
+  /// Segments so near to a box are found.
+  SegmentTree(const std::vector<Slice>& segments, double margin) : margin_(margin) {
+    std::vector<std::pair<BoostBox, std::uint32_t>> boxes;
+    boxes.reserve(segments.size());
+    for (std::uint32_t i = 0; i < segments.size(); ++i)
+      boxes.emplace_back(boxAround(segments[i].from, segments[i].to, 0), i);
+    tree_ = Tree(boxes);
+  }
+
+  /// The numbers of those near the box around two points, ascending.
+  const std::vector<std::uint32_t>& near(const glm::dvec2& low, const glm::dvec2& high) {
+    found_.clear();
+    for (auto it = tree_.qbegin(index::intersects(boxAround(low, high, margin_))); it != tree_.qend(); ++it)
+      found_.push_back(it->second);
+    std::sort(found_.begin(), found_.end());
+    return found_;
+  }
+
+ private:
+  using Tree = index::rtree<std::pair<BoostBox, std::uint32_t>, index::quadratic<16>>;
+
+  double margin_;
+  Tree tree_;
+  std::vector<std::uint32_t> found_;
+};
+
+/// The plane of a triangle, in lengths.
+struct TrianglePlane {
+  glm::dmat2 axes;  ///< what weights are multiplied with
+
+  explicit TrianglePlane(const Triangle& triangle) {
+    const glm::dvec3 along1 = triangle.position[1] - triangle.position[0],
+                     along2 = triangle.position[2] - triangle.position[0];
+    const double length = glm::length(along1);
+    axes = {{length, 0}, {glm::dot(along1, along2) / length, glm::length(glm::cross(along1, along2)) / length}};
+  }
+
+  glm::dvec2 place(const glm::dvec2& weights) const { return axes * weights; }
+};
+
+/// Both parts of a piece where a slice goes through it, the piece alone otherwise. The slice is given in the plane.
+std::vector<Piece> splitBy(const Piece& piece, const TrianglePlane& plane, const Slice& slice, double tolerance) {
+  const glm::dvec2 along = slice.to - slice.from;
+  const double length = glm::length(along);
+  std::array<double, 12> distances{};
+  double low = 0, high = 0, first = length, last = 0;
+  for (std::size_t i = 0; i < piece.size; ++i) {
+    const double distance = cross(along, plane.place(piece.corners[i].weight) - slice.from) / length;
+    distances[i] = std::abs(distance) <= tolerance ? 0 : distance;
+    low = std::min(low, distances[i]);
+    high = std::max(high, distances[i]);
+  }
+  if (low == 0 || high == 0) return {piece};
+  const Halves halves = split(piece, distances);
+  // The chord of the line through the piece, and what of it the slice covers.
+  for (std::size_t i = 0; i < halves.below.size; ++i) {
+    const PieceCorner& corner = halves.below.corners[i];
+    const glm::dvec2 offset = plane.place(corner.weight) - slice.from;
+    if (std::abs(cross(along, offset) / length) > tolerance) continue;
+    const double place = glm::dot(along, offset) / length;
+    first = std::min(first, place);
+    last = std::max(last, place);
+  }
+  // Pieces may be narrower than the tolerance.
+  if (std::min(last, length) - std::max(first, 0.0) <= std::min(tolerance, (last - first) / 2)) return {piece};
+  std::vector<Piece> result;
+  for (const Piece& half : {halves.below, halves.above}) {
+    if (half.size <= 8) {
+      result.push_back(half);
+      continue;
+    }
+    const glm::dvec2 origin = half.corners[0].weight, diagonal = half.corners[half.size / 2].weight - origin;
+    std::array<double, 12> fromDiagonal{};
+    for (std::size_t i = 1; i < half.size; ++i)
+      fromDiagonal[i] = i == half.size / 2 ? 0 : cross(diagonal, half.corners[i].weight - origin);
+    const Halves quarters = split(half, fromDiagonal);
+    result.push_back(quarters.below);
+    result.push_back(quarters.above);
+  }
+  return result;
+}
+
+/// Whether two segments share a part of a line that no slice lies along.
+bool areJoined(const Slice& one, const Slice& other, const std::vector<Slice>& slices, SegmentTree& tree,
+               double tolerance) {
+  const bool isOneLonger = glm::length(one.to - one.from) >= glm::length(other.to - other.from);
+  const Slice &line = isOneLonger ? one : other, &beside = isOneLonger ? other : one;
+  const double length = glm::length(line.to - line.from);
+  const glm::dvec2 along = (line.to - line.from) / length;
+  const auto onLine = [&](const glm::dvec2& point) {
+    return glm::dvec2(glm::dot(along, point - line.from), cross(along, point - line.from));
+  };
+  const glm::dvec2 from = onLine(beside.from), to = onLine(beside.to);
+  if (std::max(std::abs(from.y), std::abs(to.y)) > 2 * tolerance) return false;
+  const Range range{std::max(0.0, std::min(from.x, to.x)), std::min(length, std::max(from.x, to.x))};
+  if (range.high - range.low <= 4 * tolerance) return false;
+  std::vector<Range> covers;
+  for (const std::uint32_t slice : tree.near(line.from + range.low * along, line.from + range.high * along))
+    if (const auto cover = coverOf(range, onLine(slices[slice].from), onLine(slices[slice].to), 2 * tolerance))
+      covers.push_back(*cover);
+  return uncovered(range, covers) > 4 * tolerance;
+}
+
+bool contains(const Piece& piece, const glm::dvec2& weights) {
+  for (std::size_t i = 0; i < piece.size; ++i) {
+    const glm::dvec2 corner = piece.corners[i].weight;
+    if (cross(piece.corners[(i + 1) % piece.size].weight - corner, weights - corner) < 0) return false;
+  }
+  return true;
+}
+
+/// What of a triangle's edge belongs to which cutting, in lengths from the edge's first corner.
+struct EdgePart {
+  Range range;
+  std::uint32_t cutting = 0;
+};
+
+class SurfaceCutter {
+ public:
+  SurfaceCutter(const Surface& surface, const Grid& grid, std::span<const std::vector<Slice>> slices, double tolerance)
+      : surface_(surface), grid_(grid), slices_(slices), tolerance_(tolerance) {
+    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
+      first_.push_back(static_cast<std::uint32_t>(cuttings_.size()));
+      if (slices[t].empty())
+        cutWhole(t);
+      else
+        cut(t);
+    }
+    first_.push_back(static_cast<std::uint32_t>(cuttings_.size()));
+    joinTriangles();
+    findRegions();
+  }
+
+  CutSurface take() {
+    CutSurface cut{std::move(cuttings_), std::move(first_), {}, std::move(regions_)};
+    for (const std::vector<Slice>& slices : slices_) cut.isCut.push_back(!slices.empty());
+    return cut;
+  }
+
+ private:
+  /// The cuttings of each region, the largest first.
+  void findRegions() {
+    std::map<std::uint32_t, std::vector<std::uint32_t>> byRoot;
+    for (std::uint32_t i = 0; i < cuttings_.size(); ++i) byRoot[rootOf(i)].push_back(i);
+    for (auto& [root, region] : byRoot) {
+      std::stable_sort(region.begin(), region.end(),
+                       [&](std::uint32_t a, std::uint32_t b) { return cuttings_[a].area > cuttings_[b].area; });
+      regions_.push_back(std::move(region));
+    }
+  }
+
+  using Edges = std::array<std::vector<EdgePart>, 3>;  ///< by the opposite corner
+
+  std::uint32_t texelAt(std::int64_t column, std::int64_t row) const {
+    return static_cast<std::uint32_t>(texelOfCell(column, row, grid_.columns, grid_.rows));
+  }
+
+  void add(std::uint32_t texel, std::uint32_t triangle, const Piece& piece, double wholeArea) {
+    parent_.push_back(static_cast<std::uint32_t>(cuttings_.size()));
+    cuttings_.push_back({texel, triangle, nullptr, centroid(piece), share(piece) * wholeArea});
+  }
+
+  /// A triangle without slices is of one region.
+  void cutWhole(std::uint32_t triangle) {
+    const double wholeArea = area(surface_.triangles[triangle]);
+    forEachCell(inTexels(surface_.triangles[triangle], grid_.columns, grid_.rows),
+                [&](std::int64_t column, std::int64_t row, const Piece& whole) {
+                  if (share(whole) <= smallestShare) return;
+                  add(texelAt(column, row), triangle, whole, wholeArea);
+                  parent_.back() = first_[triangle];
+                });
+  }
+
+  void cut(std::uint32_t triangle) {
+    const double wholeArea = area(surface_.triangles[triangle]);
+    const TrianglePlane plane(surface_.triangles[triangle]);
+    std::vector<Slice> slices;
+    for (const Slice& slice : slices_[triangle]) slices.push_back({plane.place(slice.from), plane.place(slice.to)});
+    SegmentTree tree(slices, 2 * tolerance_);
+    std::vector<Slice> borders;
+    std::vector<std::uint32_t> owners;
+    forEachCell(
+        inTexels(surface_.triangles[triangle], grid_.columns, grid_.rows),
+        [&](std::int64_t column, std::int64_t row, const Piece& whole) {
+          if (share(whole) <= smallestShare) return;
+          const std::vector<Piece> pieces = piecesOf(whole, plane, slices, tree);
+          for (const Piece& piece : pieces) {
+            add(texelAt(column, row), triangle, piece, wholeArea);
+            if (pieces.size() > 1) cuttings_.back().piece = std::make_shared<const Piece>(piece);
+            for (std::size_t i = 0; i < piece.size; ++i) {
+              const std::size_t next = (i + 1) % piece.size;
+              borders.push_back({plane.place(piece.corners[i].weight), plane.place(piece.corners[next].weight)});
+              owners.push_back(static_cast<std::uint32_t>(cuttings_.size() - 1));
+            }
+          }
+        });
+    joinAlong(borders, owners, slices, tree);
+    edges_[triangle] = edgesOf(triangle, borders, owners);
+  }
+
+  /// What the slices cut a piece into.
+  std::vector<Piece> piecesOf(const Piece& whole, const TrianglePlane& plane, const std::vector<Slice>& slices,
+                              SegmentTree& tree) const {
+    glm::dvec2 low = plane.place(whole.corners[0].weight), high = low;
+    for (std::size_t i = 1; i < whole.size; ++i) {
+      low = glm::min(low, plane.place(whole.corners[i].weight));
+      high = glm::max(high, plane.place(whole.corners[i].weight));
+    }
+    std::vector<Piece> pieces{whole};
+    for (const std::uint32_t slice : tree.near(low, high)) {
+      // Parts replace the piece or go to the end, where this slice does not come to them.
+      const std::size_t count = pieces.size();
+      for (std::size_t i = 0; i < count; ++i) {
+        if (!mayCut(slices[slice], plane, pieces[i])) continue;
+        std::vector<Piece> parts = splitBy(pieces[i], plane, slices[slice], tolerance_);
+        std::erase_if(parts, [](const Piece& part) { return share(part) <= smallestShare; });
+        if (parts.empty()) continue;
+        pieces[i] = parts.front();
+        pieces.insert(pieces.end(), parts.begin() + 1, parts.end());
+      }
+    }
+    return pieces;
+  }
+
+  /// Whether the boxes around both meet.
+  static bool mayCut(const Slice& slice, const TrianglePlane& plane, const Piece& piece) {
+    bool isLeft = true, isRight = true, isBelow = true, isAbove = true;
+    const glm::dvec2 low = glm::min(slice.from, slice.to), high = glm::max(slice.from, slice.to);
+    for (std::size_t i = 0; i < piece.size; ++i) {
+      const glm::dvec2 corner = plane.place(piece.corners[i].weight);
+      isLeft = isLeft && corner.x < low.x;
+      isRight = isRight && corner.x > high.x;
+      isBelow = isBelow && corner.y < low.y;
+      isAbove = isAbove && corner.y > high.y;
+    }
+    return !isLeft && !isRight && !isBelow && !isAbove;
+  }
+
+  std::uint32_t rootOf(std::uint32_t cutting) {
+    while (parent_[cutting] != cutting) {
+      parent_[cutting] = parent_[parent_[cutting]];
+      cutting = parent_[cutting];
+    }
+    return cutting;
+  }
+
+  void join(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t rootA = rootOf(a), rootB = rootOf(b);
+    parent_[std::max(rootA, rootB)] = std::min(rootA, rootB);
+  }
+
+  /// Joins the cuttings of one triangle.
+  void joinAlong(const std::vector<Slice>& borders, const std::vector<std::uint32_t>& owners,
+                 const std::vector<Slice>& slices, SegmentTree& tree) {
+    SegmentTree others(borders, tolerance_);
+    for (std::uint32_t i = 0; i < borders.size(); ++i)
+      for (const std::uint32_t j : others.near(borders[i].from, borders[i].to))
+        if (j > i && rootOf(owners[i]) != rootOf(owners[j]) &&
+            areJoined(borders[i], borders[j], slices, tree, tolerance_))
+          join(owners[i], owners[j]);
+  }
+
+  /// Lengths that a point's barycentric weights stand for: along an edge, and over it.
+  struct EdgeFrame {
+    std::size_t opposite;
+    double length, height;
+
+    EdgeFrame(const Triangle& triangle, std::size_t corner)
+        : opposite(corner),
+          length(glm::distance(triangle.position[(corner + 1) % 3], triangle.position[(corner + 2) % 3])),
+          height(2 * area(triangle) / length) {}
+
+    glm::dvec2 place(const glm::dvec2& weights) const {
+      const std::array<double, 3> all{1 - weights.x - weights.y, weights.x, weights.y};
+      return {all[(opposite + 2) % 3] * length, all[opposite] * height};
+    }
+  };
+
+  /// `borders` are given in the plane of the triangle.
+  Edges edgesOf(std::uint32_t triangle, const std::vector<Slice>& borders,
+                const std::vector<std::uint32_t>& owners) const {
+    const TrianglePlane plane(surface_.triangles[triangle]);
+    const std::array<glm::dvec2, 3> corners{glm::dvec2(0), plane.axes[0], plane.axes[1]};
+    Edges edges;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::dvec2 start = corners[(k + 1) % 3], along = glm::normalize(corners[(k + 2) % 3] - start);
+      for (std::size_t i = 0; i < borders.size(); ++i) {
+        const glm::dvec2 from = borders[i].from - start, to = borders[i].to - start;
+        if (std::max(std::abs(cross(along, from)), std::abs(cross(along, to))) > tolerance_) continue;
+        const double first = glm::dot(along, from), last = glm::dot(along, to);
+        edges[k].push_back({{std::min(first, last), std::max(first, last)}, owners[i]});
+      }
+    }
+    return edges;
+  }
+
+  std::vector<EdgePart> edgeParts(std::uint32_t triangle, const EdgeFrame& frame) const {
+    const auto found = edges_.find(triangle);
+    if (found != edges_.end()) return found->second[frame.opposite];
+    return {{{0, frame.length}, first_[triangle]}};
+  }
+
+  /// Slices that lie along a part of an edge; `isReversed` where places count from its other end.
+  void addCovers(std::uint32_t triangle, const EdgeFrame& frame, bool isReversed, const Range& range,
+                 std::vector<Range>& covers) const {
+    for (const Slice& slice : slices_[triangle]) {
+      glm::dvec2 from = frame.place(slice.from), to = frame.place(slice.to);
+      if (isReversed) {
+        from.x = frame.length - from.x;
+        to.x = frame.length - to.x;
+      }
+      if (const auto cover = coverOf(range, from, to, 2 * tolerance_)) covers.push_back(*cover);
+    }
+  }
+
+  /// Joins cuttings across the edges that triangles share, but where the surface folds sharply.
+  void joinTriangles() {
+    const auto across = neighbours(surface_);
+    std::vector<glm::dvec3> normals;
+    for (const Triangle& triangle : surface_.triangles) normals.push_back(normal(triangle));
+    for (std::uint32_t t = 0; t < across.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t other = across[t][k];
+        if (other == noNeighbour || hasNone(t) || hasNone(other)) continue;
+        if (glm::dot(normals[t], normals[other]) < leastCosine) continue;
+        if (slices_[t].empty() && slices_[other].empty())
+          join(first_[t], first_[other]);
+        else if (t < other || slices_[other].empty())
+          joinAcross(t, k, other);
+      }
+  }
+
+  bool hasNone(std::uint32_t triangle) const { return first_[triangle] == first_[triangle + 1]; }
+
+  void joinAcross(std::uint32_t triangle, std::size_t corner, std::uint32_t other) {
+    const Triangle &here = surface_.triangles[triangle], &there = surface_.triangles[other];
+    const EdgeFrame frame(here, corner), otherFrame(there, oppositeCorner(here, corner, there));
+    const bool isReversed = here.position[(corner + 1) % 3] != there.position[(otherFrame.opposite + 1) % 3];
+    for (EdgePart& part : edgeParts(other, otherFrame)) {
+      if (isReversed) part.range = {frame.length - part.range.high, frame.length - part.range.low};
+      for (const EdgePart& own : edgeParts(triangle, frame)) {
+        const Range range{std::max(own.range.low, part.range.low), std::min(own.range.high, part.range.high)};
+        if (range.high - range.low <= 4 * tolerance_ || rootOf(own.cutting) == rootOf(part.cutting)) continue;
+        std::vector<Range> covers;
+        addCovers(triangle, frame, false, range, covers);
+        addCovers(other, otherFrame, isReversed, range, covers);
+        if (uncovered(range, covers) > 4 * tolerance_) join(own.cutting, part.cutting);
+      }
+    }
+  }
+
+  const Surface& surface_;
+  const Grid& grid_;
+  std::span<const std::vector<Slice>> slices_;  ///< one entry a triangle
+  double tolerance_;
+  std::vector<Cutting> cuttings_;      ///< by triangle
+  std::vector<std::uint32_t> parent_;  ///< of each cutting, in the union-find forest over all of them
+  std::vector<std::vector<std::uint32_t>> regions_;
+  std::vector<std::uint32_t> first_;      ///< of each triangle's cuttings, and behind the last
+  std::map<std::uint32_t, Edges> edges_;  ///< of the triangles that have slices
+};
+
+}  // namespace
+
+CutSurface cutSurface(const Surface& surface, const Grid& grid, std::span<const std::vector<Slice>> slices,
+                      double tolerance) {
+  return SurfaceCutter(surface, grid, slices, tolerance).take();
+}
+
+std::uint32_t cuttingAt(const CutSurface& cut, const Surface& surface, const Grid& grid, std::uint32_t triangle,
+                        const glm::dvec2& weights) {
+  const std::uint32_t first = cut.first[triangle], end = cut.first[triangle + 1];
+  if (!cut.isCut[triangle]) return first;
+  const auto [a, b, c] = inTexels(surface.triangles[triangle], grid.columns, grid.rows);
+  const glm::dvec2 place = a + weights.x * (b - a) + weights.y * (c - a);
+  const std::size_t texel = texelOfCell(static_cast<std::int64_t>(std::floor(place.x)),
+                                        static_cast<std::int64_t>(std::floor(place.y)), grid.columns, grid.rows);
+  for (std::uint32_t i = first; i < end; ++i)
+    if (cut.cuttings[i].texel == texel && (!cut.cuttings[i].piece || contains(*cut.cuttings[i].piece, weights)))
+      return i;
+  return first;
+}
+
+}  // namespace hemitex::radiosity

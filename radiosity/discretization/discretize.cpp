@@ -1,0 +1,363 @@
+#include "radiosity/discretization/discretize.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+
+#include "radiosity/discretization/exposure.h"
+#include "radiosity/discretization/grid_size.h"
+#include "radiosity/discretization/material_averages.h"
+#include "radiosity/discretization/sliver_merging.h"
+#include "radiosity/discretization/texel_areas.h"
+#include "raster/base/input_error.h"
+#include "raster/base/parallel.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+using raster::InputError;
+
+/// A mapped reflectance of 1 or more is lowered to this: white would reflect for ever.
+constexpr double mostReflectance = 0.9999;
+
+bool isNamed(const Surface& surface, const std::string& name) { return surface.name == name || surface.family == name; }
+
+std::string someNames(const Scene& scene) {
+  std::string names;
+  std::size_t listed = 0;
+  const std::string* previous = nullptr;
+  for (const Surface& surface : scene.surfaces) {
+    if (previous != nullptr && *previous == surface.family) continue;
+    if (listed++ == 10) return names + ", ...";
+    names += (names.empty() ? "" : ", ") + surface.family;
+    previous = &surface.family;
+  }
+  return names;
+}
+
+void validateTexels(int texels, const std::string& what) {
+  if (texels < 1 || texels > largestGrid)
+    throw InputError(what + " has " + std::to_string(texels) + " texels along a side",
+                     "use 1 to " + std::to_string(largestGrid));
+}
+
+void validate(const Scene& scene, const DiscretizationSettings& settings) {
+  if (settings.texels) validateTexels(*settings.texels, "the discretization");
+  if (settings.texelSize && !(*settings.texelSize > 0 && std::isfinite(*settings.texelSize)))
+    throw InputError("the size of a texel is not above 0", "give a length in the scene's units");
+  if (settings.patch < 1)
+    throw InputError("a patch has " + std::to_string(settings.patch) + " texels along a side", "use 1 or more");
+  validateTexels(settings.mostTexels, "the largest grid");
+  if (settings.subdivision < 1)
+    throw InputError("a texel is cut into " + std::to_string(settings.subdivision) + " along a side", "use 1 or more");
+  if (settings.patches && *settings.patches < 1)
+    throw InputError("a surface has " + std::to_string(*settings.patches) + " patches along a side", "use 1 or more");
+  for (const auto& [name, texels] : settings.surfaceTexels) {
+    validateTexels(texels.columns, "surface '" + name + "'");
+    validateTexels(texels.rows, "surface '" + name + "'");
+    const bool exists = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
+                                    [&name = name](const Surface& surface) { return isNamed(surface, name); });
+    if (!exists)
+      throw InputError("the scene has no surface named '" + name + "'", "its surfaces are " + someNames(scene));
+  }
+}
+
+/// Texels and elements are numbered in 32 bits, and so is whatever has a word of its own.
+void validateSizes(const Scene& scene, const DiscretizationSettings& settings) {
+  std::uint64_t texels = 0;
+  for (const Surface& surface : scene.surfaces) {
+    const GridSize size = gridSizeOf(surface, settings);
+    texels += static_cast<std::uint64_t>(size.columns) * static_cast<std::uint64_t>(size.rows);
+  }
+  if (texels >= 0xffffffff)
+    throw InputError("the surfaces have " + std::to_string(texels) + " texels in all, more than there are words",
+                     "use fewer texels a surface");
+}
+
+/// Where every triangle's chart collapses to nothing, the texel with the most area stands for all.
+void coverOneAtLeast(TexelAreas& texels) {
+  if (std::any_of(texels.coverage.begin(), texels.coverage.end(), [](double c) { return c > coverageNoise; })) return;
+  const auto largest = std::max_element(texels.area.begin(), texels.area.end()) - texels.area.begin();
+  texels.coverage[static_cast<std::size_t>(largest)] = 1;
+}
+
+/// The number of a leaf's lowest texel.
+std::uint32_t lowestTexel(const Grid& grid, const Leaf& leaf) {
+  return static_cast<std::uint32_t>(leaf.row * grid.columns + leaf.column);
+}
+
+/// The triangles that stand for the leaves: a leaf is a texel of a grid that is so much coarser.
+class LeafTriangles {
+ public:
+  LeafTriangles(const Surface& surface, const Grid& grid) : surface_(surface), grid_(grid) {}
+
+  std::uint32_t of(const Leaf& leaf) {
+    const int columns = grid_.columns / leaf.side, rows = grid_.rows / leaf.side;
+    const auto [found, isNew] = bySide_.try_emplace(leaf.side);
+    if (isNew) found->second = texelAreas(surface_, {columns, rows, {}}).triangle;
+    return found->second[texelOfCell(leaf.column / leaf.side, leaf.row / leaf.side, columns, rows)];
+  }
+
+ private:
+  const Surface& surface_;
+  const Grid& grid_;
+  std::map<int, std::vector<std::uint32_t>> bySide_;
+};
+
+/// Turns texels into elements, ordered by their own texels, and gives every texel's area to the element it spills to.
+void makeElements(const Surface& surface, std::uint32_t number, Discretization& part) {
+  constexpr std::uint32_t none = ~0u;
+  Grid& grid = part.grids.front();
+  TexelAreas texels = texelAreas(surface, texelGrid(grid));
+  coverOneAtLeast(texels);
+  grid.spill = spillTexels(grid.columns, grid.rows, texels.coverage);
+  LeafTriangles triangles(surface, grid);
+  std::vector<std::uint32_t> elementOf(grid.spill.size(), none);  // by the lowest texel of its leaf
+  const auto elementAt = [&](std::uint32_t own) -> std::uint32_t& {
+    return elementOf[lowestTexel(grid, leafOf(grid, own))];
+  };
+  for (std::uint32_t texel = 0; texel < grid.spill.size(); ++texel) {
+    grid.covered.push_back(texels.coverage[texel] > coverageNoise);
+    grid.phantoms += grid.covered[texel] ? 0 : 1;
+    grid.buried += grid.covered[texel] || findCut(grid.cutTexels, texel) == nullptr ? 0 : 1;
+    if (grid.spill[texel] != texel || elementAt(texel) != none) continue;
+    elementAt(texel) = static_cast<std::uint32_t>(part.elements.size());
+    const Leaf leaf = leafOf(grid, texel);
+    part.elements.push_back({0, number, texel});
+    part.triangleOf.push_back(leaf.side == 1 ? texels.triangle[texel] : triangles.of(leaf));
+  }
+  for (std::uint32_t texel = 0; texel < grid.spill.size(); ++texel) {
+    grid.spill[texel] = elementAt(grid.spill[texel]);
+    part.elements[grid.spill[texel]].area += texels.area[texel];
+  }
+  grid.elementCount = static_cast<std::uint32_t>(part.elements.size());
+}
+
+/// The texels along the side of a surface's patches.
+int patchSide(const GridSize& size, const DiscretizationSettings& settings) {
+  if (!settings.patches) return std::min(settings.patch, largestGrid);
+  const int longer = std::max(size.columns, size.rows);
+  return std::max(1, longer / *settings.patches);
+}
+
+/// Groups the elements by the block of texels that holds their own texel, or the lowest one of their leaf. A leaf
+/// larger than a block is the only one in it, and stretches it.
+void makePatches(std::uint32_t surface, int side, Discretization& part) {
+  Grid& grid = part.grids.front();
+  const int blockColumns = (grid.columns + side - 1) / side;
+  const auto blockOf = [&](const Element& element) {
+    const Leaf leaf = leafOf(grid, element.texel);
+    return static_cast<std::size_t>(leaf.row / side * blockColumns + leaf.column / side);
+  };
+  struct Block {
+    std::uint32_t elements = 0;
+    int side = 0;
+  };
+  std::vector<Block> blocks(static_cast<std::size_t>(blockColumns * ((grid.rows + side - 1) / side)));
+  for (const Element& element : part.elements) {
+    Block& block = blocks[blockOf(element)];
+    ++block.elements;
+    block.side = std::max(side, leafOf(grid, element.texel).side);
+  }
+  std::vector<std::uint32_t> patchOf(blocks.size());
+  std::uint32_t first = 0;
+  for (std::size_t number = 0; number < blocks.size(); ++number) {
+    const Block& block = blocks[number];
+    if (block.elements == 0) continue;
+    const int column = static_cast<int>(number) % blockColumns * side,
+              row = static_cast<int>(number) / blockColumns * side;
+    patchOf[number] = static_cast<std::uint32_t>(part.patches.size());
+    part.patches.push_back({.surface = surface,
+                            .column = column,
+                            .row = row,
+                            .width = std::min(block.side, grid.columns - column),
+                            .height = std::min(block.side, grid.rows - row),
+                            .firstElement = first});
+    first += block.elements;
+  }
+  part.patchElements.resize(part.elements.size());
+  part.patchOf.resize(part.elements.size());
+  for (std::uint32_t element = 0; element < part.elements.size(); ++element) {
+    const std::uint32_t number = patchOf[blockOf(part.elements[element])];
+    Patch& owner = part.patches[number];
+    part.patchOf[element] = number;
+    part.patchElements[owner.firstElement + owner.elementCount++] = element;
+  }
+  grid.patchCount = static_cast<std::uint32_t>(part.patches.size());
+}
+
+/// Leaves and blocks of texels nest where both are powers of two.
+void validateNesting(const Surface& surface, const GridSize& size, const Quadtree& quadtree, int side) {
+  assert(quadtree.texels == size.columns && quadtree.texels == size.rows);
+  if (!std::has_single_bit(static_cast<unsigned>(side)))
+    throw InputError("a patch of surface '" + surface.name + "' has " + std::to_string(side) + " texels along a side",
+                     "over quadtrees use a power of two");
+}
+
+bool hasMap(const Scene& scene, std::optional<int> Material::*map) {
+  return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [&](const Surface& surface) {
+    return (scene.materials[static_cast<std::size_t>(surface.material)].*map).has_value();
+  });
+}
+
+/// One value an element: the material's, times the mean of its map where it has one.
+std::vector<glm::dvec3> mappedValues(const Scene& scene, const Surface& surface, const Grid& grid,
+                                     const glm::dvec3& value, const std::optional<int>& map) {
+  if (!map) return std::vector<glm::dvec3>(grid.elementCount, value);
+  std::vector<glm::dvec3> values = averageOverElements(scene.images[static_cast<std::size_t>(*map)], surface, grid);
+  for (glm::dvec3& mean : values) mean *= value;
+  return values;
+}
+
+/// The discretization of one surface alone, without a quadtree where that is null: elements and patches are numbered
+/// from 0. `cut` are the texels that are not wholly exposed.
+Discretization discretizeSurface(const Scene& scene, std::uint32_t number, const DiscretizationSettings& settings,
+                                 const Quadtree* quadtree, const std::vector<CutTexel>& cut) {
+  const Surface& surface = scene.surfaces[number];
+  const GridSize size = gridSizeOf(surface, settings);
+  Discretization part;
+  part.grids.push_back({.columns = size.columns, .rows = size.rows, .spill = {}, .covered = {}});
+  if (quadtree) part.grids.front().quadtree = *quadtree;
+  part.grids.front().cutTexels = cut;
+  makeElements(surface, number, part);
+  const int side = patchSide(size, settings);
+  if (quadtree) validateNesting(surface, size, *quadtree, side);
+  makePatches(number, side, part);
+  return part;
+}
+
+/// Appends the discretization of one surface to that of the surfaces before it.
+void append(Discretization& whole, Discretization part) {
+  const auto firstElement = static_cast<std::uint32_t>(whole.elements.size());
+  const auto firstPatch = static_cast<std::uint32_t>(whole.patches.size());
+  Grid& grid = part.grids.front();
+  grid.firstElement = firstElement;
+  grid.firstPatch = firstPatch;
+  for (std::uint32_t& element : grid.spill) element += firstElement;
+  for (std::uint32_t& patch : part.patchOf) patch += firstPatch;
+  for (Patch& patch : part.patches) patch.firstElement += firstElement;
+  for (std::uint32_t& element : part.patchElements) element += firstElement;
+  const auto moveTo = [](auto& all, const auto& some) { all.insert(all.end(), some.begin(), some.end()); };
+  whole.grids.push_back(std::move(grid));
+  moveTo(whole.elements, part.elements);
+  moveTo(whole.patchOf, part.patchOf);
+  moveTo(whole.triangleOf, part.triangleOf);
+  moveTo(whole.patches, part.patches);
+  moveTo(whole.patchElements, part.patchElements);
+}
+
+/// All surfaces by themselves, one after the other. One quadtree a surface, or none at all; cut texels of each.
+Discretization assembled(const Scene& scene, const DiscretizationSettings& settings,
+                         const std::vector<Quadtree>& quadtrees, const std::vector<std::vector<CutTexel>>& cut) {
+  std::vector<Discretization> parts(scene.surfaces.size());
+  raster::parallelFor(parts.size(), [&](std::size_t surface) {
+    const Quadtree* quadtree = quadtrees.empty() ? nullptr : &quadtrees[surface];
+    parts[surface] = discretizeSurface(scene, static_cast<std::uint32_t>(surface), settings, quadtree, cut[surface]);
+  });
+  std::size_t elements = 0, patches = 0;
+  for (const Discretization& part : parts) {
+    elements += part.elements.size();
+    patches += part.patches.size();
+  }
+  Discretization whole;
+  whole.elements.reserve(elements);
+  whole.patchOf.reserve(elements);
+  whole.triangleOf.reserve(elements);
+  whole.patchElements.reserve(elements);
+  whole.patches.reserve(patches);
+  for (Discretization& part : parts) append(whole, std::exchange(part, {}));
+  return whole;
+}
+
+/// One quadtree a surface, or none at all.
+Discretization discretized(const Scene& scene, const DiscretizationSettings& asked,
+                           const std::vector<Quadtree>& quadtrees) {
+  validate(scene, asked);
+  const DiscretizationSettings settings = followingScene(scene, asked);
+  validateSizes(scene, settings);
+  std::vector<std::vector<CutTexel>> cut(scene.surfaces.size());
+  Discretization whole = assembled(scene, settings, quadtrees, cut);
+  if (!settings.isUnburied) cut = cutTexels(scene, whole);
+  if (std::any_of(cut.begin(), cut.end(), [](const std::vector<CutTexel>& some) { return !some.empty(); }))
+    whole = assembled(scene, settings, quadtrees, cut);
+  averageMaps(scene, whole);
+  return whole;
+}
+
+}  // namespace
+
+Leaf leafOf(const Grid& grid, std::uint32_t texel) {
+  const int column = static_cast<int>(texel) % grid.columns, row = static_cast<int>(texel) / grid.columns;
+  return grid.quadtree ? leafAt(*grid.quadtree, column, row) : Leaf{column, row, 1};
+}
+
+Discretization discretize(const Scene& scene, const DiscretizationSettings& settings) {
+  return discretized(scene, settings, {});
+}
+
+Discretization discretize(const Scene& scene, const DiscretizationSettings& settings,
+                          const std::vector<Quadtree>& quadtrees) {
+  assert(quadtrees.size() == scene.surfaces.size());
+  return discretized(scene, settings, quadtrees);
+}
+
+Discretization discretizeUnburied(const Scene& scene, const DiscretizationSettings& settings) {
+  DiscretizationSettings unburied = settings;
+  unburied.isUnburied = true;
+  return discretize(scene, unburied);
+}
+
+void averageMaps(const Scene& scene, Discretization& discretization) {
+  const auto valuesOf = [&](glm::dvec3 Material::*value, std::optional<int> Material::*map) {
+    std::vector<glm::dvec3> values;
+    if (!hasMap(scene, map)) return values;
+    std::vector<std::vector<glm::dvec3>> ofSurface(scene.surfaces.size());
+    raster::parallelFor(ofSurface.size(), [&](std::size_t s) {
+      const Material& material = scene.materials[static_cast<std::size_t>(scene.surfaces[s].material)];
+      ofSurface[s] = mappedValues(scene, scene.surfaces[s], discretization.grids[s], material.*value, material.*map);
+    });
+    for (const std::vector<glm::dvec3>& some : ofSurface) values.insert(values.end(), some.begin(), some.end());
+    return values;
+  };
+  discretization.mappedReflectance = valuesOf(&Material::reflectance, &Material::reflectanceMap);
+  for (glm::dvec3& value : discretization.mappedReflectance) value = glm::min(value, glm::dvec3(mostReflectance));
+  discretization.mappedEmission = valuesOf(&Material::emission, &Material::emissionMap);
+}
+
+SurfaceValues reflectances(const Scene& scene, const Discretization& discretization, std::uint32_t surface) {
+  return {scene.materials[static_cast<std::size_t>(scene.surfaces[surface].material)].reflectance,
+          discretization.mappedReflectance};
+}
+
+SurfaceValues emissions(const Scene& scene, const Discretization& discretization, std::uint32_t surface) {
+  return {scene.materials[static_cast<std::size_t>(scene.surfaces[surface].material)].emission,
+          discretization.mappedEmission};
+}
+
+glm::dvec3 reflectance(const Scene& scene, const Discretization& discretization, std::uint32_t element) {
+  return reflectances(scene, discretization, discretization.elements[element].surface).of(element);
+}
+
+glm::dvec3 emission(const Scene& scene, const Discretization& discretization, std::uint32_t element) {
+  return emissions(scene, discretization, discretization.elements[element].surface).of(element);
+}
+
+std::vector<std::uint32_t> patchesOf(const Grid& grid) {
+  std::vector<std::uint32_t> patches(grid.patchCount);
+  std::iota(patches.begin(), patches.end(), grid.firstPatch);
+  patches.insert(patches.end(), grid.laterPatches.begin(), grid.laterPatches.end());
+  return patches;
+}
+
+double patchArea(const Discretization& discretization, const Patch& patch) {
+  double area = 0;
+  for (std::uint32_t i = 0; i < patch.elementCount; ++i)
+    area += discretization.elements[discretization.patchElements[patch.firstElement + i]].area;
+  return area;
+}
+
+}  // namespace hemitex::radiosity

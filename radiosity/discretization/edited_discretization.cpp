@@ -1,0 +1,80 @@
+#include "radiosity/discretization/edited_discretization.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+#include "radiosity/discretization/grid_size.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// The settings without those for surfaces that a scene does not have.
+DiscretizationSettings settingsFor(const Scene& scene, DiscretizationSettings settings) {
+  std::erase_if(settings.surfaceTexels, [&](const auto& named) {
+    return std::none_of(scene.surfaces.begin(), scene.surfaces.end(), [&](const Surface& surface) {
+      return surface.name == named.first || surface.family == named.first;
+    });
+  });
+  return settings;
+}
+
+/// The surfaces of a scene that were not there before, discretized by themselves: what they are buried in is not there.
+Discretization discretizeNew(const EditedScene& edit, const DiscretizationSettings& settings) {
+  Scene scene;
+  scene.materials = edit.scene.materials;
+  scene.images = edit.scene.images;
+  for (std::size_t s = 0; s < edit.origins.size(); ++s)
+    if (!edit.origins[s].former) scene.surfaces.push_back(edit.scene.surfaces[s]);
+  return scene.surfaces.empty() ? Discretization()
+                                : discretizeUnburied(scene, settingsFor(scene, followingScene(edit.scene, settings)));
+}
+
+/// Appends a surface with its elements and patches, renumbered.
+void append(Discretization& whole, const Discretization& from, std::uint32_t number) {
+  Grid grid = from.grids[number];
+  const auto surface = static_cast<std::uint32_t>(whole.grids.size());
+  // A difference that wraps around: unsigned numbers take it as well.
+  const std::uint32_t elementShift = static_cast<std::uint32_t>(whole.elements.size()) - grid.firstElement;
+  for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e) {
+    Element element = from.elements[e];
+    element.surface = surface;
+    whole.elements.push_back(element);
+    whole.triangleOf.push_back(from.triangleOf[e]);
+  }
+  whole.patchOf.resize(whole.elements.size());
+  const std::vector<std::uint32_t> patches = patchesOf(grid);
+  grid.firstPatch = static_cast<std::uint32_t>(whole.patches.size());
+  grid.patchCount = static_cast<std::uint32_t>(patches.size());
+  grid.laterPatches.clear();
+  for (const std::uint32_t p : patches) {
+    Patch patch = from.patches[p];
+    patch.surface = surface;
+    patch.turn = patch.turn.value_or(p);
+    const auto first = from.patchElements.begin() + patch.firstElement;
+    patch.firstElement = static_cast<std::uint32_t>(whole.patchElements.size());
+    std::transform(first, first + patch.elementCount, std::back_inserter(whole.patchElements),
+                   [&](std::uint32_t element) { return element + elementShift; });
+    for (auto e = whole.patchElements.end() - patch.elementCount; e != whole.patchElements.end(); ++e)
+      whole.patchOf[*e] = static_cast<std::uint32_t>(whole.patches.size());
+    whole.patches.push_back(patch);
+  }
+  for (std::uint32_t& element : grid.spill) element += elementShift;
+  grid.firstElement += elementShift;
+  whole.grids.push_back(std::move(grid));
+}
+
+}  // namespace
+
+Discretization carried(const Discretization& before, const EditedScene& edit, const DiscretizationSettings& settings) {
+  const Discretization added = discretizeNew(edit, settings);
+  std::uint32_t next = 0;
+  Discretization whole;
+  for (const Origin& origin : edit.origins)
+    origin.former ? append(whole, before, *origin.former) : append(whole, added, next++);
+  averageMaps(edit.scene, whole);
+  return whole;
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,77 @@
+#include "radiosity/discretization/exposed_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "radiosity/discretization/texel_areas.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+bool mayMeet(const std::array<glm::dvec2, 3>& corners, const glm::dvec2& low, const glm::dvec2& high) {
+  const glm::dvec2 least = glm::min(glm::min(corners[0], corners[1]), corners[2]);
+  const glm::dvec2 most = glm::max(glm::max(corners[0], corners[1]), corners[2]);
+  return least.x < high.x && least.y < high.y && most.x > low.x && most.y > low.y;
+}
+
+/// A piece of a triangle inside a cell, as far as it is exposed.
+void visitCell(std::uint32_t triangle, std::size_t texel, const Piece& piece, const TexelGrid& grid,
+               const TexelPieceVisitor& visit) {
+  const CutTexel* const cut = findCut(grid.cut, texel);
+  if (cut == nullptr) return visit(texel, triangle, piece);
+  if (share(piece) == 0) return;  // cells that a chart only touches count as the texel beside them
+  for (const TexelPiece& exposed : cut->exposed)
+    if (exposed.triangle == triangle) visit(texel, triangle, exposed.piece);
+}
+
+}  // namespace
+
+bool hasCutTexel(const TexelGrid& grid, const glm::dvec2& low, const glm::dvec2& high) {
+  return std::any_of(grid.cut.begin(), grid.cut.end(), [&](const CutTexel& cut) {
+    const double column = cut.texel % static_cast<std::uint32_t>(grid.columns);
+    const double row = cut.texel / static_cast<std::uint32_t>(grid.columns);
+    return column < high.x && column + 1 > low.x && row < high.y && row + 1 > low.y;
+  });
+}
+
+const CutTexel* findCut(std::span<const CutTexel> cut, std::size_t texel) {
+  const auto found = std::lower_bound(cut.begin(), cut.end(), texel,
+                                      [](const CutTexel& one, std::size_t number) { return one.texel < number; });
+  return found != cut.end() && found->texel == texel ? &*found : nullptr;
+}
+
+void forEachExposedPiece(const Surface& surface, const TexelGrid& grid, const TexelPieceVisitor& visit) {
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
+    forEachCell(inTexels(surface.triangles[t], grid.columns, grid.rows),
+                [&](std::int64_t column, std::int64_t row, const Piece& piece) {
+                  visitCell(t, texelOfCell(column, row, grid.columns, grid.rows), piece, grid, visit);
+                });
+}
+
+void forEachExposedPiece(const Surface& surface, const TexelGrid& grid, const glm::dvec2& low, const glm::dvec2& high,
+                         const TexelPieceVisitor& visit) {
+  const bool isCut = hasCutTexel(grid, low, high);
+  const auto texelAt = [&](const glm::dvec2& place) {
+    return texelOfCell(static_cast<std::int64_t>(std::floor(place.x)), static_cast<std::int64_t>(std::floor(place.y)),
+                       grid.columns, grid.rows);
+  };
+  const auto visitClipped = [&](std::size_t texel, std::uint32_t triangle, const Piece& piece) {
+    const Piece inside = clippedTo(piece, low, high);
+    if (inside.size > 0) visit(texel, triangle, inside);
+  };
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    const std::array<glm::dvec2, 3> corners = inTexels(surface.triangles[t], grid.columns, grid.rows);
+    if (!mayMeet(corners, low, high)) continue;
+    const Piece piece = clippedTo(wholeTriangle(corners), low, high);
+    if (piece.size == 0) continue;
+    if (!isCut) {
+      visit(texelAt(low), t, piece);
+      continue;
+    }
+    forEachCellOf(piece, [&](std::int64_t column, std::int64_t row, const Piece& inCell) {
+      visitCell(t, texelOfCell(column, row, grid.columns, grid.rows), inCell, grid, visitClipped);
+    });
+  }
+}
+
+}  // namespace hemitex::radiosity

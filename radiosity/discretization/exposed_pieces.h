@@ -1,0 +1,50 @@
+/// What of a surface is exposed: the pieces that its triangles leave in the texels of its grid, but for those inside
+/// solids. A solid that stands on a surface buries a part of it, which neither receives nor sends.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "radiosity/geometry/grid_clipping.h"
+#include "radiosity/scene/scene.h"
+
+namespace hemitex::radiosity {
+
+/// A part of a triangle inside one texel; of at most eight corners.
+struct TexelPiece {
+  std::uint32_t triangle = 0;  ///< in Surface::triangles
+  Piece piece;                 ///< corners in texels
+};
+
+/// A texel that is buried in part or wholly, and what of it is exposed.
+struct CutTexel {
+  std::uint32_t texel = 0;               ///< row * columns + column
+  std::vector<TexelPiece> exposed = {};  ///< by triangle
+};
+
+/// The texels of a surface's grid, and those of them that are cut, ascending.
+struct TexelGrid {
+  int columns = 1, rows = 1;
+  std::span<const CutTexel> cut;
+};
+
+/// The entry of a texel; null where all of it is exposed.
+const CutTexel* findCut(std::span<const CutTexel> cut, std::size_t texel);
+
+/// Whether a cut texel meets the inside of the rectangle [low, high], in texels.
+bool hasCutTexel(const TexelGrid& grid, const glm::dvec2& low, const glm::dvec2& high);
+
+/// Called with the texel, the triangle and the piece of the triangle inside the texel.
+using TexelPieceVisitor = std::function<void(std::size_t texel, std::uint32_t triangle, const Piece&)>;
+
+/// Visits the exposed pieces of all triangles, in their order. Pieces may be without area.
+void forEachExposedPiece(const Surface& surface, const TexelGrid& grid, const TexelPieceVisitor& visit);
+
+/// The same inside the rectangle [low, high], in texels. Looks at every triangle of the surface.
+void forEachExposedPiece(const Surface& surface, const TexelGrid& grid, const glm::dvec2& low, const glm::dvec2& high,
+                         const TexelPieceVisitor& visit);
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,246 @@
+#include "radiosity/discretization/exposure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "radiosity/discretization/cut_surface.h"
+#include "radiosity/discretization/texel_areas.h"
+#include "radiosity/geometry/ray_tree.h"
+#include "radiosity/geometry/triangle_slices.h"
+#include "radiosity/projection/patch_view.h"
+#include "radiosity/projection/projection.h"
+#include "raster/base/parallel.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// Pixels along the side of the hemicubes that say what a region sees, one ray each.
+constexpr int resolution = 6;
+/// Points of a region that look.
+constexpr int pointsOfRegion = 4;
+/// A region is exposed where exposed fronts are at least this share of all exposed fronts and backs that it sees.
+constexpr double leastExposed = 0.1;
+/// It also is where lights are at least this share of what it sees: light gets there, whatever stands around.
+constexpr double leastLights = 0.005;
+/// Faces touch that face each other, to this cosine of the angle between them.
+constexpr double touchingCosine = 0.999;
+
+/// Cuttings of a surface that are exposed or buried together.
+struct Region {
+  std::uint32_t surface = 0;
+  std::vector<std::uint32_t> cuttings = {};  ///< the largest first
+  bool isBuried = false;
+};
+
+/// What is seen from a region, as form factors.
+struct Seen {
+  double backs = 0, exposedFronts = 0;
+  double lights = 0;                             ///< of the exposed fronts those that emit
+  std::size_t points = 0;                        ///< that it is seen from; shares are their sums
+  std::map<std::uint32_t, double> regions = {};  ///< fronts, by region
+};
+
+/// A direction over a surface, z along its normal, and the form factor that it stands for.
+struct LookDirection {
+  glm::dvec3 direction;
+  double share;
+};
+
+/// The pixels' centres of a hemicube.
+std::vector<LookDirection> lookDirections() {
+  std::vector<LookDirection> directions;
+  double sum = 0;
+  const auto add = [&](const glm::dvec3& direction) {
+    const double square = glm::dot(direction, direction), share = direction.z / (square * square);
+    directions.push_back({direction, share});
+    sum += share;
+  };
+  const auto at = [](int i) { return (2 * i + 1.0) / resolution - 1; };
+  for (int j = 0; j < resolution; ++j)
+    for (int i = 0; i < resolution; ++i) {
+      add({at(i), at(j), 1});
+      if (at(j) < 0) continue;
+      for (const double side : {-1.0, 1.0}) {
+        add({side, at(i), at(j)});
+        add({at(i), side, at(j)});
+      }
+    }
+  for (LookDirection& direction : directions) direction.share /= sum;
+  return directions;
+}
+
+/// Finds which regions are buried.
+class BuriedRegions {
+ public:
+  /// `slices` has an entry a triangle of the scene.
+  BuriedRegions(const Scene& scene, const Discretization& unburied, const std::vector<std::vector<Slice>>& slices,
+                const RayTree& rays)
+      : scene_(scene), unburied_(unburied), cut_(scene.surfaces.size()), regionOf_(scene.surfaces.size()), rays_(rays) {
+    cutSurfaces(slices);
+    std::vector<std::optional<Seen>> seen(regions_.size());
+    raster::parallelFor(regions_.size(), [&](std::size_t r) { seen[r] = seenFrom(regions_[r]); });
+    for (std::size_t r = 0; r < regions_.size(); ++r) regions_[r].isBuried = seen[r].has_value();
+    settle(seen);
+  }
+
+  std::vector<CutTexel> cutTexels(std::uint32_t surface) const {
+    std::vector<CutTexel> cut;
+    if (!cut_[surface]) return cut;
+    std::map<std::uint32_t, std::vector<Cutting>> exposedIn;
+    bool hasExposed = false;
+    const std::vector<Cutting>& cuttings = cut_[surface]->cuttings;
+    for (std::size_t c = 0; c < cuttings.size(); ++c)
+      if (regions_[regionOf_[surface][c]].isBuried) exposedIn[cuttings[c].texel];
+    for (std::size_t c = 0; c < cuttings.size(); ++c) {
+      if (regions_[regionOf_[surface][c]].isBuried) continue;
+      hasExposed = true;
+      if (const auto found = exposedIn.find(cuttings[c].texel); found != exposedIn.end())
+        found->second.push_back(cuttings[c]);
+    }
+    if (!hasExposed) return cut;
+    for (auto& [texel, some] : exposedIn) cut.push_back({texel, piecesOf(surface, texel, some)});
+    return cut;
+  }
+
+ private:
+  void cutSurfaces(const std::vector<std::vector<Slice>>& slices) {
+    std::vector<std::size_t> first{0};
+    for (const Surface& surface : scene_.surfaces) first.push_back(first.back() + surface.triangles.size());
+    raster::parallelFor(scene_.surfaces.size(), [&](std::size_t s) {
+      const auto own = std::span(slices).subspan(first[s], first[s + 1] - first[s]);
+      if (std::all_of(own.begin(), own.end(), [](const auto& some) { return some.empty(); })) return;
+      cut_[s] = cutSurface(scene_.surfaces[s], unburied_.grids[s], own, eyeMove * scene_.extent);
+    });
+    for (std::uint32_t s = 0; s < cut_.size(); ++s) {
+      if (!cut_[s]) continue;
+      regionOf_[s].resize(cut_[s]->cuttings.size());
+      for (std::vector<std::uint32_t>& cuttings : cut_[s]->regions) {
+        for (const std::uint32_t cutting : cuttings)
+          regionOf_[s][cutting] = static_cast<std::uint32_t>(regions_.size());
+        regions_.push_back({s, std::move(cuttings)});
+      }
+    }
+  }
+
+  /// The mean of what is seen from some points of a region; nothing where no back is, or where the region emits and
+  /// sees anything else.
+  std::optional<Seen> seenFrom(const Region& region) const {
+    Seen seen;
+    for (const std::uint32_t number : somePoints(region)) {
+      const Cutting& cutting = cut_[region.surface]->cuttings[number];
+      look(region.surface, pointOn(scene_.surfaces[region.surface], cutting.triangle, cutting.centre), seen);
+      if (seen.backs == 0) return std::nullopt;
+    }
+    const bool seesFronts = seen.exposedFronts > 0 || !seen.regions.empty();
+    if (seesFronts && !emissions(scene_, unburied_, region.surface).areZero()) return std::nullopt;
+    return seen;
+  }
+
+  /// The largest cutting of a region and some more, evenly by area: slivers lie too near to outlines to look from.
+  std::vector<std::uint32_t> somePoints(const Region& region) const {
+    const std::vector<Cutting>& cuttings = cut_[region.surface]->cuttings;
+    double whole = 0, before = 0;
+    for (const std::uint32_t c : region.cuttings) whole += cuttings[c].area;
+    std::vector<std::uint32_t> some;
+    for (const std::uint32_t c : region.cuttings) {
+      if (before >= static_cast<double>(some.size()) / pointsOfRegion * whole) some.push_back(c);
+      before += cuttings[c].area;
+    }
+    return some;
+  }
+
+  void look(std::uint32_t surface, const SurfacePoint& point, Seen& seen) const {
+    const glm::dvec3 eye = eyeOver(scene_, surface, point);
+    ++seen.points;
+    // A face that touches another looks into the solid behind that one, or out of the scene.
+    const double lift = eyeLift * scene_.extent;
+    if (rays_.meetsBack(eye, -point.normal, 2 * lift, touchingCosine)) seen.backs += 1;
+    const glm::dvec3 x = tangentAlong(point.normal, glm::dvec3(0)), y = glm::cross(point.normal, x);
+    for (const LookDirection& look : directions_) {
+      const auto hit = rays_.firstHit(eye, glm::dmat3(x, y, point.normal) * look.direction);
+      if (!hit) continue;
+      if (!hit->isFront)
+        seen.backs += look.share;
+      else if (!cut_[hit->surface])
+        addExposed(hit->surface, look.share, seen);
+      else
+        seen.regions[regionAt(*hit)] += look.share;
+    }
+  }
+
+  std::uint32_t regionAt(const TriangleHit& hit) const {
+    const std::uint32_t cutting = cuttingAt(*cut_[hit.surface], scene_.surfaces[hit.surface],
+                                            unburied_.grids[hit.surface], hit.triangle, hit.weights);
+    return regionOf_[hit.surface][cutting];
+  }
+
+  void addExposed(std::uint32_t surface, double share, Seen& seen) const {
+    seen.exposedFronts += share;
+    if (!emissions(scene_, unburied_, surface).areZero()) seen.lights += share;
+  }
+
+  /// Takes out regions that see exposed fronts until none is left that does.
+  void settle(const std::vector<std::optional<Seen>>& seen) {
+    const auto seesExposed = [&](const Seen& view) {
+      Seen all = view;
+      for (const auto& [region, share] : view.regions)
+        if (!regions_[region].isBuried) addExposed(regions_[region].surface, share, all);
+      return all.exposedFronts >= leastExposed * (all.exposedFronts + all.backs) ||
+             all.lights >= leastLights * static_cast<double>(all.points);
+    };
+    bool hasChanged = true;
+    while (hasChanged) {
+      hasChanged = false;
+      for (std::size_t r = 0; r < regions_.size(); ++r) {
+        if (!regions_[r].isBuried || !seesExposed(*seen[r])) continue;
+        regions_[r].isBuried = false;
+        hasChanged = true;
+      }
+    }
+  }
+
+  /// The exposed pieces of a texel, by triangle.
+  std::vector<TexelPiece> piecesOf(std::uint32_t surface, std::uint32_t texel,
+                                   const std::vector<Cutting>& cuttings) const {
+    const Grid& grid = unburied_.grids[surface];
+    const auto columns = static_cast<std::uint32_t>(grid.columns);
+    std::vector<TexelPiece> pieces;
+    for (const Cutting& cutting : cuttings) {
+      const auto corners = inTexels(scene_.surfaces[surface].triangles[cutting.triangle], grid.columns, grid.rows);
+      pieces.push_back({cutting.triangle,
+                        cutting.piece ? *cutting.piece : clippedToCell(corners, texel % columns, texel / columns)});
+    }
+    return pieces;
+  }
+
+  const Scene& scene_;
+  const Discretization& unburied_;
+  std::vector<std::optional<CutSurface>> cut_;        ///< of surfaces that have slices
+  std::vector<std::vector<std::uint32_t>> regionOf_;  ///< of each cutting, by surface
+  const RayTree& rays_;
+  std::vector<LookDirection> directions_ = lookDirections();
+  std::vector<Region> regions_;
+};
+
+}  // namespace
+
+std::vector<std::vector<CutTexel>> cutTexels(const Scene& scene, const Discretization& unburied) {
+  std::vector<std::vector<CutTexel>> cut(scene.surfaces.size());
+  if (std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& s) { return s.twin.has_value(); }))
+    return cut;
+  const RayTree rays(scene);
+  const std::vector<std::vector<Slice>> slices = triangleSlices(scene, rays);
+  if (std::all_of(slices.begin(), slices.end(), [](const auto& some) { return some.empty(); })) return cut;
+  const BuriedRegions regions(scene, unburied, slices, rays);
+  raster::parallelFor(cut.size(), [&](std::size_t s) { cut[s] = regions.cutTexels(static_cast<std::uint32_t>(s)); });
+  return cut;
+}
+
+}  // namespace hemitex::radiosity

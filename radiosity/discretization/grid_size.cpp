@@ -1,0 +1,132 @@
+#include "radiosity/discretization/grid_size.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "radiosity/geometry/rectangle_packing.h"
+#include "raster/base/input_error.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// The lengths of the chart's two axes on the surface: |dP/du| and |dP/dv|, averaged by area.
+glm::dvec2 chartLengths(const Surface& surface) {
+  glm::dvec2 sum(0);
+  double totalArea = 0;
+  for (const Triangle& triangle : surface.triangles) {
+    const glm::dvec3 p1 = triangle.position[1] - triangle.position[0], p2 = triangle.position[2] - triangle.position[0];
+    const glm::dvec2 c1 = triangle.chart[1] - triangle.chart[0], c2 = triangle.chart[2] - triangle.chart[0];
+    const double determinant = c1.x * c2.y - c1.y * c2.x;
+    if (determinant == 0) continue;
+    const double weight = area(triangle);
+    sum += weight * glm::dvec2(glm::length(c2.y * p1 - c1.y * p2), glm::length(c1.x * p2 - c2.x * p1)) /
+           std::abs(determinant);
+    totalArea += weight;
+  }
+  return totalArea > 0 ? sum / totalArea : sum;
+}
+
+/// Columns and rows at least of a surface that is not flat, where texels follow the scene: its faces look different
+/// ways.
+constexpr int fewestOfCurved = 4;
+
+/// The power of two nearest to a number, by their ratio.
+double nearestPowerOfTwo(double number) {
+  double power = 1;
+  while (2 * power * power < number * number) power *= 2;
+  return power;
+}
+
+/// Whether all triangles face the same way, to within the tolerance of planar parts.
+bool isFlat(const Surface& surface) {
+  const glm::dvec3 first = normal(surface.triangles.front());
+  return std::all_of(surface.triangles.begin(), surface.triangles.end(), [&](const Triangle& triangle) {
+    return glm::length(glm::cross(first, normal(triangle))) <= 1e-4 && glm::dot(first, normal(triangle)) > 0;
+  });
+}
+
+/// Texels of at most the wanted size along an axis. Charts are binary32: a millionth more is not one texel more.
+int texelsAlong(double length, const DiscretizationSettings& settings) {
+  if (settings.powersOfTwo)
+    return std::min(static_cast<int>(nearestPowerOfTwo(std::min(length / *settings.texelSize, 0x1p12))),
+                    settings.mostTexels);
+  const double texels = std::ceil(length / *settings.texelSize * (1 - 1e-6));
+  return static_cast<int>(std::clamp(texels, 1.0, static_cast<double>(settings.mostTexels)));
+}
+
+int subdivided(int texels, int subdivision) {
+  return static_cast<int>(std::min<std::int64_t>(largestGrid, std::int64_t{texels} * subdivision));
+}
+
+bool fit(const Scene& scene, const DiscretizationSettings& settings, int pages, int side) {
+  std::vector<RectangleSize> sizes;
+  for (const Surface& surface : scene.surfaces) {
+    const GridSize size = gridSizeOf(surface, settings);
+    if (std::max(size.columns, size.rows) > side) return false;
+    sizes.push_back({size.columns, size.rows});
+  }
+  return packRectangles(sizes, side).pages.size() <= static_cast<std::size_t>(pages);
+}
+
+}  // namespace
+
+DiscretizationSettings followingScene(const Scene& scene, DiscretizationSettings settings) {
+  if (settings.texels || settings.texelSize) return settings;
+  constexpr double elementsPerSurface = 90, mostElements = 0x1p16;
+  constexpr int mostTexels = 64;
+  double sum = 0;
+  for (const Surface& surface : scene.surfaces)
+    for (const Triangle& triangle : surface.triangles) sum += area(triangle);
+  const double elements = std::min(elementsPerSurface * static_cast<double>(scene.surfaces.size()), mostElements);
+  settings.texelSize = std::sqrt(sum / elements);
+  settings.powersOfTwo = true;
+  settings.mostTexels = mostTexels;
+  return settings;
+}
+
+GridSize gridSizeOf(const Surface& surface, const DiscretizationSettings& settings) {
+  for (const std::string& name : {surface.name, surface.family})
+    if (const auto found = settings.surfaceTexels.find(name); found != settings.surfaceTexels.end())
+      return found->second;
+  GridSize size;
+  if (settings.texelSize) {
+    const glm::dvec2 lengths = chartLengths(surface);
+    size = {texelsAlong(lengths.x, settings), texelsAlong(lengths.y, settings)};
+    if (settings.powersOfTwo && !isFlat(surface)) {
+      size.columns = std::max(size.columns, fewestOfCurved);
+      size.rows = std::max(size.rows, fewestOfCurved);
+    }
+  } else {
+    size = *settings.texels;
+  }
+  return {subdivided(size.columns, settings.subdivision), subdivided(size.rows, settings.subdivision)};
+}
+
+DiscretizationSettings settingsForPages(const Scene& scene, int pages, int side, DiscretizationSettings settings) {
+  settings.mostTexels = side;
+  const auto fits = [&](double texelSize) {
+    settings.texelSize = texelSize;
+    return fit(scene, settings, pages, side);
+  };
+  double enough = 0;
+  for (const Surface& surface : scene.surfaces) {
+    const glm::dvec2 lengths = chartLengths(surface);
+    enough = std::max({enough, lengths.x, lengths.y});
+  }
+  if (!fits(enough))
+    throw raster::InputError(std::to_string(scene.surfaces.size()) + " surfaces do not fit " + std::to_string(pages) +
+                                 " pages of " + std::to_string(side) + " x " + std::to_string(side) + " texels",
+                             "use more or larger pages");
+  // Where all surfaces at their largest fit, no size is too small.
+  double tooSmall = 0;
+  while (enough > tooSmall * 1.001 && enough > 1e-9 * scene.extent) {
+    const double middle = tooSmall == 0 ? enough / 2 : (tooSmall + enough) / 2;
+    (fits(middle) ? enough : tooSmall) = middle;
+  }
+  settings.texelSize = enough;
+  return settings;
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,31 @@
+/// How much of a surface is exposed in each texel of its grid: the exact areas that a discretization stores instead of
+/// geometry.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "radiosity/discretization/exposed_pieces.h"
+#include "radiosity/scene/scene.h"
+
+namespace hemitex::radiosity {
+
+/// One entry a texel, columns * rows of them, row-major from row 0 at v = 0.
+struct TexelAreas {
+  std::vector<double> area;      ///< of the exposed surface inside the texel; they sum to its area
+  std::vector<double> coverage;  ///< the exposed share of the texel's square, in [0, 1] but for rounding
+  /// In Surface::triangles: the first that covers the texel's middle, else the one with the largest piece inside.
+  std::vector<std::uint32_t> triangle;
+};
+
+TexelAreas texelAreas(const Surface& surface, const TexelGrid& grid);
+
+/// The chart of a triangle in texels. Exact: a coordinate has 24 bits and a grid at most 4096 columns and rows.
+std::array<glm::dvec2, 3> inTexels(const Triangle& triangle, int columns, int rows);
+
+/// The texel that a cell of the grid is: at u = 1 or v = 1 a chart touches cells beyond the last texels.
+std::size_t texelOfCell(std::int64_t column, std::int64_t row, int columns, int rows);
+
+}  // namespace hemitex::radiosity

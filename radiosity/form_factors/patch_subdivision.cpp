@@ -1,0 +1,191 @@
+#include "radiosity/form_factors/patch_subdivision.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "radiosity/discretization/patch_points.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// Of the hemicubes that say how near a patch is.
+constexpr int scoutResolution = 32;
+/// Parts of at least this weight are drawn at the whole resolution, and at half of it those with less than a
+/// `weightOfHalving`-th of that, and so on. The error of a row falls with the 1.5th power of the resolution and its
+/// cost grows with the square: least error for all cost takes resolutions in proportion to the weight to the power of 1
+/// / 2.5.
+constexpr double weightOfWhole = 2, weightOfHalving = 5.656854249492381;
+
+int halvingsFor(double weight) {
+  int halvings = 0;
+  for (; weight * weightOfHalving <= weightOfWhole && halvings < mostHalvings; weight *= weightOfHalving) ++halvings;
+  return halvings;
+}
+
+}  // namespace
+
+/// A part of a patch: a block of texels and the elements whose own texels lie there.
+struct PatchSplitter::Part {
+  Patch block;
+  std::vector<std::uint32_t> elements;  ///< ascending
+  int depth = 0;                        ///< how often its side was halved, its points' distance included
+};
+
+PatchSplitter::PatchSplitter(const Scene& scene, Discretization& discretization, const WordLayout& layout,
+                             raster::ItemBufferRenderer& renderer, double mostMisdirected)
+    : scene_(scene),
+      discretization_(discretization),
+      rows_(scene, discretization, layout, renderer, {.resolution = scoutResolution}),
+      share_(discretization.patches.size()),
+      mostMisdirected_(mostMisdirected) {
+  for (const Patch& patch : discretization.patches) patchArea_.push_back(patchArea(discretization, patch));
+}
+
+std::vector<std::uint32_t> PatchSplitter::split(std::uint32_t number, double weight) {
+  Patch& patch = discretization_.patches[number];
+  if (patch.isSettled || mostMisdirected_ >= 1) return {};
+  patch.isSettled = true;
+  const auto first = discretization_.patchElements.begin() + patch.firstElement;
+  std::vector<Part> parts;
+  split(Part{patch, std::vector<std::uint32_t>(first, first + patch.elementCount)}, weight, parts);
+  return replace(number, parts);
+}
+
+/// Appends what becomes of a part.
+void PatchSplitter::split(Part part, double weight, std::vector<Part>& parts) {
+  part.block.halvings = halvingsFor(weight);
+  const double limit = mostMisdirected_ / std::sqrt(weight);
+  // Not even all of its light would be too much.
+  const bool isFaint = limit >= 1;
+  double misdirected = isFaint || part.depth == mostSplits ? 0 : misdirectedShareOf(part);
+  if (misdirected <= limit) {
+    parts.push_back(std::move(part));
+    return;
+  }
+  if (std::max(part.block.width, part.block.height) > leafSideOf(part)) {
+    const double area = areaOf(part);
+    for (const Part& quarter : quarters(part)) split(quarter, weight * areaOf(quarter) / area, parts);
+    return;
+  }
+  // Each doubling of the points leaves a quarter of the area to each, and so of its flux and of what goes astray of it.
+  for (; misdirected > mostMisdirected_ / std::sqrt(weight) && part.depth < mostSplits; misdirected /= 4, weight /= 4) {
+    part.block.points *= 2;
+    ++part.depth;
+  }
+  part.block.halvings = halvingsFor(weight);
+  parts.push_back(std::move(part));
+}
+
+double PatchSplitter::areaOf(const Part& part) const {
+  double area = 0;
+  for (const std::uint32_t element : part.elements) area += discretization_.elements[element].area;
+  return area;
+}
+
+/// Of its first element: a part is cut down to single elements.
+int PatchSplitter::leafSideOf(const Part& part) const {
+  const Element& element = discretization_.elements[part.elements.front()];
+  return leafOf(discretization_.grids[element.surface], element.texel).side;
+}
+
+double PatchSplitter::misdirectedShareOf(const Part& part) {
+  const Patch& block = part.block;
+  const auto shooting = shootingBlock(scene_.surfaces[block.surface], discretization_.grids[block.surface],
+                                      glm::dvec2(block.column, block.row), glm::dvec2(block.width, block.height));
+  const SurfacePoint centre =
+      shooting ? shooting->centre : elementCentre(scene_, discretization_, part.elements.front());
+  return returningShareOf(rows_.from(block.surface, centre), areaOf(part)) + foldOf(part);
+}
+
+/// By how much the sum of its elements' normals falls short of their number, both weighted by area.
+double PatchSplitter::foldOf(const Part& part) const {
+  glm::dvec3 sum(0);
+  for (const std::uint32_t element : part.elements)
+    sum += discretization_.elements[element].area *
+           normal(scene_.surfaces[part.block.surface].triangles[discretization_.triangleOf[element]]);
+  return std::max(0.0, 1 - glm::length(sum) / areaOf(part));
+}
+
+/// Of what has this row and this area, all patches being white.
+double PatchSplitter::returningShareOf(const FormFactorRow& row, double area) {
+  std::vector<std::uint32_t> seen;
+  for (std::size_t i = 0; i < row.elements.size(); ++i) {
+    const std::uint32_t patch = discretization_.patchOf[row.elements[i]];
+    if (share_[patch] == 0) seen.push_back(patch);
+    share_[patch] += row.shares[i];
+  }
+  double returning = formFactor(row.back);
+  for (const std::uint32_t patch : seen) {
+    const double factor = formFactor(std::exchange(share_[patch], 0));
+    returning += factor * std::min(1.0, factor * area / patchArea_[patch]);
+  }
+  return returning;
+}
+
+/// The quarters that have elements, row by row; halves where the block is one texel wide or high.
+std::vector<PatchSplitter::Part> PatchSplitter::quarters(const Part& part) const {
+  const Patch& block = part.block;
+  const int width = (block.width + 1) / 2, height = (block.height + 1) / 2;
+  std::array<Part, 4> quarter;
+  for (int k = 0; k < 4; ++k) {
+    const bool right = k % 2 == 1, upper = k / 2 == 1;
+    Patch& cut = quarter[static_cast<std::size_t>(k)].block;
+    cut = block;
+    cut.column += right ? width : 0;
+    cut.row += upper ? height : 0;
+    cut.width = right ? block.width - width : width;
+    cut.height = upper ? block.height - height : height;
+    quarter[static_cast<std::size_t>(k)].depth = part.depth + 1;
+  }
+  const int columns = discretization_.grids[block.surface].columns;
+  for (const std::uint32_t element : part.elements) {
+    const int texel = static_cast<int>(discretization_.elements[element].texel);
+    const bool right = texel % columns >= block.column + width, upper = texel / columns >= block.row + height;
+    quarter[static_cast<std::size_t>((upper ? 2 : 0) + (right ? 1 : 0))].elements.push_back(element);
+  }
+  std::vector<Part> parts;
+  for (Part& cut : quarter)
+    if (!cut.elements.empty()) parts.push_back(std::move(cut));
+  return parts;
+}
+
+/// Puts parts in the place of a patch: the first takes its number, the others are appended. Their elements lie where
+/// those of the patch did.
+std::vector<std::uint32_t> PatchSplitter::replace(std::uint32_t patch, const std::vector<Part>& parts) {
+  std::uint32_t place = discretization_.patches[patch].firstElement;
+  std::vector<std::uint32_t> added;
+  for (const Part& part : parts) {
+    const bool isFirst = &part == &parts.front();
+    const std::uint32_t number = isFirst ? patch : static_cast<std::uint32_t>(discretization_.patches.size());
+    if (!isFirst) {
+      added.push_back(number);
+      discretization_.patches.emplace_back();
+      discretization_.grids[part.block.surface].laterPatches.push_back(number);
+      patchArea_.push_back(0);
+      share_.push_back(0);
+    }
+    Patch& replaced = discretization_.patches[number];
+    replaced = part.block;
+    replaced.firstElement = place;
+    replaced.elementCount = static_cast<std::uint32_t>(part.elements.size());
+    if (!isFirst) replaced.turn = {};
+    for (const std::uint32_t element : part.elements) {
+      discretization_.patchElements[place++] = element;
+      discretization_.patchOf[element] = number;
+    }
+    patchArea_[number] = areaOf(part);
+  }
+  return added;
+}
+
+Discretization splitPatches(const Scene& scene, Discretization discretization, const WordLayout& layout,
+                            raster::ItemBufferRenderer& renderer, double mostMisdirected) {
+  PatchSplitter splitter(scene, discretization, layout, renderer, mostMisdirected);
+  const auto count = static_cast<std::uint32_t>(discretization.patches.size());
+  for (std::uint32_t patch = 0; patch < count; ++patch) splitter.split(patch, 1);
+  return discretization;
+}
+
+}  // namespace hemitex::radiosity

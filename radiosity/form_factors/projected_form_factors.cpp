@@ -1,0 +1,99 @@
+#include "radiosity/form_factors/projected_form_factors.h"
+
+#include <algorithm>
+
+#include "radiosity/discretization/patch_points.h"
+#include "radiosity/form_factors/level_of_detail.h"
+
+namespace hemitex::radiosity {
+
+ProjectedRows::ProjectedRows(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
+                             raster::ItemBufferRenderer& renderer, const ViewSettings& settings)
+    : scene_(scene),
+      discretization_(discretization),
+      layout_(layout),
+      renderer_(renderer),
+      settings_(settings),
+      boxes_(triangleBoxes(scene)),
+      counter_(discretization, layout) {}
+
+const Projection& ProjectedRows::projectionAfter(int halvings) {
+  const int halved = settings_.resolution >> halvings;
+  const int resolution = std::min(settings_.resolution, std::max(smallestResolution, halved + halved % 2));
+  const auto known = projections_.find(resolution);
+  if (known != projections_.end()) return known->second;
+  return projections_.emplace(resolution, projectionOf(settings_.projection, resolution)).first->second;
+}
+
+View ProjectedRows::viewFrom(std::uint32_t surface, const SurfacePoint& point, const glm::dvec3& up, int halvings,
+                             double area) {
+  const Projection& projection = projectionAfter(halvings);
+  const glm::dvec3 eye = eyeOver(scene_, surface, point);
+  View view{&projection, {}, skippedTriangles(scene_, boxes_, surface, point), area};
+  view.faces = facesOver(projection.faces, eye - scene_.origin, point.normal, up,
+                         nearDistance(scene_, boxes_, eye, view.skipped, projection.squaredReach));
+  return view;
+}
+
+std::vector<View> ProjectedRows::viewsOfPatch(std::uint32_t number) {
+  const Patch& patch = discretization_.patches[number];
+  std::vector<View> views;
+  const auto add = [&](const SurfacePoint& point, double area) {
+    const glm::dvec3 up =
+        upOf(settings_.orientation, point.normal, patch.turn.value_or(number), static_cast<int>(views.size()));
+    views.push_back(viewFrom(patch.surface, point, up, patch.halvings, area));
+  };
+  if (patch.points > 1)
+    for (const ShootingBlock& block : shootingBlocks(scene_, discretization_, patch)) add(block.centre, block.area);
+  // A texel with next to no area may have none left in any block, to within rounding.
+  if (views.empty()) add(patchCentre(scene_, discretization_, patch), patchArea(discretization_, patch));
+  return views;
+}
+
+FormFactorRow ProjectedRows::ofView(const View& view) {
+  const std::vector<Window> windows = wholeFaces(*view.projection);
+  FormFactorRow row = ofWindows(view, windows);
+  if (settings_.pixelsPerElement > 0)
+    row = withCoarserMaps(discretization_, row, pixelsOf(row, view), settings_.pixelsPerElement);
+  row.background += wholeShare - view.projection->captured;
+  return row;
+}
+
+FormFactorRow ProjectedRows::ofWindows(const View& view, std::span<const Window> windows) {
+  std::vector<raster::Face> faces;
+  for (const Window& window : windows) {
+    faces.push_back(view.faces[window.face]);
+    faces.back().scissor = window.scissor;
+  }
+  renderer_.drawEach(faces, view.skipped, buffers_,
+                     [&](std::size_t w) { counter_.add(*view.projection, windows[w], buffers_[w]); });
+  return counter_.takeRow();
+}
+
+std::vector<std::uint32_t> ProjectedRows::pixelsOf(const FormFactorRow& row, const View& view) const {
+  std::vector<std::uint32_t> pixels(row.elements.size());
+  for (std::size_t face = 0; face < buffers_.size(); ++face) {
+    const std::vector<std::uint64_t>& before = view.projection->sharesBefore[view.projection->faces[face].shares];
+    for (std::size_t i = 0; i + 1 < before.size(); ++i) {
+      const auto element = elementOf(discretization_, layout_, buffers_[face].words[i]);
+      if (before[i] == before[i + 1] || !element) continue;
+      const auto place = std::lower_bound(row.elements.begin(), row.elements.end(), *element);
+      ++pixels[static_cast<std::size_t>(place - row.elements.begin())];
+    }
+  }
+  return pixels;
+}
+
+FormFactorRow ProjectedRows::from(std::uint32_t surface, const SurfacePoint& point) {
+  return ofView(viewFrom(surface, point, glm::dvec3(0), 0, 0));
+}
+
+FormFactorRow ProjectedRows::ofPatch(std::uint32_t patch) {
+  const std::vector<View> views = viewsOfPatch(patch);
+  if (views.size() == 1) return ofView(views.front());
+  std::vector<WeightedRow> rows;
+  for (const View& view : views) rows.push_back({ofView(view), view.area});
+  return meanOf(rows);
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,151 @@
+#include "radiosity/geometry/ray_tree.h"
+
+#include <algorithm>
+#include <array>
+
+namespace hemitex::radiosity {
+namespace {
+
+constexpr std::uint32_t trianglesOfLeaf = 4;
+
+/// Where a ray enters a box; infinity where it misses it or enters it behind `end`. `inverse` is 1 over the direction.
+double entry(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& origin, const glm::dvec3& inverse,
+             double end) {
+  const glm::dvec3 a = (low - origin) * inverse, b = (high - origin) * inverse;
+  const double first = std::max(std::max(0.0, std::min(a.x, b.x)), std::max(std::min(a.y, b.y), std::min(a.z, b.z)));
+  const double last = std::min(std::min(end, std::max(a.x, b.x)), std::min(std::max(a.y, b.y), std::max(a.z, b.z)));
+  return first <= last ? first : std::numeric_limits<double>::infinity();
+}
+
+/// 1 over a direction; of 0 a large number instead, so that 0 times it is 0.
+glm::dvec3 inverseOf(const glm::dvec3& direction) {
+  const auto inverse = [](double x) { return x == 0 ? 1e300 : 1 / x; };
+  return {inverse(direction.x), inverse(direction.y), inverse(direction.z)};
+}
+
+}  // namespace
+
+RayTree::RayTree(const Scene& scene) : touching_(0x1p-30 * scene.extent) {
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+    for (std::uint32_t t = 0; t < scene.surfaces[s].triangles.size(); ++t) {
+      const auto& [a, b, c] = scene.surfaces[s].triangles[t].position;
+      leaves_.push_back({a, b - a, c - a, s, t, static_cast<std::uint32_t>(leaves_.size())});
+    }
+  build(0, static_cast<std::uint32_t>(leaves_.size()));
+}
+
+void RayTree::build(std::uint32_t begin, std::uint32_t end) {
+  const std::size_t number = nodes_.size();
+  nodes_.emplace_back();
+  Node node;
+  glm::dvec3 lowMiddle(std::numeric_limits<double>::infinity()), highMiddle(-lowMiddle);
+  const auto middle = [](const Leaf& leaf) { return 3.0 * leaf.corner + leaf.along1 + leaf.along2; };
+  for (std::uint32_t i = begin; i < end; ++i) {
+    const Leaf& leaf = leaves_[i];
+    for (const glm::dvec3& corner : {leaf.corner, leaf.corner + leaf.along1, leaf.corner + leaf.along2}) {
+      node.low = glm::min(node.low, corner);
+      node.high = glm::max(node.high, corner);
+    }
+    lowMiddle = glm::min(lowMiddle, middle(leaf));
+    highMiddle = glm::max(highMiddle, middle(leaf));
+  }
+  if (end - begin <= trianglesOfLeaf) {
+    node.second = begin;
+    node.triangles = end - begin;
+    nodes_[number] = node;
+    return;
+  }
+  const glm::dvec3 size = highMiddle - lowMiddle;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const std::uint32_t half = begin + (end - begin) / 2;
+  const auto at = [&](std::uint32_t i) { return leaves_.begin() + i; };
+  std::nth_element(at(begin), at(half), at(end),
+                   [&](const Leaf& a, const Leaf& b) { return middle(a)[axis] < middle(b)[axis]; });
+  build(begin, half);
+  node.second = static_cast<std::uint32_t>(nodes_.size());
+  nodes_[number] = node;
+  build(half, end);
+}
+
+template <typename Meet>
+void RayTree::trace(const glm::dvec3& origin, const glm::dvec3& direction, double end, const Meet& meet) const {
+  const glm::dvec3 inverse = inverseOf(direction);
+  const auto meetLeaf = [&](const Leaf& leaf) {
+    // Moeller and Trumbore 1997.
+    const glm::dvec3 p = glm::cross(direction, leaf.along2), offset = origin - leaf.corner;
+    const double determinant = glm::dot(leaf.along1, p);
+    if (determinant == 0) return;
+    const double u = glm::dot(offset, p) / determinant;
+    if (!(u >= 0 && u <= 1)) return;
+    const glm::dvec3 q = glm::cross(offset, leaf.along1);
+    const double v = glm::dot(direction, q) / determinant, t = glm::dot(leaf.along2, q) / determinant;
+    if (v >= 0 && u + v <= 1 && t > 0 && t < end)
+      meet(TriangleHit{leaf.surface, leaf.triangle, {u, v}, t, determinant > 0}, leaf, end);
+  };
+  // Halving at every level, so it is never deeper than the bits of a number of triangles.
+  std::array<std::uint32_t, 64> waiting;
+  std::size_t count = 0;
+  waiting[count++] = 0;
+  while (count > 0) {
+    const std::uint32_t number = waiting[--count];
+    const Node& node = nodes_[number];
+    if (entry(node.low, node.high, origin, inverse, end) == std::numeric_limits<double>::infinity()) continue;
+    for (std::uint32_t i = 0; i < node.triangles; ++i) meetLeaf(leaves_[node.second + i]);
+    if (node.triangles > 0) continue;
+    const Node &first = nodes_[number + 1], &second = nodes_[node.second];
+    const bool isFirstNearer =
+        entry(first.low, first.high, origin, inverse, end) < entry(second.low, second.high, origin, inverse, end);
+    waiting[count++] = isFirstNearer ? node.second : number + 1;
+    waiting[count++] = isFirstNearer ? number + 1 : node.second;
+  }
+}
+
+std::optional<TriangleHit> RayTree::firstHit(const glm::dvec3& origin, const glm::dvec3& direction) const {
+  const double touching = touching_ / glm::length(direction);
+  std::optional<TriangleHit> front, back;
+  trace(origin, direction, std::numeric_limits<double>::infinity(),
+        [&](const TriangleHit& hit, const Leaf&, double& end) {
+          std::optional<TriangleHit>& nearest = hit.isFront ? front : back;
+          if (nearest && nearest->distance <= hit.distance) return;
+          nearest = hit;
+          end = std::min(end, hit.distance + touching);
+        });
+  return back && (!front || back->distance <= front->distance + touching) ? back : front;
+}
+
+void RayTree::appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vector<std::uint32_t>& numbers) const {
+  const auto isNear = [&](const glm::dvec3& otherLow, const glm::dvec3& otherHigh) {
+    return otherLow.x <= high.x && otherLow.y <= high.y && otherLow.z <= high.z && otherHigh.x >= low.x &&
+           otherHigh.y >= low.y && otherHigh.z >= low.z;
+  };
+  std::array<std::uint32_t, 64> waiting;
+  std::size_t count = 0;
+  waiting[count++] = 0;
+  while (count > 0) {
+    const std::uint32_t number = waiting[--count];
+    const Node& node = nodes_[number];
+    if (!isNear(node.low, node.high)) continue;
+    for (std::uint32_t i = node.second; i < node.second + node.triangles; ++i) {
+      const Leaf& leaf = leaves_[i];
+      const glm::dvec3 b = leaf.corner + leaf.along1, c = leaf.corner + leaf.along2;
+      if (isNear(glm::min(glm::min(leaf.corner, b), c), glm::max(glm::max(leaf.corner, b), c)))
+        numbers.push_back(leaf.number);
+    }
+    if (node.triangles > 0) continue;
+    waiting[count++] = node.second;
+    waiting[count++] = number + 1;
+  }
+}
+
+bool RayTree::meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine) const {
+  bool isFound = false;
+  trace(origin, direction, distance, [&](const TriangleHit& hit, const Leaf& leaf, double& end) {
+    const glm::dvec3 normal = glm::normalize(glm::cross(leaf.along1, leaf.along2));
+    if (hit.isFront || glm::dot(normal, direction) < cosine * glm::length(direction)) return;
+    isFound = true;
+    end = 0;
+  });
+  return isFound;
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,222 @@
+#include "radiosity/geometry/triangle_slices.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "radiosity/discretization/neighbours.h"
+#include "radiosity/projection/patch_view.h"
+#include "raster/base/parallel.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// Of the tolerance: far above what rounding does to a slice.
+constexpr double roundingShare = 0x1p-10;
+
+/// A triangle with what its barycentric weights are found with.
+class WeightedTriangle {
+ public:
+  WeightedTriangle(const Triangle& triangle, double lift, double tolerance)
+      : corner_(triangle.position[0]),
+        along1_(triangle.position[1] - corner_),
+        along2_(triangle.position[2] - corner_),
+        normal_(glm::cross(along1_, along2_)),
+        lift_(lift),
+        tolerance_(tolerance) {
+    const double doubledArea = glm::length(normal_);
+    // Of the corners over the opposite edges.
+    heights_ = {doubledArea / glm::length(along2_ - along1_), doubledArea / glm::length(along2_),
+                doubledArea / glm::length(along1_)};
+  }
+
+  /// Over the plane of the slices.
+  double heightOf(const glm::dvec3& point) const {
+    return glm::dot(point - corner_, normal_) / glm::length(normal_) - lift_;
+  }
+
+  glm::dvec2 weightsOf(const glm::dvec3& point) const { return weightsOfStep(point - corner_); }
+
+  /// How far the weights change from where a triangle crosses the plane of the slices to where its plane meets that of
+  /// this one; not at all where both are parallel, to within a lift in some hundred.
+  glm::dvec2 stepToSurface(const Triangle& triangle) const {
+    constexpr double leastSine = 1 / 256.0;
+    const glm::dvec3 n = normal_ / glm::length(normal_), m = normal(triangle);
+    // Along the triangle, as long as the sine of the angle between both.
+    const glm::dvec3 down = glm::dot(m, n) * m - n;
+    const double squaredSine = glm::dot(down, down);
+    if (squaredSine < leastSine * leastSine) return glm::dvec2(0);
+    return weightsOfStep(lift_ / squaredSine * down);
+  }
+
+  double lengthOf(const Slice& slice) const {
+    const glm::dvec2 step = slice.to - slice.from;
+    return glm::length(step.x * along1_ + step.y * along2_);
+  }
+
+  /// The part of a slice inside the triangle, whose edges are first moved outwards by `margin`, a length; nothing where
+  /// less than the tolerance is left.
+  std::optional<Slice> clipped(const Slice& slice, double margin) const {
+    double first = 0, last = 1;
+    const std::array<double, 3> from = allWeights(slice.from), to = allWeights(slice.to);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double a = from[k] + margin / heights_[k], b = to[k] + margin / heights_[k];
+      if (a < 0 && b < 0) return std::nullopt;
+      if (a < 0) first = std::max(first, a / (a - b));
+      if (b < 0) last = std::min(last, a / (a - b));
+    }
+    const glm::dvec2 step = slice.to - slice.from;
+    const Slice part{slice.from + first * step, slice.from + last * step};
+    if (first >= last || lengthOf(part) <= tolerance_) return std::nullopt;
+    return part;
+  }
+
+  /// The corner opposite to the edge that a slice lies along, if it does.
+  std::optional<std::size_t> edgeAlong(const Slice& slice) const {
+    const std::array<double, 3> from = allWeights(slice.from), to = allWeights(slice.to);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (std::max(std::abs(from[k]), std::abs(to[k])) * heights_[k] <= 2 * tolerance_) return k;
+    return std::nullopt;
+  }
+
+ private:
+  glm::dvec2 weightsOfStep(const glm::dvec3& offset) const {
+    const double scale = glm::dot(normal_, normal_);
+    return {glm::dot(glm::cross(offset, along2_), normal_) / scale,
+            glm::dot(glm::cross(along1_, offset), normal_) / scale};
+  }
+
+  static std::array<double, 3> allWeights(const glm::dvec2& weights) {
+    return {1 - weights.x - weights.y, weights.x, weights.y};
+  }
+
+  glm::dvec3 corner_, along1_, along2_, normal_;
+  double lift_, tolerance_;
+  std::array<double, 3> heights_;
+};
+
+/// Where a triangle crosses the plane of another's slices.
+std::optional<Slice> sliceOf(const Triangle& triangle, const WeightedTriangle& plane) {
+  std::array<double, 3> height;
+  for (std::size_t k = 0; k < 3; ++k) height[k] = plane.heightOf(triangle.position[k]);
+  std::array<glm::dvec2, 2> ends;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < 3 && count < 2; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    if ((height[k] >= 0) == (height[next] >= 0)) continue;
+    const double t = height[k] / (height[k] - height[next]);
+    // Not of a point between: where a scene lies does not matter then.
+    const glm::dvec2 from = plane.weightsOf(triangle.position[k]), to = plane.weightsOf(triangle.position[next]);
+    ends[count++] = from + t * (to - from);
+  }
+  if (count < 2) return std::nullopt;
+  const glm::dvec2 step = plane.stepToSurface(triangle);
+  return Slice{ends[0] + step, ends[1] + step};
+}
+
+bool isBefore(const Slice& a, const Slice& b) {
+  return std::tie(a.from.x, a.from.y, a.to.x, a.to.y) < std::tie(b.from.x, b.from.y, b.to.x, b.to.y);
+}
+
+/// Slices of a triangle by what else the scene has.
+class Slicer {
+ public:
+  Slicer(const Scene& scene, const RayTree& tree)
+      : lift_(eyeLift * scene.extent), tolerance_(eyeMove * scene.extent), tree_(tree) {
+    for (const Surface& surface : scene.surfaces)
+      for (const Triangle& triangle : surface.triangles) triangles_.push_back(&triangle);
+  }
+
+  /// A slice along an edge of a triangle, and the triangle that makes it, by its number in the scene.
+  struct EdgeSlice {
+    Slice slice;
+    std::uint32_t other = 0;
+  };
+  /// Those inside the triangle, and those along its edges.
+  struct Found {
+    std::vector<Slice> inside;
+    std::vector<EdgeSlice> along;
+  };
+  Found slicesOf(std::uint32_t number) const {
+    const auto& [a, b, c] = triangles_[number]->position;
+    std::vector<std::uint32_t> others;
+    tree_.appendNear(glm::min(glm::min(a, b), c) - tolerance_, glm::max(glm::max(a, b), c) + tolerance_, others);
+    const WeightedTriangle plane(*triangles_[number], lift_, tolerance_);
+    Found found;
+    for (const std::uint32_t other : others) {
+      if (other == number) continue;
+      const std::optional<Slice> slice = sliceOf(*triangles_[other], plane);
+      // Moved outwards the edges meet far from an acute corner: what only passes there is not in the triangle.
+      if (!slice || !plane.clipped(*slice, roundingShare * tolerance_)) continue;
+      const Slice part = *plane.clipped(*slice, tolerance_);
+      if (plane.clipped(part, -tolerance_))
+        found.inside.push_back(part);
+      else
+        found.along.push_back({part, other});
+    }
+    // By where they are: the order of surfaces does not matter.
+    std::sort(found.inside.begin(), found.inside.end(), isBefore);
+    std::sort(found.along.begin(), found.along.end(),
+              [](const EdgeSlice& one, const EdgeSlice& two) { return isBefore(one.slice, two.slice); });
+    return found;
+  }
+
+  /// Of the slices along the edges of a triangle, those along edges that it shares with a neighbour in its surface, but
+  /// for those by neighbours themselves: where a surface folds, its triangles slice each other along the edge.
+  /// `first` is the number in the scene of the surface's first triangle.
+  std::vector<Slice> alongInnerEdges(const Triangle& triangle, const std::array<std::uint32_t, 3>& neighbours,
+                                     std::size_t first, const std::vector<EdgeSlice>& along) const {
+    const WeightedTriangle plane(triangle, 0, tolerance_);
+    std::vector<Slice> inner;
+    for (const EdgeSlice& edge : along) {
+      const std::optional<std::size_t> opposite = plane.edgeAlong(edge.slice);
+      if (!opposite || neighbours[*opposite] == noNeighbour || first + neighbours[*opposite] == edge.other) continue;
+      inner.push_back(edge.slice);
+    }
+    return inner;
+  }
+
+ private:
+  double lift_, tolerance_;
+  std::vector<const Triangle*> triangles_;
+  const RayTree& tree_;
+};
+
+}  // namespace
+
+std::vector<std::vector<Slice>> triangleSlices(const Scene& scene) { return triangleSlices(scene, RayTree(scene)); }
+
+std::vector<std::vector<Slice>> triangleSlices(const Scene& scene, const RayTree& tree) {
+  const Slicer slicer(scene, tree);
+  std::vector<std::vector<Slice>> slices(triangleCount(scene));
+  std::vector<std::vector<Slicer::EdgeSlice>> along(slices.size());
+  raster::parallelFor(slices.size(), [&](std::size_t number) {
+    auto [inside, beside] = slicer.slicesOf(static_cast<std::uint32_t>(number));
+    slices[number] = std::move(inside);
+    along[number] = std::move(beside);
+  });
+  std::vector<std::size_t> first;
+  std::size_t count = 0;
+  for (const Surface& surface : scene.surfaces) first.push_back(std::exchange(count, count + surface.triangles.size()));
+  raster::parallelFor(scene.surfaces.size(), [&](std::size_t s) {
+    const Surface& surface = scene.surfaces[s];
+    // A triangle alone has no inner edge.
+    if (surface.triangles.size() == 1) return;
+    const auto hasSlices = [](const std::vector<Slicer::EdgeSlice>& some) { return !some.empty(); };
+    const auto begin = along.begin() + static_cast<std::ptrdiff_t>(first[s]);
+    if (std::none_of(begin, begin + static_cast<std::ptrdiff_t>(surface.triangles.size()), hasSlices)) return;
+    const auto ofTriangle = neighbours(surface);
+    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+      const std::vector<Slice> inner =
+          slicer.alongInnerEdges(surface.triangles[t], ofTriangle[t], first[s], along[first[s] + t]);
+      slices[first[s] + t].insert(slices[first[s] + t].end(), inner.begin(), inner.end());
+    }
+  });
+  return slices;
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,243 @@
+#include "radiosity/index_maps/id_layout.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "raster/base/input_error.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+using raster::InputError;
+using raster::Word;
+using raster::WordFormat;
+
+template <typename Rectangle>
+std::uint64_t texelCount(const Rectangle& rectangle) {
+  return static_cast<std::uint64_t>(rectangle.columns) * static_cast<std::uint64_t>(rectangle.rows);
+}
+
+bool isTextured(const Page& page) { return texelCount(page) > 1; }
+
+/// The words that draws may produce: all but the two reserved ones.
+std::uint64_t capacity(const WordFormat& format) { return std::uint64_t{raster::backWord(format)}; }
+
+std::string listedNames() {
+  std::string names;
+  for (const std::string& name : raster::formatNames()) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+void validatePage(const Discretization& discretization, int page) {
+  if (page < 1 || page > largestPage || !std::has_single_bit(static_cast<unsigned>(page)))
+    throw InputError("a page has " + std::to_string(page) + " texels along its side",
+                     "use a power of two up to " + std::to_string(largestPage));
+  if (const int least = leastPage(discretization); least > page)
+    throw InputError("a surface has more than the " + std::to_string(page) + " texels of a page along a side",
+                     "use a page of " + std::to_string(least) + " texels, or fewer texels a surface");
+}
+
+/// A page a surface, of its grid's size or of `side`.
+void makeOwnPages(const Discretization& discretization, std::optional<int> side, WordLayout& layout) {
+  for (const Grid& grid : discretization.grids) {
+    layout.places.push_back({static_cast<int>(layout.pages.size()), 0, 0});
+    layout.pages.push_back(side && isDiscretized(grid) ? Page{*side, *side} : Page{grid.columns, grid.rows});
+  }
+}
+
+void makePackedPages(const Discretization& discretization, int side, WordLayout& layout) {
+  std::vector<RectangleSize> sizes;
+  for (const Grid& grid : discretization.grids) sizes.push_back({grid.columns, grid.rows});
+  Packing packing = packRectangles(sizes, side);
+  layout.places = std::move(packing.places);
+  layout.pages.assign(packing.pages.size(), Page{side, side});
+}
+
+/// A page a surface, its elements in a row: their numbers are the words.
+void makeElementPages(const Discretization& discretization, WordLayout& layout) {
+  for (const Grid& grid : discretization.grids) {
+    layout.places.push_back({static_cast<int>(layout.pages.size()), 0, 0});
+    layout.pages.push_back({static_cast<int>(grid.elementCount), 1});
+  }
+}
+
+void makePages(const Discretization& discretization, const WordSettings& settings, WordLayout& layout) {
+  if (settings.indexMaps == IndexMaps::Unique) return makeElementPages(discretization, layout);
+  if (settings.page) validatePage(discretization, *settings.page);
+  if (settings.indexMaps == IndexMaps::Shared) return makeOwnPages(discretization, settings.page, layout);
+  makePackedPages(discretization, settings.page.value_or(defaultPage(discretization)), layout);
+}
+
+/// Offsets in 64 bits, so that they can be told to be too large.
+struct Offsets {
+  std::vector<std::uint64_t> offset;  ///< one a page
+  std::uint64_t words = 0;            ///< the end of the last page
+};
+
+Offsets offsetsOf(const WordLayout& layout) {
+  Offsets offsets;
+  std::uint64_t nextTextured = 0, nextSingle = std::uint64_t{layout.textured} << layout.indexBits;
+  for (const Page& page : layout.pages) {
+    offsets.offset.push_back(!layout.aligned    ? offsets.words
+                             : isTextured(page) ? nextTextured++ << layout.indexBits
+                                                : nextSingle++);
+    offsets.words = std::max(offsets.words, offsets.offset.back() + texelCount(page));
+  }
+  return offsets;
+}
+
+/// The words that `textured` surfaces of texels x texels and `singles` of one take.
+std::uint64_t wordsNeeded(std::uint64_t textured, std::uint64_t singles, std::uint64_t texels, bool aligned) {
+  const std::uint64_t indices = texels * texels;
+  if (!aligned || textured == 0 || indices == 1) return textured * indices + singles;
+  const std::uint64_t block = std::bit_ceil(indices);
+  return singles > 0 ? textured * block + singles : (textured - 1) * block + indices;
+}
+
+/// The narrowest format with so many words; empty where there is none.
+std::string formatAdvice(std::uint64_t words) {
+  for (const std::string& name : raster::formatNames())
+    if (words <= capacity(*raster::formatNamed(name))) return "use the format " + name;
+  return {};
+}
+
+/// The number of texels along a side that would fit; empty where not even one does, or where pages are packed.
+std::string texelAdvice(const WordLayout& layout) {
+  if (layout.indexMaps == IndexMaps::Packed) return {};
+  const std::uint64_t singles = layout.pages.size() - layout.textured;
+  const auto fits = [&](std::uint64_t texels) {
+    return wordsNeeded(layout.textured, singles, texels, layout.aligned) <= capacity(layout.format);
+  };
+  std::uint64_t texels = 4096;
+  while (texels > 0 && !fits(texels)) --texels;
+  const std::string side = std::to_string(texels);
+  return texels > 0 ? "give a surface " + side + " x " + side + " texels at most" : "";
+}
+
+[[noreturn]] void throwTooLarge(const WordLayout& layout, const std::string& formatName, std::uint64_t words) {
+  const std::string format = formatAdvice(words), texels = texelAdvice(layout);
+  const std::string advice = format + (format.empty() || texels.empty() ? "" : ", or ") + texels;
+  throw InputError("the scene needs " + std::to_string(words) + " words, but " + formatName + " has " +
+                       std::to_string(capacity(layout.format)) + " of use",
+                   advice.empty() ? "no format has as many: use fewer surfaces" : advice);
+}
+
+/// Gives the pages their offsets.
+void layOutPages(WordLayout& layout, const std::string& formatName) {
+  for (const Page& page : layout.pages) {
+    layout.textured += isTextured(page) ? 1 : 0;
+    layout.indexBits = std::max(layout.indexBits, static_cast<int>(std::bit_width(texelCount(page) - 1)));
+  }
+  layout.byOffset.resize(layout.pages.size());
+  std::iota(layout.byOffset.begin(), layout.byOffset.end(), 0u);
+  if (layout.aligned)
+    std::stable_partition(layout.byOffset.begin(), layout.byOffset.end(),
+                          [&](std::uint32_t page) { return isTextured(layout.pages[page]); });
+  const Offsets offsets = offsetsOf(layout);
+  if (offsets.words > capacity(layout.format)) throwTooLarge(layout, formatName, offsets.words);
+  for (std::size_t page = 0; page < layout.pages.size(); ++page)
+    layout.pages[page].offset = static_cast<Word>(offsets.offset[page]);
+}
+
+Word wordOfTexel(const WordLayout& layout, std::size_t surface, std::uint32_t column, std::uint32_t row) {
+  const RectanglePlace& place = layout.places[surface];
+  const Page& page = layout.pages[static_cast<std::size_t>(place.page)];
+  return page.offset + (static_cast<Word>(place.row) + row) * static_cast<Word>(page.columns) +
+         static_cast<Word>(place.column) + column;
+}
+
+/// Packed pages are squares of one size, whose offsets leave no gaps: their words are numbered from 0.
+std::vector<std::uint32_t> packedElements(const Discretization& discretization, const WordLayout& layout) {
+  std::vector<std::uint32_t> elements(layout.pages.size() * texelCount(layout.pages.front()), noElement);
+  for (std::size_t surface = 0; surface < discretization.grids.size(); ++surface) {
+    const Grid& grid = discretization.grids[surface];
+    const auto columns = static_cast<std::uint32_t>(grid.columns);
+    for (std::uint32_t texel = 0; texel < grid.spill.size(); ++texel)
+      elements[wordOfTexel(layout, surface, texel % columns, texel / columns)] = grid.spill[texel];
+  }
+  return elements;
+}
+
+std::optional<std::uint32_t> elementInOwnPage(const Grid& grid, const Page& page, std::uint32_t index) {
+  if (page.columns == grid.columns && page.rows == grid.rows) return grid.spill[index];
+  const auto columns = static_cast<std::uint32_t>(page.columns), gridColumns = static_cast<std::uint32_t>(grid.columns);
+  const std::uint32_t column = index % columns, row = index / columns;
+  if (column >= gridColumns || row >= static_cast<std::uint32_t>(grid.rows)) return std::nullopt;
+  return grid.spill[row * gridColumns + column];
+}
+
+}  // namespace
+
+std::uint64_t mostSurfaces(const WordFormat& format, std::uint64_t texels) {
+  if (texels > capacity(format)) return 0;
+  return (capacity(format) - texels) / std::bit_ceil(texels) + 1;
+}
+
+int leastPage(const Discretization& discretization) {
+  int side = 1;
+  for (const Grid& grid : discretization.grids) side = std::max({side, grid.columns, grid.rows});
+  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(side)));
+}
+
+int defaultPage(const Discretization& discretization) { return std::max(64, leastPage(discretization)); }
+
+WordLayout layOut(const Discretization& discretization, const WordSettings& settings) {
+  assert(settings.blend != raster::Blend::Replace);
+  const std::optional<WordFormat> format = raster::formatNamed(settings.format);
+  if (!format) throw InputError("'" + settings.format + "' is not a word format", "the formats are " + listedNames());
+  const bool isUnique = settings.indexMaps == IndexMaps::Unique;
+  WordLayout layout;
+  layout.format = *format;
+  layout.blend = isUnique ? raster::Blend::Replace : settings.blend;
+  layout.aligned = settings.aligned && !isUnique;
+  layout.indexMaps = settings.indexMaps;
+  makePages(discretization, settings, layout);
+  layOutPages(layout, settings.format);
+  if (layout.indexMaps == IndexMaps::Packed && !layout.pages.empty())
+    layout.packedElements = packedElements(discretization, layout);
+  return layout;
+}
+
+std::optional<PageIndex> pageIndexOf(const WordLayout& layout, Word word) {
+  std::uint32_t page = 0;
+  if (!layout.aligned) {
+    const auto next = std::upper_bound(layout.byOffset.begin(), layout.byOffset.end(), word,
+                                       [&](Word w, std::uint32_t p) { return w < layout.pages[p].offset; });
+    if (next == layout.byOffset.begin()) return std::nullopt;
+    page = *(next - 1);
+  } else if (const Word block = word >> layout.indexBits; block < layout.textured) {
+    page = layout.byOffset[block];
+  } else {
+    const std::uint64_t place = word - (std::uint64_t{layout.textured} << layout.indexBits) + layout.textured;
+    if (place >= layout.byOffset.size()) return std::nullopt;
+    page = layout.byOffset[place];
+  }
+  const Word index = word - layout.pages[page].offset;
+  if (index >= texelCount(layout.pages[page])) return std::nullopt;
+  return PageIndex{page, index};
+}
+
+std::optional<std::uint32_t> elementOf(const Discretization& discretization, const WordLayout& layout, Word word) {
+  if (layout.indexMaps == IndexMaps::Unique)
+    return word < discretization.elements.size() ? std::optional(word) : std::nullopt;
+  if (layout.indexMaps == IndexMaps::Packed)
+    return word < layout.packedElements.size() && layout.packedElements[word] != noElement
+               ? std::optional(layout.packedElements[word])
+               : std::nullopt;
+  const std::optional<PageIndex> place = pageIndexOf(layout, word);
+  if (!place) return std::nullopt;
+  return elementInOwnPage(discretization.grids[place->page], layout.pages[place->page], place->index);
+}
+
+Word wordOf(const Discretization& discretization, const WordLayout& layout, std::uint32_t element) {
+  if (layout.indexMaps == IndexMaps::Unique) return element;
+  const Element& own = discretization.elements[element];
+  const auto columns = static_cast<std::uint32_t>(discretization.grids[own.surface].columns);
+  return wordOfTexel(layout, own.surface, own.texel % columns, own.texel / columns);
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,61 @@
+#include "radiosity/index_maps/phantom_indices.h"
+
+#include <optional>
+#include <utility>
+
+namespace hemitex::radiosity {
+namespace {
+
+std::uint64_t texelCount(int columns, int rows) {
+  return static_cast<std::uint64_t>(columns) * static_cast<std::uint64_t>(rows);
+}
+
+std::uint64_t sum(const Phantoms& phantoms) { return phantoms.spareTexels + phantoms.alignmentGaps; }
+
+IndexMapUse useOf(const std::string& name, const Discretization& discretization, WordSettings settings) {
+  settings.format = "r32ui";
+  const WordLayout layout = layOut(discretization, settings);
+  std::uint64_t words = 0;
+  for (const Grid& grid : discretization.grids)
+    words += settings.indexMaps == IndexMaps::Unique ? grid.elementCount
+                                                     : texelCount(grid.columns, grid.rows) - grid.phantoms;
+  return {name, layout.pages.size(), words, countPhantoms(discretization, layout)};
+}
+
+/// Longer pages than one that holds everything leave more.
+IndexMapUse fewestPhantoms(const Discretization& discretization) {
+  std::optional<IndexMapUse> best;
+  for (int page = leastPage(discretization); page <= largestPage; page *= 2) {
+    const std::string side = std::to_string(page);
+    IndexMapUse use =
+        useOf("packed, " + side + " x " + side, discretization, {.indexMaps = IndexMaps::Packed, .page = page});
+    const bool holdsAll = use.offsets == 1;
+    if (!best || sum(use.phantoms) < sum(best->phantoms)) best = std::move(use);
+    if (holdsAll) break;
+  }
+  return *best;
+}
+
+}  // namespace
+
+Phantoms countPhantoms(const Discretization& discretization, const WordLayout& layout) {
+  Phantoms phantoms;
+  if (layout.indexMaps == IndexMaps::Unique) return phantoms;
+  for (const Page& page : layout.pages) {
+    const std::uint64_t texels = texelCount(page.columns, page.rows);
+    phantoms.spareTexels += texels;
+    if (layout.aligned && texels > 1) phantoms.alignmentGaps += (std::uint64_t{1} << layout.indexBits) - texels;
+  }
+  for (const Grid& grid : discretization.grids)
+    phantoms.spareTexels -= texelCount(grid.columns, grid.rows) - grid.phantoms;
+  return phantoms;
+}
+
+std::vector<IndexMapUse> compareIndexMaps(const Discretization& discretization) {
+  return {useOf("shared", discretization, {}),
+          useOf("shared, one map", discretization, {.page = leastPage(discretization)}),
+          useOf("shared, unaligned", discretization, {.blend = raster::Blend::IntegerAdd, .aligned = false}),
+          fewestPhantoms(discretization), useOf("unique", discretization, {.indexMaps = IndexMaps::Unique})};
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,84 @@
+#include "radiosity/pictures/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "radiosity/pictures/tangent.h"
+#include "radiosity/pictures/visibility.h"
+#include "raster/base/input_error.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+constexpr int largestSide = 4096;
+/// In degrees: less would stretch what is seen beyond binary32.
+constexpr double smallestFieldOfView = 1e-6;
+
+/// Orthonormal, right = forward x up.
+struct Axes {
+  glm::dvec3 right, up, forward;
+};
+
+Axes cameraAxes(const Camera& camera) {
+  const glm::dvec3 direction = camera.lookAt - camera.eye;
+  const double distance = glm::length(direction);
+  if (!(distance > 0 && std::isfinite(distance)))
+    throw raster::InputError("the camera has no direction", "let it look at a point other than its eye");
+  const glm::dvec3 forward = direction / distance;
+  const glm::dvec3 sideways = glm::cross(forward, camera.up / glm::length(camera.up));
+  if (!(glm::length(sideways) > 1e-9))
+    throw raster::InputError("the camera's up vector is zero or lies along its direction", "choose another up vector");
+  const glm::dvec3 right = glm::normalize(sideways);
+  return {right, glm::cross(right, forward), forward};
+}
+
+/// How far the middle of a scissor rectangle lies from the viewport's, in units of x/w.
+double offCentre(int first, int size, int resolution) { return (2.0 * first + size) / resolution - 1; }
+
+}  // namespace
+
+/// On the plane w = 1 the picture is 2 tan(fov/2) high, so a pixel's side there is 2 tan(fov/2) / height; the
+/// viewport's side of 2 counts `resolution` pixels. Hence the rows' scale. The picture lies in the viewport's middle;
+/// where their sizes differ by an odd number it cannot, and half a pixel is made good by shearing: X + s W moves x/w by
+/// s everywhere.
+raster::Face cameraFace(const Scene& scene, const Camera& camera, int width, int height) {
+  if (std::min(width, height) < 1 || std::max(width, height) > largestSide)
+    throw raster::InputError("a picture of " + std::to_string(width) + " x " + std::to_string(height) + " samples",
+                             "choose sides from 1 to " + std::to_string(largestSide));
+  if (!(camera.fov >= smallestFieldOfView && camera.fov < 180))
+    throw raster::InputError("the field of view must lie between 1e-6 and 180 degrees");
+  const Axes axes = cameraAxes(camera);
+  const int resolution = (std::max(width, height) + 1) / 2 * 2;
+  const double scale = height / (tangentOfDegrees(camera.fov / 2) * resolution);
+
+  raster::Face face;
+  face.scissor = {(resolution - width) / 2, (resolution - height) / 2, width, height};
+  face.resolution = resolution;
+  face.eye = glm::vec3(camera.eye - scene.origin);
+  face.x = glm::vec3(scale * axes.right + offCentre(face.scissor.column, width, resolution) * axes.forward);
+  face.y = glm::vec3(scale * axes.up + offCentre(face.scissor.row, height, resolution) * axes.forward);
+  face.w = glm::vec3(axes.forward);
+  face.nearDistance = std::max(static_cast<float>(1e-5 * scene.extent), std::numeric_limits<float>::min());
+  raster::validate(face);
+  return face;
+}
+
+std::vector<std::uint32_t> trianglesFacingAway(const Scene& scene, const glm::dvec3& eye) {
+  std::vector<std::uint32_t> away;
+  std::uint32_t number = 0;
+  for (const Surface& surface : scene.surfaces)
+    for (const Triangle& triangle : surface.triangles) {
+      const auto& [a, b, c] = triangle.position;
+      if (glm::dot(glm::cross(b - a, c - a), eye - a) < 0) away.push_back(number);
+      ++number;
+    }
+  return away;
+}
+
+std::vector<std::optional<Visible>> visibleSamples(const Scene& scene, const Camera& camera, int width, int height) {
+  return TriangleView(scene).see(camera, width, height);
+}
+
+}  // namespace hemitex::radiosity

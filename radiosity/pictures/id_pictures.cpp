@@ -1,0 +1,205 @@
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "radiosity/pictures/pictures.h"
+#include "raster/software/software_renderer.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// sRGB codes from 0 to 255, in which the sum of a level and a hue is exact.
+using Codes = glm::ivec3;
+
+constexpr Codes black(0), white(255), grey(160), magenta(255, 0, 255);
+
+glm::dvec3 linear(const Codes& codes) {
+  return {decodeSrgb(codes.x / 255.0), decodeSrgb(codes.y / 255.0), decodeSrgb(codes.z / 255.0)};
+}
+
+/// From 15 to 127: a ramp of 48 codes over the map, and 64 codes more on every other square of a chessboard, so that
+/// texels that touch differ by 31 codes at the least. Black where there is no map.
+Codes texelLevel(int columns, int rows, int texel) {
+  if (columns * rows == 1) return black;
+  const int ramp = 48 * texel / (columns * rows - 1);
+  const int chessboard = (texel % columns + texel / columns) % 2;
+  return Codes(15 + ramp + 64 * chessboard);
+}
+
+/// From 0 to 128. The golden ratio's steps around the circle of hues keep surfaces that follow each other far apart:
+/// in units of 2^-32 of the circle they are sums modulo 2^32.
+Codes surfaceHue(std::uint32_t surface) {
+  const double sixths = 6 * (static_cast<std::uint32_t>(surface * 2654435769u) / 4294967296.0);
+  const auto level = [](double value) { return static_cast<int>(128 * std::clamp(value, 0.0, 1.0)); };
+  return {level(std::fabs(sixths - 3) - 1), level(2 - std::fabs(sixths - 2)), level(2 - std::fabs(sixths - 4))};
+}
+
+/// From 15 to 127, by steps of the golden ratio: elements of any shape know no chessboard.
+Codes elementLevel(std::uint32_t number) {
+  return Codes(15 + static_cast<int>(static_cast<std::uint32_t>(number * 2654435769u) / 4294967296.0 * 113));
+}
+
+Codes indexLevel(const WordLayout& layout, const PageIndex& place) {
+  const Page& page = layout.pages[place.page];
+  if (layout.indexMaps != IndexMaps::Unique) return texelLevel(page.columns, page.rows, static_cast<int>(place.index));
+  return page.columns == 1 ? black : elementLevel(place.index);
+}
+
+/// The colour of a word that draws can produce.
+using CodesOf = std::function<Codes(const PageIndex&)>;
+
+Codes wordCodes(const WordLayout& layout, raster::Word word, const CodesOf& codesOf) {
+  if (word == raster::backWord(layout.format)) return white;
+  const std::optional<PageIndex> place = pageIndexOf(layout, word);
+  return place ? codesOf(*place) : black;
+}
+
+CodesOf sumOfBoth(const WordLayout& layout) {
+  return [&](const PageIndex& place) { return indexLevel(layout, place) + surfaceHue(place.page); };
+}
+
+/// A draw list from a camera, a sample a pixel.
+raster::ItemBuffer drawBuffer(raster::DrawList list, const Scene& scene, const Camera& camera, int width, int height) {
+  const raster::Face face = cameraFace(scene, camera, width, height);
+  raster::SoftwareRenderer renderer(std::move(list));
+  return renderer.render({&face, 1}, trianglesFacingAway(scene, camera.eye)).front();
+}
+
+/// A picture from a colour a pixel of an item buffer, whose rows go upwards.
+template <typename CodesAt>
+Image pictureOf(int width, int height, const CodesAt& codesAt) {
+  Image image{width, height, {}};
+  image.pixels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int row = height - 1; row >= 0; --row)
+    for (int column = 0; column < width; ++column)
+      image.pixels.push_back(linear(
+          codesAt(static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column))));
+  return image;
+}
+
+/// Draws the hemicube's draw list from a camera.
+Image drawWords(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
+                const Camera& camera, int width, int height, const CodesOf& codesOf) {
+  const raster::ItemBuffer buffer =
+      drawBuffer(makeDrawList(scene, discretization, layout), scene, camera, width, height);
+  return pictureOf(width, height, [&](std::size_t pixel) { return wordCodes(layout, buffer.words[pixel], codesOf); });
+}
+
+/// The pixel of a face that shows a direction in front of it.
+std::size_t pixelTowards(const raster::Face& face, const glm::dvec3& direction) {
+  const double depth = glm::dot(glm::dvec3(face.w), direction);
+  const auto place = [&](const glm::vec3& axis, int first, int size) {
+    const double coordinate = glm::dot(glm::dvec3(axis), direction) / depth;
+    const int pixel = static_cast<int>(std::floor((coordinate + 1) / 2 * face.resolution));
+    return static_cast<std::size_t>(std::clamp(pixel - first, 0, size - 1));
+  };
+  return place(face.y, face.scissor.row, face.scissor.height) * static_cast<std::size_t>(face.scissor.width) +
+         place(face.x, face.scissor.column, face.scissor.width);
+}
+
+/// The direction that a point of the unfolded hemicube stands for, in the top face's x, y, w: the middle square
+/// [-1,1]^2 is the top face, and beyond an edge of it depth falls from 1 to 0 on the side below that edge.
+glm::dvec3 unfoldedDirection(double x, double y) {
+  const double overhang = std::max({std::fabs(x) - 1, std::fabs(y) - 1, 0.0});
+  return {std::clamp(x, -1.0, 1.0), std::clamp(y, -1.0, 1.0), 1 - overhang};
+}
+
+}  // namespace
+
+Image indexMapPicture(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
+                      const Camera& camera, int width, int height) {
+  return drawWords(scene, discretization, layout, camera, width, height,
+                   [&](const PageIndex& place) { return indexLevel(layout, place); });
+}
+
+Image offsetPicture(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
+                    const Camera& camera, int width, int height) {
+  return drawWords(scene, discretization, layout, camera, width, height,
+                   [](const PageIndex& place) { return surfaceHue(place.page); });
+}
+
+Image wordPicture(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
+                  const Camera& camera, int width, int height) {
+  return drawWords(scene, discretization, layout, camera, width, height, sumOfBoth(layout));
+}
+
+BlendErrors blendErrorPicture(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
+                              const Camera& camera, int width, int height) {
+  raster::DrawList list = makeDrawList(scene, discretization, layout);
+  const raster::ItemBuffer drawn = drawBuffer(list, scene, camera, width, height);
+  if (list.blend == raster::Blend::ClampedAdd) list.blend = raster::Blend::IntegerAdd;
+  const raster::ItemBuffer meant = drawBuffer(std::move(list), scene, camera, width, height);
+  const CodesOf levelOf = [&](const PageIndex& place) { return indexLevel(layout, place); };
+  BlendErrors errors;
+  errors.picture = pictureOf(width, height, [&](std::size_t pixel) {
+    const auto elementAt = [&](const raster::ItemBuffer& buffer) {
+      return elementOf(discretization, layout, buffer.words[pixel]);
+    };
+    if (elementAt(drawn) == elementAt(meant)) return wordCodes(layout, drawn.words[pixel], levelOf);
+    ++errors.pixels;
+    return magenta;
+  });
+  return errors;
+}
+
+Image indexMapImage(int columns, int rows, int texelSide) {
+  Image image{columns * texelSide, rows * texelSide, {}};
+  for (int y = image.height - 1; y >= 0; --y)
+    for (int x = 0; x < image.width; ++x)
+      image.pixels.push_back(linear(texelLevel(columns, rows, y / texelSide * columns + x / texelSide)));
+  return image;
+}
+
+Image hemicubePicture(const WordLayout& layout, std::span<const raster::Face> faces,
+                      std::span<const raster::ItemBuffer> buffers) {
+  assert(!faces.empty() && faces.size() == buffers.size());
+  const raster::Face& top = faces.front();
+  // Whoever looks along the normal with `up` upwards has normal x up on the right; of some faces that is -x.
+  const glm::dvec3 right = glm::dvec3(top.x) * (raster::determinant(top) < 0 ? 1.0 : -1.0);
+  const glm::dvec3 up(top.y), normal(top.w);
+  const int side = 2 * top.resolution;
+  const CodesOf codesOf = sumOfBoth(layout);
+  Image image{side, side, {}};
+  for (int row = side - 1; row >= 0; --row)
+    for (int column = 0; column < side; ++column) {
+      const double x = (2.0 * column + 1 - side) / top.resolution, y = (2.0 * row + 1 - side) / top.resolution;
+      if (std::min(std::fabs(x), std::fabs(y)) > 1) {
+        image.pixels.push_back(linear(grey));
+        continue;
+      }
+      const glm::dvec3 local = unfoldedDirection(x, y);
+      const glm::dvec3 direction = local.x * right + local.y * up + local.z * normal;
+      const auto depth = [&](const raster::Face& face) { return glm::dot(glm::dvec3(face.w), direction); };
+      const auto nearest = std::max_element(faces.begin(), faces.end(),
+                                            [&](const auto& a, const auto& b) { return depth(a) < depth(b); });
+      const raster::ItemBuffer& buffer = buffers[static_cast<std::size_t>(nearest - faces.begin())];
+      const raster::Word word = buffer.words[pixelTowards(*nearest, direction)];
+      image.pixels.push_back(linear(wordCodes(layout, word, codesOf)));
+    }
+  return image;
+}
+
+Image facesPicture(const WordLayout& layout, const Projection& projection, std::span<const raster::Face> faces,
+                   std::span<const raster::ItemBuffer> buffers) {
+  assert(!faces.empty() && faces.size() == buffers.size());
+  const CodesOf codesOf = sumOfBoth(layout);
+  const int width = buffers.front().width, height = buffers.front().height;
+  Image image{width * static_cast<int>(faces.size()), height, {}};
+  for (int row = height - 1; row >= 0; --row)
+    for (std::size_t face = 0; face < faces.size(); ++face)
+      for (int i = 0; i < width; ++i) {
+        assert(buffers[face].width == width && buffers[face].height == height);
+        // Whoever looks along the face's w with y upwards has y x w on the right; of some faces that is -x.
+        const int column = raster::determinant(faces[face]) < 0 ? i : width - 1 - i;
+        const raster::Scissor& scissor = faces[face].scissor;
+        const bool counts = shareOf(projection, face, scissor.column + column, scissor.row + row) > 0;
+        const auto pixel =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+        const Codes codes = wordCodes(layout, buffers[face].words[pixel], codesOf);
+        image.pixels.push_back(linear(counts ? codes : grey));
+      }
+  return image;
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,161 @@
+#include "radiosity/pictures/pictures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "raster/base/input_error.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+constexpr int largestPicture = 2048;
+
+using Samples = std::vector<std::optional<Visible>>;
+
+/// Two samples a pixel along each side.
+Samples seeTwice(const Scene& scene, const Camera& camera, int width, int height) {
+  if (std::max(width, height) > largestPicture)
+    throw raster::InputError("a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels",
+                             "choose sides of at most " + std::to_string(largestPicture));
+  return visibleSamples(scene, camera, 2 * width, 2 * height);
+}
+
+/// Averages 2 x 2 samples of a picture of twice the size into each pixel.
+Image halved(const std::vector<glm::dvec3>& samples, int width, int height) {
+  Image image{width, height, {}};
+  image.pixels.reserve(samples.size() / 4);
+  const auto at = [&](int column, int row) {
+    return samples[static_cast<std::size_t>(row) * static_cast<std::size_t>(2 * width) +
+                   static_cast<std::size_t>(column)];
+  };
+  for (int row = 0; row < 2 * height; row += 2)
+    for (int column = 0; column < 2 * width; column += 2)
+      image.pixels.push_back((at(column, row) + at(column + 1, row) + at(column, row + 1) + at(column + 1, row + 1)) /
+                             4.0);
+  return image;
+}
+
+const Triangle& triangleOf(const Scene& scene, const Visible& visible) {
+  return scene.surfaces[visible.surface].triangles[visible.triangle];
+}
+
+template <typename Value>
+Value interpolate(const std::array<Value, 3>& corners, const glm::dvec3& weights) {
+  return weights.x * corners[0] + weights.y * corners[1] + weights.z * corners[2];
+}
+
+/// The image at (u, v), bilinear between pixel centres and wrapping around; v = 0 is the bottom.
+glm::dvec3 bilinear(const Image& image, const glm::dvec2& uv) {
+  const glm::dvec2 wrapped = uv - glm::floor(uv);  // first of all: what follows stays small
+  const double x = wrapped.x * image.width - 0.5, y = (1 - wrapped.y) * image.height - 0.5;
+  const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
+  const auto at = [&](int c, int r) {
+    const int wrappedColumn = (c + image.width) % image.width, wrappedRow = (r + image.height) % image.height;
+    return image.pixels[static_cast<std::size_t>(wrappedRow) * static_cast<std::size_t>(image.width) +
+                        static_cast<std::size_t>(wrappedColumn)];
+  };
+  return glm::mix(glm::mix(at(column, row), at(column + 1, row), x - column),
+                  glm::mix(at(column, row + 1), at(column + 1, row + 1), x - column), y - row);
+}
+
+glm::dvec3 decodedColour(const glm::dvec3& encoded) {
+  const glm::dvec3 clamped = glm::clamp(encoded, 0.0, 1.0);
+  return {decodeSrgb(clamped.x), decodeSrgb(clamped.y), decodeSrgb(clamped.z)};
+}
+
+/// The element that a sample's point belongs to.
+std::uint32_t elementAt(const Scene& scene, const Discretization& discretization, const Visible& visible) {
+  const Grid& grid = discretization.grids[visible.surface];
+  const glm::dvec2 chart = interpolate(triangleOf(scene, visible).chart, visible.weights);
+  const int column = std::clamp(static_cast<int>(chart.x * grid.columns), 0, grid.columns - 1);
+  const int row = std::clamp(static_cast<int>(chart.y * grid.rows), 0, grid.rows - 1);
+  return grid
+      .spill[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(column)];
+}
+
+/// What must differ between two samples for a line to run between them.
+struct ShownPiece {
+  std::uint32_t surface = 0, polygon = 0, element = 0;
+  bool operator==(const ShownPiece&) const = default;
+};
+
+/// Black where one of a sample's four neighbours shows another piece: lines of two samples, which is one pixel.
+Image borderPicture(const std::vector<std::optional<ShownPiece>>& pieces, int width, int height) {
+  const int columns = 2 * width, rows = 2 * height;
+  const auto at = [&](int column, int row) -> const std::optional<ShownPiece>& {
+    const int c = std::clamp(column, 0, columns - 1), r = std::clamp(row, 0, rows - 1);
+    return pieces[static_cast<std::size_t>(r) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(c)];
+  };
+  std::vector<glm::dvec3> samples;
+  samples.reserve(pieces.size());
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const std::optional<ShownPiece>& piece = at(column, row);
+      const bool isBorder = at(column - 1, row) != piece || at(column + 1, row) != piece ||
+                            at(column, row - 1) != piece || at(column, row + 1) != piece;
+      samples.emplace_back(isBorder ? 0.0 : 1.0);
+    }
+  return halved(samples, width, height);
+}
+
+/// The pieces that samples show, where `pieceOf` says which one a sample belongs to.
+std::vector<std::optional<ShownPiece>> piecesOf(const Samples& samples,
+                                                const std::function<ShownPiece(const Visible&)>& pieceOf) {
+  std::vector<std::optional<ShownPiece>> pieces;
+  pieces.reserve(samples.size());
+  for (const std::optional<Visible>& visible : samples)
+    pieces.push_back(visible ? std::optional(pieceOf(*visible)) : std::nullopt);
+  return pieces;
+}
+
+}  // namespace
+
+Image drawPicture(const Scene& scene, const Camera& camera, int width, int height, const ColourOf& colourOf) {
+  std::vector<glm::dvec3> colours;
+  for (const std::optional<Visible>& visible : seeTwice(scene, camera, width, height))
+    colours.push_back(visible ? colourOf(*visible) : glm::dvec3(0.0));
+  return halved(colours, width, height);
+}
+
+glm::dvec3 unlitColour(const Scene& scene, const Visible& visible) {
+  const Material& material = scene.materials[static_cast<std::size_t>(scene.surfaces[visible.surface].material)];
+  const Triangle& triangle = triangleOf(scene, visible);
+  glm::dvec3 colour = material.reflectance;
+  if (material.reflectanceMap)
+    colour *= bilinear(scene.images[static_cast<std::size_t>(*material.reflectanceMap)],
+                       interpolate(triangle.texcoord, visible.weights));
+  if (triangle.cornerColor) {
+    const auto& [a, b, c] = *triangle.cornerColor;
+    colour *= interpolate(std::array{decodedColour(a), decodedColour(b), decodedColour(c)}, visible.weights);
+  }
+  return colour;
+}
+
+Image unlitPicture(const Scene& scene, const Camera& camera, int width, int height) {
+  return drawPicture(scene, camera, width, height, [&](const Visible& visible) { return unlitColour(scene, visible); });
+}
+
+Image elementPicture(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& values,
+                     const Camera& camera, int width, int height) {
+  return drawPicture(scene, camera, width, height,
+                     [&](const Visible& visible) { return values[elementAt(scene, discretization, visible)]; });
+}
+
+Image wireframePicture(const Scene& scene, const Camera& camera, int width, int height) {
+  const auto pieceOf = [&](const Visible& visible) {
+    return ShownPiece{visible.surface, triangleOf(scene, visible).polygon, 0};
+  };
+  return borderPicture(piecesOf(seeTwice(scene, camera, width, height), pieceOf), width, height);
+}
+
+Image meshPicture(const Scene& scene, const Discretization& discretization, const Camera& camera, int width,
+                  int height) {
+  const auto pieceOf = [&](const Visible& visible) {
+    return ShownPiece{visible.surface, triangleOf(scene, visible).polygon, elementAt(scene, discretization, visible)};
+  };
+  return borderPicture(piecesOf(seeTwice(scene, camera, width, height), pieceOf), width, height);
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,119 @@
+#include "radiosity/pictures/visibility.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hemitex::radiosity {
+namespace {
+
+raster::DrawList makeTriangleList(const Scene& scene) {
+  raster::DrawList list;
+  list.format = *raster::formatNamed("r32ui");
+  raster::Word number = 0;
+  for (const Surface& surface : scene.surfaces)
+    for (const Triangle& triangle : surface.triangles) {
+      list.draws.push_back({.first = 3 * number, .count = 3, .offset = number, .back = {}});
+      for (const glm::dvec3& position : triangle.position) {
+        list.indices.push_back(static_cast<std::uint32_t>(list.positions.size()));
+        list.positions.emplace_back(position - scene.origin);
+      }
+      ++number;
+    }
+  list.texcoords.resize(list.positions.size());
+  return list;
+}
+
+std::vector<raster::Word> firstTriangles(const Scene& scene) {
+  std::vector<raster::Word> first;
+  raster::Word number = 0;
+  for (const Surface& surface : scene.surfaces) {
+    first.push_back(number);
+    number += static_cast<raster::Word>(surface.triangles.size());
+  }
+  return first;
+}
+
+/// The rays of a face's samples, in the numbers that the face was drawn with.
+class Rays {
+ public:
+  /// The direction d of a point (x, y) of the picture plane solves X . d = x, Y . d = y, W . d = 1: by Cramer's rule
+  /// d = (x (Y x W) + y (W x X) + X x Y) / det(X, Y, W). Only the direction counts; the sign of the determinant does
+  /// too, for d must point forward.
+  explicit Rays(const raster::Face& face) : face_(face) {
+    const glm::dvec3 x(face.x), y(face.y), w(face.w);
+    const double determinant = raster::determinant(face);
+    alongX_ = glm::cross(y, w) / determinant;
+    alongY_ = glm::cross(w, x) / determinant;
+    forward_ = glm::cross(x, y) / determinant;
+  }
+
+  glm::dvec3 eye() const { return glm::dvec3(face_.eye); }
+
+  /// Through the middle of a pixel of the scissor rectangle.
+  glm::dvec3 direction(int column, int row) const {
+    const double x = (2.0 * (face_.scissor.column + column) + 1) / face_.resolution - 1;
+    const double y = (2.0 * (face_.scissor.row + row) + 1) / face_.resolution - 1;
+    return x * alongX_ + y * alongY_ + forward_;
+  }
+
+ private:
+  raster::Face face_;
+  glm::dvec3 alongX_, alongY_, forward_;
+};
+
+/// Barycentric weights of the point where a ray meets a triangle's plane. With a, b, c the corners seen from the eye,
+/// the point divides the triangle as the ray divides the volumes d . (b x c), d . (c x a), d . (a x b). A sample that
+/// the rasterizer's rounding lets fall beside the triangle is moved to its border; where the triangle is seen edge-on
+/// all of it is equally near.
+glm::dvec3 weightsOf(const std::array<glm::dvec3, 3>& corner, const glm::dvec3& eye, const glm::dvec3& direction) {
+  const glm::dvec3 a = corner[0] - eye, b = corner[1] - eye, c = corner[2] - eye;
+  const glm::dvec3 volumes(glm::dot(direction, glm::cross(b, c)), glm::dot(direction, glm::cross(c, a)),
+                           glm::dot(direction, glm::cross(a, b)));
+  const glm::dvec3 weights = glm::max(volumes / (volumes.x + volumes.y + volumes.z), glm::dvec3(0.0));
+  const double sum = weights.x + weights.y + weights.z;
+  return sum > 0 && std::isfinite(sum) ? weights / sum : glm::dvec3(1.0 / 3);
+}
+
+}  // namespace
+
+TriangleView::TriangleView(const Scene& scene)
+    : scene_(scene), firstTriangle_(firstTriangles(scene)), renderer_(makeTriangleList(scene)) {}
+
+Visible TriangleView::locate(raster::Word triangle) const {
+  const auto next = std::upper_bound(firstTriangle_.begin(), firstTriangle_.end(), triangle);
+  const auto surface = static_cast<std::uint32_t>(next - firstTriangle_.begin() - 1);
+  return {.surface = surface, .triangle = triangle - firstTriangle_[surface]};
+}
+
+std::vector<std::optional<Visible>> TriangleView::see(const Camera& camera, int width, int height) {
+  return see(cameraFace(scene_, camera, width, height), trianglesFacingAway(scene_, camera.eye));
+}
+
+std::vector<std::optional<Visible>> TriangleView::seeBothSides(const Camera& camera, int width, int height) {
+  return see(cameraFace(scene_, camera, width, height), {});
+}
+
+std::vector<std::optional<Visible>> TriangleView::see(const raster::Face& face,
+                                                      const std::vector<std::uint32_t>& skipped) {
+  const int width = face.scissor.width, height = face.scissor.height;
+  const raster::ItemBuffer buffer = renderer_.render({&face, 1}, skipped).front();
+  const raster::Word background = raster::backgroundWord(renderer_.drawList().format);
+  const Rays rays(face);
+  std::vector<std::optional<Visible>> samples(buffer.words.size());
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column) {
+      const auto pixel =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+      if (buffer.words[pixel] == background) continue;
+      Visible visible = locate(buffer.words[pixel]);
+      std::array<glm::dvec3, 3> corner = scene_.surfaces[visible.surface].triangles[visible.triangle].position;
+      for (glm::dvec3& position : corner) position -= scene_.origin;
+      visible.weights = weightsOf(corner, rays.eye(), rays.direction(column, row));
+      const auto fromTop = static_cast<std::size_t>(height - 1 - row);
+      samples[fromTop * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)] = visible;
+    }
+  return samples;
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,136 @@
+#include "radiosity/projection/patch_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "radiosity/projection/projection.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// The direction at right angles to a normal that lies a share of a quarter turn from the first axis there: of a
+/// circle's rational points, which need no sine that would differ between machines. Not quite even, which does not
+/// matter.
+glm::dvec3 quarterTurn(const glm::dvec3& normal, double share) {
+  const glm::dvec3 x = tangentAlong(normal, glm::dvec3(0)), y = glm::cross(normal, x);
+  return (1 - share * share) * x + 2 * share * y;
+}
+
+/// The squared distance from a point to a triangle: to the plane where the point projects inside, else to an edge.
+double squaredDistance(const glm::dvec3& point, const std::array<glm::dvec3, 3>& corner) {
+  const glm::dvec3 n = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+  bool inside = true;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const glm::dvec3& a = corner[k];
+    const glm::dvec3 edge = corner[(k + 1) % 3] - a;
+    inside &= glm::dot(glm::cross(n, edge), point - a) >= 0;
+    const double t = std::clamp(glm::dot(point - a, edge) / glm::dot(edge, edge), 0.0, 1.0);
+    const glm::dvec3 offset = point - (a + t * edge);
+    nearest = std::min(nearest, glm::dot(offset, offset));
+  }
+  const double height = glm::dot(n, point - corner[0]);
+  return inside ? height * height / glm::dot(n, n) : nearest;
+}
+
+/// The squared distance from a point to the box around a triangle: a lower bound that is cheap.
+double squaredDistanceToBounds(const glm::dvec3& point, const std::array<glm::dvec3, 3>& corner) {
+  const glm::dvec3 low = glm::min(glm::min(corner[0], corner[1]), corner[2]);
+  const glm::dvec3 high = glm::max(glm::max(corner[0], corner[1]), corner[2]);
+  const glm::dvec3 offset = point - glm::clamp(point, low, high);
+  return glm::dot(offset, offset);
+}
+
+/// Over the tangent plane.
+double heightOf(const glm::dvec3& position, const SurfacePoint& point) {
+  return glm::dot(position - point.position, point.normal);
+}
+
+/// The lowest and the highest that anything in a box can lie, in binary64: every operation of heightOf is monotonic,
+/// also where it rounds.
+std::pair<double, double> heightsOf(const TriangleBox& box, const SurfacePoint& point) {
+  const auto isUp = glm::greaterThan(point.normal, glm::dvec3(0));
+  return {heightOf(glm::mix(box.high, box.low, isUp), point), heightOf(glm::mix(box.low, box.high, isUp), point)};
+}
+
+bool liesInPlane(const Triangle& triangle, const SurfacePoint& point, double tolerance) {
+  return std::all_of(triangle.position.begin(), triangle.position.end(),
+                     [&](const glm::dvec3& corner) { return std::abs(heightOf(corner, point)) <= tolerance; });
+}
+
+bool facesAway(const Triangle& triangle, const glm::dvec3& eye) {
+  const glm::dvec3 n =
+      glm::cross(triangle.position[1] - triangle.position[0], triangle.position[2] - triangle.position[0]);
+  return glm::dot(eye - triangle.position[0], n) < 0;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::span<const TriangleBox> boxes,
+                                            std::uint32_t surface, const SurfacePoint& point) {
+  const double tolerance = tangentPlaneTolerance * scene.extent;
+  std::vector<std::uint32_t> skipped;
+  for (const TriangleBox& box : boxes) {
+    const Surface& seen = scene.surfaces[box.surface];
+    const bool isOwn = box.surface == surface || seen.twin == static_cast<int>(surface);
+    if (!isOwn && !seen.twin) continue;
+    const auto [lowest, highest] = heightsOf(box, point);
+    const bool mayLie = isOwn && lowest <= tolerance && highest >= -tolerance;
+    const bool allLie = mayLie && lowest >= -tolerance && highest <= tolerance;
+    if (!mayLie && !seen.twin) continue;
+    for (std::uint32_t t = box.first; t < box.end; ++t)
+      if (allLie || (mayLie && liesInPlane(seen.triangles[t], point, tolerance)) ||
+          (seen.twin && facesAway(seen.triangles[t], point.position)))
+        skipped.push_back(box.number + (t - box.first));
+  }
+  return skipped;
+}
+
+std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::uint32_t surface, const SurfacePoint& point) {
+  return skippedTriangles(scene, triangleBoxes(scene), surface, point);
+}
+
+double nearDistance(const Scene& scene, std::span<const TriangleBox> boxes, const glm::dvec3& point,
+                    const std::vector<std::uint32_t>& skipped, double squaredReach) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const TriangleBox& box : boxes) {
+    if (squaredDistance(point, box) >= nearest) continue;
+    auto skip = std::lower_bound(skipped.begin(), skipped.end(), box.number);
+    for (std::uint32_t t = box.first; t < box.end; ++t) {
+      const std::array<glm::dvec3, 3>& corner = scene.surfaces[box.surface].triangles[t].position;
+      if (skip != skipped.end() && *skip == box.number + (t - box.first))
+        ++skip;
+      else if (squaredDistanceToBounds(point, corner) < nearest)
+        nearest = std::min(nearest, squaredDistance(point, corner));
+    }
+  }
+  return std::clamp(std::sqrt(nearest / squaredReach), smallestNearDistance * scene.extent, scene.extent);
+}
+
+double nearDistance(const Scene& scene, const glm::dvec3& point, const std::vector<std::uint32_t>& skipped,
+                    double squaredReach) {
+  return nearDistance(scene, triangleBoxes(scene), point, skipped, squaredReach);
+}
+
+glm::dvec3 eyeOver(const Scene& scene, std::uint32_t surface, const SurfacePoint& point) {
+  const std::array<glm::dvec3, 3>& corner = scene.surfaces[surface].triangles[point.triangle].position;
+  const glm::dvec3 inward = (corner[0] + corner[1] + corner[2]) / 3.0 - point.position;
+  const double distance = glm::length(inward);
+  const double share = distance > 0 ? std::min(0.5, eyeMove * scene.extent / distance) : 0;
+  return point.position + share * inward + eyeLift * scene.extent * point.normal;
+}
+
+double turnOf(std::uint32_t patch, int point) {
+  // The golden section and its square, in units of 2^-32; the product wraps around to the fraction.
+  const std::uint32_t turn = patch * 0x9e3779b9U + static_cast<std::uint32_t>(point) * 0x61c88647U;
+  return turn * 0x1p-32;
+}
+
+glm::dvec3 upOf(Orientation orientation, const glm::dvec3& normal, std::uint32_t patch, int point) {
+  return orientation == Orientation::Aligned ? glm::dvec3(0) : quarterTurn(normal, turnOf(patch, point));
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,55 @@
+#include "radiosity/projection/projection.h"
+
+#include <cassert>
+#include <numeric>
+
+namespace hemitex::radiosity {
+
+std::vector<Window> wholeFaces(const Projection& projection) {
+  std::vector<Window> windows;
+  for (std::size_t face = 0; face < projection.faces.size(); ++face)
+    windows.push_back({face, projection.faces[face].scissor});
+  return windows;
+}
+
+std::vector<std::uint64_t> runningSums(const std::vector<std::uint64_t>& shares) {
+  std::vector<std::uint64_t> before(shares.size() + 1);
+  std::partial_sum(shares.begin(), shares.end(), before.begin() + 1);
+  return before;
+}
+
+std::uint64_t shareOf(const Projection& projection, std::size_t face, int column, int row) {
+  const ProjectionFace& of = projection.faces[face];
+  const raster::Scissor& scissor = of.scissor;
+  assert(column >= scissor.column && column < scissor.column + scissor.width);
+  assert(row >= scissor.row && row < scissor.row + scissor.height);
+  const auto place = static_cast<std::size_t>(row - scissor.row) * static_cast<std::size_t>(scissor.width) +
+                     static_cast<std::size_t>(column - scissor.column);
+  const std::vector<std::uint64_t>& before = projection.sharesBefore[of.shares];
+  return before[place + 1] - before[place];
+}
+
+glm::dvec3 tangentAlong(const glm::dvec3& normal, const glm::dvec3& up) {
+  const glm::dvec3 tangent = up - glm::dot(up, normal) * normal;
+  const double length = glm::length(tangent);
+  if (length > 1e-6 * glm::length(up)) return tangent / length;
+  const glm::dvec3 a = glm::abs(normal);
+  const glm::dvec3 axis = a.x <= a.y && a.x <= a.z ? glm::dvec3(1, 0, 0)
+                          : a.y <= a.z             ? glm::dvec3(0, 1, 0)
+                                                   : glm::dvec3(0, 0, 1);
+  return tangentAlong(normal, axis);
+}
+
+std::vector<raster::Face> facesOver(std::span<const ProjectionFace> faces, const glm::dvec3& position,
+                                    const glm::dvec3& normal, const glm::dvec3& up, double nearDistance) {
+  const glm::dvec3 y = tangentAlong(normal, up);
+  const glm::dvec3 x = glm::cross(y, normal);
+  const auto turned = [&](const glm::dvec3& own) { return glm::vec3(own.x * x + own.y * y + own.z * normal); };
+  std::vector<raster::Face> turnedFaces;
+  for (const ProjectionFace& face : faces)
+    turnedFaces.push_back({glm::vec3(position), turned(face.x), turned(face.y), turned(face.w),
+                           static_cast<float>(nearDistance), face.resolution, face.scissor});
+  return turnedFaces;
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,166 @@
+#include "radiosity/scene/materials.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "radiosity/scene/mtl_file.h"
+#include "radiosity/scene/obj_lines.h"
+#include "raster/base/input_error.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// Stands for every reflectance that is not known.
+constexpr double grey = 0.5;
+
+/// A statement and the folder that its images are relative to.
+struct Definition {
+  MaterialStatement statement;
+  std::filesystem::path folder;
+};
+
+std::map<std::string, Definition> readDefinitions(const std::vector<std::filesystem::path>& files, EmissionUnit unit,
+                                                  std::vector<std::string>& warnings) {
+  std::map<std::string, Definition> definitions;
+  for (const std::filesystem::path& file : files) {
+    const std::optional<std::string> text = readText(file);
+    if (!text) {
+      warnings.push_back("the material file " + file.string() + " cannot be read; its materials become grey 0.5");
+      continue;
+    }
+    for (MaterialStatement& statement : parseMaterials(*text, file, unit)) {
+      definitions.try_emplace(statement.name, Definition{statement, file.parent_path()});
+    }
+  }
+  return definitions;
+}
+
+template <typename Predicate>
+bool anyValue(const Image& image, Predicate predicate) {
+  return std::any_of(image.pixels.begin(), image.pixels.end(), [&](const glm::dvec3& pixel) {
+    return predicate(pixel.r) || predicate(pixel.g) || predicate(pixel.b);
+  });
+}
+
+/// The images of maps, each file read once.
+class MapImages {
+ public:
+  explicit MapImages(MaterialSet& set) : set_(set) {}
+
+  /// The image of a map, or nothing, with a warning, where there is none to be had.
+  std::optional<int> emission(const MapStatement& map, const Definition& definition) {
+    const std::string owner = "material '" + definition.statement.name + "': ";
+    if (map.image.empty()) {
+      set_.warnings.push_back(owner + "a map names no image; 0.5 stands for it");
+      return {};
+    }
+    if (map.hasOptions) set_.warnings.push_back(owner + "the options of its maps are ignored");
+    const std::filesystem::path file = definition.folder / map.image;
+    const auto [known, isNew] = read_.try_emplace(file);
+    if (isNew) known->second = read(file);
+    return known->second;
+  }
+
+  /// The same with values of at most 1.
+  std::optional<int> reflectance(const MapStatement& map, const Definition& definition) {
+    const std::optional<int> image = emission(map, definition);
+    if (!image || !anyValue(imageAt(*image), [](double value) { return value > 1; })) return image;
+    const auto [known, isNew] = lowered_.try_emplace(*image, static_cast<int>(set_.images.size()));
+    if (isNew) {
+      Image lowered = imageAt(*image);
+      for (glm::dvec3& pixel : lowered.pixels) pixel = glm::min(pixel, glm::dvec3(1.0));
+      set_.images.push_back(std::move(lowered));
+      set_.warnings.push_back("material '" + definition.statement.name +
+                              "': its map_Kd has values above 1; they are lowered to 1");
+    }
+    return known->second;
+  }
+
+ private:
+  const Image& imageAt(int index) const { return set_.images[static_cast<std::size_t>(index)]; }
+
+  std::optional<int> read(const std::filesystem::path& file) {
+    Image image;
+    try {
+      image = readImage(file);
+    } catch (const raster::InputError& error) {
+      set_.warnings.push_back(std::string(error.what()) + "; 0.5 stands for it");
+      return {};
+    }
+    if (anyValue(image, [](double value) { return value < 0; })) fail({file}, "a map with negative values");
+    set_.images.push_back(std::move(image));
+    return static_cast<int>(set_.images.size()) - 1;
+  }
+
+  MaterialSet& set_;
+  std::map<std::filesystem::path, std::optional<int>> read_;
+  std::map<int, int> lowered_;  ///< from images to their copies without values above 1
+};
+
+/// Lowers what reflects all light or more to `maxReflectance`; says whether there was any.
+bool lower(glm::dvec3& reflectance, double maxReflectance) {
+  bool lowered = false;
+  for (int band = 0; band < 3; ++band) {
+    if (reflectance[band] < 1) continue;
+    reflectance[band] = maxReflectance;
+    lowered = true;
+  }
+  return lowered;
+}
+
+Material makeMaterial(const Definition& definition, const SceneSettings& settings, MapImages& images,
+                      std::vector<std::string>& warnings) {
+  const MaterialStatement& statement = definition.statement;
+  const std::string owner = "material '" + statement.name + "': ";
+  Material material{.name = statement.name};
+  if (statement.reflectance) {
+    material.reflectance = *statement.reflectance;
+    if (lower(material.reflectance, settings.maxReflectance)) {
+      warnings.push_back(owner + "a reflectance of 1 or more is lowered to " + std::to_string(settings.maxReflectance));
+    }
+  } else if (statement.reflectanceMap) {
+    material.reflectance = glm::dvec3(settings.maxReflectance);
+  } else {
+    warnings.push_back(owner + "it has no Kd; grey 0.5 stands for it");
+  }
+  if (statement.reflectanceMap) {
+    material.reflectanceMap = images.reflectance(*statement.reflectanceMap, definition);
+    if (!material.reflectanceMap) material.reflectance = glm::dvec3(grey);
+  }
+  if (statement.emission) material.emission = *statement.emission;
+  if (statement.emissionMap) {
+    if (!statement.emission) material.emission = glm::dvec3(1.0);
+    material.emissionMap = images.emission(*statement.emissionMap, definition);
+    if (!material.emissionMap) material.emission *= grey;
+  }
+  material.emission *= radiosityPerUnit(settings.emission);
+  return material;
+}
+
+}  // namespace
+
+MaterialSet findMaterials(const std::vector<std::string>& names, const std::vector<std::filesystem::path>& files,
+                          const SceneSettings& settings) {
+  MaterialSet set;
+  const std::map<std::string, Definition> definitions = readDefinitions(files, settings.emission, set.warnings);
+  MapImages images(set);
+  std::string unknown;
+  for (const std::string& name : names) {
+    const auto found = definitions.find(name);
+    if (found != definitions.end()) {
+      set.materials.push_back(makeMaterial(found->second, settings, images, set.warnings));
+    } else if (name.empty()) {
+      set.materials.push_back({.name = "default"});
+      set.warnings.push_back("faces without a material become grey 0.5");
+    } else {
+      set.materials.push_back({.name = name});
+      unknown += (unknown.empty() ? "'" : ", '") + name + "'";
+    }
+  }
+  if (!unknown.empty()) set.warnings.push_back("materials that are in no material file become grey 0.5: " + unknown);
+  return set;
+}
+
+}  // namespace hemitex::radiosity

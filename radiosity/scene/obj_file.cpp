@@ -1,0 +1,223 @@
+#include "radiosity/scene/obj_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include "radiosity/scene/obj_lines.h"
+
+#define TINYOBJLOADER_IMPLEMENTATION
+#include <tiny_obj_loader.h>
+
+namespace hemitex::radiosity {
+namespace {
+
+/// The square of a larger coordinate would leave the range of binary32, in which everything is drawn. A larger texture
+/// coordinate has no place between texels.
+constexpr double largestCoordinate = 1e18;
+
+/// What the lines of numbers say.
+class NumberReader {
+ public:
+  NumberReader(const std::filesystem::path& file, ObjFile& obj) : file_(file), obj_(obj) {}
+
+  void read(const TextLine& line) {
+    const Place place{file_, line.number};
+    if (line.keyword == "v") readPosition(line.rest, place);
+    if (line.keyword == "vt") readTexcoord(line.rest, place);
+    if (line.keyword == "vn") readNormal(line.rest, place);
+    if (line.keyword == "f") readPolygon(line.rest, place);
+  }
+
+  /// An index may point forward, so the upper end of the range is known only when all is read.
+  void checkRanges() const {
+    for (const ObjPolygon& polygon : obj_.polygons) {
+      const Place place{file_, polygon.line};
+      for (std::uint32_t c = polygon.firstCorner; c < polygon.firstCorner + polygon.cornerCount; ++c) {
+        const ObjCorner& corner = obj_.corners[c];
+        checkRange(corner.position, obj_.positions.size(), "vertices", place);
+        if (corner.texcoord) checkRange(*corner.texcoord, obj_.texcoords.size(), "texture coordinates", place);
+      }
+    }
+    checkRange(largestNormal_, normalCount_, "normals", {file_, largestNormalLine_});
+  }
+
+ private:
+  /// `v x y z`, with a weight `w`, with a colour `r g b`, or with a colour and its alpha.
+  void readPosition(std::string_view rest, const Place& place) {
+    std::array<double, 7> n{};
+    const std::size_t count = readNumbers(rest, n, place);
+    if (count < 3 || count == 5) fail(place, "a vertex has 3 coordinates, and may have a weight or a colour behind");
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::fabs(n[static_cast<std::size_t>(axis)]) > largestCoordinate) {
+        fail(place, "a coordinate is above 1e18 in size", "scale the scene down");
+      }
+    }
+    obj_.positions.emplace_back(n[0], n[1], n[2]);
+    obj_.colors.push_back(count >= 6 ? std::optional(glm::dvec3(n[3], n[4], n[5])) : std::nullopt);
+  }
+
+  void readTexcoord(std::string_view rest, const Place& place) {
+    std::array<double, 3> n{};
+    if (readNumbers(rest, n, place) == 0) fail(place, "a texture coordinate has at least 1 number");
+    if (std::max(std::fabs(n[0]), std::fabs(n[1])) > largestCoordinate)
+      fail(place, "a texture coordinate is above 1e18 in size", "use coordinates from 0 to 1, or of some repetitions");
+    obj_.texcoords.emplace_back(n[0], n[1]);
+  }
+
+  /// Normals are not used, but a file that is broken is broken.
+  void readNormal(std::string_view rest, const Place& place) {
+    std::array<double, 3> n{};
+    if (readNumbers(rest, n, place) != 3) fail(place, "a normal has 3 numbers");
+    ++normalCount_;
+  }
+
+  void readPolygon(std::string_view rest, const Place& place) {
+    ObjPolygon polygon{.firstCorner = static_cast<std::uint32_t>(obj_.corners.size()), .line = place.line};
+    polygon.textured = true;
+    for (auto word = nextWord(rest); word; word = nextWord(rest)) {
+      obj_.corners.push_back(readCorner(*word, place));
+      polygon.textured = polygon.textured && obj_.corners.back().texcoord.has_value();
+    }
+    polygon.cornerCount = static_cast<std::uint32_t>(obj_.corners.size()) - polygon.firstCorner;
+    if (polygon.cornerCount < 3) fail(place, "a face has at least 3 corners");
+    obj_.polygons.push_back(polygon);
+  }
+
+  /// `v`, `v/vt`, `v//vn` or `v/vt/vn`.
+  ObjCorner readCorner(std::string_view word, const Place& place) {
+    std::array<std::string_view, 3> parts;
+    std::string_view rest = word;
+    for (std::size_t part = 0; part < 3; ++part) {
+      const std::size_t length = std::min(part < 2 ? rest.find('/') : rest.size(), rest.size());
+      parts[part] = rest.substr(0, length);
+      rest.remove_prefix(std::min(length + 1, rest.size()));
+    }
+    ObjCorner corner{resolve(parts[0], obj_.positions.size(), "vertices", place)};
+    if (!parts[1].empty()) corner.texcoord = resolve(parts[1], obj_.texcoords.size(), "texture coordinates", place);
+    if (!parts[2].empty()) noteNormal(resolve(parts[2], normalCount_, "normals", place), place);
+    return corner;
+  }
+
+  /// The index of a word, counted from 0: positive ones count from 1, negative ones back from the last so far.
+  static std::uint32_t resolve(std::string_view word, std::size_t count, const char* what, const Place& place) {
+    int index = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
+    if (error != std::errc() || end != word.data() + word.size()) {
+      fail(place, "'" + std::string(word) + "' is not an index");
+    }
+    if (index == 0) fail(place, "index 0 in a face", "indices count from 1");
+    if (index > 0) return static_cast<std::uint32_t>(index) - 1;
+    const std::int64_t resolved = static_cast<std::int64_t>(count) + index;
+    if (resolved < 0) {
+      fail(place, "index " + std::to_string(index) + " is out of range: there are " + std::to_string(count) + " " +
+                      what + " above it");
+    }
+    return static_cast<std::uint32_t>(resolved);
+  }
+
+  static void checkRange(std::uint32_t index, std::size_t count, const char* what, const Place& place) {
+    if (index < count || place.line == 0) return;
+    fail(place,
+         "index " + std::to_string(index + 1) + " is out of range: there are " + std::to_string(count) + " " + what);
+  }
+
+  void noteNormal(std::uint32_t index, const Place& place) {
+    if (largestNormalLine_ > 0 && index <= largestNormal_) return;
+    largestNormal_ = index;
+    largestNormalLine_ = place.line;
+  }
+
+  const std::filesystem::path& file_;
+  ObjFile& obj_;
+  std::size_t normalCount_ = 0;
+  std::uint32_t largestNormal_ = 0;
+  int largestNormalLine_ = 0;  ///< 0: no face has a normal
+};
+
+/// What tinyobjloader calls back about: which polygon belongs to which section.
+struct StructureReader {
+  ObjFile& obj;
+  std::size_t polygon = 0;  ///< the next one
+  ObjSection current{"default", ""};
+  std::map<std::pair<std::string, std::string>, std::uint32_t> sections = {};
+  std::optional<std::uint32_t> section = {};  ///< of `current`, once a face has asked for it
+
+  void addPolygon() {
+    if (!section) {
+      const auto known = sections.try_emplace({current.group, current.material}, obj.sections.size());
+      if (known.second) obj.sections.push_back(current);
+      section = known.first->second;
+    }
+    obj.polygons[polygon++].section = *section;
+  }
+  void setGroup(const std::string& name) {
+    current.group = name.empty() ? "default" : name;
+    section.reset();
+  }
+  void setMaterial(const std::string& name) {
+    current.material = name;
+    section.reset();
+  }
+};
+
+tinyobj::callback_t structureCallbacks() {
+  tinyobj::callback_t callbacks;
+  callbacks.index_cb = [](void* reader, tinyobj::index_t*, int) {
+    static_cast<StructureReader*>(reader)->addPolygon();
+  };
+  callbacks.usemtl_cb = [](void* reader, const char* name, int) {
+    static_cast<StructureReader*>(reader)->setMaterial(name);
+  };
+  callbacks.object_cb = [](void* reader, const char* name) { static_cast<StructureReader*>(reader)->setGroup(name); };
+  callbacks.group_cb = [](void* reader, const char** names, int count) {
+    std::string joined;
+    for (int i = 0; i < count; ++i) joined += (i > 0 ? " " : "") + std::string(names[i]);
+    static_cast<StructureReader*>(reader)->setGroup(joined);
+  };
+  return callbacks;
+}
+
+/// The lines that make the structure; of a face, whose numbers are read already, only that it is there.
+std::string structureText(const std::vector<TextLine>& lines) {
+  std::string text;
+  for (const TextLine& line : lines) {
+    if (line.keyword == "f") text += "f 1 1 1\n";
+    if (line.keyword == "g" || line.keyword == "o" || line.keyword == "usemtl") {
+      text += std::string(line.keyword) + " " + std::string(line.rest) + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+ObjFile readObj(const std::filesystem::path& file) {
+  const std::optional<std::string> text = readText(file);
+  if (!text) fail({file}, "cannot be read", "check the path, and that it is a file you may read");
+  return parseObj(*text, file);
+}
+
+ObjFile parseObj(std::string_view text, const std::filesystem::path& file) {
+  const std::vector<TextLine> lines = splitLines(text);
+  ObjFile obj;
+  NumberReader numbers(file, obj);
+  for (const TextLine& line : lines) {
+    numbers.read(line);
+    if (line.keyword == "mtllib" && !line.rest.empty()) obj.materialLibraries.emplace_back(line.rest);
+  }
+  numbers.checkRanges();
+
+  std::istringstream structure(structureText(lines));
+  StructureReader reader{obj};
+  tinyobj::LoadObjWithCallback(structure, structureCallbacks(), &reader);
+  assert(reader.polygon == obj.polygons.size());
+  return obj;
+}
+
+}  // namespace hemitex::radiosity

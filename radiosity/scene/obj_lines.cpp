@@ -1,0 +1,103 @@
+#include "radiosity/scene/obj_lines.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include "raster/base/input_error.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+constexpr std::string_view blanks = " \t";
+
+std::string_view trim(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+bool isBlank(char c) { return blanks.find(c) != std::string_view::npos; }
+
+std::string_view withoutComment(std::string_view line) {
+  for (std::size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1)) {
+    const bool startsWord = at == 0 || isBlank(line[at - 1]);
+    const bool endsWord = at + 1 == line.size() || isBlank(line[at + 1]);
+    if (at == 0 || (startsWord && endsWord)) return trim(line.substr(0, at));
+  }
+  return line;
+}
+
+/// Takes the first line off `text`, and its end.
+std::string_view takeLine(std::string_view& text) {
+  const std::size_t length = std::min(text.find_first_of("\r\n"), text.size());
+  const std::string_view line = text.substr(0, length);
+  text.remove_prefix(length);
+  text.remove_prefix(text.starts_with("\r\n") ? 2 : std::min<std::size_t>(text.size(), 1));
+  return line;
+}
+
+double readNumber(std::string_view word, const Place& place) {
+  std::string_view digits = word;
+  if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);  // from_chars takes no plus
+  double number = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  const auto refuse = [&](const char* why) { fail(place, "'" + std::string(word) + "' " + why); };
+  if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) refuse("is not a number");
+  if (error == std::errc::result_out_of_range) refuse("is outside the range of binary64");
+  if (!std::isfinite(number)) refuse("is not a finite number");
+  return number + 0.0;  // no negative zero: equal numbers are equal bits
+}
+
+}  // namespace
+
+std::optional<std::string> readText(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) return {};
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return {};
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (stream.bad()) return {};
+  return std::move(text).str();
+}
+
+std::vector<TextLine> splitLines(std::string_view text) {
+  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
+  std::vector<TextLine> lines;
+  for (int number = 1; !text.empty(); ++number) {
+    const std::string_view line = withoutComment(trim(takeLine(text)));
+    if (line.empty()) continue;
+    const std::size_t keywordLength = std::min(line.find_first_of(blanks), line.size());
+    lines.push_back({number, line.substr(0, keywordLength), trim(line.substr(keywordLength))});
+  }
+  return lines;
+}
+
+std::optional<std::string_view> nextWord(std::string_view& rest) {
+  rest = trim(rest);
+  if (rest.empty() || rest.front() == '#') return {};
+  const std::string_view word = rest.substr(0, rest.find_first_of(blanks));
+  rest.remove_prefix(word.size());
+  return word;
+}
+
+std::size_t readNumbers(std::string_view rest, std::span<double> numbers, const Place& place) {
+  std::size_t count = 0;
+  for (auto word = nextWord(rest); word; word = nextWord(rest)) {
+    const double number = readNumber(*word, place);
+    if (count == numbers.size()) fail(place, "'" + std::string(*word) + "' is one number too many");
+    numbers[count++] = number;
+  }
+  return count;
+}
+
+void fail(const Place& place, const std::string& what, const std::string& advice) {
+  throw raster::InputError(place.file.string(), place.line, what, advice);
+}
+
+}  // namespace hemitex::radiosity

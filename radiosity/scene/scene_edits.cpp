@@ -1,0 +1,201 @@
+#include "radiosity/scene/scene_edits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "radiosity/scene/mesh_sections.h"
+#include "radiosity/scene/mtl_file.h"
+#include "radiosity/scene/name_suggestions.h"
+#include "raster/base/input_error.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+using raster::InputError;
+
+bool isNamed(const Surface& surface, const std::string& name) {
+  if (surface.name == name || surface.family == name) return true;
+  return name.ends_with('*') && surface.family.starts_with(name.substr(0, name.size() - 1));
+}
+
+std::vector<std::uint32_t> find(const std::vector<Surface>& surfaces, const std::string& name) {
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t s = 0; s < surfaces.size(); ++s)
+    if (isNamed(surfaces[s], name)) found.push_back(s);
+  return found;
+}
+
+std::vector<std::uint32_t> findOrFail(const std::vector<Surface>& surfaces, const std::string& name,
+                                      const std::string& where) {
+  std::vector<std::uint32_t> found = find(surfaces, name);
+  if (!found.empty()) return found;
+  std::set<std::string> families;
+  for (const Surface& surface : surfaces) families.insert(surface.family);
+  throw InputError(
+      "no surface " + where + " is named `" + name + "`",
+      families.empty() ? "nothing was removed so far" : "names that come near: " + nearestNames(families, name));
+}
+
+/// With the other sides of what has them, ascending.
+std::vector<std::uint32_t> withTwins(const std::vector<Surface>& surfaces, std::vector<std::uint32_t> numbers) {
+  std::set<std::uint32_t> all(numbers.begin(), numbers.end());
+  for (const std::uint32_t s : numbers)
+    if (surfaces[s].twin) all.insert(static_cast<std::uint32_t>(*surfaces[s].twin));
+  return {all.begin(), all.end()};
+}
+
+void move(const Scene& scene, Surface& surface, const glm::dvec3& by) {
+  for (Triangle& triangle : surface.triangles)
+    for (glm::dvec3& corner : triangle.position) {
+      corner += by;
+      if (!(glm::length(corner - scene.origin) <= farthestEdit * scene.extent))
+        throw InputError("an edit puts `" + surface.name + "` farther than " +
+                             std::to_string(static_cast<int>(farthestEdit)) + " extents from the scene",
+                         "move it less, or solve the scene anew");
+    }
+}
+
+class Editor {
+ public:
+  Editor(Scene scene, std::vector<Surface> removed) : scene_(std::move(scene)), removed_(std::move(removed)) {
+    for (std::uint32_t s = 0; s < scene_.surfaces.size(); ++s) origins_.push_back({s});
+  }
+
+  void apply(const Move& edit) {
+    for (const std::uint32_t s : withTwins(scene_.surfaces, named(edit.name))) {
+      move(scene_, scene_.surfaces[s], edit.by);
+      origins_[s].isMoved = true;
+    }
+  }
+
+  void apply(const Remove& edit) {
+    std::vector<bool> goes(scene_.surfaces.size());
+    for (const std::uint32_t s : withTwins(scene_.surfaces, named(edit.name))) goes[s] = true;
+    take(scene_.surfaces, goes, removed_);
+    std::vector<Origin> origins;
+    for (std::size_t s = 0; s < goes.size(); ++s)
+      if (!goes[s]) origins.push_back(origins_[s]);
+    origins_ = std::move(origins);
+  }
+
+  void apply(const Restore& edit) {
+    std::vector<bool> comes(removed_.size());
+    for (const std::uint32_t s : withTwins(removed_, findOrFail(removed_, edit.name, "that was removed")))
+      comes[s] = true;
+    take(removed_, comes, scene_.surfaces);
+    origins_.resize(scene_.surfaces.size());
+  }
+
+  void apply(const Add& edit) {
+    Scene added = loadScene(edit.file, edit.settings);
+    const auto firstMaterial = static_cast<int>(scene_.materials.size());
+    const auto firstImage = static_cast<int>(scene_.images.size());
+    const auto firstSurface = static_cast<int>(scene_.surfaces.size());
+    for (Material& material : added.materials) {
+      if (material.reflectanceMap) *material.reflectanceMap += firstImage;
+      if (material.emissionMap) *material.emissionMap += firstImage;
+      scene_.materials.push_back(std::move(material));
+    }
+    std::move(added.images.begin(), added.images.end(), std::back_inserter(scene_.images));
+    std::move(added.warnings.begin(), added.warnings.end(), std::back_inserter(scene_.warnings));
+    rename(added.surfaces);
+    for (Surface& surface : added.surfaces) {
+      surface.material += firstMaterial;
+      if (surface.twin) *surface.twin += firstSurface;
+      move(scene_, surface, edit.by);
+      scene_.surfaces.push_back(std::move(surface));
+    }
+    origins_.resize(scene_.surfaces.size());
+  }
+
+  void apply(const SetEmission& edit) {
+    requireAll(
+        edit.to, [](double value) { return value >= 0 && value <= largestEmission; },
+        "the emission of `" + edit.name + "` is below 0 or above 1e30 W/m^2");
+    setMaterial(edit.name, [&](Material& material) { material.emission = edit.to; });
+  }
+
+  void apply(const SetReflectance& edit) {
+    requireAll(
+        edit.to, [](double value) { return value >= 0 && value < 1; },
+        "the reflectance of `" + edit.name + "` is not at least 0 and below 1");
+    setMaterial(edit.name, [&](Material& material) { material.reflectance = edit.to; });
+  }
+
+  EditedScene result() && {
+    if (scene_.surfaces.empty()) throw InputError("the edits leave nothing of the scene");
+    return {std::move(scene_), std::move(origins_), std::move(removed_)};
+  }
+
+ private:
+  std::vector<std::uint32_t> named(const std::string& name) const {
+    return findOrFail(scene_.surfaces, name, "of the scene");
+  }
+
+  template <typename Predicate>
+  static void requireAll(const glm::dvec3& value, const Predicate& holds, const std::string& message) {
+    if (!holds(value.x) || !holds(value.y) || !holds(value.z)) throw InputError(message);
+  }
+
+  /// Moves surfaces to the end of another list; those of each list that are twins name each other by their new numbers.
+  static void take(std::vector<Surface>& from, const std::vector<bool>& goes, std::vector<Surface>& to) {
+    std::vector<int> number(from.size());
+    int kept = 0, taken = static_cast<int>(to.size());
+    for (std::size_t s = 0; s < from.size(); ++s) number[s] = goes[s] ? taken++ : kept++;
+    std::vector<Surface> stay;
+    for (std::size_t s = 0; s < from.size(); ++s) {
+      if (from[s].twin) from[s].twin = number[static_cast<std::size_t>(*from[s].twin)];
+      (goes[s] ? to : stay).push_back(std::move(from[s]));
+    }
+    from = std::move(stay);
+  }
+
+  /// Gives added surfaces names and families that neither the scene nor what was removed has.
+  void rename(std::vector<Surface>& added) const {
+    std::set<std::string> taken;
+    for (const std::vector<Surface>* surfaces : {&scene_.surfaces, &removed_})
+      for (const Surface& surface : *surfaces) taken.insert({surface.name, surface.family});
+    std::map<std::string, std::string> families;
+    std::set<std::string> names = taken;
+    for (Surface& surface : added) {
+      if (!families.contains(surface.family)) families[surface.family] = uniqueName(taken, surface.family);
+      const std::string& family = families[surface.family];
+      surface.name = uniqueName(names, family + surface.name.substr(surface.family.size()));
+      surface.family = family;
+    }
+  }
+
+  /// A changed copy of the material of each surface, one for all that shared one.
+  template <typename Change>
+  void setMaterial(const std::string& name, const Change& change) {
+    std::map<int, int> changed;
+    for (const std::uint32_t s : named(name)) {
+      int& material = scene_.surfaces[s].material;
+      const auto [copy, isNew] = changed.try_emplace(material, static_cast<int>(scene_.materials.size()));
+      if (isNew) {
+        Material own = scene_.materials[static_cast<std::size_t>(material)];
+        change(own);
+        scene_.materials.push_back(std::move(own));
+      }
+      material = copy->second;
+    }
+  }
+
+  Scene scene_;
+  std::vector<Origin> origins_;
+  std::vector<Surface> removed_;
+};
+
+}  // namespace
+
+EditedScene edited(Scene scene, std::vector<Surface> removed, std::span<const Edit> edits) {
+  Editor editor(std::move(scene), std::move(removed));
+  for (const Edit& edit : edits) std::visit([&](const auto& change) { editor.apply(change); }, edit);
+  return std::move(editor).result();
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,89 @@
+#include "radiosity/scene/section_charts.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "radiosity/geometry/chart_validation.h"
+#include "radiosity/geometry/planar_charts.h"
+#include "radiosity/scene/obj_lines.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+using Triangles = std::vector<Triangle>;
+
+std::string describe(const ChartConflict& conflict, const Triangles& triangles, const ObjFile& obj) {
+  const auto face = [&](std::uint32_t triangle) {
+    return "the face in line " + std::to_string(obj.polygons[triangles[triangle].polygon].line);
+  };
+  switch (conflict.kind) {
+    case ChartConflict::Kind::Outside:
+      return face(conflict.triangle) + " leaves the unit square";
+    case ChartConflict::Kind::NoArea:
+      return face(conflict.triangle) + " has no area in them";
+    case ChartConflict::Kind::Overlap:
+      break;
+  }
+  return face(conflict.triangle) + " overlaps " + face(conflict.other);
+}
+
+/// Takes the file's coordinates where they form a chart; else changes nothing and says why they do not.
+std::optional<std::string> layFromFile(Triangles& triangles, const ObjFile& obj) {
+  std::vector<ChartTriangle> charts;
+  for (const Triangle& triangle : triangles) {
+    const ObjPolygon& polygon = obj.polygons[triangle.polygon];
+    if (!polygon.textured) return "the face in line " + std::to_string(polygon.line) + " has none";
+    charts.push_back(roundedChart(triangle.texcoord));
+  }
+  const std::vector<ChartConflict> conflicts = chartConflicts(charts, 1);
+  if (!conflicts.empty()) return describe(conflicts[0], triangles, obj);
+  for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i].chart = charts[i];
+  return {};
+}
+
+bool isLoneQuad(const Triangles& triangles, const ObjFile& obj) {
+  return triangles.front().polygon == triangles.back().polygon &&
+         obj.polygons[triangles.front().polygon].cornerCount == 4;
+}
+
+std::vector<Triangles> layPlanar(const Triangles& triangles) {
+  std::vector<TrianglePositions> positions;
+  for (const Triangle& triangle : triangles) positions.push_back(triangle.position);
+  std::vector<Triangles> surfaces;
+  for (const PlanarPart& part : planarParts(positions)) {
+    Triangles& surface = surfaces.emplace_back();
+    for (std::size_t i = 0; i < part.triangles.size(); ++i) {
+      surface.push_back(triangles[part.triangles[i]]);
+      surface.back().chart = part.charts[i];
+    }
+  }
+  return surfaces;
+}
+
+std::vector<Triangles> lay(Section section, const ObjFile& obj, const std::filesystem::path& file, Charts charts) {
+  if (charts == Charts::Planar) return layPlanar(section.triangles);
+  const std::optional<std::string> fault = layFromFile(section.triangles, obj);
+  if (fault && charts == Charts::File) {
+    fail({file}, "the texture coordinates of surface '" + section.family + "' form no chart: " + *fault,
+         "choose other charts, or mend the coordinates");
+  }
+  // The corners of a quad are its chart from the start.
+  if (!fault || isLoneQuad(section.triangles, obj)) return {std::move(section.triangles)};
+  return layPlanar(section.triangles);
+}
+
+}  // namespace
+
+std::vector<std::vector<Triangle>> layCharts(Section section, const ObjFile& obj, const std::filesystem::path& file,
+                                             Charts charts) {
+  std::vector<Triangles> surfaces = lay(std::move(section), obj, file, charts);
+  for (Triangles& surface : surfaces) {
+    for (Triangle& triangle : surface) {
+      if (!obj.polygons[triangle.polygon].textured) triangle.texcoord = triangle.chart;
+    }
+  }
+  return surfaces;
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,334 @@
+#include "radiosity/solver/dynamic_solution.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <utility>
+
+#include "radiosity/discretization/edited_discretization.h"
+#include "radiosity/discretization/grid_size.h"
+#include "radiosity/discretization/patch_points.h"
+#include "radiosity/solver/kahan_sum.h"
+#include "radiosity/solver/row_update.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+std::uint32_t viewCount(const Patch& patch) {
+  return patch.points > 1 ? static_cast<std::uint32_t>(patch.points * patch.points) : 0;
+}
+
+/// The number under which the row of a view is kept: no patch has more than 2^8 of them.
+std::uint64_t viewNumber(std::uint32_t patch, std::uint32_t view) {
+  static_assert(mostSplits <= 4);
+  return (std::uint64_t{patch} << 8) + view;
+}
+
+}  // namespace
+
+/// A scene with all that its rows are drawn with.
+struct DynamicSolution::World {
+  World(Scene edited, Discretization shooting, const LayoutFactory& layOut, const DrawingSettings& settings,
+        const RendererFactory& makeRenderer)
+      : scene(std::move(edited)), drawn(scene, shooting, layOut(shooting), settings, makeRenderer) {}
+
+  const Scene scene;
+  DrawnRows drawn;
+};
+
+namespace {
+
+/// Of what the residual still allows, an update leaves this share astray at most. It stays so for all frames to come.
+constexpr double shareLeftAstray = 0.1;
+/// More than this share of what the residual allows is not dragged along: some ten frames later a solution starts over.
+constexpr double mostAstray = 0.7;
+
+/// The numbers that surfaces, patches and elements have after an edit. What is gone has no patch any more; its elements
+/// share one number behind all others.
+struct Renumbering {
+  std::vector<std::optional<std::uint32_t>> patch;  ///< one a former patch; none where its surface moved or went
+  std::vector<std::uint32_t> element;               ///< one a former element
+  std::vector<bool> isGone, isCome;  ///< one a former surface, one a new one: not there or not at the same place
+};
+
+Renumbering renumber(const Discretization& before, const Discretization& after, const std::vector<Origin>& origins) {
+  Renumbering numbers;
+  numbers.patch.resize(before.patches.size());
+  numbers.element.assign(before.elements.size(), static_cast<std::uint32_t>(after.elements.size()));
+  numbers.isGone.assign(before.grids.size(), true);
+  numbers.isCome.assign(after.grids.size(), true);
+  for (std::size_t s = 0; s < origins.size(); ++s) {
+    if (!origins[s].former) continue;
+    const Grid& old = before.grids[*origins[s].former];
+    const Grid& grid = after.grids[s];
+    for (std::uint32_t e = 0; e < grid.elementCount; ++e) numbers.element[old.firstElement + e] = grid.firstElement + e;
+    if (origins[s].isMoved) continue;
+    numbers.isGone[*origins[s].former] = numbers.isCome[s] = false;
+    const std::vector<std::uint32_t> former = patchesOf(old), now = patchesOf(grid);
+    for (std::size_t p = 0; p < now.size(); ++p) numbers.patch[former[p]] = now[p];
+  }
+  return numbers;
+}
+
+/// A row of a former scene, by the new numbers; they ascend as the old ones do, but for those of what is gone.
+FormFactorRow inNewNumbers(const FormFactorRow& row, const Renumbering& numbers, std::uint32_t gone) {
+  FormFactorRow result{{}, {}, row.background, row.back};
+  std::uint64_t atGone = 0;
+  for (std::size_t i = 0; i < row.elements.size(); ++i) {
+    const std::uint32_t element = numbers.element[row.elements[i]];
+    if (element == gone) {
+      atGone += row.shares[i];
+      continue;
+    }
+    result.elements.push_back(element);
+    result.shares.push_back(row.shares[i]);
+  }
+  if (atGone > 0) {
+    result.elements.push_back(gone);
+    result.shares.push_back(atGone);
+  }
+  return result;
+}
+
+/// Adds flux along a row to what was received; below zero it is taken back.
+void receive(ShotLight& light, const FormFactorRow& row, const glm::dvec3& flux) {
+  for (std::size_t i = 0; i < row.elements.size(); ++i)
+    light.received[row.elements[i]] += flux * formFactor(row.shares[i]);
+  light.lost += flux * formFactor(row.background + row.back);
+  light.lostToBacks += flux * formFactor(row.back);
+}
+
+/// Patches keep their old rows where the bounds of what may lie astray for it are smallest, as many as fit.
+struct LeftRows {
+  std::vector<bool> isLeft;  ///< one a former patch
+  double astray = 0;
+};
+
+LeftRows leaveRows(const std::vector<double>& bounds, double allowed) {
+  std::vector<std::pair<double, std::uint32_t>> order;
+  for (std::uint32_t p = 0; p < bounds.size(); ++p)
+    if (bounds[p] > 0) order.emplace_back(bounds[p], p);
+  std::sort(order.begin(), order.end());
+  LeftRows left{std::vector<bool>(bounds.size())};
+  for (const auto& [bound, patch] : order) {
+    if (left.astray + bound > allowed) break;
+    left.astray += bound;
+    left.isLeft[patch] = true;
+  }
+  return left;
+}
+
+/// What an edit makes of what was shot, and of the rows that are kept.
+class LightUpdate {
+ public:
+  LightUpdate(const Scene& sceneBefore, DrawnRows& before, const Scene& sceneAfter, DrawnRows& after,
+              const std::vector<Origin>& origins, const KeptRows& kept, std::size_t rowCacheBytes)
+      : sceneBefore_(sceneBefore),
+        before_(before),
+        after_(after),
+        numbers_(renumber(before.discretization(), after.discretization(), origins)),
+        gone_(static_cast<std::uint32_t>(after.discretization().elements.size())),
+        change_{before.rows(), after.rows(), ChangedSurfaces(sceneBefore, numbers_.isGone),
+                ChangedSurfaces(sceneAfter, numbers_.isCome)},
+        kept_(kept),
+        rows_(rowCacheBytes) {}
+
+  /// `mayLeave` is the flux that may be left astray.
+  void update(const ShotLight& light, double mayLeave) {
+    carry(light);
+    const std::vector<double> shares = largestShares();
+    std::vector<double> bounds;
+    for (std::size_t p = 0; p < shares.size(); ++p) bounds.push_back(2 * shares[p] * bandSum(glm::abs(light.shot[p])));
+    const LeftRows left = leaveRows(bounds, mayLeave);
+    light_.astray += left.astray;
+    for (std::uint32_t p = 0; p < shares.size(); ++p) {
+      if (!numbers_.patch[p])
+        takeBack(p, light.shot[p]);
+      else if (shares[p] == 0)
+        keep(p);
+      else if (left.isLeft[p])
+        ++cost_.rowsLeft;
+      else if (bounds[p] > 0)
+        redirect(p, light.shot[p]);
+    }
+    // What rows that were left sent to what is gone is nowhere in the scene.
+    light_.lost += light_.received.back();
+    light_.received.pop_back();
+  }
+
+  /// Keeps the rows that are what they were; nothing of what was shot.
+  void keepRows() {
+    const std::vector<double> shares = largestShares();
+    for (std::uint32_t p = 0; p < shares.size(); ++p)
+      if (numbers_.patch[p] && shares[p] == 0) keep(p);
+  }
+
+  ShotLight& light() { return light_; }
+  KeptRows& rows() { return rows_; }
+  const UpdateCost& cost() const { return cost_; }
+
+ private:
+  void carry(const ShotLight& light) {
+    light_ = {std::vector<glm::dvec3>(after_.discretization().patches.size()),
+              std::vector<glm::dvec3>(gone_ + 1),
+              light.lost,
+              light.lostToBacks,
+              light.astray,
+              light.lastEmitted};
+    for (std::size_t p = 0; p < light.shot.size(); ++p)
+      if (numbers_.patch[p]) light_.shot[*numbers_.patch[p]] = light.shot[p];
+    for (std::size_t e = 0; e < light.received.size(); ++e) light_.received[numbers_.element[e]] += light.received[e];
+  }
+
+  /// Of a patch's light, the most that goes through pixels that can change; one a former patch.
+  std::vector<double> largestShares() const {
+    const Discretization& before = before_.discretization();
+    std::vector<double> shares(before.patches.size());
+    if (change_.gone.empty() && change_.come.empty()) return shares;
+    for (std::size_t p = 0; p < shares.size(); ++p) {
+      if (!numbers_.patch[p]) continue;  // what it shot is taken back wholly
+      const Patch& patch = before.patches[p];
+      const double pixel = pixelAngle(change_.rowsAfter.projection()) * (1 << patch.halvings);
+      for (const SurfacePoint& point : pointsOf(patch))
+        shares[p] = std::max(shares[p], std::min(1.0, change_.gone.largestShare(point, pixel) +
+                                                          change_.come.largestShare(point, pixel)));
+    }
+    return shares;
+  }
+
+  /// Where the patch shoots from.
+  std::vector<SurfacePoint> pointsOf(const Patch& patch) const {
+    std::vector<SurfacePoint> points;
+    if (patch.points > 1)
+      for (const ShootingBlock& block : shootingBlocks(sceneBefore_, before_.discretization(), patch))
+        points.push_back(block.centre);
+    if (points.empty()) points.push_back(patchCentre(sceneBefore_, before_.discretization(), patch));
+    return points;
+  }
+
+  FormFactorRow renumbered(const FormFactorRow& row) const { return inNewNumbers(row, numbers_, gone_); }
+
+  /// The row is what it was, and so are those that it may be the mean of.
+  void keep(std::uint32_t patch) {
+    const std::uint32_t number = *numbers_.patch[patch];
+    if (const FormFactorRow* known = kept_.ofPatches.find(patch)) rows_.ofPatches.keep(number, renumbered(*known));
+    const std::uint32_t views = viewCount(before_.discretization().patches[patch]);
+    for (std::uint32_t view = 0; view < views; ++view) keepView(patch, view, {});
+  }
+
+  void keepView(std::uint32_t patch, std::uint32_t view, const RowChange& change) {
+    const FormFactorRow* known = kept_.ofViews.find(viewNumber(patch, view));
+    const std::uint64_t number = viewNumber(*numbers_.patch[patch], view);
+    if (change.isWhole)
+      rows_.ofViews.keep(number, change.after);
+    else if (known != nullptr && change.isNothing())
+      rows_.ofViews.keep(number, renumbered(*known));
+    else if (known != nullptr)
+      rows_.ofViews.keep(number, exchanged(renumbered(*known), renumbered(change.before), change.after));
+  }
+
+  /// The patch has moved or is gone: it has shot nothing.
+  void takeBack(std::uint32_t patch, const glm::dvec3& shot) {
+    if (shot == glm::dvec3(0)) return;
+    const FormFactorRow* known = kept_.ofPatches.find(patch);
+    receive(light_, renumbered(known != nullptr ? *known : before_.rows().ofPatch(patch)), -shot);
+    ++cost_.rowsTakenBack;
+  }
+
+  /// Where the row has changed, what was shot along it goes elsewhere.
+  void redirect(std::uint32_t patch, const glm::dvec3& shot) {
+    const std::uint32_t number = *numbers_.patch[patch];
+    const FormFactorRow* known = kept_.ofPatches.find(patch);
+    const RowChange change = changeOf(change_, patch, number, known);
+    if (change.isNothing()) return keep(patch);
+    const FormFactorRow before = renumbered(change.before);
+    receive(light_, before, -shot);
+    receive(light_, change.after, shot);
+    ++(change.isWhole ? cost_.rowsWhole : cost_.rowsInWindows);
+    if (change.isWhole)
+      rows_.ofPatches.keep(number, change.after);
+    else if (known != nullptr && !change.isRounded)
+      rows_.ofPatches.keep(number, exchanged(renumbered(*known), before, change.after));
+    for (std::uint32_t view = 0; view < change.views.size(); ++view) keepView(patch, view, change.views[view]);
+  }
+
+  const Scene& sceneBefore_;
+  DrawnRows& before_;
+  DrawnRows& after_;
+  Renumbering numbers_;
+  std::uint32_t gone_;  ///< the number of all elements that are gone
+  SceneChange change_;
+  const KeptRows& kept_;
+  KeptRows rows_;
+  ShotLight light_;
+  UpdateCost cost_;
+};
+
+}  // namespace
+
+DynamicSolution::DynamicSolution(Scene scene, Discretization unsplit, DynamicSettings settings, LayoutFactory layOut,
+                                 const Progress& progress, RendererFactory makeRenderer)
+    : settings_(std::move(settings)),
+      layOut_(std::move(layOut)),
+      makeRenderer_(std::move(makeRenderer)),
+      world_(std::make_unique<World>(std::move(scene), std::move(unsplit), layOut_, settings_.drawing, makeRenderer_)),
+      rows_(settings_.solver.rowCacheBytes) {
+  settings_.discretization = followingScene(world_->scene, settings_.discretization);
+  refine(Refinement(world_->scene, discretization()), progress);
+}
+
+DynamicSolution::~DynamicSolution() = default;
+
+const Scene& DynamicSolution::scene() const { return world_->scene; }
+const Discretization& DynamicSolution::discretization() const { return world_->drawn.discretization(); }
+const WordLayout& DynamicSolution::layout() const { return world_->drawn.layout(); }
+
+std::uint64_t DynamicSolution::captured() const { return world_->drawn.rows().projection().captured; }
+
+/// As ProjectedRows::ofPatch, but that views are drawn only where their rows are not kept.
+FormFactorRow DynamicSolution::rowOf(std::uint32_t patch) {
+  ProjectedRows& rows = world_->drawn.rows();
+  const std::vector<View> views = rows.viewsOfPatch(patch);
+  if (views.size() == 1) return rows.ofView(views.front());
+  std::vector<WeightedRow> weighted;
+  for (std::uint32_t view = 0; view < views.size(); ++view) {
+    const auto drawn = [&] { return rows.ofView(views[view]); };
+    weighted.push_back({rows_.ofViews.row(viewNumber(patch, view), drawn), views[view].area});
+  }
+  return meanOf(weighted);
+}
+
+void DynamicSolution::refine(Refinement refinement, const Progress& progress) {
+  solution_ = radiosity::refine(
+      world_->scene, discretization(), refinement, rows_.ofPatches,
+      [this](std::uint32_t patch) { return rowOf(patch); }, settings_.solver, progress, world_->drawn.splits());
+  light_ = refinement.light();
+}
+
+UpdateCost DynamicSolution::update(std::span<const Edit> edits, const Progress& progress) {
+  EditedScene edit = edited(world_->scene, removed_, edits);
+  Discretization shooting = carried(discretization(), edit, settings_.discretization);
+  auto next =
+      std::make_unique<World>(std::move(edit.scene), std::move(shooting), layOut_, settings_.drawing, makeRenderer_);
+  const double emitted = bandSum(emittedFlux(next->scene, next->drawn.discretization()));
+  const double allowed = settings_.solver.residual * (emitted > 0 ? emitted : light_.lastEmitted);
+  LightUpdate update(world_->scene, world_->drawn, next->scene, next->drawn, edit.origins, rows_,
+                     settings_.solver.rowCacheBytes);
+  const bool startsOver = light_.astray > mostAstray * allowed;
+  if (startsOver)
+    update.keepRows();
+  else
+    update.update(light_, shareLeftAstray * (allowed - light_.astray));
+  UpdateCost cost = update.cost();
+  cost.startedOver = startsOver;
+
+  removed_ = std::move(edit.removed);
+  rows_ = std::move(update.rows());
+  ShotLight light = std::move(update.light());
+  world_ = std::move(next);
+  refine(startsOver ? Refinement(scene(), discretization()) : Refinement(scene(), discretization(), std::move(light)),
+         progress);
+  return cost;
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,99 @@
+#include "radiosity/solver/progressive_solver.h"
+
+#include <cassert>
+#include <utility>
+
+#include "radiosity/solver/kahan_sum.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// The radiosity that the unshot flux will add on average, per band, before the reflectance of who receives it:
+/// spread over all surfaces and reflected for ever at the mean reflectance (Cohen et al. 1988).
+glm::dvec3 ambientEstimate(const Scene& scene, const Discretization& discretization, const Energy& energy) {
+  double area = 0;
+  glm::dvec3 reflecting(0);
+  for (std::uint32_t s = 0; s < discretization.grids.size(); ++s) {
+    const SurfaceValues reflectance = reflectances(scene, discretization, s);
+    const Grid& grid = discretization.grids[s];
+    for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e) {
+      area += discretization.elements[e].area;
+      reflecting += reflectance.of(e) * discretization.elements[e].area;
+    }
+  }
+  return energy.unshot / (area - reflecting);
+}
+
+/// More than this share of the emitted flux is not lost to backs by the few pixels that look through a crack.
+constexpr double mostLostToBacks = 0.01;
+
+std::vector<std::string> warningsOf(const Energy& energy) {
+  const double emitted = bandSum(energy.emitted);
+  const double lostToBacks = emitted > 0 ? bandSum(energy.lostToBacks) / emitted : 0;
+  if (!(lostToBacks > mostLostToBacks)) return {};
+  const int tenths = static_cast<int>(lostToBacks * 1000 + 0.5);
+  return {std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) +
+          " % of the emitted flux was absorbed by the backs of faces, which are in view of lit surfaces: either a face "
+          "is wound clockwise as seen from its lit side, or a surface is a single sheet that is seen from both sides, "
+          "which --two-sided lights on both"};
+}
+
+/// All emitted flux, in units of what a patch of weight 1 shoots.
+constexpr double unitsOfFlux = 256;
+
+/// Shoots until the settings say stop.
+Solution shoot(Refinement& refinement, RowCache& rows, const RowSource& rowOf, const SolverSettings& settings,
+               const Progress& progress, const PatchSplit& split) {
+  Solution solution;
+  solution.residual = refinement.residual();
+  const auto isDone = [&] {
+    return solution.residual <= settings.residual || (settings.shots && solution.shots >= *settings.shots);
+  };
+  const double unitFlux = refinement.light().lastEmitted / unitsOfFlux;
+  const auto hasBeenSplit = [&](std::uint32_t patch) {
+    if (!split || refinement.hasShot(patch)) return false;
+    const std::vector<std::uint32_t> parts = split(patch, bandSum(glm::abs(refinement.unshot(patch))) / unitFlux);
+    if (!parts.empty()) refinement.split(patch, parts);
+    return !parts.empty();
+  };
+  while (!isDone()) {
+    const std::uint32_t patch = refinement.brightestPatch();
+    if (hasBeenSplit(patch)) continue;  // another may be brighter than its parts
+    refinement.shoot(patch, rows.row(patch, [&] { return rowOf(patch); }));
+    ++solution.shots;
+    solution.residual = refinement.residual();
+    if (progress) progress(solution.shots, solution.residual);
+  }
+  return solution;
+}
+
+/// Accounts for a solution. A refinement that is moved gives its memory to the radiosity.
+template <typename AnyRefinement>
+Solution finished(Solution solution, const Scene& scene, const Discretization& discretization,
+                  AnyRefinement&& refinement) {
+  solution.energy = refinement.energy();
+  solution.radiosity = std::forward<AnyRefinement>(refinement).radiosity();
+  solution.ambient = ambientEstimate(scene, discretization, solution.energy);
+  solution.warnings = warningsOf(solution.energy);
+  return solution;
+}
+
+}  // namespace
+
+Solution solve(const Scene& scene, const Discretization& discretization, const RowSource& rowOf,
+               const SolverSettings& settings, const Progress& progress, const PatchSplit& split) {
+  assert(!discretization.patches.empty());
+  Refinement refinement(scene, discretization);
+  RowCache rows(settings.rowCacheBytes);
+  Solution solution = shoot(refinement, rows, rowOf, settings, progress, split);
+  return finished(std::move(solution), scene, discretization, std::move(refinement));
+}
+
+Solution refine(const Scene& scene, const Discretization& discretization, Refinement& refinement, RowCache& rows,
+                const RowSource& rowOf, const SolverSettings& settings, const Progress& progress,
+                const PatchSplit& split) {
+  Solution solution = shoot(refinement, rows, rowOf, settings, progress, split);
+  return finished(std::move(solution), scene, discretization, std::as_const(refinement));
+}
+
+}  // namespace hemitex::radiosity

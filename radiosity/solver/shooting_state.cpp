@@ -1,0 +1,323 @@
+#include "radiosity/solver/shooting_state.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "raster/base/parallel.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+ShotLight nothingShot(const Discretization& discretization) {
+  return {std::vector<glm::dvec3>(discretization.patches.size()),
+          std::vector<glm::dvec3>(discretization.elements.size())};
+}
+
+/// Behind the last element of a surface.
+std::uint32_t endOf(const Grid& grid) { return grid.firstElement + grid.elementCount; }
+
+/// Calls body(element) for the elements of a surface, in ascending order.
+template <typename Body>
+void forEachElement(const Grid& grid, const Body& body) {
+  for (std::uint32_t e = grid.firstElement; e < endOf(grid); ++e) body(e);
+}
+
+/// What the elements of each patch emit.
+std::vector<glm::dvec3> emittedByPatches(const Scene& scene, const Discretization& discretization) {
+  std::vector<glm::dvec3> emitted(discretization.patches.size());
+  raster::parallelFor(emitted.size(), [&](std::size_t p) {
+    const Patch& patch = discretization.patches[p];
+    const SurfaceValues emission = emissions(scene, discretization, patch.surface);
+    if (emission.areZero()) return;
+    FluxSum sum;
+    for (std::uint32_t i = 0; i < patch.elementCount; ++i) {
+      const std::uint32_t element = discretization.patchElements[patch.firstElement + i];
+      sum.add(emission.of(element) * discretization.elements[element].area);
+    }
+    emitted[p] = sum.value();
+  });
+  return emitted;
+}
+
+/// Entries [first, end) of a row.
+struct Part {
+  std::size_t first = 0, end = 0;
+};
+
+/// Parts of a row for a thread each: some thousand entries, and on to the end of a surface; elements ascend surface by
+/// surface. They depend on the row alone, and so does the order of sums.
+std::vector<Part> partsOf(const FormFactorRow& row, const Discretization& discretization) {
+  constexpr std::size_t entries = 2048;
+  std::vector<Part> parts;
+  for (std::size_t first = 0, end = 0; first < row.elements.size(); first = end) {
+    const auto last =
+        row.elements.begin() + static_cast<std::ptrdiff_t>(std::min(first + entries, row.elements.size()) - 1);
+    const Grid& grid = discretization.grids[discretization.elements[*last].surface];
+    const auto behind = std::lower_bound(last, row.elements.end(), endOf(grid));
+    end = static_cast<std::size_t>(behind - row.elements.begin());
+    parts.push_back({first, end});
+  }
+  return parts;
+}
+
+/// Elements that a row names so far ahead are fetched while others receive: they lie far apart, and memory is slow.
+constexpr std::size_t fetchedAhead = 32;
+
+/// Entries of a row that name elements of one surface, and what is shot along it.
+struct Arrival {
+  std::uint32_t surface;
+  std::span<const std::uint32_t> elements;
+  std::span<const std::uint64_t> shares;
+  glm::dvec3 shot;
+};
+
+/// The unshot flux of patches that receive, and their blocks.
+class ReceivingPatches {
+ public:
+  ReceivingPatches(UnshotFlux& unshot, std::vector<std::uint32_t>& blocks) : unshot_(unshot), blocks_(blocks) {}
+
+  void add(std::uint32_t patch, const glm::dvec3& flux) {
+    unshot_.add(patch, flux);
+    const std::uint32_t block = patch / UnshotFlux::patchesInBlock;
+    if (block != last_) blocks_.push_back(last_ = block);
+  }
+
+ private:
+  UnshotFlux& unshot_;
+  std::vector<std::uint32_t>& blocks_;
+  std::uint32_t last_ = std::numeric_limits<std::uint32_t>::max();
+};
+
+/// Lets elements receive, and calls reflect(i, light) for what arrives at the i-th.
+template <typename Reflect>
+void receive(const Arrival& arrival, std::span<glm::dvec3> received, const Reflect& reflect) {
+  const std::span elements = arrival.elements;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (i + fetchedAhead < elements.size()) __builtin_prefetch(&received[elements[i + fetchedAhead]], 1);
+    const glm::dvec3 light = arrival.shot * formFactor(arrival.shares[i]);
+    received[elements[i]] += light;
+    reflect(i, light);
+  }
+}
+
+/// What elements reflect is unshot in their patches, element by element.
+void receiveByElements(const Arrival& arrival, const SurfaceValues& reflectance, const Discretization& discretization,
+                       std::span<glm::dvec3> received, ReceivingPatches patches) {
+  const std::span patchOf(discretization.patchOf);
+  receive(arrival, received, [&, elements = arrival.elements](std::size_t i, const glm::dvec3& light) {
+    patches.add(patchOf[elements[i]], light * reflectance.of(elements[i]));
+  });
+}
+
+/// The same where all elements reflect alike and patches have several that receive: their shares are summed first, but
+/// for patches that others were split into.
+void receiveByPatches(const Arrival& arrival, const glm::dvec3& reflectance, const Discretization& discretization,
+                      std::span<glm::dvec3> received, ReceivingPatches patches) {
+  const Grid& grid = discretization.grids[arrival.surface];
+  const std::span patchOf(discretization.patchOf);
+  std::vector<std::uint64_t> shareOf(grid.patchCount);
+  receive(arrival, received,
+          [&, elements = arrival.elements, firstPatch = grid.firstPatch](std::size_t i, const glm::dvec3& light) {
+            const std::uint32_t patch = patchOf[elements[i]];
+            if (patch - firstPatch < shareOf.size())
+              shareOf[patch - firstPatch] += arrival.shares[i];
+            else
+              patches.add(patch, light * reflectance);
+          });
+  const glm::dvec3 reflected = arrival.shot * reflectance;
+  for (std::uint32_t p = 0; p < grid.patchCount; ++p)
+    if (shareOf[p] != 0) patches.add(grid.firstPatch + p, reflected * formFactor(shareOf[p]));
+}
+
+/// What a part of a row touched.
+struct Receipt {
+  std::vector<std::uint32_t> blocks;  ///< of patches that received
+  std::size_t visits = 0;             ///< elements and patches that it looked at
+};
+
+/// What a shot does to all entries of a part, surface by surface.
+Receipt receive(const Part& part, const glm::dvec3& shot, const FormFactorRow& row, const Scene& scene,
+                const Discretization& discretization, std::span<glm::dvec3> received, UnshotFlux& unshot) {
+  Receipt receipt{.blocks = {}, .visits = part.end - part.first};
+  for (std::size_t first = part.first, end = part.first; first < part.end; first = end) {
+    const std::uint32_t surface = discretization.elements[row.elements[first]].surface;
+    const Grid& grid = discretization.grids[surface];
+    const auto behind = std::lower_bound(row.elements.begin() + static_cast<std::ptrdiff_t>(first),
+                                         row.elements.begin() + static_cast<std::ptrdiff_t>(part.end), endOf(grid));
+    end = static_cast<std::size_t>(behind - row.elements.begin());
+    const std::size_t count = end - first;
+    const Arrival arrival{surface, std::span(row.elements).subspan(first, count),
+                          std::span(row.shares).subspan(first, count), shot};
+    const SurfaceValues reflectance = reflectances(scene, discretization, surface);
+    const ReceivingPatches patches(unshot, receipt.blocks);
+    // No pass over more patches than that: a row may name few elements of a large surface.
+    if (reflectance.areEqual() && grid.patchCount <= count / 2) {
+      receiveByPatches(arrival, reflectance.of(grid.firstElement), discretization, received, patches);
+      receipt.visits += grid.patchCount;
+    } else {
+      receiveByElements(arrival, reflectance, discretization, received, patches);
+    }
+  }
+  return receipt;
+}
+
+}  // namespace
+
+glm::dvec3 emittedFlux(const Scene& scene, const Discretization& discretization) {
+  FluxSum sum;
+  for (std::uint32_t s = 0; s < discretization.grids.size(); ++s) {
+    const SurfaceValues emission = emissions(scene, discretization, s);
+    if (emission.areZero()) continue;
+    forEachElement(discretization.grids[s], [&](std::uint32_t element) {
+      sum.add(emission.of(element) * discretization.elements[element].area);
+    });
+  }
+  return sum.value();
+}
+
+Refinement::Refinement(const Scene& scene, const Discretization& discretization)
+    : scene_(scene),
+      discretization_(discretization),
+      light_(nothingShot(discretization)),
+      unshot_(emittedByPatches(scene, discretization)),
+      emitted_(emittedFlux(scene, discretization)) {
+  light_.lastEmitted = bandSum(emitted_);
+}
+
+Refinement::Refinement(const Scene& scene, const Discretization& discretization, ShotLight light)
+    : scene_(scene),
+      discretization_(discretization),
+      light_(std::move(light)),
+      unshot_(unshotByPatches()),
+      emitted_(emittedFlux(scene, discretization)) {
+  if (bandSum(emitted_) > 0) light_.lastEmitted = bandSum(emitted_);
+  lost_.add(light_.lost);
+  lostToBacks_.add(light_.lostToBacks);
+}
+
+std::size_t Refinement::shoot(std::uint32_t patch, const FormFactorRow& row) {
+  const glm::dvec3 shot = unshot_.flux()[patch];
+  light_.shot[patch] += shot;
+  unshot_.clear(patch);
+  const std::vector<Part> parts = partsOf(row, discretization_);
+  std::vector<Receipt> receipts(parts.size());
+  // Patches belong to surfaces, so that no two threads change the same one.
+  raster::parallelFor(parts.size(), [&](std::size_t i) {
+    receipts[i] = receive(parts[i], shot, row, scene_, discretization_, light_.received, unshot_);
+  });
+  std::vector<std::uint32_t> blocks{patch / UnshotFlux::patchesInBlock};
+  std::size_t visits = 0;
+  for (const Receipt& receipt : receipts) {
+    blocks.insert(blocks.end(), receipt.blocks.begin(), receipt.blocks.end());
+    visits += receipt.visits;
+  }
+  lost_.add(shot * formFactor(row.background + row.back));
+  lostToBacks_.add(shot * formFactor(row.back));
+  light_.lost = lost_.value();
+  light_.lostToBacks = lostToBacks_.value();
+  return visits + unshot_.update(blocks);
+}
+
+Energy Refinement::energy() const {
+  FluxSum unshot;
+  for (const glm::dvec3& flux : unshot_.flux()) unshot.add(flux);
+  return {emitted_, absorbed(), unshot.value(), lost_.value(), lostToBacks_.value()};
+}
+
+/// What the elements received and do not send on. Few are summed plainly, which is four times as fast and costs no more
+/// than a digit.
+glm::dvec3 Refinement::absorbed() const {
+  constexpr std::uint32_t summedPlainly = 64;
+  std::vector<glm::dvec3> ofSurfaces(discretization_.grids.size());
+  raster::parallelFor(ofSurfaces.size(), [&](std::size_t s) {
+    const SurfaceValues reflectance = reflectances(scene_, discretization_, static_cast<std::uint32_t>(s));
+    const Grid& grid = discretization_.grids[s];
+    FluxSum sum;
+    for (std::uint32_t first = grid.firstElement; first < endOf(grid); first += summedPlainly) {
+      glm::dvec3 some(0);
+      for (std::uint32_t e = first; e < std::min(first + summedPlainly, endOf(grid)); ++e)
+        some += light_.received[e] - light_.received[e] * reflectance.of(e);
+      sum.add(some);
+    }
+    ofSurfaces[s] = sum.value();
+  });
+  FluxSum sum;
+  for (const glm::dvec3& ofSurface : ofSurfaces) sum.add(ofSurface);
+  return sum.value();
+}
+
+double Refinement::residual() const {
+  return light_.lastEmitted > 0 ? (bandSum(unshot_.sizes()) + light_.astray) / light_.lastEmitted : 0;
+}
+
+std::vector<glm::dvec3> Refinement::radiosity() const& {
+  std::vector<glm::dvec3> result = light_.received;
+  makeRadiosity(result);
+  return result;
+}
+
+std::vector<glm::dvec3> Refinement::radiosity() && {
+  makeRadiosity(light_.received);
+  return std::move(light_.received);
+}
+
+std::size_t Refinement::bytes() const {
+  return (light_.shot.capacity() + light_.received.capacity()) * sizeof(glm::dvec3) + unshot_.bytes();
+}
+
+/// From what elements received to their radiosity: what they send out over their area.
+void Refinement::makeRadiosity(std::vector<glm::dvec3>& received) const {
+  raster::parallelFor(discretization_.grids.size(), [&](std::size_t s) {
+    const auto surface = static_cast<std::uint32_t>(s);
+    const SurfaceValues emission = emissions(scene_, discretization_, surface),
+                        reflectance = reflectances(scene_, discretization_, surface);
+    forEachElement(discretization_.grids[s], [&](std::uint32_t element) {
+      const double area = discretization_.elements[element].area;
+      received[element] = (emission.of(element) * area + reflectance.of(element) * received[element]) / area;
+    });
+  });
+}
+
+/// What the elements of a patch send out and the patch has not shot yet.
+glm::dvec3 Refinement::unshotOf(std::uint32_t number) const {
+  const Patch& patch = discretization_.patches[number];
+  const SurfaceValues emission = emissions(scene_, discretization_, patch.surface),
+                      reflectance = reflectances(scene_, discretization_, patch.surface);
+  FluxSum sum;
+  sum.add(-light_.shot[number]);
+  for (std::uint32_t i = 0; i < patch.elementCount; ++i) {
+    const std::uint32_t element = discretization_.patchElements[patch.firstElement + i];
+    sum.add(emission.of(element) * discretization_.elements[element].area +
+            reflectance.of(element) * light_.received[element]);
+  }
+  return sum.value();
+}
+
+std::vector<glm::dvec3> Refinement::unshotByPatches() const {
+  assert(light_.shot.size() == discretization_.patches.size());
+  assert(light_.received.size() == discretization_.elements.size());
+  std::vector<glm::dvec3> unshot(light_.shot.size());
+  raster::parallelFor(unshot.size(),
+                      [&](std::size_t patch) { unshot[patch] = unshotOf(static_cast<std::uint32_t>(patch)); });
+  return unshot;
+}
+
+void Refinement::split(std::uint32_t patch, std::span<const std::uint32_t> newPatches) {
+  assert(!hasShot(patch));
+  light_.shot.resize(discretization_.patches.size());
+  unshot_.grow(discretization_.patches.size());
+  std::vector<std::uint32_t> blocks;
+  const auto makeAnew = [&](std::uint32_t changed) {
+    unshot_.clear(changed);
+    unshot_.add(changed, unshotOf(changed));
+    blocks.push_back(changed / UnshotFlux::patchesInBlock);
+  };
+  makeAnew(patch);
+  for (const std::uint32_t newPatch : newPatches) makeAnew(newPatch);
+  unshot_.update(blocks);
+}
+
+}  // namespace hemitex::radiosity

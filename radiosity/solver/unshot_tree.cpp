@@ -1,0 +1,81 @@
+#include "radiosity/solver/unshot_tree.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "radiosity/solver/kahan_sum.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+constexpr std::size_t children = UnshotFlux::patchesInBlock;
+
+}  // namespace
+
+UnshotFlux::UnshotFlux(std::vector<glm::dvec3> flux) : flux_(std::move(flux)) {
+  assert(!flux_.empty());
+  std::size_t count = flux_.size();
+  do {
+    count = (count + children - 1) / children;
+    levels_.emplace_back(count);
+    for (std::uint32_t number = 0; number < count; ++number) make(levels_.size() - 1, number);
+  } while (count > 1);
+}
+
+void UnshotFlux::grow(std::size_t patches) {
+  flux_.resize(patches);
+  std::size_t count = patches;
+  for (std::size_t level = 0; level == 0 || count > 1; ++level) {
+    count = (count + children - 1) / children;
+    if (level < levels_.size()) {
+      levels_[level].resize(count);
+      continue;
+    }
+    levels_.emplace_back(count);
+    for (std::uint32_t number = 0; number < count; ++number) make(level, number);
+  }
+}
+
+/// Makes a node from its children; returns how many they are.
+std::size_t UnshotFlux::make(std::size_t level, std::uint32_t number) {
+  const std::size_t below = level == 0 ? flux_.size() : levels_[level - 1].size();
+  const std::size_t first = number * children, end = std::min(first + children, below);
+  Node node;
+  node.update = updates_;
+  for (std::size_t i = first; i < end; ++i) {
+    if (level == 0) {
+      const glm::dvec3 size = glm::abs(flux_[i]);
+      node.add(size, bandSum(size), static_cast<std::uint32_t>(i));
+    } else {
+      const Node& child = levels_[level - 1][i];
+      node.add(child.sizes, child.largest, child.brightest);
+    }
+  }
+  levels_[level][number] = node;
+  return end - first;
+}
+
+std::size_t UnshotFlux::update(std::span<const std::uint32_t> blocks) {
+  ++updates_;
+  std::size_t visits = 0;
+  std::vector<std::uint32_t> changed(blocks.begin(), blocks.end());
+  for (std::size_t level = 0; level < levels_.size(); ++level) {
+    std::size_t kept = 0;
+    for (const std::uint32_t number : changed) {
+      if (levels_[level][number].update == updates_) continue;
+      visits += make(level, number);
+      changed[kept++] = number / static_cast<std::uint32_t>(children);
+    }
+    changed.resize(kept);
+  }
+  return visits;
+}
+
+std::size_t UnshotFlux::bytes() const {
+  std::size_t bytes = flux_.capacity() * sizeof(flux_[0]);
+  for (const std::vector<Node>& level : levels_) bytes += level.capacity() * sizeof(Node);
+  return bytes;
+}
+
+}  // namespace hemitex::radiosity

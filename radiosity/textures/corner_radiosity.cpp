@@ -1,0 +1,87 @@
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "radiosity/textures/radiosity_texture.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// A triangle of a surface that is not discretized.
+struct Facet {
+  std::size_t triangle = 0;  ///< in the scene
+  const Triangle* geometry = nullptr;
+  glm::dvec3 normal{0.0};
+  double area = 0;
+  int material = 0;
+  glm::dvec3 radiosity{0.0};
+};
+
+/// One of the three corners of a facet.
+struct Corner {
+  glm::dvec3 position{0.0};
+  std::size_t facet = 0;
+  std::size_t index = 0;
+};
+
+std::vector<Facet> collectFacets(const Scene& scene, const Discretization& discretization,
+                                 const std::vector<glm::dvec3>& radiosity) {
+  std::vector<Facet> facets;
+  std::size_t number = 0;
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const Surface& surface = scene.surfaces[s];
+    const Grid& grid = discretization.grids[s];
+    for (const Triangle& triangle : surface.triangles) {
+      if (!isDiscretized(grid))
+        facets.push_back(
+            {number, &triangle, normal(triangle), area(triangle), surface.material, radiosity[grid.spill.front()]});
+      ++number;
+    }
+  }
+  return facets;
+}
+
+std::vector<Corner> sortedCorners(const std::vector<Facet>& facets) {
+  std::vector<Corner> corners;
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) corners.push_back({facets[f].geometry->position[k], f, k});
+  const auto key = [](const Corner& c) {
+    return std::tuple(c.position.x, c.position.y, c.position.z, c.facet, c.index);
+  };
+  std::sort(corners.begin(), corners.end(), [&](const Corner& a, const Corner& b) { return key(a) < key(b); });
+  return corners;
+}
+
+/// Whether light is smooth across the two: one material, and normals closer than 30 degrees.
+bool areSmooth(const Facet& a, const Facet& b) {
+  return a.material == b.material && glm::dot(a.normal, b.normal) > std::sqrt(3.0) / 2;
+}
+
+}  // namespace
+
+std::vector<std::array<glm::dvec3, 3>> cornerRadiosity(const Scene& scene, const Discretization& discretization,
+                                                       const std::vector<glm::dvec3>& radiosity) {
+  const std::vector<Facet> facets = collectFacets(scene, discretization, radiosity);
+  const std::vector<Corner> corners = sortedCorners(facets);
+  std::vector<std::array<glm::dvec3, 3>> result(triangleCount(scene));
+  for (auto first = corners.begin(); first != corners.end();) {
+    const auto last =
+        std::find_if(first, corners.end(), [&](const Corner& c) { return c.position != first->position; });
+    for (auto corner = first; corner != last; ++corner) {
+      const Facet& facet = facets[corner->facet];
+      glm::dvec3 flux(0.0);
+      double totalArea = 0;
+      for (auto other = first; other != last; ++other) {
+        const Facet& neighbour = facets[other->facet];
+        if (!areSmooth(facet, neighbour)) continue;
+        flux += neighbour.area * neighbour.radiosity;
+        totalArea += neighbour.area;
+      }
+      result[facet.triangle][corner->index] = flux / totalArea;
+    }
+    first = last;
+  }
+  return result;
+}
+
+}  // namespace hemitex::radiosity

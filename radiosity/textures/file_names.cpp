@@ -1,0 +1,43 @@
+#include "radiosity/textures/file_names.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace hemitex::radiosity {
+namespace {
+
+bool isLetterOrDigit(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); }
+
+/// Without regard to the locale. A leading point would hide the file.
+std::string fileName(const std::string& name) {
+  std::string result = name.substr(0, 100);
+  for (char& c : result)
+    if (!isLetterOrDigit(c) && c != '.' && c != '_' && c != '-') c = '_';
+  if (result.empty() || result.front() == '.') result.insert(0, "_");
+  return result;
+}
+
+std::string lowerCase(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> uniqueFileNames(const std::vector<std::string>& names,
+                                         const std::vector<std::string>& reserved) {
+  std::unordered_map<std::string, int> taken;  // with the number that was last put behind the name
+  for (const std::string& name : reserved) taken.emplace(name, 1);
+  std::vector<std::string> result;
+  for (const std::string& name : names) {
+    const std::string base = fileName(name);
+    std::string unique = base;
+    while (!taken.emplace(lowerCase(unique), 1).second)
+      unique = base + "-" + std::to_string(++taken.at(lowerCase(base)));
+    result.push_back(unique);
+  }
+  return result;
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,46 @@
+#include "raster/culling/cluster_mesh.h"
+
+#include <algorithm>
+
+#include "raster/kernels/vertex_kernels.h"
+
+namespace hemitex::raster {
+namespace {
+
+/// Lists may have a vertex for every corner; those that are alike in all are one here.
+bool areAlike(const DrawList& list, std::uint32_t a, std::uint32_t b) {
+  return a == b || (list.positions[a] == list.positions[b] && list.texcoords[a] == list.texcoords[b]);
+}
+
+void append(const DrawList& list, const Cluster& cluster, ClusterMesh& mesh) {
+  const auto firstVertex = static_cast<std::uint32_t>(mesh.positions[0].size());
+  const auto firstTriangle = static_cast<std::uint32_t>(mesh.corners[0].size());
+  std::vector<std::uint32_t> vertices;  // of the cluster, as in the list
+  for (const TriangleRun& run : cluster.runs)
+    for (std::size_t i = 3 * std::size_t{run.first}; i < 3 * std::size_t{run.end}; ++i) {
+      const std::uint32_t index = list.indices[i];
+      const auto place = std::find_if(vertices.begin(), vertices.end(),
+                                      [&](std::uint32_t vertex) { return areAlike(list, vertex, index); });
+      mesh.corners[i % 3].push_back(static_cast<std::uint8_t>(place - vertices.begin()));
+      if (place == vertices.end()) vertices.push_back(index);
+    }
+  for (const std::uint32_t index : vertices) {
+    mesh.texcoords.push_back(list.texcoords[index]);
+    for (int axis = 0; axis < 3; ++axis)
+      mesh.positions[static_cast<std::size_t>(axis)].push_back(list.positions[index][axis]);
+  }
+  mesh.parts.push_back(
+      {firstVertex, static_cast<std::uint32_t>(vertices.size()), firstTriangle, triangleCount(cluster)});
+}
+
+}  // namespace
+
+ClusterMesh meshOf(const DrawList& list, std::span<const Cluster> clusters) {
+  ClusterMesh mesh;
+  for (const Cluster& cluster : clusters) append(list, cluster, mesh);
+  for (auto& values : mesh.positions) values.resize(values.size() + mostVertexLanes);
+  for (auto& values : mesh.corners) values.resize(values.size() + mostVertexLanes);
+  return mesh;
+}
+
+}  // namespace hemitex::raster

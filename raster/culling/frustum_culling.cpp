@@ -1,0 +1,109 @@
+#include "raster/culling/frustum_culling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hemitex::raster {
+namespace {
+
+/// The vertex stage's five roundings of binary32 change the product of a row and a distance by less than 2^-21 of their
+/// lengths' product; this leaves room for more.
+constexpr double vertexRounding = 0x1p-19;
+/// Below binary32's least normal number, each of a row's three products is off by up to 2^-150, whatever its size; a
+/// side of the view takes one row and at most twice another.
+constexpr double vertexUnderflow = 0x1p-146;
+
+/// A box as seen from an eye.
+struct SeenBox {
+  glm::dvec3 centre, half;
+  double reach;  ///< no corner is farther from the eye
+
+  SeenBox(const Box& box, const glm::dvec3& eye)
+      : centre(0.5 * (box.low + box.high) - eye), half(0.5 * (box.high - box.low)) {
+    const glm::dvec3 corner = glm::abs(centre) + half;
+    reach = corner.x + corner.y + corner.z;
+  }
+};
+
+struct Range {
+  double low, high;
+};
+
+/// Pixels of [first, first + count) whose samples may lie between two points of the picture plane. Snapping moves a
+/// vertex by half a sub-pixel; a whole one leaves room for what is rounded besides.
+void narrow(double low, double high, int resolution, int& first, int& count) {
+  constexpr double subPixel = 1.0 / 256;
+  const auto position = [=](double q) { return (std::clamp(q, -1.5, 1.5) + 1) * 0.5 * resolution - 0.5; };
+  const int begin = std::max(first, static_cast<int>(std::ceil(position(low) - subPixel)));
+  const int end = std::min(first + count, static_cast<int>(std::floor(position(high) + subPixel)) + 1);
+  first = begin;
+  count = std::max(end - begin, 0);
+}
+
+}  // namespace
+
+double ViewBounds::Row::offAt(double reach) const { return rounding * reach + vertexUnderflow; }
+
+ViewBounds::Row ViewBounds::rowOf(const glm::dvec3& row, double size) {
+  return {row, glm::abs(row), vertexRounding * size};
+}
+
+ViewBounds::ViewBounds(const Face& face)
+    : eye_(face.eye),
+      x_(rowOf(face.x, glm::length(glm::dvec3(face.x)))),
+      y_(rowOf(face.y, glm::length(glm::dvec3(face.y)))),
+      w_(rowOf(face.w, glm::length(glm::dvec3(face.w)))),
+      nearDistance_(face.nearDistance),
+      resolution_(face.resolution),
+      scissor_(face.scissor) {
+  const glm::dvec3 w(face.w);
+  const double width = glm::length(w);
+  // The sides of the scissor rectangle on the picture plane, one pixel out, which is more than snapping moves a vertex.
+  const double pixel = 2.0 / face.resolution;
+  const auto before = [&](const glm::dvec3& axis, int first) {
+    const double low = (first - 1) * pixel - 1;
+    return Plane{rowOf(low * w - axis, std::abs(low) * width + glm::length(axis)), 0};
+  };
+  const auto behind = [&](const glm::dvec3& axis, int end) {
+    const double high = (end + 1) * pixel - 1;
+    return Plane{rowOf(axis - high * w, std::abs(high) * width + glm::length(axis)), 0};
+  };
+  planes_ = {Plane{rowOf(-w, width), -nearDistance_}, before(x_.row, scissor_.column),
+             behind(x_.row, scissor_.column + scissor_.width), before(y_.row, scissor_.row),
+             behind(y_.row, scissor_.row + scissor_.height)};
+}
+
+bool ViewBounds::mayShow(const Box& box) const {
+  const SeenBox seen(box, eye_);
+  // With the NaN of an infinite box, none of them.
+  return std::none_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
+    const double least = glm::dot(plane.row.row, seen.centre) - glm::dot(plane.row.absolute, seen.half);
+    return least - plane.offset > plane.row.offAt(seen.reach);
+  });
+}
+
+BoxPlace ViewBounds::placeOf(const Box& box) const {
+  const SeenBox seen(box, eye_);
+  const auto rangeOf = [&seen](const Row& row) {
+    const double middle = glm::dot(row.row, seen.centre);
+    const double reach = glm::dot(row.absolute, seen.half) + row.offAt(seen.reach);
+    return Range{middle - reach, middle + reach};
+  };
+  const Range w = rangeOf(w_);
+  if (!(w.low > nearDistance_)) {
+    if (!mayShow(box)) return {{scissor_.column, scissor_.row, 0, 0}, 0};
+    return {scissor_, std::numeric_limits<double>::infinity()};
+  }
+  // Where numerator and denominator range independently of each other, a quotient is largest at one of their ends. What
+  // clipping cuts off a triangle leaves it inside of what it was. 1/w at a sample is a mean of the vertices' own.
+  const auto least = [&](const Range& range) { return range.low / (range.low < 0 ? w.low : w.high); };
+  const auto largest = [&](const Range& range) { return range.high / (range.high > 0 ? w.low : w.high); };
+  BoxPlace place{scissor_, 1 / w.low};
+  const Range x = rangeOf(x_), y = rangeOf(y_);
+  narrow(least(x), largest(x), resolution_, place.part.column, place.part.width);
+  narrow(least(y), largest(y), resolution_, place.part.row, place.part.height);
+  return place;
+}
+
+}  // namespace hemitex::raster

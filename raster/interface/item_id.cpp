@@ -1,0 +1,85 @@
+#include "raster/interface/item_id.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <numeric>
+
+namespace hemitex::raster {
+namespace {
+
+struct NamedFormat {
+  std::string_view name;
+  WordFormat format;
+};
+
+std::vector<NamedFormat> namedFormats() {
+  return {{"r5g6b5", {{5, 6, 5}}},
+          {"r8g8b8", {{8, 8, 8}}},
+          {"r8g8b8a8", {{8, 8, 8, 8}}},
+          {"r10g10b10a2", {{10, 10, 10, 2}}},
+          {"r32ui", {{32}}}};
+}
+
+Word clampedAdd(const WordFormat& format, Word offset, Word texel) {
+  // Bits that no two summands share make no carry anywhere: all that an aligned offset ever asks for.
+  if ((offset & texel) == 0) return offset | texel;
+  Word sum = 0;
+  int shift = 0;
+  for (const int bits : format.channelBits) {
+    const std::uint64_t largest = (std::uint64_t{1} << bits) - 1;
+    const std::uint64_t channel = ((offset >> shift) & largest) + ((texel >> shift) & largest);
+    sum |= static_cast<Word>(std::min(channel, largest)) << shift;
+    shift += bits;
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::optional<WordFormat> formatNamed(std::string_view name) {
+  for (const NamedFormat& named : namedFormats())
+    if (named.name == name) return named.format;
+  return std::nullopt;
+}
+
+std::vector<std::string> formatNames() {
+  std::vector<std::string> names;
+  for (const NamedFormat& named : namedFormats()) names.emplace_back(named.name);
+  return names;
+}
+
+int wordBits(const WordFormat& format) {
+  return std::accumulate(format.channelBits.begin(), format.channelBits.end(), 0);
+}
+
+Word backgroundWord(const WordFormat& format) { return static_cast<Word>((std::uint64_t{1} << wordBits(format)) - 1); }
+
+Word backWord(const WordFormat& format) { return backgroundWord(format) - 1; }
+
+Word blend(const WordFormat& format, Blend operation, Word offset, Word texel) {
+  switch (operation) {
+    case Blend::ClampedAdd:
+      return clampedAdd(format, offset, texel);
+    case Blend::IntegerAdd:
+      return (offset + texel) & backgroundWord(format);
+    case Blend::Replace:
+      return texel;
+  }
+  assert(false);
+  return 0;
+}
+
+Word pack(SurfaceElement value, int indexBits) {
+  assert(indexBits >= 0 && indexBits < 32);
+  assert(value.element >> indexBits == 0);
+  assert(((value.surface << indexBits) >> indexBits) == value.surface);
+  return value.surface << indexBits | value.element;
+}
+
+SurfaceElement unpack(Word word, int indexBits) {
+  assert(indexBits >= 0 && indexBits < 32);
+  return {word >> indexBits, word & ((Word{1} << indexBits) - 1)};
+}
+
+}  // namespace hemitex::raster

@@ -1,0 +1,248 @@
+// The depth kernels on vectors, written once for Highway, which compiles this file anew for each instruction set.
+#include <algorithm>
+#include <optional>
+
+#include "raster/kernels/depth_kernels.h"
+#include "raster/kernels/interpolation_bounds.h"
+#include "raster/kernels/simd_targets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/kernels/depth_kernels_simd.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hemitex::raster::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::CappedTag<double, 8>;
+using Double = hn::Vec<Doubles>;
+using Mask = hn::Mask<Doubles>;
+/// Vectors of as many integers.
+using Integers = hn::Rebind<std::int32_t, Doubles>;
+using Numbers = hn::Rebind<std::uint32_t, Doubles>;
+
+constexpr Doubles doubles;
+
+/// One value for each vertex of a triangle, in all lanes.
+struct Corners {
+  Double a, b, c;
+
+  explicit Corners(const std::array<double, 3>& of)
+      : a(hn::Set(doubles, of[0])), b(hn::Set(doubles, of[1])), c(hn::Set(doubles, of[2])) {}
+};
+
+/// The values of a triangle's edges at samples side by side: integers, all exact.
+struct Edges {
+  Double a, b, c;
+
+  Edges(const EdgeValues& first, const Corners& step) {
+    const Double lane = hn::Iota(doubles, 0);
+    a = hn::Add(hn::Set(doubles, first[0]), hn::Mul(step.a, lane));
+    b = hn::Add(hn::Set(doubles, first[1]), hn::Mul(step.b, lane));
+    c = hn::Add(hn::Set(doubles, first[2]), hn::Mul(step.c, lane));
+  }
+  void advance(const Corners& by) {
+    a = hn::Add(a, by.a);
+    b = hn::Add(b, by.b);
+    c = hn::Add(c, by.c);
+  }
+};
+
+/// The sum of products, added in the order of the vertices.
+Double dot(const Edges& edges, const Corners& weights) {
+  return hn::Add(hn::Add(hn::Mul(edges.a, weights.a), hn::Mul(edges.b, weights.b)), hn::Mul(edges.c, weights.c));
+}
+
+/// The same lanes of vectors of numbers.
+hn::Mask<Numbers> forNumbers(const Mask mask) {
+  HWY_ALIGN std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(doubles, mask, bits);
+  return hn::LoadMaskBits(Numbers(), bits);
+}
+
+Mask firstLanes(int count) { return hn::FirstN(doubles, static_cast<std::size_t>(count)); }
+
+/// Which lanes took a triangle somewhere, and which were undecided.
+struct Outcome {
+  Mask taken = firstLanes(0), open = firstLanes(0);
+};
+
+/// A triangle that is offered to a buffer.
+struct Offer {
+  const ScreenTriangle& triangle;
+  const DepthBuffer& buffer;
+  double* depths;
+  std::uint32_t* triangles;
+  hn::Vec<Numbers> number;
+
+  Offer(const ScreenTriangle& offered, std::uint32_t itsNumber, DepthBuffer& to)
+      : triangle(offered),
+        buffer(to),
+        depths(to.inverseDepth.data()),
+        triangles(to.triangle.data()),
+        number(hn::Set(Numbers(), itsNumber)) {}
+
+  /// The depth test of samples side by side that are `covered`.
+  void test(Double offered, std::size_t pixel, Mask covered, Outcome& outcome) const {
+    const Double difference = hn::Sub(offered, hn::LoadU(doubles, depths + pixel));
+    const Double margin = hn::Mul(hn::Set(doubles, depthMargin), offered);
+    const Mask taken = hn::And(covered, hn::Gt(difference, margin));
+    outcome.taken = hn::Or(outcome.taken, taken);
+    outcome.open = hn::Or(outcome.open, hn::And(covered, hn::Le(hn::Abs(difference), margin)));
+    hn::BlendedStore(offered, taken, doubles, depths + pixel);
+    hn::BlendedStore(number, forNumbers(taken), Numbers(), triangles + pixel);
+  }
+};
+
+/// The samples of a triangle from a column on, as many as a vector has lanes: those of a row are covered or not.
+void offerStrip(const Offer& offered, int column, Outcome& outcome) {
+  const ScreenTriangle& triangle = offered.triangle;
+  const Mask inside = firstLanes(triangle.endColumn - column);
+  const Corners down(edgeRowSteps(triangle)), inverseDepth(triangle.inverseDepth), least(leastCovered(triangle));
+  Edges edges(edgeValues(triangle, column, triangle.firstRow), Corners(edgeSteps(triangle)));
+  std::size_t pixel = offered.buffer.pixelAt(column, triangle.firstRow);
+  for (int row = triangle.firstRow; row < triangle.endRow; ++row) {
+    const Mask covered =
+        hn::And(hn::And(inside, hn::Ge(edges.a, least.a)), hn::And(hn::Ge(edges.b, least.b), hn::Ge(edges.c, least.c)));
+    offered.test(dot(edges, inverseDepth), pixel, covered, outcome);
+    pixel += offered.buffer.pitch;
+    edges.advance(down);
+  }
+}
+
+/// A triangle of few columns.
+Outcome offerNarrow(const Offer& offered) {
+  Outcome outcome;
+  const auto lanes = static_cast<int>(hn::Lanes(doubles));
+  for (int column = offered.triangle.firstColumn; column < offered.triangle.endColumn; column += lanes)
+    offerStrip(offered, column, outcome);
+  return outcome;
+}
+
+/// The columns that are covered of as many rows as a vector has lanes, [first, end) each: coverage is convex, so each
+/// edge gives one bound. A quotient that is not an integer differs from one by at least 1/|a| > 2^-32, since a pixel's
+/// step along an edge is below 2^32; below 2^13 that is more than a division rounds, so it never rounds to one.
+struct Spans {
+  HWY_ALIGN std::int32_t first[mostLanes], end[mostLanes];
+
+  Spans(const ScreenTriangle& triangle, const EdgeValues& least, int firstRow) {
+    const Double rows = hn::Add(hn::Set(doubles, static_cast<double>(firstRow)), hn::Iota(doubles, 0));
+    Double low = hn::Set(doubles, static_cast<double>(triangle.firstColumn));
+    Double high = hn::Set(doubles, static_cast<double>(triangle.endColumn));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Edge& edge = triangle.edges[k];
+      const Double step = hn::Set(doubles, static_cast<double>(edge.a));
+      const Double atZero = hn::Add(hn::Mul(hn::Set(doubles, static_cast<double>(edge.b)), rows),
+                                    hn::Set(doubles, static_cast<double>(edge.c)));
+      const Double missing = hn::Sub(hn::Set(doubles, least[k]), atZero);
+      if (edge.a > 0) low = hn::Max(low, hn::Ceil(hn::Div(missing, step)));
+      if (edge.a < 0) high = hn::Min(high, hn::Add(hn::Floor(hn::Div(missing, step)), hn::Set(doubles, 1.0)));
+      if (edge.a == 0) high = hn::IfThenElse(hn::Gt(missing, hn::Zero(doubles)), low, high);
+    }
+    hn::Store(hn::DemoteTo(Integers(), low), Integers(), first);
+    hn::Store(hn::DemoteTo(Integers(), high), Integers(), end);
+  }
+};
+
+/// The samples of a row from `column` to `end`, all covered, with 1/w from a plane.
+void offerSpan(const Offer& offered, const DepthPlane& plane, int row, int column, int end, Outcome& outcome) {
+  const auto lanes = static_cast<int>(hn::Lanes(doubles));
+  const Double at = hn::Set(doubles, plane.at + plane.down * row), right = hn::Set(doubles, plane.right);
+  Double columns = hn::Add(hn::Set(doubles, static_cast<double>(column)), hn::Iota(doubles, 0));
+  std::size_t pixel = offered.buffer.pixelAt(column, row);
+  for (; column < end; column += lanes, pixel += hn::Lanes(doubles)) {
+    offered.test(hn::Add(at, hn::Mul(right, columns)), pixel, firstLanes(end - column), outcome);
+    columns = hn::Add(columns, hn::Set(doubles, static_cast<double>(lanes)));
+  }
+}
+
+/// The same from the edges.
+void offerSpan(const Offer& offered, int row, int column, int end, Outcome& outcome) {
+  const auto lanes = static_cast<int>(hn::Lanes(doubles));
+  const EdgeValues steps = edgeSteps(offered.triangle);
+  const Corners stride({lanes * steps[0], lanes * steps[1], lanes * steps[2]});
+  const Corners inverseDepth(offered.triangle.inverseDepth);
+  Edges edges(edgeValues(offered.triangle, column, row), Corners(steps));
+  std::size_t pixel = offered.buffer.pixelAt(column, row);
+  for (; column < end; column += lanes, pixel += hn::Lanes(doubles)) {
+    offered.test(dot(edges, inverseDepth), pixel, firstLanes(end - column), outcome);
+    edges.advance(stride);
+  }
+}
+
+Outcome offerWide(const Offer& offered) {
+  const auto lanes = static_cast<int>(hn::Lanes(doubles));
+  const ScreenTriangle& triangle = offered.triangle;
+  const std::optional<DepthPlane> plane = depthPlane(triangle);
+  const EdgeValues least = leastCovered(triangle);
+  Outcome outcome;
+  for (int firstRow = triangle.firstRow; firstRow < triangle.endRow; firstRow += lanes) {
+    const Spans spans(triangle, least, firstRow);
+    for (int row = firstRow; row < std::min(firstRow + lanes, triangle.endRow); ++row) {
+      const int first = spans.first[row - firstRow], end = spans.end[row - firstRow];
+      if (plane)
+        offerSpan(offered, *plane, row, first, end, outcome);
+      else
+        offerSpan(offered, row, first, end, outcome);
+    }
+  }
+  return outcome;
+}
+
+bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided) {
+  const bool isNarrow = triangle.endColumn - triangle.firstColumn <= mostLanes;
+  const Offer offered(triangle, number, buffer);
+  const Outcome outcome = isNarrow ? offerNarrow(offered) : offerWide(offered);
+  if (!hn::AllFalse(doubles, outcome.open)) listUndecidedSamples(triangle, number, buffer, undecided);
+  return !hn::AllFalse(doubles, outcome.taken);
+}
+
+bool isHidden(const DepthBuffer& buffer, const Scissor& part, double inverseDepth) {
+  const auto lanes = static_cast<int>(hn::Lanes(doubles));
+  const Double limit = hn::Set(doubles, inverseDepth);
+  for (int row = part.row; row < part.row + part.height; ++row) {
+    const double* const depths = buffer.inverseDepth.data() + buffer.rowAt(row) + (part.column - buffer.scissor.column);
+    for (int i = 0; i < part.width; i += lanes) {
+      const Mask seen = hn::And(firstLanes(part.width - i), hn::Le(hn::LoadU(doubles, depths + i), limit));
+      if (!hn::AllFalse(doubles, seen)) return false;
+    }
+  }
+  return true;
+}
+
+int endOfRun(const std::uint32_t* triangles, int first, int end) {
+  const hn::CappedTag<std::uint32_t, mostLanes> numbers;
+  const auto lanes = static_cast<int>(hn::Lanes(numbers));
+  const auto shown = hn::Set(numbers, triangles[first]);
+  for (int i = first; i < end; i += lanes) {
+    const auto other = hn::FindFirstTrue(numbers, hn::Ne(hn::LoadU(numbers, triangles + i), shown));
+    if (other >= 0) return std::min(i + static_cast<int>(other), end);
+  }
+  return end;
+}
+
+DepthKernels kernels() { return {hwy::TargetName(HWY_TARGET), offer, isHidden, endOfRun}; }
+
+}  // namespace
+}  // namespace hemitex::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hemitex::raster {
+namespace {
+
+HWY_EXPORT(kernels);
+
+}  // namespace
+
+const std::vector<DepthKernels>& simdDepthKernels() {
+  static const std::vector<DepthKernels> all =
+      ofEveryInstructionSet<DepthKernels>([] { return HWY_DYNAMIC_DISPATCH(kernels)(); });
+  return all;
+}
+
+}  // namespace hemitex::raster
+#endif

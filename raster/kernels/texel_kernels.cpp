@@ -1,0 +1,102 @@
+#include "raster/kernels/texel_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "raster/kernels/exact_line.h"
+#include "raster/kernels/interpolation_bounds.h"
+
+namespace hemitex::raster {
+namespace {
+
+double texelOf(double position, const TexelPlane& plane) {
+  return std::max(std::min(std::floor(position), plane.last), 0.0);
+}
+
+void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
+                UndecidedPixels& undecided) {
+  for (int i = 0; i < run.count; ++i) {
+    const int pixelColumn = run.firstColumn + i;
+    const double w = 1 / run.inverseDepth[i], clear = (0.5 - planes.rounding) - planes.error * w;
+    const auto position = [&](const TexelPlane& plane) {
+      return (plane.at + plane.down * run.row + plane.right * pixelColumn) * w;
+    };
+    const auto isClear = [clear](double at, const TexelPlane& plane) {
+      return std::abs((at - std::floor(at)) - plane.middle) < clear;
+    };
+    const double across = position(planes.u), down = position(planes.v);
+    if (isClear(across, planes.u) && isClear(down, planes.v))
+      texels[i] =
+          base + static_cast<std::uint32_t>(texelOf(down, planes.v) * (planes.u.last + 1) + texelOf(across, planes.u));
+    else
+      undecided.add(pixelColumn, run.row);
+  }
+}
+
+void findExactTexels(const PixelRun& run, const ExactTexels& exact, int width, int height, std::uint32_t base,
+                     std::uint32_t* texels) {
+  const ExactLine u(run, exact.u), v(run, exact.v);
+  const auto texel = [](const ExactLine& line, int i, int size) {
+    return std::floor(
+        std::max(std::min((line.at + line.step * i) / (line.below + line.belowStep * i), size - 1.0), 0.0));
+  };
+  for (int i = 0; i < run.count; ++i)
+    texels[i] = base + static_cast<std::uint32_t>(texel(v, i, height) * width + texel(u, i, width));
+}
+
+/// A plane, how far off what comes of it may be, in texels over w, and how far off 1/w and the product may put a
+/// position, in texels.
+struct BoundedPlane {
+  TexelPlane plane;
+  double error = 0, rounding = 0;
+};
+
+double largest(const std::array<double, 3>& values) {
+  return std::max(std::max(std::abs(values[0]), std::abs(values[1])), std::abs(values[2]));
+}
+
+/// A coordinate at a corner passes four roundings until it is a factor of the plane, the sums of the plane add three;
+/// rows and columns multiplied and added up make at most five more. 16 units of what the terms may sum up to leave room
+/// for the rounding of that sum. 1/w has its own error, its inverse and the product round twice more. A single texel is
+/// everywhere.
+BoundedPlane boundedPlane(const ScreenTriangle& triangle, const std::array<EdgePlane, 3>& edges,
+                          const std::array<double, 3>& coordinate, int size) {
+  BoundedPlane result;
+  if (size == 1) return result;
+  result.plane.last = size - 1;
+  result.plane.middle = 0.5;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double overDepth = coordinate[k] * triangle.inverseDepth[k] * size;
+    result.plane.at += edges[k].at * overDepth;
+    result.plane.down += edges[k].down * overDepth;
+    result.plane.right += edges[k].right * overDepth;
+    result.error += edges[k].most * std::abs(overDepth);
+  }
+  result.error *= 16 * unitRoundoff;
+  result.rounding = 2 * depthError * largest(coordinate) * size;
+  return result;
+}
+
+}  // namespace
+
+TexelPlanes::TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHeight) {
+  const std::array<EdgePlane, 3> edges{EdgePlane(triangle, triangle.edges[0]), EdgePlane(triangle, triangle.edges[1]),
+                                       EdgePlane(triangle, triangle.edges[2])};
+  const BoundedPlane across = boundedPlane(triangle, edges, triangle.u, mapWidth);
+  const BoundedPlane along = boundedPlane(triangle, edges, triangle.v, mapHeight);
+  u = across.plane;
+  v = along.plane;
+  error = std::max(across.error, along.error);
+  rounding = std::max(across.rounding, along.rounding);
+}
+
+const TexelKernels& plainTexelKernels() {
+  static const TexelKernels kernels{"plain", findTexels, findExactTexels};
+  return kernels;
+}
+
+const TexelKernels& bestTexelKernels() {
+  return simdTexelKernels().empty() ? plainTexelKernels() : simdTexelKernels().front();
+}
+
+}  // namespace hemitex::raster

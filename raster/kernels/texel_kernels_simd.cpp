@@ -1,0 +1,289 @@
+// The texel kernels on vectors, written once for Highway, which compiles this file anew for each instruction set.
+#include "raster/kernels/exact_line.h"
+#include "raster/kernels/interpolation_bounds.h"
+#include "raster/kernels/simd_targets.h"
+#include "raster/kernels/texel_kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/kernels/texel_kernels_simd.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hemitex::raster::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::CappedTag<double, 8>;
+using Double = hn::Vec<Doubles>;
+using Mask = hn::Mask<Doubles>;
+/// Vectors of as many integers.
+using Integers = hn::Rebind<std::int32_t, Doubles>;
+using Numbers = hn::Rebind<std::uint32_t, Doubles>;
+
+constexpr Doubles doubles;
+
+template <typename Action>
+void forEachLane(const Mask mask, const Action& action) {
+  HWY_ALIGN std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(doubles, mask, bits);
+  for (unsigned left = bits[0]; left != 0; left &= left - 1) action(__builtin_ctz(left));
+}
+
+Mask firstLanes(int count) { return hn::FirstN(doubles, static_cast<std::size_t>(count)); }
+
+/// A texture coordinate along a row.
+struct Texels {
+  Double at, right, last, middle;
+
+  Texels(const TexelPlane& plane, double row)
+      : at(hn::Set(doubles, plane.at + plane.down * row)),
+        right(hn::Set(doubles, plane.right)),
+        last(hn::Set(doubles, plane.last)),
+        middle(hn::Set(doubles, plane.middle)) {}
+
+  /// The texels of pixels, and how far off the middle between two borders each position is.
+  Double find(Double column, Double w, Double& offCentre) const {
+    const Double position = hn::Mul(hn::Add(at, hn::Mul(right, column)), w);
+    const Double texel = hn::Floor(position);
+    offCentre = hn::Abs(hn::Sub(hn::Sub(position, texel), middle));
+    return hn::Max(hn::Min(texel, last), hn::Zero(doubles));
+  }
+};
+
+/// `base` and the numbers of texels side by side, in a map of so many columns.
+void storeTexels(Double column, Double row, Double columns, std::uint32_t base, std::uint32_t* texels) {
+  const auto texel = hn::BitCast(Numbers(), hn::DemoteTo(Integers(), hn::Add(hn::Mul(row, columns), column)));
+  hn::StoreU(hn::Add(texel, hn::Set(Numbers(), base)), Numbers(), texels);
+}
+
+/// What is the same along a run in binary64.
+struct RunInBinary64 {
+  Texels u, v;
+  Double width, end, clear, error;
+
+  RunInBinary64(const PixelRun& run, const TexelPlanes& planes)
+      : u(planes.u, run.row),
+        v(planes.v, run.row),
+        width(hn::Set(doubles, planes.u.last + 1)),
+        end(hn::Set(doubles, static_cast<double>(run.firstColumn + run.count))),
+        clear(hn::Set(doubles, 0.5 - planes.rounding)),
+        error(hn::Set(doubles, planes.error)) {}
+
+  /// Stores the texels of columns side by side; returns which are undecided.
+  Mask find(Double columns, const double* inverseDepth, std::uint32_t base, std::uint32_t* texels) const {
+    const Double w = hn::Div(hn::Set(doubles, 1.0), hn::LoadU(doubles, inverseDepth));
+    Double offAcross, offDown;
+    const Double column = u.find(columns, w, offAcross), row = v.find(columns, w, offDown);
+    storeTexels(column, row, width, base, texels);
+    const Double limit = hn::Sub(clear, hn::Mul(error, w));
+    const Mask decided = hn::And(hn::Lt(offAcross, limit), hn::Lt(offDown, limit));
+    return hn::AndNot(decided, hn::Lt(columns, end));
+  }
+};
+
+Double columnsFrom(int column) { return hn::Add(hn::Set(doubles, static_cast<double>(column)), hn::Iota(doubles, 0)); }
+
+/// Lists what is undecided in a run; in a function of its own, since a call in a loop costs it its registers.
+HWY_NOINLINE void listUndecidedTexels(const PixelRun& run, const TexelPlanes& planes, UndecidedPixels& undecided) {
+  const auto lanes = static_cast<int>(hn::Lanes(doubles));
+  const RunInBinary64 line(run, planes);
+  std::uint32_t texels[mostLanes];
+  for (int i = 0; i < run.count; i += lanes)
+    forEachLane(line.find(columnsFrom(run.firstColumn + i), run.inverseDepth + i, 0, texels),
+                [&](int lane) { undecided.add(run.firstColumn + i + lane, run.row); });
+}
+
+void findTexelsInBinary64(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
+                          UndecidedPixels& undecided) {
+  const auto lanes = static_cast<int>(hn::Lanes(doubles));
+  const Double stride = hn::Set(doubles, static_cast<double>(lanes));
+  const RunInBinary64 line(run, planes);
+  Double columns = columnsFrom(run.firstColumn);
+  Mask open = firstLanes(0);
+  for (int i = 0; i < run.count; i += lanes, columns = hn::Add(columns, stride))
+    open = hn::Or(open, line.find(columns, run.inverseDepth + i, base, texels + i));
+  if (!hn::AllFalse(doubles, open)) listUndecidedTexels(run, planes, undecided);
+}
+
+using Floats = hn::CappedTag<float, mostLanes>;
+using Float = hn::Vec<Floats>;
+using TexelNumbers = hn::Rebind<std::uint32_t, Floats>;
+
+constexpr Floats floats;
+
+/// A texture coordinate along a run, counted from a border between texels near the pixel in its middle, so that numbers
+/// are small: (at + i * step) / (1 + i * depthStep) at the i-th pixel from there.
+struct LineInBinary32 {
+  double border, at, step;
+
+  LineInBinary32(const TexelPlane& plane, int column, int row, double w, double depthStep) {
+    const double position = ((plane.at + plane.down * row) + plane.right * column) * w;
+    border = std::floor(position);
+    at = position - border;
+    step = plane.right * w - border * depthStep;
+  }
+};
+
+/// A run in binary32, which has twice as many lanes and decides nearly everything: what is decided here lies farther
+/// from borders than binary64 is off.
+///
+/// Where 1/w differs from that in the middle by a factor of two at most, numbers up to m = 1 + half the count * |step|
+/// are rounded thirteen times on the way to the quotient, at most twice as large: 26 m units of 2^-24. Of what the
+/// binary64 of the coefficients is off, the error in the middle counts twice for the same reason, and the border's
+/// product with what 1/w is off, four units of depthError, as well. Binary32 holds whole numbers up to 2^24: numbers of
+/// texels stay below half of it, and where a border does not, all that is near lies on one side of the map.
+struct RunInBinary32 {
+  int middle = 0;
+  double depthStep = 0;
+  LineInBinary32 u, v;
+  double clear;  ///< see Texels::find; 1/4 or less where binary32 is not good enough
+
+  RunInBinary32(const PixelRun& run, const TexelPlanes& planes, int inMiddle, double w)
+      : middle(inMiddle),
+        depthStep((run.inverseDepth[run.count - 1] - run.inverseDepth[0]) * w / (run.count - 1)),
+        u(planes.u, run.firstColumn + middle, run.row, w, depthStep),
+        v(planes.v, run.firstColumn + middle, run.row, w, depthStep) {
+    const int half = run.count - middle;
+    const double change = std::abs(depthStep) * half;
+    const double size = 2 + half * std::max(std::abs(u.step), std::abs(v.step));
+    const double borders = 1 + std::abs(u.border) + std::abs(v.border);
+    clear = 0.5 - 26 * 0x1p-24 * size - 2 * (planes.error * w + planes.rounding) - 8 * depthError * borders;
+    const double texels = (planes.u.last + 1) * (planes.v.last + 1);
+    if (!(change <= 0.5 && texels <= 0x1p23)) clear = 0;
+  }
+};
+
+/// A texture coordinate along a run. Fused or not, products and sums stay within what `clear` leaves for rounding.
+struct TexelsInBinary32 {
+  Float at, step, middle, border, last;
+
+  TexelsInBinary32(const LineInBinary32& line, const TexelPlane& plane)
+      : at(hn::Set(floats, static_cast<float>(line.at))),
+        step(hn::Set(floats, static_cast<float>(line.step))),
+        middle(hn::Set(floats, static_cast<float>(plane.middle))),
+        border(hn::Set(floats, static_cast<float>(line.border))),
+        last(hn::Set(floats, static_cast<float>(plane.last))) {}
+
+  /// The texels of pixels, and how far off the middle between two borders each position is.
+  Float find(Float pixel, Float w, Float& offCentre) const {
+    const Float position = hn::Mul(hn::MulAdd(step, pixel, at), w);
+    const Float texel = hn::Floor(position);
+    offCentre = hn::Abs(hn::Sub(hn::Sub(position, texel), middle));
+    return hn::Max(hn::Min(hn::Add(texel, border), last), hn::Zero(floats));
+  }
+};
+
+/// A texel that binary32 leaves open. One that is told may be the same number: then it is found twice.
+constexpr std::uint32_t openTexel = 0xffffffff;
+
+/// What is the same along a run in binary32, in vectors.
+struct WalkInBinary32 {
+  TexelsInBinary32 u, v;
+  Float depthStep, clear, width, end;
+  // From 2^23 on binary32 counts by ones: the bits of 2^23 + n are those of 2^23 and n.
+  Float counting = hn::Set(floats, 0x1p23F);
+  hn::Vec<TexelNumbers> offset;
+
+  WalkInBinary32(const PixelRun& run, const RunInBinary32& line, const TexelPlanes& planes, std::uint32_t base)
+      : u(line.u, planes.u),
+        v(line.v, planes.v),
+        depthStep(hn::Set(floats, static_cast<float>(line.depthStep))),
+        clear(hn::Set(floats, static_cast<float>(line.clear))),
+        width(hn::Set(floats, static_cast<float>(planes.u.last + 1))),
+        end(hn::Set(floats, static_cast<float>(run.count - line.middle))),
+        offset(hn::Sub(hn::Set(TexelNumbers(), base), hn::BitCast(TexelNumbers(), counting))) {}
+
+  /// Stores the texels of pixels side by side, openTexel where they are undecided; returns which are.
+  hn::Mask<Floats> find(Float pixel, std::uint32_t* texels) const {
+    const Float one = hn::Set(floats, 1.0F);
+    const Float w = hn::Div(one, hn::MulAdd(depthStep, pixel, one));
+    Float offAcross, offDown;
+    const Float column = u.find(pixel, w, offAcross), row = v.find(pixel, w, offDown);
+    const Float texel = hn::Add(hn::MulAdd(row, width, column), counting);
+    const auto open = hn::AndNot(hn::Lt(hn::Max(offAcross, offDown), clear), hn::Lt(pixel, end));
+    const auto told = hn::Add(hn::BitCast(TexelNumbers(), texel), offset);
+    hn::StoreU(hn::IfThenElse(hn::RebindMask(TexelNumbers(), open), hn::Set(TexelNumbers(), openTexel), told),
+               TexelNumbers(), texels);
+    return open;
+  }
+};
+
+/// Those texels of a run that binary32 left open, in binary64.
+HWY_NOINLINE void findOpenTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base,
+                                 std::uint32_t* texels, UndecidedPixels& undecided) {
+  const auto lanes = static_cast<int>(hn::Lanes(floats));
+  for (int i = 0; i < run.count; i += lanes) {
+    const auto isOpen = hn::Eq(hn::LoadU(TexelNumbers(), texels + i), hn::Set(TexelNumbers(), openTexel));
+    HWY_ALIGN std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(TexelNumbers(), isOpen, bits);
+    for (unsigned left = bits[0] + 256U * bits[1]; left != 0; left &= left - 1) {
+      const int at = i + __builtin_ctz(left);
+      if (at >= run.count) return;
+      const PixelRun alone{run.triangle, run.row, run.firstColumn + at, 1, run.inverseDepth + at};
+      std::uint32_t found[mostLanes];
+      findTexelsInBinary64(alone, planes, base, found, undecided);
+      texels[at] = found[0];
+    }
+  }
+}
+
+void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
+                UndecidedPixels& undecided) {
+  constexpr int shortest = 16;  // for which it pays
+  if (run.count < shortest) return findTexelsInBinary64(run, planes, base, texels, undecided);
+  const int middle = run.count / 2;
+  const RunInBinary32 line(run, planes, middle, 1 / run.inverseDepth[middle]);
+  if (!(line.clear > 0.25)) return findTexelsInBinary64(run, planes, base, texels, undecided);
+  const WalkInBinary32 walk(run, line, planes, base);
+  const auto lanes = static_cast<int>(hn::Lanes(floats));
+  const Float stride = hn::Set(floats, static_cast<float>(lanes));
+  Float pixel = hn::Sub(hn::Iota(floats, 0), hn::Set(floats, static_cast<float>(middle)));
+  auto open = hn::FirstN(floats, 0);
+  for (int i = 0; i < run.count; i += lanes, pixel = hn::Add(pixel, stride))
+    open = hn::Or(open, walk.find(pixel, texels + i));
+  if (!hn::AllFalse(floats, open)) findOpenTexels(run, planes, base, texels, undecided);
+}
+
+/// The texels of pixels i along a line of exact quotients.
+Double findExactly(const ExactLine& line, Double i, int size) {
+  const auto along = [i](double at, double step) {
+    return hn::Add(hn::Set(doubles, at), hn::Mul(hn::Set(doubles, step), i));
+  };
+  const Double position = hn::Div(along(line.at, line.step), along(line.below, line.belowStep));
+  return hn::Floor(hn::Max(hn::Min(position, hn::Set(doubles, size - 1.0)), hn::Set(doubles, 0.0)));
+}
+
+void findExactTexels(const PixelRun& run, const ExactTexels& exact, int width, int height, std::uint32_t base,
+                     std::uint32_t* texels) {
+  const auto lanes = static_cast<int>(hn::Lanes(doubles));
+  const ExactLine u(run, exact.u), v(run, exact.v);
+  const Double columns = hn::Set(doubles, static_cast<double>(width));
+  Double pixels = hn::Iota(doubles, 0);
+  for (int i = 0; i < run.count; i += lanes, pixels = hn::Add(pixels, hn::Set(doubles, static_cast<double>(lanes))))
+    storeTexels(findExactly(u, pixels, width), findExactly(v, pixels, height), columns, base, texels + i);
+}
+
+TexelKernels kernels() { return {hwy::TargetName(HWY_TARGET), findTexels, findExactTexels}; }
+
+}  // namespace
+}  // namespace hemitex::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hemitex::raster {
+namespace {
+
+HWY_EXPORT(kernels);
+
+}  // namespace
+
+const std::vector<TexelKernels>& simdTexelKernels() {
+  static const std::vector<TexelKernels> all =
+      ofEveryInstructionSet<TexelKernels>([] { return HWY_DYNAMIC_DISPATCH(kernels)(); });
+  return all;
+}
+
+}  // namespace hemitex::raster
+#endif

@@ -1,0 +1,82 @@
+#include "raster/kernels/vertex_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "raster/setup/triangle_setup.h"
+#include "raster/setup/vertex_stage.h"
+
+namespace hemitex::raster {
+namespace {
+
+/// Comparing x with 2w or 8w is exact in binary32, too: where the product overflows, it is larger than all x.
+std::int32_t sidesOf(const ViewVertex& p, double nearDistance) {
+  if (!isFinite(p)) return notInside;
+  const double width = 2 * std::abs(p.w);
+  const bool isInside = std::all_of(halfSpaces.begin(), halfSpaces.end(),
+                                    [&](HalfSpace halfSpace) { return distance(halfSpace, p, nearDistance) >= 0; });
+  return (p.w < nearDistance ? beyondNear : 0) | (p.x > width ? beyondRight : 0) | (-p.x > width ? beyondLeft : 0) |
+         (p.y > width ? beyondBottom : 0) | (-p.y > width ? beyondTop : 0) | (isInside ? 0 : notInside);
+}
+
+void placeVertices(const ClusterMesh& mesh, const ClusterPart& part, const Face& face, PlacedVertices& placed) {
+  for (std::size_t i = 0; i < part.vertices; ++i) {
+    const std::size_t v = part.firstVertex + i;
+    const ViewVertex p = transform(face, {mesh.positions[0][v], mesh.positions[1][v], mesh.positions[2][v]}, {});
+    placed.w[i] = static_cast<float>(p.w);
+    placed.sides[i] = sidesOf(p, face.nearDistance);
+    const bool isInside = (placed.sides[i] & notInside) == 0;
+    placed.across[i] = isInside ? static_cast<std::int32_t>(snap(p.x / p.w, face.resolution)) : 0;
+    placed.down[i] = isInside ? static_cast<std::int32_t>(snap(p.y / p.w, face.resolution)) : 0;
+  }
+}
+
+/// The least and the largest of three snapped values.
+struct Span {
+  std::int32_t least, largest;
+
+  explicit Span(const std::array<std::int32_t, 3>& values)
+      : least(*std::min_element(values.begin(), values.end())),
+        largest(*std::max_element(values.begin(), values.end())) {}
+
+  /// Whether a sample of pixels [first, first + count) lies between them.
+  bool holdsSample(int first, int count) const {
+    return std::max((least + 127) >> 8, first) < std::min((largest + 128) >> 8, first + count);
+  }
+  bool isSmall() const { return largest - least < smallSpan; }
+};
+
+TriangleSets place(const ClusterMesh& mesh, const ClusterPart& part, const Face& face, PlacedVertices& placed) {
+  placeVertices(mesh, part, face, placed);
+  TriangleSets sets;
+  for (std::uint32_t t = 0; t < part.triangles; ++t) {
+    const std::size_t a = mesh.corners[0][part.firstTriangle + t], b = mesh.corners[1][part.firstTriangle + t],
+                      c = mesh.corners[2][part.firstTriangle + t];
+    if ((placed.sides[a] & placed.sides[b] & placed.sides[c] & beyondAny) != 0) continue;
+    if (((placed.sides[a] | placed.sides[b] | placed.sides[c]) & notInside) != 0) {
+      sets.cut |= 1U << t;
+      continue;
+    }
+    const Span across({placed.across[a], placed.across[b], placed.across[c]});
+    const Span down({placed.down[a], placed.down[b], placed.down[c]});
+    if (!across.holdsSample(face.scissor.column, face.scissor.width) ||
+        !down.holdsSample(face.scissor.row, face.scissor.height))
+      continue;
+    sets.whole |= 1U << t;
+    if (across.isSmall() && down.isSmall()) sets.small |= 1U << t;
+  }
+  return sets;
+}
+
+}  // namespace
+
+const VertexKernels& plainVertexKernels() {
+  static const VertexKernels kernels{"plain", place};
+  return kernels;
+}
+
+const VertexKernels& bestVertexKernels() {
+  return simdVertexKernels().empty() ? plainVertexKernels() : simdVertexKernels().front();
+}
+
+}  // namespace hemitex::raster

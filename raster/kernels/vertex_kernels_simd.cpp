@@ -1,0 +1,165 @@
+// The vertex kernels on vectors, written once for Highway, which compiles this file anew for each instruction set.
+#include "raster/kernels/simd_targets.h"
+#include "raster/kernels/vertex_kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/kernels/vertex_kernels_simd.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hemitex::raster::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Vectors of as many values each.
+using Doubles = hn::CappedTag<double, mostVertexLanes>;
+using Floats = hn::Rebind<float, Doubles>;
+using Integers = hn::Rebind<std::int32_t, Doubles>;
+using Bytes = hn::Rebind<std::uint8_t, Doubles>;
+using Double = hn::Vec<Doubles>;
+using Float = hn::Vec<Floats>;
+using Integer = hn::Vec<Integers>;
+
+constexpr Doubles doubles;
+constexpr Floats floats;
+constexpr Integers integers;
+
+Float all(float value) { return hn::Set(floats, value); }
+Integer all(std::int32_t value) { return hn::Set(integers, value); }
+
+/// A bit in the lanes of a mask.
+Integer bitWhere(hn::Mask<Floats> mask, std::int32_t bit) {
+  return hn::IfThenElseZero(hn::RebindMask(integers, mask), all(bit));
+}
+
+/// The snapped position of x / w; see snap in screen_triangle.cpp.
+Integer snapped(Float x, Float w, int resolution) {
+  const auto set = [](double value) { return hn::Set(doubles, value); };
+  const Double q = hn::Div(hn::PromoteTo(doubles, x), hn::PromoteTo(doubles, w));
+  const Double clamped = hn::Min(hn::Max(q, set(-8)), set(8));
+  const Double position = hn::Mul(hn::Add(clamped, set(1)), set(128.0 * resolution));
+  const Double integer = hn::Sub(hn::Add(position, set(0x1.8p52)), set(0x1.8p52));
+  return hn::DemoteTo(integers, integer);
+}
+
+struct VertexStage {
+  const Face& face;
+
+  Float along(const glm::vec3& row, Float x, Float y, Float z) const {
+    return hn::Add(hn::Add(hn::Mul(all(row.x), x), hn::Mul(all(row.y), y)), hn::Mul(all(row.z), z));
+  }
+
+  void place(const float* xs, const float* ys, const float* zs, std::size_t i, PlacedVertices& placed) const {
+    const Float dx = hn::Sub(hn::LoadU(floats, xs + i), all(face.eye.x));
+    const Float dy = hn::Sub(hn::LoadU(floats, ys + i), all(face.eye.y));
+    const Float dz = hn::Sub(hn::LoadU(floats, zs + i), all(face.eye.z));
+    const Float x = along(face.x, dx, dy, dz), y = along(face.y, dx, dy, dz), w = along(face.w, dx, dy, dz);
+    const Float across = hn::Abs(x), down = hn::Abs(y);
+    const auto finite = hn::And(hn::And(hn::IsFinite(x), hn::IsFinite(y)), hn::IsFinite(w));
+    const auto inFront = hn::And(finite, hn::Ge(w, all(face.nearDistance)));
+    const Float guard = hn::Mul(all(8.0F), w), width = hn::Mul(all(2.0F), hn::Abs(w));
+    const auto inside = hn::And(inFront, hn::And(hn::Le(across, guard), hn::Le(down, guard)));
+    const auto wideX = hn::And(finite, hn::Gt(across, width)), wideY = hn::And(finite, hn::Gt(down, width));
+    const Float zero = hn::Zero(floats);
+    Integer sides = hn::Or(bitWhere(hn::AndNot(inFront, finite), beyondNear), bitWhere(hn::Not(inside), notInside));
+    sides = hn::Or(sides, hn::Or(bitWhere(hn::And(wideX, hn::Gt(x, zero)), beyondRight),
+                                 bitWhere(hn::And(wideX, hn::Lt(x, zero)), beyondLeft)));
+    sides = hn::Or(sides, hn::Or(bitWhere(hn::And(wideY, hn::Gt(y, zero)), beyondBottom),
+                                 bitWhere(hn::And(wideY, hn::Lt(y, zero)), beyondTop)));
+    const auto keep = hn::RebindMask(integers, inside);
+    hn::StoreU(w, floats, placed.w.data() + i);
+    hn::StoreU(sides, integers, placed.sides.data() + i);
+    hn::StoreU(hn::IfThenElseZero(keep, snapped(x, w, face.resolution)), integers, placed.across.data() + i);
+    hn::StoreU(hn::IfThenElseZero(keep, snapped(y, w, face.resolution)), integers, placed.down.data() + i);
+  }
+};
+
+/// The three vertices of triangles side by side.
+struct Corners {
+  Integer a, b, c;
+
+  Corners(const ClusterMesh& mesh, std::size_t triangle) {
+    const auto load = [&](std::size_t k) {
+      return hn::PromoteTo(integers, hn::LoadU(Bytes(), mesh.corners[k].data() + triangle));
+    };
+    a = load(0);
+    b = load(1);
+    c = load(2);
+  }
+};
+
+/// The least and the largest of three snapped values.
+struct Span {
+  Integer least, largest;
+
+  Span(const std::int32_t* values, const Corners& at) {
+    const Integer a = hn::GatherIndex(integers, values, at.a), b = hn::GatherIndex(integers, values, at.b),
+                  c = hn::GatherIndex(integers, values, at.c);
+    least = hn::Min(hn::Min(a, b), c);
+    largest = hn::Max(hn::Max(a, b), c);
+  }
+
+  hn::Mask<Integers> holdsSample(int first, int count) const {
+    const Integer begin = hn::Max(hn::ShiftRight<8>(hn::Add(least, all(127))), all(first));
+    const Integer end = hn::Min(hn::ShiftRight<8>(hn::Add(largest, all(128))), all(first + count));
+    return hn::Lt(begin, end);
+  }
+  hn::Mask<Integers> isSmall() const { return hn::Lt(hn::Sub(largest, least), all(smallSpan)); }
+};
+
+std::uint32_t bitsOf(hn::Mask<Integers> mask) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(integers, mask, bits);
+  return bits[0];
+}
+
+TriangleSets place(const ClusterMesh& mesh, const ClusterPart& part, const Face& face, PlacedVertices& placed) {
+  const std::size_t lanes = hn::Lanes(integers);
+  const VertexStage stage{face};
+  for (std::size_t i = 0; i < part.vertices; i += lanes)
+    stage.place(mesh.positions[0].data() + part.firstVertex, mesh.positions[1].data() + part.firstVertex,
+                mesh.positions[2].data() + part.firstVertex, i, placed);
+  TriangleSets sets;
+  for (std::uint32_t t = 0; t < part.triangles; t += static_cast<std::uint32_t>(lanes)) {
+    const Corners at(mesh, part.firstTriangle + t);
+    const Integer a = hn::GatherIndex(integers, placed.sides.data(), at.a),
+                  b = hn::GatherIndex(integers, placed.sides.data(), at.b),
+                  c = hn::GatherIndex(integers, placed.sides.data(), at.c);
+    const auto there = hn::FirstN(integers, part.triangles - t);
+    const auto seen = hn::And(there, hn::Eq(hn::And(hn::And(a, b), hn::And(c, all(beyondAny))), hn::Zero(integers)));
+    const auto uncut = hn::Eq(hn::And(hn::Or(hn::Or(a, b), c), all(notInside)), hn::Zero(integers));
+    const Span across(placed.across.data(), at), down(placed.down.data(), at);
+    const auto sampled = hn::And(across.holdsSample(face.scissor.column, face.scissor.width),
+                                 down.holdsSample(face.scissor.row, face.scissor.height));
+    const auto whole = hn::And(seen, hn::And(uncut, sampled));
+    sets.whole |= bitsOf(whole) << t;
+    sets.small |= bitsOf(hn::And(whole, hn::And(across.isSmall(), down.isSmall()))) << t;
+    sets.cut |= bitsOf(hn::AndNot(uncut, seen)) << t;
+  }
+  return sets;
+}
+
+VertexKernels vertexKernels() { return {hwy::TargetName(HWY_TARGET), place}; }
+
+}  // namespace
+}  // namespace hemitex::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hemitex::raster {
+namespace {
+
+HWY_EXPORT(vertexKernels);
+
+}  // namespace
+
+const std::vector<VertexKernels>& simdVertexKernels() {
+  static const std::vector<VertexKernels> all =
+      ofEveryInstructionSet<VertexKernels>([] { return HWY_DYNAMIC_DISPATCH(vertexKernels)(); });
+  return all;
+}
+
+}  // namespace hemitex::raster
+#endif

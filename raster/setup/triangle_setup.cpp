@@ -1,0 +1,157 @@
+#include "raster/setup/triangle_setup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hemitex::raster {
+namespace {
+
+constexpr int subPixelBits = 8;
+constexpr std::int64_t subPixels = 1 << subPixelBits;  // units a pixel side
+constexpr std::int64_t sample = subPixels / 2;         // a pixel's sample is its centre
+
+std::int64_t cross(const SnappedPoint& origin, const SnappedPoint& p, const SnappedPoint& q) {
+  return (p.x - origin.x) * (q.y - origin.y) - (p.y - origin.y) * (q.x - origin.x);
+}
+
+/// The edge from p to q with the interior on its positive side where `orientation` is 1, on the other where it is -1.
+inline Edge makeEdge(const SnappedPoint& p, const SnappedPoint& q, std::int64_t orientation) {
+  const std::int64_t a = orientation * (p.y - q.y);
+  const std::int64_t b = orientation * (q.x - p.x);
+  const std::int64_t c = -(a * p.x + b * p.y) + (a + b) * sample;
+  // The interior lies where the value grows: at larger columns for a left edge, at larger rows for a top edge.
+  const bool isLeft = a > 0;
+  const bool isTop = a == 0 && b > 0;
+  return {a * subPixels, b * subPixels, c, isLeft || isTop};
+}
+
+/// Pixels from `first` to `end` whose samples can lie between two sub-pixel positions.
+void pixelRange(std::int64_t low, std::int64_t high, int scissorFirst, int scissorEnd, int& first, int& end) {
+  first = static_cast<int>(std::max<std::int64_t>(scissorFirst, (low + subPixels - 1 - sample) >> subPixelBits));
+  end = static_cast<int>(std::min<std::int64_t>(scissorEnd, ((high - sample) >> subPixelBits) + 1));
+}
+
+/// Few enough samples to try them all before anything else is computed.
+bool isSmall(const ScreenTriangle& triangle) {
+  constexpr int few = 4;
+  return (triangle.endColumn - triangle.firstColumn) * (triangle.endRow - triangle.firstRow) <= few;
+}
+
+bool covers(const ScreenTriangle& triangle, int column, int row) {
+  for (const Edge& edge : triangle.edges)
+    if (edge.at(column, row) < (edge.inclusive ? 0 : 1)) return false;
+  return true;
+}
+
+bool coversAny(const ScreenTriangle& triangle) {
+  for (int row = triangle.firstRow; row < triangle.endRow; ++row)
+    for (int column = triangle.firstColumn; column < triangle.endColumn; ++column)
+      if (covers(triangle, column, row)) return true;
+  return false;
+}
+
+/// Wholly beyond one side of the view: no pixel can tell that it was dropped before clipping.
+bool isOutsideView(const std::array<ViewVertex, 3>& p, double nearDistance) {
+  const auto all = [&p](const auto& isOutside) { return isOutside(p[0]) && isOutside(p[1]) && isOutside(p[2]); };
+  return all([=](const ViewVertex& q) { return q.w < nearDistance; }) ||
+         all([](const ViewVertex& q) { return q.x > 2 * std::abs(q.w); }) ||
+         all([](const ViewVertex& q) { return -q.x > 2 * std::abs(q.w); }) ||
+         all([](const ViewVertex& q) { return q.y > 2 * std::abs(q.w); }) ||
+         all([](const ViewVertex& q) { return -q.y > 2 * std::abs(q.w); });
+}
+
+/// Appends what is left of triangle t; false where it was dropped because a value was not finite.
+bool appendScreenTriangle(const DrawList& list, const Face& face, bool mirrored, std::uint32_t draw, std::uint32_t t,
+                          std::vector<ScreenTriangle>& triangles) {
+  std::array<ViewVertex, 3> vertices;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const std::uint32_t index = list.indices[3 * std::size_t{t} + k];
+    vertices[k] = transform(face, list.positions[index], list.texcoords[index]);
+  }
+  if (!isFinite(vertices[0]) || !isFinite(vertices[1]) || !isFinite(vertices[2])) return false;
+  if (isOutsideView(vertices, face.nearDistance)) return true;
+  const ClippedPolygon polygon = clip(vertices, face.nearDistance);
+  for (std::size_t k = 2; k < static_cast<std::size_t>(polygon.count); ++k) {
+    ScreenTriangle triangle;
+    triangle.draw = draw;
+    triangle.number = t;
+    if (makeScreenTriangle(face, {polygon.vertices[0], polygon.vertices[k - 1], polygon.vertices[k]}, mirrored,
+                           triangle))
+      triangles.push_back(triangle);
+  }
+  return true;
+}
+
+}  // namespace
+
+std::int64_t snap(double q, int resolution) {
+  // Numbers from 2^52 on are integers: adding one and taking it away again rounds as nearbyint does, without its call.
+  constexpr double integers = 0x1.8p52;
+  // The clamp holds what the rounding of the guard band let slip.
+  const double position = (std::clamp(q, -8.0, 8.0) + 1) * (128.0 * resolution);
+  return static_cast<std::int64_t>((position + integers) - integers);
+}
+
+bool makeScreenTriangle(const Face& face, const std::array<ViewVertex, 3>& vertices, bool mirrored,
+                        ScreenTriangle& triangle) {
+  std::array<SnappedPoint, 3> snapped;
+  for (std::size_t k = 0; k < 3; ++k)
+    snapped[k] = {snap(vertices[k].x / vertices[k].w, face.resolution),
+                  snap(vertices[k].y / vertices[k].w, face.resolution)};
+  return makeScreenTriangle(face.scissor, snapped, vertices, mirrored, triangle);
+}
+
+bool makeScreenTriangle(const Scissor& scissor, const std::array<SnappedPoint, 3>& s,
+                        const std::array<ViewVertex, 3>& vertices, bool mirrored, ScreenTriangle& triangle) {
+  const std::int64_t area = cross(s[0], s[1], s[2]);
+  if (area == 0) return false;
+
+  const auto least = [](std::int64_t a, std::int64_t b, std::int64_t c) { return std::min(std::min(a, b), c); };
+  const auto largest = [](std::int64_t a, std::int64_t b, std::int64_t c) { return std::max(std::max(a, b), c); };
+  pixelRange(least(s[0].x, s[1].x, s[2].x), largest(s[0].x, s[1].x, s[2].x), scissor.column,
+             scissor.column + scissor.width, triangle.firstColumn, triangle.endColumn);
+  pixelRange(least(s[0].y, s[1].y, s[2].y), largest(s[0].y, s[1].y, s[2].y), scissor.row, scissor.row + scissor.height,
+             triangle.firstRow, triangle.endRow);
+  if (triangle.firstColumn >= triangle.endColumn || triangle.firstRow >= triangle.endRow) return false;
+  const std::int64_t orientation = area > 0 ? 1 : -1;
+  triangle.edges[0] = makeEdge(s[1], s[2], orientation);
+  triangle.edges[1] = makeEdge(s[2], s[0], orientation);
+  triangle.edges[2] = makeEdge(s[0], s[1], orientation);
+  if (isSmall(triangle) && !coversAny(triangle)) return false;
+
+  triangle.area = std::abs(area);
+  // Raster rules, 5: it faces the eye when the area and the determinant of the rows differ in sign.
+  triangle.facesAway = (area < 0) == mirrored;
+  for (std::size_t k = 0; k < 3; ++k) {
+    triangle.w[k] = vertices[k].w;
+    triangle.u[k] = vertices[k].u;
+    triangle.v[k] = vertices[k].v;
+    triangle.inverseDepth[k] = 1 / vertices[k].w / static_cast<double>(triangle.area);
+  }
+  return true;
+}
+
+std::uint64_t appendScreenTriangles(const DrawList& list, const Face& face, std::span<const TriangleRun> runs,
+                                    std::span<const std::uint32_t> skipped, std::vector<ScreenTriangle>& triangles) {
+  std::uint64_t dropped = 0;
+  const bool mirrored = determinant(face) < 0;
+  auto skip = skipped.end();
+  std::uint32_t reached = std::numeric_limits<std::uint32_t>::max();
+  for (const TriangleRun& run : runs) {
+    // Draws may take triangles in any order; mostly they ascend, and then the next to skip is near.
+    if (run.first < reached) skip = std::lower_bound(skipped.begin(), skipped.end(), run.first);
+    while (skip != skipped.end() && *skip < run.first) ++skip;
+    reached = run.end;
+    for (std::uint32_t t = run.first; t < run.end; ++t) {
+      if (skip != skipped.end() && *skip == t) {
+        ++skip;
+        continue;
+      }
+      dropped += appendScreenTriangle(list, face, mirrored, run.draw, t, triangles) ? 0 : 1;
+    }
+  }
+  return dropped;
+}
+
+}  // namespace hemitex::raster

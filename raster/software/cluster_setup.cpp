@@ -1,0 +1,69 @@
+#include "raster/software/cluster_setup.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace hemitex::raster {
+namespace {
+
+/// The triangles of a cluster that are skipped, a bit each.
+std::uint32_t skippedOf(const Cluster& cluster, std::span<const std::uint32_t> skipped) {
+  std::uint32_t bits = 0;
+  std::uint32_t before = 0;  // triangles of the runs before
+  for (const TriangleRun& run : cluster.runs) {
+    if (!skipped.empty() && skipped.back() >= run.first && skipped.front() < run.end)
+      for (auto skip = std::lower_bound(skipped.begin(), skipped.end(), run.first); skip != skipped.end(); ++skip) {
+        if (*skip >= run.end) break;
+        bits |= 1U << (before + *skip - run.first);
+      }
+    before += run.end - run.first;
+  }
+  return bits;
+}
+
+}  // namespace
+
+bool makeScreenTriangle(const ClusterMesh& mesh, const Cluster& cluster, const ClusterPart& part, std::uint32_t t,
+                        const PlacedVertices& placed, const Scissor& scissor, bool mirrored, ScreenTriangle& triangle) {
+  std::array<SnappedPoint, 3> snapped;
+  std::array<ViewVertex, 3> vertices;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t corner = mesh.corners[k][part.firstTriangle + t];
+    const glm::vec2& texcoord = mesh.texcoords[part.firstVertex + corner];
+    snapped[k] = {placed.across[corner], placed.down[corner]};
+    vertices[k] = {0, 0, placed.w[corner], texcoord.x, texcoord.y};
+  }
+  if (!makeScreenTriangle(scissor, snapped, vertices, mirrored, triangle)) return false;
+  const TriangleRun one = triangleOf(cluster, t);
+  triangle.draw = one.draw;
+  triangle.number = one.first;
+  return true;
+}
+
+SeenTriangles appendScreenTriangles(const DrawList& list, const ClusterMesh& mesh, const Cluster& cluster,
+                                    const ClusterPart& part, const VertexKernels& kernels, const Face& face,
+                                    std::span<const std::uint32_t> skipped, PlacedVertices& placed,
+                                    std::vector<ScreenTriangle>& triangles) {
+  // A value that is not finite made the box so; it may be a texture coordinate, which the kernels do not look at.
+  if (!std::isfinite(cluster.box.low.x))
+    return {0, appendScreenTriangles(list, face, cluster.runs, skipped, triangles)};
+  const TriangleSets sets = kernels.place(mesh, part, face, placed);
+  if ((sets.whole | sets.cut) == 0) return {};
+  const std::uint32_t drawn = ~skippedOf(cluster, skipped);
+  SeenTriangles seen{sets.small & drawn};
+  const bool mirrored = determinant(face) < 0;
+  for (std::uint32_t left = (sets.whole | sets.cut) & ~sets.small & drawn; left != 0; left &= left - 1) {
+    const auto t = static_cast<std::uint32_t>(std::countr_zero(left));
+    if ((sets.cut >> t & 1) != 0) {
+      const TriangleRun one = triangleOf(cluster, t);
+      seen.dropped += appendScreenTriangles(list, face, {&one, 1}, {}, triangles);
+      continue;
+    }
+    ScreenTriangle& triangle = triangles.emplace_back();
+    if (!makeScreenTriangle(mesh, cluster, part, t, placed, face.scissor, mirrored, triangle)) triangles.pop_back();
+  }
+  return seen;
+}
+
+}  // namespace hemitex::raster

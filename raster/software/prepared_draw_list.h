@@ -1,0 +1,33 @@
+/// A draw list made ready to be drawn into any face.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "raster/culling/cluster_bvh.h"
+#include "raster/culling/cluster_mesh.h"
+#include "raster/culling/triangle_cluster.h"
+#include "raster/interface/draw_list.h"
+
+namespace hemitex::raster {
+
+struct PreparedDraws {
+  DrawList list;
+  std::vector<Cluster> clusters;
+  ClusterTree tree;  ///< over the clusters
+  ClusterMesh mesh;  ///< of their triangles
+  /// What resolving needs to know of an index map.
+  struct MapTraits {
+    bool countsTexels;  ///< holds 0, 1, 2, ...: which word it holds needs no look
+    Word bits;          ///< all bits that its words set
+  };
+  std::vector<MapTraits> maps;  ///< one an index map
+};
+
+/// Throws InputError where the list breaks the rules (see validate).
+PreparedDraws prepare(DrawList list);
+
+/// Asks memory for all that drawing a cluster reads: on the way, it takes as long as another cluster's drawing.
+void prefetch(const PreparedDraws& draws, std::uint32_t cluster);
+
+}  // namespace hemitex::raster

@@ -1,0 +1,287 @@
+#include "raster/software/tile.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <tuple>
+
+#include "raster/culling/frustum_culling.h"
+#include "raster/kernels/interpolation_bounds.h"
+#include "raster/setup/exact_interpolation.h"
+#include "raster/software/cluster_setup.h"
+
+namespace hemitex::raster {
+namespace {
+
+/// Pixels of a tile, at most: twelve bytes each in the depth buffer make 384 KiB, a part of today's second-level
+/// caches. Wide, so that runs of pixels are long.
+constexpr int mostColumns = 256, mostRows = 128;
+
+/// Numbers of small triangles in the depth buffer: from here on they count those of the mesh.
+constexpr std::uint32_t firstSmall = 0x80000000;
+
+bool isSmall(std::uint32_t number) { return number >= firstSmall && number != noTriangle; }
+
+/// The part of a face that is drawn, while it is drawn.
+class Tile {
+ public:
+  /// For words and their pitch see drawTile.
+  Tile(const PreparedDraws& draws, const TileKernels& kernels, const Face& face, TileMemory& memory, Word* words,
+       std::size_t pitch)
+      : draws_(draws),
+        kernels_(kernels),
+        face_(face),
+        words_(words),
+        pitch_(pitch),
+        isMirrored_(determinant(face) < 0),
+        memory_(memory),
+        buffer_(memory.buffer),
+        taken_(memory.taken) {
+    buffer_.clear(face.scissor);
+    taken_.clear();
+    memory.shadings.clear();
+    memory.undecided.pixels.clear();
+    memory.row.resize(buffer_.pitch);
+  }
+
+  /// Whether nothing of a box can be seen, or only behind what was drawn so far.
+  bool hides(const BoxPlace& place) const { return kernels_.depth.isHidden(buffer_, place.part, place.inverseDepth); }
+
+  /// Draws a cluster but for triangles in `skipped` (ascending); returns how many of them were dropped because a value
+  /// was not finite.
+  std::uint64_t draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped);
+
+  /// After all triangles: the words.
+  void resolve();
+
+ private:
+  void offer(const ScreenTriangle& triangle);
+  void drawSmall(std::uint32_t cluster, std::uint32_t small);
+  void resolveRow(int row);
+  void resolveRun(const PixelRun& run, Shading& shading, Word* words);
+  void findTexels(const PixelRun& run, Shading::Texels& texels, Word base, Word* words);
+
+  Word* wordsOf(int row) const { return words_ + static_cast<std::size_t>(row - buffer_.scissor.row) * pitch_; }
+  ScreenTriangle screenTriangle(std::uint32_t number) const;
+  bool offerExactly(const ScreenTriangle& triangle, std::uint32_t number, const Pixel& pixel);
+  Word wordExactly(std::uint32_t number, const Pixel& pixel);
+  Shading& shading(std::uint32_t triangle);
+
+  const PreparedDraws& draws_;
+  const TileKernels& kernels_;
+  const Face& face_;
+  Word* words_;  ///< those of small triangles are there, the others come when they are resolved
+  std::size_t pitch_;
+  bool isMirrored_;
+  TileMemory& memory_;
+  DepthBuffer& buffer_;
+  std::vector<ScreenTriangle>& taken_;
+};
+
+/// The larger 1/w wins; on an exact tie the earlier triangle in draw order, whichever was drawn first.
+bool isNearer(const ScreenTriangle& a, const ScreenTriangle& b, const Pixel& pixel) {
+  if (isNearerExactly(a, b, pixel.column, pixel.row)) return true;
+  return std::tie(a.draw, a.number) < std::tie(b.draw, b.number) && !isNearerExactly(b, a, pixel.column, pixel.row);
+}
+
+/// A triangle by its number in the depth buffer. Small ones are set up anew: few pixels ask for them.
+ScreenTriangle Tile::screenTriangle(std::uint32_t number) const {
+  if (!isSmall(number)) return taken_[number];
+  const std::uint32_t inMesh = number - firstSmall;
+  const auto part = std::upper_bound(draws_.mesh.parts.begin(), draws_.mesh.parts.end(), inMesh,
+                                     [](std::uint32_t t, const ClusterPart& p) { return t < p.firstTriangle; }) -
+                    1;
+  const Cluster& cluster = draws_.clusters[static_cast<std::size_t>(part - draws_.mesh.parts.begin())];
+  const TriangleRun one = triangleOf(cluster, inMesh - part->firstTriangle);
+  std::vector<ScreenTriangle> alone;
+  appendScreenTriangles(draws_.list, face_, {&one, 1}, {}, alone);
+  return alone.front();
+}
+
+/// Whether the pixel took it.
+bool Tile::offerExactly(const ScreenTriangle& triangle, std::uint32_t number, const Pixel& pixel) {
+  const std::size_t p = buffer_.pixelAt(pixel.column, pixel.row);
+  if (!isNearer(triangle, screenTriangle(buffer_.triangle[p]), pixel)) return false;
+  buffer_.inverseDepth[p] = inverseDepthAt(triangle, edgeValues(triangle, pixel.column, pixel.row));
+  buffer_.triangle[p] = number;
+  return true;
+}
+
+std::uint64_t Tile::draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped) {
+  memory_.triangles.clear();
+  const SeenTriangles seen =
+      appendScreenTriangles(draws_.list, draws_.mesh, draws_.clusters[cluster], draws_.mesh.parts[cluster],
+                            kernels_.vertices, face_, skipped, memory_.placed, memory_.triangles);
+  for (const ScreenTriangle& triangle : memory_.triangles) offer(triangle);
+  if (seen.small != 0) drawSmall(cluster, seen.small);
+  return seen.dropped;
+}
+
+/// Offers a triangle to the depth buffer, and keeps it if a pixel took it.
+void Tile::offer(const ScreenTriangle& triangle) {
+  const auto number = static_cast<std::uint32_t>(taken_.size());
+  bool isTaken = kernels_.depth.offer(triangle, number, buffer_, memory_.undecided);
+  for (const Pixel& pixel : memory_.undecided.pixels) isTaken = offerExactly(triangle, number, pixel) || isTaken;
+  memory_.undecided.pixels.clear();
+  if (isTaken) taken_.push_back(triangle);
+}
+
+/// Offers the samples of small triangles of a cluster, a bit each, with their words.
+void Tile::drawSmall(std::uint32_t cluster, std::uint32_t small) {
+  const ClusterPart& part = draws_.mesh.parts[cluster];
+  const std::vector<TriangleRun>& runs = draws_.clusters[cluster].runs;
+  const Draw& first = draws_.list.draws[runs.front().draw];
+  SmallTriangles triangles{draws_.mesh, part, memory_.placed, small};
+  if (first.indexMap) {  // then it is the only draw
+    const IndexMap& map = draws_.list.indexMaps[static_cast<std::size_t>(*first.indexMap)];
+    triangles.columns = map.width;
+    triangles.rows = map.height;
+  }
+  kernels_.smallTriangles.findSamples(triangles, buffer_.scissor, memory_.samples);
+  for (std::size_t i = 0; i < memory_.samples.count; ++i) {
+    const auto t = static_cast<std::uint32_t>(memory_.samples.triangles[i]);
+    const std::uint32_t number = firstSmall + part.firstTriangle + t;
+    const Pixel pixel{memory_.samples.columns[i], memory_.samples.rows[i]};
+    const std::size_t p = buffer_.pixelAt(pixel.column, pixel.row);
+    const DepthTest test = offerDepth(memory_.samples.inverseDepths[i], number, p, buffer_);
+    if (test == DepthTest::Hidden) continue;
+    if (test == DepthTest::Undecided && !offerExactly(screenTriangle(number), number, pixel)) continue;
+    Word& word = wordsOf(pixel.row)[pixel.column - buffer_.scissor.column];
+    if (memory_.samples.texels[i] == undecidedTexel) {
+      word = wordExactly(number, pixel);
+      continue;
+    }
+    const Draw& draw = runs.size() == 1 ? first : draws_.list.draws[triangleOf(draws_.clusters[cluster], t).draw];
+    const bool facesAway = ((memory_.samples.negative >> t & 1) != 0) == isMirrored_;
+    word = wordOf(draws_, draw, facesAway, static_cast<Word>(memory_.samples.texels[i]));
+  }
+}
+
+/// The word of a pixel that shows a texel.
+Word Tile::wordExactly(std::uint32_t number, const Pixel& pixel) {
+  const ScreenTriangle triangle = screenTriangle(number);
+  const Draw& draw = draws_.list.draws[triangle.draw];
+  const IndexMap& map = draws_.list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
+  return wordOf(draws_, draw, triangle.facesAway, texelExactly(triangle, map, pixel));
+}
+
+Shading& Tile::shading(std::uint32_t triangle) {
+  std::uint32_t& place = memory_.shadingOf[triangle];
+  if (place == noTriangle) {
+    place = static_cast<std::uint32_t>(memory_.shadings.size());
+    memory_.shadings.push_back(shadingOf(draws_, taken_[triangle]));
+  }
+  return memory_.shadings[place];
+}
+
+/// `base` and the number of the texel of each pixel of a run. Where one texel is undecided, more will be.
+void Tile::findTexels(const PixelRun& run, Shading::Texels& texels, Word base, Word* words) {
+  const IndexMap& map = *texels.map;
+  if (texels.exact) return kernels_.texels.findExactTexels(run, *texels.exact, map.width, map.height, base, words);
+  kernels_.texels.findTexels(run, texels.planes, base, words, memory_.undecided);
+  if (memory_.undecided.pixels.empty()) return;
+  const auto u = exactQuotient(*run.triangle, run.triangle->u, map.width);
+  const auto v = exactQuotient(*run.triangle, run.triangle->v, map.height);
+  if (u && v) {
+    texels.exact = std::make_unique<const ExactTexels>(ExactTexels{*u, *v});
+    kernels_.texels.findExactTexels(run, *texels.exact, map.width, map.height, base, words);
+  } else {
+    for (const Pixel& pixel : memory_.undecided.pixels)
+      words[pixel.column - run.firstColumn] = base + texelExactly(*run.triangle, map, pixel);
+  }
+  memory_.undecided.pixels.clear();
+}
+
+/// The words of pixels that show one triangle.
+void Tile::resolveRun(const PixelRun& run, Shading& shading, Word* words) {
+  if (!shading.texels) {
+    std::fill_n(words, run.count, shading.word);
+    return;
+  }
+  Shading::Texels& texels = *shading.texels;
+  findTexels(run, texels, texels.counts ? shading.word : 0, words);
+  if (texels.counts) return;
+  const Word* const map = texels.map->words.data();
+  const DrawList& list = draws_.list;
+  for (Word& word : std::span(words, static_cast<std::size_t>(run.count)))
+    word = texels.isSum ? shading.word | map[word] : blend(list.format, list.blend, shading.word, map[word]);
+}
+
+void Tile::resolve() {
+  memory_.shadingOf.assign(taken_.size(), noTriangle);
+  for (int row = buffer_.scissor.row; row < buffer_.scissor.row + buffer_.scissor.height; ++row) resolveRow(row);
+}
+
+void Tile::resolveRow(int row) {
+  Word* const words = wordsOf(row);
+  const std::size_t begin = buffer_.rowAt(row);
+  const std::uint32_t* const triangles = buffer_.triangle.data() + begin;
+  const int width = buffer_.scissor.width;
+  for (int first = 0, end = 0; first < width; first = end) {
+    const std::uint32_t number = triangles[first];
+    end = first + 1;
+    if (isSmall(number)) {
+      memory_.row[static_cast<std::size_t>(first)] = words[first];
+      continue;
+    }
+    if (end < width && triangles[end] == number) end = kernels_.depth.endOfRun(triangles, first, width);
+    if (number == noTriangle)
+      std::fill(memory_.row.begin() + first, memory_.row.begin() + end, backgroundWord(draws_.list.format));
+    else
+      resolveRun({&taken_[number], row, buffer_.scissor.column + first, end - first,
+                  buffer_.inverseDepth.data() + begin + static_cast<std::size_t>(first)},
+                 shading(number), memory_.row.data() + first);
+  }
+  std::copy_n(memory_.row.data(), width, words);
+}
+
+struct PlacedGroup {
+  std::uint32_t number;
+  BoxPlace place;
+};
+
+/// The groups of clusters that a view may show, the nearest first. Not the clusters one by one: what follows each other
+/// in memory is faster to read, and of a group that is hidden none is looked at.
+std::vector<PlacedGroup> groupsIn(const ClusterTree& tree, const ViewBounds& view) {
+  std::vector<PlacedGroup> found;
+  for (const std::uint32_t g : tree.groupsIn(view)) found.push_back({g, view.placeOf(tree.group(g).box)});
+  std::sort(found.begin(), found.end(), [](const PlacedGroup& a, const PlacedGroup& b) {
+    return std::tie(b.place.inverseDepth, a.number) < std::tie(a.place.inverseDepth, b.number);
+  });
+  return found;
+}
+
+}  // namespace
+
+std::vector<Scissor> tilesOf(const Face& face) {
+  const Scissor& whole = face.scissor;
+  std::vector<Scissor> tiles;
+  for (int row = whole.row; row < whole.row + whole.height; row += mostRows)
+    for (int column = whole.column; column < whole.column + whole.width; column += mostColumns)
+      tiles.push_back({column, row, std::min(mostColumns, whole.column + whole.width - column),
+                       std::min(mostRows, whole.row + whole.height - row)});
+  return tiles;
+}
+
+std::uint64_t drawTile(const PreparedDraws& draws, const TileKernels& kernels, const Face& face,
+                       std::span<const std::uint32_t> skipped, TileMemory& memory, Word* words, std::size_t pitch) {
+  std::uint64_t dropped = 0;
+  Tile tile(draws, kernels, face, memory, words, pitch);
+  const ViewBounds view(face);
+  std::optional<std::uint32_t> awaited;  // a cluster on its way from memory
+  for (const PlacedGroup& placed : groupsIn(draws.tree, view)) {
+    if (tile.hides(placed.place)) continue;
+    const ClusterGroup& group = draws.tree.group(placed.number);
+    for (std::uint32_t c = group.first; c < group.end; ++c) {
+      if (tile.hides(view.placeOf(draws.clusters[c].box))) continue;
+      prefetch(draws, c);
+      if (awaited) dropped += tile.draw(*awaited, skipped);
+      awaited = c;
+    }
+  }
+  if (awaited) dropped += tile.draw(*awaited, skipped);
+  tile.resolve();
+  return dropped;
+}
+
+}  // namespace hemitex::raster

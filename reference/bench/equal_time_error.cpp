@@ -1,0 +1,130 @@
+#include "reference/bench/equal_time_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+
+#include "radiosity/form_factors/projected_form_factors.h"
+#include "radiosity/index_maps/id_layout.h"
+#include "raster/software/software_renderer.h"
+#include "reference/bench/stopwatch.h"
+#include "reference/rays/embree_form_factors.h"
+#include "reference/rays/ray_source.h"
+
+namespace hemitex::reference {
+namespace {
+
+using RowOfPatch = std::function<radiosity::FormFactorRow(std::uint32_t)>;
+
+/// A way to find rows, and what was measured of it.
+struct Contender {
+  RowOfPatch rowOf;
+  std::vector<RowQuality>& group;  ///< that it is one of
+  RowQuality quality;
+  std::vector<double> seconds;  ///< one a repeat, all rows together
+};
+
+std::vector<MeasuredRow> trueRows(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                                  const std::vector<std::uint32_t>& patches, int samples) {
+  const RayFormFactors rays(scene, discretization);
+  const Receivers receivers = everyElement(discretization);
+  std::vector<MeasuredRow> rows;
+  for (const std::uint32_t patch : patches) {
+    const radiosity::Patch& block = discretization.patches[patch];
+    const Shooter shooter = pointShooter(scene, block.surface, radiosity::patchCentre(scene, discretization, block));
+    rows.push_back(rays.aimed(shooter, receivers, {.samples = samples}));
+  }
+  return rows;
+}
+
+double sumOfStandardErrors(const MeasuredRow& row) {
+  double sum = 0;
+  for (const Measurement& receiver : row.receivers) sum += receiver.standardError;
+  return sum;
+}
+
+void race(std::vector<Contender>& contenders, const std::vector<std::uint32_t>& patches,
+          const std::vector<MeasuredRow>& truth, int repeats) {
+  for (int repeat = 0; repeat < repeats; ++repeat)
+    for (Contender& contender : contenders) {
+      double spent = 0;
+      for (std::size_t p = 0; p < patches.size(); ++p) {
+        const Stopwatch watch;
+        const radiosity::FormFactorRow row = contender.rowOf(patches[p]);
+        spent += watch.seconds();
+        if (repeat == 0)
+          contender.quality.error += distanceToTruth(row, truth[p]) / static_cast<double>(patches.size());
+      }
+      contender.seconds.push_back(spent);
+    }
+  for (Contender& contender : contenders) {
+    const auto middle = contender.seconds.begin() + repeats / 2;
+    std::nth_element(contender.seconds.begin(), middle, contender.seconds.end());
+    contender.quality.seconds = *middle / static_cast<double>(patches.size());
+  }
+}
+
+}  // namespace
+
+double distanceToTruth(const radiosity::FormFactorRow& row, const MeasuredRow& truth) {
+  double error = 0;
+  std::size_t next = 0;
+  for (std::uint32_t element = 0; element < truth.receivers.size(); ++element) {
+    const bool isSeen = next < row.elements.size() && row.elements[next] == element;
+    error += std::abs((isSeen ? radiosity::formFactor(row.shares[next++]) : 0) - truth.receivers[element].value);
+  }
+  return error;
+}
+
+std::vector<std::uint32_t> spreadPatches(const radiosity::Discretization& discretization, std::size_t count) {
+  const std::size_t all = discretization.patches.size(), taken = std::min(count, all);
+  std::vector<std::uint32_t> patches;
+  for (std::size_t i = 0; i < taken; ++i)
+    patches.push_back(static_cast<std::uint32_t>((2 * i + 1) * all / (2 * taken)));
+  return patches;
+}
+
+std::optional<double> errorAtTime(const std::vector<RowQuality>& qualities, double seconds) {
+  const auto later = std::find_if(qualities.begin(), qualities.end(),
+                                  [seconds](const RowQuality& quality) { return quality.seconds >= seconds; });
+  if (later == qualities.begin() || later == qualities.end()) return std::nullopt;
+  const RowQuality &slow = *later, &fast = *(later - 1);
+  const double share = std::log(seconds / fast.seconds) / std::log(slow.seconds / fast.seconds);
+  return fast.error * std::pow(slow.error / fast.error, share);
+}
+
+RowComparison compareRows(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                          const RowComparisonSettings& settings) {
+  RowComparison result;
+  result.patches = spreadPatches(discretization, settings.points);
+  const std::vector<MeasuredRow> truth = trueRows(scene, discretization, result.patches, settings.truthSamples);
+  for (const MeasuredRow& row : truth)
+    result.truthError += sumOfStandardErrors(row) / static_cast<double>(truth.size());
+
+  const radiosity::WordLayout layout = radiosity::layOut(discretization);
+  raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));
+  std::vector<Contender> contenders;
+  const auto addHemicubes = [&](const std::vector<int>& resolutions, radiosity::Orientation orientation,
+                                std::vector<RowQuality>& group) {
+    for (const int resolution : resolutions) {
+      const auto rows = std::make_shared<radiosity::ProjectedRows>(scene, discretization, layout, renderer,
+                                                                   radiosity::ViewSettings{resolution, orientation});
+      contenders.push_back(
+          {[rows](std::uint32_t patch) { return rows->ofPatch(patch); }, group, {.size = resolution}, {}});
+    }
+  };
+  addHemicubes(settings.hemicubes, radiosity::Orientation::Aligned, result.hemicubes);
+  addHemicubes(settings.turnedHemicubes, radiosity::Orientation::Turned, result.turnedHemicubes);
+  for (const int count : settings.rays) {
+    const auto rows =
+        std::make_shared<RayRows>(scene, discretization, RayRowSettings{.rays = count, .start = RayStart::Centre});
+    contenders.push_back(
+        {[rows](std::uint32_t patch) { return rows->ofPatch(patch); }, result.rays, {.size = count}, {}});
+  }
+  race(contenders, result.patches, truth, settings.repeats);
+  for (const Contender& contender : contenders) contender.group.push_back(contender.quality);
+  return result;
+}
+
+}  // namespace hemitex::reference

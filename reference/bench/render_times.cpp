@@ -1,0 +1,158 @@
+#include "reference/bench/render_times.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "radiosity/form_factors/projected_form_factors.h"
+#include "radiosity/solver/progressive_solver.h"
+#include "raster/base/parallel.h"
+#include "reference/bench/baseline.h"
+#include "reference/bench/equal_time_error.h"
+#include "reference/bench/subdivided_scene.h"
+#include "reference/rays/pixel_rays.h"
+
+namespace hemitex::reference {
+namespace {
+
+using radiosity::ElementsBy;
+using radiosity::ProjectedRows;
+using radiosity::View;
+
+/// A repeat is the mean over so many patches of a scene as it is, and one of a scene that was cut.
+constexpr std::size_t patchesAtOnce = 3;
+
+/// A scene with all that draws it or casts rays into it.
+struct World {
+  World(const radiosity::Scene& itsScene, const BenchScene& bench, bool hasMesh,
+        const radiosity::RendererFactory& device)
+      : scene(itsScene),
+        discretization(radiosity::discretize(scene, bench.elements)),
+        layout(radiosity::layOut(discretization, bench.words)),
+        textures(radiosity::sceneRenderer(scene, discretization, layout, ElementsBy::Texture)),
+        mesh(hasMesh ? radiosity::sceneRenderer(scene, discretization, layout, ElementsBy::Mesh) : nullptr),
+        openGl(device ? device(radiosity::makeDrawList(scene, discretization, layout)) : nullptr),
+        rays(radiosity::makeDrawList(scene, discretization, layout)) {}
+
+  const radiosity::Scene& scene;
+  radiosity::Discretization discretization;
+  radiosity::WordLayout layout;
+  std::unique_ptr<raster::ItemBufferRenderer> textures, mesh, openGl;
+  PixelRays rays;
+};
+
+/// From so many triangles on OpenGL takes long, most of it for vertices at any resolution: the highest will do, where
+/// it has the least of a disadvantage.
+constexpr std::size_t slowTriangles = 100000;
+
+/// Something that is timed, and for how many calls of it a repeat counts.
+struct Task {
+  std::string what;
+  std::function<void()> call;
+  std::size_t calls = 1;
+};
+
+/// The tasks of a world at one resolution, and what they need.
+class Tasks {
+ public:
+  Tasks(World& world, int resolution, bool withOpenGl)
+      : world_(world),
+        patches_(spreadPatches(world.discretization, world.mesh ? patchesAtOnce : 1)),
+        rows_(world.scene, world.discretization, world.layout, *world.textures, {.resolution = resolution}),
+        floor_(world.discretization, world.layout, rows_.projection()) {
+    for (const std::uint32_t patch : patches_) views_.push_back(rows_.viewsOfPatch(patch).front());
+    // Of one patch: words of several would push each other out of the cache, where those of a hemicube are.
+    drawn_ = world.textures->render(views_.front().faces, views_.front().skipped);
+    add("hemicube", [this](std::size_t i) { rows_.ofPatch(patches_[i]); });
+    add("draw", [this](std::size_t i) { world_.textures->draw(views_[i].faces, views_[i].skipped, words_); });
+    add("embree", [this](std::size_t i) { world_.rays.cast(views_[i].faces, hits_); });
+    tasks_.push_back({"floor", [this] { floor_.row(drawn_); }});
+    if (world.openGl && withOpenGl)
+      add("opengl", [this](std::size_t i) { world_.openGl->draw(views_[i].faces, views_[i].skipped, words_); });
+    if (!world.mesh) return;
+    meshRows_ = std::make_unique<ProjectedRows>(world.scene, world.discretization, world.layout, *world.mesh,
+                                                radiosity::ViewSettings{.resolution = resolution});
+    add("hemicube-mesh", [this](std::size_t i) { meshRows_->ofPatch(patches_[i]); });
+    tasks_.push_back({"solution", [this] { solve(); }});
+  }
+  Tasks(const Tasks&) = delete;
+  Tasks& operator=(const Tasks&) = delete;
+
+  const std::vector<Task>& tasks() const { return tasks_; }
+  /// Of the solution: fewer than benchShots where no light is left.
+  int shots() const { return shots_; }
+
+ private:
+  void add(const std::string& what, const std::function<void(std::size_t)>& ofPatch) {
+    const auto all = [this, ofPatch] {
+      for (std::size_t i = 0; i < patches_.size(); ++i) ofPatch(i);
+    };
+    tasks_.push_back({what, all, patches_.size()});
+  }
+
+  void solve() {
+    const auto rowOf = [this](std::uint32_t patch) { return rows_.ofPatch(patch); };
+    shots_ = radiosity::solve(world_.scene, world_.discretization, rowOf,
+                              {.residual = 0, .shots = benchShots, .rowCacheBytes = 0})
+                 .shots;
+  }
+
+  World& world_;
+  std::vector<std::uint32_t> patches_;
+  ProjectedRows rows_;
+  std::unique_ptr<ProjectedRows> meshRows_;
+  BenchFloor floor_;
+  std::vector<View> views_;                ///< one a patch
+  std::vector<raster::ItemBuffer> drawn_;  ///< of the first view
+  std::vector<raster::ItemBuffer> words_, hits_;
+  std::vector<Task> tasks_;
+  int shots_ = 0;
+};
+
+void appendRuns(World& world, const std::string& name, int resolution, const BenchSettings& settings,
+                std::vector<BenchRun>& runs) {
+  const std::size_t triangles = radiosity::triangleCount(world.scene);
+  const bool isHighest = resolution == *std::max_element(settings.resolutions.begin(), settings.resolutions.end());
+  const Tasks tasks(world, resolution, triangles < slowTriangles || isHighest);
+  std::vector<std::function<void()>> calls;
+  for (const Task& task : tasks.tasks()) calls.push_back(task.call);
+  const std::vector<Timing> timings = timeInTurns(calls, settings.repeats);
+  for (std::size_t t = 0; t < timings.size(); ++t) {
+    const Task& task = tasks.tasks()[t];
+    BenchRun run{name,
+                 triangles,
+                 world.discretization.elements.size(),
+                 resolution,
+                 settings.threads,
+                 task.what,
+                 timings[t] / static_cast<double>(task.calls)};
+    runs.push_back(run);
+    if (task.what != "solution") continue;
+    run.what = "shot";
+    run.seconds = run.seconds / tasks.shots();
+    runs.push_back(run);
+  }
+}
+
+}  // namespace
+
+std::vector<BenchRun> benchRuns(const BenchScene& bench, const BenchSettings& settings,
+                                const std::function<void(const std::string&)>& progress) {
+  const raster::ThreadLimit limit(settings.threads);
+  const std::size_t own = radiosity::triangleCount(bench.scene);
+  std::vector<std::size_t> counts{own};
+  std::copy_if(settings.triangles.begin(), settings.triangles.end(), std::back_inserter(counts),
+               [own](std::size_t count) { return count > own; });
+  std::vector<BenchRun> runs;
+  for (const std::size_t count : counts) {
+    const radiosity::Scene scene = finerScene(bench.scene, count);
+    World world(scene, bench, count == own, settings.openGl);
+    for (const int resolution : settings.resolutions) {
+      progress(bench.name + " of " + std::to_string(count) + " triangles, R = " + std::to_string(resolution));
+      appendRuns(world, bench.name, resolution, settings, runs);
+    }
+  }
+  return runs;
+}
+
+}  // namespace hemitex::reference

@@ -1,0 +1,51 @@
+/// How fast a hemicube is, beside whatever else gives the same pixels: regular meshing, Embree, OpenGL, and the floor
+/// under it all. Everything is timed in turns (timing.h) on equal threads.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "radiosity/form_factors/scene_form_factors.h"
+#include "reference/bench/scenes.h"
+#include "reference/bench/timing.h"
+
+namespace hemitex::reference {
+
+struct BenchRun {
+  std::string scene;
+  std::size_t triangles = 0, elements = 0;
+  int resolution = 0;
+  int threads = 0;
+  /// What took the time, of the same patches but for solutions, which choose theirs:
+  /// - hemicube: from a patch to its row of form factors; five faces drawn, words resolved, the row summed;
+  /// - hemicube-mesh: the same where elements are polygons;
+  /// - draw: faces drawn and words resolved alone;
+  /// - embree: rays through the same pixels, which triangle each meets (pixel_rays.h);
+  /// - opengl: the faces drawn and read back, without the sum; from 100,000 triangles on, where it takes long, at the
+  ///   highest resolution alone;
+  /// - floor: buffers cleared and the row summed of words drawn before, of the first patch (bench_floor.h);
+  /// - solution: so many shots by the solver, `benchShots`, or fewer where no light is left; shot: the mean one.
+  std::string what;
+  Timing seconds;
+};
+
+/// Of a solution.
+inline constexpr int benchShots = 10;
+
+struct BenchSettings {
+  std::vector<int> resolutions = {128, 256, 512, 1024};
+  /// Scenes of fewer triangles are also cut into so many (finer_scene.h), ascending.
+  std::vector<std::size_t> triangles = {8000, 100000, 1000000};
+  int threads = 1;
+  int repeats = 11;
+  radiosity::RendererFactory openGl;  ///< empty where there is no device
+};
+
+/// Of a scene as it is and cut, everything at every resolution; meshing and solutions of the scene as it is alone.
+std::vector<BenchRun> benchRuns(const BenchScene& scene, const BenchSettings& settings,
+                                const std::function<void(const std::string&)>& progress);
+
+}  // namespace hemitex::reference

@@ -1,0 +1,124 @@
+#include "reference/bench/solution_profile.h"
+
+#include <malloc.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/solver/shooting_state.h"
+#include "reference/bench/stopwatch.h"
+#include "reference/bench/timing.h"
+
+namespace hemitex::reference {
+namespace {
+
+/// What the heap holds.
+std::size_t heapBytes() {
+  const struct mallinfo2 heap = mallinfo2();
+  return heap.uordblks + heap.hblkhd;
+}
+
+/// Tells how large the heap is while item buffers are there.
+class HeapProbe final : public raster::ItemBufferRenderer {
+ public:
+  HeapProbe(std::unique_ptr<raster::ItemBufferRenderer> renderer, std::size_t& bytes)
+      : renderer_(std::move(renderer)), bytes_(bytes) {}
+
+  void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+            std::vector<raster::ItemBuffer>& buffers) override {
+    renderer_->draw(faces, skipped, buffers);
+    bytes_ = heapBytes();
+  }
+
+ private:
+  std::unique_ptr<raster::ItemBufferRenderer> renderer_;
+  std::size_t& bytes_;
+};
+
+radiosity::DrawnRows drawnRows(const radiosity::Scene& scene, int texels, int resolution,
+                               const radiosity::RendererFactory& renderer = radiosity::softwareRenderer) {
+  radiosity::Discretization discretization = radiosity::discretize(scene, {.texels = texels});
+  radiosity::WordLayout layout = radiosity::layOut(discretization, {.format = "r32ui"});
+  return {scene, std::move(discretization), std::move(layout), {.resolution = resolution, .split = 1}, renderer};
+}
+
+SolutionParts solveOnce(const radiosity::Scene& scene, radiosity::DrawnRows& drawn, int shots) {
+  SolutionParts parts;
+  const auto timed = [](double& part, const auto& step) {
+    const Stopwatch watch;
+    auto result = step();
+    part += watch.seconds();
+    return result;
+  };
+  const auto refinement =
+      timed(parts.start, [&] { return std::make_unique<radiosity::Refinement>(scene, drawn.discretization()); });
+  for (int shot = 0; shot < shots; ++shot) {
+    const std::uint32_t patch = timed(parts.picking, [&] { return refinement->brightestPatch(); });
+    const radiosity::FormFactorRow row = timed(parts.hemicubes, [&] { return drawn.rows().ofPatch(patch); });
+    timed(parts.spreading, [&] { return refinement->shoot(patch, row); });
+    timed(parts.accounting, [&] { return refinement->residual(); });
+  }
+  timed(parts.accounting, [&] { return refinement->energy(); });
+  timed(parts.accounting, [&] { return std::move(*refinement).radiosity(); });
+  parts.besideOfTotal = parts.beside() / parts.total();
+  return parts;
+}
+
+/// The heap while the second row of a solution is summed: with the item buffers and with the row.
+std::size_t heapBytes(const radiosity::Scene& scene, int texels, int resolution) {
+  std::size_t whileDrawn = 0;
+  const auto probed = [&whileDrawn](raster::DrawList list) {
+    return std::make_unique<HeapProbe>(radiosity::softwareRenderer(std::move(list)), whileDrawn);
+  };
+  radiosity::DrawnRows drawn = drawnRows(scene, texels, resolution, probed);
+  radiosity::Refinement refinement(scene, drawn.discretization());
+  refinement.shoot(refinement.brightestPatch(), drawn.rows().ofPatch(refinement.brightestPatch()));
+  const std::size_t before = heapBytes();
+  const radiosity::FormFactorRow row = drawn.rows().ofPatch(refinement.brightestPatch());
+  return whileDrawn + (heapBytes() - before);
+}
+
+}  // namespace
+
+SolutionParts solutionParts(const radiosity::Scene& scene, int texels, int resolution, int shots, int repeats) {
+  radiosity::DrawnRows drawn = drawnRows(scene, texels, resolution);
+  drawn.rows().ofPatch(0);
+  std::vector<SolutionParts> times;
+  for (int repeat = 0; repeat < repeats; ++repeat) times.push_back(solveOnce(scene, drawn, shots));
+  SolutionParts medians{.elements = drawn.discretization().elements.size(), .resolution = resolution, .shots = shots};
+  for (double SolutionParts::*part :
+       {&SolutionParts::start, &SolutionParts::picking, &SolutionParts::hemicubes, &SolutionParts::spreading,
+        &SolutionParts::accounting, &SolutionParts::besideOfTotal}) {
+    std::vector<double> values;
+    for (const SolutionParts& repeat : times) values.push_back(repeat.*part);
+    medians.*part = medianOf(std::move(values));
+  }
+  return medians;
+}
+
+SolutionMemory solutionMemory(const radiosity::Scene& scene, int texels, int resolution) {
+  const auto elements = [&](int side) {
+    return static_cast<double>(radiosity::discretize(scene, {.texels = side}).elements.size());
+  };
+  const auto pixels = [](int side) { return 3.0 * side * side; };
+  const auto heap = [&](int ofTexels, int ofResolution) {
+    return static_cast<double>(heapBytes(scene, ofTexels, ofResolution));
+  };
+  // Few pixels beside the elements, so that what is seen of these adds little; and all elements beside the pixels.
+  constexpr int fewPixels = 64;
+  SolutionMemory memory;
+  memory.bytesPerElement =
+      (heap(texels, fewPixels) - heap(texels / 2, fewPixels)) / (elements(texels) - elements(texels / 2));
+  memory.bytesPerPixel =
+      (heap(texels, resolution) - heap(texels, resolution / 2)) / (pixels(resolution) - pixels(resolution / 2));
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  memory.peakBytes = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+  return memory;
+}
+
+}  // namespace hemitex::reference

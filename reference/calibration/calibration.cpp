@@ -1,0 +1,157 @@
+#include "reference/calibration/calibration.h"
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+
+namespace hemitex::reference {
+namespace {
+
+using raster::ItemBuffer;
+using raster::Word;
+
+constexpr Word nothing = 0xffffffff;  // the background of the probes
+
+// --- snapping and edges ---
+
+constexpr std::int64_t pixelUnits = 16384;  // in which a probe's corners are given
+
+/// The multiple of `step` that a coordinate is snapped to. Samples are multiples, so the coordinate may be relative.
+std::int64_t snapTo(std::int64_t coordinate, std::int64_t step, SnapRounding rounding) {
+  const std::int64_t raised = coordinate + (rounding == SnapRounding::Nearest ? step / 2 : 0);
+  // Steps are powers of two: clearing the bits below rounds down, for negative numbers, too.
+  return raised & -step;
+}
+
+std::int64_t cross(const glm::i64vec2& p, const glm::i64vec2& q) { return p.x * q.y - p.y * q.x; }
+
+struct Snapping {
+  int bits;
+  SnapRounding rounding;
+};
+
+/// How often the answers contradict a snapping: on edges, the rule's answer is expected, but any is allowed.
+struct Contradictions {
+  int sure = 0, onEdges = 0;
+};
+
+Contradictions contradictionsOf(const ProbingSet& probes, std::span<const ItemBuffer> answers,
+                                const Snapping& snapping) {
+  Contradictions contradictions;
+  for (std::size_t s = 0; s < probes.coverage.size(); ++s)
+    for (std::size_t pixel = 0; pixel < probes.coverage[s].pixels.size(); ++pixel) {
+      const Coverage expected = coverageOf(probes.coverage[s].pixels[pixel], snapping.bits, snapping.rounding);
+      const bool isCovered = expected == Coverage::Inside || expected == Coverage::OnIncludedEdge;
+      const bool isSure = expected == Coverage::Inside || expected == Coverage::Outside;
+      if (answers[s].words[pixel] == (isCovered ? 1 : nothing)) continue;
+      // A word that is neither is wrong wherever the sample lies.
+      const bool isWord = answers[s].words[pixel] == 1 || answers[s].words[pixel] == nothing;
+      (isSure || !isWord ? contradictions.sure : contradictions.onEdges) += 1;
+    }
+  return contradictions;
+}
+
+std::string nameOf(const Snapping& snapping) {
+  return std::to_string(snapping.bits) + " bits, " +
+         (snapping.rounding == SnapRounding::Nearest ? "nearest" : "truncated");
+}
+
+void calibrateCoverage(const ProbingSet& probes, std::span<const ItemBuffer> answers, Calibration& calibration) {
+  std::optional<Snapping> best;
+  Contradictions least;
+  for (int bits = 4; bits <= 12; ++bits)
+    for (const SnapRounding rounding : {SnapRounding::Nearest, SnapRounding::Truncate}) {
+      const Snapping snapping{bits, rounding};
+      const Contradictions contradictions = contradictionsOf(probes, answers, snapping);
+      if (best && contradictions.sure >= least.sure) continue;
+      best = snapping;
+      least = contradictions;
+    }
+  calibration.profile.subpixelBits = best->bits;
+  calibration.profile.snapRounding = best->rounding;
+  calibration.profile.edgeRule = least.onEdges == 0 ? EdgeRule::TopLeft : EdgeRule::Any;
+  if (least.sure > 0)
+    calibration.faults.push_back("coverage: no snapping from 4 to 12 bits explains all samples; the closest, " +
+                                 nameOf(*best) + ", is wrong at " + std::to_string(least.sure));
+}
+
+// --- texels ---
+
+void calibrateTexels(const ProbingSet& probes, std::span<const ItemBuffer> answers, Calibration& calibration) {
+  double largestWrong = 0, largest = 0;
+  int strangers = 0;
+  for (std::size_t s = 0; s < probes.texels.size(); ++s)
+    for (std::size_t pixel = 0; pixel < probes.texels[s].pixels.size(); ++pixel) {
+      const TexelProbe& probe = probes.texels[s].pixels[pixel];
+      const auto above = static_cast<Word>(probe.border), below = above - 1;
+      const Word word = answers[s].words[pixel];
+      largest = std::max(largest, probe.distance);
+      strangers += word != above && word != below;
+      if (word != (probe.isAbove ? above : below)) largestWrong = std::max(largestWrong, probe.distance);
+    }
+  calibration.profile.texelPrecision = 2 * largestWrong;
+  if (strangers > 0)
+    calibration.faults.push_back("texels: " + std::to_string(strangers) +
+                                 " samples show neither texel beside the border that they probe");
+  else if (largestWrong == largest)
+    calibration.faults.push_back("texels: coordinates are off by a quarter of a texel or more");
+}
+
+// --- depth ---
+
+void calibrateDepths(const ProbingSet& probes, std::span<const ItemBuffer> answers, Calibration& calibration) {
+  std::array<int, 4> wrong{};  // by DepthStep
+  int strangers = 0;
+  for (std::size_t s = 0; s < probes.depths.size(); ++s)
+    for (std::size_t pixel = 0; pixel < probes.depths[s].pixels.size(); ++pixel) {
+      const DepthProbe& probe = probes.depths[s].pixels[pixel];
+      const Word word = answers[s].words[pixel];
+      strangers += word != 1 && word != 2;
+      wrong[static_cast<std::size_t>(probe.step)] += word != probe.nearer;
+    }
+  const auto confuses = [&](DepthStep step) { return wrong[static_cast<std::size_t>(step)] > 0; };
+  calibration.profile.depthFormat = confuses(DepthStep::Float32)   ? DepthFormat::Unorm16
+                                    : confuses(DepthStep::Unorm24) ? DepthFormat::Float32
+                                    : confuses(DepthStep::Fine)    ? DepthFormat::Unorm24
+                                                                   : DepthFormat::Float32;
+  if (strangers > 0)
+    calibration.faults.push_back("depth: " + std::to_string(strangers) +
+                                 " samples show neither of the two triangles that cover them");
+  else if (confuses(DepthStep::Unorm16))
+    calibration.faults.push_back("depth: triangles are confused that even 16 bits tell apart, " +
+                                 std::to_string(wrong[0]) + " times");
+}
+
+}  // namespace
+
+Coverage coverageOf(const CoverageProbe& probe, int subpixelBits, SnapRounding rounding) {
+  const std::int64_t step = pixelUnits >> subpixelBits;
+  std::array<glm::i64vec2, 3> s;
+  for (std::size_t k = 0; k < 3; ++k)
+    s[k] = {snapTo(probe.corners[k].x, step, rounding), snapTo(probe.corners[k].y, step, rounding)};
+  const std::int64_t area = cross(s[1] - s[0], s[2] - s[0]);
+  if (area == 0) return Coverage::Outside;
+  Coverage coverage = Coverage::Inside;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const glm::i64vec2 along = std::int64_t{area > 0 ? 1 : -1} * (s[(k + 1) % 3] - s[k]);
+    const std::int64_t value = cross(along, -s[k]);
+    if (value < 0) return Coverage::Outside;
+    if (value > 0 || coverage == Coverage::OnOtherEdge) continue;
+    // The interior lies at larger columns of a left edge, at larger rows of a top edge.
+    const bool isTopOrLeft = along.y < 0 || (along.y == 0 && along.x > 0);
+    coverage = isTopOrLeft ? Coverage::OnIncludedEdge : Coverage::OnOtherEdge;
+  }
+  return coverage;
+}
+
+Calibration calibrate(const ProbingSet& probes, std::span<const ItemBuffer> answers) {
+  const std::size_t texels = probes.coverage.size(), depths = texels + probes.texels.size();
+  assert(answers.size() == depths + probes.depths.size());
+  Calibration calibration;
+  calibrateCoverage(probes, answers.first(texels), calibration);
+  calibrateTexels(probes, answers.subspan(texels, depths - texels), calibration);
+  calibrateDepths(probes, answers.subspan(depths), calibration);
+  return calibration;
+}
+
+}  // namespace hemitex::reference

@@ -1,0 +1,65 @@
+#include "reference/closed_forms/surface_pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "radiosity/discretization/texel_areas.h"
+#include "radiosity/geometry/grid_clipping.h"
+#include "reference/rays/ray_caster.h"
+
+namespace hemitex::reference {
+namespace {
+
+using radiosity::Grid;
+using radiosity::Piece;
+using radiosity::Triangle;
+
+std::vector<glm::dvec3> cornersOf(const std::array<glm::dvec3, 3>& triangle, const Piece& piece) {
+  std::vector<glm::dvec3> corners;
+  for (std::size_t i = 0; i < piece.size; ++i) {
+    const glm::dvec2& weight = piece.corners[i].weight;
+    corners.push_back(triangle[0] + weight.x * (triangle[1] - triangle[0]) + weight.y * (triangle[2] - triangle[0]));
+  }
+  return corners;
+}
+
+/// `first` is the number of the surface's first triangle in the scene.
+void appendPieces(const radiosity::Scene& scene, const radiosity::Surface& surface, std::uint32_t first,
+                  const Grid& grid, std::vector<SurfacePiece>& pieces) {
+  const auto append = [&](std::size_t texel, std::uint32_t t, const Piece& piece) {
+    if (radiosity::share(piece) == 0) return;
+    const Triangle& triangle = surface.triangles[t];
+    pieces.push_back(
+        {grid.spill[texel], first + t, radiosity::normal(triangle), cornersOf(inFrame(scene, triangle), piece)});
+  };
+  radiosity::forEachExposedPiece(surface, radiosity::texelGrid(grid), append);
+}
+
+}  // namespace
+
+SurfacePieces surfacePieces(const radiosity::Scene& scene, const radiosity::Discretization& discretization) {
+  SurfacePieces result;
+  std::uint32_t first = 0;
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const radiosity::Surface& surface = scene.surfaces[s];
+    appendPieces(scene, surface, first, discretization.grids[s], result.pieces);
+    first += static_cast<std::uint32_t>(surface.triangles.size());
+  }
+  std::stable_sort(result.pieces.begin(), result.pieces.end(),
+                   [](const SurfacePiece& a, const SurfacePiece& b) { return a.element < b.element; });
+  result.first.assign(discretization.elements.size() + 1, 0);
+  for (const SurfacePiece& piece : result.pieces) ++result.first[piece.element + 1];
+  for (std::size_t e = 1; e < result.first.size(); ++e) result.first[e] += result.first[e - 1];
+  return result;
+}
+
+std::uint32_t elementAt(const Triangle& triangle, const Grid& grid, const glm::dvec2& weights) {
+  const std::array<glm::dvec2, 3> texels = radiosity::inTexels(triangle, grid.columns, grid.rows);
+  const glm::dvec2 place = texels[0] + weights.x * (texels[1] - texels[0]) + weights.y * (texels[2] - texels[0]);
+  const auto column = static_cast<std::int64_t>(std::floor(place.x)),
+             row = static_cast<std::int64_t>(std::floor(place.y));
+  return grid.spill[radiosity::texelOfCell(column, row, grid.columns, grid.rows)];
+}
+
+}  // namespace hemitex::reference

@@ -1,0 +1,42 @@
+/// Surfaces as polygons: what an index map says with texels, cut out of the triangles. Rays start on such pieces, and
+/// closed forms are taken of them.
+///
+/// Positions are in the frame of the scene (see ray_caster.h). Triangles are numbered through the scene, surface by
+/// surface.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/scene/scene.h"
+
+namespace hemitex::reference {
+
+/// The part of a triangle that belongs to an element: a convex polygon.
+struct SurfacePiece {
+  std::uint32_t element = 0;
+  std::uint32_t triangle = 0;
+  glm::dvec3 normal;               ///< unit
+  std::vector<glm::dvec3> corner;  ///< counter-clockwise in front; three to eight
+};
+
+struct SurfacePieces {
+  std::vector<SurfacePiece> pieces;  ///< element by element, those of one in the order of the triangles
+  std::vector<std::uint32_t> first;  ///< the first piece of each element, and behind them the number of pieces
+
+  std::span<const SurfacePiece> of(std::uint32_t element) const {
+    return std::span(pieces).subspan(first[element], first[element + 1] - first[element]);
+  }
+};
+
+/// The pieces of every texel go to the element that it spills to, as areas do. Those without area are left out.
+SurfacePieces surfacePieces(const radiosity::Scene& scene, const radiosity::Discretization& discretization);
+
+/// The element at a point of a triangle: that of the texel which an index map shows there. `weights` are barycentric,
+/// of the triangle's corners 1 and 2.
+std::uint32_t elementAt(const radiosity::Triangle& triangle, const radiosity::Grid& grid, const glm::dvec2& weights);
+
+}  // namespace hemitex::reference

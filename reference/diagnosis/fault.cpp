@@ -1,0 +1,16 @@
+#include "reference/diagnosis/fault.h"
+
+#include <utility>
+
+#include "reference/diagnosis/fault_themes.h"
+
+namespace hemitex::reference {
+
+std::vector<Fault> knownFaults(const TestVector& vector) {
+  std::vector<Fault> faults;
+  for (const auto& theme : {viewFaults, sampleFaults, textureFaults, blendFaults, memoryFaults})
+    for (Fault& fault : theme(vector)) faults.push_back(std::move(fault));
+  return faults;
+}
+
+}  // namespace hemitex::reference

@@ -1,0 +1,169 @@
+/// Faults of offsets, and of how they meet texels and the target.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "reference/diagnosis/fault_themes.h"
+
+namespace hemitex::reference {
+namespace {
+
+using raster::DrawList;
+using raster::Word;
+
+// --- offset and texel ---
+
+using ChannelSum = std::function<Word(const Channel&, std::uint64_t, std::uint64_t)>;
+
+/// A blend channel by channel.
+StagedDevice withBlend(const std::vector<Channel>& channels, const ChannelSum& sum) {
+  StagedDevice device;
+  device.blend = [=](const DrawList&, Word offset, Word texel) {
+    return wordOf(channels, [&](const Channel& channel) {
+      return sum(channel, std::uint64_t{channel.of(offset)}, std::uint64_t{channel.of(texel)});
+    });
+  };
+  return device;
+}
+
+std::vector<Variant> modulations(const raster::WordFormat& format) {
+  const auto product = [](const Channel& channel, std::uint64_t offset, std::uint64_t texel) {
+    const std::uint64_t largest = channel.largest();
+    return static_cast<Word>((offset * texel + largest / 2) / largest);
+  };
+  const std::vector<Channel> channels = channelsOf(format), colours = colourChannelsOf(format);
+  std::vector<Variant> variants{{"", withBlend(colours, product), colours}};
+  if (channels.size() != colours.size()) variants.push_back({"as one number", withBlend(channels, product), channels});
+  return variants;
+}
+
+Word wrappedSum(const Channel& channel, std::uint64_t offset, std::uint64_t texel) {
+  return static_cast<Word>((offset + texel) & channel.largest());
+}
+
+Word clampedSum(const Channel& channel, std::uint64_t offset, std::uint64_t texel) {
+  return static_cast<Word>(std::min<std::uint64_t>(offset + texel, channel.largest()));
+}
+
+/// What else an adder may do at a channel's end.
+std::vector<Fault> additions(const DrawList& list) {
+  if (list.blend == raster::Blend::IntegerAdd)
+    return {{"clamp instead of integer add",
+             "whole words are added modulo 2^m: a colour blend unit clamps channels",
+             {{"", withBlend(colourChannelsOf(list.format), clampedSum)}}}};
+  if (list.blend != raster::Blend::ClampedAdd) return {};
+  StagedDevice carrying;
+  carrying.blend = [](const DrawList& drawn, Word offset, Word texel) {
+    return (offset + texel) & raster::backgroundWord(drawn.format);
+  };
+  return {
+      {"wrap instead of clamp",
+       "a channel's sum stays at its maximum: look for integer formats, or shaders that add",
+       {{"", withBlend(channelsOf(list.format), wrappedSum)}}},
+      {"carry across channels", "channels are added apart: look for shaders that add whole words", {{"", carrying}}}};
+}
+
+// --- offsets ---
+
+/// How many elements a draw tells apart.
+Word elementsOf(const DrawList& list, const raster::Draw& draw) {
+  if (!draw.indexMap) return 1;
+  const std::vector<Word>& words = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)].words;
+  return *std::max_element(words.begin(), words.end()) + 1;
+}
+
+/// Surfaces in the order of their offsets, each right behind the elements of the one before.
+void packOffsets(DrawList& list) {
+  std::map<Word, Word> elements;
+  for (const raster::Draw& draw : list.draws)
+    elements[draw.offset] = std::max(elements[draw.offset], elementsOf(list, draw));
+  std::map<Word, Word> packed;
+  Word next = 0;
+  for (const auto& [offset, count] : elements) {
+    packed[offset] = next;
+    next += count;
+  }
+  for (raster::Draw& draw : list.draws) draw.offset = packed[draw.offset];
+}
+
+StagedDevice packedOffsets() {
+  StagedDevice device;
+  device.upload = packOffsets;
+  return device;
+}
+
+/// Offsets as flat colours in the vertex buffer: each vertex holds that of the triangle whose corner `written` it is
+/// (of the last such triangle; where there is none, of the last triangle that has it), and the device reads corner
+/// `read`. Every triangle becomes a draw of its own.
+void readOffsetsFrom(DrawList& list, std::size_t written, std::size_t read) {
+  std::vector<Word> colours(list.positions.size());
+  std::vector<raster::Draw> triangles;
+  for (const raster::Draw& draw : list.draws)
+    for (std::uint32_t first = draw.first; first < draw.first + draw.count; first += 3) {
+      triangles.push_back(draw);
+      triangles.back().first = first;
+      triangles.back().count = 3;
+      for (std::uint32_t k = 0; k < 3; ++k) colours[list.indices[first + k]] = draw.offset;
+    }
+  for (const raster::Draw& triangle : triangles) colours[list.indices[triangle.first + written]] = triangle.offset;
+  for (raster::Draw& triangle : triangles) triangle.offset = colours[list.indices[triangle.first + read]];
+  list.draws = triangles;
+}
+
+std::vector<Variant> provokingVertices() {
+  std::vector<Variant> variants;
+  const auto add = [&](const std::string& name, std::size_t written, std::size_t read) {
+    StagedDevice device;
+    device.upload = [=](DrawList& list) { readOffsetsFrom(list, written, read); };
+    variants.push_back({name, device});
+  };
+  add("the last instead of the first", 0, 2);
+  add("the first instead of the last", 2, 0);
+  add("the second instead of the first", 0, 1);
+  add("the second instead of the last", 2, 1);
+  return variants;
+}
+
+// --- fragment and target ---
+
+/// Colours that are blended into the target, which starts as the background; the fourth channel is alpha. Without one,
+/// or where colours are added, the picture is right or all background and says nothing of blending.
+std::vector<Variant> targetBlends(const raster::WordFormat& format) {
+  const std::vector<Channel> channels = colourChannelsOf(format);
+  if (channels.size() < 4) return {};
+  std::vector<Variant> variants;
+  for (const bool isPremultiplied : {false, true}) {
+    StagedDevice device;
+    device.store = [=](Word stored, Word fragment) {
+      const double opaque = channels[3].largest(), alpha = channels[3].of(fragment) / opaque;
+      return wordOf(channels, [&](const Channel& channel) {
+        const double source = channel.of(fragment), target = channel.of(stored), largest = channel.largest();
+        const double sum = (isPremultiplied ? 1 : alpha) * source + (1 - alpha) * target;
+        return static_cast<Word>(std::min(std::nearbyint(sum), largest));
+      });
+    };
+    variants.push_back({isPremultiplied ? "by premultiplied alpha" : "by alpha", device, channels});
+  }
+  return variants;
+}
+
+}  // namespace
+
+std::vector<Fault> blendFaults(const TestVector& vector) {
+  const DrawList& list = vector.list;
+  std::vector<Fault> faults{{"modulate instead of add",
+                             "set the texture environment to add: the default of OpenGL multiplies",
+                             modulations(list.format)}};
+  for (Fault& fault : additions(list)) faults.push_back(std::move(fault));
+  faults.push_back({"offset not aligned",
+                    "the offset of a surface is its number << k, whatever its elements count",
+                    {{"", packedOffsets()}}});
+  faults.push_back({"colour from the wrong provoking vertex",
+                    "flat attributes come from one corner: OpenGL takes the last by default, Vulkan the first",
+                    provokingVertices()});
+  faults.push_back({"blending left on", "turn blending off for the item buffer: a fragment replaces what was there",
+                    targetBlends(list.format)});
+  return faults;
+}
+
+}  // namespace hemitex::reference

@@ -1,0 +1,221 @@
+/// Faults of looking up index maps.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "reference/diagnosis/fault_themes.h"
+
+namespace hemitex::reference {
+namespace {
+
+using raster::IndexMap;
+using raster::Word;
+
+/// A lookup in one index map.
+using MapFetch = std::function<Word(const IndexMap&, const Lookup&)>;
+
+StagedDevice withFetch(const MapFetch& fetch) {
+  StagedDevice device;
+  device.fetch = [=](const raster::DrawList& list, std::size_t map, const Lookup& lookup) {
+    return fetch(list.indexMaps[map], lookup);
+  };
+  return device;
+}
+
+glm::dvec2 sizeOf(const IndexMap& map) { return {map.width, map.height}; }
+
+Word texelAt(const IndexMap& map, const glm::dvec2& texel) {
+  const glm::dvec2 held = glm::clamp(texel, glm::dvec2(0.0), sizeOf(map) - 1.0);
+  return map
+      .words[static_cast<std::size_t>(held.y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(held.x)];
+}
+
+// --- coordinates ---
+
+Word repeatedTexel(const IndexMap& map, const Lookup& lookup) {
+  return nearestTexel(map, lookup.at - glm::floor(lookup.at));
+}
+
+Word mirroredTexel(const IndexMap& map, const Lookup& lookup) {
+  const glm::dvec2 period = lookup.at - 2.0 * glm::floor(lookup.at / 2.0);
+  return nearestTexel(map, glm::min(period, 2.0 - period));
+}
+
+std::vector<Variant> halfTexelShifts() {
+  std::vector<Variant> variants;
+  for (int k = 0; k < 9; ++k) {
+    const glm::dvec2 shift(k % 3 - 1, k / 3 - 1);
+    const auto text = [](double s) { return s < 0 ? std::string("-1/2") : s > 0 ? "+1/2" : "0"; };
+    if (k == 4) continue;
+    variants.push_back({text(shift.x) + ", " + text(shift.y), withFetch([=](const IndexMap& map, const Lookup& lookup) {
+                          return nearestTexel(map, lookup.at + 0.5 * shift / sizeOf(map));
+                        })});
+  }
+  return variants;
+}
+
+/// Coordinates of the unit square in fixed point with 8 bits behind the point, as in 16.8 numbers.
+Word truncatedTexel(const IndexMap& map, const Lookup& lookup) {
+  return nearestTexel(map, glm::floor(lookup.at * 256.0) / 256.0);
+}
+
+// --- filters ---
+
+/// Weights of the four texels around a point; clamped at the map's sides.
+Word linearTexel(const std::vector<Channel>& channels, const IndexMap& map, const glm::dvec2& at) {
+  const glm::dvec2 position = at * sizeOf(map) - 0.5, first = glm::floor(position), part = position - first;
+  const Word a = texelAt(map, first), b = texelAt(map, first + glm::dvec2(1, 0));
+  const Word c = texelAt(map, first + glm::dvec2(0, 1)), d = texelAt(map, first + 1.0);
+  return wordOf(channels, [&](const Channel& channel) {
+    const double top = (1 - part.x) * channel.of(a) + part.x * channel.of(b);
+    const double bottom = (1 - part.x) * channel.of(c) + part.x * channel.of(d);
+    return static_cast<Word>(std::nearbyint((1 - part.y) * top + part.y * bottom));
+  });
+}
+
+/// Half the size in each direction, rounded down but to 1 at least; each texel the mean of the four it covers.
+IndexMap halved(const std::vector<Channel>& channels, const IndexMap& map) {
+  IndexMap half{std::max(1, map.width / 2), std::max(1, map.height / 2), {}};
+  for (int row = 0; row < half.height; ++row)
+    for (int column = 0; column < half.width; ++column)
+      half.words.push_back(wordOf(channels, [&](const Channel& channel) {
+        double sum = 0;
+        for (int k = 0; k < 4; ++k) sum += channel.of(texelAt(map, glm::dvec2(2 * column + k % 2, 2 * row + k / 2)));
+        return static_cast<Word>(std::nearbyint(sum / 4));
+      }));
+  return half;
+}
+
+using Levels = std::vector<IndexMap>;
+
+Levels levelsOf(const std::vector<Channel>& channels, const IndexMap& map) {
+  Levels levels{map};
+  while (levels.back().words.size() > 1) levels.push_back(halved(channels, levels.back()));
+  return levels;
+}
+
+/// log2 of how many texels a pixel steps over, along the longer of its sides.
+double levelOfDetail(const IndexMap& map, const Lookup& lookup) {
+  const double columns = glm::length(lookup.perColumn * sizeOf(map)), rows = glm::length(lookup.perRow * sizeOf(map));
+  return std::log2(std::max(columns, rows));
+}
+
+/// Magnified maps are looked up by the rules.
+Word mipmappedTexel(const std::vector<Channel>& channels, const Levels& levels, bool isLinear, bool betweenLevels,
+                    const Lookup& lookup) {
+  const double detail = levelOfDetail(levels.front(), lookup);
+  if (!(detail > 0)) return nearestTexel(levels.front(), lookup.at);
+  const auto texelOf = [&](double level) {
+    const IndexMap& map = levels[static_cast<std::size_t>(std::min(level, static_cast<double>(levels.size() - 1)))];
+    return isLinear ? linearTexel(channels, map, lookup.at) : nearestTexel(map, lookup.at);
+  };
+  if (!betweenLevels) return texelOf(std::floor(detail + 0.5));
+  const double first = std::floor(detail), part = detail - first;
+  const Word fine = texelOf(first), coarse = texelOf(first + 1);
+  return wordOf(channels, [&](const Channel& channel) {
+    return static_cast<Word>(std::nearbyint((1 - part) * channel.of(fine) + part * channel.of(coarse)));
+  });
+}
+
+/// Channels as a filter sees them: those of the format, and the bytes of a word without channels.
+std::vector<std::vector<Channel>> filteredChannels(const raster::WordFormat& format) {
+  const std::vector<Channel> channels = channelsOf(format), colours = colourChannelsOf(format);
+  if (channels.size() == colours.size()) return {channels};
+  return {channels, colours};
+}
+
+std::vector<Variant> linearFilters(const raster::WordFormat& format) {
+  std::vector<Variant> variants;
+  for (const std::vector<Channel>& channels : filteredChannels(format))
+    variants.push_back({variants.empty() ? "" : "by bytes", withFetch([=](const IndexMap& map, const Lookup& lookup) {
+                          return linearTexel(channels, map, lookup.at);
+                        }),
+                        channels});
+  return variants;
+}
+
+std::vector<Variant> mipmappings(const raster::DrawList& list) {
+  std::vector<Variant> variants;
+  for (const std::vector<Channel>& channels : filteredChannels(list.format)) {
+    const auto maps = std::make_shared<std::vector<Levels>>();  // one copy for all variants
+    for (const IndexMap& map : list.indexMaps) maps->push_back(levelsOf(channels, map));
+    for (const bool betweenLevels : {false, true})
+      for (const bool isLinear : {false, true}) {
+        StagedDevice device;
+        device.fetch = [=](const raster::DrawList&, std::size_t map, const Lookup& lookup) {
+          return mipmappedTexel(channels, (*maps)[map], isLinear, betweenLevels, lookup);
+        };
+        const std::string name = isLinear ? "linear in " : "nearest in ";
+        variants.push_back({name + (betweenLevels ? "two levels" : "one level"), device, channels});
+      }
+  }
+  return variants;
+}
+
+StagedDevice affine() {
+  StagedDevice device;
+  device.weight = [](double) { return 1.0; };
+  return device;
+}
+
+/// Index maps as an image library may load them.
+Variant reordered(const std::string& name, const std::function<glm::dvec2(const IndexMap&, const glm::dvec2&)>& from) {
+  StagedDevice device;
+  device.upload = [=](raster::DrawList& list) {
+    for (IndexMap& map : list.indexMaps) {
+      const IndexMap source = map;
+      std::size_t texel = 0;
+      for (int row = 0; row < map.height; ++row)
+        for (int column = 0; column < map.width; ++column)
+          map.words[texel++] = texelAt(source, from(source, glm::dvec2(column, row)));
+    }
+  };
+  return {name, device};
+}
+
+/// Maps whose rows are cut at the wrong length.
+StagedDevice withSizesExchanged() {
+  StagedDevice device;
+  device.upload = [](raster::DrawList& list) {
+    for (IndexMap& map : list.indexMaps) std::swap(map.width, map.height);
+  };
+  return device;
+}
+
+}  // namespace
+
+std::vector<Fault> textureFaults(const TestVector& vector) {
+  const raster::DrawList& list = vector.list;
+  return {{"affine instead of perspective interpolation",
+           "look for noperspective, or for a division by w before the device's own",
+           {{"", affine()}}},
+          {"linear filtering", "set the minifying and the magnifying filter to nearest", linearFilters(list.format)},
+          {"mipmapping", "set a minifying filter without mipmaps, and make no mipmaps", mipmappings(list)},
+          {"repeat instead of clamp",
+           "set the wrap mode of both coordinates to clamp to edge",
+           {{"repeated", withFetch(repeatedTexel)}, {"mirrored", withFetch(mirroredTexel)}}},
+          {"half-texel shift", "texel i covers i/N to (i + 1)/N: leave out any half texel of a filter or of Direct3D 9",
+           halfTexelShifts()},
+          {"truncated texture coordinates (16.8)",
+           "texture coordinates need more than 8 bits behind the point",
+           {{"", withFetch(truncatedTexel)}}},
+          {"index map upside down",
+           "row 0 is at v = 0 and comes first: image libraries may reverse rows",
+           {{"rows reversed",
+             reordered("", [](const IndexMap& map,
+                              const glm::dvec2& texel) { return glm::dvec2(texel.x, map.height - 1 - texel.y); })
+                 .device},
+            {"columns reversed",
+             reordered("", [](const IndexMap& map,
+                              const glm::dvec2& texel) { return glm::dvec2(map.width - 1 - texel.x, texel.y); })
+                 .device}}},
+          {"width and height of the index map exchanged",
+           "a map is `height` rows of `width` words: look at the size of the upload",
+           {{"", withSizesExchanged()}}},
+          {"index map not sampled",
+           "texel 0 everywhere: an incomplete texture, or one that is not bound, reads as zero",
+           {{"", withFetch([](const IndexMap&, const Lookup&) { return Word{0}; })}}}};
+}
+
+}  // namespace hemitex::reference

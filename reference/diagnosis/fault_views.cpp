@@ -1,0 +1,170 @@
+/// Faults of views and pictures. Flipping the view is not flipping the picture: the scissor rectangle of a side face
+/// keeps one half of the viewport, and a flipped view shows the other half of the scene in it.
+#include <algorithm>
+#include <utility>
+
+#include "reference/diagnosis/fault_themes.h"
+
+namespace hemitex::reference {
+namespace {
+
+using raster::Face;
+
+/// `change` applied to the view of face `which`, or of every face where `which` is negative.
+template <typename Change>
+StagedDevice withViews(int which, const Change& change) {
+  StagedDevice device;
+  device.camera = [=](std::span<const Face> faces, std::size_t f) {
+    Face face = faces[f];
+    if (which < 0 || f == static_cast<std::size_t>(which)) change(face);
+    return face;
+  };
+  return device;
+}
+
+/// A flip of the view turns windings over: a backend may or may not have told its front face so.
+template <typename Change>
+std::vector<Variant> flippedViews(const Change& change) {
+  const StagedDevice device = withViews(-1, change);
+  StagedDevice turnedOver = device;
+  turnedOver.facing = [](Facing side, const Face&) { return otherSide(side); };
+  return {{"", device}, {"and with it the winding of front faces", turnedOver}};
+}
+
+/// Face f drawn through the view of order[f].
+Variant reordered(const std::string& name, const std::vector<std::size_t>& order) {
+  StagedDevice device;
+  device.camera = [=](std::span<const Face> faces, std::size_t f) { return faces[order[f]]; };
+  return {name, device};
+}
+
+/// Every exchange of two faces, and every rotation of all and of all but the first, which are the sides of a hemicube.
+std::vector<Variant> reorderings(const std::vector<VectorFace>& faces) {
+  std::vector<std::size_t> order(faces.size());
+  for (std::size_t f = 0; f < order.size(); ++f) order[f] = f;
+  std::vector<Variant> variants;
+  for (std::size_t a = 0; a < order.size(); ++a)
+    for (std::size_t b = a + 1; b < order.size(); ++b) {
+      std::vector<std::size_t> exchanged = order;
+      std::swap(exchanged[a], exchanged[b]);
+      variants.push_back(reordered(faces[a].name + " and " + faces[b].name, exchanged));
+    }
+  for (const std::size_t fixed : {0u, 1u})
+    for (std::size_t steps = 1; fixed + steps < order.size(); ++steps) {
+      std::vector<std::size_t> rotated = order;
+      std::rotate(rotated.begin() + static_cast<std::ptrdiff_t>(fixed),
+                  rotated.begin() + static_cast<std::ptrdiff_t>(fixed + steps), rotated.end());
+      variants.push_back(reordered((fixed == 0 ? "all" : "the sides") + (" by " + std::to_string(steps)), rotated));
+    }
+  return variants;
+}
+
+/// Views turned about their axes by quarters: one face, or all of several.
+std::vector<Variant> turns(const std::vector<VectorFace>& faces) {
+  std::vector<Variant> variants;
+  for (int which = faces.size() > 1 ? -1 : 0; which < static_cast<int>(faces.size()); ++which)
+    for (int quarters = 1; quarters < 4; ++quarters) {
+      const std::string name = which < 0 ? "all" : faces[static_cast<std::size_t>(which)].name;
+      variants.push_back({name + " by " + std::to_string(90 * quarters) + " degrees", withViews(which, [=](Face& face) {
+                            for (int k = 0; k < quarters; ++k)
+                              face = {face.eye, face.y, -face.x, face.w, face.nearDistance, 0, {}};
+                          })});
+    }
+  return variants;
+}
+
+/// A view through which position p of the viewport, in pixels, shows at stretch * p + shift.
+void place(Face& face, const glm::vec2& stretch, const glm::vec2& shift) {
+  const glm::vec2 middle = stretch + 2.0f * shift / static_cast<float>(face.resolution) - 1.0f;
+  face.x = stretch.x * face.x + middle.x * face.w;
+  face.y = stretch.y * face.y + middle.y * face.w;
+}
+
+glm::vec2 cornerOf(const Face& face) { return {face.scissor.column, face.scissor.row}; }
+
+StagedDevice withScissorAsViewport() {
+  return withViews(-1, [](Face& face) {
+    const glm::vec2 size(face.scissor.width, face.scissor.height);
+    place(face, size / static_cast<float>(face.resolution), cornerOf(face));
+  });
+}
+
+/// The scissor rectangle's pixels from the viewport's first; with a scissor test those outside it are background.
+std::vector<Variant> readBackFromFirst(raster::Word background) {
+  const StagedDevice untested = withViews(-1, [](Face& face) { place(face, {1, 1}, cornerOf(face)); });
+  StagedDevice tested = untested;
+  tested.readBack = [=](const Face& face, raster::ItemBuffer& buffer) {
+    for (int row = 0, pixel = 0; row < buffer.height; ++row)
+      for (int column = 0; column < buffer.width; ++column, ++pixel)
+        if (column < face.scissor.column || row < face.scissor.row)
+          buffer.words[static_cast<std::size_t>(pixel)] = background;
+  };
+  return {{"drawn without a scissor test", untested}, {"drawn with a scissor test", tested}};
+}
+
+StagedDevice withFirstEye() {
+  StagedDevice device;
+  device.camera = [](std::span<const Face> faces, std::size_t f) {
+    Face face = faces[f];
+    face.eye = faces[0].eye;
+    return face;
+  };
+  return device;
+}
+
+/// Rows or columns of the words file in reverse.
+StagedDevice withPicture(bool reversedRows) {
+  StagedDevice device;
+  device.readBack = [=](const Face&, raster::ItemBuffer& buffer) {
+    std::vector<raster::Word>& words = buffer.words;
+    // Reversing all words turns both; reversing each row then gives back the columns.
+    if (reversedRows) std::reverse(words.begin(), words.end());
+    for (auto row = words.begin(); row != words.end(); row += buffer.width) std::reverse(row, row + buffer.width);
+  };
+  return device;
+}
+
+/// Words files column by column.
+StagedDevice withColumnsFirst() {
+  StagedDevice device;
+  device.readBack = [](const Face&, raster::ItemBuffer& buffer) {
+    const std::vector<raster::Word> rows = buffer.words;
+    const auto width = static_cast<std::size_t>(buffer.width), height = static_cast<std::size_t>(buffer.height);
+    for (std::size_t k = 0; k < rows.size(); ++k) buffer.words[k] = rows[k % height * width + k / height];
+  };
+  return device;
+}
+
+}  // namespace
+
+std::vector<Fault> viewFaults(const TestVector& vector) {
+  return {{"y of the view flipped",
+           "row 0 is at y/w = -1, as in OpenGL and Vulkan and not in Direct3D: look at the sign of y in the projection",
+           flippedViews([](Face& face) { face.y = -face.y; })},
+          {"x of the view flipped", "column 0 is at x/w = -1: look at the handedness of the view's rows",
+           flippedViews([](Face& face) { face.x = -face.x; })},
+          {"picture upside down",
+           "write row 0 of the framebuffer first: look at how rows are read back",
+           {{"", withPicture(true)}}},
+          {"picture mirrored",
+           "write column 0 first in every row: look at how rows are read back",
+           {{"", withPicture(false)}}},
+          {"picture transposed",
+           "write row by row: look at the order of rows and columns where words are read back",
+           {{"", withColumnsFirst()}}},
+          {"faces swapped", "draw each face with its own rows X, Y, W and write it into its own words file",
+           reorderings(vector.faces)},
+          {"faces turned", "take X as right and Y as the direction of rows for each face: no face shares them",
+           turns(vector.faces)},
+          {"viewport set to the scissor rectangle",
+           "the viewport is resolution x resolution pixels: a side face keeps a part of it, not scaled",
+           {{"", withScissorAsViewport()}}},
+          {"scissor rectangle read back from the wrong corner",
+           "read from column and row of the scissor rectangle, not from (0, 0)",
+           readBackFromFirst(raster::backgroundWord(vector.list.format))},
+          {"a face's own eye ignored",
+           "each face is seen from its own eye: look for one that is set once for all",
+           {{"", withFirstEye()}}}};
+}
+
+}  // namespace hemitex::reference

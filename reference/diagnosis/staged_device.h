@@ -1,0 +1,94 @@
+/// A device in stages. It draws a test vector as the raster rules say, in binary64, and every stage is a function that
+/// may be replaced: a known fault (fault.h) replaces one or two and leaves the rules in all the others.
+///
+///     upload -> camera -> clip, snap -> facing -> cover -> depth -> fetch -> blend -> store -> resolve -> read back
+///
+/// Lengths on the picture are sub-pixels, 1/256 pixel.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "reference/vectors/vector_file.h"
+
+namespace hemitex::reference {
+
+enum class Facing { Front, Back, Culled };
+
+/// What a triangle is taken for whose winding is read the wrong way.
+inline Facing otherSide(Facing facing) { return facing == Facing::Front ? Facing::Back : Facing::Front; }
+
+/// Where a fragment looks into its index map: (u, v), and how they change to the next column and to the next row.
+struct Lookup {
+  glm::dvec2 at, perColumn, perRow;
+};
+
+/// The texel of the rules: clamp(floor(u N), 0, N - 1) and likewise for v.
+raster::Word nearestTexel(const raster::IndexMap& map, const glm::dvec2& at);
+
+struct StagedDevice {
+  /// Changes what was uploaded: vertices, index maps, offsets.
+  std::function<void(raster::DrawList&)> upload = [](raster::DrawList&) {};
+
+  /// What face `f` is seen through; its resolution and scissor rectangle stay those of the face.
+  std::function<raster::Face(std::span<const raster::Face>, std::size_t)> camera =
+      [](std::span<const raster::Face> faces, std::size_t f) { return faces[f]; };
+
+  /// What a triangle is taken for, in the view that it is seen through.
+  std::function<Facing(Facing, const raster::Face&)> facing = [](Facing side, const raster::Face&) { return side; };
+
+  /// Whether samples on an edge are covered. The edge runs along `direction` with the interior on its right where rows
+  /// grow downwards: a top edge runs to the right, a left edge up.
+  std::function<bool(const glm::dvec2&)> ownsEdge = [](const glm::dvec2& direction) {
+    return direction.y < 0 || (direction.y == 0 && direction.x > 0);
+  };
+
+  /// Where in a pixel coverage and depth are sampled, and where texture coordinates are.
+  std::vector<glm::dvec2> samples{{128, 128}};
+  glm::dvec2 shadingSample{128, 128};
+
+  /// The number that is stored and compared, of 1/w and the near distance. The first fragment always passes, and what
+  /// rounding makes of equal depths does not decide.
+  std::function<double(double, double)> depth = [](double inverseW, double) { return -inverseW; };
+  std::function<bool(double, double)> passes = [](double incoming, double stored) {
+    return incoming < stored - 0x1p-40 * std::abs(stored);
+  };
+
+  /// The weight of a vertex at depth w in the interpolation of u and v.
+  std::function<double(double)> weight = [](double w) { return 1 / w; };
+
+  /// The texel of index map `map`.
+  std::function<raster::Word(const raster::DrawList&, std::size_t, const Lookup&)> fetch =
+      [](const raster::DrawList& list, std::size_t map, const Lookup& lookup) {
+        return nearestTexel(list.indexMaps[map], lookup.at);
+      };
+
+  /// The word of a textured fragment.
+  std::function<raster::Word(const raster::DrawList&, raster::Word, raster::Word)> blend =
+      [](const raster::DrawList& list, raster::Word offset, raster::Word texel) {
+        return raster::blend(list.format, list.blend, offset, texel);
+      };
+
+  /// What a fragment leaves in a target that holds `stored`.
+  std::function<raster::Word(raster::Word, raster::Word)> store = [](raster::Word, raster::Word fragment) {
+    return fragment;
+  };
+
+  /// The word of a pixel, of its samples.
+  std::function<raster::Word(std::span<const raster::Word>)> resolve = [](std::span<const raster::Word> words) {
+    return words.front();
+  };
+
+  /// Changes the words of a face on their way to the words file.
+  std::function<void(const raster::Face&, raster::ItemBuffer&)> readBack = [](const raster::Face&,
+                                                                              raster::ItemBuffer&) {};
+};
+
+/// The item buffers of the vector's faces as the device draws them. A device whose stages are the rules gives the words
+/// of the rules, but for samples that lie within rounding of a texel's border or of another depth.
+std::vector<raster::ItemBuffer> drawOn(const StagedDevice& device, const TestVector& vector);
+
+}  // namespace hemitex::reference

@@ -1,0 +1,149 @@
+#include "reference/diagnosis/verdict_report.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "reference/diagnosis/xml_text.h"
+
+namespace hemitex::reference {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json toJson(const VerdictCounts& counts) {
+  Json json;
+  for (std::size_t k = 0; k < pixelVerdicts; ++k) json[nameOf(static_cast<PixelVerdict>(k))] = counts[k];
+  return json;
+}
+
+Json toJson(const ErrorPixel& error) {
+  Json json{{"face", error.face},
+            {"column", error.column},
+            {"row", error.row},
+            {"kind", nameOf(error.kind)},
+            {"expected", error.expected},
+            {"found", error.found},
+            {"expected_from", toText(error.expectedOrigin)},
+            {"found_from", toText(error.foundOrigin)},
+            {"triangle", nullptr},
+            {"texel", nullptr}};
+  if (error.visible) {
+    json["triangle"] = error.visible->triangle;
+    if (error.visible->texel) json["texel"] = {error.visible->texel->column, error.visible->texel->row};
+  }
+  return json;
+}
+
+Json toJson(const Finding& finding) {
+  return {{"fault", finding.fault},
+          {"variant", finding.variant},
+          {"agreement", finding.agreement},
+          {"advice", finding.advice}};
+}
+
+Json jsonOf(const Report& report) {
+  const Verdict& verdict = report.verdict;
+  Json json{{"vector", verdict.vector}, {"pass", !hasErrors(verdict)}, {"pixels", toJson(countVerdicts(verdict))}};
+  json["faces"] = Json::array();
+  for (const FaceVerdict& face : verdict.faces) {
+    Json entry{{"name", face.name}, {"width", face.scissor.width}, {"height", face.scissor.height}};
+    entry.update(toJson(countVerdicts(face)));
+    json["faces"].push_back(entry);
+  }
+  json["errors"] = Json::array();
+  for (const ErrorPixel& error : report.errors) json["errors"].push_back(toJson(error));
+  json["diagnosis"] = Json::array();
+  for (const Finding& finding : report.findings) json["diagnosis"].push_back(toJson(finding));
+  return json;
+}
+
+std::string textOf(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
+
+/// The test suite of one vector.
+std::string testSuite(const Report& report) {
+  const Verdict& verdict = report.verdict;
+  const std::string diagnosis = report.findings.empty() ? "" : xmlText("diagnosis: " + toText(report.findings)) + '\n';
+  std::string cases;
+  int failures = 0;
+  for (const FaceVerdict& face : verdict.faces) {
+    const std::uint64_t wrong = countVerdicts(face)[static_cast<std::size_t>(PixelVerdict::Error)];
+    cases += "    <testcase classname=\"" + xmlText(verdict.vector) + "\" name=\"" + xmlText(face.name) + "\"";
+    if (wrong == 0) {
+      cases += "/>\n";
+      continue;
+    }
+    ++failures;
+    cases += ">\n      <failure message=\"" + std::to_string(wrong) + " pixels are errors\">" + diagnosis;
+    for (const ErrorPixel& error : report.errors)
+      if (error.face == face.name) cases += xmlText(toText(error)) + '\n';
+    cases += "</failure>\n    </testcase>\n";
+  }
+  return "  <testsuite name=\"" + xmlText(verdict.vector) + "\" tests=\"" + std::to_string(verdict.faces.size()) +
+         "\" failures=\"" + std::to_string(failures) + "\">\n" + cases + "  </testsuite>\n";
+}
+
+}  // namespace
+
+Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile) {
+  Report report{judge(vector, found, profile), {}, {}};
+  report.errors = firstErrors(vector, report.verdict);
+  report.findings = diagnose(vector, report.verdict);
+  return report;
+}
+
+VerdictCounts countVerdicts(std::span<const Report> reports) {
+  VerdictCounts sums{};
+  for (const Report& report : reports) {
+    const VerdictCounts counts = countVerdicts(report.verdict);
+    for (std::size_t k = 0; k < pixelVerdicts; ++k) sums[k] += counts[k];
+  }
+  return sums;
+}
+
+std::optional<CommonFault> commonFault(std::span<const Report> reports) {
+  std::vector<CommonFault> faults;
+  std::size_t failures = 0;
+  for (const Report& report : reports) {
+    failures += hasErrors(report.verdict);
+    for (const Finding& finding : report.findings) {
+      const auto isSame = [&](const CommonFault& common) { return common.finding.fault == finding.fault; };
+      auto place = std::find_if(faults.begin(), faults.end(), isSame);
+      if (place == faults.end()) place = faults.insert(place, {finding, 0, 0});
+      ++place->vectors;
+    }
+  }
+  if (faults.empty()) return {};
+  CommonFault common = *std::max_element(
+      faults.begin(), faults.end(), [](const CommonFault& a, const CommonFault& b) { return a.vectors < b.vectors; });
+  common.failures = failures;
+  if (20 * common.vectors < failures) return {};
+  return common;
+}
+
+std::string toText(const CommonFault& common) {
+  return common.finding.fault + ", named by " + std::to_string(common.vectors) + " of " +
+         std::to_string(common.failures) + " vectors that fail: " + common.finding.advice;
+}
+
+std::string toJson(const Report& report) { return textOf(jsonOf(report)); }
+
+std::string toJson(std::span<const Report> reports) {
+  Json vectors = Json::array();
+  for (const Report& report : reports) vectors.push_back(jsonOf(report));
+  const VerdictCounts sums = countVerdicts(reports);
+  Json diagnosis;
+  if (const std::optional<CommonFault> common = commonFault(reports)) {
+    diagnosis = toJson(common->finding);
+    diagnosis.update({{"vectors", common->vectors}, {"failures", common->failures}});
+  }
+  const bool pass = sums[static_cast<std::size_t>(PixelVerdict::Error)] == 0;
+  return textOf({{"pass", pass}, {"pixels", toJson(sums)}, {"vectors", vectors}, {"diagnosis", diagnosis}});
+}
+
+std::string toJUnit(std::span<const Report> reports) {
+  std::string suites;
+  for (const Report& report : reports) suites += testSuite(report);
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n" + suites + "</testsuites>\n";
+}
+
+}  // namespace hemitex::reference

@@ -1,0 +1,56 @@
+/// What a verdict says, for people and for machines: JSON, and JUnit XML for build servers.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "reference/diagnosis/diagnosis.h"
+#include "reference/verdict/error_pixel.h"
+
+namespace hemitex::reference {
+
+/// A verdict, its first errors and the faults that they may come from.
+struct Report {
+  Verdict verdict;
+  std::vector<ErrorPixel> errors;
+  std::vector<Finding> findings;
+};
+
+/// The report on what a device drew: judge, firstErrors and diagnose.
+Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile);
+
+/// Over all faces of all vectors.
+VerdictCounts countVerdicts(std::span<const Report> reports);
+
+/// The fault that the most of several failing vectors name; one vector may not tell two faults apart, another does.
+struct CommonFault {
+  Finding finding;           ///< of the first vector that names it
+  std::size_t vectors = 0;   ///< that name it
+  std::size_t failures = 0;  ///< vectors with errors
+};
+
+/// Of equals the first that is named. Nothing where fewer than one in twenty of the vectors that fail name one: a fault
+/// that is known by chance alone misleads.
+std::optional<CommonFault> commonFault(std::span<const Report> reports);
+
+/// "linear filtering, named by 3 of 4 vectors that fail: set both filters ...".
+std::string toText(const CommonFault& common);
+
+/// A JSON object: `vector`, `pass`, `pixels` (a count for each verdict's name), `faces` (the same with `name`, `width`
+/// and `height`), `errors` with `face`, `column`, `row`, `kind`, `expected`, `found`, `expected_from`,
+/// `found_from`, `triangle` and `texel` (null where there is none), and `diagnosis`, a list with `fault`, `variant`,
+/// `agreement` and `advice`: empty where no fault is known, of several where they cannot be told apart.
+std::string toJson(const Report& report);
+
+/// A JSON object for several vectors: `pass`, `pixels` of all, `vectors` (an object as above for each), and
+/// `diagnosis`: null, or `fault`, `variant`, `agreement`, `advice`, `vectors` and `failures` of the common fault.
+std::string toJson(std::span<const Report> reports);
+
+/// JUnit XML: each vector is a test suite, each face a test case that fails where it has errors and names the
+/// diagnosis.
+std::string toJUnit(std::span<const Report> reports);
+
+}  // namespace hemitex::reference

@@ -1,0 +1,152 @@
+#include "reference/opengl/opengl_renderer.h"
+
+#include <algorithm>
+
+#include "raster/base/input_error.h"
+#include "reference/opengl/batches.h"
+#include "reference/opengl/context.h"
+#include "reference/opengl/fixed_function_pipeline.h"
+#include "reference/opengl/pipeline.h"
+#include "reference/opengl/shader_pipeline.h"
+
+namespace hemitex::reference {
+namespace {
+
+using raster::InputError;
+
+std::unique_ptr<OpenGlPipeline> makePipeline(const raster::DrawList& list, OpenGlPath path) {
+  return path == OpenGlPath::FixedFunction ? makeFixedFunction(list) : makeShader(list);
+}
+
+/// Textures with the words of the index maps, in their order.
+std::vector<GLuint> makeTextures(const std::vector<raster::IndexMap>& maps, const OpenGlPixels& pixels) {
+  const int largest = openGlLimit(GL_MAX_RECTANGLE_TEXTURE_SIZE);
+  std::vector<GLuint> textures(maps.size());
+  glGenTextures(static_cast<GLsizei>(textures.size()), textures.data());
+  for (std::size_t m = 0; m < maps.size(); ++m) {
+    if (std::max(maps[m].width, maps[m].height) > largest)
+      throw InputError("index map " + std::to_string(m) + " is larger than the textures of the OpenGL device",
+                       "use at most " + std::to_string(largest) + " texels a side");
+    glBindTexture(GL_TEXTURE_RECTANGLE, textures[m]);
+    glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexImage2D(GL_TEXTURE_RECTANGLE, 0, pixels.storage, maps[m].width, maps[m].height, 0, pixels.format, pixels.type,
+                 maps[m].words.data());
+  }
+  return textures;
+}
+
+}  // namespace
+
+class OpenGlRenderer::Implementation {
+ public:
+  Implementation(const raster::DrawList& list, OpenGlPath path);
+  void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+            std::vector<raster::ItemBuffer>& buffers);
+
+ private:
+  void setSize(int width, int height);
+  void setView(const raster::Face& face);
+  void draw(const raster::Face& face, const std::vector<DrawBatch>& batches, raster::ItemBuffer& buffer);
+
+  raster::DrawList list_;
+  std::unique_ptr<OpenGlContext> context_;
+  std::unique_ptr<OpenGlPipeline> pipeline_;
+  std::vector<GLuint> textures_;
+  GLuint colour_ = 0, depth_ = 0;
+};
+
+OpenGlRenderer::Implementation::Implementation(const raster::DrawList& list, OpenGlPath path)
+    : list_(list), context_(OpenGlContext::create()) {
+  raster::validate(list);
+  if (!context_)
+    throw InputError("no OpenGL device answers through EGL",
+                     "install a driver with the compatibility profile of OpenGL 4.5; Mesa's needs no graphics card");
+  const OpenGlContext::Use use(*context_);
+  pipeline_ = makePipeline(list, path);
+  textures_ = makeTextures(list.indexMaps, pipeline_->pixels());
+  glEnable(GL_DEPTH_TEST);
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+
+  GLuint framebuffer = 0;
+  glGenFramebuffers(1, &framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glGenRenderbuffers(1, &colour_);
+  glGenRenderbuffers(1, &depth_);
+}
+
+/// Renderbuffers as large as the scissor rectangle.
+void OpenGlRenderer::Implementation::setSize(int width, int height) {
+  const auto attach = [=](GLuint buffer, GLenum attachment, GLint storage) {
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+    glRenderbufferStorage(GL_RENDERBUFFER, static_cast<GLenum>(storage), width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+  };
+  attach(colour_, GL_COLOR_ATTACHMENT0, pipeline_->pixels().storage);
+  attach(depth_, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F);
+}
+
+/// The device cuts triangles at the sides of its viewport: it is as much wider than the face as the rules' guard band,
+/// or as the device allows.
+void OpenGlRenderer::Implementation::setView(const raster::Face& face) {
+  const int resolution = face.resolution, largest = openGlLimit(GL_MAX_VIEWPORT_DIMS);
+  if (resolution > largest)
+    throw InputError("a face is larger than the viewport of the OpenGL device",
+                     "use a resolution of at most " + std::to_string(largest));
+  int width = 8;
+  while (width * resolution > largest) width /= 2;
+  const int beside = (width - 1) * resolution / 2;
+  glViewport(-beside - face.scissor.column, -beside - face.scissor.row, width * resolution, width * resolution);
+  // Raster rules, 5: a triangle faces the eye where its area and the determinant differ in sign. OpenGL calls a
+  // negative area, taken over columns and rows as well, clockwise.
+  glFrontFace(raster::determinant(face) > 0 ? GL_CW : GL_CCW);
+  pipeline_->setView(face, width);
+}
+
+void OpenGlRenderer::Implementation::draw(const raster::Face& face, const std::vector<DrawBatch>& batches,
+                                          raster::ItemBuffer& buffer) {
+  buffer.resize(face.scissor);
+  setSize(buffer.width, buffer.height);
+  setView(face);
+  pipeline_->clear(raster::backgroundWord(list_.format));
+  for (const DrawBatch& batch : batches) {
+    const raster::Draw& draw = *batch.draw;
+    if (draw.indexMap) glBindTexture(GL_TEXTURE_RECTANGLE, textures_[static_cast<std::size_t>(*draw.indexMap)]);
+    pipeline_->draw(draw, batch.runs);
+  }
+  const OpenGlPixels pixels = pipeline_->pixels();
+  glReadPixels(0, 0, buffer.width, buffer.height, pixels.format, pixels.type, buffer.words.data());
+  if (const GLenum error = glGetError(); error != GL_NO_ERROR)
+    throw InputError("the OpenGL device fails with error " + std::to_string(error));
+}
+
+void OpenGlRenderer::Implementation::draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+                                          std::vector<raster::ItemBuffer>& buffers) {
+  for (const raster::Face& face : faces) raster::validate(face);
+  const OpenGlContext::Use use(*context_);
+  const std::vector<DrawBatch> batches =
+      batchesOf(list_, skipped,
+                [this](const raster::Draw& draw, const raster::Draw& next) { return pipeline_->joins(draw, next); });
+  buffers.resize(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) draw(faces[i], batches, buffers[i]);
+}
+
+OpenGlRenderer::OpenGlRenderer(const raster::DrawList& list, OpenGlPath path)
+    : implementation_(std::make_unique<Implementation>(list, path)) {}
+
+OpenGlRenderer::~OpenGlRenderer() = default;
+
+void OpenGlRenderer::draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+                          std::vector<raster::ItemBuffer>& buffers) {
+  implementation_->draw(faces, skipped, buffers);
+}
+
+std::optional<std::string> openGlDevice() {
+  const std::unique_ptr<OpenGlContext> context = OpenGlContext::create();
+  if (!context) return {};
+  const OpenGlContext::Use use(*context);
+  const auto text = [](GLenum name) { return std::string(reinterpret_cast<const char*>(glGetString(name))); };
+  return text(GL_VENDOR) + ", " + text(GL_RENDERER) + ", " + text(GL_VERSION);
+}
+
+}  // namespace hemitex::reference

@@ -1,0 +1,93 @@
+#include "reference/opengl/shader_pipeline.h"
+
+#include <cstddef>
+#include <vector>
+
+#include "reference/opengl/shader_programs.h"
+#include "reference/opengl/vertices.h"
+
+namespace hemitex::reference {
+namespace {
+
+using raster::Word;
+
+class Shader final : public OpenGlPipeline {
+ public:
+  explicit Shader(const raster::DrawList& list);
+  OpenGlPixels pixels() const override { return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT}; }
+  void clear(Word background) override;
+  void setView(const raster::Face& face, int width) override;
+  /// Each vertex brings the offset of its draw along.
+  bool joins(const raster::Draw& draw, const raster::Draw& next) const override {
+    return draw.back == next.back && draw.indexMap == next.indexMap;
+  }
+  void draw(const raster::Draw& draw, const VertexRuns& runs) override;
+
+ private:
+  GLint operation_;
+};
+
+void setFormat(const raster::WordFormat& format) {
+  glUniform1ui(Uniform::allBits, raster::backgroundWord(format));
+  std::vector<GLuint> channels;
+  int shift = 0;
+  for (const int bits : format.channelBits) {
+    channels.push_back(raster::backgroundWord({{bits}}) << shift);
+    shift += bits;
+  }
+  glUniform1i(Uniform::channels, static_cast<GLint>(channels.size()));
+  glUniform1uiv(Uniform::channel, static_cast<GLsizei>(channels.size()), channels.data());
+}
+
+/// Corners in one buffer, the offsets of their draws in another.
+void uploadVertices(const raster::DrawList& list) {
+  const std::vector<TexelTriangle> triangles = texelTriangles(list);
+  makeVertexBuffer(triangles.data(), triangles.size() * sizeof(TexelTriangle), GL_STATIC_DRAW);
+  glEnableVertexAttribArray(VertexAttribute::position);
+  glEnableVertexAttribArray(VertexAttribute::texel);
+  glVertexAttribPointer(VertexAttribute::position, 3, GL_FLOAT, GL_FALSE, sizeof(TexelCorner),
+                        vertexOffset(offsetof(TexelCorner, position)));
+  glVertexAttribPointer(VertexAttribute::texel, 2, GL_FLOAT, GL_FALSE, sizeof(TexelCorner),
+                        vertexOffset(offsetof(TexelCorner, texel)));
+  std::vector<Word> offsets;
+  for (const raster::Draw& draw : list.draws) offsets.insert(offsets.end(), draw.count, draw.offset);
+  makeVertexBuffer(offsets.data(), offsets.size() * sizeof(Word), GL_STATIC_DRAW);
+  glEnableVertexAttribArray(VertexAttribute::drawOffset);
+  glVertexAttribIPointer(VertexAttribute::drawOffset, 1, GL_UNSIGNED_INT, sizeof(Word), vertexOffset(0));
+}
+
+Shader::Shader(const raster::DrawList& list) : operation_(1 + static_cast<GLint>(list.blend)) {
+  glUseProgram(linkOpenGlPrograms());
+  setFormat(list.format);
+  glDepthFunc(GL_LESS);
+  uploadVertices(list);
+}
+
+void Shader::clear(Word background) {
+  const float farthest = 1;
+  glClearBufferuiv(GL_COLOR, 0, &background);
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+}
+
+void Shader::setView(const raster::Face& face, int width) {
+  const glm::mat3 columns = glm::transpose(glm::mat3(face.x, face.y, face.w));
+  glUniform3fv(Uniform::eye, 1, &face.eye[0]);
+  glUniformMatrix3fv(Uniform::columns, 1, GL_FALSE, &columns[0][0]);
+  glUniform1f(Uniform::near, face.nearDistance);
+  glUniform1d(Uniform::unit, 128.0 * face.resolution);
+  glUniform1d(Uniform::width, width);
+  glUniform2f(Uniform::corner, static_cast<float>(face.scissor.column), static_cast<float>(face.scissor.row));
+}
+
+void Shader::draw(const raster::Draw& draw, const VertexRuns& runs) {
+  glUniform1ui(Uniform::back, draw.back.value_or(0));
+  glUniform1i(Uniform::hasBack, draw.back.has_value());
+  glUniform1i(Uniform::operation, draw.indexMap ? operation_ : 0);
+  runs.draw();
+}
+
+}  // namespace
+
+std::unique_ptr<OpenGlPipeline> makeShader(const raster::DrawList& list) { return std::make_unique<Shader>(list); }
+
+}  // namespace hemitex::reference

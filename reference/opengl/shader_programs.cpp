@@ -1,0 +1,138 @@
+#include "reference/opengl/shader_programs.h"
+
+#include <array>
+#include <string>
+
+#include "raster/base/input_error.h"
+
+namespace hemitex::reference {
+namespace {
+
+// Raster rules, 2: in binary32, and `precise`, so that nothing is fused or reordered.
+constexpr const char* vertexProgram = R"(#version 450
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec2 texelPosition;
+layout(location = 2) in uint drawOffset;
+layout(location = 0) uniform vec3 eye;
+layout(location = 1) uniform mat3 columns;  // of the matrix with the rows X, Y, W
+out vec3 view;
+out vec2 texel;
+out uint vertexOffset;
+
+void main() {
+  precise vec3 d = position - eye;
+  precise vec3 sum = (columns[0] * d.x + columns[1] * d.y) + columns[2] * d.z;
+  view = sum;
+  texel = texelPosition;
+  vertexOffset = drawOffset;
+}
+)";
+
+// Depth and coordinates as planes (Olano and Greer 1997). The point of a triangle with corners v_k that is seen at
+// p = (x/w, y/w, 1) is w p = sum(b_k v_k). With c_k the cross product of the two other corners and D = v_0 . c_0 this
+// gives b_k = w (c_k . p) / D, and since the b_k sum to one,
+//
+//   1/w = (sum(c_k) . p) / D,    s = sum(b_k s_k) = (sum(s_k c_k) . p) / (sum(c_k) . p):
+//
+// three vectors say all. Lengths across are in sub-pixels, whole numbers for corners in front of the near plane.
+constexpr const char* geometryProgram = R"(#version 450
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 3) out;
+layout(location = 2) uniform float near;
+layout(location = 3) uniform double unit;  // sub-pixels a unit of x/w
+layout(location = 4) uniform double width;
+in vec3 view[];
+in vec2 texel[];
+in uint vertexOffset[];
+flat out dvec3 one, s, t;
+flat out double volume;
+flat out uint offset;
+
+dvec3 snapped(vec3 v) {
+  dvec2 across = unit * v.xy;
+  double w = v.z;
+  return dvec3(v.z < near ? across : roundEven(across / w) * w, w);
+}
+
+void main() {
+  for (int k = 0; k < 3; ++k)
+    if (any(isnan(view[k])) || any(isinf(view[k]))) return;
+  dvec3 v[3] = dvec3[3](snapped(view[0]), snapped(view[1]), snapped(view[2]));
+  dvec3 c[3] = dvec3[3](cross(v[1], v[2]), cross(v[2], v[0]), cross(v[0], v[1]));
+  for (int k = 0; k < 3; ++k) {
+    one = c[0] + c[1] + c[2];
+    s = c[0] * texel[0].x + c[1] * texel[1].x + c[2] * texel[2].x;
+    t = c[0] * texel[0].y + c[1] * texel[1].y + c[2] * texel[2].y;
+    volume = dot(v[0], c[0]);
+    offset = vertexOffset[0];
+    gl_Position = vec4(v[k].xy / (unit * width), near, v[k].z);
+    EmitVertex();
+  }
+}
+)";
+
+// The depth is w itself, which is often a binary32 number where 1/w is none, brought below 1 by a power of two.
+constexpr const char* fragmentProgram = R"(#version 450
+layout(location = 3) uniform double unit;
+layout(location = 5) uniform vec2 corner;  // of the scissor rectangle
+layout(location = 7) uniform uint back;
+layout(location = 8) uniform bool hasBack;
+layout(location = 9) uniform int operation;  // 0: no index map, 1: clamped add, 2: integer add, 3: replace
+layout(location = 10) uniform uint allBits;
+layout(location = 11) uniform int channels;
+layout(location = 12) uniform uint channel[32];  // the bits of each
+layout(binding = 0) uniform usampler2DRect map;
+flat in dvec3 one, s, t;
+flat in double volume;
+flat in uint offset;
+out uint word;
+
+uint clampedAdd(uint a, uint b) {
+  uint sum = 0u;
+  for (int c = 0; c < channels; ++c) {
+    uint x = a & channel[c], y = b & channel[c];
+    sum |= y + min(x, channel[c] - y);
+  }
+  return sum;
+}
+
+void main() {
+  dvec3 p = dvec3(256 * (gl_FragCoord.xy + corner) - unit, 1);
+  gl_FragDepth = float(volume / dot(one, p)) * 5.421010862427522e-20;  // 2^-64
+  word = offset;
+  if (hasBack && !gl_FrontFacing) {
+    word = back;
+  } else if (operation != 0) {
+    dvec2 position = dvec2(dot(s, p), dot(t, p)) / dot(one, p);
+    uint texel = texelFetch(map, ivec2(clamp(floor(position), dvec2(0), dvec2(textureSize(map) - 1)))).x;
+    if (operation == 1) word = clampedAdd(offset, texel);
+    if (operation == 2) word = (offset + texel) & allBits;
+    if (operation == 3) word = texel;
+  }
+}
+)";
+
+void attachShader(GLuint program, GLenum stage, const char* text) {
+  const GLuint shader = glCreateShader(stage);
+  glShaderSource(shader, 1, &text, nullptr);
+  glCompileShader(shader);
+  glAttachShader(program, shader);
+}
+
+}  // namespace
+
+GLuint linkOpenGlPrograms() {
+  const GLuint program = glCreateProgram();
+  attachShader(program, GL_VERTEX_SHADER, vertexProgram);
+  attachShader(program, GL_GEOMETRY_SHADER, geometryProgram);
+  attachShader(program, GL_FRAGMENT_SHADER, fragmentProgram);
+  glLinkProgram(program);
+  GLint isLinked = GL_FALSE;
+  glGetProgramiv(program, GL_LINK_STATUS, &isLinked);
+  if (isLinked) return program;
+  std::array<GLchar, 4096> log{};
+  glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
+  throw raster::InputError(std::string("the OpenGL device refuses the programs: ") + log.data());
+}
+
+}  // namespace hemitex::reference

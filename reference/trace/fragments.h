@@ -1,0 +1,50 @@
+/// What the raster rules demand at one pixel, spelled out: every triangle that covers its sample, from the visible one
+/// backwards. It explains a word; item buffers are drawn by raster::SoftwareRenderer.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "raster/interface/draw_list.h"
+#include "raster/interface/face.h"
+
+namespace hemitex::reference {
+
+struct Texel {
+  int column = 0;
+  int row = 0;
+  bool operator==(const Texel&) const = default;
+};
+
+/// A triangle at the sample of a pixel. Order and texel are exact; of what is rounded to binary64, 1/w is off by less
+/// than 2^-49 of itself, u and v by less than 2^-49 of the largest coordinate among the triangle's vertices.
+struct Fragment {
+  std::uint32_t triangle = 0;  ///< indices 3t to 3t + 2
+  std::uint32_t draw = 0;
+  bool facesAway = false;
+  double inverseDepth = 0;  ///< 1/w
+  double u = 0, v = 0;
+  std::optional<Texel> texel;  ///< none without an index map, or on a back
+  raster::Word word = 0;
+};
+
+/// A triangle of a draw.
+struct DrawnTriangle {
+  std::uint32_t draw = 0;
+  std::uint32_t triangle = 0;
+};
+
+/// Every triangle of every draw, in draw order.
+std::vector<DrawnTriangle> drawnTriangles(const raster::DrawList& list);
+
+/// The fragments at pixel (column, row) of the viewport, nearest first, ties in draw order; none where the background
+/// is. The list and the face are valid; the pixel lies in the scissor rectangle. The cost is that of every triangle.
+std::vector<Fragment> fragmentsAt(const raster::DrawList& list, const raster::Face& face, int column, int row);
+
+/// The fragment of one triangle at a pixel, where it covers its sample; where its parts after clipping overlap, as
+/// rounding may make them, the nearest.
+std::optional<Fragment> fragmentOf(const raster::DrawList& list, const raster::Face& face, const DrawnTriangle& drawn,
+                                   int column, int row);
+
+}  // namespace hemitex::reference

@@ -1,0 +1,85 @@
+/// The word of one pixel derived by the raster rules, with every number on the way from the vertices to the blend, for
+/// whoever wants to follow it by hand.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "raster/setup/vertex_stage.h"
+#include "reference/trace/fragments.h"
+
+namespace hemitex::reference {
+
+/// The vertex stage, in binary32.
+struct DerivedVertex {
+  std::uint32_t index;  ///< in DrawList::positions
+  glm::vec3 position;   ///< P
+  glm::vec3 fromEye;    ///< d = P - E
+  glm::vec3 view;       ///< x, y, w
+  glm::vec2 texcoord;
+};
+
+/// A corner of what clipping left, projected and snapped.
+struct DerivedCorner {
+  raster::ViewVertex view;
+  glm::dvec2 q;        ///< x/w and y/w
+  glm::ivec2 snapped;  ///< in 1/256 pixel
+};
+
+enum class EdgeKind { Top, Left, Other };
+
+/// The edge opposite a corner, at the sample.
+struct DerivedEdge {
+  std::int64_t value;  ///< twice the area that it spans with the sample, positive inside
+  EdgeKind kind;       ///< decides where the value is 0
+};
+
+struct DerivedTexel {
+  int width, height;    ///< of the index map: N x M
+  glm::dvec2 position;  ///< u N and v M
+  Texel texel;
+  raster::Word index;  ///< what the map holds there
+};
+
+/// A sum of the blend: of one channel, or of whole words.
+struct DerivedSum {
+  int bits;
+  std::uint64_t offset, texel;
+  std::uint64_t result;  ///< clamped, or modulo 2^bits
+};
+
+/// The triangle that would be seen if the visible one were not there.
+struct RunnerUp {
+  DrawnTriangle drawn;
+  double inverseDepth;  ///< 1/w
+  double difference;    ///< by how much the visible triangle's 1/w is larger; 0 if and only if they are equal
+};
+
+/// Real numbers are exact values, rounded to binary64 when they are stored.
+struct Derivation {
+  DrawnTriangle drawn;
+  std::array<DerivedVertex, 3> vertices;
+  std::vector<raster::HalfSpace> cutBy;  ///< the half-spaces that do not hold all three vertices
+  int piece = 0, pieces = 1;             ///< which triangle of the fan, counted from 0, and of how many
+  std::array<DerivedCorner, 3> corners;
+  glm::ivec2 sample;  ///< in 1/256 pixel
+  std::int64_t area;  ///< doubled and signed
+  bool facesAway;
+  std::array<DerivedEdge, 3> edges;
+  std::array<double, 3> weights;      ///< barycentric
+  double inverseDepth;                ///< 1/w
+  glm::dvec2 coordinates;             ///< u, v
+  std::optional<DerivedTexel> texel;  ///< none without an index map, or on a back
+  std::vector<DerivedSum> sums;       ///< one a channel for clamped add, one of the words for integer add, else none
+  raster::Word word;
+  std::optional<RunnerUp> runnerUp;
+};
+
+/// How pixel (column, row) of the viewport gets its word; nothing where it holds the background. The list and the face
+/// are valid; the pixel lies in the scissor rectangle. The cost is that of every triangle.
+std::optional<Derivation> derive(const raster::DrawList& list, const raster::Face& face, int column, int row);
+
+}  // namespace hemitex::reference

@@ -1,0 +1,26 @@
+/// The raster rules, spelled out: an item buffer by brute force in rational arithmetic. Every pixel asks every
+/// triangle. It shares no code with the rasterizer that it judges but the types of the input, and takes other ways
+/// where there are other ways:
+///
+/// - Coverage moves the sample by (epsilon, epsilon^2) instead of naming top and left edges. A sample on an edge that
+///   is not horizontal moves inside exactly where the interior is at larger i, one on a horizontal edge exactly where
+///   it is at larger j: the same rule, without a case for it.
+/// - Depth and texture coordinates are quotients of rational numbers instead of integers with cleared denominators.
+///
+/// Only what the rules define in binary32 and binary64 (the vertex stage, clipping, snapping) is computed so.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "raster/interface/draw_list.h"
+#include "raster/interface/face.h"
+
+namespace hemitex::reference {
+
+/// What `face` sees of `list`, by the letter of the rules; `skipped` as in raster::ItemBufferRenderer. The cost is
+/// pixels times triangles. Throws InputError where the list or the face break the rules.
+raster::ItemBuffer evaluateRules(const raster::DrawList& list, const raster::Face& face,
+                                 std::span<const std::uint32_t> skipped = {});
+
+}  // namespace hemitex::reference

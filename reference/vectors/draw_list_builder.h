@@ -1,0 +1,107 @@
+/// Draw lists and faces made by hand: small pictures laid out in pixels, for test vectors and tests.
+#pragma once
+
+#include <array>
+#include <initializer_list>
+#include <optional>
+#include <random>
+#include <utility>
+
+#include "raster/interface/draw_list.h"
+#include "raster/interface/face.h"
+
+namespace hemitex::reference {
+
+/// A face at the origin that looks along +z with rows growing along +y: pixel (i, j) of a face of R pixels looks
+/// through ((2i + 1)/R - 1, (2j + 1)/R - 1, 1). Its determinant is 1, so triangles of negative area in the picture,
+/// where rows grow downwards, face it.
+inline raster::Face frontFace(int resolution, float nearDistance = 0.01f) {
+  return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, nearDistance, resolution, {0, 0, resolution, resolution}};
+}
+
+/// A list of 32-bit words without channels.
+inline raster::DrawList plainList() {
+  raster::DrawList list;
+  list.format = {{32}};
+  return list;
+}
+
+/// The index map whose texel (column, row) holds row * width + column.
+inline raster::IndexMap countingMap(int width, int height) {
+  raster::IndexMap map{width, height, {}};
+  for (raster::Word word = 0; word < static_cast<raster::Word>(width * height); ++word) map.words.push_back(word);
+  return map;
+}
+
+/// Starts a draw behind the others.
+inline void addDraw(raster::DrawList& list, raster::Word offset, std::optional<raster::Word> back = {},
+                    std::optional<int> indexMap = {}) {
+  list.draws.push_back({static_cast<std::uint32_t>(list.indices.size()), 0, offset, back, indexMap});
+}
+
+/// Adds a triangle to the list's last draw.
+inline void addTriangle(raster::DrawList& list, std::initializer_list<glm::vec3> corners,
+                        std::initializer_list<glm::vec2> texcoords = {{0, 0}, {0, 0}, {0, 0}}) {
+  for (const glm::vec3& corner : corners) {
+    list.indices.push_back(static_cast<std::uint32_t>(list.positions.size()));
+    list.positions.push_back(corner);
+  }
+  list.texcoords.insert(list.texcoords.end(), texcoords);
+  list.draws.back().count += 3;
+}
+
+/// Adds the triangles (0, 2, 1) and (0, 3, 2) of a quad to the last draw, with (0, 0), (1, 0), (1, 1) and (0, 1) as
+/// texture coordinates. A front face sees a quad from its front whose corners wind like those of the unit square.
+inline void addQuad(raster::DrawList& list, const std::array<glm::vec3, 4>& corners) {
+  addTriangle(list, {corners[0], corners[2], corners[1]}, {{0, 0}, {1, 1}, {1, 0}});
+  addTriangle(list, {corners[0], corners[3], corners[2]}, {{0, 0}, {0, 1}, {1, 1}});
+}
+
+/// The point at depth w that a front face shows at (column, row): in pixels, whose samples lie at the halves.
+inline glm::vec3 pixelPoint(int resolution, const glm::dvec2& pixel, double w = 1) {
+  const auto across = [&](double position) { return static_cast<float>((2 * position / resolution - 1) * w); };
+  return {across(pixel.x), across(pixel.y), static_cast<float>(w)};
+}
+
+/// Pixels [firstColumn, endColumn) x [firstRow, endRow).
+struct Block {
+  int firstColumn, firstRow, endColumn, endRow;
+};
+
+/// Texture coordinates over a block: `low` at its first corner, `high` at the opposite one.
+struct Coordinates {
+  glm::vec2 low{0, 0};
+  glm::vec2 high{1, 1};
+};
+
+/// Adds two triangles to the last draw that fill a block and face the eye.
+inline void addBlock(raster::DrawList& list, int resolution, const Block& block, double w = 1,
+                     const Coordinates& coordinates = {}) {
+  const auto corner = [&](int column, int row) { return pixelPoint(resolution, {column, row}, w); };
+  const glm::vec3 a = corner(block.firstColumn, block.firstRow), b = corner(block.endColumn, block.firstRow);
+  const glm::vec3 c = corner(block.endColumn, block.endRow), d = corner(block.firstColumn, block.endRow);
+  const glm::vec2 low = coordinates.low, high = coordinates.high;
+  addTriangle(list, {a, c, b}, {low, high, {high.x, low.y}});
+  addTriangle(list, {a, d, c}, {low, {low.x, high.y}, high});
+}
+
+/// Adds a triangle to the last draw that covers the sample of one pixel, and no other, with constant coordinates.
+inline void addPixel(raster::DrawList& list, int resolution, int column, int row, double w = 1,
+                     const glm::vec2& texcoord = {0, 0}) {
+  const auto corner = [&](double x, double y) { return pixelPoint(resolution, {column + x, row + y}, w); };
+  addTriangle(list, {corner(0.125, 0.125), corner(0.25, 0.875), corner(0.875, 0.5)}, {texcoord, texcoord, texcoord});
+}
+
+/// Reverses the winding of the last draw.
+inline void turnLastDraw(raster::DrawList& list) {
+  const raster::Draw& draw = list.draws.back();
+  for (std::size_t i = draw.first; i < list.indices.size(); i += 3) std::swap(list.indices[i], list.indices[i + 1]);
+}
+
+/// A number in [low, high) from the upper 24 bits of the generator: the same on every machine, unlike the library's
+/// distributions.
+inline float uniform(std::mt19937& random, float low, float high) {
+  return low + (high - low) * (static_cast<float>(random() >> 8) * 0x1p-24f);
+}
+
+}  // namespace hemitex::reference

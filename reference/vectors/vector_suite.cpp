@@ -1,0 +1,54 @@
+#include "reference/vectors/vector_suite.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "raster/software/software_renderer.h"
+#include "reference/vectors/vector_themes.h"
+
+namespace hemitex::reference {
+
+TestVector makeVector(std::string name, std::string catches, raster::DrawList list, std::vector<raster::Face> faces) {
+  TestVector vector;
+  vector.name = std::move(name);
+  vector.catches = std::move(catches);
+  vector.list = std::move(list);
+  for (const raster::Face& face : faces) {
+    const std::string faceName = faces.size() == 1 ? "front" : "face-" + std::to_string(vector.faces.size());
+    vector.faces.push_back({faceName, face, faceName + ".u32", {}});
+  }
+  return vector;
+}
+
+std::vector<TestVector> vectorSuite() {
+  std::vector<TestVector> suite;
+  for (const auto& theme : {meshVectors, coverageVectors, depthVectors, texelVectors, wordVectors, viewVectors})
+    for (TestVector& vector : theme()) suite.push_back(std::move(vector));
+  return suite;
+}
+
+std::vector<raster::ItemBuffer> render(const TestVector& vector) {
+  std::vector<raster::Face> faces;
+  for (const VectorFace& face : vector.faces) faces.push_back(face.face);
+  return raster::SoftwareRenderer(vector.list).render(faces, {});
+}
+
+std::string wordsHash(std::span<const raster::ItemBuffer> buffers) {
+  std::vector<raster::Word> words;
+  for (const raster::ItemBuffer& buffer : buffers) words.insert(words.end(), buffer.words.begin(), buffer.words.end());
+  return wordsHash(words);
+}
+
+std::string suiteHashes(std::span<const TestVector> suite) {
+  std::string lines;
+  std::vector<raster::ItemBuffer> all;
+  for (const TestVector& vector : suite) {
+    std::vector<raster::ItemBuffer> buffers = render(vector);
+    lines += wordsHash(buffers) + " " + vector.name + "\n";
+    std::move(buffers.begin(), buffers.end(), std::back_inserter(all));
+  }
+  return lines + wordsHash(all) + " suite\n";
+}
+
+}  // namespace hemitex::reference

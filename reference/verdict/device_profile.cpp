@@ -1,0 +1,118 @@
+#include "reference/verdict/device_profile.h"
+
+#include <cassert>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "raster/base/input_error.h"
+#include "raster/base/text_file.h"
+
+namespace hemitex::reference {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using raster::InputError;
+
+template <typename Value>
+using Choices = std::vector<std::pair<std::string, Value>>;
+
+const Choices<SnapRounding> roundings{{"nearest", SnapRounding::Nearest}, {"truncate", SnapRounding::Truncate}};
+const Choices<EdgeRule> edgeRules{{"top-left", EdgeRule::TopLeft}, {"any", EdgeRule::Any}};
+const Choices<DepthFormat> depthFormats{
+    {"float32", DepthFormat::Float32}, {"unorm24", DepthFormat::Unorm24}, {"unorm16", DepthFormat::Unorm16}};
+
+template <typename Value>
+std::string nameOf(Value value, const Choices<Value>& choices) {
+  for (const auto& [name, choice] : choices)
+    if (choice == value) return name;
+  assert(false);
+  return {};
+}
+
+template <typename Value>
+void readChoice(const Json& value, const std::string& key, const Choices<Value>& choices, Value& target) {
+  std::string names;
+  for (const auto& [name, choice] : choices) {
+    if (value == name) {
+      target = choice;
+      return;
+    }
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  throw InputError("\"" + key + "\" is " + value.dump(), "use one of " + names);
+}
+
+void readBound(const Json& value, const std::string& key, double& target) {
+  if (!value.is_number() || !std::isfinite(value.get<double>()) || value.get<double>() < 0)
+    throw InputError("\"" + key + "\" is " + value.dump(), "use a number from 0 up");
+  target = value.get<double>();
+}
+
+void readSubpixelBits(const Json& value, const std::string& key, int& target) {
+  if (!value.is_number_integer() || value < 4 || value > 12)
+    throw InputError("\"" + key + "\" is " + value.dump(), "use a whole number from 4 to 12");
+  target = value.get<int>();
+}
+
+void readFlag(const Json& value, const std::string& key, bool& target) {
+  if (!value.is_boolean()) throw InputError("\"" + key + "\" is " + value.dump(), "use true or false");
+  target = value.get<bool>();
+}
+
+void readField(const Json& value, const std::string& key, DeviceProfile& profile) {
+  if (key == "vertex_error") return readBound(value, key, profile.vertexError);
+  if (key == "subpixel_bits") return readSubpixelBits(value, key, profile.subpixelBits);
+  if (key == "snap_rounding") return readChoice(value, key, roundings, profile.snapRounding);
+  if (key == "edge_rule") return readChoice(value, key, edgeRules, profile.edgeRule);
+  if (key == "texel_precision") return readBound(value, key, profile.texelPrecision);
+  if (key == "depth_format") return readChoice(value, key, depthFormats, profile.depthFormat);
+  if (key == "depth_tolerance") return readBound(value, key, profile.depthTolerance);
+  if (key == "loose_clipping") return readFlag(value, key, profile.looseClipping);
+  throw InputError("\"" + key + "\" is no key of a device profile");
+}
+
+}  // namespace
+
+double depthError(const DeviceProfile& profile) {
+  switch (profile.depthFormat) {
+    case DepthFormat::Float32:
+      return profile.depthTolerance * 0x1p-23;
+    case DepthFormat::Unorm24:
+      return profile.depthTolerance / 0xffffff;
+    case DepthFormat::Unorm16:
+      return profile.depthTolerance / 0xffff;
+  }
+  return 0;
+}
+
+std::string toJson(const DeviceProfile& profile) {
+  const Json json{{"vertex_error", profile.vertexError},
+                  {"subpixel_bits", profile.subpixelBits},
+                  {"snap_rounding", nameOf(profile.snapRounding, roundings)},
+                  {"edge_rule", nameOf(profile.edgeRule, edgeRules)},
+                  {"texel_precision", profile.texelPrecision},
+                  {"depth_format", nameOf(profile.depthFormat, depthFormats)},
+                  {"depth_tolerance", profile.depthTolerance},
+                  {"loose_clipping", profile.looseClipping}};
+  return json.dump(2) + "\n";
+}
+
+DeviceProfile readProfile(const std::filesystem::path& file) {
+  const std::string text = readText(file);
+  try {
+    const Json json = Json::parse(text);
+    if (!json.is_object()) throw InputError("a device profile is a JSON object");
+    DeviceProfile profile;
+    for (const auto& [key, value] : json.items()) readField(value, key, profile);
+    return profile;
+  } catch (const Json::exception& error) {
+    throw InputError(file.string(), 0, error.what());
+  } catch (const InputError& error) {
+    throw InputError(file.string(), 0, error.what());
+  }
+}
+
+}  // namespace hemitex::reference

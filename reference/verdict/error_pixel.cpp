@@ -1,0 +1,63 @@
+#include "reference/verdict/error_pixel.h"
+
+#include <array>
+
+namespace hemitex::reference {
+namespace {
+
+bool showsBack(const raster::DrawList& list, const Fragment& fragment) {
+  return fragment.facesAway && list.draws[fragment.draw].back;
+}
+
+ErrorKind kindOf(const raster::DrawList& list, const std::optional<Fragment>& visible, const WordOrigin& found) {
+  if (found.kind == WordOrigin::Kind::Background) return ErrorKind::Missing;
+  if (found.kind == WordOrigin::Kind::Unknown) return ErrorKind::ForeignWord;
+  if (!visible) return ErrorKind::Extra;
+  if (found.draw != visible->draw) return ErrorKind::WrongSurface;
+  const bool foundBack = found.kind == WordOrigin::Kind::Back;
+  return foundBack == showsBack(list, *visible) ? ErrorKind::WrongElement : ErrorKind::WrongSide;
+}
+
+}  // namespace
+
+std::string nameOf(ErrorKind kind) {
+  constexpr std::array<const char*, errorKinds> names{"missing",       "extra",      "wrong surface",
+                                                      "wrong element", "wrong side", "foreign word"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::string toText(const ErrorPixel& error) {
+  std::string text = "pixel " + std::to_string(error.column) + "," + std::to_string(error.row) + ", " +
+                     nameOf(error.kind) + ": expected " + std::to_string(error.expected) + " (" +
+                     toText(error.expectedOrigin) + "), found " + std::to_string(error.found) + " (" +
+                     toText(error.foundOrigin) + ")";
+  if (error.visible) text += "; triangle " + std::to_string(error.visible->triangle) + " is visible there";
+  return text;
+}
+
+ErrorPixel errorAt(const raster::DrawList& list, const VectorFace& face, int column, int row, raster::Word found) {
+  const std::vector<Fragment> fragments = fragmentsAt(list, face.face, column, row);
+  const std::optional<Fragment> visible = fragments.empty() ? std::nullopt : std::optional(fragments.front());
+  const raster::Word expected = visible ? visible->word : raster::backgroundWord(list.format);
+  const std::optional<std::uint32_t> draw = visible ? std::optional(visible->draw) : std::nullopt;
+  const WordOrigin expectedOrigin = originOf(list, expected, draw), foundOrigin = originOf(list, found, draw);
+  const ErrorKind kind = kindOf(list, visible, foundOrigin);
+  return {face.name, column, row, kind, expected, found, expectedOrigin, foundOrigin, visible};
+}
+
+std::vector<ErrorPixel> firstErrors(const TestVector& vector, const Verdict& verdict, std::size_t count) {
+  std::vector<ErrorPixel> errors;
+  for (std::size_t f = 0; f < verdict.faces.size(); ++f) {
+    const FaceVerdict& face = verdict.faces[f];
+    const auto width = static_cast<std::size_t>(face.scissor.width);
+    for (std::size_t pixel = 0; pixel < face.pixels.size() && errors.size() < count; ++pixel) {
+      if (face.pixels[pixel] != PixelVerdict::Error) continue;
+      const int column = face.scissor.column + static_cast<int>(pixel % width);
+      const int row = face.scissor.row + static_cast<int>(pixel / width);
+      errors.push_back(errorAt(vector.list, vector.faces[f], column, row, face.found.words[pixel]));
+    }
+  }
+  return errors;
+}
+
+}  // namespace hemitex::reference

@@ -1,0 +1,49 @@
+/// The errors of a verdict, each with what the rules show there and what the device's word stands for.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reference/verdict/id_origin.h"
+#include "reference/verdict/verdict.h"
+
+namespace hemitex::reference {
+
+/// What a device shows in place of what.
+enum class ErrorKind : std::uint8_t {
+  Missing,       ///< the background in place of a triangle
+  Extra,         ///< a triangle in place of the background
+  WrongSurface,  ///< another draw
+  WrongElement,  ///< the right draw, another texel
+  WrongSide,     ///< the right draw, its back for its front or the other way
+  ForeignWord,   ///< a word that no draw gives
+};
+
+constexpr std::size_t errorKinds = 6;
+
+/// "missing", "extra", "wrong surface", "wrong element", "wrong side", "foreign word".
+std::string nameOf(ErrorKind kind);
+
+/// An error, with what the rules show there.
+struct ErrorPixel {
+  std::string face;
+  int column, row;  ///< in the viewport
+  ErrorKind kind;
+  raster::Word expected, found;
+  WordOrigin expectedOrigin, foundOrigin;
+  std::optional<Fragment> visible;  ///< none where the rules show the background
+};
+
+/// One line, without the face's name.
+std::string toText(const ErrorPixel& error);
+
+/// The error at a pixel of a face's viewport where the device found another word than the rules.
+ErrorPixel errorAt(const raster::DrawList& list, const VectorFace& face, int column, int row, raster::Word found);
+
+/// The first errors, face by face and row by row, at most `count` of them.
+std::vector<ErrorPixel> firstErrors(const TestVector& vector, const Verdict& verdict, std::size_t count = 10);
+
+}  // namespace hemitex::reference

@@ -1,0 +1,176 @@
+#include "reference/verdict/minimal_failure.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "reference/trace/fragments.h"
+
+namespace hemitex::reference {
+namespace {
+
+/// Draws may share indices, so a triangle alone is not enough.
+using DrawnTriangles = std::vector<DrawnTriangle>;
+
+/// New numbers for the few of many that are still in use, in the order of their first use.
+class Renumbering {
+ public:
+  /// The new number, and whether it is new.
+  std::pair<std::uint32_t, bool> operator()(std::uint32_t old) {
+    const auto [place, isNew] = numbers_.try_emplace(old, static_cast<std::uint32_t>(numbers_.size()));
+    return {place->second, isNew};
+  }
+
+ private:
+  std::map<std::uint32_t, std::uint32_t> numbers_;
+};
+
+/// What is left of a list when only some of its triangles, in draw order, are drawn.
+raster::DrawList listOf(const raster::DrawList& list, const DrawnTriangles& triangles) {
+  raster::DrawList result;
+  result.format = list.format;
+  result.blend = list.blend;
+  Renumbering draws, vertices, maps;
+  for (const DrawnTriangle& each : triangles) {
+    if (draws(each.draw).second) {
+      raster::Draw draw = list.draws[each.draw];
+      draw.first = static_cast<std::uint32_t>(result.indices.size());
+      draw.count = 0;
+      if (draw.indexMap) {
+        const auto [map, isNew] = maps(static_cast<std::uint32_t>(*draw.indexMap));
+        if (isNew) result.indexMaps.push_back(list.indexMaps[static_cast<std::size_t>(*draw.indexMap)]);
+        draw.indexMap = static_cast<int>(map);
+      }
+      result.draws.push_back(draw);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t old = list.indices[3 * std::size_t{each.triangle} + k];
+      const auto [vertex, isNew] = vertices(old);
+      if (isNew) {
+        result.positions.push_back(list.positions[old]);
+        result.texcoords.push_back(list.texcoords[old]);
+      }
+      result.indices.push_back(vertex);
+    }
+    result.draws.back().count += 3;
+  }
+  return result;
+}
+
+/// A pixel of a face where a device is wrong.
+struct Failure {
+  VectorFace face;  ///< its scissor rectangle is the pixel
+  raster::ItemBuffer found;
+  raster::Word expected;
+  ErrorKind kind;
+};
+
+/// A pixel of a verdict: its face, and its index in the item buffer.
+struct FacePixel {
+  std::size_t face, pixel;
+};
+
+std::vector<FacePixel> errorsOf(const Verdict& verdict) {
+  std::vector<FacePixel> errors;
+  for (std::size_t f = 0; f < verdict.faces.size(); ++f)
+    for (std::size_t pixel = 0; pixel < verdict.faces[f].pixels.size(); ++pixel)
+      if (verdict.faces[f].pixels[pixel] == PixelVerdict::Error) errors.push_back({f, pixel});
+  return errors;
+}
+
+Failure failureAt(const TestVector& vector, const Verdict& verdict, const FacePixel& at) {
+  const FaceVerdict& face = verdict.faces[at.face];
+  const auto width = static_cast<std::size_t>(face.scissor.width);
+  const int column = face.scissor.column + static_cast<int>(at.pixel % width);
+  const int row = face.scissor.row + static_cast<int>(at.pixel / width);
+  Failure failure{vector.faces[at.face], {1, 1, {face.found.words[at.pixel]}}, face.expected.words[at.pixel], {}};
+  failure.face.face.scissor = {column, row, 1, 1};
+  failure.kind = errorAt(vector.list, failure.face, column, row, failure.found.words[0]).kind;
+  return failure;
+}
+
+/// Errors spread evenly over all, at most `count`.
+std::vector<Failure> sampleOfFailures(const TestVector& vector, const Verdict& verdict, std::size_t count) {
+  const std::vector<FacePixel> errors = errorsOf(verdict);
+  const std::size_t taken = std::min(count, errors.size());
+  std::vector<Failure> failures;
+  for (std::size_t k = 0; k < taken; ++k)
+    failures.push_back(failureAt(vector, verdict, errors[k * errors.size() / taken]));
+  return failures;
+}
+
+ErrorKind mostFrequentKind(const std::vector<Failure>& failures) {
+  std::array<std::size_t, errorKinds> counts{};
+  for (const Failure& failure : failures) ++counts[static_cast<std::size_t>(failure.kind)];
+  return static_cast<ErrorKind>(std::max_element(counts.begin(), counts.end()) - counts.begin());
+}
+
+ErrorPixel errorOf(const Failure& failure, const raster::DrawList& list) {
+  const raster::Scissor& pixel = failure.face.face.scissor;
+  return errorAt(list, failure.face, pixel.column, pixel.row, failure.found.words[0]);
+}
+
+bool stillFails(const Failure& failure, const raster::DrawList& list, const DeviceProfile& profile) {
+  TestVector vector;
+  vector.list = list;
+  vector.faces = {failure.face};
+  if (!hasErrors(judge(vector, {&failure.found, 1}, profile))) return false;
+  const ErrorPixel error = errorOf(failure, list);
+  return error.kind == failure.kind && error.expected == failure.expected;
+}
+
+/// Takes triangles away in runs of half of them, then of a quarter, and so on; single ones until none can go.
+DrawnTriangles fewestTriangles(DrawnTriangles kept, const std::function<bool(const DrawnTriangles&)>& fails) {
+  std::size_t run = std::max<std::size_t>(kept.size() / 2, 1);
+  for (bool removed = true; run > 1 || removed; run = std::max<std::size_t>(run / 2, 1)) {
+    removed = false;
+    for (std::size_t first = 0; first < kept.size();) {
+      DrawnTriangles fewer = kept;
+      const auto from = fewer.begin() + static_cast<std::ptrdiff_t>(first);
+      fewer.erase(from, from + static_cast<std::ptrdiff_t>(std::min(run, kept.size() - first)));
+      if (fails(fewer)) {
+        kept = std::move(fewer);
+        removed = true;
+      } else {
+        first += run;
+      }
+    }
+  }
+  return kept;
+}
+
+}  // namespace
+
+MinimalFailure minimize(const TestVector& vector, const Verdict& verdict, const DeviceProfile& profile) {
+  assert(hasErrors(verdict));
+  constexpr std::size_t sampled = 64, attempts = 8;
+  std::vector<Failure> failures = sampleOfFailures(vector, verdict, sampled);
+  const ErrorKind kind = mostFrequentKind(failures);
+  std::erase_if(failures, [=](const Failure& failure) { return failure.kind != kind; });
+  failures.resize(std::min(failures.size(), attempts));
+
+  const DrawnTriangles all = drawnTriangles(vector.list);
+  const Failure* best = nullptr;
+  DrawnTriangles fewest;
+  for (const Failure& failure : failures) {
+    const auto fails = [&](const DrawnTriangles& kept) {
+      return stillFails(failure, listOf(vector.list, kept), profile);
+    };
+    const DrawnTriangles kept = fewestTriangles(all, fails);
+    if (best && kept.size() >= fewest.size()) continue;
+    best = &failure;
+    fewest = kept;
+  }
+
+  MinimalFailure minimal{{vector.name, vector.catches, vector.origin, listOf(vector.list, fewest), {best->face}},
+                         {},
+                         {1, 1, {best->expected}},
+                         best->found};
+  minimal.error = errorOf(*best, minimal.vector.list);
+  return minimal;
+}
+
+}  // namespace hemitex::reference

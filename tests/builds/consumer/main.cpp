@@ -1,0 +1,30 @@
+/// Draws one triangle with the installed library and looks at what it gives: 0 where all is as it should be.
+#include <iostream>
+
+#include "raster/software/software_renderer.h"
+#include "reference/vectors/vector_file.h"
+
+int main() {
+  using namespace hemitex;
+  raster::DrawList list;
+  list.format = *raster::formatNamed("r8g8b8");
+  list.positions = {{-1, -1, 2}, {3, -1, 2}, {-1, 3, 2}};
+  list.texcoords.resize(list.positions.size());
+  list.indices = {0, 1, 2};
+  list.draws = {{.first = 0, .count = 3, .offset = 7}};
+  raster::Face face;
+  face.x = {1, 0, 0};
+  face.y = {0, 1, 0};
+  face.w = {0, 0, 1};
+  face.nearDistance = 0.5F;
+  face.resolution = 4;
+  face.scissor = {0, 0, 4, 4};
+
+  raster::SoftwareRenderer renderer(list);
+  const raster::ItemBuffer buffer = renderer.render({&face, 1}, {}).front();
+  // The triangle's vertices lie at (-1/2, -1/2), (3/2, -1/2) and (-1/2, 3/2) of the picture plane, so that it covers
+  // the pixel at (1/4, 1/4) and not the one at (-3/4, -3/4).
+  const bool right = buffer.words[2 * 4 + 2] == 7 && buffer.words[0] == raster::backgroundWord(list.format);
+  std::cout << "item buffer " << reference::wordsHash(buffer.words) << (right ? " is right\n" : " is wrong\n");
+  return right ? 0 : 1;
+}

@@ -1,0 +1,29 @@
+/// The hashes of the vector suite's words, as tests/builds/one_answer.sh compares them:
+///   hemitex_suite_hashes THREADS [VECTOR...]
+/// draws what vectorSuite() makes and the vectors in the folders named, and prints suiteHashes.
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "raster/base/input_error.h"
+#include "raster/base/parallel.h"
+#include "reference/vectors/vector_suite.h"
+
+using namespace hemitex;
+
+int main(int count, char** arguments) {
+  if (count < 2) {
+    std::fputs("usage: hemitex_suite_hashes THREADS [VECTOR...]\n", stderr);
+    return 2;
+  }
+  try {
+    const raster::ThreadLimit limit(std::atoi(arguments[1]));
+    std::vector<reference::TestVector> suite = reference::vectorSuite();
+    for (int k = 2; k < count; ++k) suite.push_back(reference::readVector(arguments[k]));
+    std::fputs(reference::suiteHashes(suite).c_str(), stdout);
+    return 0;
+  } catch (const raster::InputError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,308 @@
+/// Leaves of quadtrees as elements, all the way from texels to rows of form factors, and where leaves are split.
+#include "radiosity/discretization/adaptive_subdivision.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "radiosity/discretization/texel_areas.h"
+#include "radiosity/form_factors/patch_subdivision.h"
+#include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/solver/progressive_solver.h"
+#include "raster/base/input_error.h"
+#include "reference/rays/embree_form_factors.h"
+#include "reference/solution/ground_truth.h"
+#include "reference/solution/radiosity_error.h"
+#include "tests/support/hand_scenes.h"
+#include "tests/support/random_quadtrees.h"
+
+using namespace hemitex;
+using namespace hemitex::radiosity;
+using namespace hemitex::tests;
+
+namespace {
+
+constexpr int texels = 16;
+
+std::vector<Quadtree> randomQuadtrees(const Scene& scene, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<Quadtree> trees;
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) trees.push_back(randomQuadtree(texels, random));
+  return trees;
+}
+
+/// A discretization into texels, and the same under quadtrees.
+struct TexelsAndLeaves {
+  Scene scene;
+  Discretization ofTexels, ofLeaves;
+
+  TexelsAndLeaves(Scene s, const std::vector<Quadtree>& trees, int patch)
+      : scene(std::move(s)),
+        ofTexels(discretize(scene, {.texels = texels, .patch = patch})),
+        ofLeaves(discretize(scene, {.texels = texels, .patch = patch}, trees)) {}
+
+  /// For every element of texels the leaf's element that holds its own texel.
+  std::vector<std::uint32_t> leafElements() const { return reference::elementsUnder(ofLeaves, ofTexels); }
+};
+
+/// Shares by element.
+std::map<std::uint32_t, std::uint64_t> sharesOf(const FormFactorRow& row, const std::vector<std::uint32_t>& element) {
+  std::map<std::uint32_t, std::uint64_t> shares;
+  for (std::size_t i = 0; i < row.elements.size(); ++i) shares[element[row.elements[i]]] += row.shares[i];
+  return shares;
+}
+
+std::vector<std::uint32_t> themselves(const Discretization& discretization) {
+  std::vector<std::uint32_t> elements(discretization.elements.size());
+  std::iota(elements.begin(), elements.end(), 0u);
+  return elements;
+}
+
+/// A scene whose elements do not matter but for one square of side 1.
+Scene unitSquare() { return sceneOf({parallelogram("square", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})}); }
+
+/// The radiosity at the middle of every leaf's element of one surface.
+std::vector<glm::dvec3> atMiddles(const Scene& scene, const Discretization& discretization,
+                                  const std::function<double(const glm::dvec3&)>& radiosity) {
+  std::vector<glm::dvec3> values;
+  for (std::uint32_t e = 0; e < discretization.elements.size(); ++e)
+    values.emplace_back(radiosity(elementCentre(scene, discretization, e).position), 0, 0);
+  return values;
+}
+
+}  // namespace
+
+TEST_CASE("quadtrees of single texels change nothing", "[adaptive]") {
+  const Scene scene = sceneOf(tableOfSurfaces());
+  const TexelsAndLeaves both(scene, std::vector(scene.surfaces.size(), uniformQuadtree(texels, 1)), 4);
+  REQUIRE(both.ofLeaves.elements.size() == both.ofTexels.elements.size());
+  CHECK(both.ofLeaves.patchElements == both.ofTexels.patchElements);
+  CHECK(both.ofLeaves.patchOf == both.ofTexels.patchOf);
+  CHECK(both.ofLeaves.triangleOf == both.ofTexels.triangleOf);
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+    CHECK(both.ofLeaves.grids[s].spill == both.ofTexels.grids[s].spill);
+  for (std::uint32_t e = 0; e < both.ofTexels.elements.size(); ++e) {
+    const Element &a = both.ofLeaves.elements[e], &b = both.ofTexels.elements[e];
+    CHECK((a.area == b.area && a.texel == b.texel));
+    CHECK(elementCentre(scene, both.ofLeaves, e).position == elementCentre(scene, both.ofTexels, e).position);
+  }
+}
+
+TEST_CASE("a leaf's element is the elements of its texels together", "[adaptive]") {
+  const Scene scene = sceneOf(tableOfSurfaces());
+  const TexelsAndLeaves both(scene, randomQuadtrees(scene, 1), 4);
+  const std::vector<std::uint32_t> leafElement = both.leafElements();
+  std::vector<double> area(both.ofLeaves.elements.size());
+  for (std::uint32_t e = 0; e < leafElement.size(); ++e) {
+    const Element &small = both.ofTexels.elements[e], &large = both.ofLeaves.elements[leafElement[e]];
+    const Grid& grid = both.ofLeaves.grids[small.surface];
+    area[leafElement[e]] += small.area;
+    REQUIRE(leafOf(grid, small.texel) == leafOf(grid, large.texel));
+    REQUIRE(large.texel <= small.texel);  // the first own texel of the leaf
+  }
+  for (std::uint32_t e = 0; e < area.size(); ++e)
+    CHECK(both.ofLeaves.elements[e].area == Approx(area[e]).epsilon(1e-12));
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+    for (std::size_t texel = 0; texel < texels * texels; ++texel)
+      REQUIRE(both.ofLeaves.grids[s].spill[texel] == leafElement[both.ofTexels.grids[s].spill[texel]]);
+}
+
+TEST_CASE("a leaf's centre is that of a texel of a grid that is so much coarser", "[adaptive]") {
+  // Without the stars and diagonals, whose texels merge in other ways on a coarser grid.
+  std::vector<Surface> surfaces = tableOfSurfaces();
+  surfaces.resize(5);
+  const Scene scene = sceneOf(surfaces);
+  for (const int side : {1, 4, 16}) {
+    const Discretization leaves =
+        discretize(scene, {.texels = texels}, std::vector(surfaces.size(), uniformQuadtree(texels, side)));
+    const Discretization coarse = discretize(scene, {.texels = texels / side});
+    const std::vector<std::uint32_t> under = reference::elementsUnder(leaves, coarse);
+    for (std::uint32_t e = 0; e < coarse.elements.size(); ++e) {
+      const Leaf leaf = leafOf(leaves.grids[coarse.elements[e].surface], leaves.elements[under[e]].texel);
+      if (std::uint32_t(leaf.row / side * (texels / side) + leaf.column / side) != coarse.elements[e].texel) continue;
+      CHECK(glm::distance(elementCentre(scene, leaves, under[e]).position, elementCentre(scene, coarse, e).position) <
+            1e-14);
+    }
+  }
+}
+
+TEST_CASE("patches consist of whole leaves, and a larger leaf is a patch of its own", "[adaptive]") {
+  const Scene scene = sceneOf(tableOfSurfaces());
+  for (const int side : {1, 2, 8, 64}) {
+    const Discretization discretization =
+        discretize(scene, {.texels = texels, .patch = side}, randomQuadtrees(scene, 2));
+    for (const Patch& patch : discretization.patches) {
+      REQUIRE(patch.elementCount > 0);
+      for (std::uint32_t i = 0; i < patch.elementCount; ++i) {
+        const Element& element = discretization.elements[discretization.patchElements[patch.firstElement + i]];
+        const Leaf leaf = leafOf(discretization.grids[patch.surface], element.texel);
+        REQUIRE((leaf.column >= patch.column && leaf.column + leaf.side <= patch.column + patch.width));
+        REQUIRE((leaf.row >= patch.row && leaf.row + leaf.side <= patch.row + patch.height));
+        if (leaf.side < side) continue;
+        REQUIRE(patch.elementCount == 1);
+        REQUIRE((patch.width == leaf.side && patch.height == leaf.side));
+      }
+    }
+  }
+  CHECK_THROWS_AS(discretize(scene, {.texels = texels, .patch = 3}, randomQuadtrees(scene, 2)), raster::InputError);
+}
+
+TEST_CASE("a row to leaves is the row to their texels, added up, by hemicubes with shared and unique maps and by rays",
+          "[adaptive]") {
+  // Patches of 4 x 4 texels from leaves of up to as many: they shoot from the same points.
+  const Scene scene = furnishedRoom();
+  std::vector<Quadtree> trees = randomQuadtrees(scene, 3);
+  for (Quadtree& tree : trees)
+    for (std::uint16_t& side : tree.leafSide) side = std::min<std::uint16_t>(side, 4);
+  const TexelsAndLeaves both(scene, trees, 4);
+  const std::vector<std::uint32_t> leafElement = both.leafElements(), itself = themselves(both.ofLeaves);
+  REQUIRE(both.ofLeaves.patches.size() == both.ofTexels.patches.size());
+  const auto drawn = [&](const Discretization& discretization, IndexMaps indexMaps) {
+    return DrawnRows(scene, discretization, layOut(discretization, {.format = "r8g8b8", .indexMaps = indexMaps}),
+                     {.resolution = 64, .split = 1});
+  };
+  DrawnRows texelRows = drawn(both.ofTexels, IndexMaps::Shared), leafRows = drawn(both.ofLeaves, IndexMaps::Shared);
+  DrawnRows uniqueRows = drawn(both.ofLeaves, IndexMaps::Unique);
+  const reference::RayRowSettings settings{.rays = 1 << 12};
+  reference::RayRows texelRays(scene, both.ofTexels, settings), leafRays(scene, both.ofLeaves, settings);
+  for (std::uint32_t patch = 0; patch < both.ofLeaves.patches.size(); patch += 7) {
+    const FormFactorRow row = texelRows.rows().ofPatch(patch), sum = leafRows.rows().ofPatch(patch);
+    CHECK(sharesOf(sum, itself) == sharesOf(row, leafElement));
+    CHECK(sum.elements.size() < row.elements.size());
+    CHECK(sharesOf(uniqueRows.rows().ofPatch(patch), itself) == sharesOf(row, leafElement));
+    CHECK(sharesOf(leafRays.ofPatch(patch), itself) == sharesOf(texelRays.ofPatch(patch), leafElement));
+  }
+}
+
+TEST_CASE("a leaf that is near to what it lights shoots from several points, not as its quarters", "[adaptive]") {
+  const Scene scene = furnishedRoom();
+  const std::vector<Quadtree> trees(scene.surfaces.size(), uniformQuadtree(texels, 8));
+  const Discretization unsplit = discretize(scene, {.texels = texels}, trees);
+  DrawnRows drawn(scene, unsplit, layOut(unsplit, {.format = "r8g8b8"}), {});
+  drawn.splitAll();
+  const Discretization& discretization = drawn.discretization();
+  REQUIRE(discretization.patches.size() == unsplit.patches.size());
+  int ofSeveralPoints = 0;
+  for (const Patch& patch : discretization.patches) {
+    CHECK((patch.width == 8 && patch.height == 8 && patch.elementCount == 1));
+    ofSeveralPoints += patch.points > 1 ? 1 : 0;
+  }
+  CHECK(ofSeveralPoints > 0);
+}
+
+TEST_CASE("maps are averaged over leaves by area", "[adaptive]") {
+  Scene scene = sceneOf(tableOfSurfaces());
+  std::mt19937 random(5);
+  scene.images = {{9, 7, {}}};
+  for (int i = 0; i < 63; ++i) scene.images[0].pixels.emplace_back(random() % 100, 1, random() % 5);
+  scene.materials[0].emissionMap = 0;
+  scene.materials[0].emission = glm::dvec3(1);
+  const TexelsAndLeaves both(scene, randomQuadtrees(scene, 6), 4);
+  const std::vector<std::uint32_t> leafElement = both.leafElements();
+  std::vector<glm::dvec3> flux(both.ofLeaves.elements.size());
+  for (std::uint32_t e = 0; e < leafElement.size(); ++e)
+    flux[leafElement[e]] += both.ofTexels.elements[e].area * both.ofTexels.mappedEmission[e];
+  for (std::uint32_t e = 0; e < flux.size(); ++e) {
+    const glm::dvec3 found = both.ofLeaves.elements[e].area * both.ofLeaves.mappedEmission[e];
+    CHECK(glm::distance(found, flux[e]) < 1e-11 * glm::length(flux[e]));
+  }
+}
+
+TEST_CASE("the truth is found for leaves too", "[adaptive]") {
+  // A closed room of one material, a furnace: every element has E / (1 - rho), however its surfaces are divided. All
+  // flux is that exactly, since every row sums to 1; elements are off by chance.
+  const Scene scene = closedCube(glm::dvec3(0.5), glm::dvec3(1));
+  std::mt19937 random(7);
+  std::vector<Quadtree> trees;
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) trees.push_back(randomQuadtree(8, random));
+  const Discretization discretization = discretize(scene, {.texels = 8, .patch = 2}, trees);
+  const reference::TrueRadiosity truth = reference::trueRadiosity(scene, discretization, {.samples = 1 << 12});
+  glm::dvec3 flux(0);
+  for (std::size_t e = 0; e < truth.radiosity.size(); ++e) flux += discretization.elements[e].area * truth.radiosity[e];
+  CHECK(flux.x == Approx(6 * 2).epsilon(1e-12));
+  const std::vector<glm::dvec3> exact(truth.radiosity.size(), glm::dvec3(2));
+  const double error = reference::errorOf(discretization, truth.radiosity, exact).fluxWeighted;
+  CHECK(error < 0.02);
+  CHECK(error == Approx(truth.error.fluxWeighted).epsilon(0.25));
+}
+
+TEST_CASE("what changes evenly is divided evenly, into leaves that keep the tolerance", "[adaptive]") {
+  // Radiosity 1 + x on the unit square: all light is 1.5. A leaf of side h has the area h^2 and the change h, and is
+  // split while h^3 / 1.5 is above the tolerance.
+  const Scene scene = unitSquare();
+  const auto solve = [&](const Discretization& d) {
+    return atMiddles(scene, d, [](const glm::dvec3& point) { return 1 + point.x; });
+  };
+  for (const int side : {16, 8, 4, 2}) {
+    const double h = side / 64.0, tolerance = 1.01 * h * h * h / 1.5;
+    const Discretization discretization = adaptiveDiscretization(scene, {.texels = 64}, tolerance, solve);
+    CHECK(*discretization.grids[0].quadtree == uniformQuadtree(64, side));
+  }
+  CHECK(*adaptiveDiscretization(scene, {.texels = 64}, 1e-9, solve).grids[0].quadtree == uniformQuadtree(64, 1));
+}
+
+TEST_CASE("along a step leaves are as small as texels, and grow from there", "[adaptive]") {
+  // Bright left of x = 29/64, dark right of it. In every round the leaves on both sides of the step differ and are
+  // split, two columns of 64 / s of them with 3 leaves more for each: from 16 leaves to 16 + 6 (4 + 8 + 16 + 32) = 376
+  // of the 4096 texels, and what balance adds.
+  const Scene scene = unitSquare();
+  const Discretization discretization = adaptiveDiscretization(scene, {.texels = 64}, 1e-9, [&](const auto& d) {
+    return atMiddles(scene, d, [](const glm::dvec3& point) { return point.x < 29 / 64.0 ? 1.0 : 0.0; });
+  });
+  const Quadtree& tree = *discretization.grids[0].quadtree;
+  for (int row = 0; row < 64; ++row) {
+    for (const int column : {28, 29}) CHECK(leafAt(tree, column, row).side == 1);
+    for (const int column : {0, 63}) CHECK(leafAt(tree, column, row).side >= 8);
+  }
+  CHECK((leavesOf(tree).size() >= 376 && leavesOf(tree).size() < 2 * 376));
+}
+
+TEST_CASE("a small jump on much area and a large one on little are split alike", "[adaptive]") {
+  // Two squares with steps at their middles; all light is dominated by a third one. Area times step is 1 and 16 * 1/16.
+  Scene scene = sceneOf({parallelogram("small", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                         parallelogram("large", {9, 0, 0}, {4, 0, 0}, {0, 4, 0}),
+                         parallelogram("bright", {0, 9, 0}, {1, 0, 0}, {0, 1, 0})});
+  const auto solve = [&](const Discretization& d) {
+    return atMiddles(scene, d, [](const glm::dvec3& p) {
+      return p.y > 9 ? 100.0 : p.x > 8 ? (p.x < 11 ? 1 + 1 / 16.0 : 1.0) : (p.x < 0.5 ? 2.0 : 1.0);
+    });
+  };
+  const Discretization discretization = adaptiveDiscretization(scene, {.texels = 64}, 2e-5, solve);
+  CHECK(*discretization.grids[0].quadtree == *discretization.grids[1].quadtree);
+  CHECK(leavesOf(*discretization.grids[0].quadtree).size() > 64);
+  CHECK(*discretization.grids[2].quadtree == uniformQuadtree(64, 16));
+}
+
+TEST_CASE("no quadtree lies over a grid that is no power of two, or not square", "[adaptive]") {
+  const Scene scene = unitSquare();
+  const auto unused = [](const Discretization&) -> std::vector<glm::dvec3> { throw std::logic_error("not reached"); };
+  CHECK_THROWS_AS(adaptiveDiscretization(scene, {.texels = 12}, 1e-3, unused), raster::InputError);
+  const Scene oblong = sceneOf({parallelogram("oblong", {0, 0, 0}, {1, 0, 0}, {0, 2, 0})});
+  CHECK_THROWS_AS(adaptiveDiscretization(oblong, {.texelSize = 0.25}, 1e-3, unused), raster::InputError);
+}
+
+TEST_CASE("on the Cornell box quadtrees err less than texels of which there are more than twice as many",
+          "[adaptive]") {
+  // Against texels half as large under the same patches and hemicubes, so that elements alone make the difference. The
+  // whole curve: hemitex_adaptive_curve.
+  const Scene scene = loadScene(HEMITEX_DATA "/cornell-box.obj");
+  const auto solved = [&](const Discretization& discretization) {
+    DrawnRows drawn(scene, discretization, layOut(discretization, {.format = "r32ui"}),
+                    {.resolution = 128, .split = 0.05});
+    const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
+    return solve(scene, drawn.discretization(), rowOf, {.residual = 0.01}, {}, drawn.splits()).radiosity;
+  };
+  const DiscretizationSettings finest{.texels = 32, .patches = 4};
+  const Discretization fine = discretize(scene, finest), uniform = discretize(scene, {.texels = 16, .patches = 4});
+  const std::vector<glm::dvec3> truth = solved(fine);
+  const auto errorOf = [&](const Discretization& discretization, const std::vector<glm::dvec3>& radiosity) {
+    return reference::errorOf(fine, reference::onOtherGrids(discretization, radiosity, fine), truth).fluxWeighted;
+  };
+  std::vector<glm::dvec3> radiosity;
+  const Discretization adaptive =
+      adaptiveDiscretization(scene, finest, 1.2e-4, [&](const Discretization& d) { return radiosity = solved(d); });
+  CHECK(2 * adaptive.elements.size() < uniform.elements.size());
+  CHECK(errorOf(adaptive, radiosity) < errorOf(uniform, solved(uniform)));
+}

@@ -1,0 +1,158 @@
+// Material maps averaged over elements: integrals over pixels, exact whatever the discretization.
+#include "radiosity/discretization/material_averages.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "tests/support/hand_scenes.h"
+
+using namespace hemitex::radiosity;
+using namespace hemitex::tests;
+
+namespace {
+
+Image randomImage(int width, int height, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto draw = [&] { return double(random()) / 4294967296.0; };
+  Image image{width, height, {}};
+  for (int i = 0; i < width * height; ++i) image.pixels.push_back({draw(), draw(), draw()});
+  return image;
+}
+
+glm::dvec3 meanOf(const Image& image) {
+  glm::dvec3 sum(0);
+  for (const glm::dvec3& pixel : image.pixels) sum += pixel;
+  return sum / double(image.pixels.size());
+}
+
+/// A scene of one surface under a white emitter with the image as its map.
+Scene shownOn(Surface surface, Image image) {
+  Scene scene = sceneOf({std::move(surface)});
+  scene.materials[0].emission = glm::dvec3(1);
+  scene.materials[0].emissionMap = 0;
+  scene.images = {std::move(image)};
+  return scene;
+}
+
+std::vector<glm::dvec3> averages(const Scene& scene, int texels) {
+  return discretize(scene, {.texels = texels}).mappedEmission;
+}
+
+/// The flux of all elements: the sum of emission times area.
+glm::dvec3 flux(const Scene& scene, int texels) {
+  const Discretization discretization = discretize(scene, {.texels = texels});
+  glm::dvec3 sum(0);
+  for (std::uint32_t e = 0; e < discretization.elements.size(); ++e)
+    sum += discretization.elements[e].area * emission(scene, discretization, e);
+  return sum;
+}
+
+void scaleTexcoords(Surface& surface, const glm::dvec2& scale, const glm::dvec2& offset) {
+  for (Triangle& triangle : surface.triangles)
+    for (glm::dvec2& texcoord : triangle.texcoord) texcoord = texcoord * scale + offset;
+}
+
+bool areClose(const glm::dvec3& a, const glm::dvec3& b, double tolerance) {
+  return glm::length(a - b) <= tolerance * glm::length(b);
+}
+
+const std::array<glm::dvec3, 4> unitSquare{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
+
+}  // namespace
+
+TEST_CASE("an image with a pixel a texel gives each element its pixel, top row at v = 1", "[maps]") {
+  const Image image = randomImage(5, 5, 1);
+  const std::vector<glm::dvec3> mean = averages(shownOn(quad("q", unitSquare), image), 5);
+  for (int row = 0; row < 5; ++row)
+    for (int column = 0; column < 5; ++column)
+      CHECK(areClose(mean[std::size_t(row * 5 + column)], image.pixels[std::size_t((4 - row) * 5 + column)], 1e-14));
+}
+
+TEST_CASE("a pixel's border inside an element splits it by area", "[maps]") {
+  // Three columns of pixels, 0, 3 and 9, over two elements: 2/3 of 0 and 1/3 of 3; 1/3 of 3 and 2/3 of 9.
+  const Image image{3, 1, {glm::dvec3(0), glm::dvec3(3), glm::dvec3(9)}};
+  const std::vector<glm::dvec3> mean = averages(shownOn(quad("q", unitSquare), image), 2);
+  for (const std::size_t row : {std::size_t{0}, std::size_t{2}}) {
+    CHECK(mean[row].x == Approx(1).epsilon(1e-14));
+    CHECK(mean[row + 1].x == Approx(7).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("the flux of a painted light is the same at every discretization", "[maps]") {
+  for (const Surface& surface : tableOfSurfaces()) {
+    Scene scene = shownOn(surface, randomImage(37, 23, 2));
+    const glm::dvec3 whole = flux(scene, 1);
+    for (const int texels : {2, 5, 16, 61}) {
+      INFO(surface.name << " with " << texels << " texels");
+      CHECK(areClose(flux(scene, texels), whole, 1e-12));
+    }
+  }
+}
+
+TEST_CASE("a single bright pixel of a large image is not missed", "[maps]") {
+  Image image{512, 512, std::vector<glm::dvec3>(std::size_t{512} * 512)};
+  image.pixels[100 * 512 + 300] = glm::dvec3(512.0 * 512.0);
+  CHECK(areClose(flux(shownOn(quad("q", unitSquare), image), 4), glm::dvec3(1), 1e-12));
+}
+
+TEST_CASE("texture coordinates wrap: moved by whole tiles they show the same", "[maps]") {
+  const Image image = randomImage(8, 5, 3);
+  Surface moved = bump(4);
+  scaleTexcoords(moved, {1, 1}, {-3, 0x1p40});  // the coordinates are quarters: nothing is rounded
+  const std::vector<glm::dvec3> here = averages(shownOn(bump(4), image), 6);
+  const std::vector<glm::dvec3> there = averages(shownOn(moved, image), 6);
+  for (std::size_t e = 0; e < here.size(); ++e) CHECK(areClose(there[e], here[e], 1e-13));
+}
+
+TEST_CASE("a tiled image averages to its mean over elements of whole tiles, however many there are", "[maps]") {
+  // Up to 1e9 x 1e9 tiles: the image is halved to a single pixel before that many are cut out.
+  const Image image = randomImage(6, 5, 4);
+  for (const double tiles : {4.0, 400.0, 4000.0, 1e9}) {
+    Surface surface = quad("q", unitSquare);
+    scaleTexcoords(surface, {tiles, tiles}, {0, 0});
+    INFO(tiles << " tiles");
+    for (const glm::dvec3& mean : averages(shownOn(surface, image), 2)) CHECK(areClose(mean, meanOf(image), 1e-9));
+  }
+}
+
+TEST_CASE("halving an image keeps its mean, and averages pairs where they are whole", "[maps]") {
+  for (const auto& [width, height] : {std::pair{1, 1}, {2, 7}, {64, 3}, {9, 31}}) {
+    const Image image = randomImage(width, height, 5);
+    const Image half = halved(image);
+    CHECK(half.width == (width + 1) / 2);
+    CHECK(half.height == (height + 1) / 2);
+    CHECK(areClose(meanOf(half), meanOf(image), 1e-13));
+  }
+  const Image pairs{4, 1, {glm::dvec3(1), glm::dvec3(3), glm::dvec3(10), glm::dvec3(20)}};
+  CHECK(halved(pairs).pixels == std::vector<glm::dvec3>{glm::dvec3(2), glm::dvec3(15)});
+  // Three pixels become two of one and a half: (1 + 3/2) / 1.5 and (3/2 + 10) / 1.5.
+  const Image three{3, 1, {glm::dvec3(1), glm::dvec3(3), glm::dvec3(10)}};
+  CHECK(halved(three).pixels[0].x == Approx(2.5 / 1.5));
+  CHECK(halved(three).pixels[1].x == Approx(11.5 / 1.5));
+}
+
+TEST_CASE("a mapped reflectance is the map times Kd, and stays below 1", "[maps]") {
+  Scene scene = sceneOf({quad("q", unitSquare)});
+  scene.materials[0].reflectance = {0.5, 0.9999, 0.25};
+  scene.materials[0].reflectanceMap = 0;
+  scene.images = {Image{1, 1, {{0.5, 2, 1}}}};
+  const Discretization discretization = discretize(scene, {.texels = 2});
+  for (std::uint32_t e = 0; e < 4; ++e)
+    CHECK(areClose(reflectance(scene, discretization, e), {0.25, 0.9999, 0.25}, 1e-15));
+  CHECK(discretization.mappedEmission.empty());
+}
+
+TEST_CASE("surfaces without a map beside one with a map keep their material's values", "[maps]") {
+  Scene scene = sceneOf({quad("plain", unitSquare), quad("mapped", unitSquare)});
+  scene.materials.resize(2);
+  scene.materials[0].emission = {1, 2, 3};
+  scene.materials[1].emission = {10, 10, 10};
+  scene.materials[1].emissionMap = 0;
+  scene.surfaces[1].material = 1;
+  scene.images = {Image{1, 1, {{0.5, 0.25, 0}}}};
+  const Discretization discretization = discretize(scene, {.texels = 1});
+  CHECK(emission(scene, discretization, 0) == glm::dvec3(1, 2, 3));
+  CHECK(emission(scene, discretization, 1) == glm::dvec3(5, 2.5, 0));
+  CHECK(reflectance(scene, discretization, 1) == glm::dvec3(0.5));
+}

@@ -1,0 +1,85 @@
+// From words to slots: as elementOf says, for every word there is.
+#include "radiosity/form_factors/id_lookup.h"
+
+#include <catch2/catch.hpp>
+
+#include "tests/support/box_scene.h"
+#include "tests/support/hand_scenes.h"
+
+using namespace hemitex;
+using namespace hemitex::radiosity;
+using namespace hemitex::tests;
+using raster::Blend;
+using raster::Word;
+
+namespace {
+
+/// Grids with holes and slivers, without either, and of one texel.
+Scene mixedScene() {
+  return sceneOf({bump(3), lShape(), ring(8), thinDiagonal(0.02), flat("wall", rectangle({0, 0}, {1, 1})),
+                  flat("light", rectangle({0, 0}, {1, 1})), flat("lamp", rectangle({0, 0}, {1, 1})), star(7, 3)});
+}
+
+/// How many of the words 0 to 65535, of some behind them and of the last ones there are, have a slot that is not
+/// elementOf's, after another word or as the first.
+int wrongSlots(const Discretization& discretization, const WordSettings& settings) {
+  const WordLayout layout = layOut(discretization, settings);
+  const WordSlots slots(discretization, layout);
+  SlotFinder finder(slots);
+  const auto isWrong = [&](Word word) {
+    const std::uint32_t other = word == raster::backWord(layout.format) ? slots.back() : slots.background();
+    const std::uint32_t slot = elementOf(discretization, layout, word).value_or(other);
+    return finder.of(word) != slot || SlotFinder(slots).of(word) != slot;
+  };
+  int wrong = 0;
+  for (Word word = 0; word < 0x10000; ++word) wrong += isWrong(word) ? 1 : 0;
+  for (Word word = 0x10000; word < 0x800000; word += 97) wrong += isWrong(word) ? 1 : 0;
+  for (Word word = 0xffffff00; word != 0; ++word) wrong += isWrong(word) ? 1 : 0;
+  return wrong;
+}
+
+}  // namespace
+
+TEST_CASE("the slot of every word is the element that it stands for", "[rows]") {
+  const Scene scene = mixedScene();
+  const Discretization mixed =
+      discretize(scene, {.texels = 12, .surfaceTexels = {{"bump", 33}, {"wall", 8}, {"light", 1}, {"lamp", 1}}});
+  for (const char* format : {"r5g6b5", "r8g8b8a8", "r32ui"}) {
+    INFO(format);
+    CHECK(wrongSlots(mixed, {format}) == 0);
+    CHECK(wrongSlots(mixed, {format, Blend::IntegerAdd, false}) == 0);
+    CHECK(wrongSlots(mixed, {format, Blend::ClampedAdd, true, IndexMaps::Packed, 64}) == 0);
+    CHECK(wrongSlots(mixed, {format, Blend::IntegerAdd, false, IndexMaps::Packed, 64}) == 0);
+    CHECK(wrongSlots(mixed, {format, Blend::ClampedAdd, true, IndexMaps::Unique}) == 0);
+  }
+  CHECK(wrongSlots(mixed, {"r8g8b8a8", Blend::ClampedAdd, true, IndexMaps::Shared, 64}) == 0);
+  // Seven million words.
+  CHECK(wrongSlots(mixed, {"r8g8b8a8", Blend::IntegerAdd, false, IndexMaps::Shared, 1024}) == 0);
+}
+
+TEST_CASE("words of a scene without textures have slots, and so have more single words than a page holds", "[rows]") {
+  Scene scene = closedCube(glm::dvec3(0.5), glm::dvec3(1));
+  CHECK(wrongSlots(discretize(scene, {.texels = 1}), {"r8g8b8a8"}) == 0);
+  // Pages of 2 x 1 texels: k = 1, so that five single words fill three blocks.
+  Discretization one = discretize(scene, {.texels = 1});
+  Discretization two = discretize(scene, {.texels = 2, .surfaceTexels = {{"left", 2}}});
+  CHECK(wrongSlots(two, {"r8g8b8a8"}) == 0);
+  const Discretization single = discretize(
+      scene, {.texels = 2, .surfaceTexels = {{"left", 1}, {"right", 1}, {"floor", 1}, {"ceiling", 1}, {"front", 1}}});
+  CHECK(layOut(single, {"r8g8b8a8"}).indexBits == 2);
+  CHECK(wrongSlots(single, {"r8g8b8a8"}) == 0);
+}
+
+TEST_CASE("grids whose every texel is an element need no table", "[rows]") {
+  const Discretization plain = discretize(closedCube(glm::dvec3(0.5), glm::dvec3(1)), {.texels = 64});
+  const WordLayout layout = layOut(plain);
+  // Six blocks of 16 bytes, which a growing vector may double, and an empty table of single words.
+  CHECK(WordSlots(plain, layout).bytes() <= 2 * 6 * 16);
+}
+
+TEST_CASE("a page much larger than its grid needs a table of the rows that the grid has", "[rows]") {
+  const Discretization plain = discretize(closedCube(glm::dvec3(0.5), glm::dvec3(1)), {.texels = 16});
+  const WordLayout layout = layOut(plain, {.page = 4096});
+  // Six tables of 16 rows; pages whole would take 400 MB.
+  CHECK(WordSlots(plain, layout).bytes() <= 6 * 16 * 4096 * sizeof(std::uint32_t) + 2 * 6 * 16);
+}

@@ -1,0 +1,71 @@
+// Sparse sums of shares: what was added is there, what was not costs nothing, and memory is used again.
+#include "radiosity/form_factors/sparse_sums.h"
+
+#include <bit>
+#include <catch2/catch.hpp>
+#include <map>
+#include <random>
+
+using hemitex::radiosity::ShareSums;
+
+namespace {
+
+/// Takes them, and leaves nothing.
+std::map<std::uint32_t, std::uint64_t> takeShares(ShareSums& sums) {
+  std::map<std::uint32_t, std::uint64_t> shares;
+  for (std::uint32_t group = 0; group < sums.groups(); ++group)
+    for (std::uint32_t i = 0; i < ShareSums::blocksInGroup; ++i) {
+      const std::uint32_t number = group * ShareSums::blocksInGroup + i;
+      if ((sums.blocksIn(group) >> i & 1) == 0) continue;
+      for (std::uint32_t slot = 0; slot < ShareSums::slotsInBlock; ++slot)
+        if ((sums.find(number)->touched >> slot & 1) != 0)
+          shares[number * ShareSums::slotsInBlock + slot] = sums.find(number)->take(slot);
+    }
+  return shares;
+}
+
+void clear(ShareSums& sums) {
+  takeShares(sums);
+  for (std::size_t group = 0; group < sums.groups(); ++group) sums.clear(group);
+  sums.reuse();
+}
+
+}  // namespace
+
+TEST_CASE("sums of shares are those of a map, again and again", "[rows]") {
+  std::mt19937 random(1);
+  ShareSums sums(1000003);
+  for (int round = 0; round < 20; ++round) {
+    std::map<std::uint32_t, std::uint64_t> expected;
+    for (int i = 0; i < 500; ++i) {
+      const auto slot = static_cast<std::uint32_t>(random() % 2 == 0 ? random() % 1000003 : 5000 + random() % 100);
+      const std::uint64_t share = random() % 4;
+      sums.add(slot, share);
+      if (share > 0) expected[slot] += share;
+    }
+    CHECK(takeShares(sums) == expected);
+    clear(sums);
+    CHECK(takeShares(sums).empty());
+  }
+}
+
+TEST_CASE("blocks are there only where shares are, and their memory serves the next row", "[rows]") {
+  // A group a bit in 4096 slots and a number for every 64 are always there: 15,626 numbers and 245 groups.
+  ShareSums sums(1000002);
+  const std::size_t empty = sums.bytes();
+  CHECK(empty == 15626 * 4 + 245 * 8);
+  const auto fill = [&](std::uint32_t first) {
+    for (std::uint32_t i = 0; i < 100; ++i) sums.add(first + 1000 * i, 1);
+    std::size_t blocks = 0;
+    for (std::size_t group = 0; group < sums.groups(); ++group)
+      blocks += static_cast<std::size_t>(std::popcount(sums.blocksIn(group)));
+    CHECK(blocks == 100);
+    clear(sums);
+  };
+  fill(0);
+  const std::size_t filled = sums.bytes();
+  // A vector that grows takes twice as much as it needs at most.
+  CHECK(filled - empty <= 2 * 100 * sizeof(ShareSums::Block));
+  fill(777777);
+  CHECK(sums.bytes() == filled);
+}

@@ -1,0 +1,341 @@
+// Regular meshing beside textures: the same elements and areas, item buffers that differ at element borders alone, and
+// solutions that differ by no more than those pixels explain.
+#include "radiosity/index_maps/meshed_draws.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "radiosity/discretization/texel_areas.h"
+#include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/index_maps/meshed_renderer.h"
+#include "radiosity/solver/progressive_solver.h"
+#include "reference/closed_forms/surface_pieces.h"
+#include "tests/support/hand_scenes.h"
+
+using namespace hemitex;
+using radiosity::Discretization;
+using radiosity::Scene;
+
+namespace {
+
+Scene dataScene(const std::string& name) { return radiosity::loadScene(std::string(HEMITEX_DATA) + "/" + name); }
+
+radiosity::WordLayout layoutOf(const Discretization& discretization) {
+  return radiosity::layOut(discretization, {.format = "r32ui"});
+}
+
+/// A discretized scene that both methods draw.
+struct World {
+  Scene scene;
+  Discretization discretization;
+  radiosity::WordLayout layout;
+  radiosity::MeshedDraws mesh;
+
+  World(Scene s, const radiosity::DiscretizationSettings& settings)
+      : scene(std::move(s)),
+        discretization(radiosity::discretize(scene, settings)),
+        layout(layoutOf(discretization)),
+        mesh(radiosity::makeMeshedDraws(scene, discretization, layout)) {}
+
+  /// What a word stands for: an element, or one of the reserved words, which are above all elements.
+  std::uint32_t shownBy(raster::Word word) const {
+    return radiosity::elementOf(discretization, layout, word).value_or(word);
+  }
+};
+
+using Drawn = std::vector<raster::ItemBuffer>;
+
+/// What a patch sees on the faces of its hemicube, by both methods. Hemicubes are turned: borders that lie along the
+/// axes of the scene do not fall on samples.
+struct Views {
+  std::vector<raster::Face> faces;
+  Drawn byTexture, byMesh;
+};
+
+Views viewsFrom(const World& world, std::uint32_t patch, int resolution) {
+  const auto rendererBy = [&](radiosity::ElementsBy method) {
+    return radiosity::sceneRenderer(world.scene, world.discretization, world.layout, method);
+  };
+  const auto textures = rendererBy(radiosity::ElementsBy::Texture), mesh = rendererBy(radiosity::ElementsBy::Mesh);
+  radiosity::ProjectedRows rows(world.scene, world.discretization, world.layout, *textures,
+                                {.resolution = resolution, .orientation = radiosity::Orientation::Turned});
+  const radiosity::View view = rows.viewsOfPatch(patch).front();
+  return {view.faces, textures->render(view.faces, view.skipped), mesh->render(view.faces, view.skipped)};
+}
+
+/// How deep a segment lies where it meets the square of half-width `reach` about a pixel's sample; 0 where it does not.
+/// `a` and `b` are in view coordinates.
+double depthInSquare(const raster::Face& face, glm::dvec3 a, glm::dvec3 b, const glm::dvec2& sample, double reach) {
+  // What is outside of the square is cut off: all sides of it, and the near plane, are planes through the eye or across
+  // the view.
+  const double half = face.resolution / 2.0;
+  const glm::dvec2 low = (sample - reach) / half - 1.0, high = (sample + reach) / half - 1.0;
+  const std::array<glm::dvec4, 5> planes{glm::dvec4(0, 0, 1, -double(face.nearDistance)),
+                                         {1, 0, -low.x, 0},
+                                         {-1, 0, high.x, 0},
+                                         {0, 1, -low.y, 0},
+                                         {0, -1, high.y, 0}};
+  for (const glm::dvec4& plane : planes) {
+    const double fa = glm::dot(plane, glm::dvec4(a, 1)), fb = glm::dot(plane, glm::dvec4(b, 1));
+    if (fa < 0 && fb < 0) return 0;
+    const glm::dvec3 crossing = a + fa / (fa - fb) * (b - a);
+    if (fa < 0) a = crossing;
+    if (fb < 0) b = crossing;
+  }
+  return std::min(a.z, b.z);
+}
+
+/// By how many pixels either method may be wrong about a border at a depth. Snapping moves corners by half a sub-pixel
+/// at most, and all that is between them no further. And binary32 holds:
+/// - a position (2^-25 extents an axis, sqrt(3) of that along a row), the quad's plane (2^-24 extents, see
+///   makeMeshedDraws) and its chart (2^-22 of its length);
+/// - the vertex stage, whose four roundings in a row are 2^-24 of sums that are below the extent.
+/// That is less than 11 units of 2^-24 extents of x, y and w; x/w moves by (1 + |x/w|) of it over w.
+double reachAt(const World& world, const raster::Face& face, double depth) {
+  const double rounded = 11 * 0x1p-24 * world.scene.extent;
+  return 1.0 / 512 + 2 * rounded / depth * face.resolution / 2;
+}
+
+/// Whether the border of an element, uncut by any rasterizer, passes so near to a sample that rounding explains that
+/// two methods see it on different sides.
+bool isAtBorder(const World& world, const reference::SurfacePieces& pieces, const raster::Face& face,
+                const glm::dvec2& sample) {
+  const auto viewOf = [&](const glm::dvec3& inFrame) {
+    const glm::dvec3 d = inFrame * world.scene.extent - glm::dvec3(face.eye);
+    return glm::dvec3(glm::dot(glm::dvec3(face.x), d), glm::dot(glm::dvec3(face.y), d),
+                      glm::dot(glm::dvec3(face.w), d));
+  };
+  for (const reference::SurfacePiece& piece : pieces.pieces)
+    for (std::size_t i = 0; i < piece.corner.size(); ++i) {
+      const glm::dvec3 a = viewOf(piece.corner[i]), b = viewOf(piece.corner[(i + 1) % piece.corner.size()]);
+      // The square grows as the border comes near: the widest that is thinkable first, then that of its depth.
+      const double depth = depthInSquare(face, a, b, sample, reachAt(world, face, face.nearDistance));
+      if (depth > 0 && depthInSquare(face, a, b, sample, reachAt(world, face, depth)) > 0) return true;
+    }
+  return false;
+}
+
+struct Agreement {
+  std::size_t pixels = 0, differing = 0, unexplained = 0;
+};
+
+void compare(const World& world, const reference::SurfacePieces& pieces, const Views& views, Agreement& agreement) {
+  for (std::size_t f = 0; f < views.faces.size(); ++f) {
+    const raster::Scissor& scissor = views.faces[f].scissor;
+    std::size_t pixel = 0;
+    for (int row = scissor.row; row < scissor.row + scissor.height; ++row)
+      for (int column = scissor.column; column < scissor.column + scissor.width; ++column, ++pixel) {
+        ++agreement.pixels;
+        if (world.shownBy(views.byTexture[f].words[pixel]) == world.shownBy(views.byMesh[f].words[pixel])) continue;
+        ++agreement.differing;
+        if (!isAtBorder(world, pieces, views.faces[f], {column + 0.5, row + 0.5})) ++agreement.unexplained;
+      }
+  }
+}
+
+/// The share of the light that two rows send to different places, counted at both.
+double differenceOf(const radiosity::FormFactorRow& a, const radiosity::FormFactorRow& b) {
+  std::map<std::uint32_t, double> difference;
+  for (std::size_t i = 0; i < a.elements.size(); ++i) difference[a.elements[i]] += radiosity::formFactor(a.shares[i]);
+  for (std::size_t i = 0; i < b.elements.size(); ++i) difference[b.elements[i]] -= radiosity::formFactor(b.shares[i]);
+  double sum = 0;
+  for (const auto& [element, value] : difference) sum += std::abs(value);
+  return sum;
+}
+
+double doubledArea(const raster::DrawList& list, std::uint32_t first) {
+  const auto corner = [&](std::uint32_t k) { return glm::dvec3(list.positions[list.indices[first + k]]); };
+  return glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+}
+
+double perimeter(const raster::DrawList& list, std::uint32_t first) {
+  const auto corner = [&](std::uint32_t k) { return glm::dvec3(list.positions[list.indices[first + k % 3]]); };
+  return glm::distance(corner(0), corner(1)) + glm::distance(corner(1), corner(2)) +
+         glm::distance(corner(2), corner(3));
+}
+
+}  // namespace
+
+TEST_CASE("Mesh and textures show different elements only where rounding moves a border over a sample", "[meshing]") {
+  struct Case {
+    std::string file;
+    radiosity::DiscretizationSettings settings;
+  };
+  const std::vector<Case> cases{{"paper-room.obj", {.texels = 8}},
+                                {"cornell-box.obj", {.texels = 10}},
+                                {"pyramid-room.obj", {.texels = 13}},
+                                {"curved-room.obj", {.texels = 16}}};
+  Agreement all;
+  for (const Case& c : cases) {
+    const World world(dataScene(c.file), c.settings);
+    const reference::SurfacePieces pieces = reference::surfacePieces(world.scene, world.discretization);
+    Agreement agreement;
+    const auto patches = static_cast<std::uint32_t>(world.discretization.patches.size());
+    for (std::uint32_t view = 0; view < 4; ++view)
+      compare(world, pieces, viewsFrom(world, (2 * view + 1) * patches / 8, 128), agreement);
+    CAPTURE(c.file, agreement.pixels, agreement.differing);
+    CHECK(agreement.unexplained == 0);
+    all.pixels += agreement.pixels;
+    all.differing += agreement.differing;
+  }
+  // Borders are where they are by chance. There are some five to ten in a hundred pixels' length, and each is off by
+  // a sub-pixel's third or so: a few in ten thousand samples lie between.
+  CAPTURE(all.differing, all.pixels);
+  CHECK(all.differing > 0);
+  CHECK(all.differing < all.pixels / 1000);
+}
+
+TEST_CASE("The pieces of an element have the area of its texels, buried or not", "[meshing]") {
+  // What lies inside a solid has no part in elements' areas, but is drawn: nothing sees it.
+  std::vector<Scene> scenes{dataScene("paper-room.obj"), dataScene("cornell-box.obj"), dataScene("pyramid-room.obj"),
+                            dataScene("curved-room.obj"), tests::furnishedRoom()};
+  for (const radiosity::Surface& surface : tests::tableOfSurfaces()) scenes.push_back(tests::sceneOf({surface}));
+  for (const Scene& scene : scenes)
+    for (const int texels : {1, 5, 16}) {
+      const World world(scene, {.texels = texels});
+      const raster::DrawList& list = world.mesh.list;
+      std::vector<double> area(world.discretization.elements.size()), bound(area.size());
+      // A corner is off by at most binary32's rounding, the finer one that joins corners, and a quad's bend (see
+      // makeMeshedDraws): each along three axes. A triangle's area changes by half its perimeter times that.
+      const double moved = (std::sqrt(3) * (0x1p-25 + 0x1p-31) + 0x1p-24) * scene.extent;
+      for (const raster::Draw& draw : list.draws) {
+        const std::uint32_t element = world.shownBy(draw.offset);
+        for (std::uint32_t first = draw.first; first < draw.first + draw.count; first += 3) {
+          area[element] += doubledArea(list, first) / 2;
+          bound[element] += perimeter(list, first) / 2 * moved + moved * moved;
+        }
+      }
+      std::vector<double> expected(area.size());
+      for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+        const radiosity::Grid& grid = world.discretization.grids[s];
+        const auto whole = radiosity::texelAreas(scene.surfaces[s], {grid.columns, grid.rows, {}}).area;
+        for (std::size_t texel = 0; texel < whole.size(); ++texel) expected[grid.spill[texel]] += whole[texel];
+      }
+      std::size_t wrong = 0;
+      // What lies in texels that hold next to nothing is no piece (coverageNoise), and areas are summed in binary64.
+      for (std::size_t e = 0; e < area.size(); ++e)
+        wrong += std::abs(area[e] - expected[e]) > bound[e] + 1e-12 * area[e];
+      CAPTURE(scene.surfaces.front().name, texels, area.size());
+      CHECK(wrong == 0);
+    }
+}
+
+TEST_CASE("A wall of N x N texels costs two triangles a texel, and the paper's scene 439 quads", "[meshing]") {
+  radiosity::DiscretizationSettings settings{.texels = 8, .surfaceTexels = {{"light", 1}}};
+  for (const std::string side : {"bottom", "top", "front", "right", "back", "left"})
+    settings.surfaceTexels["box-" + side] = 3;
+  const World room(dataScene("paper-room.obj"), settings);
+  CHECK(room.discretization.elements.size() == 439);
+  CHECK(room.mesh.list.draws.size() == 439);
+  CHECK(room.mesh.list.indices.size() == 3 * 2 * 439);
+
+  // A quad is cut as one, however its diagonal runs through the grid.
+  const World wall(tests::sceneOf({tests::parallelogram("wall", {0, 0, 0}, {3, 0, 1}, {0, 2, 0.5})}),
+                   {.texelSize = 0.31});
+  const radiosity::Grid& grid = wall.discretization.grids[0];
+  REQUIRE(grid.columns != grid.rows);
+  CHECK(wall.mesh.list.draws.size() == static_cast<std::size_t>(grid.columns * grid.rows));
+  CHECK(wall.mesh.list.indices.size() == static_cast<std::size_t>(3 * 2 * grid.columns * grid.rows));
+  CHECK(wall.mesh.list.positions.size() == static_cast<std::size_t>((grid.columns + 1) * (grid.rows + 1)));
+  CHECK(wall.mesh.firstPiece == std::vector<std::uint32_t>{0, static_cast<std::uint32_t>(2 * grid.columns * grid.rows),
+                                                           static_cast<std::uint32_t>(2 * grid.columns * grid.rows)});
+}
+
+TEST_CASE("Where surfaces meet with the same grid, a mesh has no gap", "[meshing]") {
+  // Every side of a triangle is also a side of another, the other way round: the room is closed, and so is the box.
+  World world(dataScene("paper-room.obj"), {.texels = 7, .surfaceTexels = {{"light", 1}}});
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+  const std::vector<std::uint32_t>& indices = world.mesh.list.indices;
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const std::uint32_t a = indices[i], b = indices[i % 3 == 2 ? i - 2 : i + 1];
+    ++sides[{a, b}];
+    --sides[{b, a}];
+  }
+  const auto open = std::count_if(sides.begin(), sides.end(), [](const auto& side) { return side.second != 0; });
+  CHECK(open == 2 * 4);  // the light's outline
+  for (std::uint32_t patch = 0; patch < world.discretization.patches.size(); patch += 5)
+    for (const raster::ItemBuffer& buffer : viewsFrom(world, patch, 64).byMesh)
+      CHECK(std::count(buffer.words.begin(), buffer.words.end(), raster::backgroundWord(world.layout.format)) == 0);
+}
+
+TEST_CASE("Leaving out a triangle of the scene leaves out its pieces", "[meshing]") {
+  // Two triangles of a warped quad: no plane, so that each is cut for itself.
+  const World world(tests::sceneOf({tests::quad("warped", {{{0, 0, 0}, {2, 0, 1}, {2, 3, -1}, {0, 1, 2}}})}),
+                    {.texels = 6});
+  REQUIRE(world.mesh.firstPiece.size() == 3);
+  const std::uint32_t second = world.mesh.firstPiece[1], end = world.mesh.firstPiece[2];
+  CHECK(second > 0);
+  CHECK(end == world.mesh.list.indices.size() / 3);
+
+  class Recorder final : public raster::ItemBufferRenderer {
+   public:
+    explicit Recorder(std::vector<std::uint32_t>& skipped) : skipped_(skipped) {}
+    void draw(std::span<const raster::Face>, std::span<const std::uint32_t> skipped, Drawn&) override {
+      skipped_.assign(skipped.begin(), skipped.end());
+    }
+
+   private:
+    std::vector<std::uint32_t>& skipped_;
+  };
+  std::vector<std::uint32_t> skipped;
+  radiosity::MeshedRenderer renderer(std::make_unique<Recorder>(skipped), world.mesh.firstPiece);
+  const std::vector<std::uint32_t> lastTriangle{1};
+  renderer.render({}, lastTriangle);
+  std::vector<std::uint32_t> expected(end - second);
+  std::iota(expected.begin(), expected.end(), second);
+  CHECK(skipped == expected);
+  skipped.clear();
+  std::vector<raster::ItemBuffer> buffers;
+  renderer.drawEach({}, lastTriangle, buffers, [](std::size_t) {});
+  CHECK(skipped == expected);
+}
+
+TEST_CASE("The solutions of mesh and textures differ by no more than their rows", "[meshing]") {
+  for (const std::string file : {"cornell-box.obj", "paper-room.obj"}) {
+    const Scene scene = dataScene(file);
+    const Discretization unsplit = radiosity::discretize(scene, {.texels = 8});
+    const double residual = 1e-5;
+    std::vector<std::vector<radiosity::FormFactorRow>> rows;
+    std::vector<radiosity::Solution> solutions;
+    std::optional<Discretization> split;
+    for (const auto method : {radiosity::ElementsBy::Texture, radiosity::ElementsBy::Mesh}) {
+      radiosity::DrawnRows drawn(scene, unsplit, layoutOf(unsplit),
+                                 {.resolution = 128, .split = 1, .elementsBy = method});
+      if (split) REQUIRE(split->patches.size() == drawn.discretization().patches.size());
+      split = drawn.discretization();
+      std::vector<radiosity::FormFactorRow>& ofMethod = rows.emplace_back();
+      for (std::uint32_t patch = 0; patch < split->patches.size(); ++patch)
+        ofMethod.push_back(drawn.rows().ofPatch(patch));
+      const auto rowOf = [&](std::uint32_t patch) { return ofMethod[patch]; };
+      solutions.push_back(radiosity::solve(scene, *split, rowOf, {.residual = residual}));
+    }
+
+    double reflectance = 0, emitted = 0, flux = 0, apart = 0;
+    std::vector<double> ofPatch(split->patches.size());
+    for (std::uint32_t e = 0; e < split->elements.size(); ++e) {
+      const auto fluxOf = [&](const glm::dvec3& radiosity) {
+        return split->elements[e].area * (radiosity.x + radiosity.y + radiosity.z);
+      };
+      const glm::dvec3 rho = radiosity::reflectance(scene, *split, e);
+      reflectance = std::max({reflectance, rho.x, rho.y, rho.z});
+      emitted += fluxOf(radiosity::emission(scene, *split, e));
+      ofPatch[split->patchOf[e]] += fluxOf(solutions[0].radiosity[e]);
+      flux += fluxOf(solutions[0].radiosity[e]);
+      apart += fluxOf(glm::abs(solutions[0].radiosity[e] - solutions[1].radiosity[e]));
+    }
+    // With F the rows, R the reflectances and B the flux, B = E + R F B, so that
+    // |B - B'| <= r |(F - F') B| / (1 - r), with r the largest reflectance. What was not shot would be at most
+    // 1 / (1 - r) of itself in either solution.
+    double elsewhere = 0;
+    for (std::uint32_t patch = 0; patch < ofPatch.size(); ++patch)
+      elsewhere += differenceOf(rows[0][patch], rows[1][patch]) * ofPatch[patch];
+    const double bound = (reflectance * elsewhere + 2 * residual * emitted) / (1 - reflectance);
+    CAPTURE(file, elsewhere / flux, apart / flux, bound / flux);
+    CHECK(apart > 0);
+    CHECK(apart <= bound);
+    CHECK(bound < 0.01 * flux);
+  }
+}

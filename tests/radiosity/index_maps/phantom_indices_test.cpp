@@ -1,0 +1,133 @@
+// Indices that no texel with area produces: how many, by cause, and that rows do not know of them.
+#include "radiosity/index_maps/phantom_indices.h"
+
+#include <catch2/catch.hpp>
+
+#include "radiosity/form_factors/projected_form_factors.h"
+#include "raster/software/software_renderer.h"
+#include "tests/support/hand_scenes.h"
+
+using namespace hemitex;
+using namespace hemitex::radiosity;
+using namespace hemitex::tests;
+using raster::Blend;
+
+namespace {
+
+Phantoms phantomsOf(const Discretization& discretization, const WordSettings& words) {
+  return countPhantoms(discretization, layOut(discretization, words));
+}
+
+WordSettings withPage(IndexMaps way, int page) { return {.indexMaps = way, .page = page}; }
+
+Discretization paperRoom(const Scene& scene, int wall, int face) {
+  DiscretizationSettings settings{.texels = wall, .surfaceTexels = {{"light", 1}}};
+  for (const char* side : {"top", "bottom", "front", "right", "back", "left"})
+    settings.surfaceTexels["box-" + std::string(side)] = face;
+  return discretize(scene, settings);
+}
+
+}  // namespace
+
+TEST_CASE("the phantoms of the paper's room are those that its sizes foretell", "[phantoms]") {
+  const Scene scene = loadScene(std::string(HEMITEX_DATA) + "/paper-room.obj");
+  struct Expected {
+    std::string name;
+    WordSettings words;
+    std::uint64_t spare, gaps;
+  };
+  // Figure 2: six walls of 8 x 8, six faces of 3 x 3 and a light. 64 words are 6 bits: a face leaves 64 - 9 of them, up
+  // to the next offset or, with one map for all, inside the map. Pages of 8 x 8 hold a wall each, or four faces, or two
+  // faces and the light; pages of 16 x 16 hold four walls, or two walls, six faces and the light.
+  // The coarse level: 6 x 6, 2 x 2 and one, 241 elements. Walls leave 64 - 36, faces 64 - 4. Pages of 8 x 8 hold a wall
+  // each, and faces and light lie in the strips beside the walls.
+  const std::vector<Expected> figure{{"shared", {}, 0, 6 * 55},
+                                     {"one map for all", withPage(IndexMaps::Shared, 8), 6 * 55, 0},
+                                     {"unaligned", {"r8g8b8a8", Blend::IntegerAdd, false}, 0, 0},
+                                     {"pages of 8", withPage(IndexMaps::Packed, 8), 8 * 64 - 439, 0},
+                                     {"pages of 16", withPage(IndexMaps::Packed, 16), 2 * 256 - 439, 0},
+                                     {"unique", {.indexMaps = IndexMaps::Unique}, 0, 0}};
+  const std::vector<Expected> coarse{{"shared", {}, 0, 6 * 28 + 6 * 60},
+                                     {"one map for all", withPage(IndexMaps::Shared, 8), 6 * 28 + 6 * 60, 0},
+                                     {"one larger map for all", withPage(IndexMaps::Shared, 16), 12 * 256 - 240, 0},
+                                     {"unaligned", {"r8g8b8a8", Blend::IntegerAdd, false}, 0, 0},
+                                     {"pages of 8", withPage(IndexMaps::Packed, 8), 6 * 64 - 241, 0},
+                                     {"unique", {.indexMaps = IndexMaps::Unique}, 0, 0}};
+  const auto check = [&](const Discretization& discretization, const std::vector<Expected>& cases) {
+    for (const Expected& expected : cases) {
+      INFO(expected.name);
+      const Phantoms phantoms = phantomsOf(discretization, expected.words);
+      CHECK(phantoms.spareTexels == expected.spare);
+      CHECK(phantoms.alignmentGaps == expected.gaps);
+    }
+  };
+  check(paperRoom(scene, 8, 3), figure);
+  check(paperRoom(scene, 6, 2), coarse);
+}
+
+TEST_CASE("words in use, phantoms and gaps fill the range of words", "[phantoms]") {
+  // Counted by hand: every word below the last page's end is a texel with area, one without, or none at all.
+  const Scene scene = sceneOf({bump(3), lShape(), ring(8), flat("wall", rectangle({0, 0}, {0.75, 0.75}))});
+  const Discretization discretization = discretize(scene, {.texels = 12, .surfaceTexels = {{"ring", 17}}});
+  std::uint64_t covered = 0;
+  for (const Grid& grid : discretization.grids) covered += grid.spill.size() - grid.phantoms;
+  for (const WordSettings& words :
+       {WordSettings{}, WordSettings{"r8g8b8", Blend::IntegerAdd, false}, withPage(IndexMaps::Shared, 32),
+        withPage(IndexMaps::Packed, 32), withPage(IndexMaps::Packed, 64)}) {
+    const WordLayout layout = layOut(discretization, words);
+    const Page& last = layout.pages[layout.byOffset.back()];
+    const std::uint64_t block =
+        layout.aligned ? std::uint64_t{1} << layout.indexBits : std::uint64_t(last.columns) * std::uint64_t(last.rows);
+    const Phantoms phantoms = countPhantoms(discretization, layout);
+    CHECK(covered + phantoms.spareTexels + phantoms.alignmentGaps == last.offset + block);
+  }
+}
+
+TEST_CASE("unique maps and unaligned offsets leave none or few, packed pages fewer than shared maps", "[phantoms]") {
+  for (const char* name : {"cornell-box", "curved-room", "paper-room", "pyramid-room", "gallery"}) {
+    const Scene scene = loadScene(std::string(HEMITEX_DATA) + "/" + name + ".obj");
+    const Discretization discretization = discretize(scene, {.texelSize = scene.extent / 40});
+    const std::vector<IndexMapUse> uses = compareIndexMaps(discretization);
+    REQUIRE(uses.size() == 5);
+    const auto phantomsOf = [&](std::size_t way) {
+      return uses[way].phantoms.spareTexels + uses[way].phantoms.alignmentGaps;
+    };
+    INFO(name);
+    CHECK(phantomsOf(1) >= phantomsOf(0));  // one map for all leaves the most
+    CHECK(phantomsOf(3) < phantomsOf(0));   // packing
+    CHECK(uses[3].offsets < uses[0].offsets);
+    CHECK(uses[2].phantoms.alignmentGaps == 0);  // integer addition
+    CHECK(phantomsOf(2) == uses[0].phantoms.spareTexels);
+    CHECK(phantomsOf(4) == 0);  // elements alone
+    CHECK(uses[4].words == discretization.elements.size());
+    for (std::size_t way = 0; way < 4; ++way) CHECK(uses[way].words == uses[0].words);
+  }
+}
+
+TEST_CASE("rows hold what is seen, however many phantoms there are", "[phantoms]") {
+  const Scene scene = loadScene(std::string(HEMITEX_DATA) + "/cornell-box.obj");
+  const Discretization discretization = discretize(scene, {.texels = 9, .patch = 9});
+  const std::vector<WordSettings> ways{{.indexMaps = IndexMaps::Unique},
+                                       {"r8g8b8a8", Blend::IntegerAdd, false},
+                                       {},
+                                       withPage(IndexMaps::Shared, 16),
+                                       withPage(IndexMaps::Shared, 256)};
+  std::uint64_t before = 0;
+  std::optional<FormFactorRow> expected;
+  for (const WordSettings& words : ways) {
+    const WordLayout layout = layOut(discretization, words);
+    raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
+    ProjectedRows rows(scene, discretization, layout, renderer, {64});
+    const FormFactorRow row = rows.ofPatch(3);
+    const Phantoms phantoms = countPhantoms(discretization, layout);
+    const std::uint64_t count = phantoms.spareTexels + phantoms.alignmentGaps;
+    CHECK(count >= before);
+    before = count;
+    if (!expected) expected = row;
+    CHECK(row.elements == expected->elements);
+    CHECK(row.shares == expected->shares);
+    CHECK(row.elements.capacity() < 2 * discretization.elements.size());
+  }
+  // 16 surfaces of 9 x 9 texels in maps of 256 x 256: eight hundred phantoms an element.
+  CHECK(before > 800 * discretization.elements.size() * 9 / 10);
+}

@@ -1,0 +1,292 @@
+/// Pictures: orientation, filtering and Gouraud shading of the unlit view, and the views of words and meshes.
+#include "radiosity/pictures/pictures.h"
+
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+#include "radiosity/projection/hemicube.h"
+#include "raster/base/input_error.h"
+#include "raster/software/software_renderer.h"
+#include "tests/support/picture_scenes.h"
+
+using namespace hemitex;
+using namespace hemitex::radiosity;
+using namespace hemitex::tests;
+
+namespace {
+
+/// Sees the quad of fillingQuad from edge to edge.
+const Camera straight{{0, 0, 1}, {0, 0, 0}, {0, 1, 0}, 90};
+
+Surface fillingQuad() { return parallelogram("quad", {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}); }
+
+/// Bounds around the quad, without which its scene would have its origin in the quad: nothing that the camera sees.
+Surface farAway() { return parallelogram("far", {-1, -1, 3}, {1, 0, 0}, {0, 1, 0}); }
+
+glm::dvec3 pixelAt(const Image& image, int column, int row) {
+  return image.pixels[static_cast<std::size_t>(row * image.width + column)];
+}
+
+glm::ivec3 codesAt(const Image& image, int column, int row) {
+  const glm::dvec3 pixel = pixelAt(image, column, row);
+  return {encodeSrgb(pixel.x), encodeSrgb(pixel.y), encodeSrgb(pixel.z)};
+}
+
+const glm::dvec3 red(1, 0, 0), green(0, 1, 0), blue(0, 0, 1), yellow(1, 1, 0);
+
+Scene mappedScene(const Image& map) {
+  Scene scene = sceneOf({fillingQuad(), farAway()}, {Material{.name = "map", .reflectance = glm::dvec3(1.0)}});
+  scene.images = {map};
+  scene.materials[0].reflectanceMap = 0;
+  return scene;
+}
+
+/// A room with grids of 4 x 4 texels, its words and its hemicube.
+struct Room {
+  Scene scene = makeRoom();
+  Discretization discretization;
+  WordLayout layout;
+
+  Room() {
+    for (int wall = 0; wall < 6; ++wall) addGrid(discretization, 4, 4);
+    layout = layOut(discretization);
+  }
+};
+
+std::uint64_t hashOf(const Image& image) {
+  std::uint64_t hash = 14695981039346656037u;
+  for (const glm::dvec3& pixel : image.pixels)
+    for (int band = 0; band < 3; ++band) hash = (hash ^ encodeSrgb(pixel[band])) * 1099511628211u;
+  return hash;
+}
+
+}  // namespace
+
+TEST_CASE("a texture stands upright and unmirrored", "[picture]") {
+  // Row 0 of an image is its top, v = 0 its bottom: red is above left, where u = 0 and v = 1. Pixel 16 of 66 has its
+  // middle on the first texel's, and its samples lie 1/264 of the map beside it.
+  const Image picture = unlitPicture(mappedScene({2, 2, {red, green, blue, yellow}}), straight, 66, 66);
+  CHECK(glm::distance(pixelAt(picture, 16, 16), red) < 0.03);
+  CHECK(glm::distance(pixelAt(picture, 49, 16), green) < 0.03);
+  CHECK(glm::distance(pixelAt(picture, 16, 49), blue) < 0.03);
+  CHECK(glm::distance(pixelAt(picture, 49, 49), yellow) < 0.03);
+}
+
+TEST_CASE("a map is bilinear between its pixels' centres and wraps around", "[picture]") {
+  const Scene scene = mappedScene({2, 1, {glm::dvec3(0.0), glm::dvec3(1.0)}});
+  const auto at = [&](double u) {  // along the quad's lower edge, where u is the second weight
+    return unlitColour(scene, {.surface = 0, .triangle = 0, .weights = {1 - u, u, 0}}).x;
+  };
+  CHECK(at(0.25) == Approx(0).margin(1e-15));
+  CHECK(at(0.5) == Approx(0.5));
+  CHECK(at(0.625) == Approx(0.75));
+  CHECK(at(0.75) == Approx(1));
+  CHECK(at(0) == Approx(0.5));
+  CHECK(at(1) == Approx(0.5));
+  CHECK(at(0.125) == Approx(0.25));
+}
+
+TEST_CASE("coordinates far outside the map wrap like those inside", "[picture]") {
+  Scene scene = mappedScene({2, 1, {glm::dvec3(0.0), glm::dvec3(1.0)}});
+  for (glm::dvec2& texcoord : scene.surfaces[0].triangles[0].texcoord) texcoord += glm::dvec2(-7, 1 << 20);
+  CHECK(unlitColour(scene, {.surface = 0, .triangle = 0, .weights = {0.5, 0.5, 0}}).x == Approx(0.5));
+  for (glm::dvec2& texcoord : scene.surfaces[0].triangles[0].texcoord) texcoord = glm::dvec2(-1e300, 1e300);
+  CHECK(std::isfinite(unlitColour(scene, {.surface = 0, .triangle = 0, .weights = {0.5, 0.5, 0}}).x));
+}
+
+TEST_CASE("without a map the picture shows Kd, and black where nothing is", "[picture]") {
+  Scene scene = sceneOf({parallelogram("half", {-1, -1, 0}, {1, 0, 0}, {0, 2, 0}), farAway()});
+  scene.materials[0].reflectance = {0.25, 0.5, 0.75};
+  const Image picture = unlitPicture(scene, straight, 8, 8);
+  for (int row = 0; row < 8; ++row)
+    for (int column = 0; column < 8; ++column)
+      CHECK(pixelAt(picture, column, row) == (column < 4 ? glm::dvec3(0.25, 0.5, 0.75) : glm::dvec3(0.0)));
+}
+
+TEST_CASE("colours of corners are decoded and interpolated", "[picture]") {
+  Scene scene = sceneOf({fillingQuad(), farAway()}, {Material{.name = "white", .reflectance = glm::dvec3(1.0)}});
+  scene.surfaces[0].triangles[0].cornerColor = {glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(0.5, 2, -1)};
+  const glm::dvec3 colour = unlitColour(scene, {.surface = 0, .triangle = 0, .weights = {0.25, 0.25, 0.5}});
+  CHECK(colour.x == Approx(0.25 + 0.5 * decodeSrgb(0.5)).epsilon(1e-15));
+  CHECK(colour.y == Approx(0.75));  // clamped to what a display shows
+  CHECK(colour.z == Approx(0.25));
+}
+
+TEST_CASE("an unfiltered picture shows one value an element, v upwards", "[picture]") {
+  const Scene scene = sceneOf({fillingQuad(), farAway()});
+  Discretization discretization;
+  addGrid(discretization, 2, 2);
+  addGrid(discretization, 1, 1);
+  const std::vector<glm::dvec3> values{blue, yellow, red, green, glm::dvec3(9.0)};
+  const Image picture = elementPicture(scene, discretization, values, straight, 8, 8);
+  for (int row = 0; row < 8; ++row)
+    for (int column = 0; column < 8; ++column)
+      CHECK(pixelAt(picture, column, row) == (row < 4 ? (column < 4 ? red : green) : (column < 4 ? blue : yellow)));
+}
+
+TEST_CASE("a picture that is too large is the user's fault", "[picture]") {
+  const Scene scene = makeRoom();
+  CHECK_THROWS_AS(unlitPicture(scene, straight, 2049, 1), raster::InputError);
+}
+
+TEST_CASE("texels of an index map that touch can be told apart", "[picture]") {
+  for (int columns = 1; columns <= 20; ++columns)
+    for (int rows = 1; rows <= 20; ++rows) {
+      const Image map = indexMapImage(columns, rows, 1);
+      for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+          const int level = codesAt(map, column, row).x;
+          REQUIRE(level <= 127);
+          if (column > 0) REQUIRE(std::abs(level - codesAt(map, column - 1, row).x) >= 31);
+          if (row > 0) REQUIRE(std::abs(level - codesAt(map, column, row - 1).x) >= 31);
+        }
+    }
+}
+
+TEST_CASE("the index map on a quad is the index map, v upwards", "[picture]") {
+  const Scene scene = sceneOf({fillingQuad(), farAway()});
+  Discretization discretization;
+  addGrid(discretization, 4, 2);
+  addGrid(discretization, 1, 1);
+  const WordLayout layout = layOut(discretization, {"r8g8b8", raster::Blend::ClampedAdd, true});
+  const Image seen = indexMapPicture(scene, discretization, layout, straight, 16, 16);
+  const Image map = indexMapImage(4, 2, 1);
+  CHECK(codesAt(map, 0, 1) == glm::ivec3(15));  // texel 0 is below left, and the darkest
+  for (int row = 0; row < 16; ++row)
+    for (int column = 0; column < 16; ++column)
+      REQUIRE(pixelAt(seen, column, row) == pixelAt(map, column / 4, row / 8));
+}
+
+TEST_CASE("in codes, the picture of words is that of index maps plus that of offsets", "[picture]") {
+  const Room room;
+  const Camera camera{{0.3, -0.2, 0.4}, {-0.7, 0.1, -0.9}, {0.1, 1, 0.2}, 90};
+  const auto draw = [&](auto picture) { return picture(room.scene, room.discretization, room.layout, camera, 60, 50); };
+  const Image maps = draw(indexMapPicture), offsets = draw(offsetPicture), words = draw(wordPicture);
+  std::set<int> levels;
+  for (int row = 0; row < 50; ++row)
+    for (int column = 0; column < 60; ++column) {
+      REQUIRE(codesAt(words, column, row) == codesAt(maps, column, row) + codesAt(offsets, column, row));
+      levels.insert(codesAt(maps, column, row).x);
+    }
+  CHECK(levels.size() == 16);
+}
+
+TEST_CASE("what a clamped add makes of unaligned offsets is shown where it goes wrong, and counted", "[picture]") {
+  // The far grid's 250 words come first, so that the quad's are 250 to 265, and a channel of 8 bits ends at 255: texels
+  // 6 to 15 all become 255, the word of texel 5.
+  const Scene scene = sceneOf({farAway(), fillingQuad()});
+  Discretization discretization;
+  addGrid(discretization, 25, 10);
+  addGrid(discretization, 4, 4);
+  const glm::ivec3 magenta(255, 0, 255);
+  const auto errorsOf = [&](const WordSettings& words) {
+    return blendErrorPicture(scene, discretization, layOut(discretization, words), straight, 16, 16);
+  };
+  const BlendErrors errors = errorsOf({"r8g8b8", raster::Blend::ClampedAdd, false});
+  CHECK(errors.pixels == 10 * 16);
+  const Image right = errorsOf({"r8g8b8", raster::Blend::IntegerAdd, false}).picture;
+  for (int row = 0; row < 16; ++row)
+    for (int column = 0; column < 16; ++column) {
+      const bool isWrong = (15 - row) / 4 * 4 + column / 4 > 5;
+      REQUIRE(codesAt(errors.picture, column, row) == (isWrong ? magenta : codesAt(right, column, row)));
+      REQUIRE(codesAt(right, column, row).x == codesAt(right, column, row).y);
+    }
+  CHECK(errorsOf({"r8g8b8", raster::Blend::ClampedAdd, true}).pixels == 0);
+  CHECK(errorsOf({"r8g8b8", raster::Blend::IntegerAdd, false}).pixels == 0);
+  // 16 bits in channels of 5, 6 and 5: the sum overflows the first.
+  CHECK(errorsOf({"r5g6b5", raster::Blend::ClampedAdd, false}).pixels > 0);
+  CHECK(errorsOf({.format = "r8g8b8", .indexMaps = IndexMaps::Unique}).pixels == 0);
+}
+
+TEST_CASE("in the pictures of words packed surfaces share the hue of their page, unique ones have levels",
+          "[picture]") {
+  const Room room;
+  const Camera camera{{0.3, -0.2, 0.4}, {-0.7, 0.1, -0.9}, {0.1, 1, 0.2}, 90};
+  const auto coloursOf = [&](const WordSettings& words, auto picture) {
+    const Image image = picture(room.scene, room.discretization, layOut(room.discretization, words), camera, 60, 50);
+    std::set<std::array<int, 3>> colours;
+    for (int row = 0; row < 50; ++row)
+      for (int column = 0; column < 60; ++column) {
+        const glm::ivec3 codes = codesAt(image, column, row);
+        colours.insert({codes.x, codes.y, codes.z});
+      }
+    return colours;
+  };
+  // The camera sees four walls: two pages of 8 x 8 hold six of 4 x 4, four and two.
+  CHECK(coloursOf({}, offsetPicture).size() > 2);
+  CHECK(coloursOf({.indexMaps = IndexMaps::Packed, .page = 8}, offsetPicture).size() == 2);
+  CHECK(coloursOf({.indexMaps = IndexMaps::Packed, .page = 16}, offsetPicture).size() == 1);
+  CHECK(coloursOf({.indexMaps = IndexMaps::Unique}, indexMapPicture).size() == 16);
+}
+
+TEST_CASE("a wireframe shows polygons, not their triangles", "[picture]") {
+  const Scene whole = sceneOf({fillingQuad(), farAway()});
+  for (const glm::dvec3& pixel : wireframePicture(whole, straight, 16, 16).pixels) REQUIRE(pixel == glm::dvec3(1.0));
+
+  Surface cut = fillingQuad();
+  cut.triangles[1].polygon = 1;
+  const Image diagonal = wireframePicture(sceneOf({cut, farAway()}), straight, 16, 16);
+  for (int row = 0; row < 16; ++row)
+    for (int column = 0; column < 16; ++column) {
+      const int fromDiagonal = std::abs(15 - row - column);
+      if (fromDiagonal == 0) CHECK(pixelAt(diagonal, column, row).x < 0.5);
+      if (fromDiagonal > 1) CHECK(pixelAt(diagonal, column, row).x == 1);
+    }
+}
+
+TEST_CASE("a mesh shows the borders of elements, one pixel wide", "[picture]") {
+  const Scene scene = sceneOf({fillingQuad(), farAway()});
+  Discretization discretization;
+  addGrid(discretization, 4, 2);
+  addGrid(discretization, 1, 1);
+  const Image mesh = meshPicture(scene, discretization, straight, 32, 32);
+  for (int row = 0; row < 32; ++row)
+    for (int column = 0; column < 32; ++column) {
+      // A border between two pixels blackens the nearer half of each.
+      const auto touches = [](int pixel, int side) { return pixel % side == side - 1 || pixel % side == 0; };
+      const bool vertical = touches(column, 8) && column != 0 && column != 31;
+      const bool horizontal = row == 15 || row == 16;
+      REQUIRE(pixelAt(mesh, column, row).x == (vertical && horizontal ? 0.25 : vertical || horizontal ? 0.5 : 1));
+    }
+}
+
+TEST_CASE("an unfolded hemicube shows the ceiling in the middle and the walls around it", "[picture]") {
+  const Room room;
+  raster::SoftwareRenderer renderer(makeDrawList(room.scene, room.discretization, room.layout));
+  // Over the floor's middle, its rows towards the back wall.
+  const auto faces = facesOver(hemicubeFaces(32), {0, -0.999, 0}, {0, 1, 0}, {0, 0, -1}, 1e-4);
+  const std::vector<raster::ItemBuffer> buffers = renderer.render(faces, {});
+  const Image picture = hemicubePicture(room.layout, faces, buffers);
+  REQUIRE(picture.width == 64);
+  // What the floor's middle sees, looking up with its head towards the back wall: left and right change places for
+  // someone who lies on his back, as they do on a map of the sky.
+  const auto hueAt = [&](int column, int row) {
+    const glm::ivec3 codes = codesAt(picture, column, row);
+    return codes - std::min({codes.x, codes.y, codes.z});
+  };
+  const auto hueOf = [&](const char* name) {
+    const auto& surfaces = room.scene.surfaces;
+    const auto surface = std::find_if(surfaces.begin(), surfaces.end(), [&](const auto& s) { return s.name == name; });
+    const glm::dvec3 middle = 0.5 * (surface->triangles[0].position[0] + surface->triangles[0].position[2]);
+    const Camera camera{{0, 0, 0}, middle, {0.1, 0.2, 0.3}, 20};
+    const glm::ivec3 codes = codesAt(offsetPicture(room.scene, room.discretization, room.layout, camera, 1, 1), 0, 0);
+    return codes - std::min({codes.x, codes.y, codes.z});
+  };
+  CHECK(hueAt(32, 32) == hueOf("ceiling"));
+  CHECK(hueAt(32, 2) == hueOf("back"));
+  CHECK(hueAt(32, 61) == hueOf("front"));
+  CHECK(hueAt(2, 32) == hueOf("right"));
+  CHECK(hueAt(61, 32) == hueOf("left"));
+  CHECK(codesAt(picture, 5, 5) == glm::ivec3(160));
+}
+
+TEST_CASE("pictures are the same pixels on every machine", "[picture]") {
+  const Room room;
+  const Camera camera{glm::dvec3(-2.0 / 3), {0, 0, 0}, {0, 1, 0}, 60};
+  CHECK(hashOf(wordPicture(room.scene, room.discretization, room.layout, camera, 80, 60)) == 0x43534eded0eafb4cu);
+  CHECK(hashOf(wireframePicture(room.scene, camera, 80, 60)) == 0x1608f71a4e0d695u);
+}

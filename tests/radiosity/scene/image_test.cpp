@@ -1,0 +1,163 @@
+/// Images: the sRGB curve against the library's pow, and files that are read as they were written.
+#include "radiosity/scene/image.h"
+
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <thread>
+
+#include "raster/base/input_error.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace hemitex;
+using namespace hemitex::radiosity;
+
+namespace {
+
+std::string bytesOf(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// All 256 codes in red, the same backwards in green, and a third order in blue.
+Image everyCode() {
+  Image image{32, 8, {}};
+  for (int code = 0; code < 256; ++code)
+    image.pixels.emplace_back(decodeSrgb(code / 255.0), decodeSrgb((255 - code) / 255.0),
+                              decodeSrgb((code * 37 % 256) / 255.0));
+  return image;
+}
+
+void writeBytes(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+/// One pixel of blue, green, red, alpha in Truevision's format: 18 bytes of header, then the pixel.
+std::string targaPixel(const std::string& pixel) {
+  std::string header(18, '\0');
+  header[2] = 2;                                              // true colour, not compressed
+  header[12] = header[14] = 1;                                // 1 x 1
+  header[16] = static_cast<char>(8 * pixel.size());           // bits a pixel
+  header[17] = static_cast<char>(pixel.size() == 4 ? 8 : 0);  // of them alpha
+  return header + pixel;
+}
+
+}  // namespace
+
+TEST_CASE("the sRGB curve agrees with pow to the last digits", "[image]") {
+  for (int i = 0; i <= 100000; ++i) {
+    const double encoded = i / 100000.0;
+    const double expected = encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+    REQUIRE(std::abs(decodeSrgb(encoded) - expected) <= 1e-15);
+  }
+  CHECK(decodeSrgb(0) == 0);
+  CHECK(decodeSrgb(1) == 1);
+}
+
+TEST_CASE("every sRGB code survives decoding and encoding, and clamps at both ends", "[image]") {
+  for (int code = 0; code < 256; ++code) REQUIRE(encodeSrgb(decodeSrgb(code / 255.0)) == code);
+  CHECK(encodeSrgb(-1) == 0);
+  CHECK(encodeSrgb(2) == 255);
+  CHECK(encodeSrgb(std::numeric_limits<double>::infinity()) == 255);
+  CHECK(encodeSrgb(-std::numeric_limits<double>::infinity()) == 0);
+  CHECK(encodeSrgb(std::numeric_limits<double>::quiet_NaN()) == 0);
+}
+
+TEST_CASE("a linear value takes the code that is nearest in sRGB", "[image]") {
+  for (int i = 0; i <= 10000; ++i) {
+    const double encoded = i / 10000.0;
+    const double distance = std::abs(encodeSrgb(decodeSrgb(encoded)) / 255.0 - encoded);
+    REQUIRE(distance <= 0.5 / 255 + 1e-12);  // the slack is rounding at the thresholds themselves
+  }
+}
+
+TEST_CASE("a PNG is read as it was written, right way up", "[image]") {
+  const TemporaryFolder folder;
+  const Image written = everyCode();
+  writePng(folder.path / "codes.png", written);
+  const Image read = readImage(folder.path / "codes.png");
+  CHECK(read.width == 32);
+  CHECK(read.height == 8);
+  CHECK(read.pixels == written.pixels);
+}
+
+TEST_CASE("an EXR keeps every float, dark, bright and negative", "[image]") {
+  const TemporaryFolder folder;
+  const Image written{2, 2, {{0.1, 1e-30, 0}, {1e30, -3.5, 1}, {1.0 / 3, 2.0 / 3, 12345.678}, {-0.0, 65504, 65536}}};
+  writeExr(folder.path / "values.exr", written);
+  const Image read = readImage(folder.path / "values.exr");
+  REQUIRE(read.pixels.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) CHECK(read.pixels[i] == glm::dvec3(glm::vec3(written.pixels[i])));
+}
+
+TEST_CASE("equal pixels give equal files, whenever they are written", "[image]") {
+  const TemporaryFolder folder;
+  writePng(folder.path / "a.png", everyCode());
+  writeExr(folder.path / "a.exr", everyCode());
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+  writePng(folder.path / "b.png", everyCode());
+  writeExr(folder.path / "b.exr", everyCode());
+  CHECK(bytesOf(folder.path / "a.png") == bytesOf(folder.path / "b.png"));
+  CHECK(bytesOf(folder.path / "a.exr") == bytesOf(folder.path / "b.exr"));
+}
+
+TEST_CASE("grey becomes three channels and alpha is dropped without touching the colour", "[image]") {
+  const TemporaryFolder folder;
+  writeBytes(folder.path / "grey.pgm", std::string("P5 2 1 255\n\x00\xbc", 13));
+  CHECK(readImage(folder.path / "grey.pgm").pixels[1] == glm::dvec3(decodeSrgb(188 / 255.0)));
+  writeBytes(folder.path / "alpha.tga", targaPixel("\x10\x33\xff\x01"));
+  CHECK(readImage(folder.path / "alpha.tga").pixels[0] == glm::dvec3(1, decodeSrgb(0.2), decodeSrgb(16 / 255.0)));
+}
+
+TEST_CASE("more than 8 bits are taken as linear", "[image]") {
+  const TemporaryFolder folder;
+  writeBytes(folder.path / "deep.ppm", std::string("P6 1 1 65535\n\x33\x33\0\0\x33\x33", 19));
+  CHECK(glm::distance(readImage(folder.path / "deep.ppm").pixels[0], glm::dvec3(0.2, 0, 0.2)) < 1e-7);
+}
+
+TEST_CASE("a file that is no image, or holds a NaN, is the user's fault", "[image]") {
+  const TemporaryFolder folder;
+  writeBytes(folder.path / "text.png", "this is no image");
+  CHECK_THROWS_AS(readImage(folder.path / "text.png"), raster::InputError);
+  CHECK_THROWS_AS(readImage(folder.path / "absent.png"), raster::InputError);
+  writeExr(folder.path / "whole.exr", everyCode());
+  const std::string bytes = bytesOf(folder.path / "whole.exr");
+  writeBytes(folder.path / "cut.exr", bytes.substr(0, bytes.size() / 2));
+  CHECK_THROWS_AS(readImage(folder.path / "cut.exr"), raster::InputError);
+  writeExr(folder.path / "nan.exr", {1, 1, {{0, std::numeric_limits<double>::quiet_NaN(), 0}}});
+  CHECK_THROWS_AS(readImage(folder.path / "nan.exr"), raster::InputError);
+}
+
+TEST_CASE("an image that claims more pixels than memory holds is the user's fault", "[image]") {
+  const TemporaryFolder folder;
+  writeBytes(folder.path / "huge.pgm", "P5 60000 60000 255\n");
+  CHECK_THROWS_AS(readImage(folder.path / "huge.pgm"), raster::InputError);
+}
+
+TEST_CASE("a picture that cannot be written throws and leaves nothing behind", "[image]") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_AS(writePng(folder.path / "absent" / "a.png", everyCode()), raster::InputError);
+  std::filesystem::create_directory(folder.path / "folder.png");
+  CHECK_THROWS_AS(writePng(folder.path / "folder.png", everyCode()), raster::InputError);
+  CHECK(std::filesystem::is_directory(folder.path / "folder.png"));
+}
+
+TEST_CASE("a full disk is noticed, and what is no file of ours is left alone", "[image]") {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("/dev/full", folder.path / "full.png");
+  CHECK_THROWS_AS(writePng(folder.path / "full.png", everyCode()), raster::InputError);
+  CHECK(std::filesystem::is_symlink(folder.path / "full.png"));
+}
+
+TEST_CASE("an EXR refuses what 32 bits do not hold, and keeps what they do", "[image]") {
+  const TemporaryFolder folder;
+  const double most = std::numeric_limits<float>::max();
+  writeExr(folder.path / "most.exr", {1, 1, {{most, -most, 0}}});
+  CHECK(readImage(folder.path / "most.exr").pixels == std::vector{glm::dvec3(most, -most, 0)});
+  CHECK_THROWS_WITH(writeExr(folder.path / "more.exr", {1, 1, {{0, 1.01 * most, 0}}}),
+                    Catch::Contains("more.exr") && Catch::Contains("scale the light down"));
+  CHECK_FALSE(std::filesystem::exists(folder.path / "more.exr"));
+}

@@ -1,0 +1,85 @@
+// MTL files: reflectance, emission and maps, and what is refused with its line.
+#include "radiosity/scene/mtl_file.h"
+
+#include <catch2/catch.hpp>
+
+#include "raster/base/input_error.h"
+
+using namespace hemitex;
+using radiosity::MaterialStatement;
+using radiosity::parseMaterials;
+
+TEST_CASE("what is wrong in an MTL file is refused with its line", "[material]") {
+  struct Case {
+    std::string text;
+    int line;
+    std::string word;
+  };
+  const auto [text, line, word] = GENERATE(values<Case>({
+      {"newmtl a\nKd 0.5 x 0.5\n", 2, "'x' is not a number"},
+      {"newmtl a\nKd 0.5 nan 0.5\n", 2, "'nan' is not a finite number"},
+      {"newmtl a\n\nKe 1 inf 1\n", 3, "'inf' is not a finite number"},
+      {"newmtl a\nKd 0.5 0.5\n", 2, "Kd has 3 numbers"},
+      {"newmtl a\nKe\n", 2, "Ke has 3 numbers"},
+      {"newmtl a\nKd 0.5 0.5 0.5 1\n", 2, "one number too many"},
+      {"newmtl a\nKd spectral red.rfl\n", 2, "'spectral' is not a number"},
+      {"newmtl a\r\nKd 0.5 0.5 -0.1\r\n", 2, "Kd is negative"},
+      {"newmtl a\nKd 1 1 1\nnewmtl b\nKe -1e-300 0 0\n", 4, "Ke is negative"},
+      {"newmtl a\nKe 1 1e30 1.001e30\n", 2, "Ke is above 1e30"},
+  }));
+  CAPTURE(text);
+  try {
+    parseMaterials(text, "room.mtl");
+    FAIL("accepted");
+  } catch (const raster::InputError& error) {
+    CHECK(error.file() == "room.mtl");
+    CHECK(error.line() == line);
+    CHECK_THAT(error.what(), Catch::Contains(word));
+  }
+}
+
+TEST_CASE("parseMaterials compares Ke as a radiosity with the largest emission", "[material_file]") {
+  using radiosity::EmissionUnit;
+  const auto read = [](const std::string& emission, EmissionUnit unit) {
+    return parseMaterials("newmtl a\nKe " + emission + "\n", "room.mtl", unit);
+  };
+  CHECK_NOTHROW(read("1e30", EmissionUnit::Radiosity));
+  CHECK(read("3e29", EmissionUnit::Radiance)[0].emission == glm::dvec3(3e29));  // as written
+  CHECK_THROWS_WITH(read("3.2e29", EmissionUnit::Radiance), Catch::Contains("room.mtl:2: Ke is above 1e30 / pi"));
+}
+
+TEST_CASE("materials hold what the file says and nothing else", "[material]") {
+  const std::vector<MaterialStatement> materials = parseMaterials(
+      "Kd 9 9 9\n# a comment\nnewmtl red paint\nKa x\n\tKd 0.7 0.1 0.1 # dull\nNs 10\n"
+      "newmtl lamp\nKe 12\nKd 0 0 0\nillum 2\nnewmtl bare\n",
+      "room.mtl");
+  REQUIRE(materials.size() == 3);
+  CHECK(materials[0].name == "red paint");
+  CHECK(materials[0].reflectance == glm::dvec3(0.7, 0.1, 0.1));
+  CHECK_FALSE(materials[0].emission);
+  CHECK(materials[1].emission == glm::dvec3(12));
+  CHECK(materials[1].reflectance == glm::dvec3(0));
+  CHECK(materials[2].name == "bare");
+  CHECK_FALSE(materials[2].reflectance);
+  CHECK_FALSE(materials[2].reflectanceMap);
+}
+
+TEST_CASE("maps are named behind their options", "[material]") {
+  struct Case {
+    std::string line, image;
+    bool hasOptions;
+  };
+  const auto [line, image, hasOptions] = GENERATE(values<Case>({
+      {"map_Kd wood.png", "wood.png", false},
+      {"map_Kd  maps/old wood.png ", "maps/old wood.png", false},
+      {"map_Kd -s 2 2 1 -clamp on wood.png", "wood.png", true},
+      {"map_Kd -s 2 2 1", "", true},
+      {"map_Kd", "", false},
+  }));
+  CAPTURE(line);
+  const std::vector<MaterialStatement> materials = parseMaterials("newmtl a\n" + line + "\nmap_Ke sky.exr\n", "");
+  REQUIRE(materials[0].reflectanceMap);
+  CHECK(materials[0].reflectanceMap->image == image);
+  CHECK(materials[0].reflectanceMap->hasOptions == hasOptions);
+  CHECK(materials[0].emissionMap->image == "sky.exr");
+}

@@ -1,0 +1,163 @@
+// Edits of a scene: what they change, and that all else stays.
+#include "radiosity/scene/scene_edits.h"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <string>
+
+#include "radiosity/discretization/edited_discretization.h"
+#include "raster/base/input_error.h"
+#include "tests/support/hand_scenes.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace hemitex;
+using namespace hemitex::radiosity;
+
+namespace {
+
+std::vector<std::string> namesOf(const std::vector<Surface>& surfaces) {
+  std::vector<std::string> names;
+  for (const Surface& surface : surfaces) names.push_back(surface.name);
+  return names;
+}
+
+/// Four squares, two of one family.
+Scene squares() {
+  std::vector<Surface> surfaces;
+  for (int s = 0; s < 4; ++s)
+    surfaces.push_back(tests::parallelogram("square" + std::to_string(s), {2.0 * s, 0, 0}, {1, 0, 0}, {0, 1, 0}));
+  surfaces[1].family = surfaces[2].family = "pair";
+  return tests::sceneOf(std::move(surfaces));
+}
+
+std::string messageOf(const std::vector<Edit>& edits) {
+  try {
+    edited(squares(), {}, edits);
+  } catch (const raster::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a move shifts the corners of all that is named and nothing else", "[scene_edits]") {
+  const Scene before = squares();
+  for (const char* name : {"pair", "pai*"}) {
+    const EditedScene edit = edited(before, {}, {{Move{name, {0.5, 0, 0.25}}}});
+    CHECK(edit.scene.origin == before.origin);
+    CHECK(edit.scene.extent == before.extent);
+    for (std::uint32_t s = 0; s < 4; ++s) {
+      const bool moves = s == 1 || s == 2;
+      CHECK(edit.origins[s].former == s);
+      CHECK(edit.origins[s].isMoved == moves);
+      const glm::dvec3 shift = moves ? glm::dvec3(0.5, 0, 0.25) : glm::dvec3(0);
+      CHECK(edit.scene.surfaces[s].triangles[1].position[2] == before.surfaces[s].triangles[1].position[2] + shift);
+      CHECK(edit.scene.surfaces[s].triangles[1].chart == before.surfaces[s].triangles[1].chart);
+    }
+  }
+}
+
+TEST_CASE("what is removed can be put back, at the end, and what is twice gone is an error", "[scene_edits]") {
+  EditedScene edit = edited(squares(), {}, {{Remove{"pair"}}});
+  CHECK(namesOf(edit.scene.surfaces) == std::vector<std::string>{"square0", "square3"});
+  CHECK(edit.origins[1].former == 3U);
+  CHECK(namesOf(edit.removed) == std::vector<std::string>{"square1", "square2"});
+  CHECK_THROWS_AS(edited(edit.scene, edit.removed, {{Remove{"pair"}}}), raster::InputError);
+  edit = edited(edit.scene, edit.removed, {{Restore{"square2"}}});
+  CHECK(namesOf(edit.scene.surfaces) == std::vector<std::string>{"square0", "square3", "square2"});
+  CHECK_FALSE(edit.origins[2].former);
+  CHECK(edit.scene.surfaces[2].triangles[0].position == squares().surfaces[2].triangles[0].position);
+  CHECK(namesOf(edit.removed) == std::vector<std::string>{"square1"});
+}
+
+TEST_CASE("both sides of a surface come and go as one, and know each other by their new numbers", "[scene_edits]") {
+  Scene scene = squares();
+  for (int s = 0; s < 4; ++s) {
+    Surface back = scene.surfaces[static_cast<std::size_t>(s)];
+    back.name += "/back";
+    back.family += "/back";
+    back.twin = s;
+    scene.surfaces[static_cast<std::size_t>(s)].twin = 4 + s;
+    scene.surfaces.push_back(back);
+  }
+  EditedScene edit = edited(scene, {}, {{Remove{"square0"}, Remove{"pair"}, Restore{"square1"}}});
+  CHECK(namesOf(edit.scene.surfaces) == std::vector<std::string>{"square3", "square3/back", "square1", "square1/back"});
+  for (const std::vector<Surface>* surfaces : {&edit.scene.surfaces, &edit.removed})
+    for (std::size_t s = 0; s < surfaces->size(); ++s) {
+      const Surface& twin = (*surfaces)[static_cast<std::size_t>(*(*surfaces)[s].twin)];
+      CHECK(*twin.twin == static_cast<int>(s));
+      CHECK((twin.name + "/back" == (*surfaces)[s].name || twin.name == (*surfaces)[s].name + "/back"));
+    }
+}
+
+TEST_CASE("a surface gets a material of its own where its emission or reflectance is set", "[scene_edits]") {
+  const EditedScene edit =
+      edited(squares(), {}, {{SetEmission{"pair", {1, 2, 3}}, SetReflectance{"square1", {0.1, 0.2, 0.3}}}});
+  const auto materialOf = [&](std::size_t s) {
+    return edit.scene.materials[static_cast<std::size_t>(edit.scene.surfaces[s].material)];
+  };
+  CHECK(materialOf(0).emission == glm::dvec3(0));
+  CHECK(materialOf(1).emission == glm::dvec3(1, 2, 3));
+  CHECK(materialOf(1).reflectance == glm::dvec3(0.1, 0.2, 0.3));
+  CHECK(materialOf(2).emission == glm::dvec3(1, 2, 3));
+  CHECK(materialOf(2).reflectance == glm::dvec3(0.5));
+  CHECK_FALSE(edit.origins[1].isMoved);
+}
+
+TEST_CASE("added objects get names that are free", "[scene_edits]") {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "more.obj") << "v 0 0 0\nv 1 0 0\nv 1 1 0\ng square0\nf 1 2 3\ng other\nf 3 2 1\n";
+  const EditedScene edit = edited(squares(), {}, {{Add{folder.path / "more.obj", {}, {0, 0, 3}}}});
+  CHECK(namesOf(edit.scene.surfaces) ==
+        std::vector<std::string>{"square0", "square1", "square2", "square3", "square0~2", "other"});
+  CHECK(edit.scene.surfaces[4].family == "square0~2");
+  CHECK(edit.scene.surfaces[4].triangles[0].position[0].z == 3);
+  CHECK_FALSE(edit.origins[4].former);
+  CHECK(edit.scene.surfaces[4].material == 1);
+}
+
+TEST_CASE("edits that cannot be made are told with what to do", "[scene_edits]") {
+  CHECK(messageOf({Move{"squar1", glm::dvec3(0)}}).find("`square0`") != std::string::npos);
+  CHECK(messageOf({Restore{"square1"}}).find("nothing was removed") != std::string::npos);
+  CHECK(messageOf({Move{"square0", glm::dvec3(1e6)}}).find("extents") != std::string::npos);
+  CHECK(messageOf({SetReflectance{"square0", glm::dvec3(1)}}).find("below 1") != std::string::npos);
+  CHECK(messageOf({SetEmission{"square0", {0, -1, 0}}}).find("below 0") != std::string::npos);
+  CHECK(messageOf({SetEmission{"square0", {0, 0, 2e30}}}).find("above 1e30") != std::string::npos);
+  CHECK(messageOf({SetEmission{"square0", {0, 0, 1e30}}}).empty());
+  CHECK(messageOf({Remove{"square*"}, Remove{"pair"}}).find("nothing of the scene") != std::string::npos);
+  CHECK(messageOf({Remove{"square*"}}).empty());
+}
+
+TEST_CASE("what stays keeps its elements, patches and turns, and what is new is discretized by itself",
+          "[scene_edits]") {
+  const Scene before = squares();
+  const DiscretizationSettings settings{.texels = 4, .surfaceTexels = {{"square0", 8}, {"square3", 2}}, .patch = 2};
+  const Discretization whole = discretize(before, settings);
+  const EditedScene edit = edited(before, {}, {{Remove{"square0"}, Remove{"square3"}, Restore{"square0"}}});
+  const Discretization carriedOver = carried(whole, edit, settings);
+  REQUIRE(carriedOver.grids.size() == 3);
+  const std::vector<std::uint32_t> former = {1, 2, 0};
+  for (std::uint32_t s = 0; s < 3; ++s) {
+    const Grid& grid = carriedOver.grids[s];
+    const Grid& old = whole.grids[former[s]];
+    CHECK(grid.columns == old.columns);
+    REQUIRE(grid.elementCount == old.elementCount);
+    REQUIRE(grid.patchCount == old.patchCount);
+    for (std::uint32_t e = 0; e < grid.elementCount; ++e) {
+      const Element& element = carriedOver.elements[grid.firstElement + e];
+      CHECK(element.surface == s);
+      CHECK(element.area == whole.elements[old.firstElement + e].area);
+      CHECK(carriedOver.patchOf[grid.firstElement + e] - grid.firstPatch ==
+            whole.patchOf[old.firstElement + e] - old.firstPatch);
+      CHECK(grid.spill[element.texel] == grid.firstElement + e);
+    }
+    for (std::uint32_t p = 0; p < grid.patchCount; ++p) {
+      const Patch& patch = carriedOver.patches[grid.firstPatch + p];
+      CHECK(patch.surface == s);
+      if (s < 2) CHECK(patch.turn == old.firstPatch + p);
+      for (std::uint32_t i = 0; i < patch.elementCount; ++i)
+        CHECK(carriedOver.patchOf[carriedOver.patchElements[patch.firstElement + i]] == grid.firstPatch + p);
+    }
+  }
+}

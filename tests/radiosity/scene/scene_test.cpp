@@ -1,0 +1,355 @@
+// Scenes: what an OBJ file and its materials become, and what is mended with a warning.
+#include "radiosity/scene/scene.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <set>
+
+#include "raster/base/input_error.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace hemitex;
+using namespace hemitex::radiosity;
+
+namespace {
+
+/// Files of a scene, gone with the test.
+class SceneFiles {
+ public:
+  explicit SceneFiles(const std::string& obj, const std::string& mtl = {}) {
+    write("scene.obj", obj);
+    if (!mtl.empty()) write("scene.mtl", mtl);
+  }
+  std::filesystem::path path(const std::string& name) const { return folder_.path / name; }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
+  Scene load(const SceneSettings& settings = {}) const { return loadScene(path("scene.obj"), settings); }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+Scene load(const std::string& obj, const SceneSettings& settings = {}) { return SceneFiles(obj).load(settings); }
+
+/// A scene of one triangle of a material, defined by `statements`.
+Scene loadMaterial(const std::string& statements, const SceneSettings& settings = {}) {
+  return SceneFiles("mtllib scene.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl paint\nf 1 2 3\n",
+                    "newmtl paint\n" + statements)
+      .load(settings);
+}
+
+const std::string cubeVertices =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+    "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
+const std::string cubeFaces = "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+std::vector<std::string> namesOf(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Surface& surface : scene.surfaces) names.push_back(surface.name);
+  return names;
+}
+
+double totalArea(const Scene& scene) {
+  double sum = 0;
+  for (const Surface& surface : scene.surfaces) {
+    for (const Triangle& triangle : surface.triangles) sum += area(triangle);
+  }
+  return sum;
+}
+
+/// Whether one of the warnings contains all words.
+bool warns(const Scene& scene, const std::vector<std::string>& words) {
+  for (const std::string& warning : scene.warnings) {
+    bool all = true;
+    for (const std::string& word : words) all = all && warning.find(word) != std::string::npos;
+    if (all) return true;
+  }
+  return false;
+}
+
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("a cube in one group is six surfaces of one family", "[scene]") {
+  const Scene scene = load(cubeVertices + "g box\n" + cubeFaces);
+  CHECK(namesOf(scene) == Names{"box#1", "box#2", "box#3", "box#4", "box#5", "box#6"});
+  for (const Surface& surface : scene.surfaces) CHECK(surface.family == "box");
+  CHECK(totalArea(scene) == 6);
+  CHECK(triangleCount(scene) == 12);
+  CHECK(scene.origin == glm::dvec3(0.5));
+  CHECK(scene.extent == Approx(std::sqrt(3.0)));
+  CHECK(normal(scene.surfaces[0].triangles[0]) == glm::dvec3(0, 0, -1));
+  for (std::uint32_t p = 0; p < 6; ++p) CHECK(scene.surfaces[p].triangles[1].polygon == p);
+}
+
+TEST_CASE("surfaces are named by group, by material where a group has several, and never twice", "[scene]") {
+  struct Case {
+    std::string structure;
+    Names names;
+  };
+  // Faces a, b, c of the cube are far from each other's planes, so each one alone is a surface.
+  const std::string a = "f 1 4 3 2\n", b = "f 5 6 7 8\n", c = "f 1 2 6 5\n";
+  const auto [structure, names] = GENERATE_COPY(values<Case>({
+      {a, {"default"}},
+      {a + "g wall\n" + b, {"default", "wall"}},
+      {"g wall\nusemtl red\n" + a + "g floor\n" + b + "g wall\n" + c, {"wall#1", "wall#2", "floor"}},
+      {"o wall\nusemtl red\n" + a + "usemtl blue\n" + b, {"wall/red", "wall/blue"}},
+      {"o wall\n" + a + "usemtl blue\n" + b, {"wall/default", "wall/blue"}},
+      {"o wall\nusemtl red\n" + a + b + "usemtl blue\n" + c, {"wall/red#1", "wall/red#2", "wall/blue"}},
+      {"g w\nusemtl m\n" + a + "usemtl n\n" + b + "g w/m\n" + c, {"w/m", "w/n", "w/m~2"}},
+      {"g w#1\n" + a + "g w\n" + b + c, {"w#1", "w#1~2", "w#2"}},
+  }));
+  const Scene scene = load(cubeVertices + structure);
+  CHECK(namesOf(scene) == names);
+  CHECK(std::set<std::string>(names.begin(), names.end()).size() == names.size());
+}
+
+TEST_CASE("a lone quad is one chart by its corners, planar or not", "[scene]") {
+  const std::string vertices = "v 0 0 0\nv 1 0 0.2\nv 1 1 0\nv 0 1 0.2\n";
+  const auto faces = GENERATE(values<std::string>({
+      "f 1 2 3 4\n",
+      "vt 0 0\nvt 3 0\nvt 3 3\nvt 0 3\nf 1/1 2/2 3/3 4/4\n",  // a repeated texture is no chart
+  }));
+  const Scene scene = load(vertices + faces);
+  REQUIRE(scene.surfaces.size() == 1);
+  const std::vector<Triangle>& triangles = scene.surfaces[0].triangles;
+  CHECK(triangles[0].chart == std::array{glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(1, 1)});
+  CHECK(triangles[1].chart == std::array{glm::dvec2(0, 0), glm::dvec2(1, 1), glm::dvec2(0, 1)});
+  CHECK(load(vertices + faces, {.charts = Charts::Planar}).surfaces.size() == 2);
+}
+
+TEST_CASE("coordinates of the file are the chart where they form one", "[scene]") {
+  // Two triangles of a bent sheet: not planar, but the coordinates are fine, mirrored even, and become multiples of
+  // 2^-24.
+  const Scene scene = load(
+      "v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\nvt 0.9 0\nvt 0.1 0\nvt 0.1 1\nvt 0.9 1\n"
+      "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
+  REQUIRE(scene.surfaces.size() == 1);
+  const Triangle& triangle = scene.surfaces[0].triangles[0];
+  const double left = 1677722 * 0x1p-24, right = 15099494 * 0x1p-24;  // 0.1 and 0.9 of 2^24 = 16777216
+  CHECK(triangle.chart == std::array{glm::dvec2(right, 0), glm::dvec2(left, 0), glm::dvec2(left, 1)});
+  CHECK(triangle.texcoord == std::array{glm::dvec2(0.9, 0), glm::dvec2(0.1, 0), glm::dvec2(0.1, 1)});
+}
+
+TEST_CASE("coordinates that form no chart give way to planar parts, or are refused with the reason", "[scene]") {
+  struct Case {
+    std::string coordinates, faces, reason;
+  };
+  const auto [coordinates, faces, reason] = GENERATE(values<Case>({
+      {"vt 0 0\nvt 1 0\nvt 1 1\n", "f 1/1 2/2 3/3\nf 1 3 4\n", "the face in line 10 has none"},
+      {"vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1.5\n", "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n", "line 11 leaves the unit square"},
+      {"vt 0 0\nvt 1 0\nvt 1 1\nvt 0.5 0.5\n", "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n", "line 11 has no area"},
+      {"vt 0 0\nvt 1 0\nvt 1 1\nvt 0.6 0\n", "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n", "line 11 overlaps the face in line 10"},
+  }));
+  const SceneFiles files("v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\ng sheet\n" + coordinates + faces);
+  CHECK(namesOf(files.load()) == Names{"sheet#1", "sheet#2"});
+  try {
+    files.load({.charts = Charts::File});
+    FAIL("accepted");
+  } catch (const raster::InputError& error) {
+    CHECK_THAT(error.what(), Catch::Contains("'sheet'"));
+    CHECK_THAT(error.what(), Catch::Contains(reason));
+  }
+}
+
+TEST_CASE("where the file has no coordinates, maps follow the chart", "[scene]") {
+  for (const Surface& surface : load(cubeVertices + cubeFaces).surfaces) {
+    for (const Triangle& triangle : surface.triangles) CHECK(triangle.texcoord == triangle.chart);
+  }
+}
+
+TEST_CASE("a face without area is dropped and counted, a triangle without area inside a face is not", "[scene]") {
+  const std::string obj =
+      "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 0 0\nv 9 9 9\n"
+      "f 1 2 3 4\n"  // fine
+      "f 1 5 2\n"    // all on a line
+      "f 6 6 6\n"    // a point, outside the bounds of the rest
+      "f 1 5 2 3\n"  // its first fan triangle has no area
+      "f 1 1 3 4\n";
+  const Scene scene = load(obj);
+  CHECK(totalArea(scene) == Approx(4 + 2 + 2));
+  CHECK(triangleCount(scene) == 4);
+  CHECK(warns(scene, {"2 faces without area dropped", "line 8"}));
+  CHECK(scene.origin == glm::dvec3(1, 1, 0));
+  for (const Surface& surface : scene.surfaces) {
+    for (const Triangle& triangle : surface.triangles) CHECK(area(triangle) > 0);
+  }
+}
+
+TEST_CASE("a face that crosses itself is told", "[scene]") {
+  const Scene scene = load("v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 1 0\nf 1 2 3 4\n");
+  CHECK(warns(scene, {"1 face that cross", "line 5"}));
+}
+
+TEST_CASE("a scene without a face is refused", "[scene]") {
+  const auto obj = GENERATE(values<std::string>({"", "v 0 0 0\n", "v 0 0 0\nf 1 1 1\n", "v 0 0 0\nv 1 1 1\nl 1 2\n"}));
+  CHECK_THROWS_WITH(load(obj), Catch::Contains("scene.obj") && Catch::Contains("empty"));
+}
+
+TEST_CASE("a scene too small for binary32 is refused", "[scene]") {
+  CHECK_THROWS_WITH(load("v 0 0 0\nv 1e-19 0 0\nv 0 1e-19 0\nf 1 2 3\n"), Catch::Contains("scale it up"));
+  CHECK_NOTHROW(load("v 0 0 0\nv 1e-17 0 0\nv 0 1e-17 0\nf 1 2 3\n"));
+}
+
+TEST_CASE("concave faces keep their area", "[scene]") {
+  const Scene scene = load("v 0 0 0\nv 3 0 0\nv 3 1 0\nv 1 1 0\nv 1 3 0\nv 0 3 0\nf 1 2 3 4 5 6\n");
+  CHECK(scene.surfaces.size() == 1);
+  CHECK(totalArea(scene) == Approx(5));
+}
+
+TEST_CASE("materials are those that faces name, in the order of their first faces", "[scene]") {
+  const SceneFiles files("mtllib scene.mtl more.mtl\n" + cubeVertices +
+                             "usemtl red\nf 1 4 3 2\nusemtl lamp\nf 5 6 7 8\nusemtl red\nf 1 2 6 5\n",
+                         "newmtl unused\nKd 1 1 1\nnewmtl lamp\nKd 0 0 0\nKe 3 2 1\nnewmtl lamp\nKe 9 9 9\n");
+  files.write("more.mtl", "newmtl red\nKd 0.7 0.1 0.2\n");
+  const Scene scene = files.load();
+  REQUIRE(scene.materials.size() == 2);
+  CHECK(scene.materials[0].name == "red");
+  CHECK(scene.materials[0].reflectance == glm::dvec3(0.7, 0.1, 0.2));
+  CHECK(scene.materials[0].emission == glm::dvec3(0));
+  CHECK(scene.materials[1].emission == glm::dvec3(3, 2, 1));
+  CHECK(namesOf(scene) == Names{"default/red#1", "default/red#2", "default/lamp"});
+  CHECK(scene.surfaces[2].material == 1);
+  CHECK(scene.warnings.empty());
+}
+
+TEST_CASE("the name of a material file may have blanks", "[scene]") {
+  const SceneFiles files("mtllib my scene.mtl\nusemtl red\n" + cubeVertices + cubeFaces);
+  files.write("my scene.mtl", "newmtl red\nKd 0.7 0.1 0.2\n");
+  CHECK(files.load().materials[0].reflectance == glm::dvec3(0.7, 0.1, 0.2));
+}
+
+TEST_CASE("what is missing is grey 0.5 with a warning", "[scene]") {
+  SECTION("the material file") {
+    const Scene scene = load("mtllib none.mtl\nusemtl red\n" + cubeVertices + cubeFaces);
+    CHECK(warns(scene, {"none.mtl", "grey 0.5"}));
+    CHECK(warns(scene, {"'red'", "grey 0.5"}));
+    CHECK(scene.materials[0].reflectance == glm::dvec3(0.5));
+  }
+  SECTION("the material") {
+    const Scene scene = load(cubeVertices + cubeFaces);
+    CHECK(warns(scene, {"without a material", "grey 0.5"}));
+    CHECK(scene.materials[0].reflectance == glm::dvec3(0.5));
+  }
+  SECTION("its reflectance") {
+    const Scene scene = loadMaterial("Ke 1 1 1\n");
+    CHECK(warns(scene, {"'paint'", "no Kd", "grey 0.5"}));
+    CHECK(scene.materials[0].reflectance == glm::dvec3(0.5));
+  }
+  SECTION("its map") {
+    const Scene scene = loadMaterial("Kd 0.9 0.8 0.7\nmap_Kd none.png\nKe 4 4 4\nmap_Ke none.png\n");
+    CHECK(warns(scene, {"none.png", "0.5"}));
+    CHECK(scene.materials[0].reflectance == glm::dvec3(0.5));
+    CHECK(scene.materials[0].emission == glm::dvec3(2));
+    CHECK_FALSE(scene.materials[0].reflectanceMap);
+    CHECK_FALSE(scene.materials[0].emissionMap);
+    CHECK(scene.warnings.size() == 1);
+  }
+}
+
+TEST_CASE("a reflectance of 1 or more is lowered with a warning, less is kept", "[scene]") {
+  CHECK(loadMaterial("Kd 1 0.5 7\n").materials[0].reflectance == glm::dvec3(0.9999, 0.5, 0.9999));
+  CHECK(loadMaterial("Kd 1 0.5 7\n").warnings.size() == 1);
+  CHECK(loadMaterial("Kd 1 0.97 0\n", {.maxReflectance = 0.9}).materials[0].reflectance == glm::dvec3(0.9, 0.97, 0));
+  CHECK(loadMaterial("Kd 0.99999 0 0\n").materials[0].reflectance == glm::dvec3(0.99999, 0, 0));
+  CHECK(loadMaterial("Kd 0.99999 0 0\n").warnings.empty());
+  CHECK_THROWS_AS(loadMaterial("Kd 1 1 1\n", {.maxReflectance = 1.0}), raster::InputError);
+}
+
+TEST_CASE("loadScene multiplies emission by pi where Ke is radiance, and its maps scale it as before", "[scene]") {
+  constexpr double pi = std::numbers::pi;
+  const SceneSettings radiance{.emission = EmissionUnit::Radiance};
+  CHECK(loadMaterial("Kd 0.5\nKe 3 2 1\n").materials[0].emission == glm::dvec3(3, 2, 1));
+  CHECK(loadMaterial("Kd 0.5\nKe 3 2 1\n", radiance).materials[0].emission == pi * glm::dvec3(3, 2, 1));
+  CHECK(loadMaterial("Kd 0.5\nKe 3 2 1\n", radiance).materials[0].reflectance == glm::dvec3(0.5));
+  CHECK(loadMaterial("Kd 0.5\nKe 4\nmap_Ke none.png\n", radiance).materials[0].emission == glm::dvec3(2 * pi));
+
+  const SceneFiles files("mtllib scene.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n",
+                         "newmtl a\nKd 0.5\nmap_Ke map.exr\n");
+  writeExr(files.path("map.exr"), {1, 1, {glm::dvec3(0.25, 4, 1)}});
+  const Scene scene = files.load(radiance);
+  CHECK(scene.materials[0].emission == glm::dvec3(pi));  // the map alone
+  CHECK(scene.images[static_cast<std::size_t>(*scene.materials[0].emissionMap)].pixels[0] == glm::dvec3(0.25, 4, 1));
+  // Limits are those of radiosity.
+  CHECK_THROWS_AS(loadMaterial("Kd 0.5\nKe 3.2e29\n", radiance), raster::InputError);
+  CHECK_NOTHROW(requireEmission(loadMaterial("Kd 0.5\nKe 3.2e-31\n", radiance), "scene.obj"));
+  CHECK_THROWS_AS(requireEmission(loadMaterial("Kd 0.5\nKe 3.1e-31\n", radiance), "scene.obj"), raster::InputError);
+}
+
+TEST_CASE("a negative reflectance or emission is refused with the material file's line", "[scene]") {
+  CHECK_THROWS_WITH(loadMaterial("Kd 0.5 -0.5 0.5\n"), Catch::Contains("scene.mtl:2"));
+  CHECK_THROWS_WITH(loadMaterial("Kd 0.5\nKe 0 0 -1\n"), Catch::Contains("scene.mtl:3"));
+}
+
+TEST_CASE("maps are read once, relative to the material file", "[scene]") {
+  const SceneFiles files("mtllib sub/scene.mtl\n" + cubeVertices + "usemtl a\nf 1 4 3 2\nusemtl b\nf 5 6 7 8\n");
+  std::filesystem::create_directory(files.path("sub"));
+  files.write("sub/scene.mtl", "newmtl a\nmap_Kd white.png\nmap_Ke white.png\nnewmtl b\nKd 0.5\nmap_Kd white.png\n");
+  writePng(files.path("sub/white.png"), {1, 1, {glm::dvec3(1.0)}});
+  const Scene scene = files.load();
+  REQUIRE(scene.images.size() == 1);
+  CHECK(scene.images[0].pixels == std::vector{glm::dvec3(1.0)});
+  CHECK(scene.materials[0].reflectanceMap == 0);
+  CHECK(scene.materials[0].reflectance == glm::dvec3(0.9999));  // the map alone
+  CHECK(scene.materials[0].emission == glm::dvec3(1.0));        // the map alone
+  CHECK(scene.materials[1].reflectance == glm::dvec3(0.5));
+  CHECK(scene.warnings.empty());
+}
+
+TEST_CASE("a map of reflectances is lowered to 1, and a negative map is refused", "[scene]") {
+  const SceneFiles files("mtllib scene.mtl\nusemtl a\n" + cubeVertices + cubeFaces,
+                         "newmtl a\nKd 0.5\nmap_Kd map.exr\nmap_Ke map.exr\n");
+  writeExr(files.path("map.exr"), {1, 1, {glm::dvec3(0.25, 4, 1)}});
+  const Scene scene = files.load();
+  REQUIRE(scene.images.size() == 2);
+  const Material& material = scene.materials[0];
+  CHECK(scene.images[static_cast<std::size_t>(*material.reflectanceMap)].pixels[0] == glm::dvec3(0.25, 1, 1));
+  CHECK(scene.images[static_cast<std::size_t>(*material.emissionMap)].pixels[0] == glm::dvec3(0.25, 4, 1));
+  CHECK(warns(scene, {"map_Kd", "above 1"}));
+  writeExr(files.path("map.exr"), {1, 1, {glm::dvec3(0.25, -4, 1)}});
+  CHECK_THROWS_WITH(files.load(), Catch::Contains("map.exr") && Catch::Contains("negative"));
+}
+
+TEST_CASE("a scene needs something that emits", "[scene]") {
+  CHECK_THROWS_WITH(requireEmission(loadMaterial("Kd 0.5\n"), "scene.obj"),
+                    Catch::Contains("scene.obj") && Catch::Contains("emits") && Catch::Contains("Ke"));
+  CHECK_NOTHROW(requireEmission(loadMaterial("Kd 0.5\nKe 0 0 1\n"), "scene.obj"));
+  // A map without light in the one band that emits takes it all away.
+  Scene scene = loadMaterial("Kd 0.5\nKe 0 0 1\n");
+  scene.images.push_back({1, 1, {glm::dvec3(1, 1, 0)}});
+  scene.materials[0].emissionMap = 0;
+  CHECK_THROWS_AS(requireEmission(scene, "scene.obj"), raster::InputError);
+  // Images hold nothing below 1e-45.
+  CHECK_NOTHROW(requireEmission(loadMaterial("Kd 0.5\nKe 0 1e-30 1e-31\n"), "scene.obj"));
+  CHECK_THROWS_WITH(requireEmission(loadMaterial("Kd 0.5\nKe 1e-31\n"), "scene.obj"),
+                    Catch::Contains("scene.obj") && Catch::Contains("1e-30") && Catch::Contains("up"));
+}
+
+TEST_CASE("two-sided scenes have each surface twice, turned over", "[scene]") {
+  const Scene scene = load(cubeVertices + "g box\n" + cubeFaces + "g lid\nf 5 6 7 8\n", {.twoSided = true});
+  REQUIRE(scene.surfaces.size() == 14);
+  CHECK(totalArea(scene) == 14);
+  for (std::size_t s = 0; s < 7; ++s) {
+    const Surface& front = scene.surfaces[s];
+    const Surface& back = scene.surfaces[s + 7];
+    CHECK(front.twin == static_cast<int>(s + 7));
+    CHECK(back.twin == static_cast<int>(s));
+    CHECK(back.name == front.name + "/back");
+    CHECK(back.family == front.family + "/back");
+    for (std::size_t t = 0; t < front.triangles.size(); ++t) {
+      CHECK(normal(back.triangles[t]) == -normal(front.triangles[t]));
+      CHECK(back.triangles[t].chart[1] == front.triangles[t].chart[2]);
+    }
+  }
+  CHECK(scene.surfaces[6].name == "lid");
+}
+
+TEST_CASE("corners have colours where the file gives one to each of them", "[scene]") {
+  const Scene scene = load("v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
+  const std::vector<Triangle>& triangles = scene.surfaces[0].triangles;
+  REQUIRE(triangles[0].cornerColor);
+  CHECK(*triangles[0].cornerColor == std::array{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)});
+  CHECK_FALSE(triangles[1].cornerColor);
+}

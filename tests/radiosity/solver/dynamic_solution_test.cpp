@@ -1,0 +1,362 @@
+// Dynamic scenes: an updated solution is a fresh one within the residual, whatever the edits were.
+#include "radiosity/solver/dynamic_solution.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "radiosity/solver/row_update.h"
+#include "raster/base/input_error.h"
+#include "raster/base/parallel.h"
+#include "raster/software/software_renderer.h"
+#include "tests/support/hand_scenes.h"
+
+using namespace hemitex;
+using namespace hemitex::radiosity;
+
+namespace {
+
+constexpr double residual = 0.002;
+
+/// A closed room with a lamp under its ceiling and two boxes on its floor.
+Scene lampRoom() {
+  std::vector<Surface> surfaces = tests::box("room", {0, 0, 0}, {4, 3, 2}, true);
+  for (const auto& [name, low, size] : {std::tuple{"cube", glm::dvec3(1, 1, 0), glm::dvec3(0.75, 0.75, 0.75)},
+                                        std::tuple{"post", glm::dvec3(2.5, 2, 0), glm::dvec3(0.25, 0.25, 1.5)}}) {
+    std::vector<Surface> box = tests::box(name, low, size, false);
+    for (std::size_t face = 1; face < box.size(); ++face) {
+      box[face].family = name;
+      surfaces.push_back(box[face]);
+    }
+  }
+  surfaces.push_back(tests::parallelogram("lamp", {1.5, 1.25, 1.875}, {0, 0.5, 0}, {0.75, 0, 0}));
+  Scene scene;
+  scene.materials = {tests::material("wall", {0.7, 0.6, 0.5}, glm::dvec3(0)),
+                     tests::material("lamp", glm::dvec3(0.2), {9, 8, 7})};
+  surfaces.back().material = 1;
+  scene.surfaces = std::move(surfaces);
+  return tests::finish(std::move(scene));
+}
+
+WordLayout layOutWords(const Discretization& discretization) { return layOut(discretization); }
+
+DynamicSettings settings(double limit = residual) {
+  return {{.texels = 6, .surfaceTexels = {{"lamp", 1}}, .isUnburied = true, .patch = 2},
+          {.resolution = 48, .orientation = Orientation::Turned, .split = 0.2},
+          {.residual = limit}};
+}
+
+std::unique_ptr<DynamicSolution> solved(double limit = residual) {
+  Scene scene = lampRoom();
+  Discretization discretization = discretize(scene, settings().discretization);
+  return std::make_unique<DynamicSolution>(std::move(scene), std::move(discretization), settings(limit), layOutWords);
+}
+
+/// The scene as it is by now, solved from its emission on.
+ShotLight freshLight(const DynamicSolution& dynamic, double limit = residual) {
+  DrawingSettings unsplit = settings().drawing;
+  unsplit.split = 1;
+  DrawnRows drawn(dynamic.scene(), dynamic.discretization(), dynamic.layout(), unsplit);
+  Refinement refinement(dynamic.scene(), drawn.discretization());
+  RowCache rows(std::size_t{1} << 30);
+  refine(dynamic.scene(), drawn.discretization(), refinement, rows,
+         [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); }, {.residual = limit});
+  return refinement.light();
+}
+
+/// What elements absorb more or less of, bands summed.
+double differenceOfAbsorbed(const DynamicSolution& dynamic, const ShotLight& light) {
+  double sum = 0;
+  for (std::uint32_t e = 0; e < light.received.size(); ++e)
+    sum += bandSum((1.0 - reflectance(dynamic.scene(), dynamic.discretization(), e)) *
+                   glm::abs(dynamic.light().received[e] - light.received[e]));
+  return sum;
+}
+
+void checkAccount(const Energy& energy, double scale) {
+  for (int band = 0; band < 3; ++band)
+    CHECK(std::abs(energy.absorbed[band] + energy.unshot[band] + energy.lost[band] - energy.emitted[band]) <=
+          1e-12 * scale);
+}
+
+/// An updated solution keeps the promise of dynamic_solution.h.
+void checkIsFresh(const DynamicSolution& dynamic) {
+  const double scale = dynamic.light().lastEmitted;
+  CHECK(dynamic.solution().residual <= residual);
+  checkAccount(dynamic.solution().energy, scale);
+  CHECK(differenceOfAbsorbed(dynamic, freshLight(dynamic)) <= 2 * residual * scale);
+}
+
+/// The share of the light that goes elsewhere by the second row.
+std::uint64_t redirected(const FormFactorRow& before, const FormFactorRow& after) {
+  std::map<std::uint32_t, std::uint64_t> shares;
+  for (std::size_t i = 0; i < before.elements.size(); ++i) shares[before.elements[i]] = before.shares[i];
+  const auto more = [](std::uint64_t had, std::uint64_t has) { return has > had ? has - had : 0; };
+  std::uint64_t sum = more(before.background, after.background) + more(before.back, after.back);
+  for (std::size_t i = 0; i < after.elements.size(); ++i) sum += more(shares[after.elements[i]], after.shares[i]);
+  return sum;
+}
+
+/// What is drawn, counted.
+struct Drawn {
+  std::uint64_t faces = 0, pixels = 0;
+};
+class CountingRenderer final : public raster::ItemBufferRenderer {
+ public:
+  CountingRenderer(raster::DrawList list, Drawn& drawn) : renderer_(std::move(list)), drawn_(drawn) {}
+  void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+            std::vector<raster::ItemBuffer>& buffers) override {
+    renderer_.draw(faces, skipped, buffers);
+    drawn_.faces += buffers.size();
+    for (const raster::ItemBuffer& buffer : buffers) drawn_.pixels += buffer.words.size();
+  }
+
+ private:
+  raster::SoftwareRenderer renderer_;
+  Drawn& drawn_;
+};
+
+/// Rows of a scene before and after its cube moves.
+struct MovedCube {
+  EditedScene edit;
+  DrawnRows before, after;
+  std::vector<bool> isCube;  ///< one a surface
+  SceneChange change;
+
+  MovedCube(const Scene& scene, const Discretization& discretization, int resolution)
+      : edit(edited(scene, {}, {{Move{"cube", {0.5, 0.25, 0.125}}}})),
+        before(scene, discretization, layOutWords(discretization), unsplit(resolution)),
+        after(edit.scene, discretization, layOutWords(discretization), unsplit(resolution)),
+        isCube(cubesOf(scene)),
+        change{before.rows(), after.rows(), {scene, isCube}, {edit.scene, isCube}} {}
+
+  static DrawingSettings unsplit(int resolution) {
+    return {.resolution = resolution, .orientation = Orientation::Turned, .split = 1};
+  }
+
+  static std::vector<bool> cubesOf(const Scene& scene) {
+    std::vector<bool> isCube;
+    for (const Surface& surface : scene.surfaces) isCube.push_back(surface.family == "cube");
+    return isCube;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("an updated solution is a fresh one of the edited scene within the residual, and its account closes",
+          "[dynamic]") {
+  const std::vector<std::vector<Edit>> frames = {
+      {Move{"cube", {0.5, 0.25, 0}}},
+      {Move{"cube", {0.5, 0, 0}}, Move{"post", {0, -0.5, 0.125}}},
+      {Remove{"post"}},
+      {SetReflectance{"room0", {0.1, 0.9, 0.5}}},
+      {SetEmission{"lamp", glm::dvec3(0)}, SetEmission{"room5", {1, 2, 3}}},
+      {Restore{"post"}, Remove{"cube"}},
+      {SetEmission{"lamp", {9, 8, 7}}, SetEmission{"room5", glm::dvec3(0)}, SetReflectance{"lamp", glm::dvec3(0)}},
+      {Restore{"cube"}, Move{"cube", {-1, -0.25, 0}}, SetReflectance{"cube", {0.9, 0.1, 0.1}}},
+  };
+  const auto dynamic = solved();
+  checkIsFresh(*dynamic);
+  for (std::size_t frame = 0; frame < frames.size(); ++frame) {
+    INFO("frame " << frame);
+    dynamic->update(frames[frame]);
+    checkIsFresh(*dynamic);
+  }
+}
+
+TEST_CASE("the floor under an object that moved away is lit as if it had never stood there", "[dynamic]") {
+  // Against a scene that begins without the object. What stays buried would give what it receives to the elements
+  // beside it, or to none.
+  const auto dynamic = solved();
+  dynamic->update({{Remove{"cube"}}});
+  EditedScene edit = edited(lampRoom(), {}, {{Remove{"cube"}}});
+  Discretization discretization = discretize(edit.scene, settings().discretization);
+  const DynamicSolution fresh(std::move(edit.scene), std::move(discretization), settings(), layOutWords);
+  REQUIRE(fresh.scene().surfaces[0].name == dynamic->scene().surfaces[0].name);
+  const Grid &grid = dynamic->discretization().grids[0], &freshGrid = fresh.discretization().grids[0];
+  double different = 0, all = 0;
+  for (std::size_t texel = 0; texel < grid.spill.size(); ++texel) {
+    const double expected = fresh.solution().radiosity[freshGrid.spill[texel]].x;
+    different += std::abs(dynamic->solution().radiosity[grid.spill[texel]].x - expected);
+    all += expected;
+  }
+  // Patches were split where the first solution was bright, and hemicubes of 48 pixels are coarse: a few percent apart.
+  // Four of 36 texels under the cube that stay dark would make a tenth.
+  CHECK(different < 0.05 * all);
+}
+
+TEST_CASE("a restored object has the texels that the scene gave it", "[dynamic]") {
+  // Their size follows the scene, not the object.
+  DynamicSettings following = settings(0.1);
+  following.discretization = {.isUnburied = true};
+  Scene scene = lampRoom();
+  Discretization discretization = discretize(scene, following.discretization);
+  DynamicSolution dynamic(std::move(scene), std::move(discretization), following, layOutWords);
+  const auto sizes = [&] {
+    std::map<std::string, std::pair<int, int>> grids;
+    for (std::size_t s = 0; s < dynamic.scene().surfaces.size(); ++s)
+      grids[dynamic.scene().surfaces[s].name] = {dynamic.discretization().grids[s].columns,
+                                                 dynamic.discretization().grids[s].rows};
+    return grids;
+  };
+  const auto before = sizes();
+  dynamic.update({{Remove{"post"}}});
+  dynamic.update({{Restore{"post"}}});
+  CHECK(sizes() == before);
+}
+
+TEST_CASE("an object that moved away and back leaves the solution as it was within the residual", "[dynamic]") {
+  const auto dynamic = solved();
+  const ShotLight before = dynamic->light();
+  dynamic->update({{Move{"cube", {0.5, 0.5, 0}}}});
+  CHECK(differenceOfAbsorbed(*dynamic, before) > 2 * residual * before.lastEmitted);
+  dynamic->update({{Move{"cube", {-0.5, -0.5, 0}}}});
+  CHECK(differenceOfAbsorbed(*dynamic, before) <= 2 * residual * before.lastEmitted);
+}
+
+TEST_CASE("without an edit nothing is shot and nothing is drawn", "[dynamic]") {
+  const auto dynamic = solved();
+  const Solution before = dynamic->solution();
+  const UpdateCost cost = dynamic->update({});
+  CHECK(dynamic->solution().shots == 0);
+  CHECK(cost.rowsInWindows + cost.rowsWhole + cost.rowsTakenBack + cost.rowsLeft == 0);
+  for (std::size_t e = 0; e < before.radiosity.size(); ++e)
+    for (int band = 0; band < 3; ++band)
+      CHECK(dynamic->solution().radiosity[e][band] == Approx(before.radiosity[e][band]).epsilon(1e-12));
+}
+
+TEST_CASE("a scene whose only light goes out gets dark within the residual of what was emitted", "[dynamic]") {
+  const auto dynamic = solved();
+  dynamic->update({{SetEmission{"lamp", glm::dvec3(0)}}});
+  CHECK(dynamic->solution().energy.emitted == glm::dvec3(0));
+  CHECK(dynamic->solution().shots > 0);
+  checkIsFresh(*dynamic);
+}
+
+TEST_CASE("what a window changes of a row is to the last unit the difference of the rows before and after",
+          "[dynamic]") {
+  Scene scene = lampRoom();
+  const Discretization discretization = discretize(scene, settings().discretization);
+  MovedCube moved(scene, discretization, 64);
+  auto& [edit, before, after, isCube, change] = moved;
+  int windows = 0, whole = 0, nothing = 0;
+  for (std::uint32_t patch = 0; patch < discretization.patches.size(); ++patch) {
+    if (isCube[discretization.patches[patch].surface]) continue;
+    const FormFactorRow old = before.rows().ofPatch(patch), now = after.rows().ofPatch(patch);
+    const RowChange difference = changeOf(change, patch, patch);
+    const FormFactorRow updated = exchanged(old, difference.before, difference.after);
+    CHECK(updated.elements == now.elements);
+    CHECK(updated.shares == now.shares);
+    CHECK(updated.background == now.background);
+    CHECK(updated.back == now.back);
+    ++(difference.isNothing() ? nothing : difference.isWhole ? whole : windows);
+    // No more light goes elsewhere than the bound says.
+    const SurfacePoint centre = patchCentre(scene, discretization, discretization.patches[patch]);
+    const double pixel = pixelAngle(after.rows().projection());
+    const double bound =
+        std::min(1.0, change.gone.largestShare(centre, pixel) + change.come.largestShare(centre, pixel));
+    CHECK(formFactor(redirected(old, now)) <= bound);
+  }
+  CHECK(windows > 50);
+  CHECK(nothing > 10);
+  CHECK(whole < windows / 2);
+}
+
+TEST_CASE("what windows change of the mean of several points' rows is what the mean changes by, to within rounding",
+          "[dynamic]") {
+  Scene scene = lampRoom();
+  Discretization discretization = discretize(scene, settings().discretization);
+  for (Patch& patch : discretization.patches) patch.points = 2;
+  MovedCube moved(scene, discretization, 32);
+  auto& [edit, before, after, isCube, change] = moved;
+  const auto add = [](std::vector<double>& sums, const FormFactorRow& row, double sign) {
+    for (std::size_t i = 0; i < row.elements.size(); ++i) sums[row.elements[i]] += sign * formFactor(row.shares[i]);
+    sums.back() += sign * formFactor(row.background + row.back);
+  };
+  int changed = 0;
+  for (std::uint32_t patch = 0; patch < discretization.patches.size(); ++patch) {
+    if (isCube[discretization.patches[patch].surface]) continue;
+    const RowChange difference = changeOf(change, patch, patch);
+    CHECK_FALSE(difference.isWhole);
+    changed += difference.isRounded ? 1 : 0;
+    std::vector<double> sums(discretization.elements.size() + 1);
+    add(sums, before.rows().ofPatch(patch), -1);
+    add(sums, difference.before, 1);
+    add(sums, difference.after, -1);
+    add(sums, after.rows().ofPatch(patch), 1);
+    // Four sums of form factors up to 1 in binary64, and the units of 2^-60 that the largest share takes.
+    for (const double sum : sums) CHECK(std::abs(sum) <= 4 * 0x1p-52);
+  }
+  CHECK(changed > 50);
+}
+
+TEST_CASE("an update draws a small part of what a fresh solution draws", "[dynamic]") {
+  // Counts, not times: they are the same everywhere. A small object of one patch a face, whose old rows are still kept:
+  // what is drawn are those that it shoots along from its new place, and windows around both places.
+  Drawn drawn;
+  const auto counting = [&](raster::DrawList list) {
+    return std::make_unique<CountingRenderer>(std::move(list), drawn);
+  };
+  Scene scene = lampRoom();
+  DynamicSettings unsplit = settings();
+  unsplit.drawing.split = 1;
+  unsplit.discretization.surfaceTexels["post"] = 1;
+  Discretization discretization = discretize(scene, unsplit.discretization);
+  DynamicSolution dynamic(std::move(scene), std::move(discretization), unsplit, layOutWords, {}, counting);
+  const Drawn fresh = std::exchange(drawn, {});
+  const UpdateCost cost = dynamic.update({{Move{"post", {0.125, 0, 0}}}});
+  const Drawn update = std::exchange(drawn, {});
+  CHECK(cost.rowsInWindows > 50);
+  CHECK(5 * update.pixels < fresh.pixels);
+  CHECK(10 * update.pixels > fresh.pixels);
+  checkIsFresh(dynamic);
+}
+
+TEST_CASE("after a move, patches that shoot from several points still draw nothing twice", "[dynamic]") {
+  // Windows keep the rows of their views what drawing them anew would give: means are over these. A lamp that is dimmed
+  // is shot along rows that are known, but for those of the few patches that had not shot before, or were left or
+  // moved.
+  Drawn drawn;
+  const auto counting = [&](raster::DrawList list) {
+    return std::make_unique<CountingRenderer>(std::move(list), drawn);
+  };
+  Scene scene = lampRoom();
+  DynamicSettings split = settings();
+  split.drawing.split = 0.005;
+  Discretization discretization = discretize(scene, split.discretization);
+  DynamicSolution dynamic(std::move(scene), std::move(discretization), split, layOutWords, {}, counting);
+  const auto& patches = dynamic.discretization().patches;
+  CHECK(std::count_if(patches.begin(), patches.end(), [](const Patch& patch) { return patch.points > 1; }) > 100);
+  const Drawn fresh = std::exchange(drawn, {});
+  dynamic.update({{Move{"post", {0.125, 0, 0}}}});
+  drawn = {};
+  dynamic.update({{SetEmission{"lamp", {4, 4, 4}}}});
+  CHECK(dynamic.solution().shots > 100);
+  CHECK(20 * drawn.pixels < fresh.pixels);
+}
+
+TEST_CASE("updates are the same bits for any number of threads and any row cache", "[dynamic]") {
+  const auto solveWith = [](int threads, std::size_t cache) {
+    const raster::ThreadLimit limit(threads);
+    Scene scene = lampRoom();
+    Discretization discretization = discretize(scene, settings().discretization);
+    DynamicSettings some = settings(0.02);
+    some.solver.rowCacheBytes = cache;
+    DynamicSolution dynamic(std::move(scene), std::move(discretization), some, layOutWords);
+    dynamic.update({{Move{"cube", {0.5, 0.25, 0}}, Remove{"post"}}});
+    dynamic.update({{Restore{"post"}}});
+    return dynamic.solution();
+  };
+  const Solution reference = solveWith(1, std::size_t{1} << 30);
+  for (const auto& [threads, cache] :
+       {std::pair{2, std::size_t{0}}, {7, std::size_t{20000}}, {2, std::size_t{1} << 30}}) {
+    const Solution solution = solveWith(threads, cache);
+    CHECK(solution.radiosity == reference.radiosity);
+    CHECK(solution.shots == reference.shots);
+  }
+}

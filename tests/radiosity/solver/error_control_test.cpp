@@ -1,0 +1,127 @@
+// Settings for a bound on the error: what is chosen, and that it keeps the bound.
+#include "radiosity/solver/error_control.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "data/generate/random_room.h"
+#include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/solver/progressive_solver.h"
+#include "raster/base/input_error.h"
+#include "reference/solution/ground_truth.h"
+#include "reference/solution/radiosity_error.h"
+#include "tests/support/hand_scenes.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace hemitex;
+using namespace hemitex::radiosity;
+
+namespace {
+
+Discretization twoSquares() {
+  Scene scene;
+  scene.materials.push_back(tests::material("grey", glm::dvec3(0.5), glm::dvec3(1)));
+  scene.surfaces = {tests::parallelogram("low", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                    tests::parallelogram("high", {0, 0, 1}, {1, 0, 0}, {0, 1, 0})};
+  return discretize(tests::finish(std::move(scene)), {.texels = 4});
+}
+
+/// Solutions of radiosity 1 with an error that depends on the resolution: every other element gets more, the others
+/// less.
+SolveWith solutionsWithError(std::size_t elements, double errorTimesResolution) {
+  return [=](const Effort& effort) {
+    std::vector<glm::dvec3> radiosity(elements, glm::dvec3(1));
+    const double error = errorTimesResolution / effort.resolution;
+    for (std::size_t e = 0; e < elements; ++e) radiosity[e] *= e % 2 == 0 ? 1 + error : 1 - error;
+    return radiosity;
+  };
+}
+
+std::vector<glm::dvec3> solutionOf(const Scene& scene, const Discretization& discretization, const Effort& effort,
+                                   double residual) {
+  DrawnRows drawn(scene, discretization, layOut(discretization),
+                  {.resolution = effort.resolution, .split = effort.split});
+  const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
+  return solve(scene, drawn.discretization(), rowOf, {.residual = residual}, {}, drawn.splits()).radiosity;
+}
+
+/// What chance leaves of the truth only adds to the error that is measured.
+void checkKeepsBounds(const std::string& name, const Scene& scene, int texels) {
+  const Discretization discretization = discretize(scene, {.texels = texels});
+  const reference::TrueRadiosity truth = reference::trueRadiosity(scene, discretization, {.samples = 1 << 13});
+  REQUIRE(truth.error.fluxWeighted < 0.005);
+  for (const double bound : {0.05, 0.03, 0.01}) {
+    CAPTURE(name, bound);
+    std::vector<glm::dvec3> found;
+    const auto solveWith = [&](const Effort& effort) {
+      return found = solutionOf(scene, discretization, effort, residualFor(bound));
+    };
+    const ErrorBoundChoice choice = chooseEffort(discretization, solveWith, bound);
+    CHECK(choice.expectedError <= bound);
+    CHECK(reference::errorOf(discretization, found, truth.radiosity).fluxWeighted <= bound);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("chooseEffort takes the first solution whose difference from the one before is within the bound",
+          "[error_bound]") {
+  // Errors of 1.28 / resolution with signs that agree: 0.02 at 64 pixels, 0.01333 at 96, 0.01 at 128. The first two
+  // differ by 0.00667, the next two by 0.00333. Over sqrt(2) and 0.75 that is 0.00629 and 0.00314.
+  const Discretization discretization = twoSquares();
+  const SolveWith solutions = solutionsWithError(discretization.elements.size(), 1.28);
+  const ErrorBoundChoice loose = chooseEffort(discretization, solutions, 0.0065);
+  CHECK(loose.effort.resolution == 96);
+  CHECK(loose.expectedError == Approx((1.28 / 64 - 1.28 / 96) / std::sqrt(2) / 0.75));
+  const ErrorBoundChoice tight = chooseEffort(discretization, solutions, 0.0035);
+  CHECK(tight.effort.resolution == 128);
+  CHECK(tight.expectedError == Approx((1.28 / 96 - 1.28 / 128) / std::sqrt(2) / 0.75));
+}
+
+TEST_CASE("chooseEffort tries harder the tighter the bound", "[error_bound]") {
+  const Discretization discretization = twoSquares();
+  double before = 0;
+  for (const double bound : {0.1, 0.03, 0.01, 0.003, 0.001, 0.0007}) {
+    CAPTURE(bound);
+    const ErrorBoundChoice choice =
+        chooseEffort(discretization, solutionsWithError(discretization.elements.size(), 2), bound);
+    CHECK(choice.expectedError <= bound);
+    CHECK(choice.effort.resolution / choice.effort.split >= before);
+    before = choice.effort.resolution / choice.effort.split;
+  }
+  CHECK(before > 100 * 64 / 0.07);
+}
+
+TEST_CASE("chooseEffort refuses a bound out of reach, and names one that is in reach", "[error_bound]") {
+  const Discretization discretization = twoSquares();
+  const SolveWith solutions = solutionsWithError(discretization.elements.size(), 40);
+  std::string message;
+  try {
+    chooseEffort(discretization, solutions, 1e-4);
+  } catch (const raster::InputError& error) {
+    message = error.what();
+  }
+  const std::string before = "ask for ";
+  REQUIRE(message.find(before) != std::string::npos);
+  const double reachable = std::stod(message.substr(message.find(before) + before.size()));
+  CHECK(reachable > 1e-4);
+  CHECK_NOTHROW(chooseEffort(discretization, solutions, reachable));
+  CHECK_THROWS_AS(chooseEffort(discretization, solutions, 0.98 * reachable), raster::InputError);
+}
+
+TEST_CASE("solutions that chooseEffort asked for keep the bound", "[error_bound]") {
+  for (const std::string name : {"cornell-box", "paper-room", "pyramid-room"})
+    checkKeepsBounds(name, loadScene(HEMITEX_DATA "/" + name + ".obj"), 8);
+}
+
+TEST_CASE("solutions that chooseEffort asked for keep the bound in random rooms", "[error_bound]") {
+  const TemporaryFolder folder;
+  for (const std::uint32_t seed : {1U, 2U, 3U}) {
+    const data::Model room = data::randomRoom(seed);
+    for (const data::File& file : data::files(room)) std::ofstream(folder.path / file.name) << file.text;
+    checkKeepsBounds(room.name, loadScene(folder.path / (room.name + ".obj")), 4);
+  }
+}

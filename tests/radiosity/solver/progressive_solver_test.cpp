@@ -1,0 +1,139 @@
+// Progressive refinement: the furnace, the account of flux, and that nothing depends on threads or memory.
+#include "radiosity/solver/progressive_solver.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "radiosity/form_factors/projected_form_factors.h"
+#include "raster/base/parallel.h"
+#include "raster/software/software_renderer.h"
+#include "tests/support/box_scene.h"
+
+using namespace hemitex;
+using namespace hemitex::radiosity;
+
+namespace {
+
+struct Run {
+  Scene scene;
+  Discretization discretization;
+  Solution solution;
+};
+
+Run run(Scene scene, int texels, int patch, int resolution, const SolverSettings& settings) {
+  Run result{std::move(scene), {}, {}};
+  result.discretization = discretize(result.scene, {.texels = texels, .patch = patch});
+  const WordLayout layout = layOut(result.discretization);
+  raster::SoftwareRenderer renderer(makeDrawList(result.scene, result.discretization, layout));
+  ProjectedRows rows(result.scene, result.discretization, layout, renderer, {.resolution = resolution});
+  result.solution = solve(
+      result.scene, result.discretization, [&](std::uint32_t patchNumber) { return rows.ofPatch(patchNumber); },
+      settings);
+  return result;
+}
+
+/// The area-weighted mean of a band, and the largest relative deviation of an element from it.
+struct Spread {
+  double mean, largest;
+};
+Spread spreadOf(const Run& run) {
+  double area = 0, flux = 0;
+  for (std::size_t e = 0; e < run.discretization.elements.size(); ++e) {
+    area += run.discretization.elements[e].area;
+    flux += run.discretization.elements[e].area * run.solution.radiosity[e].x;
+  }
+  Spread spread{flux / area, 0};
+  for (const glm::dvec3& b : run.solution.radiosity)
+    spread.largest = std::max(spread.largest, std::abs(b.x / spread.mean - 1));
+  return spread;
+}
+
+void checkAccount(const Energy& energy) {
+  for (int band = 0; band < 3; ++band) {
+    const double accounted = energy.absorbed[band] + energy.unshot[band] + energy.lost[band];
+    CHECK(std::abs(accounted - energy.emitted[band]) <= 1e-12 * energy.emitted[band]);
+  }
+}
+
+/// An open box with colours, a light and two blockers: flux is absorbed, leaves, and is lost to a back.
+Scene openBox() {
+  Scene scene = tests::closedCube({0.7, 0.5, 0.2}, glm::dvec3(0));
+  scene.materials.push_back(tests::material("light", glm::dvec3(0.1), {3, 2, 1}));
+  scene.surfaces.erase(scene.surfaces.begin() + 3);
+  scene.surfaces.push_back(
+      tests::quad("light", {{{0.3, 0.9, 0.3}, {0.6, 0.9, 0.3}, {0.6, 0.9, 0.7}, {0.3, 0.9, 0.7}}}, 1));
+  scene.surfaces.push_back(
+      tests::quad("blocker", {{{0.1, 0.4, 0.1}, {0.1, 0.4, 0.5}, {0.6, 0.4, 0.5}, {0.6, 0.4, 0.1}}}));
+  scene.surfaces.push_back(
+      tests::quad("turned", {{{0.5, 0.3, 0.5}, {0.9, 0.3, 0.5}, {0.9, 0.3, 0.9}, {0.5, 0.3, 0.9}}}));
+  return tests::finish(scene);
+}
+
+}  // namespace
+
+TEST_CASE("the mean radiosity of a closed furnace is E / (1 - r) to within the residual", "[solver]") {
+  // Flux is conserved: emitted = absorbed + unshot, and absorbed = (1 - r) of what arrived. With E = 1 everywhere the
+  // mean of B is therefore exactly (1 - r * residual) / (1 - r), whatever the form factors are.
+  for (const double r : {0.0, 0.5, 0.9, 0.99}) {
+    INFO("reflectance " << r);
+    const Run furnace = run(tests::closedCube(glm::dvec3(r), glm::dvec3(1)), 4, 2, 32, {.residual = 0.001});
+    const double residual = furnace.solution.residual;
+    CHECK(residual <= 0.001);
+    CHECK(spreadOf(furnace).mean == Approx((1 - r * residual) / (1 - r)).epsilon(1e-11));
+    checkAccount(furnace.solution.energy);
+    CHECK(furnace.solution.energy.lost == glm::dvec3(0));
+  }
+}
+
+TEST_CASE("the spread of the furnace over elements falls as patches get finer", "[solver]") {
+  // One centre a patch favours the elements opposite to it. The same 8 x 8 elements a face with patches of 8, 4, 2
+  // and 1 elements a side.
+  std::vector<double> spreads;
+  for (const int patch : {8, 4, 2, 1})
+    spreads.push_back(spreadOf(run(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, patch, 128, {})).largest);
+  for (std::size_t i = 1; i < spreads.size(); ++i) CHECK(spreads[i] < spreads[i - 1]);
+  CHECK(spreads.front() == Approx(0.2834015002).epsilon(1e-9));
+  CHECK(spreads.back() == Approx(0.0198979465).epsilon(1e-9));
+}
+
+TEST_CASE("flux is accounted for after every number of shots of an open scene", "[solver]") {
+  for (const int shots : {0, 1, 2, 10, 100}) {
+    INFO(shots << " shots");
+    const Run open = run(openBox(), 8, 4, 64, {.residual = 0, .shots = shots});
+    CHECK(open.solution.shots == shots);
+    checkAccount(open.solution.energy);
+    if (shots > 0) CHECK(open.solution.energy.lost.x > 0);
+    CHECK(open.solution.energy.lostToBacks.x <= open.solution.energy.lost.x);
+  }
+}
+
+TEST_CASE("more than one percent lost to backs is warned about, less is not", "[solver]") {
+  const Run open = run(openBox(), 8, 4, 64, {});
+  REQUIRE(open.solution.warnings.size() == 1);
+  CHECK(open.solution.warnings[0].find("backs of faces") != std::string::npos);
+  CHECK(run(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 4, 2, 32, {}).solution.warnings.empty());
+}
+
+TEST_CASE("solutions are the same bits for any number of threads and any row cache", "[solver]") {
+  const auto solveWith = [](int threads, std::size_t cache) {
+    const raster::ThreadLimit limit(threads);
+    return run(openBox(), 8, 4, 64, {.residual = 0.01, .rowCacheBytes = cache}).solution;
+  };
+  const Solution reference = solveWith(1, std::size_t{1} << 30);
+  for (const int threads : {1, 2, 7})
+    for (const std::size_t cache : {std::size_t{0}, std::size_t{20000}, std::size_t{1} << 30}) {
+      const Solution solution = solveWith(threads, cache);
+      CHECK(solution.radiosity == reference.radiosity);
+      CHECK(solution.shots == reference.shots);
+      CHECK(solution.residual == reference.residual);
+    }
+}
+
+TEST_CASE("the ambient estimate carries the unshot flux of a furnace to its end", "[solver]") {
+  // In a furnace of reflectance r the mean radiosity so far is (1 - r * residual) / (1 - r); the rest of 1 / (1 - r) is
+  // r * residual / (1 - r), which is r times the ambient radiosity.
+  const double r = 0.8;
+  const Run furnace = run(tests::closedCube(glm::dvec3(r), glm::dvec3(1)), 4, 2, 32, {.residual = 0, .shots = 12});
+  CHECK(furnace.solution.residual > 0.1);
+  CHECK(spreadOf(furnace).mean + r * furnace.solution.ambient.x == Approx(1 / (1 - r)).epsilon(1e-12));
+}

@@ -1,0 +1,76 @@
+// The tree over unshot flux: what a look at all patches would find, for a look at few.
+#include "radiosity/solver/unshot_tree.h"
+
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "radiosity/solver/kahan_sum.h"
+
+using namespace hemitex::radiosity;
+
+namespace {
+
+std::vector<glm::dvec3> randomFlux(std::size_t count, std::mt19937& random) {
+  std::uniform_int_distribution<int> some(-3, 3);
+  std::vector<glm::dvec3> flux(count);
+  for (glm::dvec3& f : flux) f = {some(random), some(random), some(random)};
+  return flux;
+}
+
+/// Small integers: their sums are exact in any order, and many are equal.
+void checkAgainstAll(const UnshotFlux& unshot) {
+  glm::dvec3 sizes(0);
+  std::uint32_t brightest = 0;
+  for (std::uint32_t patch = 0; patch < unshot.flux().size(); ++patch) {
+    sizes += glm::abs(unshot.flux()[patch]);
+    if (bandSum(glm::abs(unshot.flux()[patch])) > bandSum(glm::abs(unshot.flux()[brightest]))) brightest = patch;
+  }
+  CHECK(unshot.brightest() == brightest);
+  CHECK(unshot.sizes() == sizes);
+}
+
+}  // namespace
+
+TEST_CASE("the brightest patch and the sum of sizes are those of all patches, whatever changes", "[refinement]") {
+  std::mt19937 random(5);
+  for (const std::size_t count : {1, 2, 63, 64, 65, 4096, 4097, 10000}) {
+    INFO(count << " patches");
+    UnshotFlux unshot(randomFlux(count, random));
+    checkAgainstAll(unshot);
+    for (int round = 0; round < 10; ++round) {
+      std::vector<std::uint32_t> blocks;
+      for (const glm::dvec3& more : randomFlux(20, random)) {
+        const auto patch = static_cast<std::uint32_t>(random() % count);
+        unshot.add(patch, more);
+        blocks.push_back(patch / UnshotFlux::patchesInBlock);
+      }
+      unshot.clear(unshot.brightest());
+      blocks.push_back(unshot.brightest() / UnshotFlux::patchesInBlock);
+      unshot.update(blocks);
+      checkAgainstAll(unshot);
+    }
+  }
+}
+
+TEST_CASE("sums of sizes are those of a tree made afresh, to the last bit", "[refinement]") {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> some(-1, 1);
+  std::vector<glm::dvec3> flux(5000);
+  for (glm::dvec3& f : flux) f = {some(random), some(random), some(random)};
+  UnshotFlux unshot(flux);
+  for (int round = 0; round < 100; ++round) {
+    const auto patch = static_cast<std::uint32_t>(random() % flux.size());
+    const std::uint32_t block = patch / UnshotFlux::patchesInBlock;
+    unshot.add(patch, {some(random), 1e-9 * some(random), 1e9});
+    unshot.update({&block, 1});
+  }
+  CHECK(unshot.sizes() == UnshotFlux(unshot.flux()).sizes());
+}
+
+TEST_CASE("a change looks at 64 patches and at 64 nodes a level", "[refinement]") {
+  UnshotFlux unshot(std::vector<glm::dvec3>(1 << 18, glm::dvec3(1)));
+  unshot.add(77777, glm::dvec3(1));
+  const std::vector<std::uint32_t> blocks(3, 77777 / 64);
+  CHECK(unshot.update(blocks) == 3 * 64);
+  CHECK(unshot.brightest() == 77777);
+}

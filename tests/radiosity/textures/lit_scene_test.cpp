@@ -1,0 +1,208 @@
+/// The lit scene on disk: what is written is read back, and shows the light that was solved for.
+#include "radiosity/textures/lit_scene.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "radiosity/pictures/pictures.h"
+#include "radiosity/scene/image.h"
+#include "radiosity/textures/radiosity_texture.h"
+#include "raster/base/input_error.h"
+#include "tests/support/picture_scenes.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace hemitex;
+using namespace hemitex::radiosity;
+using namespace hemitex::tests;
+
+namespace {
+
+std::string textOf(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// What an 8-bit file keeps of a linear value.
+double quantized(double linear) { return decodeSrgb(encodeSrgb(linear) / 255.0); }
+
+/// What of that a picture shows of a scene that was read back: Kd is 1, which is lowered to this by reading.
+const double kd = SceneSettings{}.maxReflectance;
+
+/// The room, its walls cut into tiles x tiles quads each; grids of 5 x 3 texels, or none for every third tile.
+struct TiledRoom {
+  Scene scene;
+  Discretization discretization;
+
+  explicit TiledRoom(int tiles) {
+    std::vector<Surface> surfaces;
+    for (const Surface& wall : makeRoom().surfaces) {
+      const glm::dvec3 corner = wall.triangles[0].position[0];
+      const glm::dvec3 u = (wall.triangles[0].position[1] - corner) / static_cast<double>(tiles);
+      const glm::dvec3 v = (wall.triangles[1].position[2] - corner) / static_cast<double>(tiles);
+      for (int i = 0; i < tiles * tiles; ++i)
+        surfaces.push_back(parallelogram(wall.name + " " + std::to_string(i),
+                                         corner + double(i % tiles) * u + double(i / tiles) * v, u, v));
+    }
+    for (std::size_t s = 0; s < surfaces.size(); ++s) addGrid(discretization, s % 3 ? 5 : 1, s % 3 ? 3 : 1);
+    scene = sceneOf(std::move(surfaces));
+  }
+};
+
+Solution solutionOf(const std::vector<glm::dvec3>& radiosity) {
+  Solution solution;
+  solution.radiosity = radiosity;
+  return solution;
+}
+
+}  // namespace
+
+TEST_CASE("a lit scene keeps positions, winding and order, and texture coordinates inside the charts", "[lit-scene]") {
+  for (int tiles : {2, 4}) {  // 24 surfaces with textures of their own, 96 that share them
+    const TemporaryFolder folder;
+    TiledRoom room(tiles);
+    room.scene.surfaces[0].triangles[0].position[1] += glm::dvec3(1e-17, 1.0 / 3, 1e-9);
+    writeLitScene(folder.path, room.scene, room.discretization,
+                  solutionOf(std::vector<glm::dvec3>(room.discretization.elements.size(), glm::dvec3(1.0))), 1);
+    const Scene lit = loadScene(folder.path / "scene.obj");
+    REQUIRE(lit.surfaces.size() == room.scene.surfaces.size());
+    const TextureLayout layout = layOutTextures(room.scene, room.discretization);
+    for (std::uint32_t s = 0; s < lit.surfaces.size(); ++s)
+      for (std::size_t t = 0; t < 2; ++t) {
+        const Triangle& written = room.scene.surfaces[s].triangles[t];
+        REQUIRE(lit.surfaces[s].triangles[t].position == written.position);
+        for (std::size_t k = 0; k < 3; ++k)
+          REQUIRE(lit.surfaces[s].triangles[t].texcoord[k] ==
+                  textureCoordinate(room.discretization, layout, s, written.chart[k]));
+      }
+  }
+}
+
+TEST_CASE("constant light shows as one colour, without a seam or a dark border", "[lit-scene]") {
+  const glm::dvec3 light(0.02, 3, 7);
+  for (int tiles : {2, 4}) {
+    const TemporaryFolder folder;
+    const TiledRoom room(tiles);
+    writeLitScene(folder.path, room.scene, room.discretization,
+                  solutionOf(std::vector<glm::dvec3>(room.discretization.elements.size(), light)), 0.125);
+    const Camera camera{{0.3, -0.2, 0.4}, {-0.7, 0.1, -0.9}, {0.1, 1, 0.2}, 90};
+    const Image picture = unlitPicture(loadScene(folder.path / "scene.obj"), camera, 60, 50);
+    const glm::dvec3 expected = kd * glm::dvec3(quantized(0.0025), quantized(0.375), quantized(0.875));
+    for (const glm::dvec3& pixel : picture.pixels) REQUIRE(glm::distance(pixel, expected) < 1e-14);
+  }
+}
+
+TEST_CASE("the EXR holds the radiosity of the elements, as floats, and nothing else", "[lit-scene]") {
+  const TemporaryFolder folder;
+  TiledRoom room(1);
+  std::vector<glm::dvec3> radiosity;
+  for (std::size_t e = 0; e < room.discretization.elements.size(); ++e)
+    radiosity.emplace_back(0.1 * static_cast<double>(e), std::sqrt(static_cast<double>(e)),
+                           1e5 / (1.0 + static_cast<double>(e)));
+  Solution solution = solutionOf(radiosity);
+  solution.ambient = glm::dvec3(3.0);
+  writeLitScene(folder.path, room.scene, room.discretization, solution, 0.01);
+  const TextureLayout layout = layOutTextures(room.scene, room.discretization);
+  CHECK(layout.names[0] == "left_0");
+  for (std::size_t s = 0; s < 6; ++s) {
+    const Grid& grid = room.discretization.grids[s];
+    const Image texture = readImage(folder.path / (layout.names[s] + ".exr"));
+    REQUIRE(texture.width == grid.columns + 2);
+    REQUIRE(texture.height == grid.rows + 2);
+    for (int row = 0; row < grid.rows; ++row)
+      for (int column = 0; column < grid.columns; ++column) {
+        const auto element = grid.firstElement + static_cast<std::uint32_t>(row * grid.columns + column);
+        const auto pixel = static_cast<std::size_t>((grid.rows - row) * texture.width + column + 1);
+        REQUIRE(texture.pixels[pixel] == glm::dvec3(glm::vec3(radiosity[element])));
+      }
+  }
+}
+
+TEST_CASE("the PNG holds filtered radiosity with the ambient estimate, exposed", "[lit-scene]") {
+  const TemporaryFolder folder;
+  Discretization discretization;
+  addGrid(discretization, 3, 1);
+  Scene scene = sceneOf({parallelogram("wall", {0, 0, 0}, {3, 0, 0}, {0, 1, 0})});
+  scene.materials[0].reflectance = {0.5, 0.25, 0};
+  Solution solution = solutionOf({glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(0.0)});
+  solution.ambient = glm::dvec3(0.4);
+  writeLitScene(folder.path, scene, discretization, solution, 0.5);
+  const Image texture = readImage(folder.path / "wall.png");
+  REQUIRE(texture.width == 5);
+  // (1 2 1) over 0 1 0 leaves 1/3, 1/2, 1/3 at the three texels; the ambient estimate adds 0.2, 0.1, 0.
+  const std::vector<double> filtered{1.0 / 3, 1.0 / 3, 0.5, 1.0 / 3, 1.0 / 3};
+  for (std::size_t pixel = 0; pixel < texture.pixels.size(); ++pixel) {
+    const double b = filtered[pixel % 5];
+    CHECK(texture.pixels[pixel] ==
+          glm::dvec3(quantized(0.5 * (b + 0.2)), quantized(0.5 * (b + 0.1)), quantized(0.5 * b)));
+  }
+}
+
+TEST_CASE("surfaces of one texel are Gouraud shaded where their corners differ", "[lit-scene]") {
+  const TemporaryFolder folder;
+  const Scene scene =
+      sceneOf({parallelogram("a", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}), parallelogram("b", {1, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+               parallelogram("alone", {0, 5, 0}, {1, 0, 0}, {0, 1, 0})});
+  Discretization discretization;
+  for (int s = 0; s < 3; ++s) addGrid(discretization, 1, 1);
+  writeLitScene(folder.path, scene, discretization, solutionOf({glm::dvec3(0.2), glm::dvec3(0.5), glm::dvec3(0.7)}), 1);
+  const Scene lit = loadScene(folder.path / "scene.obj");
+  CHECK_FALSE(lit.surfaces[2].triangles[0].cornerColor);
+  CHECK(lit.materials[static_cast<std::size_t>(lit.surfaces[2].material)].reflectanceMap);
+  const Triangle& lower = lit.surfaces[0].triangles[0];
+  REQUIRE(lower.cornerColor);
+  CHECK_FALSE(lit.materials[static_cast<std::size_t>(lit.surfaces[0].material)].reflectanceMap);
+
+  const auto isClose = [](const glm::dvec3& colour, double expected) {
+    return glm::distance(colour, glm::dvec3(kd * expected)) < 1e-14;
+  };
+  // The corners at x = 0 are a's alone. At (1,0) meet one triangle of a and two of b, at (1,1) two and one.
+  const glm::dvec3 alone = unlitColour(lit, {.surface = 0, .triangle = 0, .weights = {1, 0, 0}});
+  const glm::dvec3 below = unlitColour(lit, {.surface = 0, .triangle = 0, .weights = {0, 1, 0}});
+  const glm::dvec3 above = unlitColour(lit, {.surface = 0, .triangle = 0, .weights = {0, 0, 1}});
+  CHECK(isClose(alone, quantized(0.2)));
+  CHECK(isClose(below, quantized((0.2 + 2 * 0.5) / 3)));
+  CHECK(isClose(above, quantized((2 * 0.2 + 0.5) / 3)));
+}
+
+TEST_CASE("names that files and groups cannot have are replaced", "[lit-scene]") {
+  const TemporaryFolder folder;
+  Discretization discretization;
+  std::vector<Surface> surfaces;
+  for (const char* name : {"a/b", "A b", "a_b#1", "render", "gouraud"}) {
+    surfaces.push_back(parallelogram(name, {2.0 * static_cast<double>(surfaces.size()), 0, 0}, {1, 0, 0}, {0, 1, 0}));
+    addGrid(discretization, 2, 2);
+  }
+  const Scene scene = sceneOf(surfaces);
+  writeLitScene(folder.path, scene, discretization, solutionOf(std::vector<glm::dvec3>(20, glm::dvec3(0.5))), 1);
+  std::set<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path)) files.insert(entry.path().filename());
+  CHECK(files == std::set<std::string>{"a_b.png", "a_b.exr", "A_b-2.png", "A_b-2.exr", "a_b_1.png", "a_b_1.exr",
+                                       "render-2.png", "render-2.exr", "gouraud.png", "gouraud.exr", "scene.obj",
+                                       "scene.mtl"});
+  const Scene lit = loadScene(folder.path / "scene.obj");
+  CHECK(lit.surfaces.size() == 5);
+  for (const Material& material : lit.materials) CHECK(material.reflectanceMap);
+}
+
+TEST_CASE("a lit scene is the same bytes again", "[lit-scene]") {
+  const TemporaryFolder folder;
+  const TiledRoom room(2);
+  const std::vector<glm::dvec3> radiosity(room.discretization.elements.size(), glm::dvec3(1.0 / 3));
+  for (const char* name : {"a", "b"}) {
+    std::filesystem::create_directory(folder.path / name);
+    writeLitScene(folder.path / name, room.scene, room.discretization, solutionOf(radiosity), 0.7);
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path / "a"))
+    REQUIRE(textOf(entry.path()) == textOf(folder.path / "b" / entry.path().filename()));
+}
+
+TEST_CASE("a folder that is not there is the user's fault", "[lit-scene]") {
+  const TemporaryFolder folder;
+  const TiledRoom room(1);
+  const std::vector<glm::dvec3> radiosity(room.discretization.elements.size());
+  CHECK_THROWS_AS(writeLitScene(folder.path / "absent", room.scene, room.discretization, solutionOf(radiosity), 1),
+                  raster::InputError);
+}

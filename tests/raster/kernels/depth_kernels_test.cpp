@@ -1,0 +1,96 @@
+// The depth kernels of every instruction set compute what the plain ones do, bit for bit.
+#include "raster/kernels/depth_kernels.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <tuple>
+
+#include "tests/support/raster_scenes.h"
+
+using namespace hemitex;
+using namespace hemitex::tests;
+
+namespace {
+
+struct Drawn {
+  raster::DepthBuffer buffer;
+  std::vector<bool> taken;
+  raster::UndecidedPixels undecided;
+};
+
+/// Each triangle twice, so that its second time is undecided wherever it is in front; triangle t has the numbers 2 t
+/// and 2 t + 1.
+Drawn draw(const raster::DepthKernels& kernels, const std::vector<raster::ScreenTriangle>& triangles,
+           const raster::Face& face) {
+  Drawn drawn;
+  drawn.buffer.clear(face.scissor);
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    for (std::uint32_t time = 0; time < 2; ++time)
+      drawn.taken.push_back(kernels.offer(triangles[t], 2 * t + time, drawn.buffer, drawn.undecided));
+  return drawn;
+}
+
+}  // namespace
+
+TEST_CASE("the depth test is the same bits with every instruction set", "[kernels]") {
+  raster::DrawList list = crossingTriangles();
+  // Wide ones in front of all, with a side along a row of samples, which belongs to one of them.
+  const auto near = [](float x, float y) { return glm::vec3(x, y, 1) / 64.0F; };
+  for (const float y : {-0.9F, 0.9F})
+    addTriangle(list, {near(-0.9F, 1.0F / 128), near(0.9F, 1.0F / 128), near(0.1F, y)}, {{0, 0}, {1, 0}, {0, 1}});
+  for (const raster::Face& face : facesAndParts()) {
+    const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
+    const Drawn plain = draw(raster::plainDepthKernels(), triangles, face);
+    CHECK(!plain.undecided.pixels.empty());
+    for (const raster::DepthKernels& kernels : raster::simdDepthKernels()) {
+      INFO(kernels.name << ", " << face.scissor.width << " columns");
+      const Drawn drawn = draw(kernels, triangles, face);
+      CHECK(drawn.buffer.inverseDepth == plain.buffer.inverseDepth);
+      CHECK(drawn.buffer.triangle == plain.buffer.triangle);
+      CHECK(drawn.taken == plain.taken);
+      CHECK(sorted(drawn.undecided) == sorted(plain.undecided));
+    }
+  }
+}
+
+TEST_CASE("runs end where another triangle is shown, with every instruction set", "[kernels]") {
+  // Runs of 1, 2, 3, ... pixels; what lies behind `end` goes on with the last.
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t length = 1; length < 40; ++length) triangles.insert(triangles.end(), length, length % 2);
+  const auto size = static_cast<int>(triangles.size());
+  triangles.insert(triangles.end(), raster::mostLanes, triangles.back());
+  std::vector<raster::DepthKernels> all = raster::simdDepthKernels();
+  all.push_back(raster::plainDepthKernels());
+  for (const raster::DepthKernels& kernels : all) {
+    INFO(kernels.name);
+    for (int end = size - 60; end <= size; ++end)
+      for (int first = 0, length = 1; first < end; first += length, ++length)
+        for (int i = first; i < std::min(first + length, end); ++i)
+          REQUIRE(kernels.endOfRun(triangles.data(), i, end) == std::min(first + length, end));
+  }
+}
+
+TEST_CASE("a part of the depth buffer hides what is behind all of its pixels, with every instruction set",
+          "[kernels]") {
+  const raster::Face face = frontFace(64);
+  raster::DepthBuffer buffer;
+  buffer.clear(face.scissor);
+  std::fill(buffer.inverseDepth.begin(), buffer.inverseDepth.end(), 3.0);
+  std::vector<raster::DepthKernels> all = raster::simdDepthKernels();
+  all.push_back(raster::plainDepthKernels());
+  for (const raster::DepthKernels& kernels : all) {
+    INFO(kernels.name);
+    for (int width = 1; width < 20; ++width) {
+      const raster::Scissor part{5, 7, width, 3};
+      CHECK(kernels.isHidden(buffer, part, 2.9));
+      CHECK(!kernels.isHidden(buffer, part, 3.0));
+      for (const auto& [column, row, isInside] : {std::tuple(5, 7, true), std::tuple(4 + width, 9, true),
+                                                  std::tuple(5 + width, 9, false), std::tuple(4, 8, false)}) {
+        double& depth = buffer.inverseDepth[buffer.rowAt(row) + static_cast<std::size_t>(column)];
+        depth = 1;
+        CHECK(kernels.isHidden(buffer, part, 2.9) == !isInside);
+        depth = 3;
+      }
+    }
+  }
+}

@@ -1,0 +1,129 @@
+// The small triangle kernels of every instruction set compute what the plain ones do, bit for bit, and the plain ones
+// find what screen triangles show.
+#include "raster/kernels/small_triangle_kernels.h"
+
+#include <algorithm>
+#include <bit>
+#include <catch2/catch.hpp>
+#include <tuple>
+
+#include "raster/kernels/interpolation_bounds.h"
+#include "raster/setup/exact_interpolation.h"
+#include "raster/software/cluster_setup.h"
+#include "tests/support/raster_scenes.h"
+
+using namespace hemitex;
+using namespace hemitex::raster;
+
+namespace {
+
+std::vector<Face> faces() {
+  std::vector<Face> all{tests::frontFace(64), tests::frontFace(64), tests::frontFace(32), tests::frontFace(128)};
+  all[1].x = -all[1].x;
+  all[1].scissor = {17, 9, 31, 40};
+  return all;
+}
+
+/// A part of the mesh as a face sees it.
+struct Seen {
+  PlacedVertices placed;
+  std::uint32_t small;
+
+  Seen(const ClusterMesh& mesh, const ClusterPart& part, const Face& face)
+      : small(plainVertexKernels().place(mesh, part, face, placed).small) {}
+};
+
+/// Triangle, row, column, the bits of 1/w, and the texel: in an order of their own, not that of the kernel.
+using Sample = std::tuple<std::int32_t, int, int, std::uint64_t, std::int32_t>;
+
+std::vector<Sample> sorted(const SmallSamples& samples) {
+  std::vector<Sample> all;
+  for (std::size_t i = 0; i < samples.count; ++i)
+    all.emplace_back(samples.triangles[i], samples.rows[i], samples.columns[i],
+                     std::bit_cast<std::uint64_t>(samples.inverseDepths[i]), samples.texels[i]);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// The covered samples of a screen triangle: rows and columns.
+std::vector<std::pair<int, int>> coveredBy(const ScreenTriangle& triangle) {
+  std::vector<std::pair<int, int>> covered;
+  for (int row = triangle.firstRow; row < triangle.endRow; ++row)
+    for (int column = triangle.firstColumn; column < triangle.endColumn; ++column) {
+      const EdgeValues edge = edgeValues(triangle, column, row), least = leastCovered(triangle);
+      if (edge[0] >= least[0] && edge[1] >= least[1] && edge[2] >= least[2]) covered.emplace_back(row, column);
+    }
+  return covered;
+}
+
+}  // namespace
+
+TEST_CASE("small triangles have the same samples with every instruction set", "[small_triangle_kernels]") {
+  const DrawList list = tests::smallTriangles(600);
+  const ClusterMesh mesh = meshOf(list, clustersOf(list));
+  std::size_t samples = 0;
+  for (const Face& face : faces())
+    for (const ClusterPart& part : mesh.parts)
+      for (const int columns : {8, 1}) {
+        const Seen seen(mesh, part, face);
+        const SmallTriangles triangles{mesh, part, seen.placed, seen.small, columns, columns == 1 ? 1 : 5};
+        SmallSamples plain;
+        plainSmallTriangleKernels().findSamples(triangles, face.scissor, plain);
+        samples += plain.count;
+        for (const SmallTriangleKernels& kernels : simdSmallTriangleKernels()) {
+          INFO(kernels.name);
+          SmallSamples found;
+          kernels.findSamples(triangles, face.scissor, found);
+          CHECK(sorted(found) == sorted(plain));
+          for (std::size_t i = 0; i < found.count; ++i)
+            CHECK((found.negative >> found.triangles[i] & 1) == (plain.negative >> found.triangles[i] & 1));
+        }
+      }
+  CHECK(samples > 20000);
+}
+
+TEST_CASE("a small triangle covers the samples of its screen triangle and has its texels", "[small_triangle_kernels]") {
+  const DrawList list = tests::smallTriangles(600);
+  const std::vector<Cluster> clusters = clustersOf(list);
+  const ClusterMesh mesh = meshOf(list, clusters);
+  constexpr int rows = 5;
+  int small = 0, empty = 0, decided = 0, undecided = 0;
+  for (const Face& face : faces())
+    for (std::size_t c = 0; c < clusters.size(); ++c) {
+      const ClusterPart& part = mesh.parts[c];
+      const Seen seen(mesh, part, face);
+      const bool isMirrored = determinant(face) < 0;
+      for (std::uint32_t t = 0; t < part.triangles; ++t) {
+        if ((seen.small >> t & 1) == 0) continue;
+        ++small;
+        ScreenTriangle triangle;
+        std::vector<std::pair<int, int>> expected;
+        if (makeScreenTriangle(mesh, clusters[c], part, t, seen.placed, face.scissor, isMirrored, triangle))
+          expected = coveredBy(triangle);
+        if (expected.empty()) ++empty;
+        for (const int columns : {7, 1}) {
+          SmallSamples found;
+          plainSmallTriangleKernels().findSamples({mesh, part, seen.placed, 1U << t, columns, rows}, face.scissor,
+                                                  found);
+          REQUIRE(found.count == expected.size());
+          for (std::size_t i = 0; i < found.count; ++i) {
+            const auto [row, column] = expected[i];
+            CHECK(found.triangles[i] == static_cast<std::int32_t>(t));
+            CHECK(found.rows[i] == row);
+            CHECK(found.columns[i] == column);
+            CHECK(((found.negative >> t & 1) != 0) == (triangle.facesAway == isMirrored));
+            const double inverseDepth = inverseDepthAt(triangle, edgeValues(triangle, column, row));
+            CHECK(std::abs(found.inverseDepths[i] - inverseDepth) <= 2 * depthError * inverseDepth);
+            found.texels[i] == undecidedTexel ? ++undecided : ++decided;
+            if (found.texels[i] != undecidedTexel)
+              CHECK(found.texels[i] == texelExactly(triangle, triangle.v, rows, column, row) * columns +
+                                           texelExactly(triangle, triangle.u, columns, column, row));
+          }
+        }
+      }
+    }
+  CHECK(small > 5000);
+  CHECK(empty > 500);
+  CHECK(decided > 5000);
+  CHECK(undecided > 100);
+}

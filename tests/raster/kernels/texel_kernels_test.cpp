@@ -1,0 +1,211 @@
+// The texel kernels of every instruction set compute what the plain ones do, bit for bit.
+#include "raster/kernels/texel_kernels.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+#include <utility>
+
+#include "raster/kernels/depth_kernels.h"
+#include "raster/kernels/interpolation_bounds.h"
+#include "tests/support/raster_scenes.h"
+
+using namespace hemitex;
+using namespace hemitex::tests;
+
+namespace {
+
+bool isCovered(const raster::ScreenTriangle& triangle, int column, int row) {
+  return std::all_of(triangle.edges.begin(), triangle.edges.end(),
+                     [=](const raster::Edge& edge) { return edge.at(column, row) >= (edge.inclusive ? 0 : 1); });
+}
+
+/// What a face shows of triangles, by their numbers.
+raster::DepthBuffer drawn(const std::vector<raster::ScreenTriangle>& triangles, const raster::Face& face) {
+  raster::DepthBuffer buffer;
+  raster::UndecidedPixels undecided;
+  buffer.clear(face.scissor);
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    raster::plainDepthKernels().offer(triangles[t], t, buffer, undecided);
+  return buffer;
+}
+
+/// What kernels find in a run.
+struct Texels {
+  std::vector<std::uint32_t> texels;
+  std::vector<std::pair<int, int>> undecided;
+};
+
+Texels texelsOf(const raster::TexelKernels& kernels, const raster::PixelRun& run, const raster::TexelPlanes& planes) {
+  // Behind the run stands what kernels may take for a texel that is still open.
+  Texels found{std::vector<std::uint32_t>(static_cast<std::size_t>(run.count + raster::mostLanes), 0xffffffff), {}};
+  raster::UndecidedPixels undecided;
+  kernels.findTexels(run, planes, 7, found.texels.data(), undecided);
+  found.texels.resize(static_cast<std::size_t>(run.count));
+  found.undecided = sorted(undecided);
+  for (const auto& [row, column] : found.undecided)
+    if (column >= run.firstColumn && column < run.firstColumn + run.count)
+      found.texels[static_cast<std::size_t>(column - run.firstColumn)] = 0;
+  return found;
+}
+
+/// Holds the texels of each run that a face shows against those of the plain kernels; returns the longest run.
+int compareTexels(const raster::DrawList& list, const raster::Face& face,
+                  const std::vector<std::pair<int, int>>& maps) {
+  const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
+  const raster::DepthBuffer buffer = drawn(triangles, face);
+  const int columns = face.scissor.width;
+  int longest = 0;
+  for (const auto& [width, height] : maps)
+    for (int row = 0; row < face.scissor.height; ++row)
+      for (int first = 0, end = 0; first < columns; first = end) {
+        const std::size_t begin = buffer.rowAt(row);
+        const std::uint32_t number = buffer.triangle[begin + static_cast<std::size_t>(first)];
+        while (end < columns && buffer.triangle[begin + static_cast<std::size_t>(end)] == number) ++end;
+        if (number == raster::noTriangle) continue;
+        longest = std::max(longest, end - first);
+        const raster::PixelRun run{&triangles[number], row, first, end - first,
+                                   buffer.inverseDepth.data() + begin + first};
+        const raster::TexelPlanes planes(triangles[number], width, height);
+        const Texels plain = texelsOf(raster::plainTexelKernels(), run, planes);
+        for (const raster::TexelKernels& kernels : raster::simdTexelKernels()) {
+          INFO(kernels.name << ", row " << row << ", columns " << first << " to " << end);
+          const Texels found = texelsOf(kernels, run, planes);
+          REQUIRE(found.undecided == plain.undecided);
+          REQUIRE(found.texels == plain.texels);
+        }
+      }
+  return longest;
+}
+
+}  // namespace
+
+TEST_CASE("texels are the same with every instruction set, for runs of every length", "[kernels]") {
+  compareTexels(crossingTriangles(), frontFace(64), {{16, 16}, {1, 5}, {1024, 1}, {65536, 32768}});
+}
+
+TEST_CASE("texels are the same with every instruction set, along walls steep and flat", "[kernels]") {
+  // Each wall fills the view; its depth grows from left to right, its coordinates leave the map on both sides.
+  raster::Face face = frontFace(256);
+  face.scissor.height = 24;
+  for (const float depth : {1.0F, 1.5F, 4.0F, 20.0F, 300.0F})
+    for (const float reach : {0.01F, 0.9F, 7.0F, 1e3F, 1e6F, 1e9F}) {
+      raster::DrawList list = plainList();
+      addDraw(list, 0);
+      addTriangle(list, {{-1.1F, -1.2F, 1}, {1.1F * depth, -1.3F * depth, depth}, {0, 5, 1.2F}},
+                  {{0.05F, 0.03F}, {reach, 0.4F}, {0.3F, -reach}});
+      const int longest = compareTexels(list, face, {{16, 16}, {1, 7}, {1024, 1000}, {5, 65536}});
+      CHECK(longest > 200);
+    }
+}
+
+TEST_CASE("a single texel is everywhere, however large coordinates are", "[kernels]") {
+  raster::DrawList list = plainList();
+  addDraw(list, 0);
+  addTriangle(list, {{-1, -1, 1}, {3, -1, 1}, {-1, 3, 1}}, {{-1e18F, 0}, {1e18F, 1e18F}, {7, -1e18F}});
+  const raster::Face face = frontFace(64);
+  const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
+  const raster::DepthBuffer buffer = drawn(triangles, face);
+  const raster::PixelRun run{triangles.data(), 3, 0, 64, buffer.inverseDepth.data() + buffer.rowAt(3)};
+  std::vector<raster::TexelKernels> all = raster::simdTexelKernels();
+  all.push_back(raster::plainTexelKernels());
+  for (const raster::TexelKernels& kernels : all) {
+    INFO(kernels.name);
+    const Texels found = texelsOf(kernels, run, raster::TexelPlanes(triangles.front(), 1, 1));
+    CHECK(found.undecided.empty());
+    CHECK(found.texels == std::vector<std::uint32_t>(64, 7));
+  }
+}
+
+TEST_CASE("a texel beside a border is the exact one or undecided, with every instruction set", "[kernels]") {
+  // Walls as above. Coordinates are moved so that a pixel of a run, often the first or the last, where 1/w differs most
+  // from that in the middle, lies 2^-6 to 2^-25 texels from a border: far off what rounding can do and close to it.
+  raster::Face face = frontFace(256);
+  face.scissor.height = 4;
+  std::mt19937 random(4);
+  const auto below = [&random](int end) { return static_cast<int>(random() % static_cast<unsigned>(end)); };
+  int decided = 0, open = 0;
+  for (const float depth : {1.0F, 1.5F, 3.1F, 30.0F, 300.0F})
+    for (const int size : {5, 16, 1024, 65536})
+      for (const float reach : {1e-3F, 0.9F, 7.0F, 40.0F}) {
+        raster::DrawList list = plainList();
+        addDraw(list, 0);
+        addTriangle(list, {{-1.1F, -1.2F, 1}, {1.1F * depth, -1.3F * depth, depth}, {0, 5, 1.2F}},
+                    {{0.05F, 0.03F}, {0.05F + reach, 0.4F}, {0.3F, -reach}});
+        const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
+        const raster::DepthBuffer buffer = drawn(triangles, face);
+        for (int times = 0; times < 60; ++times) {
+          const int row = below(4), first = below(100), count = times % 2 == 0 ? 256 - first : 20 + below(156 - 20);
+          const std::size_t begin = buffer.pixelAt(first, row);
+          REQUIRE(buffer.triangle[begin] == 0);
+          REQUIRE(raster::plainDepthKernels().endOfRun(buffer.triangle.data() + begin, 0, count) == count);
+          const int at = times % 3 == 0 ? 0 : times % 3 == 1 ? count - 1 : below(count);
+          raster::ScreenTriangle triangle = triangles.front();
+          const raster::EdgeValues edge = raster::edgeValues(triangle, first + at, row);
+          double position = 0;
+          for (std::size_t k = 0; k < 3; ++k) position += edge[k] * triangle.inverseDepth[k] * triangle.u[k];
+          position = position / raster::inverseDepthAt(triangle, edge) * size;
+          const double off = std::ldexp(random() % 2 == 0 ? 1 : -1, -6 - below(20));
+          for (double& u : triangle.u) u += (std::round(position) + off - position) / size;
+          const raster::PixelRun run{&triangle, row, first, count, buffer.inverseDepth.data() + begin};
+          const raster::TexelPlanes planes(triangle, size, 8);
+          const auto exact =
+              static_cast<std::uint32_t>(7 + raster::texelExactly(triangle, triangle.v, 8, first + at, row) * size +
+                                         raster::texelExactly(triangle, triangle.u, size, first + at, row));
+          for (const raster::TexelKernels& kernels : raster::simdTexelKernels()) {
+            const Texels found = texelsOf(kernels, run, planes);
+            const bool isOpen =
+                std::binary_search(found.undecided.begin(), found.undecided.end(), std::pair(row, first + at));
+            ++(isOpen ? open : decided);
+            INFO(kernels.name << ", depth " << depth << ", size " << size << ", reach " << reach << ", off " << off);
+            if (!isOpen) REQUIRE(found.texels[static_cast<std::size_t>(at)] == exact);
+          }
+        }
+      }
+  if (raster::simdTexelKernels().empty()) return;
+  CHECK(decided > 10 * open);
+  CHECK(open > 0);
+}
+
+TEST_CASE("exact quotients give the texels of the exact fallback, with every instruction set", "[kernels]") {
+  const raster::Face face = frontFace(64);
+  raster::DrawList list = plainList();
+  addDraw(list, 0);
+  // Corners at halves of pixels, texels that begin at samples, straight on and across depths of few bits.
+  for (const float depth : {1.0F, 2.5F}) {
+    const auto point = [&](float column, float row, float w) {
+      return glm::vec3((column / 32 - 1) * w, (row / 32 - 1) * w, w);
+    };
+    addTriangle(list, {point(0.5F, 0.5F, 1), point(48.5F, 3.5F, depth), point(7.5F, 60.5F, depth)},
+                {{-0.25F, 0}, {1, 0.5F}, {0.5F, 1.25F}});
+  }
+  std::vector<raster::TexelKernels> all = raster::simdTexelKernels();
+  all.push_back(raster::plainTexelKernels());
+  int runs = 0;
+  for (const raster::ScreenTriangle& triangle : screenTriangles(list, face))
+    for (const int size : {1, 16, 48})
+      for (int row = triangle.firstRow; row < triangle.endRow; ++row) {
+        const auto u = exactQuotient(triangle, triangle.u, size), v = exactQuotient(triangle, triangle.v, 2 * size);
+        REQUIRE((u && v));
+        std::vector<std::uint32_t> expected;
+        int first = triangle.firstColumn;
+        for (int column = triangle.firstColumn; column < triangle.endColumn; ++column) {
+          if (!isCovered(triangle, column, row)) continue;
+          if (expected.empty()) first = column;
+          expected.push_back(
+              static_cast<std::uint32_t>(7 + texelExactly(triangle, triangle.v, 2 * size, column, row) * size +
+                                         texelExactly(triangle, triangle.u, size, column, row)));
+        }
+        const raster::PixelRun run{&triangle, row, first, static_cast<int>(expected.size()), nullptr};
+        for (const raster::TexelKernels& kernels : all) {
+          std::vector<std::uint32_t> found(expected.size() + raster::mostLanes);
+          kernels.findExactTexels(run, {*u, *v}, size, 2 * size, 7, found.data());
+          found.resize(expected.size());
+          INFO(kernels.name << ", row " << row << ", size " << size);
+          REQUIRE(found == expected);
+        }
+        ++runs;
+      }
+  CHECK(runs > 300);
+}

@@ -1,0 +1,113 @@
+// The vertex kernels of every instruction set compute what the plain ones do, bit for bit.
+#include "raster/kernels/vertex_kernels.h"
+
+#include <algorithm>
+#include <bit>
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "raster/setup/vertex_stage.h"
+#include "tests/support/raster_scenes.h"
+
+using namespace hemitex;
+using namespace hemitex::raster;
+
+namespace {
+
+/// Triangles around the eye and far beyond what binary32 holds, a draw each of 1 to 32 of them, with vertices on the
+/// near plane, on the sides of the view and of the guard band.
+DrawList allAround() {
+  std::mt19937 random(3);
+  DrawList list = tests::plainList();
+  const auto value = [&](float size) { return tests::uniform(random, -size, size); };
+  for (std::uint32_t draw = 0; draw < 400; ++draw) {
+    tests::addDraw(list, draw);
+    const float size = draw % 50 == 0 ? 3e38F : draw % 7 == 0 ? 1e20F : 4;
+    for (std::uint32_t t = 0; t <= draw % 32; ++t) {
+      std::array<glm::vec3, 3> corners;
+      for (glm::vec3& p : corners) {
+        p = {value(size), value(size), value(size)};
+        if (random() % 8 == 0) p.z = 0.5F;
+        if (random() % 8 == 0) p.x = p.z * static_cast<float>(1U << (random() % 4));
+        if (random() % 8 == 0) p.y = -p.z * static_cast<float>(1U << (random() % 4));
+        if (random() % 200 == 0) p.x = std::numeric_limits<float>::infinity();
+      }
+      tests::addTriangle(list, {corners[0], corners[1], corners[2]});
+    }
+  }
+  return list;
+}
+
+/// All that `place` says of a part, floats as bits.
+std::vector<std::uint32_t> placed(const VertexKernels& kernels, const ClusterMesh& mesh, const ClusterPart& part,
+                                  const Face& face) {
+  PlacedVertices vertices;
+  const TriangleSets sets = kernels.place(mesh, part, face, vertices);
+  std::vector<std::uint32_t> all{sets.whole, sets.cut, sets.small};
+  for (std::size_t i = 0; i < part.vertices; ++i) {
+    const float w = vertices.w[i];
+    all.insert(all.end(),
+               {w == w ? std::bit_cast<std::uint32_t>(w) : 0, static_cast<std::uint32_t>(vertices.across[i]),
+                static_cast<std::uint32_t>(vertices.down[i]), static_cast<std::uint32_t>(vertices.sides[i])});
+  }
+  return all;
+}
+
+std::vector<Face> faces() {
+  std::vector<Face> all;
+  for (const Face& face : tests::threeFaces()) all.push_back(face);
+  all.push_back(tests::frontFace(4096));
+  all.back().scissor = {1000, 7, 200, 4089};
+  all.push_back(tests::frontFace(2));
+  all.push_back(all.back());
+  all.back().w *= 1e30F;
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("vertices are placed the same with every instruction set", "[vertex_kernels]") {
+  const DrawList list = allAround();
+  const ClusterMesh mesh = meshOf(list, clustersOf(list));
+  std::uint32_t whole = 0, cut = 0, small = 0, sides = 0;
+  for (const Face& face : faces())
+    for (const ClusterPart& part : mesh.parts) {
+      const std::vector<std::uint32_t> plain = placed(plainVertexKernels(), mesh, part, face);
+      for (const VertexKernels& kernels : simdVertexKernels()) {
+        INFO(kernels.name << ", " << part.vertices << " vertices");
+        REQUIRE(placed(kernels, mesh, part, face) == plain);
+      }
+      whole |= plain[0];
+      cut |= plain[1];
+      small |= plain[2];
+      CHECK((plain[2] & ~plain[0]) == 0);
+      for (std::size_t i = 6; i < plain.size(); i += 4) sides |= plain[i];
+    }
+  CHECK(whole == 0xffffffff);
+  CHECK(cut == 0xffffffff);
+  CHECK(std::popcount(small) > 20);
+  CHECK(sides == (beyondAny | notInside));
+}
+
+TEST_CASE("a vertex that is inside is placed as the rules place it", "[vertex_kernels]") {
+  const DrawList list = allAround();
+  const ClusterMesh mesh = meshOf(list, clustersOf(list));
+  const Face face = tests::frontFace(128);
+  int inside = 0;
+  PlacedVertices vertices;
+  for (const ClusterPart& part : mesh.parts) {
+    bestVertexKernels().place(mesh, part, face, vertices);
+    for (std::size_t i = 0; i < part.vertices; ++i) {
+      const std::size_t v = part.firstVertex + i;
+      const ViewVertex p = transform(face, {mesh.positions[0][v], mesh.positions[1][v], mesh.positions[2][v]}, {});
+      const ClippedPolygon unclipped = isFinite(p) ? clip({p, p, p}, face.nearDistance) : ClippedPolygon{};
+      CHECK(((vertices.sides[i] & notInside) == 0) == (unclipped.count > 0));
+      if (unclipped.count == 0) continue;
+      ++inside;
+      CHECK(vertices.w[i] == static_cast<float>(p.w));
+      CHECK(vertices.across[i] == snap(p.x / p.w, face.resolution));
+      CHECK(vertices.down[i] == snap(p.y / p.w, face.resolution));
+    }
+  }
+  CHECK(inside > 1000);
+}

@@ -1,0 +1,493 @@
+// What every pixel is: coverage, depth, texels and words of the reference renderer.
+#include "raster/software/software_renderer.h"
+
+#include <algorithm>
+#include <atomic>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <catch2/catch.hpp>
+
+#include "raster/base/input_error.h"
+#include "raster/base/parallel.h"
+#include "raster/setup/triangle_setup.h"
+#include "tests/support/raster_scenes.h"
+
+using namespace hemitex;
+using namespace hemitex::tests;
+using raster::Word;
+
+namespace {
+
+constexpr Word background = 0xffffffff;
+
+/// How often the triangles of a list cover each pixel, drawn one by one.
+std::vector<int> coverCounts(const raster::DrawList& list, const raster::Face& face) {
+  std::vector<int> counts(static_cast<std::size_t>(face.scissor.width * face.scissor.height));
+  for (std::uint32_t t = 0; t < list.indices.size() / 3; ++t) {
+    raster::DrawList one = list;
+    one.draws = {{3 * t, 3, 0, {}, {}}};
+    const raster::ItemBuffer buffer = drawOne(one, face);
+    for (std::size_t p = 0; p < counts.size(); ++p) counts[p] += buffer.words[p] != background;
+  }
+  return counts;
+}
+
+bool allAre(const std::vector<int>& counts, int value) {
+  return std::all_of(counts.begin(), counts.end(), [value](int count) { return count == value; });
+}
+
+/// A square of `size` x `size` jittered cells, two triangles each, that covers more than the view. The jitter is small
+/// enough that every cell stays convex.
+raster::DrawList jitteredGrid(std::mt19937& random, int size, float depthSpread, bool flip) {
+  raster::DrawList list = plainList();
+  addDraw(list, 0);
+  std::vector<glm::vec3> points;
+  for (int j = 0; j <= size; ++j)
+    for (int i = 0; i <= size; ++i) {
+      const bool border = i == 0 || j == 0 || i == size || j == size;
+      const float jitter = border ? 0 : 0.2f;
+      const float x = (static_cast<float>(i) + uniform(random, -jitter, jitter)) / static_cast<float>(size) * 3 - 1.5f;
+      const float y = (static_cast<float>(j) + uniform(random, -jitter, jitter)) / static_cast<float>(size) * 3 - 1.5f;
+      const float w = uniform(random, 1, 1 + depthSpread);
+      points.push_back({x * w, y * w, w});
+    }
+  const auto at = [&](int i, int j) { return points[static_cast<std::size_t>(j * (size + 1) + i)]; };
+  for (int j = 0; j < size; ++j)
+    for (int i = 0; i < size; ++i) {
+      if ((i + j) % 2 == 0 && flip) {
+        addTriangle(list, {at(i + 1, j), at(i, j), at(i + 1, j + 1)});
+        addTriangle(list, {at(i, j + 1), at(i + 1, j + 1), at(i, j)});
+      } else {
+        addTriangle(list, {at(i, j), at(i + 1, j), at(i, j + 1)});
+        addTriangle(list, {at(i + 1, j + 1), at(i, j + 1), at(i + 1, j)});
+      }
+    }
+  return list;
+}
+
+std::uint64_t fnv1a(const std::vector<Word>& words, std::uint64_t hash = 0xcbf29ce484222325u) {
+  for (const Word word : words)
+    for (int byte = 0; byte < 4; ++byte) hash = (hash ^ ((word >> (8 * byte)) & 0xff)) * 0x100000001b3u;
+  return hash;
+}
+
+}  // namespace
+
+TEST_CASE("eight triangles around a pixel's centre cover it exactly once, in both windings", "[renderer]") {
+  // The fan's hub lies on the sample of pixel (8, 8) of 16 x 16, at (1/16, 1/16); all spokes pass through it.
+  const float h = 1.0f / 16;
+  for (const bool clockwise : {false, true})
+    for (int rotation = 0; rotation < 3; ++rotation) {
+      raster::DrawList list = plainList();
+      addDraw(list, 0);
+      const std::array<glm::vec2, 8> rim{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+      for (std::size_t k = 0; k < 8; ++k) {
+        std::array<glm::vec3, 3> corner{glm::vec3(h, h, 1), glm::vec3(h + 0.5f * rim[k].x, h + 0.5f * rim[k].y, 1),
+                                        glm::vec3(h + 0.5f * rim[(k + 1) % 8].x, h + 0.5f * rim[(k + 1) % 8].y, 1)};
+        std::rotate(corner.begin(), corner.begin() + rotation, corner.end());
+        if (clockwise) std::swap(corner[0], corner[1]);
+        addTriangle(list, {corner[0], corner[1], corner[2]});
+      }
+      const std::vector<int> counts = coverCounts(list, frontFace(16));
+      CHECK(counts[8 * 16 + 8] == 1);
+      // The fan is the square from pixel (4, 4) to (12, 12), its samples on the border: top and left count, the
+      // others do not, so 8 x 8 pixels are covered, each once.
+      CHECK(std::count(counts.begin(), counts.end(), 1) == 64);
+      CHECK(std::count(counts.begin(), counts.end(), 0) == 256 - 64);
+    }
+}
+
+TEST_CASE("triangles that share edges cover each pixel exactly once", "[renderer]") {
+  std::mt19937 random(1);
+  for (const bool flip : {false, true})
+    for (const float depthSpread : {0.0f, 3.0f}) {
+      INFO("flip " << flip << ", depth spread " << depthSpread);
+      CHECK(allAre(coverCounts(jitteredGrid(random, 7, depthSpread, flip), frontFace(64)), 1));
+    }
+}
+
+TEST_CASE("sample positions on edges belong to the triangle whose top or left edge they are", "[renderer]") {
+  // Two triangles make the square [-1/2, 1/2]^2 of 4 x 4 pixels; samples lie at +-1/4 and +-3/4, so shift the square
+  // by 1/4: its borders then pass through the samples of columns and rows 1 and 3.
+  raster::DrawList list = plainList();
+  addDraw(list, 7);
+  const float a = -0.25f, b = 0.75f;
+  addTriangle(list, {{a, a, 1}, {b, a, 1}, {b, b, 1}});
+  addTriangle(list, {{a, a, 1}, {b, b, 1}, {a, b, 1}});
+  const raster::ItemBuffer buffer = drawOne(list, frontFace(4));
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) {
+      const bool expected = column >= 1 && column < 3 && row >= 1 && row < 3;
+      INFO("pixel " << column << ", " << row);
+      CHECK((buffer.words[static_cast<std::size_t>(4 * row + column)] == 7) == expected);
+    }
+}
+
+TEST_CASE("y = -w maps to row 0 and x = -w to column 0", "[renderer]") {
+  raster::DrawList list = plainList();
+  addDraw(list, 1);
+  addTriangle(list, {{-1, -1, 1}, {-0.4f, -1, 1}, {-1, -0.4f, 1}});
+  const raster::ItemBuffer buffer = drawOne(list, frontFace(8));
+  CHECK(buffer.words[0] == 1);
+  CHECK(buffer.words[7] == background);
+  CHECK(buffer.words[56] == background);
+}
+
+TEST_CASE("only the pixels of the scissor rectangle exist, and they are those of the whole face", "[renderer]") {
+  std::mt19937 random(2);
+  raster::DrawList list = jitteredGrid(random, 5, 2, true);
+  list.draws.clear();
+  for (std::uint32_t t = 0; t < list.indices.size() / 3; ++t) list.draws.push_back({3 * t, 3, t, {}, {}});
+  const raster::Face whole = frontFace(32);
+  raster::Face part = whole;
+  part.scissor = {5, 16, 20, 9};
+  const raster::ItemBuffer all = drawOne(list, whole), some = drawOne(list, part);
+  REQUIRE(some.words.size() == 180);
+  bool holds = true;
+  for (int row = 0; row < 9; ++row)
+    for (int column = 0; column < 20; ++column)
+      holds &= some.words[static_cast<std::size_t>(20 * row + column)] ==
+               all.words[static_cast<std::size_t>(32 * (row + 16) + column + 5)];
+  CHECK(holds);
+}
+
+TEST_CASE("the nearer triangle wins whatever the order, and the earlier one on a tie", "[renderer]") {
+  const auto draw = [](std::initializer_list<float> depths) {
+    raster::DrawList list = plainList();
+    Word word = 0;
+    for (const float w : depths) {
+      addDraw(list, word++);
+      addTriangle(list, {{-w, -w, w}, {3 * w, -w, w}, {-w, 3 * w, w}});
+    }
+    const raster::ItemBuffer buffer = drawOne(list, frontFace(8));
+    CHECK(std::count(buffer.words.begin(), buffer.words.end(), buffer.words[0]) == 64);
+    return buffer.words[0];
+  };
+  CHECK(draw({2, 1}) == 1);
+  CHECK(draw({1, 2}) == 0);
+  CHECK(draw({1, 1}) == 0);
+  CHECK(draw({3, 2, 2, 4}) == 1);
+  // One unit in the last place of binary32 decides.
+  CHECK(draw({std::nextafter(2.0f, 3.0f), 2}) == 1);
+  CHECK(draw({2, std::nextafter(2.0f, 3.0f)}) == 0);
+}
+
+// Clusters of surfaces with maps are their own, and the nearest are drawn first: here those of the later surfaces,
+// whose second triangles lie before the first ones, off to the side.
+TEST_CASE("on a tie the earlier surface keeps the pixel, though a later one was drawn before it", "[renderer]") {
+  raster::DrawList list = plainList();
+  list.indexMaps.push_back({1, 1, {0}});
+  for (Word word = 0; word < 6; ++word) {
+    const float near = 1 - 0.1f * static_cast<float>(word);
+    addDraw(list, word, {}, 0);
+    addTriangle(list, {{-1, -1, 1}, {3, -1, 1}, {-1, 3, 1}});
+    addTriangle(list, {{-near, -near, near}, {-0.75f * near, -near, near}, {-near, -0.75f * near, near}});
+  }
+  const raster::ItemBuffer buffer = drawOne(list, frontFace(64));
+  CHECK(buffer.words[0] == 5);
+  CHECK(std::count(buffer.words.begin(), buffer.words.end(), 0U) > 64 * 64 * 9 / 10);
+  CHECK(std::count(buffer.words.begin(), buffer.words.end(), 0U) +
+            std::count(buffer.words.begin(), buffer.words.end(), 5U) ==
+        64 * 64);
+}
+
+TEST_CASE("coplanar triangles of different shape tie exactly where their depth is constant", "[renderer]") {
+  // Binary64 rounds 1/w differently for different triangles of one plane w = 0.3; exact arithmetic sees the tie.
+  const float w = 0.3f;
+  std::mt19937 random(3);
+  bool holds = true;
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    raster::DrawList list = plainList();
+    for (Word word = 0; word < 6; ++word) {
+      const auto far = [&](float x, float y) {
+        return glm::vec3(w * x * uniform(random, 4, 7), w * y * uniform(random, 4, 7), w);
+      };
+      addDraw(list, word);
+      addTriangle(list, {far(-1, -1), far(1, -1), far(0, 1)});
+    }
+    const raster::ItemBuffer buffer = drawOne(list, frontFace(16));
+    holds &= std::count(buffer.words.begin(), buffer.words.end(), 0u) == 256;
+  }
+  CHECK(holds);
+}
+
+TEST_CASE("a triangle that faces away draws the back word, untextured, for mirrored views too", "[renderer]") {
+  raster::DrawList list;
+  list.format = {{8, 8, 8}};
+  list.indexMaps.push_back({1, 1, {5}});
+  addDraw(list, 0x100, 0xfffffe, 0);
+  addTriangle(list, {{-1, -1, 1}, {3, -1, 1}, {-1, 3, 1}});
+  raster::Face face = frontFace(4);
+  // Seen with x right and rows downwards the corners wind clockwise, which faces a viewer whose rows grow along +y in
+  // a right-handed frame: the determinant is +1, the snapped area is positive, equal signs, so this is the back.
+  CHECK(drawOne(list, face).words[0] == 0xfffffe);
+  face.x = -face.x;  // the picture is mirrored, the surface is not turned
+  CHECK(drawOne(list, face).words[0] == 0xfffffe);
+  std::swap(list.indices[0], list.indices[1]);
+  CHECK(drawOne(list, face).words[0] == 0x105);
+  face.x = -face.x;
+  CHECK(drawOne(list, face).words[0] == 0x105);
+  list.draws[0].back.reset();
+  std::swap(list.indices[0], list.indices[1]);
+  CHECK(drawOne(list, face).words[0] == 0x105);
+}
+
+TEST_CASE("a pixel's facing is the side of the plane on which the eye lies", "[renderer]") {
+  // The normal of a counter-clockwise triangle points at a viewer for whom (p - eye) . normal < 0.
+  std::mt19937 random(11);
+  bool holds = true;
+  for (int repeat = 0; repeat < 500; ++repeat) {
+    raster::DrawList list = plainList();
+    addDraw(list, 1, 2);
+    const auto point = [&] { return glm::vec3{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, 2, 3)}; };
+    const glm::vec3 a = point(), b = point(), c = point();
+    addTriangle(list, {a, b, c});
+    const float side = glm::dot(a, glm::cross(b - a, c - a));
+    raster::Face face = frontFace(32);
+    if (random() % 2 == 0) face.y = -face.y;
+    for (const Word word : drawOne(list, face).words)
+      holds &= word == background || std::abs(side) < 1e-3f || word == (side < 0 ? 1u : 2u);
+  }
+  CHECK(holds);
+}
+
+TEST_CASE("a texel border that falls on pixel samples gives each sample the texel that begins there", "[renderer]") {
+  // A wall seen straight on covers the view with u = (x + 1)/2, and a map of N columns. With R = N pixels the border
+  // k/N lies at x = 2k/N - 1, between samples; shifting the wall by half a pixel puts every border on a sample:
+  // sample i then has u = (i + 1)/N, exactly the lower border of texel i + 1.
+  const int n = 64;
+  raster::DrawList list = plainList();
+  list.indexMaps.push_back(countingMap(n, 1));
+  addDraw(list, 0, {}, 0);
+  const float shift = -1.0f / n;
+  addTriangle(list, {{-1 + shift, -1, 1}, {3 + shift, -1, 1}, {-1 + shift, 3, 1}}, {{0, 0}, {2, 0}, {0, 2}});
+  const raster::ItemBuffer buffer = drawOne(list, frontFace(n));
+  bool holds = true;
+  for (int row = 0; row < n; ++row)
+    for (int column = 0; column < n; ++column)
+      holds &=
+          buffer.words[static_cast<std::size_t>(n * row + column)] == static_cast<Word>(std::min(column + 1, n - 1));
+  CHECK(holds);
+}
+
+TEST_CASE("depth, texel and coverage equal their rational definition on random triangles", "[renderer]") {
+  // The brute-force twin: raster rules 4 to 6 spelled out in rational numbers for unclipped triangles.
+  using Rational = boost::multiprecision::cpp_rational;
+  const int resolution = 16, mapSize = 23;
+  std::mt19937 random(5);
+  bool coverageHolds = true, texelHolds = true;
+  int covered = 0;
+  for (int repeat = 0; repeat < 300; ++repeat) {
+    raster::DrawList list = plainList();
+    list.indexMaps.push_back(countingMap(mapSize, mapSize));
+    addDraw(list, 0, {}, 0);
+    std::array<glm::vec3, 3> p;
+    std::array<glm::vec2, 3> t;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float w = uniform(random, 0.5f, repeat % 2 == 0 ? 1.0f : 40.0f);
+      // Half of the vertices lie on multiples of half a sub-pixel, half of the coordinates on texel borders.
+      const auto grid = [&](float x) { return k != 0 ? x : std::nearbyint(x * 4096) / 4096; };
+      p[k] = {grid(uniform(random, -2, 2)) * w, grid(uniform(random, -2, 2)) * w, w};
+      const auto border = [&](float x) { return k == 1 ? x : std::nearbyint(x * mapSize) / mapSize; };
+      t[k] = {border(uniform(random, -0.1f, 1.1f)), border(uniform(random, 0, 1))};
+    }
+    addTriangle(list, {p[0], p[1], p[2]}, {t[0], t[1], t[2]});
+    const raster::ItemBuffer buffer = drawOne(list, frontFace(resolution));
+
+    std::array<std::int64_t, 3> x, y;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto snap = [&](float a, float w) {
+        return static_cast<std::int64_t>(
+            std::nearbyint((static_cast<double>(a) / static_cast<double>(w) + 1) * (128.0 * resolution)));
+      };
+      x[k] = snap(p[k].x, p[k].z);
+      y[k] = snap(p[k].y, p[k].z);
+    }
+    const std::int64_t area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
+    for (int row = 0; row < resolution; ++row)
+      for (int column = 0; column < resolution; ++column) {
+        const std::int64_t sx = 256 * column + 128, sy = 256 * row + 128;
+        bool inside = area != 0;
+        std::array<Rational, 3> weight;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
+          const std::int64_t sign = area > 0 ? 1 : -1;
+          const std::int64_t value = sign * ((x[b] - x[a]) * (sy - y[a]) - (y[b] - y[a]) * (sx - x[a]));
+          const bool top = y[a] == y[b] && sign * (x[b] - x[a]) > 0;
+          const bool left = sign * (y[a] - y[b]) > 0;
+          inside &= value > 0 || (value == 0 && (top || left));
+          weight[k] = Rational(value);
+        }
+        const Word word = buffer.words[static_cast<std::size_t>(resolution * row + column)];
+        coverageHolds &= inside == (word != background);
+        if (!inside) continue;
+        ++covered;
+        Rational inverseDepth, u, v;
+        for (std::size_t k = 0; k < 3; ++k) {
+          inverseDepth += weight[k] / Rational(p[k].z);
+          u += weight[k] * Rational(t[k].x) / Rational(p[k].z);
+          v += weight[k] * Rational(t[k].y) / Rational(p[k].z);
+        }
+        const auto texel = [&](const Rational& sum) {
+          const Rational position = sum / inverseDepth * mapSize;
+          if (position < 0) return 0;
+          return std::min(boost::multiprecision::cpp_int(numerator(position) / denominator(position)).convert_to<int>(),
+                          mapSize - 1);
+        };
+        texelHolds &= word == static_cast<Word>(texel(v) * mapSize + texel(u));
+      }
+  }
+  CHECK(covered > 10000);
+  CHECK(coverageHolds);
+  CHECK(texelHolds);
+}
+
+TEST_CASE("skipped triangles leave no pixel, the others are as before", "[renderer]") {
+  std::mt19937 random(4);
+  const raster::DrawList list = jitteredGrid(random, 4, 1, false);
+  std::vector<std::uint32_t> skipped{0, 3, 4, 17, 31};
+  raster::DrawList rest = list;
+  rest.draws.clear();
+  for (std::uint32_t t = 0; t < list.indices.size() / 3; ++t)
+    if (!std::binary_search(skipped.begin(), skipped.end(), t)) rest.draws.push_back({3 * t, 3, 0, {}, {}});
+  CHECK(drawOne(list, frontFace(32), skipped).words == drawOne(rest, frontFace(32)).words);
+}
+
+TEST_CASE("triangles with values that are not finite are dropped and counted", "[renderer]") {
+  raster::DrawList list = plainList();
+  addDraw(list, 0);
+  const float nan = std::numeric_limits<float>::quiet_NaN(), huge = std::numeric_limits<float>::max();
+  addTriangle(list, {{-1, -1, 1}, {3, -1, 1}, {nan, 3, 1}});
+  addTriangle(list, {{-1, -1, 1}, {3, -1, 1}, {-1, 3, 1}}, {{0, 0}, {nan, 0}, {0, 0}});
+  addTriangle(list, {{huge, huge, huge}, {3, -1, 1}, {-1, 3, 1}});
+  raster::Face face = frontFace(4);
+  face.x = {2, 0, 0};  // twice the largest float overflows
+  raster::SoftwareRenderer renderer(list);
+  const raster::ItemBuffer buffer = renderer.render({&face, 1}, {}).front();
+  CHECK(std::count(buffer.words.begin(), buffer.words.end(), background) == 16);
+  CHECK(renderer.droppedTriangles() == 3);
+}
+
+TEST_CASE("item buffers are the pinned bits for any number of threads", "[renderer]") {
+  const raster::DrawList list = crossingTriangles();
+  const std::array<raster::Face, 3> faces = threeFaces();
+  std::vector<std::uint64_t> hashes;
+  for (const int threads : {1, 2, 7}) {
+    const raster::ThreadLimit limit(threads);
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const raster::ItemBuffer& buffer : raster::SoftwareRenderer(list).render(faces, {}))
+      hash = fnv1a(buffer.words, hash);
+    hashes.push_back(hash);
+  }
+  CHECK(hashes[0] == hashes[1]);
+  CHECK(hashes[0] == hashes[2]);
+  CHECK(hashes[0] == 0x371ce9d26ebca796u);
+}
+
+/// The faces' words, each copied when it is said to be there; how often that was said.
+struct Told {
+  std::vector<raster::ItemBuffer> buffers;
+  std::vector<std::atomic<int>> times;
+};
+
+Told drawnEach(raster::ItemBufferRenderer& renderer, std::span<const raster::Face> faces) {
+  Told told{std::vector<raster::ItemBuffer>(faces.size()), std::vector<std::atomic<int>>(faces.size())};
+  std::vector<raster::ItemBuffer> buffers;
+  renderer.drawEach(faces, {}, buffers, [&](std::size_t f) {
+    told.buffers[f] = buffers[f];
+    ++told.times[f];
+  });
+  return told;
+}
+
+TEST_CASE("a face's buffer is whole when it is said to be there, which is said once", "[renderer]") {
+  // A renderer that knows no more than how to draw all faces, too.
+  struct Plain final : raster::ItemBufferRenderer {
+    raster::SoftwareRenderer renderer{crossingTriangles()};
+    void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+              std::vector<raster::ItemBuffer>& buffers) override {
+      renderer.draw(faces, skipped, buffers);
+    }
+  } plain;
+  const std::array<raster::Face, 3> faces = threeFaces();
+  const std::vector<raster::ItemBuffer> expected = plain.render(faces, {});
+  for (const int threads : {1, 2, 7}) {
+    const raster::ThreadLimit limit(threads);
+    for (raster::ItemBufferRenderer* renderer : {static_cast<raster::ItemBufferRenderer*>(&plain.renderer),
+                                                 static_cast<raster::ItemBufferRenderer*>(&plain)}) {
+      const Told told = drawnEach(*renderer, faces);
+      for (std::size_t f = 0; f < faces.size(); ++f) {
+        CHECK(told.times[f] == 1);
+        CHECK(told.buffers[f].words == expected[f].words);
+      }
+    }
+  }
+}
+
+TEST_CASE("what item buffers held before does not matter", "[renderer]") {
+  const std::array<raster::Face, 3> faces = threeFaces();
+  raster::SoftwareRenderer renderer(crossingTriangles());
+  std::vector<raster::ItemBuffer> buffers(5, {7, 1, std::vector<raster::Word>(7, 12345)});
+  // More, fewer, larger and smaller ones than before.
+  for (const std::size_t first : {2, 0, 1}) {
+    const std::span<const raster::Face> some = std::span(faces).subspan(first);
+    renderer.draw(some, {}, buffers);
+    const std::vector<raster::ItemBuffer> expected = renderer.render(some, {});
+    REQUIRE(buffers.size() == expected.size());
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+      CHECK(buffers[i].width == expected[i].width);
+      CHECK(buffers[i].height == expected[i].height);
+      CHECK(buffers[i].words == expected[i].words);
+    }
+  }
+}
+
+TEST_CASE("an index map has at most 2^31 texels, whose numbers every kernel holds", "[renderer]") {
+  raster::DrawList list = plainList();
+  list.indexMaps.push_back({65536, 32769, {}});
+  CHECK_THROWS_WITH(raster::validate(list), Catch::Contains("2^31"));
+  // As many as there may be; only their words are missing.
+  list.indexMaps[0] = {65536, 32768, {}};
+  CHECK_THROWS_WITH(raster::validate(list), Catch::Contains("width x height words"));
+}
+
+TEST_CASE("draw lists and faces that break the rules are input errors", "[renderer]") {
+  const auto list = [] {
+    raster::DrawList good;
+    good.format = {{8, 8, 8}};
+    good.indexMaps.push_back(countingMap(16, 16));
+    addDraw(good, 0, 0xfffffe, 0);
+    addTriangle(good, {{-1, -1, 1}, {3, -1, 1}, {-1, 3, 1}});
+    return good;
+  };
+  CHECK_NOTHROW(raster::validate(list()));
+  const auto broken = [&](auto&& change) {
+    raster::DrawList bad = list();
+    change(bad);
+    CHECK_THROWS_AS(raster::SoftwareRenderer(bad), raster::InputError);
+  };
+  broken([](raster::DrawList& l) { l.indices[2] = 3; });
+  broken([](raster::DrawList& l) { l.texcoords.pop_back(); });
+  broken([](raster::DrawList& l) { l.draws[0].count = 6; });
+  broken([](raster::DrawList& l) { l.draws[0].count = 2; });
+  broken([](raster::DrawList& l) { l.draws[0].first = 1; });
+  broken([](raster::DrawList& l) { l.draws[0].indexMap = 1; });
+  broken([](raster::DrawList& l) { l.indexMaps[0].words.pop_back(); });
+  broken([](raster::DrawList& l) { l.indexMaps[0].words[3] = 0x1000000; });
+  broken([](raster::DrawList& l) { l.draws[0].offset = 0x1000000; });
+  broken([](raster::DrawList& l) { l.draws[0].back = 0xffffff; });
+  broken([](raster::DrawList& l) { l.draws[0].offset = 0xffff00; });  // texel 255 gives the background
+  broken([](raster::DrawList& l) { l.format.channelBits = {8, 8, 8, 9}; });
+
+  const auto brokenFace = [&](auto&& change) {
+    raster::Face face = frontFace(8);
+    change(face);
+    CHECK_THROWS_AS(raster::SoftwareRenderer(list()).render({&face, 1}, {}), raster::InputError);
+  };
+  brokenFace([](raster::Face& f) { f.resolution = 7; });
+  brokenFace([](raster::Face& f) { f.resolution = 4098; });
+  brokenFace([](raster::Face& f) { f.nearDistance = 0; });
+  brokenFace([](raster::Face& f) { f.w = f.x; });
+  brokenFace([](raster::Face& f) { f.scissor.width = 9; });
+  brokenFace([](raster::Face& f) { f.scissor.row = -1; });
+  brokenFace([](raster::Face& f) { f.eye.x = std::numeric_limits<float>::infinity(); });
+}

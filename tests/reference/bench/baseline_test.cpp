@@ -1,0 +1,28 @@
+// The floor under a hemicube gives what the hemicube gives.
+#include "reference/bench/baseline.h"
+
+#include <catch2/catch.hpp>
+
+#include "radiosity/form_factors/projected_form_factors.h"
+#include "raster/software/software_renderer.h"
+#include "tests/support/hand_scenes.h"
+
+using namespace hemitex;
+using namespace hemitex::radiosity;
+
+TEST_CASE("the floor sums words that were drawn to the row of their hemicube, whatever was summed before", "[bench]") {
+  const Scene scene = loadScene(HEMITEX_DATA "/cornell-box.obj");
+  const Discretization discretization = discretize(scene, {.texels = 9});
+  const WordLayout layout = layOut(discretization);
+  raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
+  ProjectedRows rows(scene, discretization, layout, renderer, {.resolution = 70});
+  reference::BenchFloor floor(discretization, layout, rows.projection());
+  for (const std::uint32_t patch : {0U, 20U, 5U, 5U}) {
+    const View view = rows.viewsOfPatch(patch).front();
+    const FormFactorRow expected = rows.ofView(view), found = floor.row(renderer.render(view.faces, view.skipped));
+    CHECK(found.elements == expected.elements);
+    CHECK(found.shares == expected.shares);
+    CHECK(found.background == expected.background);
+    CHECK(found.back == expected.back);
+  }
+}

@@ -1,0 +1,39 @@
+// The wall that is timed is the one of the suite.
+#include "reference/bench/exact_fallback_cost.h"
+
+#include <catch2/catch.hpp>
+
+#include "raster/software/software_renderer.h"
+#include "reference/vectors/draw_list_builder.h"
+#include "reference/vectors/vector_themes.h"
+
+using namespace hemitex;
+using namespace hemitex::reference;
+
+TEST_CASE("the tied wall is the vector borders-on-samples", "[bench]") {
+  const std::vector<TestVector> vectors = texelVectors();
+  const auto named = std::find_if(vectors.begin(), vectors.end(),
+                                  [](const TestVector& vector) { return vector.name == "borders-on-samples"; });
+  REQUIRE(named != vectors.end());
+  const raster::DrawList wall = tiedWall(32, 0);
+  CHECK(wall.positions == named->list.positions);
+  CHECK(wall.texcoords == named->list.texcoords);
+  CHECK(wall.indices == named->list.indices);
+  CHECK(wall.indexMaps.at(0).words == named->list.indexMaps.at(0).words);
+}
+
+TEST_CASE("the wall that was moved shows the same texels, a third of a pixel from their borders", "[bench]") {
+  // Sample i lies at i + 1/2 pixels, the texel's border there; what was moved to the right by a third shows the texel
+  // before.
+  constexpr int resolution = 16;
+  const raster::Face face = frontFace(resolution, 0.5f);
+  const auto drawn = [&face](double moved) {
+    return raster::SoftwareRenderer(tiedWall(resolution, moved)).render({&face, 1}, {}).front();
+  };
+  const raster::ItemBuffer tied = drawn(0), moved = drawn(1.0 / 3);
+  for (int row = 1; row < resolution; ++row)
+    for (int column = 1; column < resolution; ++column) {
+      const auto pixel = static_cast<std::size_t>(row * resolution + column);
+      CHECK(tied.words[pixel] == moved.words[pixel] + resolution + 1);
+    }
+}

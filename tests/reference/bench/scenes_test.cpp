@@ -1,0 +1,29 @@
+// What speed is measured on.
+#include "reference/bench/scenes.h"
+
+#include <catch2/catch.hpp>
+
+#include "raster/base/file_io.h"
+#include "raster/base/input_error.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace hemitex;
+
+TEST_CASE("a file of a user's own is no scene of the program's, whatever its name", "[bench]") {
+  const std::vector<reference::BenchScene> scenes = reference::benchScenes(HEMITEX_DATA);
+  REQUIRE(scenes.size() == 3);
+  CHECK(radiosity::discretize(scenes[0].scene, scenes[0].elements).elements.size() == 3841);
+  // Of the gallery's elements 3026 lie inside the solids that stand in it, wholly or for more than three quarters.
+  CHECK(radiosity::discretizeUnburied(scenes[2].scene, scenes[2].elements).elements.size() == 408293);
+  CHECK(radiosity::discretize(scenes[2].scene, scenes[2].elements).elements.size() == 408293 - 3026);
+  const reference::BenchScene own = reference::benchScene(HEMITEX_DATA "/paper-room.obj");
+  CHECK(own.name == "paper-room");
+  CHECK(own.elements.surfaceTexels.empty());
+}
+
+TEST_CASE("a scene in which nothing emits has no solution to time", "[bench]") {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path / "dark.obj";
+  radiosity::writeFile(file, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  CHECK_THROWS_AS(reference::benchScene(file), raster::InputError);
+}

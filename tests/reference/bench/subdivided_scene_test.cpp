@@ -1,0 +1,132 @@
+// Scenes cut into more triangles: nothing but the corners changes.
+#include "reference/bench/subdivided_scene.h"
+
+#include <catch2/catch.hpp>
+#include <map>
+#include <tuple>
+
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/index_maps/id_layout.h"
+#include "radiosity/projection/hemicube.h"
+#include "raster/software/software_renderer.h"
+#include "tests/support/hand_scenes.h"
+
+using namespace hemitex;
+using namespace hemitex::reference;
+using radiosity::Scene;
+using radiosity::Surface;
+using radiosity::Triangle;
+
+namespace {
+
+const std::string room = HEMITEX_DATA "/paper-room.obj";
+
+double areaOf(const Surface& surface) {
+  double sum = 0;
+  for (const Triangle& triangle : surface.triangles) sum += radiosity::area(triangle);
+  return sum;
+}
+
+using Point = std::tuple<double, double, double>;
+Point pointOf(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
+
+/// How often each edge of a surface is gone along, in the one direction less in the other.
+std::map<std::pair<Point, Point>, int> edgesOf(const Surface& surface) {
+  std::map<std::pair<Point, Point>, int> edges;
+  for (const Triangle& triangle : surface.triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      ++edges[{pointOf(triangle.position[k]), pointOf(triangle.position[(k + 1) % 3])}];
+  return edges;
+}
+
+}  // namespace
+
+TEST_CASE("a scene that is cut has as many triangles as asked for or the few more that share the last edge",
+          "[finer_scene]") {
+  const Scene scene = radiosity::loadScene(room);
+  const std::size_t own = radiosity::triangleCount(scene);
+  CHECK(radiosity::triangleCount(finerScene(scene, 1)) == own);
+  for (const std::size_t count : {own, own + 1, std::size_t{100}, std::size_t{5000}}) {
+    const std::size_t found = radiosity::triangleCount(finerScene(scene, count));
+    CHECK(found >= count);
+    CHECK(found <= count + 3);
+  }
+}
+
+TEST_CASE("a scene that is cut keeps surfaces, areas, windings and elements", "[finer_scene]") {
+  const Scene scene = radiosity::loadScene(room), finer = finerScene(scene, 3000);
+  REQUIRE(finer.surfaces.size() == scene.surfaces.size());
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    CHECK(finer.surfaces[s].name == scene.surfaces[s].name);
+    CHECK(finer.surfaces[s].triangles.size() > scene.surfaces[s].triangles.size());
+    CHECK(areaOf(finer.surfaces[s]) == Approx(areaOf(scene.surfaces[s])).epsilon(1e-13));
+    const glm::dvec3 normal = radiosity::normal(scene.surfaces[s].triangles.front());
+    for (const Triangle& triangle : finer.surfaces[s].triangles)
+      REQUIRE(glm::dot(radiosity::normal(triangle), normal) > 1 - 1e-12);
+  }
+  const radiosity::DiscretizationSettings settings{.texels = 12};
+  const radiosity::Discretization whole = radiosity::discretize(scene, settings),
+                                  cut = radiosity::discretize(finer, settings);
+  REQUIRE(cut.elements.size() == whole.elements.size());
+  for (std::size_t e = 0; e < whole.elements.size(); ++e) {
+    CHECK(cut.elements[e].texel == whole.elements[e].texel);
+    CHECK(cut.elements[e].area == Approx(whole.elements[e].area).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("no corner of a cut triangle lies on a side of its neighbour", "[finer_scene]") {
+  // Of a square every edge is then shared by two triangles, which go along it in opposite directions, or part of the
+  // border, which is gone along once.
+  const Scene square = tests::sceneOf({tests::parallelogram("square", {0, 0, 0}, {3, 0, 0}, {0, 2, 0})});
+  for (const std::size_t count : {3U, 7U, 50U, 333U}) {
+    const Scene finer = finerScene(square, count);
+    double border = 0;
+    const auto edges = edgesOf(finer.surfaces[0]);
+    for (const auto& [edge, times] : edges) {
+      CHECK(times == 1);
+      const auto& [a, b] = edge;
+      if (edges.contains({b, a})) continue;
+      border += std::abs(std::get<0>(a) - std::get<0>(b)) + std::abs(std::get<1>(a) - std::get<1>(b));
+      const bool isOutside = (std::get<0>(a) == std::get<0>(b) && (std::get<0>(a) == 0 || std::get<0>(a) == 3)) ||
+                             (std::get<1>(a) == std::get<1>(b) && (std::get<1>(a) == 0 || std::get<1>(a) == 2));
+      CHECK(isOutside);
+    }
+    CHECK(border == Approx(10));
+  }
+}
+
+TEST_CASE("triangles that follow each other in a scene that was cut are neighbours", "[finer_scene]") {
+  // 512 halves of a square have short sides of 1/16, and a half takes the place of the whole: from one to the next it
+  // is little more than that, while between any two of them it is half of the square.
+  const Scene finer =
+      finerScene(tests::sceneOf({tests::parallelogram("square", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})}), 512);
+  const std::vector<Triangle>& triangles = finer.surfaces[0].triangles;
+  REQUIRE(triangles.size() == 512);
+  double sum = 0;
+  for (std::size_t t = 1; t < triangles.size(); ++t)
+    sum += glm::length(triangles[t].position[0] - triangles[t - 1].position[0]);
+  CHECK(sum / 511 < 2.0 / 16);
+}
+
+TEST_CASE("a scene that is cut looks as it did but for pixels on borders", "[finer_scene]") {
+  // Cutting rounds new corners to binary32 and to sub-pixels of 1/256: only samples that close to a border between
+  // texels or surfaces may change. The borders of the room's 3841 texels meet less than half of the pixels, and of
+  // those one in fifty is so close.
+  const Scene scene = radiosity::loadScene(room), finer = finerScene(scene, 1000);
+  const radiosity::DiscretizationSettings settings{.texels = 12};
+  const auto drawn = [&](const Scene& what) {
+    const radiosity::Discretization discretization = radiosity::discretize(what, settings);
+    raster::SoftwareRenderer renderer(radiosity::makeDrawList(what, discretization, radiosity::layOut(discretization)));
+    const auto faces =
+        radiosity::facesOver(radiosity::hemicubeFaces(128), {0.1, 0.05, -0.2}, {0, 1, 0}, {0, 0, 1}, 0.01);
+    return renderer.render(faces, {});
+  };
+  const std::vector<raster::ItemBuffer> before = drawn(scene), after = drawn(finer);
+  std::size_t changed = 0, all = 0;
+  for (std::size_t f = 0; f < before.size(); ++f)
+    for (std::size_t i = 0; i < before[f].words.size(); ++i, ++all)
+      changed += before[f].words[i] != after[f].words[i] ? 1 : 0;
+  INFO(changed << " of " << all);
+  CHECK(changed > 0);
+  CHECK(changed < all / 5000);
+}

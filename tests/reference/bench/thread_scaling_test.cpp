@@ -1,0 +1,57 @@
+// What is compared with two threads runs on one.
+#include "reference/bench/thread_scaling.h"
+
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
+
+#include "raster/base/parallel.h"
+
+using namespace hemitex;
+
+TEST_CASE("what the second core brings is held against arithmetic turn by turn", "[bench]") {
+  // A gain is what one thread takes over what two take.
+  CHECK(reference::gainOf(reference::timingOf({4, 9}), reference::timingOf({2, 3})) == reference::GainByTurn{2, 3});
+  // The second core is only half there in a turn: arithmetic says so, too.
+  const reference::CoreGains gains = reference::coreGains({2, 2, 1}, {1.8, 0.9, 0.9}, {1, 2, 1});
+  CHECK(gains.arithmetic == 2);
+  CHECK(gains.hemicube == 0.9);
+  CHECK(gains.solution == 1);
+  CHECK(gains.hemicubeOfArithmetic == 0.9);
+  CHECK(gains.solutionOfArithmetic == 1);
+}
+
+TEST_CASE("every task runs on one thread and then on two, in turns", "[bench]") {
+  constexpr int repeats = 2;
+  struct Turns {  // of a task, on one thread and on two; each has as many calls as the clock asks for
+    std::size_t task;
+    bool beginOnOneThread;
+    int calls = 0;
+  };
+  std::vector<Turns> turns;
+  const auto task = [&](std::size_t number) {
+    return [&, number] {
+      const std::thread::id caller = std::this_thread::get_id();
+      std::atomic<bool> stayed = true;
+      raster::parallelFor(16, [&](std::size_t) {
+        // Another thread, were there one, would come meanwhile.
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (std::this_thread::get_id() != caller) stayed = false;
+      });
+      if (turns.empty() || turns.back().task != number) turns.push_back({number, stayed});
+      ++turns.back().calls;
+    };
+  };
+  const auto gains =
+      reference::gainsOfSecondCore(std::vector<std::function<void()>>{task(0), task(1), task(2)}, repeats);
+  REQUIRE(gains.size() == 3);
+  for (const reference::GainByTurn& ofTask : gains) CHECK(ofTask.size() == repeats);
+  // Once before the clock runs, then the repeats.
+  REQUIRE(turns.size() == 3 * (1 + repeats));
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    CHECK(turns[i].task == i % 3);
+    CHECK(turns[i].beginOnOneThread);
+    CHECK(turns[i].calls >= 2);
+  }
+}

@@ -1,0 +1,191 @@
+// Calibration: devices of known profiles, drawn at random within them, are found again.
+#include "reference/calibration/calibration.h"
+
+#include <algorithm>
+#include <bit>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "reference/vectors/scene_vectors.h"
+#include "reference/vectors/vector_suite.h"
+#include "reference/verdict/verdict.h"
+#include "tests/support/simulated_device.h"
+
+using namespace hemitex;
+using reference::Calibration;
+using reference::Coverage;
+using reference::DepthFormat;
+using reference::DeviceProfile;
+using reference::EdgeRule;
+using reference::SnapRounding;
+using tests::SimulatedDevice;
+
+namespace {
+
+std::vector<raster::ItemBuffer> drawProbes(const SimulatedDevice& device, const reference::ProbingSet& probes) {
+  std::vector<raster::ItemBuffer> answers;
+  for (const reference::TestVector& vector : vectorsOf(probes))
+    answers.push_back(drawOn(device, vector.list, vector.faces.front().face));
+  return answers;
+}
+
+std::vector<raster::ItemBuffer> drawByRules(const reference::ProbingSet& probes) {
+  std::vector<raster::ItemBuffer> answers;
+  for (const reference::TestVector& vector : vectorsOf(probes)) answers.push_back(reference::render(vector).front());
+  return answers;
+}
+
+/// Devices of every snapping, of either edge rule, of texel precisions from coarse to exact and of every depth format.
+std::vector<SimulatedDevice> devices() {
+  std::vector<SimulatedDevice> devices;
+  for (int bits = 4; bits <= 12; ++bits)
+    for (const SnapRounding rounding : {SnapRounding::Nearest, SnapRounding::Truncate}) {
+      const int number = static_cast<int>(devices.size());
+      SimulatedDevice device;
+      device.profile.subpixelBits = bits;
+      device.profile.snapRounding = rounding;
+      // Neither step shares a factor with the counts of what it walks through, and they do not walk together.
+      device.profile.texelPrecision = std::ldexp(1 + number % 4 / 4.0, -4 - number * 5 % 13);
+      constexpr DepthFormat formats[] = {DepthFormat::Float32, DepthFormat::Unorm24, DepthFormat::Unorm16};
+      device.profile.depthFormat = formats[(number + number / 6) % 3];
+      device.bottomRight = number % 4 >= 2;
+      if (device.bottomRight) device.profile.edgeRule = EdgeRule::Any;
+      device.seed = static_cast<std::uint32_t>(number);
+      devices.push_back(device);
+    }
+  return devices;
+}
+
+}  // namespace
+
+TEST_CASE("every two snappings give different answers for sure, whatever the edge rule", "[calibration]") {
+  const reference::ProbingSet probes = reference::makeProbes();
+  const auto sureAnswers = [&](int bits, SnapRounding rounding) {
+    std::vector<Coverage> coverage;
+    for (const auto& sheet : probes.coverage)
+      for (const reference::CoverageProbe& probe : sheet.pixels) coverage.push_back(coverageOf(probe, bits, rounding));
+    return coverage;
+  };
+  std::vector<std::vector<Coverage>> answers;
+  for (int bits = 4; bits <= 12; ++bits)
+    for (const SnapRounding rounding : {SnapRounding::Nearest, SnapRounding::Truncate})
+      answers.push_back(sureAnswers(bits, rounding));
+  std::size_t fewest = answers[0].size();
+  for (std::size_t a = 0; a < answers.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) {
+      std::size_t different = 0;
+      for (std::size_t k = 0; k < answers[a].size(); ++k)
+        different += (answers[a][k] == Coverage::Inside && answers[b][k] == Coverage::Outside) ||
+                     (answers[a][k] == Coverage::Outside && answers[b][k] == Coverage::Inside);
+      fewest = std::min(fewest, different);
+    }
+  CHECK(fewest > 20);
+}
+
+TEST_CASE("the probes are the same on every machine", "[calibration]") {
+  // Answers that were drawn from one build's probes are read by another.
+  std::vector<raster::Word> bits;
+  for (const reference::TestVector& vector : vectorsOf(reference::makeProbes())) {
+    for (const glm::vec3& position : vector.list.positions)
+      for (int k = 0; k < 3; ++k) bits.push_back(std::bit_cast<raster::Word>(position[k]));
+    for (const glm::vec2& texcoord : vector.list.texcoords)
+      for (int k = 0; k < 2; ++k) bits.push_back(std::bit_cast<raster::Word>(texcoord[k]));
+  }
+  CHECK(reference::wordsHash(bits) == "0ba27cbf9780b694");
+}
+
+TEST_CASE("the reference renderer calibrates to the raster rules", "[calibration]") {
+  const reference::ProbingSet probes = reference::makeProbes();
+  const Calibration calibration = calibrate(probes, drawByRules(probes));
+  CHECK(calibration.faults.empty());
+  CHECK(calibration.profile.subpixelBits == 8);
+  CHECK(calibration.profile.snapRounding == SnapRounding::Nearest);
+  CHECK(calibration.profile.edgeRule == EdgeRule::TopLeft);
+  CHECK(calibration.profile.texelPrecision == 0);
+  CHECK(calibration.profile.depthFormat == DepthFormat::Float32);
+}
+
+TEST_CASE("the profile of a device is found again from its answers", "[calibration]") {
+  const reference::ProbingSet probes = reference::makeProbes();
+  for (const SimulatedDevice& device : devices()) {
+    const Calibration calibration = calibrate(probes, drawProbes(device, probes));
+    const DeviceProfile &is = device.profile, &found = calibration.profile;
+    INFO(is.subpixelBits << " bits, device " << device.seed << ", texel precision " << is.texelPrecision);
+    for (const std::string& fault : calibration.faults) FAIL_CHECK(fault);
+    CHECK(found.subpixelBits == is.subpixelBits);
+    CHECK(found.snapRounding == is.snapRounding);
+    CHECK(found.edgeRule == is.edgeRule);
+    CHECK(found.depthFormat == is.depthFormat);
+    CHECK(found.texelPrecision >= is.texelPrecision);
+    CHECK(found.texelPrecision <= 2 * is.texelPrecision);
+  }
+}
+
+TEST_CASE("under the profile that was found no vector of the suite has errors", "[calibration]") {
+  const reference::ProbingSet probes = reference::makeProbes();
+  const std::vector<reference::TestVector> suite = reference::wholeSuite(HEMITEX_DATA);
+  const std::vector<SimulatedDevice> all = devices();
+  std::uint64_t explained = 0;
+  for (const std::size_t number : {0, 5, 10, 17}) {
+    const SimulatedDevice& device = all[number];
+    const DeviceProfile profile = calibrate(probes, drawProbes(device, probes)).profile;
+    for (const reference::TestVector& vector : suite) {
+      std::vector<raster::ItemBuffer> found;
+      for (const reference::VectorFace& face : vector.faces) found.push_back(drawOn(device, vector.list, face.face));
+      const reference::VerdictCounts counts = countVerdicts(judge(vector, found, profile));
+      INFO("device " << number << ", " << vector.name);
+      CHECK(counts[static_cast<std::size_t>(reference::PixelVerdict::Error)] == 0);
+      for (std::size_t k = 1; k < counts.size(); ++k) explained += counts[k];
+    }
+  }
+  // The devices do err: otherwise nothing was tested.
+  CHECK(explained > 1000);
+}
+
+TEST_CASE("a device that only rounds is told apart by its depth format alone", "[calibration]") {
+  const reference::ProbingSet probes = reference::makeProbes();
+  for (const DepthFormat format : {DepthFormat::Float32, DepthFormat::Unorm24, DepthFormat::Unorm16}) {
+    SimulatedDevice device;
+    device.profile.vertexError = 0;
+    device.profile.texelPrecision = 0;
+    device.profile.depthTolerance = 0.5;
+    device.profile.depthFormat = format;
+    const Calibration calibration = calibrate(probes, drawProbes(device, probes));
+    CHECK(calibration.faults.empty());
+    CHECK(calibration.profile.depthFormat == format);
+    CHECK(calibration.profile.texelPrecision == 0);
+  }
+}
+
+TEST_CASE("what no profile explains is said, not made up", "[calibration]") {
+  const reference::ProbingSet probes = reference::makeProbes();
+  const auto faultsOf = [&](const std::vector<raster::ItemBuffer>& answers) {
+    std::string faults;
+    for (const std::string& fault : calibrate(probes, answers).faults) faults += fault.substr(0, fault.find(':')) + " ";
+    return faults;
+  };
+  const std::size_t depths = probes.coverage.size() + probes.texels.size();
+  const std::vector<raster::ItemBuffer> right = drawByRules(probes);
+  CHECK(faultsOf(right) == "");
+  CHECK(faultsOf(drawProbes({.profile = {}, .shift = 1}, probes)) == "coverage ");
+  CHECK(faultsOf(drawProbes({.profile = {}, .texelShift = 0.5}, probes)) == "texels ");
+  // One sample that a triangle covers far from any edge, one stranger, and a depth test that is off.
+  std::vector<raster::ItemBuffer> hole = right;
+  for (std::size_t pixel = 0; pixel < 256; ++pixel) {
+    const reference::CoverageProbe& probe = probes.coverage[0].pixels[pixel];
+    bool isInside = true;
+    for (int bits = 4; bits <= 12; ++bits)
+      for (const SnapRounding rounding : {SnapRounding::Nearest, SnapRounding::Truncate})
+        isInside &= coverageOf(probe, bits, rounding) == Coverage::Inside;
+    if (!isInside) continue;
+    hole[0].words[pixel] = 0xffffffff;
+    break;
+  }
+  CHECK(faultsOf(hole) == "coverage ");
+  std::vector<raster::ItemBuffer> stranger = right;
+  stranger[probes.coverage.size()].words[77] += 2;
+  CHECK(faultsOf(stranger) == "texels ");
+  std::vector<raster::ItemBuffer> lastWins = right;
+  std::fill(lastWins[depths].words.begin(), lastWins[depths].words.end(), 2u);
+  CHECK(faultsOf(lastWins) == "depth ");
+}

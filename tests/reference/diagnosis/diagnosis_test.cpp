@@ -1,0 +1,180 @@
+// The diagnosis: a fault is named and no other, what cannot be told apart is said to be so, and no right device is
+// accused.
+#include "reference/diagnosis/diagnosis.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "reference/diagnosis/fault.h"
+#include "reference/vectors/scene_vectors.h"
+#include "reference/vectors/vector_suite.h"
+#include "tests/support/injected_faults.h"
+
+using namespace hemitex;
+using raster::ItemBuffer;
+using raster::Word;
+using reference::TestVector;
+using tests::Buffers;
+using tests::drawAll;
+using tests::SimulatedDevice;
+
+namespace {
+
+std::vector<TestVector> wholeSuite() {
+  std::vector<TestVector> suite = reference::vectorSuite();
+  for (TestVector& vector : reference::sceneVectors(HEMITEX_DATA)) suite.push_back(std::move(vector));
+  return suite;
+}
+
+const TestVector& named(const std::vector<TestVector>& suite, const std::string& name) {
+  const auto found = std::find_if(suite.begin(), suite.end(), [&](const TestVector& v) { return v.name == name; });
+  REQUIRE(found != suite.end());
+  return *found;
+}
+
+std::set<std::string> faultsNamed(const TestVector& vector, const Buffers& found) {
+  std::set<std::string> names;
+  for (const reference::Finding& finding : diagnose(vector, judge(vector, found, {}))) names.insert(finding.fault);
+  return names;
+}
+
+/// Words of neighbours in two pixels of a hundred, as errors besides the fault.
+void disturb(Buffers& buffers, std::mt19937& random) {
+  for (ItemBuffer& buffer : buffers)
+    for (std::size_t p = 1; p < buffer.words.size(); ++p)
+      if (random() % 50 == 0) buffer.words[p] = buffer.words[p - 1];
+}
+
+}  // namespace
+
+TEST_CASE("each fault is named, and no other", "[diagnosis]") {
+  const std::vector<TestVector> suite = wholeSuite();
+  std::set<std::string> tested;
+  for (const tests::Injection& injection : tests::injectedFaults())
+    for (const std::uint32_t seed : {1u, 2u}) {
+      INFO(injection.fault << " on " << injection.vector << ", seed " << seed);
+      const TestVector& vector = named(suite, injection.vector);
+      const Buffers found = injection.draw(vector, SimulatedDevice{{}, seed, seed == 2});
+      const reference::Verdict verdict = judge(vector, found, {});
+      CHECK(hasErrors(verdict));
+      const std::vector<reference::Finding> findings = diagnose(vector, verdict);
+      INFO(toText(findings));
+      CHECK(faultsNamed(vector, found) == std::set<std::string>{injection.fault});
+      tested.insert(injection.fault);
+    }
+  // All that are known.
+  for (const char* name : {"layout-r8g8b8a8", "integer-add-32"})
+    for (const reference::Fault& fault : knownFaults(named(suite, name))) {
+      INFO(fault.name);
+      CHECK(tested.count(fault.name) == 1);
+    }
+}
+
+TEST_CASE("whatever is named, the true fault is among it", "[diagnosis]") {
+  const std::vector<TestVector> suite = wholeSuite();
+  std::mt19937 random(5);
+  for (const char* name : {"layout-r5g6b5", "minified", "magnified", "unique-maps", "shared-vertices", "scissors",
+                           "sample-grid-later-nearer", "two-by-two"}) {
+    const TestVector& vector = named(suite, name);
+    int accused = 0;
+    for (const reference::Fault& fault : knownFaults(vector))
+      for (const reference::Variant& variant : fault.variants) {
+        Buffers found = drawOn(variant.device, vector);
+        disturb(found, random);
+        const std::set<std::string> names = faultsNamed(vector, found);
+        INFO(name << ": " << fault.name << ", " << variant.name << " is called "
+                  << (names.empty() ? "" : *names.begin()));
+        CHECK((names.empty() || names.count(fault.name) == 1));
+        accused += !names.empty();
+      }
+    INFO(name);
+    CHECK((accused > 30 || name == std::string("two-by-two")));
+  }
+}
+
+TEST_CASE("faults that a vector cannot tell apart are named together", "[diagnosis]") {
+  // One map over the whole of a square view: turning over the view, the picture or the map is all the same.
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  const TestVector& vector = named(suite, "minified");
+  TestVector flipped = vector;
+  flipped.faces[0].face.y = -flipped.faces[0].face.y;
+  CHECK(faultsNamed(vector, drawAll({}, flipped)) ==
+        std::set<std::string>{"y of the view flipped", "picture upside down", "index map upside down"});
+}
+
+TEST_CASE("a device within its profile is accused of nothing on the whole suite", "[diagnosis]") {
+  std::uint64_t explained = 0;
+  for (const TestVector& vector : wholeSuite())
+    for (const std::uint32_t seed : {1u, 2u, 3u}) {
+      INFO(vector.name << ", seed " << seed);
+      const reference::Verdict verdict = judge(vector, drawAll(SimulatedDevice{{}, seed, seed == 2}, vector), {});
+      CHECK(!hasErrors(verdict));
+      CHECK(diagnose(vector, verdict).empty());
+      for (const reference::PixelVerdict kind : {reference::PixelVerdict::Coverage, reference::PixelVerdict::Texel})
+        explained += countVerdicts(verdict)[static_cast<std::size_t>(kind)];
+    }
+  CHECK(explained > 1000);  // the devices do err
+}
+
+TEST_CASE("what is no known fault is not named", "[diagnosis]") {
+  const std::vector<TestVector> suite = wholeSuite();
+  for (const char* name : {"five-faces", "scene-cornell-box-light", "perspective-floor", "perspective-sheet",
+                           "layout-r8g8b8a8", "magnified", "depth-stack", "crossing"}) {
+    const TestVector& vector = named(suite, name);
+    const Buffers right = reference::render(vector);
+    const auto check = [&](const std::string& what, const Buffers& found) {
+      INFO(name << ": " << what);
+      CHECK(faultsNamed(vector, found).empty());
+    };
+    SimulatedDevice coarse;
+    coarse.profile.subpixelBits = 4;
+    check("snapping to 4 bits", drawAll(coarse, vector));
+    check("three sub-pixels to the right", drawAll({.profile = {}, .shift = 3}, vector));
+
+    std::mt19937 random(3);
+    Buffers noisy = right, rolled = right, constant = right, mixed = right, next = right;
+    for (std::size_t f = 0; f < right.size(); ++f) {
+      for (Word& word : noisy[f].words)
+        if (random() % 20 == 0) word ^= 1u << random() % 24;
+      for (Word& word : next[f].words)
+        if (random() % 20 == 0) word ^= 1;
+      std::vector<Word>& words = rolled[f].words;
+      std::rotate(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(words.size() / 3), words.end());
+      for (std::size_t p = 0; p < words.size(); ++p)
+        if (p % 4 != 0) mixed[f].words[p] = right[f].words[words.size() - 1 - p];
+      std::fill(constant[f].words.begin(), constant[f].words.end(), right[f].words[words.size() / 2] ^ 0x55);
+    }
+    check("random bits", noisy);
+    check("elements off by one, which rounding may not excuse", next);
+    check("words moved by a third", rolled);
+    check("a constant", constant);
+    check("three pixels of four turned by half a turn", mixed);
+  }
+}
+
+TEST_CASE("one wrong pixel is not systematic, even where a fault would give it", "[diagnosis]") {
+  // The last pixel is the only one that shows a back; culling would leave the background there.
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  const TestVector& vector = named(suite, "layout-r8g8b8a8");
+  Buffers found = reference::render(vector);
+  REQUIRE(found[0].words.back() == 0xfffffffe);
+  found[0].words.back() = 0xffffffff;
+  CHECK(hasErrors(judge(vector, found, {})));
+  CHECK(faultsNamed(vector, found).empty());
+}
+
+TEST_CASE("a staged device without faults draws the words of the rules", "[diagnosis]") {
+  // Binary64 cannot decide every sample on a texel's border.
+  std::uint64_t pixels = 0, different = 0;
+  for (const TestVector& vector : wholeSuite()) {
+    const Buffers expected = reference::render(vector), found = drawOn(reference::StagedDevice{}, vector);
+    for (std::size_t f = 0; f < found.size(); ++f)
+      for (std::size_t p = 0; p < found[f].words.size(); ++p) {
+        ++pixels;
+        different += found[f].words[p] != expected[f].words[p];
+      }
+  }
+  INFO(different << " of " << pixels);
+  CHECK(different * 10000 < pixels);
+}

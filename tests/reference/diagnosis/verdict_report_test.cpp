@@ -1,0 +1,113 @@
+// What a verdict says in JSON and JUnit XML.
+#include "reference/diagnosis/verdict_report.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/judged_wall.h"
+
+using namespace hemitex;
+using reference::Report;
+using reference::toText;
+using tests::JudgedWall;
+
+TEST_CASE("the report counts by face and names the first ten errors", "[verdict]") {
+  JudgedWall judged;
+  for (std::size_t pixel = 8; pixel < 24; ++pixel) judged.found[0].words[pixel] ^= 1;
+  judged.found[1].words[0] = 0x555555;
+  const reference::Verdict verdict = judged.verdict();
+  const auto errors = firstErrors(judged.vector, verdict);
+  REQUIRE(errors.size() == 10);
+  CHECK(errors[0].column == 0);
+  CHECK(errors[0].row == 1);
+  // Row 1 of 8 lies in texel row 0, columns 2 and 3 in texel column 1.
+  CHECK(toText(errors[2].expectedOrigin) == "draw 0 texel 1,0");
+  CHECK(toText(errors[2].foundOrigin) == "draw 0 texel 0,0");
+  REQUIRE(errors[2].visible);
+  CHECK(errors[2].visible->triangle == 0);  // column 2 is right of row 1 on the diagonal
+  CHECK(errors[2].visible->inverseDepth == Approx(1));
+
+  const auto json = nlohmann::json::parse(toJson(Report{verdict, errors, {}}));
+  CHECK(json["pass"] == false);
+  CHECK(json["pixels"]["error"] == 17);
+  CHECK(json["pixels"]["exact"] == 96 - 17);
+  CHECK(json["faces"][0]["error"] == 16);
+  CHECK(json["faces"][1]["error"] == 1);
+  CHECK(json["faces"][1]["height"] == 4);
+  CHECK(json["errors"].size() == 10);
+  CHECK(json["errors"][2]["texel"] == nlohmann::json({1, 0}));
+
+  const auto last = firstErrors(judged.vector, verdict, 100).back();
+  CHECK(last.face == "side");
+  CHECK(last.row == 4);
+}
+
+TEST_CASE("the report names the diagnosis, and both where two cannot be told apart", "[verdict]") {
+  JudgedWall judged;
+  judged.found[0].words[0] = 0;
+  const reference::Verdict verdict = judged.verdict();
+  const std::vector<reference::Finding> findings{{"depth test off", "", 0.96, "turn it on"},
+                                                 {"padded rows", "64 bytes", 1, "set pack & unpack alignment"}};
+  const Report named{verdict, {}, findings}, unnamed{verdict, {}, {}};
+  const std::string text =
+      "either depth test off (96.0 % agreement): turn it on; or padded rows, 64 bytes (100.0 % agreement): set pack ";
+  CHECK(toText(findings) == text + "& unpack alignment");
+
+  const auto json = nlohmann::json::parse(toJson(named));
+  REQUIRE(json["diagnosis"].size() == 2);
+  CHECK(json["diagnosis"][1]["fault"] == "padded rows");
+  CHECK(json["diagnosis"][1]["variant"] == "64 bytes");
+  CHECK(json["diagnosis"][0]["agreement"] == 0.96);
+  CHECK(json["diagnosis"][0]["advice"] == "turn it on");
+  CHECK(nlohmann::json::parse(toJson(unnamed))["diagnosis"].empty());
+
+  CHECK(reference::toJUnit({&named, 1}).find("diagnosis: " + text + "&amp; unpack alignment\n</failure>") !=
+        std::string::npos);
+  CHECK(reference::toJUnit({&unnamed, 1}).find("diagnosis") == std::string::npos);
+}
+
+TEST_CASE("in JUnit XML each face is a test case that fails where it has errors", "[verdict]") {
+  JudgedWall judged;
+  judged.found[1].words[5] = 0;
+  const reference::Verdict verdict = judged.verdict();
+  const Report report{verdict, firstErrors(judged.vector, verdict), {}};
+  const std::string xml = reference::toJUnit({&report, 1});
+  CHECK(xml.find("<testsuite name=\"a &lt;wall&gt; &amp; &quot;more&quot;\" tests=\"2\" failures=\"1\">") !=
+        std::string::npos);
+  CHECK(xml.find("name=\"top\"/>") != std::string::npos);
+  CHECK(xml.find("<failure message=\"1 pixels are errors\">pixel 5,4, foreign word: expected 266 (draw 0 texel 2,2)") !=
+        std::string::npos);
+}
+
+TEST_CASE("of several vectors the report names the fault that most of those that fail have in common", "[verdict]") {
+  JudgedWall right, wrong;
+  wrong.found[0].words[0] = 0;
+  const reference::Finding dithering{"dithering", "", 0.95, "turn it off"},
+      linear{"linear filtering", "", 1, "nearest"};
+  const std::vector<Report> reports{{wrong.verdict(), {}, {dithering, linear}},
+                                    {right.verdict(), {}, {}},
+                                    {wrong.verdict(), {}, {linear}},
+                                    {wrong.verdict(), {}, {}}};
+  const std::optional<reference::CommonFault> common = reference::commonFault(reports);
+  REQUIRE(common);
+  CHECK(toText(*common) == "linear filtering, named by 2 of 3 vectors that fail: nearest");
+  CHECK_FALSE(reference::commonFault({&reports[1], 1}));
+  // One of twenty counts, one of twenty-one is chance.
+  std::vector<Report> many(20, reports[3]);
+  many[7] = reports[2];
+  CHECK(reference::commonFault(many));
+  many.push_back(reports[3]);
+  CHECK_FALSE(reference::commonFault(many));
+
+  const auto json = nlohmann::json::parse(reference::toJson(reports));
+  CHECK(json["pass"] == false);
+  CHECK(json["pixels"]["error"] == 3);
+  CHECK(json["vectors"].size() == 4);
+  CHECK(json["vectors"][1]["pass"] == true);
+  CHECK(json["diagnosis"]["fault"] == "linear filtering");
+  CHECK(json["diagnosis"]["vectors"] == 2);
+  CHECK(json["diagnosis"]["failures"] == 3);
+  const auto passed = nlohmann::json::parse(reference::toJson(std::span(&reports[1], 1)));
+  CHECK(passed["pass"] == true);
+  CHECK(passed["diagnosis"].is_null());
+}

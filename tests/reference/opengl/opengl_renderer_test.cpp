@@ -1,0 +1,261 @@
+// A real device, whichever EGL finds: the verdicts on both of its paths, and a scene lit by it. Where there is none,
+// every test says that it was skipped.
+#include "reference/opengl/opengl_renderer.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "radiosity/form_factors/projected_form_factors.h"
+#include "radiosity/solver/progressive_solver.h"
+#include "raster/base/input_error.h"
+#include "reference/solution/radiosity_error.h"
+#include "reference/vectors/scene_vectors.h"
+#include "reference/vectors/vector_suite.h"
+#include "reference/verdict/verdict.h"
+#include "tests/support/raster_scenes.h"
+
+using namespace hemitex;
+using reference::OpenGlPath;
+using reference::OpenGlRenderer;
+using reference::PixelVerdict;
+using reference::TestVector;
+
+namespace {
+
+bool hasDevice() {
+  const std::optional<std::string> device = reference::openGlDevice();
+  if (!device) {
+    CHECK_THROWS_AS(OpenGlRenderer(tests::plainList(), OpenGlPath::Shader), raster::InputError);
+    WARN("skipped: no OpenGL device answers through EGL");
+  }
+  return device.has_value();
+}
+
+std::vector<raster::Face> facesOf(const TestVector& vector) {
+  std::vector<raster::Face> faces;
+  for (const reference::VectorFace& face : vector.faces) faces.push_back(face.face);
+  return faces;
+}
+
+/// The list without some of its triangles.
+raster::DrawList without(const raster::DrawList& list, std::span<const std::uint32_t> skipped) {
+  raster::DrawList rest = list;
+  rest.indices.clear();
+  for (raster::Draw& draw : rest.draws) {
+    const auto first = static_cast<std::uint32_t>(rest.indices.size());
+    for (std::uint32_t i = draw.first; i < draw.first + draw.count; ++i)
+      if (!std::binary_search(skipped.begin(), skipped.end(), i / 3)) rest.indices.push_back(list.indices[i]);
+    draw.first = first;
+    draw.count = static_cast<std::uint32_t>(rest.indices.size()) - first;
+  }
+  return rest;
+}
+
+/// Pixels that show something by the rules or on the device, and how many of them are right.
+struct Tally {
+  std::uint64_t covered = 0, exact = 0;
+};
+
+Tally tallyOf(const TestVector& vector, const reference::Verdict& verdict) {
+  const raster::Word background = raster::backgroundWord(vector.list.format);
+  Tally tally;
+  for (const reference::FaceVerdict& face : verdict.faces)
+    for (std::size_t p = 0; p < face.pixels.size(); ++p) {
+      if (face.expected.words[p] == background && face.found.words[p] == background) continue;
+      ++tally.covered;
+      tally.exact += face.pixels[p] == PixelVerdict::Exact;
+    }
+  return tally;
+}
+
+/// How many pixels of the vector "depth-steps" a depth buffer of n/w in binary32 can get right. The two triangles of
+/// pixel p have the depths w = (1 + (p mod 16)/16) 2^(p/16) and the next binary32 number, the nearer first for even p.
+/// In the upper half of [1, 2) binary32 numbers are denser than their inverses, which n, a power of two, only scales:
+/// where two inverses round to one number the first triangle wins, rightly or not.
+std::uint64_t depthStepsInBinary32() {
+  std::uint64_t right = 0;
+  for (int p = 0; p < 256; ++p) {
+    const float w = std::ldexp(1.0f + static_cast<float>(p % 16) / 16, p / 16);
+    right += p % 2 == 0 || 1 / w != 1 / std::nextafter(w, 1e9f);
+  }
+  return right;
+}
+
+/// Draws the suite and judges it as a device of the default profile, which has 8 bits of sub-pixel and depths in
+/// binary32, as Mesa's llvmpipe does. Returns the names of the vectors that the path does not draw.
+std::vector<std::string> judgeSuite(OpenGlPath path) {
+  Tally suite;
+  std::vector<std::string> leftOut;
+  for (const TestVector& vector : reference::wholeSuite(HEMITEX_DATA)) {
+    INFO(vector.name);
+    std::unique_ptr<OpenGlRenderer> renderer;
+    try {
+      renderer = std::make_unique<OpenGlRenderer>(vector.list, path);
+    } catch (const raster::InputError&) {
+      leftOut.push_back(vector.name);
+      continue;
+    }
+    const reference::Verdict verdict = judge(vector, renderer->render(facesOf(vector), {}), {});
+    CHECK(!hasErrors(verdict));
+    const Tally tally = tallyOf(vector, verdict);
+    if (vector.name == "depth-steps" && path == OpenGlPath::FixedFunction) {
+      CHECK(tally.exact >= depthStepsInBinary32());
+    } else {
+      CHECK(static_cast<double>(tally.exact) >= 0.99 * static_cast<double>(tally.covered));
+    }
+    suite.covered += tally.covered;
+    suite.exact += tally.exact;
+  }
+  CHECK(suite.covered > 200000);
+  CHECK(static_cast<double>(suite.exact) >= 0.999 * static_cast<double>(suite.covered));
+  return leftOut;
+}
+
+constexpr std::array<OpenGlPath, 2> paths{OpenGlPath::FixedFunction, OpenGlPath::Shader};
+
+/// Draws on the device, judges every item buffer, and gathers the words that stand in explained pixels.
+class JudgedRenderer final : public raster::ItemBufferRenderer {
+ public:
+  JudgedRenderer(const raster::DrawList& list, OpenGlPath path) : list_(list), device_(list, path) {}
+
+  void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+            std::vector<raster::ItemBuffer>& buffers) override {
+    TestVector vector;
+    vector.list = without(list_, skipped);
+    for (const raster::Face& face : faces) vector.faces.push_back({"", face, "", ""});
+    device_.draw(faces, skipped, buffers);
+    const reference::Verdict verdict = judge(vector, buffers, {});
+    CHECK(!hasErrors(verdict));
+    for (const reference::FaceVerdict& face : verdict.faces)
+      for (std::size_t p = 0; p < face.pixels.size(); ++p)
+        if (face.pixels[p] != PixelVerdict::Exact) explained.insert({face.expected.words[p], face.found.words[p]});
+  }
+
+  std::set<raster::Word> explained;  ///< what the rules or the device show there
+
+ private:
+  raster::DrawList list_;
+  OpenGlRenderer device_;
+};
+
+}  // namespace
+
+TEST_CASE("the fixed-function path draws all of the suite that bytes can add, without an error", "[opengl]") {
+  if (!hasDevice()) return;
+  // Sums with carries between bytes, or clamped at other borders than theirs.
+  CHECK(judgeSuite(OpenGlPath::FixedFunction) ==
+        std::vector<std::string>{"layout-r5g6b5", "layout-r10g10b10a2", "layout-r32ui", "layout-3-1-7-2",
+                                 "integer-add-24", "integer-add-32", "unaligned-integer-add", "edge-texels-added",
+                                 "scene-paper-room-tilted"});
+}
+
+TEST_CASE("the shader path draws the whole suite without an error", "[opengl]") {
+  if (!hasDevice()) return;
+  CHECK(judgeSuite(OpenGlPath::Shader).empty());
+}
+
+TEST_CASE("a device leaves out the triangles that it is told to skip", "[opengl]") {
+  if (!hasDevice()) return;
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  TestVector vector = *std::find_if(suite.begin(), suite.end(), [](const auto& v) { return v.name == "five-faces"; });
+  const raster::DrawList whole = vector.list;
+  std::vector<std::uint32_t> all(whole.indices.size() / 3);
+  for (std::uint32_t t = 0; t < all.size(); ++t) all[t] = t;
+  for (const OpenGlPath path : paths) {
+    OpenGlRenderer renderer(whole, path);
+    for (const std::vector<std::uint32_t>& skipped : {{}, {0}, {1, 2, 7}, {3, 4, 5, 11}, all}) {
+      vector.list = without(whole, skipped);
+      CHECK(!hasErrors(judge(vector, renderer.render(facesOf(vector), skipped), {})));
+    }
+  }
+}
+
+TEST_CASE("a device drops triangles with a value that is not finite", "[opengl]") {
+  if (!hasDevice()) return;
+  constexpr float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+  raster::DrawList list = tests::plainList();
+  list.indexMaps.push_back(tests::countingMap(4, 4));
+  const auto addWall = [&](float depth, const glm::vec3& corner, const glm::vec2& texcoord) {
+    tests::addDraw(list, static_cast<raster::Word>(list.draws.size()) << 8, {}, 0);
+    tests::addTriangle(list, {{-3 * depth, -3 * depth, depth}, {9 * depth, -3 * depth, depth}, corner},
+                       {{0, 0}, {1, 0}, texcoord});
+  };
+  for (const float value : {infinity, -infinity, nan}) {
+    addWall(1, {value, 9, 1}, {0, 1});
+    addWall(1, {-3, 9, value}, {0, 1});
+    addWall(1, {-3, 9, 1}, {value, 1});
+    addWall(1, {-3, 9, 1}, {0, value});
+  }
+  addWall(1, {3e38f, 9, 1}, {0, 1});  // finite, but twice as much is not
+  addWall(1, {-3, 9, 3e38f}, {0, 1});
+  addWall(2, {-6, 18, 2}, {0, 1});
+  raster::Face face = tests::frontFace(16);
+  face.x.x = face.y.y = face.w.z = 2;
+  const std::vector<raster::Word> expected = tests::drawOne(list, face).words;
+  CHECK(*std::min_element(expected.begin(), expected.end()) >> 8 == list.draws.size() - 1);
+  for (const OpenGlPath path : paths)
+    CHECK(OpenGlRenderer(list, path).render({&face, 1}, {}).front().words == expected);
+}
+
+TEST_CASE("a device says what it cannot draw", "[opengl]") {
+  if (!hasDevice()) return;
+  const auto refusal = [](const raster::DrawList& list, OpenGlPath path) -> std::string {
+    try {
+      OpenGlRenderer(list, path);
+      return "";
+    } catch (const raster::InputError& error) {
+      return error.what();
+    }
+  };
+  raster::DrawList list = tests::plainList();
+  list.indexMaps.push_back({2, 1, {0, 1}});
+  tests::addDraw(list, 2, {}, 0);
+  CHECK(refusal(list, OpenGlPath::FixedFunction).empty());
+  list.draws[0].offset = 1;
+  CHECK(refusal(list, OpenGlPath::FixedFunction).find("cannot add words of these channels") != std::string::npos);
+  CHECK(refusal(list, OpenGlPath::Shader).empty());
+
+  // Larger than any texture today.
+  constexpr int width = 1 << 20;
+  list.indexMaps[0] = {width, 1, std::vector<raster::Word>(width)};
+  CHECK(refusal(list, OpenGlPath::Shader).find("index map 0 is larger") != std::string::npos);
+  list.draws[0].indexMap = 1;
+  CHECK(refusal(list, OpenGlPath::Shader).find("an index map that does not exist") != std::string::npos);
+
+  OpenGlRenderer renderer(tests::plainList(), OpenGlPath::Shader);
+  const raster::Face odd = tests::frontFace(15);
+  CHECK_THROWS_AS(renderer.render({&odd, 1}, {}), raster::InputError);
+}
+
+TEST_CASE("the Cornell box is the same lit by a device, outside explained pixels to a thousandth", "[opengl]") {
+  if (!hasDevice()) return;
+  const radiosity::Scene scene = radiosity::loadScene(std::string(HEMITEX_DATA) + "/cornell-box.obj");
+  const radiosity::Discretization discretization = radiosity::discretize(scene, {.texels = 8, .patch = 4});
+  const radiosity::WordLayout layout = radiosity::layOut(discretization);
+  const raster::DrawList list = radiosity::makeDrawList(scene, discretization, layout);
+  const auto solutionOf = [&](raster::ItemBufferRenderer& renderer) {
+    radiosity::ProjectedRows rows(scene, discretization, layout, renderer, {.resolution = 128});
+    return radiosity::solve(scene, discretization, [&rows](std::uint32_t patch) { return rows.ofPatch(patch); },
+                            {.residual = 0.01});
+  };
+  raster::SoftwareRenderer software(list);
+  const radiosity::Solution expected = solutionOf(software);
+  for (const OpenGlPath path : paths) {
+    JudgedRenderer device(list, path);
+    const radiosity::Solution found = solutionOf(device);
+    CHECK(found.shots == expected.shots);
+    // An explained pixel takes flux from one element and gives it to another; the rest see it only reflected.
+    std::set<std::uint32_t> touched;
+    for (const raster::Word word : device.explained)
+      if (const auto element = elementOf(discretization, layout, word)) touched.insert(*element);
+    const std::vector<double> errors = reference::errorsByElement(found.radiosity, expected.radiosity);
+    double largest = 0;
+    for (std::uint32_t element = 0; element < errors.size(); ++element)
+      if (touched.count(element) == 0) largest = std::max(largest, errors[element]);
+    CHECK(largest <= 0.001);
+    CHECK(touched.size() <= errors.size() / 10);
+  }
+}

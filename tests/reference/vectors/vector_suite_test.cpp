@@ -1,0 +1,386 @@
+// The vector suite: that it is what it says, that the rasterizer answers it by the rules, and that the answer is one.
+#include "reference/vectors/vector_suite.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "raster/base/parallel.h"
+#include "reference/trace/rational_rasterizer.h"
+#include "reference/vectors/scene_vectors.h"
+#include "tests/support/raster_scenes.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace hemitex;
+using raster::Word;
+using reference::TestVector;
+
+namespace {
+
+std::vector<TestVector> wholeSuite() { return reference::wholeSuite(HEMITEX_DATA); }
+
+const TestVector& named(const std::vector<TestVector>& suite, const std::string& name) {
+  const auto found = std::find_if(suite.begin(), suite.end(), [&](const TestVector& v) { return v.name == name; });
+  REQUIRE(found != suite.end());
+  return *found;
+}
+
+/// The words of a vector's first face.
+std::vector<Word> wordsOf(const TestVector& vector) { return reference::render(vector).front().words; }
+
+/// How often the draws of a vector cover each pixel, drawn one by one.
+std::vector<int> coverCounts(const TestVector& vector) {
+  std::vector<int> counts;
+  TestVector one = vector;
+  for (const raster::Draw& draw : vector.list.draws) {
+    one.list.draws = {draw};
+    const std::vector<Word> words = wordsOf(one);
+    counts.resize(words.size());
+    for (std::size_t p = 0; p < words.size(); ++p) counts[p] += words[p] != 0xffffffff;
+  }
+  return counts;
+}
+
+std::size_t countOf(const std::vector<int>& counts, int value) {
+  return static_cast<std::size_t>(std::count(counts.begin(), counts.end(), value));
+}
+
+bool hasSameWords(const std::vector<raster::ItemBuffer>& a, const std::vector<raster::ItemBuffer>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const auto& x, const auto& y) { return x.words == y.words; });
+}
+
+}  // namespace
+
+TEST_CASE("the suite has forty vectors or more, each with a name of its own and one line on what it catches",
+          "[suite]") {
+  std::set<std::string> names;
+  for (const TestVector& vector : wholeSuite()) {
+    INFO(vector.name);
+    CHECK(names.insert(vector.name).second);
+    CHECK(vector.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos);
+    CHECK(!vector.catches.empty());
+    CHECK(vector.catches.find('\n') == std::string::npos);
+    CHECK_NOTHROW(raster::validate(vector.list));
+  }
+  CHECK(names.size() >= 40);
+}
+
+TEST_CASE("every vector of the suite reads back from disk to the same bits and draws the same words", "[suite]") {
+  for (const TestVector& vector : wholeSuite()) {
+    INFO(vector.name);
+    const TemporaryFolder folder;
+    const std::vector<raster::ItemBuffer> buffers = reference::render(vector);
+    reference::writeVector(folder.path, vector, buffers);
+    const TestVector read = reference::readVector(folder.path);
+    CHECK(read.name == vector.name);
+    CHECK(read.catches == vector.catches);
+    CHECK(read.list.positions == vector.list.positions);
+    CHECK(read.list.texcoords == vector.list.texcoords);
+    CHECK(hasSameWords(reference::render(read), buffers));
+    REQUIRE(read.faces.size() == vector.faces.size());
+    for (std::size_t f = 0; f < read.faces.size(); ++f) {
+      CHECK(read.faces[f].hash == reference::wordsHash(buffers[f].words));
+      CHECK(read.faces[f].face.x == vector.faces[f].face.x);
+      CHECK(read.faces[f].face.eye == vector.faces[f].face.eye);
+      CHECK(read.faces[f].face.nearDistance == vector.faces[f].face.nearDistance);
+    }
+  }
+}
+
+TEST_CASE("the rasterizer equals the rules on every pixel of the suite", "[suite]") {
+  for (const TestVector& vector : wholeSuite()) {
+    const std::vector<raster::ItemBuffer> found = reference::render(vector);
+    for (std::size_t f = 0; f < found.size(); ++f) {
+      INFO(vector.name << ", face " << vector.faces[f].name);
+      CHECK(found[f].words == reference::evaluateRules(vector.list, vector.faces[f].face).words);
+    }
+  }
+}
+
+TEST_CASE("the words of the suite have the pinned hashes, for 1, 2 and 7 threads", "[suite]") {
+  // `hemitex_suite_hashes` prints this file anew where the suite grows.
+  std::stringstream pinned;
+  pinned << std::ifstream(HEMITEX_SUITE_HASHES).rdbuf();
+  const std::vector<TestVector> suite = wholeSuite();
+  for (const int threads : {1, 2, 7}) {
+    const raster::ThreadLimit limit(threads);
+    CHECK(reference::suiteHashes(suite) == pinned.str());
+  }
+}
+
+TEST_CASE("eight sub-pixel triangles around each sample cover it exactly once", "[suite]") {
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  for (const char* order : {"centre-fans-later-nearer", "centre-fans-earlier-nearer"})
+    CHECK(countOf(coverCounts(named(suite, order)), 1) == 256);
+}
+
+TEST_CASE("meshes cover what is inside of them exactly once and nothing else, in every order of corners", "[suite]") {
+  // The nine fans fill squares of 14 x 14 pixels, the nine grids squares with the sides (12, 9) and (-9, 12). Samples
+  // on the left and top borders count, those on the others do not; such a half-open square between two vectors of
+  // whole numbers holds as many samples as its area, wherever it lies: its copies tile the plane.
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  struct Case {
+    std::string name;
+    std::size_t once, never;
+  };
+  for (const Case& mesh :
+       {Case{"fans", 9 * 14 * 14, 48 * 48 - 9 * 14 * 14}, Case{"rotated-grids", 9 * 15 * 15, 64 * 64 - 9 * 15 * 15},
+        Case{"sample-grid", 256, 0}, Case{"micro-grid", 256, 0}})
+    for (const char* order : {"-later-nearer", "-earlier-nearer"}) {
+      INFO(mesh.name << order);
+      const std::vector<int> counts = coverCounts(named(suite, mesh.name + order));
+      CHECK(countOf(counts, 1) == mesh.once);
+      CHECK(countOf(counts, 0) == mesh.never);
+    }
+}
+
+TEST_CASE("strips share vertices between draws, each the first and the last of one triangle at most", "[suite]") {
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  const TestVector& vector = named(suite, "shared-vertices");
+  const raster::DrawList& list = vector.list;
+  for (const std::size_t corner : {0u, 2u}) {
+    std::set<std::uint32_t> vertices;
+    for (const raster::Draw& draw : list.draws) CHECK(vertices.insert(list.indices[draw.first + corner]).second);
+  }
+  CHECK(list.positions.size() < list.draws.size() + 9);  // two more a strip than triangles
+  // A strip is a trapezoid 8 rows high with sides of 32 and 28 pixels, and so holds 240 samples.
+  CHECK(countOf(coverCounts(vector), 1) == 4 * 240);
+}
+
+TEST_CASE("a double hit in a mesh shows in the one or the other order of depths", "[suite]") {
+  // Move one triangle so that it claims samples of others: in one of the two vectors its number shows there.
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  for (const std::size_t moved : {std::size_t{0}, std::size_t{7}, std::size_t{15}}) {
+    std::size_t changed = 0;
+    for (const char* order : {"fans-later-nearer", "fans-earlier-nearer"}) {
+      const TestVector& right = named(suite, order);
+      TestVector wrong = right;
+      for (std::size_t k = 0; k < 3; ++k) wrong.list.positions[3 * moved + k] *= glm::vec3(0.99f, 0.99f, 1);
+      const std::vector<Word> expected = wordsOf(right), found = wordsOf(wrong);
+      for (std::size_t p = 0; p < found.size(); ++p)
+        changed += found[p] == moved && expected[p] != moved && expected[p] != 0xffffffff;
+    }
+    CHECK(changed > 0);
+  }
+}
+
+TEST_CASE("half sub-pixels snap to the even one, and any other rounding shows", "[suite]") {
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  for (const bool isRow : {false, true}) {
+    const TestVector& vector = named(suite, isRow ? "snapping-rows" : "snapping-columns");
+    std::vector<Word> expected;
+    for (Word k = 0; k < 256; ++k) expected.push_back(k % 2 == 0 ? 2 * k + 1 : 2 * k);
+    CHECK(wordsOf(vector) == expected);
+    // Positions are multiples of 2^-12 here, and the odd ones lie on half sub-pixels. Moving them up by less than a
+    // half is rounding half up: wrong for even k alone; moving them down is rounding half down: wrong for odd k alone.
+    for (const float direction : {1.0f, -1.0f}) {
+      TestVector wrong = vector;
+      for (glm::vec3& position : wrong.list.positions) {
+        float& coordinate = isRow ? position.y : position.x;
+        if (static_cast<int>(coordinate * 4096) % 2 != 0) coordinate += direction * 0x1p-14f;
+      }
+      const std::vector<Word> found = wordsOf(wrong);
+      bool holds = true;
+      for (Word k = 0; k < 256; ++k) holds &= (found[k] != expected[k]) == (k % 2 == (direction > 0 ? 0 : 1));
+      CHECK(holds);
+    }
+  }
+}
+
+TEST_CASE("sheets that are cut at the near plane and the guard band have no holes", "[suite]") {
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  const auto hasNoHole = [](const std::vector<Word>& words) {
+    return std::find(words.begin(), words.end(), 0xffffffff) == words.end();
+  };
+  CHECK(hasNoHole(wordsOf(named(suite, "guard-band-sheet"))));
+  CHECK(hasNoHole(wordsOf(named(suite, "perspective-sheet"))));
+  // The floor y = 1/2 is seen at w = 1 / (2 y/w): cut at w = 3/2, which is y/w = 1/3, and at its end behind w = 5,
+  // y/w = 1/10. The view there is narrower than the floor.
+  const std::vector<Word> words = wordsOf(named(suite, "near-plane-sheet"));
+  for (std::size_t row = 0; row < 64; ++row) {
+    INFO("row " << row);
+    const double y = (2 * static_cast<double>(row) + 1) / 64 - 1;
+    const std::vector<Word> line(words.begin() + static_cast<std::ptrdiff_t>(64 * row),
+                                 words.begin() + static_cast<std::ptrdiff_t>(64 * row + 64));
+    const auto empty = std::count(line.begin(), line.end(), 0xffffffff);
+    if (y > 0.11 && y < 0.33) CHECK(empty == 0);
+    if (y < 0.07 || y > 0.34) CHECK(empty == 64);
+  }
+}
+
+TEST_CASE("the frustum sheet is whole where its plane lies before the near plane", "[suite]") {
+  // The plane y = 0.04 + 0.01 x - 0.2 z meets the ray (x, y, 1) w at w = 0.04 / (y - 0.01 x + 0.2). The sheet ends
+  // behind w = 0.8, and there is wider than the view.
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  const std::vector<Word> words = wordsOf(named(suite, "frustum-sheet"));
+  int checked = 0;
+  for (std::size_t p = 0; p < words.size(); ++p) {
+    const double x = (2 * static_cast<double>(p % 64) + 1) / 64 - 1, y = (2 * static_cast<double>(p / 64) + 1) / 64 - 1;
+    const double w = 0.04 / (y - 0.01 * x + 0.2);
+    if (w < 0.051 && w > 0.049) continue;
+    const bool isSeen = w > 0.05 && w < 0.8;
+    INFO("pixel " << p % 64 << ", " << p / 64 << " at w " << w);
+    if (w < 0.8) CHECK((words[p] != 0xffffffff) == isSeen);
+    checked += isSeen;
+  }
+  CHECK(checked > 1400);
+}
+
+TEST_CASE("texels beside k/N are those of the binary64 quotient", "[suite]") {
+  // u is binary32 and N below 2^11, so u N is exact in binary64: floor(u N) is what the rules say.
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  for (const int texels : {1, 3, 7, 100, 255, 256, 257, 1000, 1024}) {
+    const TestVector& vector = named(suite, "texels-" + std::to_string(texels));
+    const std::vector<Word> words = wordsOf(vector);
+    const std::size_t steps = 3 * (static_cast<std::size_t>(texels) + 1);
+    bool holds = true;
+    for (std::size_t p = 0; p < 2 * steps; ++p) {
+      const glm::vec2 t = vector.list.texcoords[3 * p];
+      const double position = static_cast<double>(p < steps ? t.x : t.y) * texels;
+      const double texel = std::clamp(std::floor(position), 0.0, texels - 1.0);
+      holds &= words[p] == (p < steps ? 0u : 0x10000u) + static_cast<Word>(texel);
+    }
+    INFO(texels);
+    CHECK(holds);
+    CHECK(std::count(words.begin(), words.end(), 0xffffffff) == static_cast<long>(words.size() - 2 * steps));
+  }
+}
+
+TEST_CASE("every pair of bytes is added and clamped in every channel", "[suite]") {
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  const std::vector<Word> words = wordsOf(named(suite, "byte-pairs"));
+  bool holds = true;
+  for (Word offset = 0; offset < 256; ++offset)
+    for (Word texel = 0; texel < 256; ++texel) {
+      const Word word = words[256 * offset + texel];
+      const auto sum = [](Word a, Word b) { return std::min<Word>(a + b, 255); };
+      holds &= (word & 255) == sum(offset, texel);
+      holds &= (word >> 8 & 255) == sum(255 - offset, 255 - texel);
+      holds &= (word >> 16 & 255) == sum(255 - offset, texel);
+      holds &= word >> 24 == sum(offset, 255 - texel);
+    }
+  CHECK(holds);
+}
+
+TEST_CASE("the edge words and both reserved words come out as they went in", "[suite]") {
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  for (const char* name :
+       {"edge-offsets-r32ui", "edge-offsets-r8g8b8a8", "edge-texels-replaced", "edge-texels-added"}) {
+    INFO(name);
+    const std::vector<Word> words = wordsOf(named(suite, name));
+    for (const Word word : {0u, (1u << 24) - 1, 1u << 24, (1u << 24) + 1, 0xfffffffdu, 0xfffffffeu, 0xffffffffu})
+      CHECK(std::find(words.begin(), words.end(), word) != words.end());
+  }
+}
+
+TEST_CASE("coplanar surfaces show the one that was drawn first", "[suite]") {
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  const std::vector<Word> lightFirst = wordsOf(named(suite, "coplanar-light-first"));
+  const std::vector<Word> ceilingFirst = wordsOf(named(suite, "coplanar-ceiling-first"));
+  CHECK(std::count(lightFirst.begin(), lightFirst.end(), 1u) == 9 * 14);
+  CHECK(std::count(lightFirst.begin(), lightFirst.end(), 0u) == 27 * 28 - 9 * 14);
+  CHECK(std::count(ceilingFirst.begin(), ceilingFirst.end(), 0u) == 27 * 28);
+  // On the slope each pixel shows the first of those that cover it: the order of draws alone decides.
+  for (const char* name : {"coplanar-slope", "coplanar-slope-reversed", "same-triangle"}) {
+    const TestVector& vector = named(suite, name);
+    TestVector painted = vector;
+    std::reverse(painted.list.draws.begin(), painted.list.draws.end());
+    std::vector<Word> first(wordsOf(vector).size(), 0xffffffff);
+    for (const raster::Draw& draw : painted.list.draws) {
+      TestVector one = vector;
+      one.list.draws = {draw};
+      const std::vector<Word> words = wordsOf(one);
+      for (std::size_t p = 0; p < words.size(); ++p)
+        if (words[p] != 0xffffffff) first[p] = words[p];
+    }
+    INFO(name);
+    CHECK(wordsOf(vector) == first);
+  }
+}
+
+TEST_CASE("of two depths one binary32 number apart the smaller is seen", "[suite]") {
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  for (const char* name : {"depth-steps", "depth-range"}) {
+    const std::vector<Word> words = wordsOf(named(suite, name));
+    bool holds = true;
+    for (Word pixel = 0; pixel < 256; ++pixel) holds &= words[pixel] == 2 * pixel + pixel % 2;
+    INFO(name);
+    CHECK(holds);
+  }
+}
+
+TEST_CASE("unaligned words survive an integer add and not a clamped one", "[suite]") {
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  const std::vector<Word> sums = wordsOf(named(suite, "unaligned-integer-add"));
+  const std::vector<Word> clamped = wordsOf(named(suite, "unaligned-clamped-add"));
+  CHECK(std::set<Word>(sums.begin(), sums.end()).size() == 9 * 256);
+  CHECK(std::set<Word>(clamped.begin(), clamped.end()).size() < 9 * 256);
+}
+
+TEST_CASE("every word of the unique maps is seen, and no offset", "[suite]") {
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  std::vector<Word> words = wordsOf(named(suite, "unique-maps"));
+  std::sort(words.begin(), words.end());
+  bool holds = true;
+  for (Word k = 0; k < 1024; ++k) holds &= words[k] == 0x00ff80 + k;
+  CHECK(holds);
+}
+
+TEST_CASE("the five faces show every wall and the background, and no two faces are alike", "[suite]") {
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  const TestVector& vector = named(suite, "five-faces");
+  const std::vector<raster::ItemBuffer> buffers = reference::render(vector);
+  std::set<Word> walls;
+  for (std::size_t f = 0; f < 5; ++f) {
+    for (const Word word : buffers[f].words) walls.insert(word >> 8);
+    CHECK(std::count(buffers[f].words.begin(), buffers[f].words.end(), 0xffffffff) > 0);
+    for (std::size_t other = 0; other < f; ++other) CHECK(buffers[f].words != buffers[other].words);
+  }
+  // Ceiling and four walls; the back of the board shares its upper bits with the background.
+  for (Word wall = 1; wall <= 5; ++wall) CHECK(walls.count(wall) == 1);
+  CHECK(walls.count(0xffffff) == 1);
+  CHECK(std::count(buffers[0].words.begin(), buffers[0].words.end(), 0xfffffffe) > 0);
+}
+
+TEST_CASE("the narrow view tells how the vertex stage rounds", "[suite]") {
+  // With the vertices already transformed, and a face that leaves them as they are, another stage can stand in.
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  const TestVector& vector = named(suite, "narrow-view");
+  const raster::Face& face = vector.faces[0].face;
+  const auto wordsBy = [&](const auto& dot) {
+    TestVector transformed = vector;
+    for (glm::vec3& p : transformed.list.positions) p = {dot(face.x, p), dot(face.y, p), dot(face.w, p)};
+    raster::Face& plain = transformed.faces[0].face;
+    plain.eye = glm::vec3(0);
+    plain.x = {1, 0, 0};
+    plain.y = {0, 1, 0};
+    plain.w = {0, 0, 1};
+    return wordsOf(transformed);
+  };
+  const glm::vec3& e = face.eye;
+  const std::vector<Word> words = wordsOf(vector);
+  const auto differing = [&](const std::vector<Word>& found) {
+    std::size_t count = 0;
+    for (std::size_t p = 0; p < words.size(); ++p) count += found[p] != words[p];
+    return count;
+  };
+  const auto byTheRules = [&](const glm::vec3& r, const glm::vec3& p) {
+    return (r.x * (p.x - e.x) + r.y * (p.y - e.y)) + r.z * (p.z - e.z);
+  };
+  const auto otherOrder = [&](const glm::vec3& r, const glm::vec3& p) {
+    return r.x * (p.x - e.x) + (r.y * (p.y - e.y) + r.z * (p.z - e.z));
+  };
+  const auto fused = [&](const glm::vec3& r, const glm::vec3& p) {
+    return std::fma(r.z, p.z - e.z, std::fma(r.y, p.y - e.y, r.x * (p.x - e.x)));
+  };
+  const auto moreBits = [&](const glm::vec3& r, const glm::vec3& p) {
+    return static_cast<float>(glm::dot(glm::dvec3(r), glm::dvec3(p) - glm::dvec3(e)));
+  };
+  CHECK(differing(wordsBy(byTheRules)) == 0);
+  CHECK(differing(wordsBy(otherOrder)) > 0);
+  CHECK(differing(wordsBy(fused)) > 0);
+  CHECK(differing(wordsBy(moreBits)) > 0);
+}

@@ -1,0 +1,107 @@
+// Profiles and candidates on disk: what is read, and what is refused.
+#include "reference/verdict/device_profile.h"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "raster/base/input_error.h"
+#include "reference/vectors/candidate.h"
+#include "tests/support/raster_scenes.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace hemitex;
+using raster::InputError;
+
+TEST_CASE("a profile keeps the defaults of the keys it does not name", "[verdict]") {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path / "profile.json";
+  std::ofstream(file) << R"({"subpixel_bits": 4, "snap_rounding": "truncate", "edge_rule": "any", "vertex_error": 2.5,
+                            "depth_format": "unorm16", "loose_clipping": false})";
+  const reference::DeviceProfile profile = reference::readProfile(file);
+  CHECK(profile.subpixelBits == 4);
+  CHECK(profile.snapRounding == reference::SnapRounding::Truncate);
+  CHECK(profile.edgeRule == reference::EdgeRule::Any);
+  CHECK(profile.vertexError == 2.5);
+  CHECK_FALSE(profile.looseClipping);
+  CHECK(profile.texelPrecision == 1.0 / 256);
+  CHECK(profile.depthTolerance == 4);
+  CHECK(reference::depthError(profile) == 4.0 / 65535);
+}
+
+TEST_CASE("a depth's error is in units in the last place of 1 of its format", "[verdict]") {
+  using reference::DepthFormat;
+  for (const auto& [format, unit] :
+       {std::pair(DepthFormat::Float32, 1 / 8388608.0), std::pair(DepthFormat::Unorm24, 1 / 16777215.0),
+        std::pair(DepthFormat::Unorm16, 1 / 65535.0)}) {
+    reference::DeviceProfile profile;
+    profile.depthFormat = format;
+    profile.depthTolerance = 3;
+    CHECK(reference::depthError(profile) == Approx(3 * unit).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("a profile that was written reads back the same", "[verdict]") {
+  using namespace reference;
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path / "profile.json";
+  for (const DeviceProfile& profile :
+       {DeviceProfile{},
+        DeviceProfile{0.1, 12, SnapRounding::Truncate, EdgeRule::Any, 0x1.8p-13, DepthFormat::Unorm24, 2.5, false},
+        DeviceProfile{.depthFormat = DepthFormat::Unorm16}}) {
+    std::ofstream(file) << toJson(profile);
+    CHECK(readProfile(file) == profile);
+  }
+}
+
+TEST_CASE("a profile with an unknown key or a wrong value is an input error", "[verdict]") {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path / "profile.json";
+  for (const char* json :
+       {R"({"subpixel_bit": 8})", R"({"subpixel_bits": 8.5})", R"({"subpixel_bits": 3})", R"({"subpixel_bits": 13})",
+        R"({"subpixel_bits": "8"})", R"({"vertex_error": -1})", R"({"vertex_error": 1e999})",
+        R"({"texel_precision": null})", R"({"snap_rounding": "up"})", R"({"edge_rule": 1})",
+        R"({"depth_format": "float"})", R"({"loose_clipping": 1})", R"([])", R"({)", ""}) {
+    std::ofstream(file) << json;
+    INFO(json);
+    CHECK_THROWS_AS(reference::readProfile(file), InputError);
+  }
+  CHECK_THROWS_AS(reference::readProfile(folder.path / "missing.json"), InputError);
+  CHECK_THROWS_AS(reference::readProfile(folder.path), InputError);
+}
+
+TEST_CASE("a candidate's buffers are read, and refused where they do not hold one word a pixel", "[verdict]") {
+  reference::TestVector vector;
+  raster::Face face = tests::frontFace(4);
+  face.scissor = {0, 2, 4, 2};
+  vector.faces = {{"side", face, "side.u32", ""}};
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path / "side.u32";
+  CHECK_THROWS_AS(reference::readCandidate(folder.path, vector), InputError);  // missing
+
+  const auto write = [&](std::size_t bytes) {
+    std::ofstream stream(file, std::ios::binary);
+    for (std::size_t k = 0; k < bytes; ++k) stream.put(static_cast<char>(k));
+  };
+  for (const std::size_t bytes : {std::size_t{0}, std::size_t{31}, std::size_t{33}, std::size_t{28}, std::size_t{64}}) {
+    write(bytes);
+    INFO(bytes << " bytes");
+    CHECK_THROWS_AS(reference::readCandidate(folder.path, vector), InputError);
+  }
+  write(32);
+  const std::vector<raster::ItemBuffer> buffers = reference::readCandidate(folder.path, vector);
+  REQUIRE(buffers.size() == 1);
+  CHECK(buffers[0].width == 4);
+  CHECK(buffers[0].height == 2);
+  CHECK(buffers[0].words.size() == 8);
+  CHECK(buffers[0].words[1] == 0x07060504u);  // little-endian
+
+  vector.faces.push_back({"other", face, "other.u32", ""});
+  CHECK_THROWS_AS(reference::readCandidate(folder.path, vector), InputError);
+  std::ofstream(folder.path / "other.u32", std::ios::binary) << std::string(32, '\1');
+  CHECK(reference::readCandidate(folder.path, vector)[1].words[0] == 0x01010101u);
+  vector.faces.pop_back();
+
+  std::filesystem::remove(file);
+  std::filesystem::create_directory(file);
+  CHECK_THROWS_AS(reference::readCandidate(folder.path, vector), InputError);
+}

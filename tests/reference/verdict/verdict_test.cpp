@@ -1,0 +1,303 @@
+// The verdicts on a device: a right one is never accused, a wrong one is, and one wrong word is enough.
+#include "reference/verdict/verdict.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <functional>
+
+#include "reference/vectors/vector_suite.h"
+#include "reference/verdict/pixel_judge.h"
+#include "tests/support/simulated_device.h"
+#include "tests/support/triangle_families.h"
+
+using namespace hemitex;
+using reference::DeviceProfile;
+using reference::PixelVerdict;
+using tests::SimulatedDevice;
+
+namespace {
+
+reference::TestVector vectorOf(const raster::DrawList& list, const raster::Face& face) {
+  reference::TestVector vector;
+  vector.list = list;
+  vector.faces = {{"top", face, "top.u32", ""}};
+  return vector;
+}
+
+reference::VerdictCounts countsOf(const raster::DrawList& list, const raster::Face& face,
+                                  const raster::ItemBuffer& found, const DeviceProfile& profile = {}) {
+  return countVerdicts(reference::judge(vectorOf(list, face), {&found, 1}, profile));
+}
+
+std::uint64_t count(const reference::VerdictCounts& counts, PixelVerdict verdict) {
+  return counts[static_cast<std::size_t>(verdict)];
+}
+
+std::uint64_t errorsOf(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face,
+                       const DeviceProfile& profile = {}) {
+  return count(countsOf(list, face, drawOn(device, list, face), profile), PixelVerdict::Error);
+}
+
+/// A wall of 4 x 4 texels seen straight on by 16 x 16 pixels: each texel is 4 x 4 pixels, and every sample lies an
+/// eighth of a texel or more inside its texel.
+struct Wall {
+  raster::DrawList list = tests::plainList();
+  raster::Face face = tests::frontFace(16);
+
+  Wall() {
+    list.indexMaps.push_back(tests::countingMap(4, 4));
+    tests::addDraw(list, 0x100, {}, 0);
+    tests::addTriangle(list, {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}}, {{0, 0}, {1, 0}, {1, 1}});
+    tests::addTriangle(list, {{-1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}, {{0, 0}, {1, 1}, {0, 1}});
+  }
+};
+
+/// Profiles of devices from good to poor.
+std::vector<DeviceProfile> profiles() {
+  DeviceProfile coarse;
+  coarse.vertexError = 20000;  // several sub-pixels at 16 pixels a side
+  coarse.subpixelBits = 4;
+  coarse.texelPrecision = 0.1;
+  coarse.depthFormat = reference::DepthFormat::Unorm16;
+  DeviceProfile truncating;
+  truncating.snapRounding = reference::SnapRounding::Truncate;
+  DeviceProfile fine;
+  fine.subpixelBits = 12;
+  return {{}, coarse, truncating, fine};
+}
+
+}  // namespace
+
+TEST_CASE("what the rules draw is exact, pixel by pixel", "[verdict]") {
+  std::mt19937 random(1);
+  for (const tests::TriangleFamily& family : tests::triangleFamilies()) {
+    const tests::DrawnCase drawn = family.make(random);
+    const auto counts = countsOf(drawn.list, drawn.face, tests::drawOne(drawn.list, drawn.face));
+    INFO(family.name);
+    CHECK(count(counts, PixelVerdict::Exact) == 256);
+  }
+}
+
+TEST_CASE("a device within its profile is never accused", "[verdict]") {
+  std::mt19937 random(2);
+  std::uint64_t explained = 0;
+  for (const DeviceProfile& profile : profiles())
+    for (const tests::TriangleFamily& family : tests::triangleFamilies())
+      for (std::uint32_t draw = 0; draw < 40; ++draw) {
+        const tests::DrawnCase drawn = family.make(random);
+        const SimulatedDevice device{profile, draw, draw % 2 == 1};
+        const auto counts = countsOf(drawn.list, drawn.face, drawOn(device, drawn.list, drawn.face), profile);
+        INFO(family.name << ", draw " << draw << ", vertex error " << profile.vertexError << ", "
+                         << profile.subpixelBits << " bits");
+        CHECK(count(counts, PixelVerdict::Error) == 0);
+        explained += 256 - count(counts, PixelVerdict::Exact);
+      }
+  // The devices do err: otherwise nothing was tested.
+  CHECK(explained > 1000);
+}
+
+TEST_CASE("a device three sub-pixels beyond its profile is accused", "[verdict]") {
+  std::mt19937 random(3);
+  std::uint64_t right = 0, wrong = 0;
+  for (int draw = 0; draw < 200; ++draw) {
+    const tests::DrawnCase drawn = tests::triangleFamilies().front().make(random);
+    right += errorsOf({{}, 1}, drawn.list, drawn.face);
+    wrong += errorsOf({.profile = {}, .seed = 1, .shift = 3}, drawn.list, drawn.face);
+  }
+  CHECK(right == 0);
+  CHECK(wrong > 0);
+}
+
+TEST_CASE("a texture that is half a texel off is accused where a quarter of a texel is explained", "[verdict]") {
+  const Wall wall;
+  DeviceProfile quarter;
+  quarter.texelPrecision = 0.25;
+  CHECK(errorsOf({.profile = {}, .texelShift = 0.5}, wall.list, wall.face) > 0);
+  const auto counts =
+      countsOf(wall.list, wall.face, tests::drawOn({.profile = {}, .texelShift = 0.24}, wall.list, wall.face), quarter);
+  CHECK(count(counts, PixelVerdict::Error) == 0);
+  CHECK(count(counts, PixelVerdict::Texel) > 0);
+}
+
+TEST_CASE("one wrong element is an error, even the next one", "[verdict]") {
+  const Wall wall;
+  const raster::ItemBuffer right = tests::drawOne(wall.list, wall.face);
+  for (std::size_t pixel = 0; pixel < right.words.size(); pixel += 7)
+    for (const raster::Word word : {right.words[pixel] + 1, right.words[pixel] - 1, right.words[pixel] ^ 0x80000000u}) {
+      raster::ItemBuffer found = right;
+      found.words[pixel] = word;
+      const auto counts = countsOf(wall.list, wall.face, found);
+      INFO("pixel " << pixel << ", word " << word);
+      CHECK(count(counts, PixelVerdict::Error) == 1);
+      CHECK(count(counts, PixelVerdict::Exact) == 255);
+    }
+}
+
+TEST_CASE("two words that changed places are two errors", "[verdict]") {
+  const Wall wall;
+  raster::ItemBuffer found = tests::drawOne(wall.list, wall.face);
+  REQUIRE(found.words[3] != found.words[4]);
+  std::swap(found.words[3], found.words[4]);
+  CHECK(count(countsOf(wall.list, wall.face, found), PixelVerdict::Error) == 2);
+}
+
+TEST_CASE("a hole where triangles share an edge is an error, at the mesh's boundary it is not", "[verdict]") {
+  // Moved to (-13/16, -13/16), the wall's first corner lies on the sample of pixel (1, 1): its left and its top side
+  // run through the samples of column 1 and row 1, and the diagonal that its two triangles share through those of all
+  // pixels (i, i). The vertex error moves corners by a sub-pixel or so; the triangles move together.
+  const Wall wall;
+  raster::DrawList list = wall.list;
+  for (glm::vec3& position : list.positions) {
+    if (position.x == -1) position.x = -13.0f / 16;
+    if (position.y == -1) position.y = -13.0f / 16;
+  }
+  const raster::ItemBuffer right = tests::drawOne(list, wall.face);
+  DeviceProfile profile;
+  profile.vertexError = 2000;
+  const raster::Word background = raster::backgroundWord(list.format);
+  for (std::size_t row = 1; row < 15; ++row)
+    for (std::size_t column = 1; column < 15; ++column) {
+      raster::ItemBuffer found = right;
+      const std::size_t pixel = row * 16 + column;
+      const bool onBoundary = row == 1 || column == 1;
+      REQUIRE(right.words[pixel] != background);
+      found.words[pixel] = background;
+      const auto counts = countsOf(list, wall.face, found, profile);
+      INFO("column " << column << ", row " << row);
+      CHECK(count(counts, PixelVerdict::Coverage) == (onBoundary ? 1u : 0u));
+      CHECK(count(counts, PixelVerdict::Error) == (onBoundary ? 0u : 1u));
+    }
+}
+
+TEST_CASE("a wrong fill rule is an error where no vertex can move, and explained where the profile names no rule",
+          "[verdict]") {
+  // Corners on samples: exact in binary32, and no error of the vertex stage reaches the next sub-pixel.
+  raster::DrawList list = tests::plainList();
+  tests::addDraw(list, 7);
+  tests::addTriangle(list, {{-0.8125f, -0.8125f, 1}, {0.8125f, -0.8125f, 1}, {-0.8125f, 0.8125f, 1}});
+  const raster::Face face = tests::frontFace(16);
+  const raster::ItemBuffer found = tests::drawOn({.profile = {}, .bottomRight = true}, list, face);
+  const auto counts = countsOf(list, face, found);
+  CHECK(count(counts, PixelVerdict::Error) > 20);
+  CHECK(count(counts, PixelVerdict::Exact) + count(counts, PixelVerdict::Error) == 256);
+  DeviceProfile anyRule;
+  anyRule.edgeRule = reference::EdgeRule::Any;
+  CHECK(count(countsOf(list, face, found, anyRule), PixelVerdict::Error) == 0);
+}
+
+TEST_CASE("the surface behind is explained by depth within the tolerance, an error beyond it", "[verdict]") {
+  // Two walls at w and w (1 + e): their depths 1 - n/w differ by n e / w, here 2^-6 e. The tolerance of two stored
+  // depths is 8 units of 2^-23, reached at e = 2^-14.
+  for (const float e : {0x1p-15f, 0x1p-13f}) {
+    raster::DrawList list = tests::plainList();
+    for (const float w : {1.0f, 1 + e}) {
+      tests::addDraw(list, list.draws.empty() ? 1 : 2);
+      tests::addTriangle(list, {{-3 * w, -3 * w, w}, {9 * w, -3 * w, w}, {-3 * w, 9 * w, w}});
+    }
+    raster::Face face = tests::frontFace(16);
+    face.nearDistance = 0x1p-6f;
+    raster::ItemBuffer found = tests::drawOne(list, face);
+    std::fill(found.words.begin(), found.words.end(), 2u);
+    DeviceProfile profile;
+    profile.vertexError = 1;
+    const auto counts = countsOf(list, face, found, profile);
+    CHECK(count(counts, e < 0x1p-14f ? PixelVerdict::Depth : PixelVerdict::Error) == 256);
+  }
+}
+
+TEST_CASE("a pixel's verdict depends on no tile, neighbour or scissor rectangle", "[verdict]") {
+  // Triangles all over a view of five by five tiles, and through a rectangle that begins and ends inside tiles; every
+  // word is a neighbour's. Brute force judges each pixel alone, by all triangles.
+  std::mt19937 random(4);
+  raster::DrawList list = tests::plainList();
+  for (raster::Word word = 0; word < 40; ++word) {
+    const glm::vec3 middle(tests::uniform(random, -1, 1), tests::uniform(random, -1, 1), 1);
+    const auto corner = [&] {
+      return middle + glm::vec3(tests::uniform(random, -0.4f, 0.4f), tests::uniform(random, -0.4f, 0.4f), 0);
+    };
+    const glm::vec3 a = corner(), b = corner(), c = corner();
+    tests::addDraw(list, word);
+    tests::addTriangle(list, {a, b, c});
+  }
+  DeviceProfile profile;
+  profile.vertexError = 10000;  // about ten sub-pixels
+  profile.looseClipping = false;
+  for (const raster::Scissor& scissor : {raster::Scissor{0, 0, 80, 80}, raster::Scissor{7, 21, 66, 38}}) {
+    raster::Face face = tests::frontFace(80);
+    face.scissor = scissor;
+    raster::ItemBuffer found = tests::drawOne(list, face);
+    std::rotate(found.words.begin(), found.words.begin() + 1, found.words.end());
+    const reference::Verdict verdict = reference::judge(vectorOf(list, face), {&found, 1}, profile);
+    const raster::ItemBuffer& expected = verdict.faces[0].expected;
+
+    const auto triangles = placeTriangles(list, face, profile, false, [](const auto&) { return true; });
+    std::vector<const reference::DeviceTriangle*> all;
+    for (const reference::DeviceTriangle& triangle : triangles) all.push_back(&triangle);
+    const reference::Judge judge = makeJudge(list, face, profile);
+    reference::VerdictCounts counts{};
+    std::size_t pixel = 0;
+    bool holds = true;
+    for (int row = scissor.row; row < scissor.row + scissor.height; ++row)
+      for (int column = scissor.column; column < scissor.column + scissor.width; ++column, ++pixel) {
+        const PixelVerdict alone = found.words[pixel] == expected.words[pixel]
+                                       ? PixelVerdict::Exact
+                                       : judgeWord(judge, all, reference::sampleOf(column, row), found.words[pixel]);
+        holds &= verdict.faces[0].pixels[pixel] == alone;
+        ++counts[static_cast<std::size_t>(alone)];
+      }
+    CHECK(holds);
+    CHECK(counts == countVerdicts(verdict));
+    for (const PixelVerdict kind : {PixelVerdict::Exact, PixelVerdict::Coverage, PixelVerdict::Error})
+      CHECK(count(counts, kind) > 10);
+  }
+}
+
+TEST_CASE("what only loose clipping explains is an error where a profile forbids it", "[verdict]") {
+  std::mt19937 random(5);
+  std::uint64_t loose = 0;
+  for (std::uint32_t draw = 0; draw < 200; ++draw) {
+    const tests::DrawnCase drawn = tests::triangleFamilies()[5].make(random);
+    const raster::ItemBuffer found = tests::drawOn({{}, draw, true}, drawn.list, drawn.face);
+    DeviceProfile forbidding;
+    forbidding.looseClipping = false;
+    auto allowed = countsOf(drawn.list, drawn.face, found);
+    const auto forbidden = countsOf(drawn.list, drawn.face, found, forbidding);
+    CHECK(count(forbidden, PixelVerdict::LooseClipping) == 0);
+    loose += count(allowed, PixelVerdict::LooseClipping);
+    std::swap(allowed[static_cast<std::size_t>(PixelVerdict::LooseClipping)],
+              allowed[static_cast<std::size_t>(PixelVerdict::Error)]);
+    CHECK(allowed == forbidden);
+  }
+  CHECK(loose > 0);
+}
+
+TEST_CASE("one error in the last face of many fails the whole", "[verdict]") {
+  const Wall wall;
+  reference::TestVector vector = vectorOf(wall.list, wall.face);
+  vector.faces.push_back(vector.faces[0]);
+  vector.faces[1].face.x = -vector.faces[1].face.x;
+  std::vector<raster::ItemBuffer> found;
+  for (const reference::VectorFace& face : vector.faces) found.push_back(tests::drawOne(wall.list, face.face));
+  CHECK_FALSE(hasErrors(reference::judge(vector, found, {})));
+  found[1].words[255] = 5;
+  const reference::Verdict verdict = reference::judge(vector, found, {});
+  CHECK(hasErrors(verdict));
+  CHECK(count(countVerdicts(verdict), PixelVerdict::Error) == 1);
+  CHECK(count(countVerdicts(verdict), PixelVerdict::Exact) == 511);
+}
+
+TEST_CASE("a triangle without an index map is never explained by a texel", "[verdict]") {
+  // Every triangle lies on others, their corners in another order. A device that lets the later ones win shows words of
+  // equal depth, whichever of them rounding takes for the rules' own.
+  for (const reference::TestVector& vector : reference::vectorSuite()) {
+    if (vector.name != "same-triangle") continue;
+    SimulatedDevice later;
+    later.passes = std::less_equal<double>();
+    std::vector<raster::ItemBuffer> found;
+    for (const reference::VectorFace& face : vector.faces) found.push_back(drawOn(later, vector.list, face.face));
+    const reference::VerdictCounts counts = countVerdicts(judge(vector, found, {}));
+    CHECK(count(counts, PixelVerdict::Depth) > 100);
+    CHECK(count(counts, PixelVerdict::Texel) == 0);
+    CHECK(count(counts, PixelVerdict::Error) == 0);
+  }
+}

@@ -1,0 +1,31 @@
+/// A discretized scene with all that hemicubes are drawn with.
+#pragma once
+
+#include <utility>
+
+#include "radiosity/form_factors/projected_form_factors.h"
+#include "raster/software/software_renderer.h"
+
+namespace hemitex::tests {
+
+struct HemicubeWorld {
+  radiosity::Scene scene;
+  radiosity::Discretization discretization;
+  radiosity::WordLayout layout;
+  raster::SoftwareRenderer renderer;
+
+  HemicubeWorld(radiosity::Scene s, int texels, int patch)
+      : HemicubeWorld(std::move(s), radiosity::DiscretizationSettings{.texels = texels, .patch = patch}) {}
+
+  HemicubeWorld(radiosity::Scene s, const radiosity::DiscretizationSettings& settings)
+      : scene(std::move(s)),
+        discretization(radiosity::discretize(scene, settings)),
+        layout(radiosity::layOut(discretization)),
+        renderer(radiosity::makeDrawList(scene, discretization, layout)) {}
+
+  radiosity::ProjectedRows rows(int resolution) {
+    return {scene, discretization, layout, renderer, {.resolution = resolution}};
+  }
+};
+
+}  // namespace hemitex::tests

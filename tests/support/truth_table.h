@@ -1,0 +1,56 @@
+/// The table that hemitex_truth writes: exposed area and flux of every surface of a scene, found by light tracing, and
+/// their standard errors.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "radiosity/scene/scene.h"
+#include "reference/solution/baked_radiosity.h"
+
+namespace hemitex::tests {
+
+/// By the names of surfaces.
+using TruthTable = std::map<std::string, reference::SurfaceFlux>;
+
+inline constexpr const char* truthColumns =
+    "surface,exposed_area,flux_r,flux_g,flux_b,exposed_area_error,flux_error_r,flux_error_g,flux_error_b";
+
+/// A comment with the command that made it, the names of the columns, a line per surface.
+inline void writeTruthTable(std::ostream& file, const std::string& command, const radiosity::Scene& scene,
+                            const reference::BakedRadiosity& baked) {
+  file.precision(9);
+  file << "# " << command << '\n' << truthColumns << '\n';
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const reference::SurfaceFlux& of = baked.surfaces[s];
+    file << scene.surfaces[s].name << ',' << of.exposedArea << ',' << of.flux.r << ',' << of.flux.g << ',' << of.flux.b
+         << ',' << of.exposedAreaError << ',' << of.fluxError.r << ',' << of.fluxError.g << ',' << of.fluxError.b
+         << '\n';
+  }
+}
+
+/// Throws std::runtime_error where the file is no such table.
+inline TruthTable readTruthTable(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  if (!std::getline(file, line) || line != truthColumns) throw std::runtime_error(path.string() + " is no truth table");
+  TruthTable table;
+  while (std::getline(file, line)) {
+    std::istringstream cells(line);
+    std::string name, cell;
+    std::getline(cells, name, ',');
+    std::array<double, 8> value{};
+    for (double& number : value) number = std::getline(cells, cell, ',') ? std::stod(cell) : 0;
+    table[name] = {value[0], value[4], {value[1], value[2], value[3]}, {value[5], value[6], value[7]}};
+  }
+  return table;
+}
+
+}  // namespace hemitex::tests

@@ -1,0 +1,205 @@
+// docs/accuracy.md: every section measured again, held against the reasons for its errors, and against the page.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "raster/software/software_renderer.h"
+#include "reference/vectors/draw_list_builder.h"
+#include "tests/accuracy/page.h"
+
+using namespace hemitex;
+using namespace hemitex::accuracy;
+
+namespace {
+
+std::string committedPage() {
+  std::ifstream file(HEMITEX_DOCS "/accuracy.md", std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// The committed section with the headline that this one begins with.
+std::string committed(const std::string& section) {
+  const std::string page = committedPage(), head = section.substr(0, section.find('\n') + 1);
+  const std::size_t begin = page.find(head);
+  if (begin == std::string::npos) return {};
+  const std::size_t end = page.find("\n## ", begin + 1);
+  return page.substr(begin, end == std::string::npos ? end : end + 1 - begin);
+}
+
+void checkPage(const std::string& section) {
+  INFO("write the page again: build/release/bin/hemitex_accuracy docs/accuracy.md");
+  CHECK(committed(section) == section);
+}
+
+/// Within four standard errors and what neither samples nor corners can show.
+bool agrees(const reference::Measurement& measured, const FormFactorCase& extreme) {
+  const double unknown = 1e-9 + extreme.inputRounding * extreme.exact + extreme.rim;
+  return std::abs(measured.value - extreme.exact) <= 4 * measured.standardError + unknown;
+}
+
+/// Hemicubes give what closed forms say from where their eyes stand, within the pixels along the outline.
+bool agrees(const FromCentres& centres) { return std::abs(centres.hemicubes - centres.closedForm) <= centres.aliasing; }
+
+std::vector<FormFactorAnswers> checked(const FormFactorTheme& theme) {
+  std::vector<FormFactorAnswers> answers;
+  for (const FormFactorCase& extreme : theme.cases) {
+    INFO(extreme.name);
+    answers.push_back(answersTo(extreme));
+    const FormFactorAnswers& answer = answers.back();
+    CHECK(agrees(answer.aimed, extreme));
+    CHECK(agrees(answer.hemisphere, extreme));
+    if (extreme.isBlocked) continue;
+    CHECK(std::abs(answer.closedForm - extreme.exact) <= (1e-9 + extreme.inputRounding) * extreme.exact);
+    CHECK(agrees(answer.one));
+    CHECK(agrees(answer.many));
+  }
+  checkPage(section(theme, answers));
+  return answers;
+}
+
+}  // namespace
+
+TEST_CASE("gaps from 1e-6 to 1e4 of the side", "[accuracy]") { checked(gaps()); }
+
+TEST_CASE("slivers of 1 to 1e-6", "[accuracy]") { checked(slivers()); }
+
+TEST_CASE("shared edges and touching corners", "[accuracy]") { checked(touching()); }
+
+TEST_CASE("dihedral angles from 1 to 179 degrees", "[accuracy]") {
+  // In a closed prism there is nothing to see but its faces.
+  for (const FormFactorAnswers& answer : checked(angles())) {
+    CHECK(answer.lostByRays == 0);
+    CHECK(answer.one.lost == 0);
+    CHECK(answer.many.lost == 0);
+  }
+}
+
+TEST_CASE("blockers of zero thickness hide a quarter, a half and all", "[accuracy]") {
+  // From the middle of a square the sheet ends between the middle columns, or rows, of pixels: as many are hidden to
+  // one side as are seen to the other, so the shares are as 3 to 2 to 0.
+  const std::vector<FormFactorAnswers> answers = checked(blockers());
+  const FormFactorAnswers &quarter = answers[0], &half = answers[1], &all = answers[2];
+  CHECK(half.one.hemicubes > 0);
+  CHECK(2 * quarter.one.hemicubes == 3 * half.one.hemicubes);
+  CHECK(all.one.hemicubes == 0);
+  CHECK(all.many.hemicubes == 0);
+  CHECK(all.hemisphere.value == 0);
+}
+
+TEST_CASE("coincident and interpenetrating surfaces", "[accuracy]") {
+  const std::vector<FormFactorAnswers> answers = checked(coincident());
+  for (const std::size_t hidden : {std::size_t{1}, std::size_t{3}}) {
+    CHECK(answers[hidden].hemisphere.value == 0);  // aimed rays may come out a standard error beside it
+    CHECK(answers[hidden].one.hemicubes == 0);
+    CHECK(answers[hidden].many.hemicubes == 0);
+  }
+}
+
+TEST_CASE("scenes scaled by 1e-6 and 1e6, and moved by 1e3, 1e6 and 1e8", "[accuracy]") {
+  // Rounding to binary32 seldom turns a pixel: of 64 hemicubes' means, and of rays, nothing is left of it but what the
+  // corners themselves were rounded by.
+  const std::vector<FormFactorAnswers> answers = checked(scaledAndMoved());
+  for (const FormFactorAnswers& answer : answers) {
+    CHECK(answer.hemisphere.value == answers[0].hemisphere.value);
+    CHECK(answer.many.hemicubes == Approx(answers[0].many.hemicubes).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("emitters of 1e-8 of the area of the scene", "[accuracy]") { checked(smallEmitters()); }
+
+TEST_CASE("reflectances up to 0.9999 keep all flux and make none", "[accuracy]") {
+  std::vector<FurnaceFindings> findings;
+  for (const FurnaceCase& furnace : furnaces()) {
+    INFO("reflectance " << furnace.reflectance);
+    findings.push_back(findingsOf(furnace));
+    // Every shot rounds what it adds by 2^-53 of it, at most.
+    CHECK(findings.back().meanError <= (findings.back().shots + 8) * 0x1p-53);
+    CHECK(findings.back().accountError <= 1e-12);
+    CHECK_FALSE(findings.back().grew);
+  }
+  checkPage(section(furnaces(), findings));
+}
+
+TEST_CASE("radiosity is linear in emissions from 1e-30 to 1e30", "[accuracy]") {
+  std::vector<EmissionFindings> findings;
+  for (const EmissionCase& emission : emissions()) {
+    INFO("emission " << emission.emission);
+    findings.push_back(findingsOf(emission));
+    // Fewer than 1000 shots, each of which rounds by 2^-53.
+    CHECK(findings.back().linearityError <= 1000 * 0x1p-53);
+    CHECK(findings.back().accountError <= 1e-12);
+  }
+  checkPage(section(emissions(), findings));
+}
+
+TEST_CASE("of a single surface all light leaves the scene", "[accuracy]") {
+  const OneSurfaceFindings findings = ofOneSurface();
+  CHECK(findings.backgroundOfHemicube == 1);
+  CHECK(findings.backgroundOfRays == 1);
+  CHECK(findings.lost == 1);
+  checkPage(section(findings));
+}
+
+TEST_CASE("a million surfaces receive what the one receives that they are cut from", "[.million]") {
+  const MillionFindings findings = ofAMillionSurfaces();
+  CHECK(findings.surfaces == 1000000);
+  CHECK(findings.isWhole);
+  CHECK(findings.hemicubeError <= findings.aliasing);
+  CHECK(findings.hemisphereError <= 4 * findings.standardError);
+  checkPage(section(findings));
+}
+
+TEST_CASE("index maps of 1 to 31 bits fill words to the last", "[accuracy]") {
+  const std::vector<WordCase> cases = wordCases();
+  CHECK(cases.size() == 31);
+  for (const WordCase& example : cases) {
+    INFO(example.indexBits << " bits in " << example.format);
+    CHECK(isOneToOne(example));
+    CHECK_FALSE(example.refusal.empty());
+  }
+  checkPage(section(cases));
+}
+
+TEST_CASE("words of 1 to 31 index bits are drawn as they are laid out", "[accuracy]") {
+  // A wall of two texels, the first and the last index of a block: of the last but one of the word's blocks, then of
+  // the last, which ends two words short.
+  for (const char* format : {"r8g8b8a8", "r32ui"})
+    for (int k = 1; k <= 31; ++k)
+      for (const bool isLast : {false, true}) {
+        if (isLast && k == 1) continue;  // a block of two, both reserved
+        const auto blocks = raster::Word{1} << (32 - k);
+        const raster::Word offset = (blocks - (isLast ? 1 : 2)) << k;
+        const raster::Word index = (raster::Word{1} << k) - (isLast ? 3 : 1);
+        raster::DrawList list;
+        list.format = *raster::formatNamed(format);
+        list.indexMaps = {{2, 1, {0, index}}};
+        reference::addDraw(list, offset, {}, 0);
+        reference::addQuad(list, {{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}});
+        raster::SoftwareRenderer renderer(list);
+        const raster::Face face = reference::frontFace(2);
+        const raster::ItemBuffer buffer = renderer.render({&face, 1}, {}).front();
+        INFO(k << " bits in " << format);
+        CHECK(buffer.words == std::vector<raster::Word>{offset, offset + index, offset, offset + index});
+      }
+}
+
+TEST_CASE("what is beyond a limit is told", "[accuracy]") {
+  for (const LimitCase& example : limitCases()) {
+    INFO(example.name);
+    CHECK_FALSE(example.message.empty());
+  }
+  checkPage(section(limitCases()));
+}
+
+TEST_CASE("the page on accuracy has its introduction and its sections, in order", "[accuracy]") {
+  std::istringstream page(committedPage());
+  std::string headlines, expected;
+  for (std::string line; std::getline(page, line);)
+    if (line.starts_with("## ")) headlines += line + "\n";
+  for (const Section& section : sections()) expected += headline(section.title);
+  CHECK(headlines == expected);
+  CHECK(committedPage().starts_with(introduction() + headline(sections().front().title)));
+}

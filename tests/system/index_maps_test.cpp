@@ -1,0 +1,315 @@
+// The three ways to use index maps: shared, packed and unique ones give the same elements, by words of their own.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <random>
+#include <set>
+
+#include "radiosity/form_factors/projected_form_factors.h"
+#include "radiosity/index_maps/id_layout.h"
+#include "radiosity/projection/hemicube.h"
+#include "raster/base/input_error.h"
+#include "raster/software/software_renderer.h"
+#include "tests/support/hand_scenes.h"
+
+using namespace hemitex;
+using namespace hemitex::radiosity;
+using namespace hemitex::tests;
+using raster::Blend;
+using raster::Word;
+
+namespace {
+
+struct Way {
+  std::string name;
+  WordSettings words;
+};
+
+std::vector<Way> allWays() {
+  const std::string r8 = "r8g8b8a8";
+  return {{"shared", {r8}},
+          {"shared, unaligned", {r8, Blend::IntegerAdd, false}},
+          {"one map for all", {r8, Blend::ClampedAdd, true, IndexMaps::Shared, 64}},
+          {"packed", {r8, Blend::ClampedAdd, true, IndexMaps::Packed, 64}},
+          {"packed, unaligned", {r8, Blend::IntegerAdd, false, IndexMaps::Packed, 64}},
+          {"unique", {r8, Blend::ClampedAdd, true, IndexMaps::Unique}}};
+}
+
+/// Grids from 1 to 33 texels a side, holes, slivers and curves.
+Scene mixedScene() {
+  return sceneOf({bump(3), lShape(), ring(8), thinDiagonal(0.02), flat("wall", rectangle({0, 0}, {0.75, 0.75})),
+                  flat("light", rectangle({0, 0}, {1, 1})), star(7, 3)});
+}
+
+Discretization mixedGrids(const Scene& scene) {
+  return discretize(scene, {.texels = 12, .surfaceTexels = {{"bump", 33}, {"ring", 17}, {"light", 1}, {"wall", 8}}});
+}
+
+std::vector<std::string> dataScenes() { return {"cornell-box", "curved-room", "paper-room", "pyramid-room"}; }
+
+Scene dataScene(const std::string& name) { return loadScene(std::string(HEMITEX_DATA) + "/" + name + ".obj"); }
+
+/// A scene drawn in some way: what is seen in each pixel of a view.
+class Drawing {
+ public:
+  Drawing(const Scene& scene, const Discretization& discretization, const WordSettings& words)
+      : scene_(scene),
+        discretization_(discretization),
+        layout_(layOut(discretization, words)),
+        renderer_(makeDrawList(scene, discretization, layout_)) {}
+
+  const WordLayout& layout() const { return layout_; }
+  ProjectedRows rows(int resolution) { return {scene_, discretization_, layout_, renderer_, {resolution}}; }
+
+  std::vector<std::optional<std::uint32_t>> elementsSeen(std::span<const raster::Face> faces) {
+    std::vector<std::optional<std::uint32_t>> elements;
+    for (const raster::ItemBuffer& buffer : renderer_.render(faces, {}))
+      for (const Word word : buffer.words) elements.push_back(elementOf(discretization_, layout_, word));
+    return elements;
+  }
+
+ private:
+  const Scene& scene_;
+  const Discretization& discretization_;
+  WordLayout layout_;
+  raster::SoftwareRenderer renderer_;
+};
+
+/// The faces of a hemicube somewhere inside the scene's bounds, tilted in some way.
+std::vector<raster::Face> tiltedFaces(const Scene& scene, unsigned seed, int resolution) {
+  std::mt19937 random(seed);
+  const auto draw = [&] { return double(random()) / 4294967296.0 - 0.5; };
+  const glm::dvec3 eye = 0.4 * scene.extent * glm::dvec3(draw(), draw(), draw());
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(draw(), draw(), draw()));
+  return facesOver(hemicubeFaces(resolution), eye, normal, glm::dvec3(draw(), draw(), draw()), 1e-3 * scene.extent);
+}
+
+/// How far two elements of one surface are apart, in texels between their own ones along the farther axis.
+int texelsApart(const Discretization& discretization, std::uint32_t a, std::uint32_t b) {
+  const Element &first = discretization.elements[a], &second = discretization.elements[b];
+  const int columns = discretization.grids[first.surface].columns;
+  const int from = int(first.texel), to = int(second.texel);
+  return std::max(std::abs(from % columns - to % columns), std::abs(from / columns - to / columns));
+}
+
+}  // namespace
+
+TEST_CASE("every element has a word of its own, whichever way the index maps go", "[index maps]") {
+  const Scene scene = mixedScene();
+  const Discretization discretization = mixedGrids(scene);
+  for (const Way& way : allWays()) {
+    const WordLayout layout = layOut(discretization, way.words);
+    INFO(way.name);
+    std::set<Word> words;
+    for (std::uint32_t e = 0; e < discretization.elements.size(); ++e) {
+      const Word word = wordOf(discretization, layout, e);
+      REQUIRE(word < raster::backWord(layout.format));
+      REQUIRE(elementOf(discretization, layout, word) == e);
+      words.insert(word);
+    }
+    CHECK(words.size() == discretization.elements.size());
+    CHECK_FALSE(elementOf(discretization, layout, raster::backWord(layout.format)));
+    CHECK_FALSE(elementOf(discretization, layout, raster::backgroundWord(layout.format)));
+    CHECK_NOTHROW(raster::validate(makeDrawList(scene, discretization, layout)));
+  }
+}
+
+TEST_CASE("of all words as many stand for elements as there are texels of surfaces, or elements", "[index maps]") {
+  const Scene scene = mixedScene();
+  const Discretization discretization = mixedGrids(scene);
+  std::size_t texels = 0;
+  for (const Grid& grid : discretization.grids) texels += grid.spill.size();
+  REQUIRE(texels > discretization.elements.size());
+  for (Way& way : allWays()) {
+    way.words.format = "r5g6b5";
+    const WordLayout layout = layOut(discretization, way.words);
+    INFO(way.name);
+    std::size_t decoded = 0;
+    for (Word word = 0; word <= raster::backgroundWord(layout.format); ++word)
+      decoded += elementOf(discretization, layout, word).has_value();
+    CHECK(decoded == (way.name == "unique" ? discretization.elements.size() : texels));
+  }
+}
+
+TEST_CASE("on every scene all ways draw the same elements, but packed pages at borders of texels", "[index maps]") {
+  constexpr int resolution = 64;
+  for (const std::string& name : dataScenes()) {
+    const Scene scene = dataScene(name);
+    const Discretization discretization = discretize(scene, {.texels = 16});
+    Drawing shared(scene, discretization, {});
+    for (const Way& way : allWays()) {
+      INFO(name << ", " << way.name);
+      Drawing drawing(scene, discretization, way.words);
+      const bool isScaled = way.words.page.has_value();
+      std::size_t different = 0;
+      for (unsigned seed = 0; seed < 4; ++seed) {
+        const auto faces = tiltedFaces(scene, seed, resolution);
+        const auto expected = shared.elementsSeen(faces), seen = drawing.elementsSeen(faces);
+        for (std::size_t pixel = 0; pixel < seen.size(); ++pixel) {
+          if (seen[pixel] == expected[pixel]) continue;
+          ++different;
+          REQUIRE(isScaled);
+          REQUIRE((seen[pixel] && expected[pixel]));
+          REQUIRE(discretization.elements[*seen[pixel]].surface == discretization.elements[*expected[pixel]].surface);
+        }
+      }
+      // A border between texels moves by 2^-24 of the page's side at most, which is 4e-6 texels: of the 49152 samples
+      // next to none lies so near to one.
+      CHECK(different <= 4);
+    }
+  }
+}
+
+TEST_CASE("unaligned offsets added as integers give every patch the row of aligned ones", "[index maps]") {
+  for (const std::string& name : dataScenes()) {
+    const Scene scene = dataScene(name);
+    const Discretization discretization = discretize(scene, {.texels = 13, .patch = 13});
+    Drawing aligned(scene, discretization, {}),
+        unaligned(scene, discretization, {"r8g8b8a8", Blend::IntegerAdd, false});
+    ProjectedRows expected = aligned.rows(32), rows = unaligned.rows(32);
+    const auto patches = std::uint32_t(discretization.patches.size());
+    for (std::uint32_t patch = 0; patch < patches; patch += 1 + patches / 40) {
+      const FormFactorRow a = expected.ofPatch(patch), b = rows.ofPatch(patch);
+      INFO(name << ", patch " << patch);
+      REQUIRE(a.elements == b.elements);
+      REQUIRE(a.shares == b.shares);
+      REQUIRE(a.background == b.background);
+      REQUIRE(a.back == b.back);
+    }
+  }
+}
+
+TEST_CASE("samples exactly on the borders of charts stay with their surface in a packed page", "[index maps]") {
+  // A wall of 8 x 8 tiles fills a view of 64 x 64 pixels, shifted by half a pixel so that every border of a tile runs
+  // through samples. The charts are turned and mirrored in all eight ways: on some tile the border that draws the
+  // sample lies at u = 1 or v = 1, where the next texel of the page is another surface's.
+  constexpr int resolution = 64, tiles = 8;
+  const auto at = [](int i) { return -1 + (2 * i * (resolution / tiles) + 1.0) / resolution; };
+  std::vector<Surface> surfaces;
+  std::map<std::string, GridSize> texels;
+  for (int row = 0; row < tiles; ++row)
+    for (int column = 0; column < tiles; ++column) {
+      std::array<glm::dvec3, 4> corner{{{at(column), at(row), -1},
+                                        {at(column + 1), at(row), -1},
+                                        {at(column + 1), at(row + 1), -1},
+                                        {at(column), at(row + 1), -1}}};
+      const int turn = (column + row) % 4, number = row * tiles + column;
+      std::rotate(corner.begin(), corner.begin() + turn, corner.end());
+      const std::string name = "tile" + std::to_string(number);
+      surfaces.push_back(quad(name, corner));
+      if (number / 4 % 2 == 1)
+        for (Triangle& triangle : surfaces.back().triangles)
+          for (glm::dvec2& chart : triangle.chart) chart.x = 1 - chart.x;
+      texels[name] = 1 + number % 8;
+    }
+  const Scene scene = sceneOf(std::move(surfaces));
+  const Discretization discretization = discretize(scene, {.surfaceTexels = texels});
+  const raster::Face face{-glm::vec3(scene.origin),      {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, 0.1f, resolution,
+                          {0, 0, resolution, resolution}};
+  Drawing shared(scene, discretization, {});
+  const auto expected = shared.elementsSeen({&face, 1});
+  std::size_t seenPixels = 0;
+  for (const int page : {8, 16, 32, 64})
+    for (const IndexMaps way : {IndexMaps::Packed, IndexMaps::Shared}) {
+      Drawing packed(scene, discretization, {"r8g8b8a8", Blend::ClampedAdd, true, way, page});
+      const auto seen = packed.elementsSeen({&face, 1});
+      for (std::size_t pixel = 0; pixel < seen.size(); ++pixel) {
+        INFO("page " << page << ", pixel " << pixel % resolution << ", " << pixel / resolution);
+        REQUIRE(seen[pixel].has_value() == expected[pixel].has_value());
+        if (!seen[pixel]) continue;
+        ++seenPixels;
+        REQUIRE(discretization.elements[*seen[pixel]].surface == discretization.elements[*expected[pixel]].surface);
+        // A sample on a border between texels may change sides.
+        REQUIRE(texelsApart(discretization, *seen[pixel], *expected[pixel]) <= 1);
+      }
+    }
+  CHECK(seenPixels > 8 * 60 * 60);
+}
+
+TEST_CASE("packed pages share one index map, and as many offsets are in use as there are pages", "[index maps]") {
+  // 100 grids of 8 x 8 fill 100 / 64 pages of 64 x 64.
+  std::vector<Surface> surfaces;
+  for (int i = 0; i < 100; ++i) surfaces.push_back(flat("wall" + std::to_string(i), rectangle({0, 0}, {1, 1})));
+  const Scene scene = sceneOf(std::move(surfaces));
+  const Discretization discretization = discretize(scene, {.texels = 8});
+  const WordLayout layout = layOut(discretization, {.indexMaps = IndexMaps::Packed});
+  const raster::DrawList list = makeDrawList(scene, discretization, layout);
+  std::set<Word> offsets;
+  for (const raster::Draw& draw : list.draws) offsets.insert(draw.offset);
+  CHECK(offsets == std::set<Word>{0, 4096});
+  REQUIRE(list.indexMaps.size() == 1);
+  CHECK(list.indexMaps[0].width == 64);
+  CHECK(list.indexMaps[0].height == 64);
+  for (const raster::Draw& draw : list.draws) CHECK(draw.indexMap == 0);
+}
+
+TEST_CASE("with unique maps texels share words, and elements have any shape", "[index maps]") {
+  // A quadtree of a 4 x 4 grid: one quarter whole, one of single texels, an L of three and a lone texel in the others.
+  const Scene scene = sceneOf({quad("wall", {{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}}}),
+                               quad("far", {{{9, 9, 9}, {9, 10, 9}, {9, 10, 10}, {9, 9, 10}}})});
+  Discretization discretization = discretize(scene, {.texels = 4, .surfaceTexels = {{"far", 1}}});
+  const std::vector<std::uint32_t> shapes{0, 0, 1, 2,  //
+                                          0, 0, 3, 4,  //
+                                          5, 5, 6, 6,  //
+                                          5, 7, 6, 6};
+  Grid& grid = discretization.grids[0];
+  grid.spill = shapes;
+  grid.elementCount = 8;
+  discretization.grids[1].firstElement = 8;
+  discretization.grids[1].spill = {8};
+  discretization.elements.clear();
+  for (const std::uint32_t texel : {0u, 2u, 3u, 6u, 7u, 8u, 10u, 13u})
+    discretization.elements.push_back({.area = 1, .surface = 0, .texel = texel});
+  discretization.elements.push_back({.area = 1, .surface = 1});
+  const raster::Face face{-glm::vec3(scene.origin), {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, 0.1f, 32, {0, 0, 32, 32}};
+  for (const Way& way : allWays()) {
+    Drawing drawing(scene, discretization, way.words);
+    const auto seen = drawing.elementsSeen({&face, 1});
+    INFO(way.name);
+    for (std::size_t pixel = 0; pixel < seen.size(); ++pixel)
+      REQUIRE(seen[pixel] == shapes[pixel / 32 / 8 * 4 + pixel % 32 / 8]);
+    for (std::uint32_t e = 0; e < discretization.elements.size(); ++e)
+      CHECK(elementOf(discretization, drawing.layout(), wordOf(discretization, drawing.layout(), e)) == e);
+  }
+  const WordLayout unique = layOut(discretization, {.indexMaps = IndexMaps::Unique});
+  const raster::DrawList list = makeDrawList(scene, discretization, unique);
+  CHECK(list.blend == Blend::Replace);
+  REQUIRE(list.indexMaps.size() == 1);
+  CHECK(list.indexMaps[0].words == shapes);
+  CHECK(list.draws[1].offset == 8);
+}
+
+TEST_CASE("unique maps ask for as many words as there are elements", "[index maps]") {
+  // r5g6b5 has 65534 words of use: a surface of 255 x 256 texels and 254 of one.
+  std::vector<Surface> surfaces{flat("wall", rectangle({0, 0}, {1, 1}))};
+  for (int i = 0; i < 254; ++i) surfaces.push_back(flat("single" + std::to_string(i), rectangle({0, 0}, {1, 1})));
+  const Scene scene = sceneOf(std::move(surfaces));
+  Discretization discretization = discretize(scene, {.texels = 1, .surfaceTexels = {{"wall", 255}}});
+  const WordSettings words{.format = "r5g6b5", .indexMaps = IndexMaps::Unique};
+  CHECK(layOut(discretization, words).pages.back().offset == 255 * 255 + 253);
+  Grid more;
+  more.elementCount = 65535 - (255 * 255 + 254);
+  discretization.grids.push_back(more);
+  CHECK_THROWS_AS(layOut(discretization, words), raster::InputError);
+  --discretization.grids.back().elementCount;
+  CHECK_NOTHROW(layOut(discretization, words));
+}
+
+TEST_CASE("a page is a power of two that holds the largest surface", "[index maps]") {
+  const Scene scene = sceneOf({flat("wall", rectangle({0, 0}, {1, 1}))});
+  const Discretization discretization = discretize(scene, {.texels = 65});
+  for (const IndexMaps way : {IndexMaps::Shared, IndexMaps::Packed}) {
+    const auto fits = [&](int page) {
+      try {
+        layOut(discretization, {.indexMaps = way, .page = page});
+        return true;
+      } catch (const raster::InputError&) {
+        return false;
+      }
+    };
+    for (const int page : {0, -64, 1, 64, 96, 129, 8192}) CHECK_FALSE(fits(page));
+    for (const int page : {128, 256, 4096}) CHECK(fits(page));
+  }
+  CHECK(defaultPage(discretization) == 128);
+  CHECK(defaultPage(discretize(scene, {.texels = 64})) == 64);
+  CHECK(defaultPage(discretize(scene, {.texels = 1})) == 64);
+}
