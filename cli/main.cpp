@@ -17,7 +17,7 @@ using namespace hemitex;
 constexpr int comparisonFailed = 1;
 constexpr int badInput = 2;
 constexpr int ourFault = 3;
-constexpr int mostThreads = 4096;
+constexpr int maxThreads = 4096;
 const std::string advice = "Run hemitex --help, or hemitex COMMAND --help.";
 
 void addGlobalOptions(CLI::App& program, cli::Context& context) {
@@ -28,7 +28,7 @@ void addGlobalOptions(CLI::App& program, cli::Context& context) {
   CLI::Option* quiet = program.add_flag_callback("-q,--quiet", setVerbosity(Verbosity::Quiet), "say errors only");
   program.add_flag_callback("-v,--verbose", setVerbosity(Verbosity::Verbose), "say more")->excludes(quiet);
   program.add_flag("--json", context.json, "print one JSON object instead of text");
-  cli::addInteger(program, "--threads", context.threads, 0, mostThreads, "threads at most (default 0: all cores)");
+  cli::addInteger(program, "--threads", context.threads, 0, maxThreads, "threads at most (default 0: all cores)");
   program.set_version_flag("--version", "hemitex " HEMITEX_VERSION);
 }
 

@@ -15,6 +15,7 @@
 #include "cli/common/opengl_device.h"
 #include "cli/common/scene_folder.h"
 #include "cli/common/staging.h"
+#include "radiosity/discretization/discretize.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
@@ -98,7 +99,7 @@ void measureRest(reference::BenchReport& report, const std::vector<reference::Be
 void writeFiles(const reference::BenchReport& report, const std::filesystem::path& output) {
   Staging staging(output);
   const auto write = [&staging](const std::string& name, const std::string& text) {
-    radiosity::writeFile(staging.folder() / name, text);
+    raster::writeFile(staging.folder() / name, text);
   };
   write("bench.json", toText(toJson(report)));
   write("tables.md", benchText(report));

@@ -13,7 +13,7 @@ struct Curve {
 };
 
 struct Plot {
-  std::string name;  ///< a word, for its file
+  std::string name;  ///< an item ID, for its file
   std::string title;
   std::string x, y;  ///< what the axes show, with its unit
   std::vector<Curve> curves;

@@ -1,11 +1,12 @@
 #include "cli/common/camera_options.h"
 
 #include <array>
-#include <fstream>
 #include <limits>
 
 #include "cli/common/json.h"
 #include "cli/common/options.h"
+#include "radiosity/pictures/default_camera.h"
+#include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::cli {
@@ -27,10 +28,10 @@ std::optional<glm::dvec3> vectorAt(const nlohmann::json& view, const std::string
 /// What a view file says, as if it stood on the command line; nothing where there is no such file.
 CameraOptions readViewFile(const std::filesystem::path& file) {
   CameraOptions view;
-  std::ifstream stream(file);
-  if (!stream) return view;
+  const std::optional<std::string> text = raster::tryReadFile(file);
+  if (!text) return view;
   try {
-    const auto json = nlohmann::json::parse(stream);
+    const auto json = nlohmann::json::parse(*text);
     view.eye = vectorAt(json, "eye");
     view.lookAt = vectorAt(json, "look_at");
     view.up = vectorAt(json, "up");

@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "cli/common/surface_names.h"
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/scene/load_scene.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::cli {
@@ -95,12 +97,12 @@ radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettin
   return radiosity::discretize(scene, settings);
 }
 
-void addWordOptions(CLI::App& app, radiosity::WordSettings& settings) {
+void addIdOptions(CLI::App& app, radiosity::IdSettings& settings) {
   using radiosity::IndexMaps;
   using raster::Blend;
   std::vector<std::pair<std::string, std::string>> formats;
   for (const std::string& name : raster::formatNames()) formats.emplace_back(name, name);
-  addChoice<std::string>(app, "--format", settings.format, formats, "channels of a word (default r8g8b8a8)");
+  addChoice<std::string>(app, "--format", settings.format, formats, "channels of an item ID (default r8g8b8a8)");
   addChoice<IndexMaps>(
       app, "--index-maps", settings.indexMaps,
       {{"shared", IndexMaps::Shared}, {"packed", IndexMaps::Packed}, {"unique", IndexMaps::Unique}},
@@ -135,12 +137,12 @@ std::string nameOf(radiosity::IndexMaps indexMaps) {
   return {};
 }
 
-radiosity::WordLayout layoutOf(const radiosity::WordSettings& settings, const radiosity::Discretization& discretization,
-                               Console& console) {
+radiosity::IdLayout layoutOf(const radiosity::IdSettings& settings, const radiosity::Discretization& discretization,
+                             Console& console) {
   const bool hasOffsets = settings.page || settings.blend != raster::Blend::ClampedAdd || !settings.aligned;
   if (settings.indexMaps == radiosity::IndexMaps::Unique && hasOffsets)
     throw raster::InputError("unique index maps have no offsets", "leave out --page, --blend and --no-align");
-  radiosity::WordLayout layout = radiosity::layOut(discretization, settings);
+  radiosity::IdLayout layout = radiosity::layOut(discretization, settings);
   if (!layout.aligned && layout.blend == raster::Blend::ClampedAdd)
     console.warning(
         "offsets without alignment overflow the channels of a clamped add, and light goes to wrong elements; "

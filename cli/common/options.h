@@ -13,10 +13,11 @@
 
 #include "cli/common/console.h"
 #include "cli/common/numbers.h"
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
+#include "radiosity/scene/scene_settings.h"
 #include "raster/interface/item_id.h"
 
 namespace hemitex::cli {
@@ -96,11 +97,11 @@ radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettin
                                            const radiosity::Scene& scene);
 
 /// How elements become words.
-void addWordOptions(CLI::App& app, radiosity::WordSettings& settings);
+void addIdOptions(CLI::App& app, radiosity::IdSettings& settings);
 std::string nameOf(radiosity::IndexMaps indexMaps);
 /// Throws InputError as radiosity::layOut, and where options of offsets come with unique index maps, which have none.
-radiosity::WordLayout layoutOf(const radiosity::WordSettings& settings, const radiosity::Discretization& discretization,
-                               Console& console);
+radiosity::IdLayout layoutOf(const radiosity::IdSettings& settings, const radiosity::Discretization& discretization,
+                             Console& console);
 
 /// `--resolution`: pixels along the side of a face, even, 2 to 4096.
 CLI::Option* addResolution(CLI::App& app, int& resolution);

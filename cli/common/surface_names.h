@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene.h"
 
 namespace hemitex::cli {

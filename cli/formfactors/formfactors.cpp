@@ -21,7 +21,7 @@ namespace {
 struct FormFactorOptions {
   SceneOptions scene;
   radiosity::DiscretizationSettings discretization;
-  radiosity::WordSettings word;
+  radiosity::IdSettings id;
   std::string method = "hemicube";
   radiosity::DrawingSettings drawing;
   RayOptions rays;
@@ -37,7 +37,7 @@ RowMethod methodOf(const FormFactorOptions& options, const radiosity::Scene& sce
                    const radiosity::Discretization& discretization, const Receivers& receivers, Console& console) {
   if (options.method == "rays") return rayMethod(scene, discretization, receivers, options.rays);
   if (options.method == "analytic") return analyticMethod(scene, discretization, receivers);
-  return drawnMethod(scene, discretization, receivers, options.word, options.drawing, console);
+  return drawnMethod(scene, discretization, receivers, options.id, options.drawing, console);
 }
 
 /// What was asked for, beside the numbers.
@@ -218,7 +218,7 @@ void addFormFactors(CLI::App& program, Context& context) {
   command->add_flag("--aimed", options->rays.aimed,
                     "rays: aim at each receiver, from closed forms, instead of all over the hemisphere; slow for many");
   addDiscretizationOptions(*command, options->discretization);
-  addWordOptions(*command, options->word);
+  addIdOptions(*command, options->id);
   command->callback([options, command, &context] {
     if (options->from.empty() && !options->all) throw CLI::RequiredError("--from, or --all --by-surface,");
     const auto projection = projectionNamed(options->method);

@@ -3,6 +3,8 @@
 #include <memory>
 #include <numeric>
 
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "reference/closed_forms/scene_form_factors.h"
 #include "reference/rays/monte_carlo_form_factors.h"
@@ -100,10 +102,10 @@ Receivers familiesAsReceivers(const radiosity::Discretization& discretization, c
 }
 
 RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                      const Receivers& receivers, const radiosity::WordSettings& word,
+                      const Receivers& receivers, const radiosity::IdSettings& id,
                       const radiosity::DrawingSettings& settings, Console& console) {
   const auto drawn =
-      std::make_shared<radiosity::DrawnRows>(scene, discretization, layoutOf(word, discretization, console), settings);
+      std::make_shared<radiosity::DrawnRows>(scene, discretization, layoutOf(id, discretization, console), settings);
   drawn->splitAll();
   return [&scene, &receivers, drawn](const Source& source) {
     return meanRow(scene, drawn->discretization(), drawn->rows(), source, receivers);

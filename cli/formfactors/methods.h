@@ -9,7 +9,7 @@
 
 #include "cli/common/options.h"
 #include "cli/common/surface_names.h"
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene.h"
 
 namespace hemitex::cli {
@@ -41,7 +41,7 @@ using RowMethod = std::function<Row(const Source&)>;
 /// integers and add up exactly within a row; only the mean over patches is taken in binary64, in the patches' order. A
 /// texel shoots from its centre, by an aligned projection.
 RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                      const Receivers& receivers, const radiosity::WordSettings& word,
+                      const Receivers& receivers, const radiosity::IdSettings& id,
                       const radiosity::DrawingSettings& settings, Console& console);
 
 /// How rays measure.

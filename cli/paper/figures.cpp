@@ -4,9 +4,12 @@
 #include <cassert>
 
 #include "cli/common/camera_options.h"
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/index_maps/phantom_indices.h"
+#include "radiosity/pictures/id_pictures.h"
 #include "radiosity/pictures/pictures.h"
+#include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "reference/paper/tables.h"
@@ -17,9 +20,9 @@ namespace {
 using nlohmann::ordered_json;
 using radiosity::Camera;
 using radiosity::Discretization;
+using radiosity::IdLayout;
 using radiosity::Image;
 using radiosity::Scene;
-using radiosity::WordLayout;
 
 constexpr int width = 640, height = 480;
 
@@ -71,7 +74,7 @@ struct Shown {
   std::vector<glm::dvec3> values;
 };
 
-Shown solved(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
+Shown solved(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
              const radiosity::SolverSettings& settings) {
   // As in the paper no patch is split. Looking for those that should be takes a drawing of each.
   radiosity::DrawnRows drawn(scene, discretization, layout, {.resolution = 128, .split = 1});
@@ -104,12 +107,12 @@ void addFigure2(Album& album, const Stage& stage) {
   constexpr int mapSide = 8;
   const auto& [scene, camera] = stage;
   const Discretization discretization = figure2Discretization(scene);
-  const WordLayout layout = radiosity::layOut(discretization, {.page = mapSide});
+  const IdLayout layout = radiosity::layOut(discretization, {.page = mapSide});
   album.addPanel(2, "a", radiosity::indexMapPicture(scene, discretization, layout, camera, width, height),
                  "Index maps laid over the surfaces: the level of a texel is its number in the map.");
   album.addPanel(2, "b", radiosity::offsetPicture(scene, discretization, layout, camera, width, height),
                  "The offset of each surface, one colour each.");
-  album.addPanel(2, "c", radiosity::wordPicture(scene, discretization, layout, camera, width, height),
+  album.addPanel(2, "c", radiosity::idPicture(scene, discretization, layout, camera, width, height),
                  "What the hemicube draws: offset and index added, (a) + (b). Every element has a number of its own.");
   album.addPanel(2, "d", radiosity::wireframePicture(scene, camera, width, height),
                  "What is drawn for it: 13 quads, however many elements there are.");
@@ -140,7 +143,7 @@ void addFigure3(Album& album, const std::filesystem::path& sceneFolder, const re
 }
 
 /// A page of the packed solution: the light of the elements whose texels lie there, black where none does.
-Image packedPage(const Shown& shown, const WordLayout& layout, std::size_t page) {
+Image packedPage(const Shown& shown, const IdLayout& layout, std::size_t page) {
   const int columns = layout.pages[page].columns, rows = layout.pages[page].rows;
   Image image{columns, rows,
               std::vector<glm::dvec3>(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows))};
@@ -183,7 +186,7 @@ void addFigure4(Album& album, const reference::PaperScene& complex, const Camera
                  "The complex scene, 8088 triangles, medium, without filtering: a vaulted hall between a library and a "
                  "picture gallery.");
   album.addPanel(4, "b",
-                 radiosity::wordPicture(complex.scene, medium.discretization, medium.layout, camera, width, height),
+                 radiosity::idPicture(complex.scene, medium.discretization, medium.layout, camera, width, height),
                  "What the hemicube draws: surfaces of one page of elements share a colour, its offset.");
   const auto closeUp = [&](const std::string& panel, const glm::dvec3& eye, const glm::dvec3& lookAt, double fov,
                            const std::string& caption) {
@@ -207,7 +210,7 @@ void addFigure4(Album& album, const reference::PaperScene& complex, const Camera
 /// What clamped adds make of offsets that follow each other without gaps: maps of 12 x 12 texels soon have offsets
 /// whose sums with an index pass 255.
 void addWrongAnswers(Album& album, const Stage& stage, const Discretization& discretization) {
-  const WordLayout layout = radiosity::layOut(discretization, {.aligned = false});
+  const IdLayout layout = radiosity::layOut(discretization, {.aligned = false});
   const radiosity::BlendErrors errors =
       radiosity::blendErrorPicture(stage.scene, discretization, layout, stage.camera, width, height);
   album.addOwn("wrong-answers", errors.picture,
@@ -258,7 +261,7 @@ ordered_json phantomsJson(const std::vector<reference::PaperScene>& scenes) {
       result.push_back({{"scene", name},
                         {"index_maps", use.name},
                         {"offsets", use.offsets},
-                        {"words", use.words},
+                        {"words", use.ids},
                         {"spare_texels", use.phantoms.spareTexels},
                         {"alignment_gaps", use.phantoms.alignmentGaps}});
   }

@@ -23,7 +23,7 @@ nlohmann::ordered_json writePaperFigures(const std::filesystem::path& sceneFolde
                                          const std::filesystem::path& folder, const PictureProgress& progress);
 
 /// The phantom indices of the scenes' medium levels, by the way in which index maps are used: a list of
-/// `{scene, index_maps, offsets, words, spare_texels, alignment_gaps}` (see radiosity/index_maps/phantom_indices.h).
+/// `{scene, index_maps, offsets, item IDs, spare_texels, alignment_gaps}` (see radiosity/index_maps/phantom_indices.h).
 nlohmann::ordered_json phantomsJson(const std::vector<reference::PaperScene>& scenes);
 
 }  // namespace hemitex::cli

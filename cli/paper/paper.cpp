@@ -13,7 +13,7 @@
 #include "cli/paper/report.h"
 #include "raster/base/file_io.h"
 #include "raster/base/parallel.h"
-#include "reference/bench/stopwatch.h"
+#include "reference/bench/timing.h"
 #include "reference/paper/scenes.h"
 #include "reference/paper/tables.h"
 
@@ -75,8 +75,8 @@ void makePaper(const std::filesystem::path& output, Context& context) {
   console.endProgress();
   result["warnings"] = console.given();
   result["times"] = {{"all_s", all.seconds()}};
-  radiosity::writeFile(staging.folder() / "paper.json", toText(result));
-  radiosity::writeFile(staging.folder() / "report.html", paperPage(result, staging.folder()));
+  raster::writeFile(staging.folder() / "paper.json", toText(result));
+  raster::writeFile(staging.folder() / "report.html", paperPage(result, staging.folder()));
   staging.commit();
   std::cout << (context.json ? toText(result) : summary(runs));
 }

@@ -10,10 +10,14 @@
 #include "cli/common/staging.h"
 #include "cli/common/surface_names.h"
 #include "cli/render/solved_folder.h"
+#include "radiosity/discretization/patch_points.h"
+#include "radiosity/index_maps/scene_draw_list.h"
+#include "radiosity/pictures/id_pictures.h"
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/projection/hemicube.h"
 #include "radiosity/projection/patch_view.h"
 #include "radiosity/projection/projection.h"
+#include "radiosity/scene/load_scene.h"
 #include "raster/base/input_error.h"
 #include "raster/software/software_renderer.h"
 
@@ -36,7 +40,7 @@ struct RenderOptions {
   SceneOptions scene;
   radiosity::DiscretizationSettings discretization;
   bool gridsGiven = false;  ///< the user said how many texels, so that a solved folder is not asked
-  radiosity::WordSettings word;
+  radiosity::IdSettings id;
   CameraOptions camera;
   View show = nullptr;
   bool mesh = false;
@@ -85,21 +89,21 @@ Image elementView(const RenderOptions& options, const Subject& subject, Console&
                                    options.camera.height);
 }
 
-/// Figure 2 (a) to (c): index maps, offsets, or the words that are their sums.
+/// Figure 2 (a) to (c): index maps, offsets, or the item IDs that are their sums.
 template <auto picture>
-Image wordView(const RenderOptions& options, const Subject& subject, Console& console) {
+Image idView(const RenderOptions& options, const Subject& subject, Console& console) {
   const radiosity::Discretization discretization = shownDiscretization(options, subject);
-  return picture(subject.scene, discretization, layoutOf(options.word, discretization, console), subject.camera,
+  return picture(subject.scene, discretization, layoutOf(options.id, discretization, console), subject.camera,
                  options.camera.width, options.camera.height);
 }
 
-/// Where the blend made words of other elements, and on how many pixels.
+/// Where the blend made item IDs of other elements, and on how many pixels.
 Image blendErrorView(const RenderOptions& options, const Subject& subject, Console& console) {
   const radiosity::Discretization discretization = shownDiscretization(options, subject);
   radiosity::BlendErrors errors =
-      radiosity::blendErrorPicture(subject.scene, discretization, layoutOf(options.word, discretization, console),
+      radiosity::blendErrorPicture(subject.scene, discretization, layoutOf(options.id, discretization, console),
                                    subject.camera, options.camera.width, options.camera.height);
-  if (errors.pixels > 0) console.warning(std::to_string(errors.pixels) + " pixels show words of other elements");
+  if (errors.pixels > 0) console.warning(std::to_string(errors.pixels) + " pixels show item IDs of other elements");
   return std::move(errors.picture);
 }
 
@@ -132,7 +136,7 @@ template <radiosity::ProjectionKind kind>
 Image projectionView(const RenderOptions& options, const Subject& subject, Console& console) {
   const radiosity::Scene& scene = subject.scene;
   const radiosity::Discretization discretization = shownDiscretization(options, subject);
-  const radiosity::WordLayout layout = layoutOf(options.word, discretization, console);
+  const radiosity::IdLayout layout = layoutOf(options.id, discretization, console);
   const Source source =
       options.from.empty() ? Source{{firstEmitter(scene)}} : sourceNamed(scene, discretization, options.from);
   const std::uint32_t surface = source.surfaces.front();
@@ -173,9 +177,9 @@ void addRender(CLI::App& program, Context& context) {
   addChoice<View>(*command, "--show", options->show,
                   {{"radiosity", radiosityView},
                    {"elements", elementView},
-                   {"ids", wordView<radiosity::wordPicture>},
-                   {"index-map", wordView<radiosity::indexMapPicture>},
-                   {"offsets", wordView<radiosity::offsetPicture>},
+                   {"ids", idView<radiosity::idPicture>},
+                   {"index-map", idView<radiosity::indexMapPicture>},
+                   {"offsets", idView<radiosity::offsetPicture>},
                    {"blend-errors", blendErrorView},
                    {"wireframe", wireframeView},
                    {"hemicube", projectionView<radiosity::ProjectionKind::Hemicube>},
@@ -190,7 +194,7 @@ void addRender(CLI::App& program, Context& context) {
   addResolution(*command, options->resolution);
   addCameraOptions(*command, options->camera);
   addDiscretizationOptions(*command, options->discretization);
-  addWordOptions(*command, options->word);
+  addIdOptions(*command, options->id);
   command->callback([options, command, &context] {
     for (const char* name : {"--texels", "--texel-size", "--surface"}) options->gridsGiven |= command->count(name) > 0;
     context.command = [options, &context] { render(*options, context); };

@@ -1,13 +1,13 @@
 #include "cli/render/solved_folder.h"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "cli/common/surface_names.h"
 #include "radiosity/scene/image.h"
+#include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::cli {
@@ -48,10 +48,10 @@ std::optional<SolvedFolder> SolvedFolder::around(const std::filesystem::path& sc
   SolvedFolder solved;
   solved.folder_ = sceneFile.parent_path();
   const std::filesystem::path file = solved.folder_ / "solution.json";
-  std::ifstream stream(file);
-  if (!stream) return std::nullopt;
+  const std::optional<std::string> text = raster::tryReadFile(file);
+  if (!text) return std::nullopt;
   try {
-    const json solution = json::parse(stream);
+    const json solution = json::parse(*text);
     const json& settings = solution.at("settings");
     if (const json& texels = settings.at("texels"); !texels.is_null()) solved.settings_.texels = texels.get<int>();
     solved.settings_.patch = settings.at("patch").get<int>();

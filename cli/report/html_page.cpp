@@ -7,6 +7,7 @@
 
 #include "cli/common/json.h"
 #include "cli/report/embedded_files.h"
+#include "raster/base/file_io.h"
 
 namespace hemitex::cli {
 namespace {
@@ -37,8 +38,7 @@ std::string completePage(std::string page, const nlohmann::ordered_json& result,
 
 std::string base64OfFile(const std::filesystem::path& file) {
   using namespace boost::archive::iterators;
-  std::ifstream stream(file, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  const std::string bytes = raster::readFile(file);
   using Letters = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
   std::string text(Letters(bytes.begin()), Letters(bytes.end()));
   while (text.size() % 4 != 0) text += '=';

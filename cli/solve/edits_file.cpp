@@ -1,7 +1,6 @@
 #include "cli/solve/edits_file.h"
 
 #include <array>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -9,6 +8,8 @@
 #include <utility>
 
 #include "radiosity/scene/name_suggestions.h"
+#include "radiosity/scene/scene_settings.h"
+#include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::cli {
@@ -82,9 +83,7 @@ void appendEdits(const json& object, const std::filesystem::path& folder, const 
 }
 
 json framesOf(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw InputError(file.string(), 0, "cannot be read", "give a file of edits");
-  const json content = json::parse(stream);
+  const json content = json::parse(raster::readFile(file, "give a file of edits"));
   if (!content.is_object() || !content.contains("frames") || content.size() != 1 || !content.at("frames").is_array())
     throw InputError(file.string(), 0, "is no list of frames", form);
   return content.at("frames");

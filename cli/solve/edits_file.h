@@ -17,6 +17,7 @@
 
 #include "radiosity/scene/scene.h"
 #include "radiosity/scene/scene_edits.h"
+#include "radiosity/scene/scene_settings.h"
 
 namespace hemitex::cli {
 

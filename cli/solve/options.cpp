@@ -74,7 +74,7 @@ void addTextureOptions(CLI::App& app, SolveOptions& options) {
                          "from elements to display textures: texels as they are, the 3 x 3 triangle filter, bilinear "
                          "or by cubic B-splines between texels, bilinear between the corners of quadtree leaves, or "
                          "elements as shaded polygons (default triangle, with --adaptive quadtree)");
-  addInteger(app, "--magnify", options.magnification, 1, radiosity::mostMagnification,
+  addInteger(app, "--magnify", options.magnification, 1, radiosity::maxMagnification,
              "texels of a display texture along the side of one of the grid (default 4 with bilinear, bicubic and "
              "gouraud, else 1)");
 }
@@ -107,7 +107,7 @@ void addSolveOptions(CLI::App& command, SolveOptions& options) {
   addOutput(command, options.output, "folder for the lit scene");
   addDiscretizationOptions(command, options.discretization);
   addMethodOptions(command, options);
-  addWordOptions(command, options.word);
+  addIdOptions(command, options.id);
   addSolverOptions(command, options.solver);
   addChosenSettings(command, options);
   addTextureOptions(command, options);

@@ -20,7 +20,7 @@ struct SolveOptions {
   radiosity::DrawingSettings drawing;
   std::string method = "hemicube";
   int samples = 1 << 16;
-  radiosity::WordSettings word;
+  radiosity::IdSettings id;
   radiosity::SolverSettings solver;
   std::optional<double> maxError;
   std::optional<radiosity::TextureFilter> filter;  ///< see texturesOf for those not asked for

@@ -5,6 +5,7 @@
 #include "cli/common/json.h"
 #include "cli/solve/solution_json.h"
 #include "radiosity/pictures/pictures.h"
+#include "radiosity/scene/load_scene.h"
 #include "radiosity/textures/lit_scene.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/file_io.h"
@@ -54,11 +55,11 @@ ordered_json settingsJson(const Showing& showing) {
           {"split", options.drawing.split},
           {"pixels_per_element", ofProjections(options.drawing.pixelsPerElement)},
           {"samples", usesRays(options) ? ordered_json(options.samples) : ordered_json()},
-          {"format", options.word.format},
-          {"index_maps", nameOf(options.word.indexMaps)},
-          {"page", orNull(options.word.page)},
-          {"blend", options.word.blend == raster::Blend::ClampedAdd ? "clamped-add" : "integer-add"},
-          {"align", options.word.aligned},
+          {"format", options.id.format},
+          {"index_maps", nameOf(options.id.indexMaps)},
+          {"page", orNull(options.id.page)},
+          {"blend", options.id.blend == raster::Blend::ClampedAdd ? "clamped-add" : "integer-add"},
+          {"align", options.id.aligned},
           {"max_error", orNull(options.maxError)},
           {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
           {"shots", orNull(options.solver.shots)},
@@ -83,10 +84,10 @@ void writeSolved(const std::filesystem::path& folder, const Lit& lit, const Show
   const radiosity::Scene shown = radiosity::loadScene(folder / "scene.obj");
   radiosity::writePng(folder / "render.png",
                       radiosity::unlitPicture(shown, showing.camera, options.camera.width, options.camera.height));
-  radiosity::writeFile(folder / "scene.view.json", toText(toJson(showing.camera)));
+  raster::writeFile(folder / "scene.view.json", toText(toJson(showing.camera)));
   std::ostringstream elements;
   writeCsv(elements, elementTable(lit.scene, lit.discretization, lit.solution));
-  radiosity::writeFile(folder / "elements.csv", elements.view());
+  raster::writeFile(folder / "elements.csv", elements.view());
 }
 
 ordered_json description(const Lit& lit, const Showing& showing) {

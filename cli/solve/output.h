@@ -7,7 +7,7 @@
 #include <string>
 
 #include "cli/solve/options.h"
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/pictures/camera.h"
 #include "radiosity/scene/scene.h"
@@ -19,7 +19,7 @@ namespace hemitex::cli {
 struct Lit {
   const radiosity::Scene& scene;
   const radiosity::Discretization& discretization;
-  const radiosity::WordLayout& layout;
+  const radiosity::IdLayout& layout;
   const radiosity::Solution& solution;
 };
 

@@ -12,7 +12,7 @@ namespace hemitex::cli {
 
 std::optional<BoundedSolution> solvedWithin(const SolveOptions& asked, const radiosity::Scene& scene,
                                             const radiosity::Discretization& discretization,
-                                            const radiosity::WordLayout& layout, Console& console) {
+                                            const radiosity::IdLayout& layout, Console& console) {
   if (!asked.maxError) return std::nullopt;
   BoundedSolution bounded{asked};
   bounded.options.solver.residual = radiosity::residualFor(*asked.maxError);
@@ -30,14 +30,14 @@ radiosity::Discretization discretizationFor(const SolveOptions& options, const r
                                             Console& console) {
   if (!options.adaptive) return discretizationOf(options.discretization, scene);
   const auto solveElements = [&](const radiosity::Discretization& discretization) {
-    const radiosity::WordLayout layout = layoutOf(options.word, discretization, console);
+    const radiosity::IdLayout layout = layoutOf(options.id, discretization, console);
     return solvedBy(options, scene, discretization, layout, console).solution.radiosity;
   };
   return radiosity::adaptiveDiscretization(scene, options.discretization, *options.adaptive, solveElements);
 }
 
 Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radiosity::Discretization discretization,
-                const radiosity::WordLayout& layout, Console& console) {
+                const radiosity::IdLayout& layout, Console& console) {
   // Also where rays find the rows: they are split where hemicubes are.
   radiosity::DrawnRows drawn(scene, std::move(discretization), layout, options.drawing);
   const auto solveBy = [&](auto& rows) {
@@ -60,8 +60,8 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
 std::unique_ptr<radiosity::DynamicSolution> dynamicSolution(const SolveOptions& options, const radiosity::Scene& scene,
                                                             radiosity::Discretization discretization,
                                                             Console& console) {
-  const auto layOut = [&word = options.word, &console](const radiosity::Discretization& edited) {
-    return layoutOf(word, edited, console);
+  const auto layOut = [&id = options.id, &console](const radiosity::Discretization& edited) {
+    return layoutOf(id, edited, console);
   };
   auto dynamic = std::make_unique<radiosity::DynamicSolution>(
       scene, std::move(discretization),

@@ -7,7 +7,7 @@
 
 #include "cli/common/console.h"
 #include "cli/solve/options.h"
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solver/dynamic_solution.h"
@@ -27,7 +27,7 @@ struct Solved {
 };
 
 Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radiosity::Discretization discretization,
-                const radiosity::WordLayout& layout, Console& console);
+                const radiosity::IdLayout& layout, Console& console);
 
 /// A solution within a bound on the error, and the settings that were chosen for it.
 struct BoundedSolution {
@@ -39,7 +39,7 @@ struct BoundedSolution {
 /// Where a bound on the error was asked for: settings are chosen so that the solution keeps it.
 std::optional<BoundedSolution> solvedWithin(const SolveOptions& asked, const radiosity::Scene& scene,
                                             const radiosity::Discretization& discretization,
-                                            const radiosity::WordLayout& layout, Console& console);
+                                            const radiosity::IdLayout& layout, Console& console);
 
 /// A solution that follows edits, and what it is before the first of them. `options` and `console` outlive it.
 std::unique_ptr<radiosity::DynamicSolution> dynamicSolution(const SolveOptions& options, const radiosity::Scene& scene,

@@ -1,6 +1,7 @@
 #include "cli/solve/solution_json.h"
 
 #include "cli/common/json.h"
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/index_maps/phantom_indices.h"
 #include "radiosity/textures/radiosity_texture.h"
 
@@ -76,7 +77,7 @@ ordered_json surfacesJson(const radiosity::Scene& scene, const radiosity::Discre
 }  // namespace
 
 ordered_json describe(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                      const radiosity::WordLayout& layout, const radiosity::Solution& solution) {
+                      const radiosity::IdLayout& layout, const radiosity::Solution& solution) {
   const radiosity::Phantoms phantoms = radiosity::countPhantoms(discretization, layout);
   const radiosity::Energy& energy = solution.energy;
   return {{"surfaces", surfacesJson(scene, discretization)},

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/common/table.h"
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solver/progressive_solver.h"
@@ -21,6 +21,6 @@ Table elementTable(const radiosity::Scene& scene, const radiosity::Discretizatio
 /// The object of solution.json, but for settings, times and warnings: the surfaces with their grids and their places in
 /// the radiosity textures, counts, residual, energy.
 nlohmann::ordered_json describe(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                                const radiosity::WordLayout& layout, const radiosity::Solution& solution);
+                                const radiosity::IdLayout& layout, const radiosity::Solution& solution);
 
 }  // namespace hemitex::cli

@@ -11,8 +11,9 @@
 #include "cli/solve/options.h"
 #include "cli/solve/output.h"
 #include "cli/solve/run.h"
+#include "radiosity/scene/load_scene.h"
 #include "raster/base/file_io.h"
-#include "reference/bench/stopwatch.h"
+#include "reference/bench/timing.h"
 
 namespace hemitex::cli {
 namespace {
@@ -60,7 +61,7 @@ ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number,
   text["rows"] = toJson(cost);
   text["times"] = laps.times();
   text["warnings"] = lit.solution.warnings;
-  radiosity::writeFile(folder / name / "solution.json", toText(text));
+  raster::writeFile(folder / name / "solution.json", toText(text));
   return {{"folder", name},
           {"edits", frame.written},
           {"shots", lit.solution.shots},
@@ -90,7 +91,7 @@ void solve(SolveOptions asked, Context& context) {
   laps.lap("load_s");
   Staging{asked.output};  // a folder that cannot be written is told before the work, not after it
   radiosity::Discretization unsplit = discretizationFor(asked, scene, console);
-  const radiosity::WordLayout layout = layoutOf(asked.word, unsplit, console);
+  const radiosity::IdLayout layout = layoutOf(asked.id, unsplit, console);
   laps.lap("discretize_s");
   const std::optional<BoundedSolution> bounded = solvedWithin(asked, scene, unsplit, layout, console);
   const SolveOptions& options = bounded ? bounded->options : asked;
@@ -114,7 +115,7 @@ void solve(SolveOptions asked, Context& context) {
     text["frames"].push_back(writeFrame(staging.folder(), f + 1, frames[f], *dynamic, showing, console));
   text["times"] = laps.times();
   text["warnings"] = console.given();
-  radiosity::writeFile(staging.folder() / "solution.json", toText(text));
+  raster::writeFile(staging.folder() / "solution.json", toText(text));
   staging.commit();
   std::cout << (context.json ? toText(text) : summary(text));
 }

@@ -5,6 +5,7 @@
 
 #include "cli/report/embedded_files.h"
 #include "cli/report/html_page.h"
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/scene/image.h"
 #include "radiosity/textures/radiosity_texture.h"

@@ -13,8 +13,10 @@
 #include "cli/common/json.h"
 #include "cli/common/staging.h"
 #include "cli/tradeoff/page.h"
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/scene/load_scene.h"
 #include "raster/base/file_io.h"
-#include "reference/bench/stopwatch.h"
+#include "reference/bench/timing.h"
 
 namespace hemitex::cli {
 namespace {
@@ -29,9 +31,9 @@ struct TradeoffOptions {
   std::filesystem::path output;
 };
 
-constexpr int mostTexels = 4096;
+constexpr int maxTexels = 4096;
 
-constexpr int mostSamePointsResolution = 1024, mostSamePointsRays = 1 << 22;
+constexpr int maxSamePointsResolution = 1024, maxSamePointsRays = 1 << 22;
 
 /// `16,8,4`.
 std::vector<int> integersOption(const std::string& name, const std::string& text, int low, int high) {
@@ -86,14 +88,14 @@ std::optional<reference::RowComparison> comparisonOf(const std::vector<reference
       .hemicubes = {}, .turnedHemicubes = {}, .rays = {}, .points = 12, .truthSamples = 1 << 9, .repeats = 3};
   for (const reference::TradeMethod& method : methods)
     for (const int setting : method.measured) {
-      const bool isLongest = setting > mostSamePointsResolution;
+      const bool isLongest = setting > maxSamePointsResolution;
       if (method.name == "hemicube" && !isLongest) settings.hemicubes.push_back(setting);
       if (method.name == "turned-hemicube" && !isLongest) settings.turnedHemicubes.push_back(setting);
       if (method.name == "centre-rays") settings.rays.push_back(setting);
     }
   if (settings.hemicubes.empty() || settings.rays.empty()) return std::nullopt;
-  if (settings.hemicubes.back() == mostSamePointsResolution && settings.rays.back() < mostSamePointsRays)
-    settings.rays.push_back(mostSamePointsRays);
+  if (settings.hemicubes.back() == maxSamePointsResolution && settings.rays.back() < maxSamePointsRays)
+    settings.rays.push_back(maxSamePointsRays);
   return reference::compareRows(scene, discretization, settings);
 }
 
@@ -167,9 +169,9 @@ void measure(const TradeoffOptions& options, Context& context) {
   Staging staging(options.output);
   std::ostringstream csv;
   writeCsv(csv, choiceTable(tradeoff));
-  radiosity::writeFile(staging.folder() / "tradeoff.csv", csv.view());
-  radiosity::writeFile(staging.folder() / "tradeoff.json", toText(result));
-  radiosity::writeFile(staging.folder() / "report.html", tradeoffPage(tradeoff, camera, result, staging.folder()));
+  raster::writeFile(staging.folder() / "tradeoff.csv", csv.view());
+  raster::writeFile(staging.folder() / "tradeoff.json", toText(result));
+  raster::writeFile(staging.folder() / "report.html", tradeoffPage(tradeoff, camera, result, staging.folder()));
   staging.commit();
   std::cout << (context.json ? toText(result) : summary(tradeoff));
 }
@@ -182,7 +184,7 @@ void addTradeoff(CLI::App& program, Context& context) {
   addSceneOptions(*command, options->scene);
   addOutput(*command, options->output, "folder for tradeoff.json, tradeoff.csv and report.html");
   const auto readTexels = [options](const std::string& text) {
-    options->texels = integersOption("--texels", text, 1, mostTexels);
+    options->texels = integersOption("--texels", text, 1, maxTexels);
     requireDivisors(options->texels);
   };
   command
@@ -191,7 +193,7 @@ void addTradeoff(CLI::App& program, Context& context) {
                                          "measured; the finest are the truth's (default 16,8,4)")
       ->type_name("N,N,...");
   const auto readPatches = [options](const std::string& text) {
-    options->patches = integersOption("--patch", text, 1, mostTexels);
+    options->patches = integersOption("--patch", text, 1, maxTexels);
   };
   command
       ->add_option_function<std::string>("--patch", readPatches,

@@ -67,7 +67,7 @@ void calibrateDevice(const CalibrateOptions& options, Context& context) {
   const reference::Calibration calibration = reference::calibrate(probes, answers);
   context.failed = !calibration.faults.empty();
   const std::string profile = toJson(calibration.profile);
-  if (!context.failed) radiosity::writeFile(options.output, profile);
+  if (!context.failed) raster::writeFile(options.output, profile);
   if (context.json) {
     std::cout << toText({{"profile", context.failed ? Json() : Json::parse(profile)}, {"faults", calibration.faults}});
   } else if (context.failed) {
@@ -84,7 +84,7 @@ void addVectorCalibrate(CLI::App& vector, Context& context) {
   CLI::App* command = vector.add_subcommand("calibrate", "Measure what a device does, for vector check --profile");
   CLI::Option* probes = command->add_option("--probes", options->probes, "write the probing vectors into this folder");
   CLI::Option* folder = command->add_option("DIR", options->vectors, "folder of the probing vectors");
-  CLI::Option* candidate = command->add_option("--candidate", options->candidate, "folder with the device's words");
+  CLI::Option* candidate = command->add_option("--candidate", options->candidate, "folder with the device's item IDs");
   CLI::Option* output = addOutput(*command, options->output, "the profile, as JSON")->required(false);
   folder->needs(candidate, output)->excludes(probes);
   candidate->needs(folder);

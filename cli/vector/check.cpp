@@ -97,7 +97,7 @@ void printSuite(const std::vector<reference::Report>& reports, bool asJson) {
   if (const auto common = reference::commonFault(reports)) std::cout << "diagnosis: " << toText(*common) << '\n';
 }
 
-/// The smallest part of the vector that fails, and beside it the device's word, as a candidate.
+/// The smallest part of the vector that fails, and beside it the device's item ID, as a candidate.
 void writeMinimal(const std::filesystem::path& folder, const reference::MinimalFailure& minimal) {
   Staging staging(folder);
   reference::writeVector(staging.folder(), minimal.vector, {&minimal.expected, 1});
@@ -127,9 +127,9 @@ void check(const CheckOptions& options, Context& context) {
   const std::size_t shown = context.failed ? static_cast<std::size_t>(failing - reports.begin()) : 0;
   const reference::TestVector& vector = vectors[shown];
   const reference::Verdict& verdict = reports[shown].verdict;
-  if (!options.junit.empty()) radiosity::writeFile(options.junit, toJUnit(reports));
+  if (!options.junit.empty()) raster::writeFile(options.junit, toJUnit(reports));
   if (!options.picture.empty())
-    radiosity::writePng(options.picture, toPicture(verdict, raster::backgroundWord(vector.list.format)));
+    radiosity::writePng(options.picture, toPicture(verdict, raster::backgroundId(vector.list.format)));
   if (context.failed && !options.minimal.empty()) writeMinimal(options.minimal, minimize(vector, verdict, profile));
   isSuite ? printSuite(reports, context.json) : printVector(reports.front(), context.json);
 }
@@ -138,10 +138,12 @@ void check(const CheckOptions& options, Context& context) {
 
 void addVectorCheck(CLI::App& vector, Context& context) {
   const auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = vector.add_subcommand("check", "Judge a device's words: exact, explained, or an error (exit 1)");
+  CLI::App* command =
+      vector.add_subcommand("check", "Judge a device's item IDs: exact, explained, or an error (exit 1)");
   command->add_option("DIR", options->vector, "folder of the vector, or of a suite of vectors")->required();
   command
-      ->add_option("--candidate", options->candidate, "folder with the device's words; of a suite, a folder a vector")
+      ->add_option("--candidate", options->candidate,
+                   "folder with the device's item IDs; of a suite, a folder a vector")
       ->required();
   command->add_option("--profile", options->profile, "what the device may do, as JSON (default: a Vulkan device)");
   command->add_option("--junit", options->junit, "JUnit XML: a test suite a vector, a test case a face");

@@ -1,4 +1,4 @@
-/// `hemitex vector explain`: what the raster rules do at one pixel, from the triangles that cover it to the word.
+/// `hemitex vector explain`: what the raster rules do at one pixel, from the triangles that cover it to the item ID.
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -66,7 +66,7 @@ Table tableOf(const std::vector<reference::Fragment>& fragments) {
             fragment.v,
             texel(&reference::Texel::column),
             texel(&reference::Texel::row),
-            std::int64_t{fragment.word}};
+            std::int64_t{fragment.id}};
   };
   return {{"triangle", "draw", "facing", "w", "u", "v", "column", "row", "word"}, fragments.size(), row};
 }
@@ -77,21 +77,21 @@ void explain(const std::filesystem::path& folder, const Pixel& pixel, const Cont
   requireInside(face.scissor, pixel);
   const auto derivation = reference::derive(vector.list, face, pixel.column, pixel.row);
   const auto fragments = reference::fragmentsAt(vector.list, face, pixel.column, pixel.row);
-  const raster::Word word = derivation ? derivation->word : raster::backgroundWord(vector.list.format);
+  const raster::ItemId id = derivation ? derivation->id : raster::backgroundId(vector.list.format);
   const auto draw = derivation ? std::optional(fragments.front().draw) : std::nullopt;
-  const std::string origin = toText(reference::originOf(vector.list, word, draw));
+  const std::string origin = toText(reference::originOf(vector.list, id, draw));
   if (context.json) {
     std::cout << toText({{"face", pixel.face},
                          {"column", pixel.column},
                          {"row", pixel.row},
-                         {"word", word},
+                         {"word", id},
                          {"from", origin},
                          {"derivation", derivation ? toJson(*derivation) : nlohmann::ordered_json()},
                          {"triangles", toJson(tableOf(fragments))}});
     return;
   }
-  std::cout << "pixel " << pixel.column << ',' << pixel.row << " of " << pixel.face << " holds " << word << ": "
-            << origin << "\n";
+  std::cout << "pixel " << pixel.column << ',' << pixel.row << " of " << pixel.face << " holds " << id << ": " << origin
+            << "\n";
   if (!derivation) return;
   std::cout << toText(*derivation, vector.list, face) << "triangles that cover it, nearest first:\n";
   writeCsv(std::cout, tableOf(fragments));

@@ -144,7 +144,7 @@ void writeBlend(std::ostream& out, const Derivation& derivation, const raster::D
   const raster::Draw& draw = list.draws[derivation.drawn.draw];
   if (!derivation.texel) {
     const bool isBack = derivation.facesAway && draw.back;
-    out << (isBack ? "blend: none, the draw gives its back word\n" : "blend: none, the draw has no index map\n");
+    out << (isBack ? "blend: none, the draw gives its back item ID\n" : "blend: none, the draw has no index map\n");
   } else if (list.blend == raster::Blend::Replace) {
     out << "blend: replace, the texel alone\n";
   } else {
@@ -152,7 +152,7 @@ void writeBlend(std::ostream& out, const Derivation& derivation, const raster::D
         << draw.offset << " and texel " << derivation.texel->index << '\n';
     writeSums(out, derivation, list.blend);
   }
-  out << "  word " << derivation.word << '\n';
+  out << "  item ID " << derivation.id << '\n';
 }
 
 // --- the same as JSON ---
@@ -262,7 +262,7 @@ Json toJson(const Derivation& derivation) {
           {"v", derivation.coordinates.y},
           {"texel", texel},
           {"sums", sums},
-          {"word", derivation.word},
+          {"word", derivation.id},
           {"runner_up", runnerUp}};
 }
 

@@ -1,4 +1,5 @@
-/// `hemitex vector suite`: every test vector of the suite with its words, a folder each, and what each of them catches.
+/// `hemitex vector suite`: every test vector of the suite with its item IDs, a folder each, and what each of them
+/// catches.
 #include <iostream>
 #include <memory>
 
@@ -23,7 +24,7 @@ void writeSuite(const filesystem::path& output, const Context& context) {
     Staging staging(output / vector.name);
     reference::writeVector(staging.folder(), vector, buffers);
     staging.commit();
-    hashes.push_back(reference::wordsHash(buffers));
+    hashes.push_back(reference::idsHash(buffers));
   }
   const auto row = [&](std::size_t index) -> std::vector<Cell> {
     return {suite[index].name, suite[index].catches, hashes[index]};

@@ -12,6 +12,7 @@
 #include "cli/common/renderers.h"
 #include "cli/common/staging.h"
 #include "cli/common/table.h"
+#include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/projection/hemicube.h"
 #include "radiosity/projection/patch_view.h"
 #include "radiosity/projection/projection.h"
@@ -25,7 +26,7 @@ namespace {
 struct ExportOptions {
   SceneOptions scene;
   radiosity::DiscretizationSettings discretization;
-  radiosity::WordSettings word;
+  radiosity::IdSettings id;
   std::string name;
   glm::dvec3 eye{0.0};
   glm::dvec3 normal{0.0};
@@ -42,7 +43,7 @@ constexpr std::array<const char*, 5> faceNames = {"top", "side-right", "side-up"
 reference::TestVector vectorOf(const ExportOptions& options, Console& console) {
   const radiosity::Scene scene = sceneOf(options.scene, console);
   const radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
-  const radiosity::WordLayout layout = layoutOf(options.word, discretization, console);
+  const radiosity::IdLayout layout = layoutOf(options.id, discretization, console);
   const double length = glm::length(options.normal);
   if (!(length > 0) || !std::isfinite(length)) throw raster::InputError("--normal has no direction");
 
@@ -99,7 +100,7 @@ void renderVector(const RenderOptions& options, const Context& context) {
   std::vector<raster::Face> faces;
   for (const reference::VectorFace& face : vector.faces) faces.push_back(face.face);
   const std::vector<raster::ItemBuffer> buffers = makeRenderer(vector.list, options.device)->render(faces, {});
-  for (std::size_t f = 0; f < buffers.size(); ++f) vector.faces[f].hash = reference::wordsHash(buffers[f].words);
+  for (std::size_t f = 0; f < buffers.size(); ++f) vector.faces[f].hash = reference::idsHash(buffers[f].ids);
   Staging staging(options.output);
   reference::writeVector(staging.folder(), vector, buffers);
   if (options.stages) reference::writeStages(staging.folder(), vector);
@@ -108,7 +109,7 @@ void renderVector(const RenderOptions& options, const Context& context) {
 }
 
 void addStages(CLI::App& command, bool& stages) {
-  command.add_flag("--stages", stages, "write what lies between vertices and words, too (stages.json)");
+  command.add_flag("--stages", stages, "write what lies between vertices and item IDs, too (stages.json)");
 }
 
 void addExport(CLI::App& parent, Context& context) {
@@ -123,7 +124,7 @@ void addExport(CLI::App& parent, Context& context) {
               "near distance (default: one that clips nothing open)");
   command->add_option("--name", options->name, "of the vector (default: the scene's)");
   addDiscretizationOptions(*command, options->discretization);
-  addWordOptions(*command, options->word);
+  addIdOptions(*command, options->id);
   addStages(*command, options->stages);
   addOutput(*command, options->output, "folder for the vector");
   command->callback(
@@ -132,7 +133,7 @@ void addExport(CLI::App& parent, Context& context) {
 
 void addRenderVector(CLI::App& parent, Context& context) {
   const auto options = std::make_shared<RenderOptions>();
-  CLI::App* command = parent.add_subcommand("render", "Draw a test vector: its words and their hashes");
+  CLI::App* command = parent.add_subcommand("render", "Draw a test vector: its item IDs and their hashes");
   command->add_option("DIR", options->input, "folder of the vector")->required();
   addChoice<Device>(*command, "--device", options->device,
                     {{"software", Device::Software},
@@ -140,7 +141,7 @@ void addRenderVector(CLI::App& parent, Context& context) {
                      {"opengl-fixed-function", Device::OpenGlFixedFunction}},
                     "what draws it (default software, by the rules)");
   addStages(*command, options->stages);
-  addOutput(*command, options->output, "folder for the vector with its words; may be the same");
+  addOutput(*command, options->output, "folder for the vector with its item IDs; may be the same");
   command->callback(
       [options, &context] { context.command = [options, &context] { renderVector(*options, context); }; });
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "radiosity/discretization/discretize.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
@@ -29,7 +30,7 @@ double changeTo(const Leaf& leaf, const glm::dvec3& own, const Leaf& neighbour, 
 }
 
 Quadtree refinedTree(const Discretization& discretization, const Grid& grid, std::span<const glm::dvec3> radiosity,
-                     double mostFlux) {
+                     double maxFlux) {
   const auto elements = elementsOfLeaves(discretization, grid);
   const auto elementOf = [&](const Leaf& leaf) {
     return elements[static_cast<std::size_t>(leaf.row * grid.columns + leaf.column)];
@@ -42,7 +43,7 @@ Quadtree refinedTree(const Discretization& discretization, const Grid& grid, std
     for (const Leaf& neighbour : neighboursOf(*grid.quadtree, leaf))
       if (const std::optional<std::uint32_t> other = elementOf(neighbour))
         change = std::max(change, changeTo(leaf, radiosity[*own], neighbour, radiosity[*other]));
-    if (discretization.elements[*own].area * change > mostFlux) split(tree, leaf);
+    if (discretization.elements[*own].area * change > maxFlux) split(tree, leaf);
   }
   balance(tree);
   return tree;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "radiosity/discretization/exposed_pieces.h"
 #include "radiosity/discretization/neighbours.h"
 #include "radiosity/discretization/texel_areas.h"
 
@@ -16,7 +17,7 @@ namespace hemitex::radiosity {
 namespace {
 
 /// Neighbours of a surface belong together up to this fold: the cosine of the angle between their normals.
-constexpr double leastCosine = 0.7;
+constexpr double minCosine = 0.7;
 /// Relative to the area of its triangle; a smaller piece is rounding noise.
 constexpr double smallestShare = 1e-14;
 
@@ -386,7 +387,7 @@ class SurfaceCutter {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t other = across[t][k];
         if (other == noNeighbour || hasNone(t) || hasNone(other)) continue;
-        if (glm::dot(normals[t], normals[other]) < leastCosine) continue;
+        if (glm::dot(normals[t], normals[other]) < minCosine) continue;
         if (slices_[t].empty() && slices_[other].empty())
           join(first_[t], first_[other]);
         else if (t < other || slices_[other].empty())

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/geometry/grid_clipping.h"
 #include "radiosity/geometry/triangle_slices.h"
 #include "radiosity/scene/scene.h"

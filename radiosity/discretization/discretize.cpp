@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "radiosity/discretization/exposed_pieces.h"
 #include "radiosity/discretization/exposure.h"
 #include "radiosity/discretization/grid_size.h"
 #include "radiosity/discretization/material_averages.h"
@@ -22,7 +23,7 @@ namespace {
 using raster::InputError;
 
 /// A mapped reflectance of 1 or more is lowered to this: white would reflect for ever.
-constexpr double mostReflectance = 0.9999;
+constexpr double maxReflectance = 0.9999;
 
 bool isNamed(const Surface& surface, const std::string& name) { return surface.name == name || surface.family == name; }
 
@@ -51,7 +52,7 @@ void validate(const Scene& scene, const DiscretizationSettings& settings) {
     throw InputError("the size of a texel is not above 0", "give a length in the scene's units");
   if (settings.patch < 1)
     throw InputError("a patch has " + std::to_string(settings.patch) + " texels along a side", "use 1 or more");
-  validateTexels(settings.mostTexels, "the largest grid");
+  validateTexels(settings.maxTexels, "the largest grid");
   if (settings.subdivision < 1)
     throw InputError("a texel is cut into " + std::to_string(settings.subdivision) + " along a side", "use 1 or more");
   if (settings.patches && *settings.patches < 1)
@@ -66,7 +67,7 @@ void validate(const Scene& scene, const DiscretizationSettings& settings) {
   }
 }
 
-/// Texels and elements are numbered in 32 bits, and so is whatever has a word of its own.
+/// Texels and elements are numbered in 32 bits, and so is whatever has an item ID of its own.
 void validateSizes(const Scene& scene, const DiscretizationSettings& settings) {
   std::uint64_t texels = 0;
   for (const Surface& surface : scene.surfaces) {
@@ -74,7 +75,7 @@ void validateSizes(const Scene& scene, const DiscretizationSettings& settings) {
     texels += static_cast<std::uint64_t>(size.columns) * static_cast<std::uint64_t>(size.rows);
   }
   if (texels >= 0xffffffff)
-    throw InputError("the surfaces have " + std::to_string(texels) + " texels in all, more than there are words",
+    throw InputError("the surfaces have " + std::to_string(texels) + " texels in all, more than there are item IDs",
                      "use fewer texels a surface");
 }
 
@@ -290,11 +291,6 @@ Discretization discretized(const Scene& scene, const DiscretizationSettings& ask
 
 }  // namespace
 
-Leaf leafOf(const Grid& grid, std::uint32_t texel) {
-  const int column = static_cast<int>(texel) % grid.columns, row = static_cast<int>(texel) / grid.columns;
-  return grid.quadtree ? leafAt(*grid.quadtree, column, row) : Leaf{column, row, 1};
-}
-
 Discretization discretize(const Scene& scene, const DiscretizationSettings& settings) {
   return discretized(scene, settings, {});
 }
@@ -324,40 +320,8 @@ void averageMaps(const Scene& scene, Discretization& discretization) {
     return values;
   };
   discretization.mappedReflectance = valuesOf(&Material::reflectance, &Material::reflectanceMap);
-  for (glm::dvec3& value : discretization.mappedReflectance) value = glm::min(value, glm::dvec3(mostReflectance));
+  for (glm::dvec3& value : discretization.mappedReflectance) value = glm::min(value, glm::dvec3(maxReflectance));
   discretization.mappedEmission = valuesOf(&Material::emission, &Material::emissionMap);
-}
-
-SurfaceValues reflectances(const Scene& scene, const Discretization& discretization, std::uint32_t surface) {
-  return {scene.materials[static_cast<std::size_t>(scene.surfaces[surface].material)].reflectance,
-          discretization.mappedReflectance};
-}
-
-SurfaceValues emissions(const Scene& scene, const Discretization& discretization, std::uint32_t surface) {
-  return {scene.materials[static_cast<std::size_t>(scene.surfaces[surface].material)].emission,
-          discretization.mappedEmission};
-}
-
-glm::dvec3 reflectance(const Scene& scene, const Discretization& discretization, std::uint32_t element) {
-  return reflectances(scene, discretization, discretization.elements[element].surface).of(element);
-}
-
-glm::dvec3 emission(const Scene& scene, const Discretization& discretization, std::uint32_t element) {
-  return emissions(scene, discretization, discretization.elements[element].surface).of(element);
-}
-
-std::vector<std::uint32_t> patchesOf(const Grid& grid) {
-  std::vector<std::uint32_t> patches(grid.patchCount);
-  std::iota(patches.begin(), patches.end(), grid.firstPatch);
-  patches.insert(patches.end(), grid.laterPatches.begin(), grid.laterPatches.end());
-  return patches;
-}
-
-double patchArea(const Discretization& discretization, const Patch& patch) {
-  double area = 0;
-  for (std::uint32_t i = 0; i < patch.elementCount; ++i)
-    area += discretization.elements[discretization.patchElements[patch.firstElement + i]].area;
-  return area;
 }
 
 }  // namespace hemitex::radiosity

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/grid_size.h"
 
 namespace hemitex::radiosity {

@@ -2,7 +2,7 @@
 /// them since (split patches, quadtrees), and what is new is discretized by itself.
 #pragma once
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene_edits.h"
 
 namespace hemitex::radiosity {

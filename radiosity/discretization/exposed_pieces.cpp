@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "radiosity/discretization/texel_areas.h"
-
 namespace hemitex::radiosity {
 namespace {
 
@@ -32,6 +30,17 @@ bool hasCutTexel(const TexelGrid& grid, const glm::dvec2& low, const glm::dvec2&
     const double row = cut.texel / static_cast<std::uint32_t>(grid.columns);
     return column < high.x && column + 1 > low.x && row < high.y && row + 1 > low.y;
   });
+}
+
+std::array<glm::dvec2, 3> inTexels(const Triangle& triangle, int columns, int rows) {
+  const glm::dvec2 size(columns, rows);
+  return {triangle.chart[0] * size, triangle.chart[1] * size, triangle.chart[2] * size};
+}
+
+std::size_t texelOfCell(std::int64_t column, std::int64_t row, int columns, int rows) {
+  const auto i = static_cast<std::size_t>(std::clamp<std::int64_t>(column, 0, columns - 1));
+  const auto j = static_cast<std::size_t>(std::clamp<std::int64_t>(row, 0, rows - 1));
+  return j * static_cast<std::size_t>(columns) + i;
 }
 
 const CutTexel* findCut(std::span<const CutTexel> cut, std::size_t texel) {

@@ -2,6 +2,7 @@
 /// solids. A solid that stands on a surface buries a part of it, which neither receives nor sends.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -36,6 +37,12 @@ const CutTexel* findCut(std::span<const CutTexel> cut, std::size_t texel);
 
 /// Whether a cut texel meets the inside of the rectangle [low, high], in texels.
 bool hasCutTexel(const TexelGrid& grid, const glm::dvec2& low, const glm::dvec2& high);
+
+/// The chart of a triangle in texels. Exact: a coordinate has 24 bits and a grid at most 4096 columns and rows.
+std::array<glm::dvec2, 3> inTexels(const Triangle& triangle, int columns, int rows);
+
+/// The texel that a cell of the grid is: at u = 1 or v = 1 a chart touches cells beyond the last texels.
+std::size_t texelOfCell(std::int64_t column, std::int64_t row, int columns, int rows);
 
 /// Called with the texel, the triangle and the piece of the triangle inside the texel.
 using TexelPieceVisitor = std::function<void(std::size_t texel, std::uint32_t triangle, const Piece&)>;

@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "radiosity/discretization/cut_surface.h"
+#include "radiosity/discretization/exposed_pieces.h"
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/discretization/texel_areas.h"
 #include "radiosity/geometry/ray_tree.h"
 #include "radiosity/geometry/triangle_slices.h"
@@ -26,9 +28,9 @@ constexpr int resolution = 6;
 /// Points of a region that look.
 constexpr int pointsOfRegion = 4;
 /// A region is exposed where exposed fronts are at least this share of all exposed fronts and backs that it sees.
-constexpr double leastExposed = 0.1;
+constexpr double minExposed = 0.1;
 /// It also is where lights are at least this share of what it sees: light gets there, whatever stands around.
-constexpr double leastLights = 0.005;
+constexpr double minLights = 0.005;
 /// Faces touch that face each other, to this cosine of the angle between them.
 constexpr double touchingCosine = 0.999;
 
@@ -192,8 +194,8 @@ class BuriedRegions {
       Seen all = view;
       for (const auto& [region, share] : view.regions)
         if (!regions_[region].isBuried) addExposed(regions_[region].surface, share, all);
-      return all.exposedFronts >= leastExposed * (all.exposedFronts + all.backs) ||
-             all.lights >= leastLights * static_cast<double>(all.points);
+      return all.exposedFronts >= minExposed * (all.exposedFronts + all.backs) ||
+             all.lights >= minLights * static_cast<double>(all.points);
     };
     bool hasChanged = true;
     while (hasChanged) {

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene.h"
 
 namespace hemitex::radiosity {

@@ -51,9 +51,9 @@ bool isFlat(const Surface& surface) {
 int texelsAlong(double length, const DiscretizationSettings& settings) {
   if (settings.powersOfTwo)
     return std::min(static_cast<int>(nearestPowerOfTwo(std::min(length / *settings.texelSize, 0x1p12))),
-                    settings.mostTexels);
+                    settings.maxTexels);
   const double texels = std::ceil(length / *settings.texelSize * (1 - 1e-6));
-  return static_cast<int>(std::clamp(texels, 1.0, static_cast<double>(settings.mostTexels)));
+  return static_cast<int>(std::clamp(texels, 1.0, static_cast<double>(settings.maxTexels)));
 }
 
 int subdivided(int texels, int subdivision) {
@@ -74,15 +74,15 @@ bool fit(const Scene& scene, const DiscretizationSettings& settings, int pages, 
 
 DiscretizationSettings followingScene(const Scene& scene, DiscretizationSettings settings) {
   if (settings.texels || settings.texelSize) return settings;
-  constexpr double elementsPerSurface = 90, mostElements = 0x1p16;
-  constexpr int mostTexels = 64;
+  constexpr double elementsPerSurface = 90, maxElements = 0x1p16;
+  constexpr int maxTexels = 64;
   double sum = 0;
   for (const Surface& surface : scene.surfaces)
     for (const Triangle& triangle : surface.triangles) sum += area(triangle);
-  const double elements = std::min(elementsPerSurface * static_cast<double>(scene.surfaces.size()), mostElements);
+  const double elements = std::min(elementsPerSurface * static_cast<double>(scene.surfaces.size()), maxElements);
   settings.texelSize = std::sqrt(sum / elements);
   settings.powersOfTwo = true;
-  settings.mostTexels = mostTexels;
+  settings.maxTexels = maxTexels;
   return settings;
 }
 
@@ -105,7 +105,7 @@ GridSize gridSizeOf(const Surface& surface, const DiscretizationSettings& settin
 }
 
 DiscretizationSettings settingsForPages(const Scene& scene, int pages, int side, DiscretizationSettings settings) {
-  settings.mostTexels = side;
+  settings.maxTexels = side;
   const auto fits = [&](double texelSize) {
     settings.texelSize = texelSize;
     return fit(scene, settings, pages, side);

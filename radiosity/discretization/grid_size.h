@@ -2,7 +2,7 @@
 /// packed pages.
 #pragma once
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene.h"
 
 namespace hemitex::radiosity {

@@ -10,7 +10,7 @@ namespace hemitex::radiosity {
 namespace {
 
 /// Pixels of an image that are cut out for one surface at most.
-constexpr double mostPixels = 0x1p24;
+constexpr double maxPixels = 0x1p24;
 
 /// The texture coordinates of a triangle, moved by whole tiles so that no digits are lost far from zero.
 std::array<glm::dvec2, 3> nearTexcoords(const Triangle& triangle) {
@@ -34,7 +34,7 @@ bool isOnePixel(const Image& image) { return image.width == 1 && image.height ==
 
 /// The image halved until the surface shows few enough pixels.
 Image sizedFor(const Surface& surface, Image image) {
-  while (!isOnePixel(image) && pixelsShown(image, surface) > mostPixels) image = halved(image);
+  while (!isOnePixel(image) && pixelsShown(image, surface) > maxPixels) image = halved(image);
   return image;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radiosity/discretization/exposed_pieces.h"
 #include "radiosity/geometry/grid_clipping.h"
 
 namespace hemitex::radiosity {
@@ -25,17 +26,6 @@ struct TexelTriangles {
 };
 
 }  // namespace
-
-std::array<glm::dvec2, 3> inTexels(const Triangle& triangle, int columns, int rows) {
-  const glm::dvec2 size(columns, rows);
-  return {triangle.chart[0] * size, triangle.chart[1] * size, triangle.chart[2] * size};
-}
-
-std::size_t texelOfCell(std::int64_t column, std::int64_t row, int columns, int rows) {
-  const auto i = static_cast<std::size_t>(std::clamp<std::int64_t>(column, 0, columns - 1));
-  const auto j = static_cast<std::size_t>(std::clamp<std::int64_t>(row, 0, rows - 1));
-  return j * static_cast<std::size_t>(columns) + i;
-}
 
 TexelAreas texelAreas(const Surface& surface, const TexelGrid& grid) {
   const std::size_t count = static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);

@@ -22,10 +22,4 @@ struct TexelAreas {
 
 TexelAreas texelAreas(const Surface& surface, const TexelGrid& grid);
 
-/// The chart of a triangle in texels. Exact: a coordinate has 24 bits and a grid at most 4096 columns and rows.
-std::array<glm::dvec2, 3> inTexels(const Triangle& triangle, int columns, int rows);
-
-/// The texel that a cell of the grid is: at u = 1 or v = 1 a chart touches cells beyond the last texels.
-std::size_t texelOfCell(std::int64_t column, std::int64_t row, int columns, int rows);
-
 }  // namespace hemitex::radiosity

@@ -6,11 +6,9 @@
 #include <span>
 #include <vector>
 
-namespace hemitex::radiosity {
+#include "radiosity/projection/fixed_point.h"
 
-/// Shares are counted in units of 2^-60.
-inline constexpr int shareBits = 60;
-inline constexpr std::uint64_t wholeShare = std::uint64_t{1} << shareBits;
+namespace hemitex::radiosity {
 
 /// Sparse: only what is seen is stored.
 struct FormFactorRow {
@@ -19,11 +17,6 @@ struct FormFactorRow {
   std::uint64_t background = 0;         ///< left the scene
   std::uint64_t back = 0;               ///< absorbed by the backs of surfaces
 };
-
-/// The form factor of a share, in [0, 1]. As a signed number it is an instruction, as an unsigned one several.
-inline double formFactor(std::uint64_t share) {
-  return static_cast<double>(static_cast<std::int64_t>(share)) / static_cast<double>(wholeShare);
-}
 
 /// A row from one of several points, and the area that shoots from there.
 struct WeightedRow {

@@ -17,17 +17,17 @@ bool isPlain(const Grid& grid) {
   return true;
 }
 
-/// The elements of consecutive words, by elementOf.
-std::vector<std::uint32_t> elementsOf(const Discretization& discretization, const WordLayout& layout,
-                                      raster::Word first, std::uint32_t count) {
+/// The elements of consecutive item IDs, by elementOf.
+std::vector<std::uint32_t> elementsOf(const Discretization& discretization, const IdLayout& layout,
+                                      raster::ItemId first, std::uint32_t count) {
   std::vector<std::uint32_t> elements(count);
   for (std::uint32_t i = 0; i < count; ++i)
     elements[i] = elementOf(discretization, layout, first + i).value_or(noElement);
   return elements;
 }
 
-/// The end of the last page's words.
-std::uint32_t wordCount(const WordLayout& layout) {
+/// The end of the last page's item IDs.
+std::uint32_t idCount(const IdLayout& layout) {
   std::uint32_t count = 0;
   for (const Page& page : layout.pages) count = std::max(count, page.offset + texelCount(page));
   return count;
@@ -35,15 +35,15 @@ std::uint32_t wordCount(const WordLayout& layout) {
 
 }  // namespace
 
-WordSlots::WordSlots(const Discretization& discretization, const WordLayout& layout)
-    : back_(static_cast<std::uint32_t>(discretization.elements.size())), backWord_(raster::backWord(layout.format)) {
+IdLookup::IdLookup(const Discretization& discretization, const IdLayout& layout)
+    : back_(static_cast<std::uint32_t>(discretization.elements.size())), backId_(raster::backId(layout.format)) {
   if (layout.indexMaps == IndexMaps::Unique) {
     addBlocks(back_, nullptr);
   } else if (layout.indexMaps == IndexMaps::Packed) {
     addBlocks(layout.packedElements.size(), layout.packedElements.data());
   } else if (!layout.aligned) {
-    // Words follow each other without a gap.
-    tables_.push_back(elementsOf(discretization, layout, 0, wordCount(layout)));
+    // Item IDs follow each other without a gap.
+    tables_.push_back(elementsOf(discretization, layout, 0, idCount(layout)));
     addBlocks(tables_.back().size(), tables_.back().data());
   } else {
     if (layout.textured > 0) bits_ = layout.indexBits;
@@ -52,17 +52,17 @@ WordSlots::WordSlots(const Discretization& discretization, const WordLayout& lay
   }
 }
 
-/// Blocks for words that follow each other; the slots as well, from 0 on, where they are null.
-void WordSlots::addBlocks(std::size_t words, const std::uint32_t* slots) {
+/// Blocks for item IDs that follow each other; the slots as well, from 0 on, where they are null.
+void IdLookup::addBlocks(std::size_t ids, const std::uint32_t* slots) {
   const std::size_t size = std::size_t{1} << bits_;
-  for (std::size_t begin = 0; begin < words; begin += size)
-    blocks_.push_back({.count = static_cast<std::uint32_t>(std::min(words - begin, size)),
+  for (std::size_t begin = 0; begin < ids; begin += size)
+    blocks_.push_back({.count = static_cast<std::uint32_t>(std::min(ids - begin, size)),
                        .first = static_cast<std::uint32_t>(begin),
                        .slots = slots == nullptr ? nullptr : slots + begin});
 }
 
 /// A block for each page of more than a texel.
-void WordSlots::addPages(const Discretization& discretization, const WordLayout& layout) {
+void IdLookup::addPages(const Discretization& discretization, const IdLayout& layout) {
   for (std::uint32_t number = 0; number < layout.textured; ++number) {
     const Page& page = layout.pages[layout.byOffset[number]];
     const Grid& grid = discretization.grids[layout.byOffset[number]];
@@ -79,15 +79,15 @@ void WordSlots::addPages(const Discretization& discretization, const WordLayout&
   }
 }
 
-/// Pages of a texel have the words behind.
-void WordSlots::addSinglePages(const Discretization& discretization, const WordLayout& layout) {
+/// Pages of a texel have the item IDs behind.
+void IdLookup::addSinglePages(const Discretization& discretization, const IdLayout& layout) {
   const auto singles = static_cast<std::uint32_t>(layout.pages.size()) - layout.textured;
-  const auto first = static_cast<raster::Word>(blocks_.size() << bits_);
+  const auto first = static_cast<raster::ItemId>(blocks_.size() << bits_);
   tables_.push_back(elementsOf(discretization, layout, first, singles));
   addBlocks(singles, tables_.back().data());
 }
 
-std::size_t WordSlots::bytes() const {
+std::size_t IdLookup::bytes() const {
   std::size_t bytes = blocks_.capacity() * sizeof(Block);
   for (const std::vector<std::uint32_t>& table : tables_) bytes += table.capacity() * sizeof(std::uint32_t);
   return bytes;

@@ -13,11 +13,11 @@
 namespace hemitex::radiosity {
 namespace {
 
-using raster::Word;
+using raster::ItemId;
 
-/// Adds pixels that lie side by side, run by run of one word. `before` holds the running sum of shares before each of
-/// them, and after the last.
-void addPixels(const WordSlots& slots, const Word* words, const std::uint64_t* before, std::size_t count,
+/// Adds pixels that lie side by side, run by run of one item ID. `before` holds the running sum of shares before each
+/// of them, and after the last.
+void addPixels(const IdLookup& slots, const ItemId* ids, const std::uint64_t* before, std::size_t count,
                ShareSums& sums) {
   assert(count > 0);
   constexpr std::size_t pixelsAtOnce = 4096;
@@ -26,19 +26,19 @@ void addPixels(const WordSlots& slots, const Word* words, const std::uint64_t* b
   std::uint64_t begin = before[0];
   for (std::size_t pixel = 1; pixel < count; pixel += pixelsAtOnce) {
     const std::size_t some = std::min(pixelsAtOnce, count - pixel);
-    raster::bestWordKernels().findChanges(words + pixel, some, changes.data());
+    raster::bestRunKernels().findChanges(ids + pixel, some, changes.data());
     for (std::size_t first = 0; first < some; first += raster::changesAtOnce)
       for (std::uint64_t ends = changes[first / raster::changesAtOnce]; ends != 0; ends &= ends - 1) {
         const std::size_t end = pixel + first + static_cast<std::size_t>(std::countr_zero(ends));
-        sums.add(finder.of(words[end - 1]), before[end] - begin);
+        sums.add(finder.of(ids[end - 1]), before[end] - begin);
         begin = before[end];
       }
   }
-  sums.add(finder.of(words[count - 1]), before[count] - begin);
+  sums.add(finder.of(ids[count - 1]), before[count] - begin);
 }
 
 /// Adds rows [firstRow, endRow) of a window.
-void addRows(const WordSlots& slots, const Projection& projection, const Window& window,
+void addRows(const IdLookup& slots, const Projection& projection, const Window& window,
              const raster::ItemBuffer& buffer, int firstRow, int endRow, ShareSums& sums) {
   const raster::Scissor& some = window.scissor;
   const raster::Scissor& whole = projection.faces[window.face].scissor;
@@ -49,7 +49,7 @@ void addRows(const WordSlots& slots, const Projection& projection, const Window&
   const std::uint64_t* const before = projection.sharesBefore[projection.faces[window.face].shares].data();
   const auto add = [&](int row, std::size_t count) {
     const auto first = static_cast<std::ptrdiff_t>(some.row - whole.row + row) * whole.width;
-    addPixels(slots, buffer.words.data() + static_cast<std::ptrdiff_t>(row) * some.width,
+    addPixels(slots, buffer.ids.data() + static_cast<std::ptrdiff_t>(row) * some.width,
               before + first + (some.column - whole.column), count, sums);
   };
   const auto width = static_cast<std::size_t>(some.width);
@@ -113,8 +113,7 @@ std::uint64_t takeLast(FormFactorRow& row, std::uint32_t slot) {
 
 }  // namespace
 
-RowCounter::RowCounter(const Discretization& discretization, const WordLayout& layout)
-    : slots_(discretization, layout) {
+RowCounter::RowCounter(const Discretization& discretization, const IdLayout& layout) : slots_(discretization, layout) {
   sums_.mine(slots_.count());  // there is always one
 }
 

@@ -1,7 +1,7 @@
-/// Sums item buffers into rows: words become elements, runs of pixels shares. What it costs is bounded by the pixels,
-/// not by the elements of the scene.
+/// Sums item buffers into rows: item IDs become elements, runs of pixels shares. What it costs is bounded by the
+/// pixels, not by the elements of the scene.
 ///
-/// Pixels that lie side by side and show one word are a run, which takes the difference of two running sums of delta
+/// Pixels that lie side by side and show one item ID are a run, which takes the difference of two running sums of delta
 /// form factors: long runs cost next to nothing. Threads sum parts of the buffers, each for itself; shares are
 /// integers, so that it does not matter which of them got which part.
 #pragma once
@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/form_factor_row.h"
 #include "radiosity/form_factors/id_lookup.h"
 #include "radiosity/form_factors/sparse_sums.h"
@@ -25,10 +25,10 @@ namespace hemitex::radiosity {
 class RowCounter {
  public:
   /// Both referenced objects must outlive this one.
-  RowCounter(const Discretization& discretization, const WordLayout& layout);
+  RowCounter(const Discretization& discretization, const IdLayout& layout);
 
   /// Adds what a window of a projection's face shows; drawing a face with a smaller scissor rectangle gives the same
-  /// words there. Windows may be added by several threads at a time.
+  /// item IDs there. Windows may be added by several threads at a time.
   void add(const Projection& projection, const Window& window, const raster::ItemBuffer& buffer);
   /// What the windows that were added since the last row add up to: the whole row, where they are wholeFaces.
   FormFactorRow takeRow();
@@ -41,7 +41,7 @@ class RowCounter {
   std::size_t bytes() const;
 
  private:
-  WordSlots slots_;
+  IdLookup slots_;
   raster::PerThread<ShareSums> sums_;
 };
 

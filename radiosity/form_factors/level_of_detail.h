@@ -4,7 +4,7 @@
 /// A hemicube that sees a surface in fewer pixels than it has elements gives all of a pixel's light to the one element
 /// that its sample meets, and none to those around it: which of them glow is chance. The index map of level l has one
 /// index for 2^l x 2^l texels of the grid. Maps are nested, and a sample's texel does not depend on them, so drawing
-/// with the coarser map gives the very words that its blocks make of the finer one's: a level may be chosen after
+/// with the coarser map gives the very item IDs that its blocks make of the finer one's: a level may be chosen after
 /// drawing, for each surface and each shot, when its pixels are counted.
 ///
 /// The light of a block is spread over its elements by their areas, as if it fell evenly: also over those that the eye
@@ -41,7 +41,7 @@
 #include <cstdint>
 #include <span>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/form_factor_row.h"
 
 namespace hemitex::radiosity {

@@ -20,7 +20,7 @@ constexpr double weightOfWhole = 2, weightOfHalving = 5.656854249492381;
 
 int halvingsFor(double weight) {
   int halvings = 0;
-  for (; weight * weightOfHalving <= weightOfWhole && halvings < mostHalvings; weight *= weightOfHalving) ++halvings;
+  for (; weight * weightOfHalving <= weightOfWhole && halvings < maxHalvings; weight *= weightOfHalving) ++halvings;
   return halvings;
 }
 
@@ -33,19 +33,19 @@ struct PatchSplitter::Part {
   int depth = 0;                        ///< how often its side was halved, its points' distance included
 };
 
-PatchSplitter::PatchSplitter(const Scene& scene, Discretization& discretization, const WordLayout& layout,
-                             raster::ItemBufferRenderer& renderer, double mostMisdirected)
+PatchSplitter::PatchSplitter(const Scene& scene, Discretization& discretization, const IdLayout& layout,
+                             raster::ItemBufferRenderer& renderer, double maxMisdirected)
     : scene_(scene),
       discretization_(discretization),
       rows_(scene, discretization, layout, renderer, {.resolution = scoutResolution}),
       share_(discretization.patches.size()),
-      mostMisdirected_(mostMisdirected) {
+      maxMisdirected_(maxMisdirected) {
   for (const Patch& patch : discretization.patches) patchArea_.push_back(patchArea(discretization, patch));
 }
 
 std::vector<std::uint32_t> PatchSplitter::split(std::uint32_t number, double weight) {
   Patch& patch = discretization_.patches[number];
-  if (patch.isSettled || mostMisdirected_ >= 1) return {};
+  if (patch.isSettled || maxMisdirected_ >= 1) return {};
   patch.isSettled = true;
   const auto first = discretization_.patchElements.begin() + patch.firstElement;
   std::vector<Part> parts;
@@ -56,10 +56,10 @@ std::vector<std::uint32_t> PatchSplitter::split(std::uint32_t number, double wei
 /// Appends what becomes of a part.
 void PatchSplitter::split(Part part, double weight, std::vector<Part>& parts) {
   part.block.halvings = halvingsFor(weight);
-  const double limit = mostMisdirected_ / std::sqrt(weight);
+  const double limit = maxMisdirected_ / std::sqrt(weight);
   // Not even all of its light would be too much.
   const bool isFaint = limit >= 1;
-  double misdirected = isFaint || part.depth == mostSplits ? 0 : misdirectedShareOf(part);
+  double misdirected = isFaint || part.depth == maxSplits ? 0 : misdirectedShareOf(part);
   if (misdirected <= limit) {
     parts.push_back(std::move(part));
     return;
@@ -70,7 +70,7 @@ void PatchSplitter::split(Part part, double weight, std::vector<Part>& parts) {
     return;
   }
   // Each doubling of the points leaves a quarter of the area to each, and so of its flux and of what goes astray of it.
-  for (; misdirected > mostMisdirected_ / std::sqrt(weight) && part.depth < mostSplits; misdirected /= 4, weight /= 4) {
+  for (; misdirected > maxMisdirected_ / std::sqrt(weight) && part.depth < maxSplits; misdirected /= 4, weight /= 4) {
     part.block.points *= 2;
     ++part.depth;
   }
@@ -180,9 +180,9 @@ std::vector<std::uint32_t> PatchSplitter::replace(std::uint32_t patch, const std
   return added;
 }
 
-Discretization splitPatches(const Scene& scene, Discretization discretization, const WordLayout& layout,
-                            raster::ItemBufferRenderer& renderer, double mostMisdirected) {
-  PatchSplitter splitter(scene, discretization, layout, renderer, mostMisdirected);
+Discretization splitPatches(const Scene& scene, Discretization discretization, const IdLayout& layout,
+                            raster::ItemBufferRenderer& renderer, double maxMisdirected) {
+  PatchSplitter splitter(scene, discretization, layout, renderer, maxMisdirected);
   const auto count = static_cast<std::uint32_t>(discretization.patches.size());
   for (std::uint32_t patch = 0; patch < count; ++patch) splitter.split(patch, 1);
   return discretization;

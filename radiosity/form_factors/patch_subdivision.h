@@ -28,7 +28,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/projected_form_factors.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
@@ -38,21 +38,21 @@ namespace hemitex::radiosity {
 
 /// The share of a patch's light that may be misdirected unless something else is asked for. The error of all light is
 /// then about 0.3 % in the plain rooms of data/, and 0.65 % in the furnished one (docs/light.md).
-inline constexpr double defaultMostMisdirected = 0.003;
+inline constexpr double defaultMaxMisdirected = 0.003;
 /// No side is halved more often than this.
-inline constexpr int mostSplits = 4;
+inline constexpr int maxSplits = 4;
 /// No resolution is halved more often than this.
-inline constexpr int mostHalvings = 8;
+inline constexpr int maxHalvings = 8;
 
 /// Splits patches of one discretization, which changes: elements stay what they are.
 class PatchSplitter {
  public:
   /// `layout` is that of the discretization; the renderer draws its draw list. All referenced objects must outlive this
-  /// one. `mostMisdirected`: the share of its light that a patch of weight 1 may misdirect; 1 or more splits none.
-  PatchSplitter(const Scene& scene, Discretization& discretization, const WordLayout& layout,
-                raster::ItemBufferRenderer& renderer, double mostMisdirected);
+  /// one. `maxMisdirected`: the share of its light that a patch of weight 1 may misdirect; 1 or more splits none.
+  PatchSplitter(const Scene& scene, Discretization& discretization, const IdLayout& layout,
+                raster::ItemBufferRenderer& renderer, double maxMisdirected);
 
-  /// Quarters a patch until no more than mostMisdirected / sqrt(weight) of the light of each part is misdirected, the
+  /// Quarters a patch until no more than maxMisdirected / sqrt(weight) of the light of each part is misdirected, the
   /// weight of a part being that of the patch times its share of the area. Returns the numbers of the new patches. A
   /// patch that was looked at before, or is a part of one, stays as it is.
   std::vector<std::uint32_t> split(std::uint32_t patch, double weight);
@@ -74,11 +74,11 @@ class PatchSplitter {
   ProjectedRows rows_;
   std::vector<double> patchArea_;     ///< one a patch
   std::vector<std::uint64_t> share_;  ///< one a patch, all 0 between rows
-  double mostMisdirected_;
+  double maxMisdirected_;
 };
 
 /// The discretization with every patch split as if it had weight 1.
-Discretization splitPatches(const Scene& scene, Discretization discretization, const WordLayout& layout,
-                            raster::ItemBufferRenderer& renderer, double mostMisdirected);
+Discretization splitPatches(const Scene& scene, Discretization discretization, const IdLayout& layout,
+                            raster::ItemBufferRenderer& renderer, double maxMisdirected);
 
 }  // namespace hemitex::radiosity

@@ -7,7 +7,7 @@
 
 namespace hemitex::radiosity {
 
-ProjectedRows::ProjectedRows(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
+ProjectedRows::ProjectedRows(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
                              raster::ItemBufferRenderer& renderer, const ViewSettings& settings)
     : scene_(scene),
       discretization_(discretization),
@@ -75,7 +75,7 @@ std::vector<std::uint32_t> ProjectedRows::pixelsOf(const FormFactorRow& row, con
   for (std::size_t face = 0; face < buffers_.size(); ++face) {
     const std::vector<std::uint64_t>& before = view.projection->sharesBefore[view.projection->faces[face].shares];
     for (std::size_t i = 0; i + 1 < before.size(); ++i) {
-      const auto element = elementOf(discretization_, layout_, buffers_[face].words[i]);
+      const auto element = elementOf(discretization_, layout_, buffers_[face].ids[i]);
       if (before[i] == before[i + 1] || !element) continue;
       const auto place = std::lower_bound(row.elements.begin(), row.elements.end(), *element);
       ++pixels[static_cast<std::size_t>(place - row.elements.begin())];

@@ -7,7 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/form_factors/form_factor_row.h"
 #include "radiosity/form_factors/item_buffer_sum.h"
 #include "radiosity/index_maps/id_layout.h"
@@ -42,7 +43,7 @@ struct View {
 class ProjectedRows {
  public:
   /// All referenced objects must outlive this one.
-  ProjectedRows(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
+  ProjectedRows(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
                 raster::ItemBufferRenderer& renderer, const ViewSettings& settings);
 
   /// What stands over patches that are not split.
@@ -73,7 +74,7 @@ class ProjectedRows {
 
   const Scene& scene_;
   const Discretization& discretization_;
-  const WordLayout& layout_;
+  const IdLayout& layout_;
   raster::ItemBufferRenderer& renderer_;
   ViewSettings settings_;
   std::vector<TriangleBox> boxes_;

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "radiosity/index_maps/meshed_draws.h"
-#include "radiosity/index_maps/meshed_renderer.h"
+#include "radiosity/index_maps/scene_draw_list.h"
 #include "raster/software/software_renderer.h"
 
 namespace hemitex::radiosity {
@@ -12,14 +12,14 @@ std::unique_ptr<raster::ItemBufferRenderer> softwareRenderer(raster::DrawList li
 }
 
 std::unique_ptr<raster::ItemBufferRenderer> sceneRenderer(const Scene& scene, const Discretization& discretization,
-                                                          const WordLayout& layout, ElementsBy elementsBy,
+                                                          const IdLayout& layout, ElementsBy elementsBy,
                                                           const RendererFactory& makeRenderer) {
   if (elementsBy == ElementsBy::Texture) return makeRenderer(makeDrawList(scene, discretization, layout));
   MeshedDraws mesh = makeMeshedDraws(scene, discretization, layout);
   return std::make_unique<MeshedRenderer>(makeRenderer(std::move(mesh.list)), std::move(mesh.firstPiece));
 }
 
-DrawnRows::DrawnRows(const Scene& scene, Discretization unsplit, WordLayout layout, const DrawingSettings& settings,
+DrawnRows::DrawnRows(const Scene& scene, Discretization unsplit, IdLayout layout, const DrawingSettings& settings,
                      const RendererFactory& makeRenderer)
     : layout_(std::move(layout)),
       discretization_(std::move(unsplit)),

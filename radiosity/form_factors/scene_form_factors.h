@@ -1,6 +1,6 @@
-/// Rows found by drawing, from a discretized scene on: its words laid out, its draw list handed to a renderer, patches
-/// split that are too near to what they light when they are about to shoot, and every patch's row counted from what is
-/// drawn.
+/// Rows found by drawing, from a discretized scene on: its item IDs laid out, its draw list handed to a renderer,
+/// patches split that are too near to what they light when they are about to shoot, and every patch's row counted from
+/// what is drawn.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/form_factor_row.h"
 #include "radiosity/form_factors/patch_subdivision.h"
 #include "radiosity/form_factors/projected_form_factors.h"
@@ -30,7 +30,7 @@ enum class ElementsBy {
 struct DrawingSettings {
   int resolution = 256;  ///< pixels along the side of a face; even, 2 to 4096
   Orientation orientation = Orientation::Turned;
-  double split = defaultMostMisdirected;  ///< see splitPatches; 1 or more splits none
+  double split = defaultMaxMisdirected;  ///< see splitPatches; 1 or more splits none
   ElementsBy elementsBy = ElementsBy::Texture;
   ProjectionKind projection = ProjectionKind::Hemicube;
   double pixelsPerElement = 0;  ///< see ViewSettings
@@ -44,14 +44,14 @@ std::unique_ptr<raster::ItemBufferRenderer> softwareRenderer(raster::DrawList li
 
 /// A renderer of the scene, whose triangles it leaves out by their numbers in the scene.
 std::unique_ptr<raster::ItemBufferRenderer> sceneRenderer(const Scene& scene, const Discretization& discretization,
-                                                          const WordLayout& layout, ElementsBy elementsBy,
+                                                          const IdLayout& layout, ElementsBy elementsBy,
                                                           const RendererFactory& makeRenderer = softwareRenderer);
 
 class DrawnRows {
  public:
   /// `layout` is that of the discretization. The scene must outlive this. Which patches are split, textures say,
   /// also where meshes are drawn, so that the patches do not depend on it.
-  DrawnRows(const Scene& scene, Discretization unsplit, WordLayout layout, const DrawingSettings& settings,
+  DrawnRows(const Scene& scene, Discretization unsplit, IdLayout layout, const DrawingSettings& settings,
             const RendererFactory& makeRenderer = softwareRenderer);
   DrawnRows(const DrawnRows&) = delete;
   DrawnRows& operator=(const DrawnRows&) = delete;
@@ -63,11 +63,11 @@ class DrawnRows {
   /// What splits patches of `discretization()` on the way to a solution; nothing where none is to be split. Refers to
   /// this.
   PatchSplit splits();
-  const WordLayout& layout() const { return layout_; }
+  const IdLayout& layout() const { return layout_; }
   ProjectedRows& rows() { return rows_; }
 
  private:
-  WordLayout layout_;
+  IdLayout layout_;
   Discretization discretization_;
   std::unique_ptr<raster::ItemBufferRenderer> renderer_;
   ProjectedRows rows_;

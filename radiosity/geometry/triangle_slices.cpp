@@ -44,12 +44,12 @@ class WeightedTriangle {
   /// How far the weights change from where a triangle crosses the plane of the slices to where its plane meets that of
   /// this one; not at all where both are parallel, to within a lift in some hundred.
   glm::dvec2 stepToSurface(const Triangle& triangle) const {
-    constexpr double leastSine = 1 / 256.0;
+    constexpr double minSine = 1 / 256.0;
     const glm::dvec3 n = normal_ / glm::length(normal_), m = normal(triangle);
     // Along the triangle, as long as the sine of the angle between both.
     const glm::dvec3 down = glm::dot(m, n) * m - n;
     const double squaredSine = glm::dot(down, down);
-    if (squaredSine < leastSine * leastSine) return glm::dvec2(0);
+    if (squaredSine < minSine * minSine) return glm::dvec2(0);
     return weightsOfStep(lift_ / squaredSine * down);
   }
 

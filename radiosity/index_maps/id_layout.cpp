@@ -12,9 +12,9 @@
 namespace hemitex::radiosity {
 namespace {
 
+using raster::IdFormat;
 using raster::InputError;
-using raster::Word;
-using raster::WordFormat;
+using raster::ItemId;
 
 template <typename Rectangle>
 std::uint64_t texelCount(const Rectangle& rectangle) {
@@ -23,8 +23,8 @@ std::uint64_t texelCount(const Rectangle& rectangle) {
 
 bool isTextured(const Page& page) { return texelCount(page) > 1; }
 
-/// The words that draws may produce: all but the two reserved ones.
-std::uint64_t capacity(const WordFormat& format) { return std::uint64_t{raster::backWord(format)}; }
+/// The item IDs that draws may produce: all but the two reserved ones.
+std::uint64_t capacity(const IdFormat& format) { return std::uint64_t{raster::backId(format)}; }
 
 std::string listedNames() {
   std::string names;
@@ -36,20 +36,20 @@ void validatePage(const Discretization& discretization, int page) {
   if (page < 1 || page > largestPage || !std::has_single_bit(static_cast<unsigned>(page)))
     throw InputError("a page has " + std::to_string(page) + " texels along its side",
                      "use a power of two up to " + std::to_string(largestPage));
-  if (const int least = leastPage(discretization); least > page)
+  if (const int least = minPage(discretization); least > page)
     throw InputError("a surface has more than the " + std::to_string(page) + " texels of a page along a side",
                      "use a page of " + std::to_string(least) + " texels, or fewer texels a surface");
 }
 
 /// A page a surface, of its grid's size or of `side`.
-void makeOwnPages(const Discretization& discretization, std::optional<int> side, WordLayout& layout) {
+void makeOwnPages(const Discretization& discretization, std::optional<int> side, IdLayout& layout) {
   for (const Grid& grid : discretization.grids) {
     layout.places.push_back({static_cast<int>(layout.pages.size()), 0, 0});
     layout.pages.push_back(side && isDiscretized(grid) ? Page{*side, *side} : Page{grid.columns, grid.rows});
   }
 }
 
-void makePackedPages(const Discretization& discretization, int side, WordLayout& layout) {
+void makePackedPages(const Discretization& discretization, int side, IdLayout& layout) {
   std::vector<RectangleSize> sizes;
   for (const Grid& grid : discretization.grids) sizes.push_back({grid.columns, grid.rows});
   Packing packing = packRectangles(sizes, side);
@@ -57,15 +57,15 @@ void makePackedPages(const Discretization& discretization, int side, WordLayout&
   layout.pages.assign(packing.pages.size(), Page{side, side});
 }
 
-/// A page a surface, its elements in a row: their numbers are the words.
-void makeElementPages(const Discretization& discretization, WordLayout& layout) {
+/// A page a surface, its elements in a row: their numbers are the item IDs.
+void makeElementPages(const Discretization& discretization, IdLayout& layout) {
   for (const Grid& grid : discretization.grids) {
     layout.places.push_back({static_cast<int>(layout.pages.size()), 0, 0});
     layout.pages.push_back({static_cast<int>(grid.elementCount), 1});
   }
 }
 
-void makePages(const Discretization& discretization, const WordSettings& settings, WordLayout& layout) {
+void makePages(const Discretization& discretization, const IdSettings& settings, IdLayout& layout) {
   if (settings.indexMaps == IndexMaps::Unique) return makeElementPages(discretization, layout);
   if (settings.page) validatePage(discretization, *settings.page);
   if (settings.indexMaps == IndexMaps::Shared) return makeOwnPages(discretization, settings.page, layout);
@@ -75,42 +75,42 @@ void makePages(const Discretization& discretization, const WordSettings& setting
 /// Offsets in 64 bits, so that they can be told to be too large.
 struct Offsets {
   std::vector<std::uint64_t> offset;  ///< one a page
-  std::uint64_t words = 0;            ///< the end of the last page
+  std::uint64_t ids = 0;              ///< the end of the last page
 };
 
-Offsets offsetsOf(const WordLayout& layout) {
+Offsets offsetsOf(const IdLayout& layout) {
   Offsets offsets;
   std::uint64_t nextTextured = 0, nextSingle = std::uint64_t{layout.textured} << layout.indexBits;
   for (const Page& page : layout.pages) {
-    offsets.offset.push_back(!layout.aligned    ? offsets.words
+    offsets.offset.push_back(!layout.aligned    ? offsets.ids
                              : isTextured(page) ? nextTextured++ << layout.indexBits
                                                 : nextSingle++);
-    offsets.words = std::max(offsets.words, offsets.offset.back() + texelCount(page));
+    offsets.ids = std::max(offsets.ids, offsets.offset.back() + texelCount(page));
   }
   return offsets;
 }
 
-/// The words that `textured` surfaces of texels x texels and `singles` of one take.
-std::uint64_t wordsNeeded(std::uint64_t textured, std::uint64_t singles, std::uint64_t texels, bool aligned) {
+/// The item IDs that `textured` surfaces of texels x texels and `singles` of one take.
+std::uint64_t idsNeeded(std::uint64_t textured, std::uint64_t singles, std::uint64_t texels, bool aligned) {
   const std::uint64_t indices = texels * texels;
   if (!aligned || textured == 0 || indices == 1) return textured * indices + singles;
   const std::uint64_t block = std::bit_ceil(indices);
   return singles > 0 ? textured * block + singles : (textured - 1) * block + indices;
 }
 
-/// The narrowest format with so many words; empty where there is none.
-std::string formatAdvice(std::uint64_t words) {
+/// The narrowest format with so many item IDs; empty where there is none.
+std::string formatAdvice(std::uint64_t ids) {
   for (const std::string& name : raster::formatNames())
-    if (words <= capacity(*raster::formatNamed(name))) return "use the format " + name;
+    if (ids <= capacity(*raster::formatNamed(name))) return "use the format " + name;
   return {};
 }
 
 /// The number of texels along a side that would fit; empty where not even one does, or where pages are packed.
-std::string texelAdvice(const WordLayout& layout) {
+std::string texelAdvice(const IdLayout& layout) {
   if (layout.indexMaps == IndexMaps::Packed) return {};
   const std::uint64_t singles = layout.pages.size() - layout.textured;
   const auto fits = [&](std::uint64_t texels) {
-    return wordsNeeded(layout.textured, singles, texels, layout.aligned) <= capacity(layout.format);
+    return idsNeeded(layout.textured, singles, texels, layout.aligned) <= capacity(layout.format);
   };
   std::uint64_t texels = 4096;
   while (texels > 0 && !fits(texels)) --texels;
@@ -118,16 +118,16 @@ std::string texelAdvice(const WordLayout& layout) {
   return texels > 0 ? "give a surface " + side + " x " + side + " texels at most" : "";
 }
 
-[[noreturn]] void throwTooLarge(const WordLayout& layout, const std::string& formatName, std::uint64_t words) {
-  const std::string format = formatAdvice(words), texels = texelAdvice(layout);
+[[noreturn]] void throwTooLarge(const IdLayout& layout, const std::string& formatName, std::uint64_t ids) {
+  const std::string format = formatAdvice(ids), texels = texelAdvice(layout);
   const std::string advice = format + (format.empty() || texels.empty() ? "" : ", or ") + texels;
-  throw InputError("the scene needs " + std::to_string(words) + " words, but " + formatName + " has " +
+  throw InputError("the scene needs " + std::to_string(ids) + " item IDs, but " + formatName + " has " +
                        std::to_string(capacity(layout.format)) + " of use",
                    advice.empty() ? "no format has as many: use fewer surfaces" : advice);
 }
 
 /// Gives the pages their offsets.
-void layOutPages(WordLayout& layout, const std::string& formatName) {
+void layOutPages(IdLayout& layout, const std::string& formatName) {
   for (const Page& page : layout.pages) {
     layout.textured += isTextured(page) ? 1 : 0;
     layout.indexBits = std::max(layout.indexBits, static_cast<int>(std::bit_width(texelCount(page) - 1)));
@@ -138,26 +138,26 @@ void layOutPages(WordLayout& layout, const std::string& formatName) {
     std::stable_partition(layout.byOffset.begin(), layout.byOffset.end(),
                           [&](std::uint32_t page) { return isTextured(layout.pages[page]); });
   const Offsets offsets = offsetsOf(layout);
-  if (offsets.words > capacity(layout.format)) throwTooLarge(layout, formatName, offsets.words);
+  if (offsets.ids > capacity(layout.format)) throwTooLarge(layout, formatName, offsets.ids);
   for (std::size_t page = 0; page < layout.pages.size(); ++page)
-    layout.pages[page].offset = static_cast<Word>(offsets.offset[page]);
+    layout.pages[page].offset = static_cast<ItemId>(offsets.offset[page]);
 }
 
-Word wordOfTexel(const WordLayout& layout, std::size_t surface, std::uint32_t column, std::uint32_t row) {
+ItemId idOfTexel(const IdLayout& layout, std::size_t surface, std::uint32_t column, std::uint32_t row) {
   const RectanglePlace& place = layout.places[surface];
   const Page& page = layout.pages[static_cast<std::size_t>(place.page)];
-  return page.offset + (static_cast<Word>(place.row) + row) * static_cast<Word>(page.columns) +
-         static_cast<Word>(place.column) + column;
+  return page.offset + (static_cast<ItemId>(place.row) + row) * static_cast<ItemId>(page.columns) +
+         static_cast<ItemId>(place.column) + column;
 }
 
-/// Packed pages are squares of one size, whose offsets leave no gaps: their words are numbered from 0.
-std::vector<std::uint32_t> packedElements(const Discretization& discretization, const WordLayout& layout) {
+/// Packed pages are squares of one size, whose offsets leave no gaps: their item IDs are numbered from 0.
+std::vector<std::uint32_t> packedElements(const Discretization& discretization, const IdLayout& layout) {
   std::vector<std::uint32_t> elements(layout.pages.size() * texelCount(layout.pages.front()), noElement);
   for (std::size_t surface = 0; surface < discretization.grids.size(); ++surface) {
     const Grid& grid = discretization.grids[surface];
     const auto columns = static_cast<std::uint32_t>(grid.columns);
     for (std::uint32_t texel = 0; texel < grid.spill.size(); ++texel)
-      elements[wordOfTexel(layout, surface, texel % columns, texel / columns)] = grid.spill[texel];
+      elements[idOfTexel(layout, surface, texel % columns, texel / columns)] = grid.spill[texel];
   }
   return elements;
 }
@@ -172,25 +172,26 @@ std::optional<std::uint32_t> elementInOwnPage(const Grid& grid, const Page& page
 
 }  // namespace
 
-std::uint64_t mostSurfaces(const WordFormat& format, std::uint64_t texels) {
+std::uint64_t maxSurfaces(const IdFormat& format, std::uint64_t texels) {
   if (texels > capacity(format)) return 0;
   return (capacity(format) - texels) / std::bit_ceil(texels) + 1;
 }
 
-int leastPage(const Discretization& discretization) {
+int minPage(const Discretization& discretization) {
   int side = 1;
   for (const Grid& grid : discretization.grids) side = std::max({side, grid.columns, grid.rows});
   return static_cast<int>(std::bit_ceil(static_cast<unsigned>(side)));
 }
 
-int defaultPage(const Discretization& discretization) { return std::max(64, leastPage(discretization)); }
+int defaultPage(const Discretization& discretization) { return std::max(64, minPage(discretization)); }
 
-WordLayout layOut(const Discretization& discretization, const WordSettings& settings) {
+IdLayout layOut(const Discretization& discretization, const IdSettings& settings) {
   assert(settings.blend != raster::Blend::Replace);
-  const std::optional<WordFormat> format = raster::formatNamed(settings.format);
-  if (!format) throw InputError("'" + settings.format + "' is not a word format", "the formats are " + listedNames());
+  const std::optional<IdFormat> format = raster::formatNamed(settings.format);
+  if (!format)
+    throw InputError("'" + settings.format + "' is not an item ID format", "the formats are " + listedNames());
   const bool isUnique = settings.indexMaps == IndexMaps::Unique;
-  WordLayout layout;
+  IdLayout layout;
   layout.format = *format;
   layout.blend = isUnique ? raster::Blend::Replace : settings.blend;
   layout.aligned = settings.aligned && !isUnique;
@@ -202,42 +203,42 @@ WordLayout layOut(const Discretization& discretization, const WordSettings& sett
   return layout;
 }
 
-std::optional<PageIndex> pageIndexOf(const WordLayout& layout, Word word) {
+std::optional<PageIndex> pageIndexOf(const IdLayout& layout, ItemId id) {
   std::uint32_t page = 0;
   if (!layout.aligned) {
-    const auto next = std::upper_bound(layout.byOffset.begin(), layout.byOffset.end(), word,
-                                       [&](Word w, std::uint32_t p) { return w < layout.pages[p].offset; });
+    const auto next = std::upper_bound(layout.byOffset.begin(), layout.byOffset.end(), id,
+                                       [&](ItemId w, std::uint32_t p) { return w < layout.pages[p].offset; });
     if (next == layout.byOffset.begin()) return std::nullopt;
     page = *(next - 1);
-  } else if (const Word block = word >> layout.indexBits; block < layout.textured) {
+  } else if (const ItemId block = id >> layout.indexBits; block < layout.textured) {
     page = layout.byOffset[block];
   } else {
-    const std::uint64_t place = word - (std::uint64_t{layout.textured} << layout.indexBits) + layout.textured;
+    const std::uint64_t place = id - (std::uint64_t{layout.textured} << layout.indexBits) + layout.textured;
     if (place >= layout.byOffset.size()) return std::nullopt;
     page = layout.byOffset[place];
   }
-  const Word index = word - layout.pages[page].offset;
+  const ItemId index = id - layout.pages[page].offset;
   if (index >= texelCount(layout.pages[page])) return std::nullopt;
   return PageIndex{page, index};
 }
 
-std::optional<std::uint32_t> elementOf(const Discretization& discretization, const WordLayout& layout, Word word) {
+std::optional<std::uint32_t> elementOf(const Discretization& discretization, const IdLayout& layout, ItemId id) {
   if (layout.indexMaps == IndexMaps::Unique)
-    return word < discretization.elements.size() ? std::optional(word) : std::nullopt;
+    return id < discretization.elements.size() ? std::optional(id) : std::nullopt;
   if (layout.indexMaps == IndexMaps::Packed)
-    return word < layout.packedElements.size() && layout.packedElements[word] != noElement
-               ? std::optional(layout.packedElements[word])
+    return id < layout.packedElements.size() && layout.packedElements[id] != noElement
+               ? std::optional(layout.packedElements[id])
                : std::nullopt;
-  const std::optional<PageIndex> place = pageIndexOf(layout, word);
+  const std::optional<PageIndex> place = pageIndexOf(layout, id);
   if (!place) return std::nullopt;
   return elementInOwnPage(discretization.grids[place->page], layout.pages[place->page], place->index);
 }
 
-Word wordOf(const Discretization& discretization, const WordLayout& layout, std::uint32_t element) {
+ItemId idOf(const Discretization& discretization, const IdLayout& layout, std::uint32_t element) {
   if (layout.indexMaps == IndexMaps::Unique) return element;
   const Element& own = discretization.elements[element];
   const auto columns = static_cast<std::uint32_t>(discretization.grids[own.surface].columns);
-  return wordOfTexel(layout, own.surface, own.texel % columns, own.texel / columns);
+  return idOfTexel(layout, own.surface, own.texel % columns, own.texel / columns);
 }
 
 }  // namespace hemitex::radiosity

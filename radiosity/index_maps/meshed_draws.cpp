@@ -7,6 +7,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "radiosity/discretization/exposed_pieces.h"
 #include "radiosity/discretization/texel_areas.h"
 #include "radiosity/geometry/grid_clipping.h"
 
@@ -81,7 +82,7 @@ class Corners {
 /// Takes a surface at a time and appends its pieces.
 class Mesher {
  public:
-  Mesher(const Scene& scene, const Discretization& discretization, const WordLayout& layout)
+  Mesher(const Scene& scene, const Discretization& discretization, const IdLayout& layout)
       : scene_(scene), discretization_(discretization), layout_(layout), corners_(scene.origin, scene.extent) {
     draws_.list.format = layout.format;
     draws_.list.blend = layout.blend;
@@ -115,12 +116,12 @@ class Mesher {
     forEachCellOf(polygon, [&](std::int64_t column, std::int64_t row, const Piece& piece) {
       if (share(piece) == 0) return;
       const std::uint32_t element = grid.spill[texelOfCell(column, row, grid.columns, grid.rows)];
-      appendPiece(triangle, piece, wordOf(discretization_, layout_, element));
+      appendPiece(triangle, piece, idOf(discretization_, layout_, element));
     });
   }
 
   /// A fan; corners that fall together are one.
-  void appendPiece(const Triangle& triangle, const Piece& piece, raster::Word word) {
+  void appendPiece(const Triangle& triangle, const Piece& piece, raster::ItemId id) {
     std::vector<std::uint32_t> outline;
     for (std::size_t i = 0; i < piece.size; ++i) {
       const std::uint32_t corner =
@@ -128,32 +129,54 @@ class Mesher {
       if (outline.empty() || corner != outline.back()) outline.push_back(corner);
     }
     while (outline.size() > 1 && outline.back() == outline.front()) outline.pop_back();
-    for (std::size_t i = 2; i < outline.size(); ++i) appendTriangle({outline[0], outline[i - 1], outline[i]}, word);
+    for (std::size_t i = 2; i < outline.size(); ++i) appendTriangle({outline[0], outline[i - 1], outline[i]}, id);
   }
 
-  void appendTriangle(const std::array<std::uint32_t, 3>& corners, raster::Word word) {
+  void appendTriangle(const std::array<std::uint32_t, 3>& corners, raster::ItemId id) {
     raster::DrawList& list = draws_.list;
-    if (list.draws.empty() || list.draws.back().offset != word)
+    if (list.draws.empty() || list.draws.back().offset != id)
       list.draws.push_back({.first = static_cast<std::uint32_t>(list.indices.size()),
-                            .offset = word,
-                            .back = raster::backWord(layout_.format)});
+                            .offset = id,
+                            .back = raster::backId(layout_.format)});
     list.indices.insert(list.indices.end(), corners.begin(), corners.end());
     list.draws.back().count += 3;
   }
 
   const Scene& scene_;
   const Discretization& discretization_;
-  const WordLayout& layout_;
+  const IdLayout& layout_;
   MeshedDraws draws_;
   Corners corners_;
 };
 
 }  // namespace
 
-MeshedDraws makeMeshedDraws(const Scene& scene, const Discretization& discretization, const WordLayout& layout) {
+MeshedDraws makeMeshedDraws(const Scene& scene, const Discretization& discretization, const IdLayout& layout) {
   Mesher mesher(scene, discretization, layout);
   for (std::size_t surface = 0; surface < scene.surfaces.size(); ++surface) mesher.append(surface);
   return mesher.finish();
+}
+
+MeshedRenderer::MeshedRenderer(std::unique_ptr<raster::ItemBufferRenderer> pieces,
+                               std::vector<std::uint32_t> firstPiece)
+    : pieces_(std::move(pieces)), firstPiece_(std::move(firstPiece)) {}
+
+void MeshedRenderer::draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+                          std::vector<raster::ItemBuffer>& buffers) {
+  pieces_->draw(faces, piecesOf(skipped), buffers);
+}
+
+void MeshedRenderer::drawEach(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
+                              std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) {
+  pieces_->drawEach(faces, piecesOf(skipped), buffers, drawn);
+}
+
+std::vector<std::uint32_t> MeshedRenderer::piecesOf(std::span<const std::uint32_t> triangles) const {
+  std::vector<std::uint32_t> pieces;
+  for (const std::uint32_t triangle : triangles)
+    for (std::uint32_t piece = firstPiece_[triangle]; piece < firstPiece_[triangle + 1]; ++piece)
+      pieces.push_back(piece);
+  return pieces;
 }
 
 }  // namespace hemitex::radiosity

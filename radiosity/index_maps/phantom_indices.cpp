@@ -12,20 +12,20 @@ std::uint64_t texelCount(int columns, int rows) {
 
 std::uint64_t sum(const Phantoms& phantoms) { return phantoms.spareTexels + phantoms.alignmentGaps; }
 
-IndexMapUse useOf(const std::string& name, const Discretization& discretization, WordSettings settings) {
+IndexMapUse useOf(const std::string& name, const Discretization& discretization, IdSettings settings) {
   settings.format = "r32ui";
-  const WordLayout layout = layOut(discretization, settings);
-  std::uint64_t words = 0;
+  const IdLayout layout = layOut(discretization, settings);
+  std::uint64_t ids = 0;
   for (const Grid& grid : discretization.grids)
-    words += settings.indexMaps == IndexMaps::Unique ? grid.elementCount
-                                                     : texelCount(grid.columns, grid.rows) - grid.phantoms;
-  return {name, layout.pages.size(), words, countPhantoms(discretization, layout)};
+    ids += settings.indexMaps == IndexMaps::Unique ? grid.elementCount
+                                                   : texelCount(grid.columns, grid.rows) - grid.phantoms;
+  return {name, layout.pages.size(), ids, countPhantoms(discretization, layout)};
 }
 
 /// Longer pages than one that holds everything leave more.
 IndexMapUse fewestPhantoms(const Discretization& discretization) {
   std::optional<IndexMapUse> best;
-  for (int page = leastPage(discretization); page <= largestPage; page *= 2) {
+  for (int page = minPage(discretization); page <= largestPage; page *= 2) {
     const std::string side = std::to_string(page);
     IndexMapUse use =
         useOf("packed, " + side + " x " + side, discretization, {.indexMaps = IndexMaps::Packed, .page = page});
@@ -38,7 +38,7 @@ IndexMapUse fewestPhantoms(const Discretization& discretization) {
 
 }  // namespace
 
-Phantoms countPhantoms(const Discretization& discretization, const WordLayout& layout) {
+Phantoms countPhantoms(const Discretization& discretization, const IdLayout& layout) {
   Phantoms phantoms;
   if (layout.indexMaps == IndexMaps::Unique) return phantoms;
   for (const Page& page : layout.pages) {
@@ -53,7 +53,7 @@ Phantoms countPhantoms(const Discretization& discretization, const WordLayout& l
 
 std::vector<IndexMapUse> compareIndexMaps(const Discretization& discretization) {
   return {useOf("shared", discretization, {}),
-          useOf("shared, one map", discretization, {.page = leastPage(discretization)}),
+          useOf("shared, one map", discretization, {.page = minPage(discretization)}),
           useOf("shared, unaligned", discretization, {.blend = raster::Blend::IntegerAdd, .aligned = false}),
           fewestPhantoms(discretization), useOf("unique", discretization, {.indexMaps = IndexMaps::Unique})};
 }

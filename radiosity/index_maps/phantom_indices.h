@@ -1,13 +1,13 @@
 /// Phantom form factors: indices that no texel with area produces, so that nothing ever arrives there (Nielsen and
 /// Christensen 2002, 3.2). Rows are sparse, so that phantoms cost neither memory nor time there; what they use up is
-/// the range of words.
+/// the range of item IDs.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
 
 namespace hemitex::radiosity {
@@ -19,13 +19,13 @@ struct Phantoms {
 };
 
 /// `layout` is that of the discretization. Unique maps have none.
-Phantoms countPhantoms(const Discretization& discretization, const WordLayout& layout);
+Phantoms countPhantoms(const Discretization& discretization, const IdLayout& layout);
 
-/// What a way to use index maps takes of the range of words.
+/// What a way to use index maps takes of the range of item IDs.
 struct IndexMapUse {
   std::string name;
   std::size_t offsets = 0;  ///< pages
-  std::uint64_t words = 0;  ///< that stand for texels with area; with unique maps, for elements
+  std::uint64_t ids = 0;    ///< that stand for texels with area; with unique maps, for elements
   Phantoms phantoms;
 };
 

@@ -1,11 +1,10 @@
-/// The scene as a draw list: offsets and index maps from the word layout, charts as texture coordinates.
+#include "radiosity/index_maps/scene_draw_list.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <utility>
-
-#include "radiosity/index_maps/id_layout.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -13,8 +12,8 @@ namespace {
 /// Texel (column, row) holds row * columns + column.
 raster::IndexMap countingMap(const Page& page) {
   const auto texels = static_cast<std::size_t>(page.columns) * static_cast<std::size_t>(page.rows);
-  raster::IndexMap map{page.columns, page.rows, std::vector<raster::Word>(texels)};
-  std::iota(map.words.begin(), map.words.end(), raster::Word{0});
+  raster::IndexMap map{page.columns, page.rows, std::vector<raster::ItemId>(texels)};
+  std::iota(map.ids.begin(), map.ids.end(), raster::ItemId{0});
   return map;
 }
 
@@ -23,7 +22,7 @@ class IndexMapPool {
  public:
   IndexMapPool(IndexMaps way, std::vector<raster::IndexMap>& maps) : way_(way), maps_(maps) {}
 
-  /// The number of a surface's map; none where the offset alone is its word.
+  /// The number of a surface's map; none where the offset alone is its item ID.
   std::optional<int> mapOf(const Grid& grid, const Page& page) {
     if (way_ == IndexMaps::Unique)
       return grid.elementCount == 1 ? std::nullopt : std::optional(add({grid.columns, grid.rows, grid.spill}));
@@ -74,7 +73,7 @@ void appendTriangles(const Scene& scene, const Surface& surface, const TexelPlac
 
 }  // namespace
 
-raster::DrawList makeDrawList(const Scene& scene, const Discretization& discretization, const WordLayout& layout) {
+raster::DrawList makeDrawList(const Scene& scene, const Discretization& discretization, const IdLayout& layout) {
   raster::DrawList list;
   list.format = layout.format;
   list.blend = layout.blend;
@@ -87,7 +86,7 @@ raster::DrawList makeDrawList(const Scene& scene, const Discretization& discreti
     raster::Draw draw;
     draw.first = static_cast<std::uint32_t>(list.indices.size());
     draw.offset = page.offset;
-    draw.back = raster::backWord(layout.format);
+    draw.back = raster::backId(layout.format);
     draw.indexMap = maps.mapOf(grid, page);
     const TexelPlace texels{grid, place, isUnique ? grid.columns : page.columns, isUnique ? grid.rows : page.rows};
     appendTriangles(scene, scene.surfaces[surface], texels, list);

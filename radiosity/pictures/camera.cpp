@@ -6,7 +6,6 @@
 #include <string>
 
 #include "radiosity/pictures/tangent.h"
-#include "radiosity/pictures/visibility.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
@@ -63,22 +62,6 @@ raster::Face cameraFace(const Scene& scene, const Camera& camera, int width, int
   face.nearDistance = std::max(static_cast<float>(1e-5 * scene.extent), std::numeric_limits<float>::min());
   raster::validate(face);
   return face;
-}
-
-std::vector<std::uint32_t> trianglesFacingAway(const Scene& scene, const glm::dvec3& eye) {
-  std::vector<std::uint32_t> away;
-  std::uint32_t number = 0;
-  for (const Surface& surface : scene.surfaces)
-    for (const Triangle& triangle : surface.triangles) {
-      const auto& [a, b, c] = triangle.position;
-      if (glm::dot(glm::cross(b - a, c - a), eye - a) < 0) away.push_back(number);
-      ++number;
-    }
-  return away;
-}
-
-std::vector<std::optional<Visible>> visibleSamples(const Scene& scene, const Camera& camera, int width, int height) {
-  return TriangleView(scene).see(camera, width, height);
 }
 
 }  // namespace hemitex::radiosity

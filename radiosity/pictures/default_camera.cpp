@@ -1,3 +1,5 @@
+#include "radiosity/pictures/default_camera.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/pictures/camera.h"
 #include "radiosity/pictures/tangent.h"
 #include "radiosity/pictures/visibility.h"

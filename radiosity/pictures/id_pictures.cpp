@@ -1,9 +1,12 @@
+#include "radiosity/pictures/id_pictures.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
 
-#include "radiosity/pictures/pictures.h"
+#include "radiosity/index_maps/scene_draw_list.h"
+#include "radiosity/pictures/visibility.h"
 #include "raster/software/software_renderer.h"
 
 namespace hemitex::radiosity {
@@ -40,22 +43,22 @@ Codes elementLevel(std::uint32_t number) {
   return Codes(15 + static_cast<int>(static_cast<std::uint32_t>(number * 2654435769u) / 4294967296.0 * 113));
 }
 
-Codes indexLevel(const WordLayout& layout, const PageIndex& place) {
+Codes indexLevel(const IdLayout& layout, const PageIndex& place) {
   const Page& page = layout.pages[place.page];
   if (layout.indexMaps != IndexMaps::Unique) return texelLevel(page.columns, page.rows, static_cast<int>(place.index));
   return page.columns == 1 ? black : elementLevel(place.index);
 }
 
-/// The colour of a word that draws can produce.
+/// The colour of an item ID that draws can produce.
 using CodesOf = std::function<Codes(const PageIndex&)>;
 
-Codes wordCodes(const WordLayout& layout, raster::Word word, const CodesOf& codesOf) {
-  if (word == raster::backWord(layout.format)) return white;
-  const std::optional<PageIndex> place = pageIndexOf(layout, word);
+Codes idCodes(const IdLayout& layout, raster::ItemId id, const CodesOf& codesOf) {
+  if (id == raster::backId(layout.format)) return white;
+  const std::optional<PageIndex> place = pageIndexOf(layout, id);
   return place ? codesOf(*place) : black;
 }
 
-CodesOf sumOfBoth(const WordLayout& layout) {
+CodesOf sumOfBoth(const IdLayout& layout) {
   return [&](const PageIndex& place) { return indexLevel(layout, place) + surfaceHue(place.page); };
 }
 
@@ -79,11 +82,11 @@ Image pictureOf(int width, int height, const CodesAt& codesAt) {
 }
 
 /// Draws the hemicube's draw list from a camera.
-Image drawWords(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
-                const Camera& camera, int width, int height, const CodesOf& codesOf) {
+Image drawIds(const Scene& scene, const Discretization& discretization, const IdLayout& layout, const Camera& camera,
+              int width, int height, const CodesOf& codesOf) {
   const raster::ItemBuffer buffer =
       drawBuffer(makeDrawList(scene, discretization, layout), scene, camera, width, height);
-  return pictureOf(width, height, [&](std::size_t pixel) { return wordCodes(layout, buffer.words[pixel], codesOf); });
+  return pictureOf(width, height, [&](std::size_t pixel) { return idCodes(layout, buffer.ids[pixel], codesOf); });
 }
 
 /// The pixel of a face that shows a direction in front of it.
@@ -107,24 +110,24 @@ glm::dvec3 unfoldedDirection(double x, double y) {
 
 }  // namespace
 
-Image indexMapPicture(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
+Image indexMapPicture(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
                       const Camera& camera, int width, int height) {
-  return drawWords(scene, discretization, layout, camera, width, height,
-                   [&](const PageIndex& place) { return indexLevel(layout, place); });
+  return drawIds(scene, discretization, layout, camera, width, height,
+                 [&](const PageIndex& place) { return indexLevel(layout, place); });
 }
 
-Image offsetPicture(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
+Image offsetPicture(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
                     const Camera& camera, int width, int height) {
-  return drawWords(scene, discretization, layout, camera, width, height,
-                   [](const PageIndex& place) { return surfaceHue(place.page); });
+  return drawIds(scene, discretization, layout, camera, width, height,
+                 [](const PageIndex& place) { return surfaceHue(place.page); });
 }
 
-Image wordPicture(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
-                  const Camera& camera, int width, int height) {
-  return drawWords(scene, discretization, layout, camera, width, height, sumOfBoth(layout));
+Image idPicture(const Scene& scene, const Discretization& discretization, const IdLayout& layout, const Camera& camera,
+                int width, int height) {
+  return drawIds(scene, discretization, layout, camera, width, height, sumOfBoth(layout));
 }
 
-BlendErrors blendErrorPicture(const Scene& scene, const Discretization& discretization, const WordLayout& layout,
+BlendErrors blendErrorPicture(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
                               const Camera& camera, int width, int height) {
   raster::DrawList list = makeDrawList(scene, discretization, layout);
   const raster::ItemBuffer drawn = drawBuffer(list, scene, camera, width, height);
@@ -134,9 +137,9 @@ BlendErrors blendErrorPicture(const Scene& scene, const Discretization& discreti
   BlendErrors errors;
   errors.picture = pictureOf(width, height, [&](std::size_t pixel) {
     const auto elementAt = [&](const raster::ItemBuffer& buffer) {
-      return elementOf(discretization, layout, buffer.words[pixel]);
+      return elementOf(discretization, layout, buffer.ids[pixel]);
     };
-    if (elementAt(drawn) == elementAt(meant)) return wordCodes(layout, drawn.words[pixel], levelOf);
+    if (elementAt(drawn) == elementAt(meant)) return idCodes(layout, drawn.ids[pixel], levelOf);
     ++errors.pixels;
     return magenta;
   });
@@ -151,7 +154,7 @@ Image indexMapImage(int columns, int rows, int texelSide) {
   return image;
 }
 
-Image hemicubePicture(const WordLayout& layout, std::span<const raster::Face> faces,
+Image hemicubePicture(const IdLayout& layout, std::span<const raster::Face> faces,
                       std::span<const raster::ItemBuffer> buffers) {
   assert(!faces.empty() && faces.size() == buffers.size());
   const raster::Face& top = faces.front();
@@ -174,13 +177,13 @@ Image hemicubePicture(const WordLayout& layout, std::span<const raster::Face> fa
       const auto nearest = std::max_element(faces.begin(), faces.end(),
                                             [&](const auto& a, const auto& b) { return depth(a) < depth(b); });
       const raster::ItemBuffer& buffer = buffers[static_cast<std::size_t>(nearest - faces.begin())];
-      const raster::Word word = buffer.words[pixelTowards(*nearest, direction)];
-      image.pixels.push_back(linear(wordCodes(layout, word, codesOf)));
+      const raster::ItemId id = buffer.ids[pixelTowards(*nearest, direction)];
+      image.pixels.push_back(linear(idCodes(layout, id, codesOf)));
     }
   return image;
 }
 
-Image facesPicture(const WordLayout& layout, const Projection& projection, std::span<const raster::Face> faces,
+Image facesPicture(const IdLayout& layout, const Projection& projection, std::span<const raster::Face> faces,
                    std::span<const raster::ItemBuffer> buffers) {
   assert(!faces.empty() && faces.size() == buffers.size());
   const CodesOf codesOf = sumOfBoth(layout);
@@ -196,7 +199,7 @@ Image facesPicture(const WordLayout& layout, const Projection& projection, std::
         const bool counts = shareOf(projection, face, scissor.column + column, scissor.row + row) > 0;
         const auto pixel =
             static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
-        const Codes codes = wordCodes(layout, buffers[face].words[pixel], codesOf);
+        const Codes codes = idCodes(layout, buffers[face].ids[pixel], codesOf);
         image.pixels.push_back(linear(counts ? codes : grey));
       }
   return image;

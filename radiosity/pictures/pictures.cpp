@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "radiosity/pictures/visibility.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {

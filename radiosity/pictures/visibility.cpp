@@ -10,7 +10,7 @@ namespace {
 raster::DrawList makeTriangleList(const Scene& scene) {
   raster::DrawList list;
   list.format = *raster::formatNamed("r32ui");
-  raster::Word number = 0;
+  raster::ItemId number = 0;
   for (const Surface& surface : scene.surfaces)
     for (const Triangle& triangle : surface.triangles) {
       list.draws.push_back({.first = 3 * number, .count = 3, .offset = number, .back = {}});
@@ -24,12 +24,12 @@ raster::DrawList makeTriangleList(const Scene& scene) {
   return list;
 }
 
-std::vector<raster::Word> firstTriangles(const Scene& scene) {
-  std::vector<raster::Word> first;
-  raster::Word number = 0;
+std::vector<raster::ItemId> firstTriangles(const Scene& scene) {
+  std::vector<raster::ItemId> first;
+  raster::ItemId number = 0;
   for (const Surface& surface : scene.surfaces) {
     first.push_back(number);
-    number += static_cast<raster::Word>(surface.triangles.size());
+    number += static_cast<raster::ItemId>(surface.triangles.size());
   }
   return first;
 }
@@ -80,7 +80,7 @@ glm::dvec3 weightsOf(const std::array<glm::dvec3, 3>& corner, const glm::dvec3& 
 TriangleView::TriangleView(const Scene& scene)
     : scene_(scene), firstTriangle_(firstTriangles(scene)), renderer_(makeTriangleList(scene)) {}
 
-Visible TriangleView::locate(raster::Word triangle) const {
+Visible TriangleView::locate(raster::ItemId triangle) const {
   const auto next = std::upper_bound(firstTriangle_.begin(), firstTriangle_.end(), triangle);
   const auto surface = static_cast<std::uint32_t>(next - firstTriangle_.begin() - 1);
   return {.surface = surface, .triangle = triangle - firstTriangle_[surface]};
@@ -98,15 +98,15 @@ std::vector<std::optional<Visible>> TriangleView::see(const raster::Face& face,
                                                       const std::vector<std::uint32_t>& skipped) {
   const int width = face.scissor.width, height = face.scissor.height;
   const raster::ItemBuffer buffer = renderer_.render({&face, 1}, skipped).front();
-  const raster::Word background = raster::backgroundWord(renderer_.drawList().format);
+  const raster::ItemId background = raster::backgroundId(renderer_.drawList().format);
   const Rays rays(face);
-  std::vector<std::optional<Visible>> samples(buffer.words.size());
+  std::vector<std::optional<Visible>> samples(buffer.ids.size());
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {
       const auto pixel =
           static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
-      if (buffer.words[pixel] == background) continue;
-      Visible visible = locate(buffer.words[pixel]);
+      if (buffer.ids[pixel] == background) continue;
+      Visible visible = locate(buffer.ids[pixel]);
       std::array<glm::dvec3, 3> corner = scene_.surfaces[visible.surface].triangles[visible.triangle].position;
       for (glm::dvec3& position : corner) position -= scene_.origin;
       visible.weights = weightsOf(corner, rays.eye(), rays.direction(column, row));
@@ -114,6 +114,22 @@ std::vector<std::optional<Visible>> TriangleView::see(const raster::Face& face,
       samples[fromTop * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)] = visible;
     }
   return samples;
+}
+
+std::vector<std::uint32_t> trianglesFacingAway(const Scene& scene, const glm::dvec3& eye) {
+  std::vector<std::uint32_t> away;
+  std::uint32_t number = 0;
+  for (const Surface& surface : scene.surfaces)
+    for (const Triangle& triangle : surface.triangles) {
+      const auto& [a, b, c] = triangle.position;
+      if (glm::dot(glm::cross(b - a, c - a), eye - a) < 0) away.push_back(number);
+      ++number;
+    }
+  return away;
+}
+
+std::vector<std::optional<Visible>> visibleSamples(const Scene& scene, const Camera& camera, int width, int height) {
+  return TriangleView(scene).see(camera, width, height);
 }
 
 }  // namespace hemitex::radiosity

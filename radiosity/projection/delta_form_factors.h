@@ -8,7 +8,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "radiosity/form_factors/form_factor_row.h"
+#include "radiosity/projection/fixed_point.h"
 
 namespace hemitex::radiosity {
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/projection/projection.h"
 
 namespace hemitex::radiosity {

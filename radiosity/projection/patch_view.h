@@ -7,7 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/projection/triangle_boxes.h"
 #include "radiosity/scene/scene.h"
 

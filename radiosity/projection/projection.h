@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/form_factors/form_factor_row.h"
+#include "radiosity/projection/fixed_point.h"
 #include "raster/interface/face.h"
 
 namespace hemitex::radiosity {

@@ -7,7 +7,7 @@ namespace hemitex::radiosity {
 namespace {
 
 /// Triangles in a box: more make wide boxes, fewer make many.
-constexpr std::uint32_t mostTriangles = 32;
+constexpr std::uint32_t maxTriangles = 32;
 
 TriangleBox boxAround(const std::vector<Triangle>& triangles, std::uint32_t first, std::uint32_t end) {
   const double infinity = std::numeric_limits<double>::infinity();
@@ -27,8 +27,8 @@ std::vector<TriangleBox> triangleBoxes(const Scene& scene) {
   std::uint32_t number = 0;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const auto count = static_cast<std::uint32_t>(scene.surfaces[s].triangles.size());
-    for (std::uint32_t first = 0; first < count; first += mostTriangles) {
-      boxes.push_back(boxAround(scene.surfaces[s].triangles, first, std::min(first + mostTriangles, count)));
+    for (std::uint32_t first = 0; first < count; first += maxTriangles) {
+      boxes.push_back(boxAround(scene.surfaces[s].triangles, first, std::min(first + maxTriangles, count)));
       boxes.back().surface = s;
       boxes.back().number = number + first;
     }

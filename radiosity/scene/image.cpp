@@ -15,7 +15,7 @@
 namespace hemitex::radiosity {
 namespace {
 
-constexpr std::uint64_t mostPixels = std::uint64_t{1} << 28;
+constexpr std::uint64_t maxPixels = std::uint64_t{1} << 28;
 
 /// a^(1/5) for a in [0.001, 1], the real root of y^5 = a, by Newton's iteration y <- (4 y + a / y^4) / 5. From y = 1
 /// it falls towards the root by at most a fifth a step, then doubles its digits: y is below 0.26 after no more than
@@ -80,7 +80,7 @@ void writeEncoded(const std::filesystem::path& file, const std::string& format, 
   const bool encoded = output->set_ioproxy(&memory) && output->open(file.string(), spec) &&
                        output->write_image(spec.format, samples) && output->close();
   if (!encoded) throw raster::InputError(file.string(), 0, "cannot be encoded: " + output->geterror());
-  writeFile(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  raster::writeFile(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ Image readImage(const std::filesystem::path& file) {
   const auto input = OIIO::ImageInput::open(file.string(), &config);
   if (!input) throw raster::InputError(file.string(), 0, "cannot be read as an image: " + OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();
-  if (spec.image_pixels() > mostPixels)
+  if (spec.image_pixels() > maxPixels)
     throw raster::InputError(file.string(), 0, "has too many pixels", "scale it down to at most 16384 x 16384");
   const Image image{spec.width, spec.height, readLinearPixels(*input)};
   if (image.pixels.empty()) throw raster::InputError(file.string(), 0, "cannot be read: " + input->geterror());

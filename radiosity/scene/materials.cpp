@@ -7,6 +7,7 @@
 
 #include "radiosity/scene/mtl_file.h"
 #include "radiosity/scene/obj_lines.h"
+#include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
@@ -25,7 +26,7 @@ std::map<std::string, Definition> readDefinitions(const std::vector<std::filesys
                                                   std::vector<std::string>& warnings) {
   std::map<std::string, Definition> definitions;
   for (const std::filesystem::path& file : files) {
-    const std::optional<std::string> text = readText(file);
+    const std::optional<std::string> text = raster::tryReadFile(file);
     if (!text) {
       warnings.push_back("the material file " + file.string() + " cannot be read; its materials become grey 0.5");
       continue;

@@ -8,6 +8,7 @@
 
 #include "radiosity/scene/image.h"
 #include "radiosity/scene/scene.h"
+#include "radiosity/scene/scene_settings.h"
 
 namespace hemitex::radiosity {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "radiosity/scene/scene.h"
+#include "radiosity/scene/scene_settings.h"
 
 namespace hemitex::radiosity {
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "radiosity/scene/obj_lines.h"
+#include "raster/base/file_io.h"
 
 #define TINYOBJLOADER_IMPLEMENTATION
 #include <tiny_obj_loader.h>
@@ -198,9 +199,7 @@ std::string structureText(const std::vector<TextLine>& lines) {
 }  // namespace
 
 ObjFile readObj(const std::filesystem::path& file) {
-  const std::optional<std::string> text = readText(file);
-  if (!text) fail({file}, "cannot be read", "check the path, and that it is a file you may read");
-  return parseObj(*text, file);
+  return parseObj(raster::readFile(file, "check the path, and that it is a file you may read"), file);
 }
 
 ObjFile parseObj(std::string_view text, const std::filesystem::path& file) {

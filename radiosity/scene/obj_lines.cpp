@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <system_error>
 
 #include "raster/base/input_error.h"
@@ -53,17 +51,6 @@ double readNumber(std::string_view word, const Place& place) {
 }
 
 }  // namespace
-
-std::optional<std::string> readText(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) return {};
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return {};
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (stream.bad()) return {};
-  return std::move(text).str();
-}
 
 std::vector<TextLine> splitLines(std::string_view text) {
   constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";

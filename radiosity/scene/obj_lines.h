@@ -24,9 +24,6 @@ struct Place {
   int line = 0;
 };
 
-/// The whole file, or nothing where it cannot be read (it is missing, forbidden, a directory).
-std::optional<std::string> readText(const std::filesystem::path& file);
-
 /// Cuts a text at LF, CR LF or CR. A comment begins at a `#` that starts the line or stands alone as a word, so that
 /// names such as `wall#1` and `Material #25` stay whole. The views point into `text`.
 std::vector<TextLine> splitLines(std::string_view text);

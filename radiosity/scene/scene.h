@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
@@ -56,40 +55,6 @@ struct Scene {
       surfaces;  ///< in the order of their first faces; in two-sided scenes all twins follow all fronts
   std::vector<std::string> warnings;  ///< one sentence each, for the user
 };
-
-/// Which texture coordinates become charts.
-enum class Charts {
-  Auto,    ///< the file's where they form a chart, a lone quad by its corners, else planar parts
-  File,    ///< the file's; an InputError where they do not form a chart
-  Planar,  ///< planar parts, whatever the file has
-};
-
-/// What `Ke` is a number of. The scene holds radiosity, whatever the file has.
-enum class EmissionUnit {
-  Radiosity,  ///< emitted power per area, W/m^2
-  Radiance,   ///< of a diffuse emitter, W/(m^2 sr): its radiosity over pi
-};
-
-/// The radiosity that one unit of emission stands for: 1 or pi.
-double radiosityPerUnit(EmissionUnit unit);
-
-struct SceneSettings {
-  Charts charts = Charts::Auto;
-  double maxReflectance = 0.9999;  ///< a reflectance of 1 or more is lowered to this, with a warning; in [0, 1)
-  bool twoSided = false;           ///< gives each side of every surface a surface of its own
-  EmissionUnit emission = EmissionUnit::Radiosity;  ///< unit of Ke
-};
-
-/// Reads an OBJ file and the MTL files and images it names. Throws InputError, with file and line, on a malformed or
-/// non-finite number, an index out of range, a negative reflectance or emission, a scene without faces, or one too
-/// small or too large for binary32. What can be mended (degenerate faces, missing materials or textures, reflectances
-/// of 1) is mended and told in `warnings`. A face is degenerate where none of its triangles has area (see hasArea); a
-/// triangle without area of another face is left out in silence. A scene without emission is no error here: whether
-/// light is needed is for the caller to say (see requireEmission).
-Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings = {});
-
-/// Throws InputError where nothing in the scene emits, or no more than images can hold.
-void requireEmission(const Scene& scene, const std::filesystem::path& file);
 
 /// Area of a triangle, and its unit normal on the side from which it winds counter-clockwise.
 double area(const Triangle& triangle);

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/mesh_sections.h"
 #include "radiosity/scene/mtl_file.h"
 #include "radiosity/scene/name_suggestions.h"

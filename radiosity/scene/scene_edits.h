@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "radiosity/scene/scene.h"
+#include "radiosity/scene/scene_settings.h"
 
 namespace hemitex::radiosity {
 

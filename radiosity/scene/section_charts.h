@@ -7,6 +7,7 @@
 #include "radiosity/scene/mesh_sections.h"
 #include "radiosity/scene/obj_file.h"
 #include "radiosity/scene/scene.h"
+#include "radiosity/scene/scene_settings.h"
 
 namespace hemitex::radiosity {
 

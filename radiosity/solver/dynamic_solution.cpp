@@ -20,7 +20,7 @@ std::uint32_t viewCount(const Patch& patch) {
 
 /// The number under which the row of a view is kept: no patch has more than 2^8 of them.
 std::uint64_t viewNumber(std::uint32_t patch, std::uint32_t view) {
-  static_assert(mostSplits <= 4);
+  static_assert(maxSplits <= 4);
   return (std::uint64_t{patch} << 8) + view;
 }
 
@@ -41,7 +41,7 @@ namespace {
 /// Of what the residual still allows, an update leaves this share astray at most. It stays so for all frames to come.
 constexpr double shareLeftAstray = 0.1;
 /// More than this share of what the residual allows is not dragged along: some ten frames later a solution starts over.
-constexpr double mostAstray = 0.7;
+constexpr double maxAstray = 0.7;
 
 /// The numbers that surfaces, patches and elements have after an edit. What is gone has no patch any more; its elements
 /// share one number behind all others.
@@ -281,7 +281,7 @@ DynamicSolution::~DynamicSolution() = default;
 
 const Scene& DynamicSolution::scene() const { return world_->scene; }
 const Discretization& DynamicSolution::discretization() const { return world_->drawn.discretization(); }
-const WordLayout& DynamicSolution::layout() const { return world_->drawn.layout(); }
+const IdLayout& DynamicSolution::layout() const { return world_->drawn.layout(); }
 
 std::uint64_t DynamicSolution::captured() const { return world_->drawn.rows().projection().captured; }
 
@@ -314,7 +314,7 @@ UpdateCost DynamicSolution::update(std::span<const Edit> edits, const Progress& 
   const double allowed = settings_.solver.residual * (emitted > 0 ? emitted : light_.lastEmitted);
   LightUpdate update(world_->scene, world_->drawn, next->scene, next->drawn, edit.origins, rows_,
                      settings_.solver.rowCacheBytes);
-  const bool startsOver = light_.astray > mostAstray * allowed;
+  const bool startsOver = light_.astray > maxAstray * allowed;
   if (startsOver)
     update.keepRows();
   else

@@ -19,7 +19,7 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/row_cache.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/index_maps/id_layout.h"
@@ -30,8 +30,8 @@
 
 namespace hemitex::radiosity {
 
-/// Lays out the words of a discretization; throws InputError where they do not fit.
-using LayoutFactory = std::function<WordLayout(const Discretization&)>;
+/// Lays out the item IDs of a discretization; throws InputError where they do not fit.
+using LayoutFactory = std::function<IdLayout(const Discretization&)>;
 
 struct DynamicSettings {
   DiscretizationSettings discretization = {};
@@ -74,7 +74,7 @@ class DynamicSolution {
 
   const Scene& scene() const;
   const Discretization& discretization() const;
-  const WordLayout& layout() const;
+  const IdLayout& layout() const;
   /// The share of a patch's light that the projection captures, in units of 2^-60.
   std::uint64_t captured() const;
   const Solution& solution() const { return solution_; }

@@ -16,7 +16,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 
 namespace hemitex::radiosity {
 

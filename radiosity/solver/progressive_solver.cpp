@@ -25,12 +25,12 @@ glm::dvec3 ambientEstimate(const Scene& scene, const Discretization& discretizat
 }
 
 /// More than this share of the emitted flux is not lost to backs by the few pixels that look through a crack.
-constexpr double mostLostToBacks = 0.01;
+constexpr double maxLostToBacks = 0.01;
 
 std::vector<std::string> warningsOf(const Energy& energy) {
   const double emitted = bandSum(energy.emitted);
   const double lostToBacks = emitted > 0 ? bandSum(energy.lostToBacks) / emitted : 0;
-  if (!(lostToBacks > mostLostToBacks)) return {};
+  if (!(lostToBacks > maxLostToBacks)) return {};
   const int tenths = static_cast<int>(lostToBacks * 1000 + 0.5);
   return {std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) +
           " % of the emitted flux was absorbed by the backs of faces, which are in view of lit surfaces: either a face "

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/row_cache.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solver/shooting_state.h"

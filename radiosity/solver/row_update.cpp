@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "radiosity/discretization/patch_points.h"
+
 namespace hemitex::radiosity {
 namespace {
 

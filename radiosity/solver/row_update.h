@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/form_factors/form_factor_row.h"
 #include "radiosity/form_factors/projected_form_factors.h"
 #include "radiosity/scene/scene.h"

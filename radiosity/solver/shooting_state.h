@@ -22,7 +22,7 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/form_factor_row.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solver/kahan_sum.h"

@@ -1,8 +1,8 @@
+#include "radiosity/textures/corner_radiosity.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
-
-#include "radiosity/textures/radiosity_texture.h"
 
 namespace hemitex::radiosity {
 namespace {

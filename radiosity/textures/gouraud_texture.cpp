@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "radiosity/discretization/exposed_pieces.h"
 #include "radiosity/discretization/texel_areas.h"
 #include "radiosity/geometry/grid_clipping.h"
 

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "radiosity/scene/image.h"
+#include "radiosity/textures/corner_radiosity.h"
 #include "radiosity/textures/file_names.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/file_io.h"
@@ -149,8 +150,8 @@ void writeLitScene(const std::filesystem::path& folder, const Scene& scene, cons
   writeTextures(folder, layout, ".exr", radiosityTextures(discretization, layout, solution.radiosity), writeExr);
   writeTextures(folder, layout, ".png", filteredTextures(scene, discretization, layout, exposed, textures), writePng);
   const GouraudCorners gouraud(scene, discretization, exposed);
-  writeFile(folder / "scene.obj", objText(scene, discretization, layout, gouraud));
-  writeFile(folder / "scene.mtl", mtlText(layout));
+  raster::writeFile(folder / "scene.obj", objText(scene, discretization, layout, gouraud));
+  raster::writeFile(folder / "scene.mtl", mtlText(layout));
 }
 
 }  // namespace hemitex::radiosity

@@ -3,7 +3,8 @@
 
 #include <filesystem>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
+#include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "radiosity/textures/texture_filter.h"

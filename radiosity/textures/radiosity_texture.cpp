@@ -13,7 +13,7 @@ namespace {
 
 constexpr int border = 1;
 constexpr int largestTexture = 4096;
-constexpr std::int64_t mostTexels = std::int64_t{1} << 28;  ///< as many pixels as are read back
+constexpr std::int64_t maxTexels = std::int64_t{1} << 28;  ///< as many pixels as are read back
 
 TextureLayout packTextures(const std::vector<RectangleSize>& sizes) {
   const Packing packing = packRectangles(sizes, largestTexture);
@@ -41,7 +41,7 @@ TextureLayout separateTextures(const Scene& scene, const std::vector<RectangleSi
 Image emptyTexture(const TextureLayout::Size& size, int magnification) {
   const std::int64_t width = std::int64_t{size.width} * magnification,
                      height = std::int64_t{size.height} * magnification;
-  if (width * height > mostTexels)
+  if (width * height > maxTexels)
     throw raster::InputError(
         "a radiosity texture would have " + std::to_string(width) + " x " + std::to_string(height) + " texels",
         "magnify it less, or use fewer texels");
@@ -128,7 +128,7 @@ std::vector<Image> radiosityTextures(const Discretization& discretization, const
 std::vector<Image> filteredTextures(const Scene& scene, const Discretization& discretization,
                                     const TextureLayout& layout, const std::vector<glm::dvec3>& radiosity,
                                     const TextureSettings& settings) {
-  assert(settings.magnification >= 1 && settings.magnification <= mostMagnification);
+  assert(settings.magnification >= 1 && settings.magnification <= maxMagnification);
   return fillTextures(discretization, layout, settings.magnification, [&](std::uint32_t surface) {
     return filteredTexels(scene, discretization, surface, radiosity, settings);
   });

@@ -10,7 +10,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene.h"
 
 namespace hemitex::radiosity {
@@ -29,7 +29,7 @@ struct TextureSettings {
   int magnification = 1;  ///< texels of the texture along the side of one of the grid; 1 to 16
 };
 
-inline constexpr int mostMagnification = 16;
+inline constexpr int maxMagnification = 16;
 
 /// The weight of a texel at a distance, for the filters that have a kernel: all but Quadtree and Gouraud.
 double kernelWeight(TextureFilter filter, double distance);

@@ -1,11 +1,13 @@
 #include "raster/base/file_io.h"
 
 #include <fstream>
+#include <sstream>
 #include <system_error>
+#include <utility>
 
 #include "raster/base/input_error.h"
 
-namespace hemitex::radiosity {
+namespace hemitex::raster {
 namespace {
 
 /// Only what we began to write is removed: never a folder or a device that happens to have the name.
@@ -16,14 +18,31 @@ void removeBroken(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::optional<std::string> tryReadFile(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) return {};
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return {};
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (stream.bad()) return {};
+  return std::move(text).str();
+}
+
+std::string readFile(const std::filesystem::path& file, const std::string& advice) {
+  std::optional<std::string> bytes = tryReadFile(file);
+  if (!bytes) throw InputError(file.string(), 0, "cannot be read", advice);
+  return std::move(*bytes);
+}
+
 void writeFile(const std::filesystem::path& file, std::string_view bytes) {
   std::ofstream stream(file, std::ios::binary);
-  if (!stream) throw raster::InputError(file.string(), 0, "cannot be opened for writing", "choose another folder");
+  if (!stream) throw InputError(file.string(), 0, "cannot be opened for writing", "choose another folder");
   stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   stream.close();
   if (stream) return;
   removeBroken(file);
-  throw raster::InputError(file.string(), 0, "cannot be written", "make room on the disk or choose another folder");
+  throw InputError(file.string(), 0, "cannot be written", "make room on the disk or choose another folder");
 }
 
-}  // namespace hemitex::radiosity
+}  // namespace hemitex::raster

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "raster/kernels/vertex_kernels.h"
-
 namespace hemitex::raster {
 namespace {
 
@@ -38,8 +36,8 @@ void append(const DrawList& list, const Cluster& cluster, ClusterMesh& mesh) {
 ClusterMesh meshOf(const DrawList& list, std::span<const Cluster> clusters) {
   ClusterMesh mesh;
   for (const Cluster& cluster : clusters) append(list, cluster, mesh);
-  for (auto& values : mesh.positions) values.resize(values.size() + mostVertexLanes);
-  for (auto& values : mesh.corners) values.resize(values.size() + mostVertexLanes);
+  for (auto& values : mesh.positions) values.resize(values.size() + maxVertexLanes);
+  for (auto& values : mesh.corners) values.resize(values.size() + maxVertexLanes);
   return mesh;
 }
 

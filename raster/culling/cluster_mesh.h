@@ -12,6 +12,9 @@
 
 namespace hemitex::raster {
 
+/// Kernels work on up to so many vertices or triangles at a time.
+inline constexpr std::size_t maxVertexLanes = 8;
+
 /// One cluster of a mesh.
 struct ClusterPart {
   std::uint32_t firstVertex, vertices;

@@ -11,19 +11,19 @@
 
 namespace hemitex::raster {
 
-/// A texture of words: row-major, row 0 at v = 0, column 0 at u = 0.
+/// A texture of item IDs: row-major, row 0 at v = 0, column 0 at u = 0.
 struct IndexMap {
   int width = 0;
   int height = 0;
-  std::vector<Word> words;  ///< width * height of them, at most 2^31
+  std::vector<ItemId> ids;  ///< width * height of them, at most 2^31
 };
 
 /// A run of triangles that share an offset and an index map.
 struct Draw {
   std::uint32_t first = 0;  ///< in DrawList::indices; a multiple of 3
   std::uint32_t count = 0;  ///< indices, three a triangle
-  Word offset = 0;
-  std::optional<Word> back;          ///< the word, untextured, of triangles that face away; none: drawn like the front
+  ItemId offset = 0;
+  std::optional<ItemId> back;  ///< the item ID, untextured, of triangles that face away; none: drawn like the front
   std::optional<int> indexMap = {};  ///< in DrawList::indexMaps; none: the offset alone
 };
 
@@ -34,12 +34,12 @@ struct DrawList {
   std::vector<std::uint32_t> indices;
   std::vector<IndexMap> indexMaps;
   std::vector<Draw> draws;
-  WordFormat format;
+  IdFormat format;
   Blend blend = Blend::ClampedAdd;
 };
 
 /// Throws InputError where the list breaks the rules: an index or a run out of range, an index map of the wrong size, a
-/// word wider than the format, or a draw that can produce the background word.
+/// item ID wider than the format, or a draw that can produce the background item ID.
 void validate(const DrawList& list);
 
 }  // namespace hemitex::raster

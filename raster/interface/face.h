@@ -35,17 +35,17 @@ double determinant(const Face& face);
 /// Throws InputError where a face breaks the rules above or det(x, y, w) is zero or not finite.
 void validate(const Face& face);
 
-/// The words of a face's scissor rectangle, row-major, row 0 first.
+/// The item IDs of a face's scissor rectangle, row-major, row 0 first.
 struct ItemBuffer {
   int width = 0;
   int height = 0;
-  std::vector<Word> words;
+  std::vector<ItemId> ids;
 
-  /// As large as a scissor rectangle; which words it holds is open.
+  /// As large as a scissor rectangle; which item IDs it holds is open.
   void resize(const Scissor& scissor) {
     width = scissor.width;
     height = scissor.height;
-    words.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    ids.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   }
 };
 

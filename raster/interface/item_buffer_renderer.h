@@ -1,4 +1,4 @@
-/// The seam where a rasterizer is plugged in: views in, words out. The solver asks this interface and does not know
+/// The seam where a rasterizer is plugged in: views in, item IDs out. The solver asks this interface and does not know
 /// whether a CPU or a GPU answers. SoftwareRenderer (software_renderer.h) is the reference; the author of a GPU
 /// backend implements this one class.
 #pragma once

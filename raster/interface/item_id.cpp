@@ -10,7 +10,7 @@ namespace {
 
 struct NamedFormat {
   std::string_view name;
-  WordFormat format;
+  IdFormat format;
 };
 
 std::vector<NamedFormat> namedFormats() {
@@ -21,15 +21,15 @@ std::vector<NamedFormat> namedFormats() {
           {"r32ui", {{32}}}};
 }
 
-Word clampedAdd(const WordFormat& format, Word offset, Word texel) {
+ItemId clampedAdd(const IdFormat& format, ItemId offset, ItemId texel) {
   // Bits that no two summands share make no carry anywhere: all that an aligned offset ever asks for.
   if ((offset & texel) == 0) return offset | texel;
-  Word sum = 0;
+  ItemId sum = 0;
   int shift = 0;
   for (const int bits : format.channelBits) {
     const std::uint64_t largest = (std::uint64_t{1} << bits) - 1;
     const std::uint64_t channel = ((offset >> shift) & largest) + ((texel >> shift) & largest);
-    sum |= static_cast<Word>(std::min(channel, largest)) << shift;
+    sum |= static_cast<ItemId>(std::min(channel, largest)) << shift;
     shift += bits;
   }
   return sum;
@@ -37,7 +37,7 @@ Word clampedAdd(const WordFormat& format, Word offset, Word texel) {
 
 }  // namespace
 
-std::optional<WordFormat> formatNamed(std::string_view name) {
+std::optional<IdFormat> formatNamed(std::string_view name) {
   for (const NamedFormat& named : namedFormats())
     if (named.name == name) return named.format;
   return std::nullopt;
@@ -49,20 +49,18 @@ std::vector<std::string> formatNames() {
   return names;
 }
 
-int wordBits(const WordFormat& format) {
-  return std::accumulate(format.channelBits.begin(), format.channelBits.end(), 0);
-}
+int idBits(const IdFormat& format) { return std::accumulate(format.channelBits.begin(), format.channelBits.end(), 0); }
 
-Word backgroundWord(const WordFormat& format) { return static_cast<Word>((std::uint64_t{1} << wordBits(format)) - 1); }
+ItemId backgroundId(const IdFormat& format) { return static_cast<ItemId>((std::uint64_t{1} << idBits(format)) - 1); }
 
-Word backWord(const WordFormat& format) { return backgroundWord(format) - 1; }
+ItemId backId(const IdFormat& format) { return backgroundId(format) - 1; }
 
-Word blend(const WordFormat& format, Blend operation, Word offset, Word texel) {
+ItemId blend(const IdFormat& format, Blend operation, ItemId offset, ItemId texel) {
   switch (operation) {
     case Blend::ClampedAdd:
       return clampedAdd(format, offset, texel);
     case Blend::IntegerAdd:
-      return (offset + texel) & backgroundWord(format);
+      return (offset + texel) & backgroundId(format);
     case Blend::Replace:
       return texel;
   }
@@ -70,16 +68,16 @@ Word blend(const WordFormat& format, Blend operation, Word offset, Word texel) {
   return 0;
 }
 
-Word pack(SurfaceElement value, int indexBits) {
+ItemId pack(SurfaceElement value, int indexBits) {
   assert(indexBits >= 0 && indexBits < 32);
   assert(value.element >> indexBits == 0);
   assert(((value.surface << indexBits) >> indexBits) == value.surface);
   return value.surface << indexBits | value.element;
 }
 
-SurfaceElement unpack(Word word, int indexBits) {
+SurfaceElement unpack(ItemId id, int indexBits) {
   assert(indexBits >= 0 && indexBits < 32);
-  return {word >> indexBits, word & ((Word{1} << indexBits) - 1)};
+  return {id >> indexBits, id & ((ItemId{1} << indexBits) - 1)};
 }
 
 }  // namespace hemitex::raster

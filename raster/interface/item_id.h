@@ -1,6 +1,6 @@
-/// Words: the numbers that an item buffer holds, one a pixel, and how a blend unit makes them (raster rules, 7).
+/// Item IDs: the numbers that an item buffer holds, one a pixel, and how a blend unit makes them (raster rules, 7).
 ///
-/// A word of m bits is split into channels from the least significant bit up. Blending hardware knows colours, not
+/// An item ID of m bits is split into channels from the least significant bit up. Blending hardware knows colours, not
 /// numbers: it adds offset and texel channel by channel and clamps each sum, so no carry leaves a channel. Hence the
 /// alignment of Nielsen and Christensen (2002, section 3.2): the low k bits hold the element, the bits above hold the
 /// surface, and an offset `surface << k` plus an index below 2^k never overflows a channel.
@@ -14,37 +14,37 @@
 
 namespace hemitex::raster {
 
-using Word = std::uint32_t;
+using ItemId = std::uint32_t;
 
-/// How a word is cut into channels: their widths in bits, least significant first; 1 to 32 bits in all.
-struct WordFormat {
+/// How an item ID is cut into channels: their widths in bits, least significant first; 1 to 32 bits in all.
+struct IdFormat {
   std::vector<int> channelBits;
-  bool operator==(const WordFormat&) const = default;
+  bool operator==(const IdFormat&) const = default;
 };
 
 /// r5g6b5, r8g8b8, r8g8b8a8, r10g10b10a2 or r32ui; nothing for another name.
-std::optional<WordFormat> formatNamed(std::string_view name);
+std::optional<IdFormat> formatNamed(std::string_view name);
 /// The names that formatNamed knows, narrowest format first.
 std::vector<std::string> formatNames();
 
-/// m, the number of bits of a word.
-int wordBits(const WordFormat& format);
+/// m, the number of bits of an item ID.
+int idBits(const IdFormat& format);
 
 /// The pixel that nothing covers: all m bits set.
-Word backgroundWord(const WordFormat& format);
+ItemId backgroundId(const IdFormat& format);
 /// The pixel that shows the back of a blocker: all ones less one.
-Word backWord(const WordFormat& format);
+ItemId backId(const IdFormat& format);
 
 enum class Blend {
   ClampedAdd,  ///< each channel min(offset + texel, its maximum), as fixed-function hardware does
-  IntegerAdd,  ///< whole words modulo 2^m: the hypothetical hardware of the paper
+  IntegerAdd,  ///< whole item IDs modulo 2^m: the hypothetical hardware of the paper
   Replace,     ///< the texel alone: unique index maps
 };
 
-/// The word of a textured fragment. `offset` and `texel` have m bits.
-Word blend(const WordFormat& format, Blend operation, Word offset, Word texel);
+/// The item ID of a textured fragment. `offset` and `texel` have m bits.
+ItemId blend(const IdFormat& format, Blend operation, ItemId offset, ItemId texel);
 
-/// An element of a surface: what an aligned word says.
+/// An element of a surface: what an aligned item ID says.
 struct SurfaceElement {
   std::uint32_t surface;
   std::uint32_t element;
@@ -52,8 +52,8 @@ struct SurfaceElement {
 };
 
 /// `surface << indexBits | element`; the element is below 2^indexBits, and the surface fits above it.
-Word pack(SurfaceElement value, int indexBits);
+ItemId pack(SurfaceElement value, int indexBits);
 /// The inverse of pack: a shift and a mask.
-SurfaceElement unpack(Word word, int indexBits);
+SurfaceElement unpack(ItemId id, int indexBits);
 
 }  // namespace hemitex::raster

@@ -4,7 +4,7 @@ namespace hemitex::raster {
 
 void DepthBuffer::clear(const Scissor& part) {
   scissor = part;
-  pitch = static_cast<std::size_t>(part.width + mostLanes);
+  pitch = static_cast<std::size_t>(part.width + maxLanes);
   inverseDepth.assign(pitch * static_cast<std::size_t>(part.height), 0);
   triangle.assign(inverseDepth.size(), noTriangle);
 }

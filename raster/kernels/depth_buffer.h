@@ -10,12 +10,12 @@
 namespace hemitex::raster {
 
 /// Kernels work on up to so many pixels at a time, and may touch as many behind the end of a row.
-inline constexpr int mostLanes = 16;
+inline constexpr int maxLanes = 16;
 
 /// What the pixels of a part of a face show so far, row-major; no triangle where the background is.
 struct DepthBuffer {
   Scissor scissor;        ///< the part
-  std::size_t pitch = 0;  ///< pixels from row to row: the width and mostLanes
+  std::size_t pitch = 0;  ///< pixels from row to row: the width and maxLanes
   std::vector<double> inverseDepth;
   std::vector<std::uint32_t> triangle;
 

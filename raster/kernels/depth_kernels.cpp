@@ -9,7 +9,7 @@ namespace {
 
 bool isCovered(const ScreenTriangle& triangle, const EdgeValues& edge) {
   for (std::size_t k = 0; k < 3; ++k)
-    if (edge[k] < leastCovered(triangle)[k]) return false;
+    if (edge[k] < minCovered(triangle)[k]) return false;
   return true;
 }
 

@@ -101,7 +101,7 @@ struct Offer {
 void offerStrip(const Offer& offered, int column, Outcome& outcome) {
   const ScreenTriangle& triangle = offered.triangle;
   const Mask inside = firstLanes(triangle.endColumn - column);
-  const Corners down(edgeRowSteps(triangle)), inverseDepth(triangle.inverseDepth), least(leastCovered(triangle));
+  const Corners down(edgeRowSteps(triangle)), inverseDepth(triangle.inverseDepth), least(minCovered(triangle));
   Edges edges(edgeValues(triangle, column, triangle.firstRow), Corners(edgeSteps(triangle)));
   std::size_t pixel = offered.buffer.pixelAt(column, triangle.firstRow);
   for (int row = triangle.firstRow; row < triangle.endRow; ++row) {
@@ -126,7 +126,7 @@ Outcome offerNarrow(const Offer& offered) {
 /// edge gives one bound. A quotient that is not an integer differs from one by at least 1/|a| > 2^-32, since a pixel's
 /// step along an edge is below 2^32; below 2^13 that is more than a division rounds, so it never rounds to one.
 struct Spans {
-  HWY_ALIGN std::int32_t first[mostLanes], end[mostLanes];
+  HWY_ALIGN std::int32_t first[maxLanes], end[maxLanes];
 
   Spans(const ScreenTriangle& triangle, const EdgeValues& least, int firstRow) {
     const Double rows = hn::Add(hn::Set(doubles, static_cast<double>(firstRow)), hn::Iota(doubles, 0));
@@ -177,7 +177,7 @@ Outcome offerWide(const Offer& offered) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
   const ScreenTriangle& triangle = offered.triangle;
   const std::optional<DepthPlane> plane = depthPlane(triangle);
-  const EdgeValues least = leastCovered(triangle);
+  const EdgeValues least = minCovered(triangle);
   Outcome outcome;
   for (int firstRow = triangle.firstRow; firstRow < triangle.endRow; firstRow += lanes) {
     const Spans spans(triangle, least, firstRow);
@@ -193,7 +193,7 @@ Outcome offerWide(const Offer& offered) {
 }
 
 bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided) {
-  const bool isNarrow = triangle.endColumn - triangle.firstColumn <= mostLanes;
+  const bool isNarrow = triangle.endColumn - triangle.firstColumn <= maxLanes;
   const Offer offered(triangle, number, buffer);
   const Outcome outcome = isNarrow ? offerNarrow(offered) : offerWide(offered);
   if (!hn::AllFalse(doubles, outcome.open)) listUndecidedSamples(triangle, number, buffer, undecided);
@@ -214,7 +214,7 @@ bool isHidden(const DepthBuffer& buffer, const Scissor& part, double inverseDept
 }
 
 int endOfRun(const std::uint32_t* triangles, int first, int end) {
-  const hn::CappedTag<std::uint32_t, mostLanes> numbers;
+  const hn::CappedTag<std::uint32_t, maxLanes> numbers;
   const auto lanes = static_cast<int>(hn::Lanes(numbers));
   const auto shown = hn::Set(numbers, triangles[first]);
   for (int i = first; i < end; i += lanes) {

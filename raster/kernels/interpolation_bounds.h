@@ -40,7 +40,7 @@ inline EdgeValues edgeRowSteps(const ScreenTriangle& triangle) {
 }
 
 /// The least values at samples that are covered: values are integers.
-inline EdgeValues leastCovered(const ScreenTriangle& triangle) {
+inline EdgeValues minCovered(const ScreenTriangle& triangle) {
   EdgeValues least;
   for (std::size_t k = 0; k < 3; ++k) least[k] = triangle.edges[k].inclusive ? 0 : 1;
   return least;
@@ -98,7 +98,7 @@ struct EdgePlane {
 /// The plane of a triangle where it pays, in triangles wider than a vector, and where it is good enough. Each term
 /// passes twelve roundings at most; 16 units of what the terms may sum up to, over the smallest 1/w, bound its error.
 inline std::optional<DepthPlane> depthPlane(const ScreenTriangle& triangle) {
-  if (triangle.endColumn - triangle.firstColumn <= mostLanes) return {};
+  if (triangle.endColumn - triangle.firstColumn <= maxLanes) return {};
   DepthPlane plane;
   double terms = 0;
   for (std::size_t k = 0; k < 3; ++k) {

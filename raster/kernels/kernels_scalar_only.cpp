@@ -20,6 +20,6 @@ const std::vector<VertexKernels>& simdVertexKernels() { return none<VertexKernel
 const std::vector<SmallTriangleKernels>& simdSmallTriangleKernels() { return none<SmallTriangleKernels>(); }
 const std::vector<DepthKernels>& simdDepthKernels() { return none<DepthKernels>(); }
 const std::vector<TexelKernels>& simdTexelKernels() { return none<TexelKernels>(); }
-const std::vector<WordKernels>& simdWordKernels() { return none<WordKernels>(); }
+const std::vector<RunKernels>& simdRunKernels() { return none<RunKernels>(); }
 
 }  // namespace hemitex::raster

@@ -1,4 +1,4 @@
-// The word kernels on vectors, written once for Highway, which compiles this file anew for each instruction set.
+// The item ID kernels on vectors, written once for Highway, which compiles this file anew for each instruction set.
 #include "raster/kernels/run_kernels.h"
 #include "raster/kernels/simd_targets.h"
 
@@ -13,30 +13,30 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Words = hn::CappedTag<std::uint32_t, 16>;
+using ItemIds = hn::CappedTag<std::uint32_t, 16>;
 
-constexpr Words wordLanes;
+constexpr ItemIds idLanes;
 
-/// Which words of a vector differ from those before them, from bit 0 on.
-std::uint64_t changesOfVector(const Word* words) {
-  const auto differ = hn::Ne(hn::LoadU(wordLanes, words), hn::LoadU(wordLanes, words - 1));
+/// Which item IDs of a vector differ from those before them, from bit 0 on.
+std::uint64_t changesOfVector(const ItemId* ids) {
+  const auto differ = hn::Ne(hn::LoadU(idLanes, ids), hn::LoadU(idLanes, ids - 1));
   std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(wordLanes, differ, bits);
+  hn::StoreMaskBits(idLanes, differ, bits);
   return bits[0] + 256U * bits[1];
 }
 
-void findChanges(const Word* words, std::size_t count, std::uint64_t* changes) {
-  const std::size_t lanes = hn::Lanes(wordLanes);
+void findChanges(const ItemId* ids, std::size_t count, std::uint64_t* changes) {
+  const std::size_t lanes = hn::Lanes(idLanes);
   std::size_t first = 0;
   for (; first + changesAtOnce <= count; first += changesAtOnce) {
     std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < changesAtOnce; i += lanes) bits |= changesOfVector(words + first + i) << i;
+    for (std::size_t i = 0; i < changesAtOnce; i += lanes) bits |= changesOfVector(ids + first + i) << i;
     *changes++ = bits;
   }
-  plainWordKernels().findChanges(words + first, count - first, changes);
+  plainRunKernels().findChanges(ids + first, count - first, changes);
 }
 
-WordKernels wordKernels() { return {hwy::TargetName(HWY_TARGET), findChanges}; }
+RunKernels runKernels() { return {hwy::TargetName(HWY_TARGET), findChanges}; }
 
 }  // namespace
 }  // namespace hemitex::raster::HWY_NAMESPACE
@@ -46,13 +46,13 @@ HWY_AFTER_NAMESPACE();
 namespace hemitex::raster {
 namespace {
 
-HWY_EXPORT(wordKernels);
+HWY_EXPORT(runKernels);
 
 }  // namespace
 
-const std::vector<WordKernels>& simdWordKernels() {
-  static const std::vector<WordKernels> all =
-      ofEveryInstructionSet<WordKernels>([] { return HWY_DYNAMIC_DISPATCH(wordKernels)(); });
+const std::vector<RunKernels>& simdRunKernels() {
+  static const std::vector<RunKernels> all =
+      ofEveryInstructionSet<RunKernels>([] { return HWY_DYNAMIC_DISPATCH(runKernels)(); });
   return all;
 }
 

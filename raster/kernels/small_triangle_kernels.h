@@ -36,7 +36,7 @@ inline constexpr std::int32_t undecidedTexel = -1;
 /// The samples that small triangles of one part cover, one after the other.
 struct SmallSamples {
   /// Less than eight pixels hold eight samples at most; kernels may touch as many more as they have lanes.
-  static constexpr std::size_t most = 8 * 8 * largestCluster + mostVertexLanes;
+  static constexpr std::size_t most = 8 * 8 * largestCluster + maxVertexLanes;
   template <typename Value>
   using Each = std::array<Value, most>;
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "raster/kernels/exact_line.h"
 #include "raster/kernels/interpolation_bounds.h"
 
 namespace hemitex::raster {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "raster/kernels/depth_buffer.h"
+#include "raster/kernels/interpolation_bounds.h"
 #include "raster/setup/exact_interpolation.h"
 #include "raster/setup/triangle_setup.h"
 
@@ -45,11 +46,29 @@ struct ExactTexels {
   ExactQuotient u, v;
 };
 
+/// An exact quotient along pixels of a row that show one triangle: (at + i * step) / (below + i * belowStep), for i
+/// from 0. Nothing is rounded but the quotient.
+struct ExactLine {
+  double at = 0, step = 0;
+  double below = 0, belowStep = 0;
+
+  ExactLine(const PixelRun& run, const ExactQuotient& quotient) {
+    const EdgeValues first = edgeValues(*run.triangle, run.firstColumn, run.row);
+    const EdgeValues steps = edgeSteps(*run.triangle);
+    for (std::size_t k = 0; k < 3; ++k) {
+      at += first[k] * quotient.numerator[k];
+      step += steps[k] * quotient.numerator[k];
+      below += first[k] * quotient.denominator[k];
+      belowStep += steps[k] * quotient.denominator[k];
+    }
+  }
+};
+
 struct TexelKernels {
   std::string name;  ///< plain, or that of an instruction set
 
   /// The texels of a run: `base` and row * width + column each. Appends pixels whose texels binary64 cannot tell; what
-  /// `texels` says of them is not to be used. Kernels may write up to mostLanes more texels behind the run's, and read
+  /// `texels` says of them is not to be used. Kernels may write up to maxLanes more texels behind the run's, and read
   /// as many more depths.
   void (*findTexels)(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
                      UndecidedPixels& undecided);

@@ -1,5 +1,4 @@
 // The texel kernels on vectors, written once for Highway, which compiles this file anew for each instruction set.
-#include "raster/kernels/exact_line.h"
 #include "raster/kernels/interpolation_bounds.h"
 #include "raster/kernels/simd_targets.h"
 #include "raster/kernels/texel_kernels.h"
@@ -89,7 +88,7 @@ Double columnsFrom(int column) { return hn::Add(hn::Set(doubles, static_cast<dou
 HWY_NOINLINE void listUndecidedTexels(const PixelRun& run, const TexelPlanes& planes, UndecidedPixels& undecided) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
   const RunInBinary64 line(run, planes);
-  std::uint32_t texels[mostLanes];
+  std::uint32_t texels[maxLanes];
   for (int i = 0; i < run.count; i += lanes)
     forEachLane(line.find(columnsFrom(run.firstColumn + i), run.inverseDepth + i, 0, texels),
                 [&](int lane) { undecided.add(run.firstColumn + i + lane, run.row); });
@@ -107,7 +106,7 @@ void findTexelsInBinary64(const PixelRun& run, const TexelPlanes& planes, std::u
   if (!hn::AllFalse(doubles, open)) listUndecidedTexels(run, planes, undecided);
 }
 
-using Floats = hn::CappedTag<float, mostLanes>;
+using Floats = hn::CappedTag<float, maxLanes>;
 using Float = hn::Vec<Floats>;
 using TexelNumbers = hn::Rebind<std::uint32_t, Floats>;
 
@@ -222,7 +221,7 @@ HWY_NOINLINE void findOpenTexels(const PixelRun& run, const TexelPlanes& planes,
       const int at = i + __builtin_ctz(left);
       if (at >= run.count) return;
       const PixelRun alone{run.triangle, run.row, run.firstColumn + at, 1, run.inverseDepth + at};
-      std::uint32_t found[mostLanes];
+      std::uint32_t found[maxLanes];
       findTexelsInBinary64(alone, planes, base, found, undecided);
       texels[at] = found[0];
     }

@@ -13,13 +13,10 @@
 
 namespace hemitex::raster {
 
-/// Kernels work on up to so many vertices or triangles at a time.
-inline constexpr std::size_t mostVertexLanes = 8;
-
 /// The vertices of a cluster as a face sees them. Where a vertex lies inside of all that triangles are clipped to,
 /// `across` and `down` are its snapped x and y, elsewhere 0.
 struct PlacedVertices {
-  static constexpr std::size_t most = 3 * largestCluster + mostVertexLanes;
+  static constexpr std::size_t most = 3 * largestCluster + maxVertexLanes;
   std::array<float, most> w;
   std::array<std::int32_t, most> across, down;
   std::array<std::int32_t, most> sides;  ///< bits, see below

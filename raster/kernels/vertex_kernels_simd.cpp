@@ -14,7 +14,7 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Vectors of as many values each.
-using Doubles = hn::CappedTag<double, mostVertexLanes>;
+using Doubles = hn::CappedTag<double, maxVertexLanes>;
 using Floats = hn::Rebind<float, Doubles>;
 using Integers = hn::Rebind<std::int32_t, Doubles>;
 using Bytes = hn::Rebind<std::uint8_t, Doubles>;

@@ -7,9 +7,9 @@ namespace {
 
 PreparedDraws::MapTraits traitsOf(const IndexMap& map) {
   PreparedDraws::MapTraits traits{true, 0};
-  for (std::size_t i = 0; i < map.words.size(); ++i) {
-    traits.countsTexels = traits.countsTexels && map.words[i] == i;
-    traits.bits |= map.words[i];
+  for (std::size_t i = 0; i < map.ids.size(); ++i) {
+    traits.countsTexels = traits.countsTexels && map.ids[i] == i;
+    traits.bits |= map.ids[i];
   }
   return traits;
 }

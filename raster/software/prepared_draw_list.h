@@ -18,8 +18,8 @@ struct PreparedDraws {
   ClusterMesh mesh;  ///< of their triangles
   /// What resolving needs to know of an index map.
   struct MapTraits {
-    bool countsTexels;  ///< holds 0, 1, 2, ...: which word it holds needs no look
-    Word bits;          ///< all bits that its words set
+    bool countsTexels;  ///< holds 0, 1, 2, ...: which item ID it holds needs no look
+    ItemId bits;        ///< all bits that its item IDs set
   };
   std::vector<MapTraits> maps;  ///< one an index map
 };

@@ -18,21 +18,21 @@ Shading shadingOf(const PreparedDraws& draws, const ScreenTriangle& triangle) {
           Shading::Texels{&map, isSum, isSum && traits.countsTexels, TexelPlanes(triangle, map.width, map.height), {}}};
 }
 
-Word wordOf(const PreparedDraws& draws, const Draw& draw, bool facesAway, Word texel) {
+ItemId idOf(const PreparedDraws& draws, const Draw& draw, bool facesAway, ItemId texel) {
   if (facesAway && draw.back) return *draw.back;
   if (!draw.indexMap) return draw.offset;
   const auto map = static_cast<std::size_t>(*draw.indexMap);
   const PreparedDraws::MapTraits& traits = draws.maps[map];
   const bool isSum = draws.list.blend != Blend::Replace && (draw.offset & traits.bits) == 0;
   if (isSum && traits.countsTexels) return draw.offset + texel;
-  const Word word = draws.list.indexMaps[map].words[texel];
-  return isSum ? draw.offset | word : blend(draws.list.format, draws.list.blend, draw.offset, word);
+  const ItemId id = draws.list.indexMaps[map].ids[texel];
+  return isSum ? draw.offset | id : blend(draws.list.format, draws.list.blend, draw.offset, id);
 }
 
-Word texelExactly(const ScreenTriangle& triangle, const IndexMap& map, const Pixel& pixel) {
+ItemId texelExactly(const ScreenTriangle& triangle, const IndexMap& map, const Pixel& pixel) {
   const int column = texelExactly(triangle, triangle.u, map.width, pixel.column, pixel.row);
   const int row = texelExactly(triangle, triangle.v, map.height, pixel.column, pixel.row);
-  return static_cast<Word>(row) * static_cast<Word>(map.width) + static_cast<Word>(column);
+  return static_cast<ItemId>(row) * static_cast<ItemId>(map.width) + static_cast<ItemId>(column);
 }
 
 }  // namespace hemitex::raster

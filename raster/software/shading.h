@@ -1,4 +1,4 @@
-/// Shading: how the pixels of a triangle get their words, all the same one or by texels.
+/// Shading: how the pixels of a triangle get their item IDs, all the same one or by texels.
 #pragma once
 
 #include <memory>
@@ -14,10 +14,10 @@
 namespace hemitex::raster {
 
 struct Shading {
-  Word word;  ///< of all pixels, or the offset
+  ItemId id;  ///< of all pixels, or the offset
   struct Texels {
     const IndexMap* map;
-    bool isSum;   ///< the words are sums of offset and texel in which nothing is carried and nothing clamped
+    bool isSum;   ///< the item IDs are sums of offset and texel in which nothing is carried and nothing clamped
     bool counts;  ///< and the texels are their own numbers
     TexelPlanes planes;
     std::unique_ptr<const ExactTexels> exact;  ///< once a texel was undecided, where there are any:
@@ -29,10 +29,10 @@ struct Shading {
 /// Of a triangle on the screen.
 Shading shadingOf(const PreparedDraws& draws, const ScreenTriangle& triangle);
 
-/// The word of a pixel that shows a draw, and of its index map, if any, a texel by number.
-Word wordOf(const PreparedDraws& draws, const Draw& draw, bool facesAway, Word texel);
+/// The item ID of a pixel that shows a draw, and of its index map, if any, a texel by number.
+ItemId idOf(const PreparedDraws& draws, const Draw& draw, bool facesAway, ItemId texel);
 
 /// The number of the texel that a sample falls on.
-Word texelExactly(const ScreenTriangle& triangle, const IndexMap& map, const Pixel& pixel);
+ItemId texelExactly(const ScreenTriangle& triangle, const IndexMap& map, const Pixel& pixel);
 
 }  // namespace hemitex::raster

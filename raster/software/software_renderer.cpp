@@ -34,7 +34,7 @@ void SoftwareRenderer::drawFace(const Face& face, std::span<const std::uint32_t>
     const auto pitch = static_cast<std::size_t>(face.scissor.width);
     const auto pixel = static_cast<std::size_t>(part.scissor.row - face.scissor.row) * pitch +
                        static_cast<std::size_t>(part.scissor.column - face.scissor.column);
-    dropped[i] = drawTile(draws_, kernels_, part, skipped, memory_.mine(), buffer.words.data() + pixel, pitch);
+    dropped[i] = drawTile(draws_, kernels_, part, skipped, memory_.mine(), buffer.ids.data() + pixel, pitch);
   });
   // Every tile meets what is not finite: the first one speaks for the face.
   if (!dropped.empty()) dropped_ += dropped.front();

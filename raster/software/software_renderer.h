@@ -1,6 +1,6 @@
 /// The reference renderer: the raster rules on the CPU, bit for bit, for any number of threads.
 ///
-/// Each face is cut into tiles (tile.h), which are drawn independently of each other: depth first, then one word a
+/// Each face is cut into tiles (tile.h), which are drawn independently of each other: depth first, then one item ID a
 /// visible pixel. Both decide in floating point where its error bound allows (depth_kernels.h, texel_kernels.h), and in
 /// exact arithmetic (exact.h) where it does not.
 #pragma once

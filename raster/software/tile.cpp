@@ -15,7 +15,7 @@ namespace {
 
 /// Pixels of a tile, at most: twelve bytes each in the depth buffer make 384 KiB, a part of today's second-level
 /// caches. Wide, so that runs of pixels are long.
-constexpr int mostColumns = 256, mostRows = 128;
+constexpr int maxColumns = 256, maxRows = 128;
 
 /// Numbers of small triangles in the depth buffer: from here on they count those of the mesh.
 constexpr std::uint32_t firstSmall = 0x80000000;
@@ -25,13 +25,13 @@ bool isSmall(std::uint32_t number) { return number >= firstSmall && number != no
 /// The part of a face that is drawn, while it is drawn.
 class Tile {
  public:
-  /// For words and their pitch see drawTile.
-  Tile(const PreparedDraws& draws, const TileKernels& kernels, const Face& face, TileMemory& memory, Word* words,
+  /// For item IDs and their pitch see drawTile.
+  Tile(const PreparedDraws& draws, const TileKernels& kernels, const Face& face, TileMemory& memory, ItemId* ids,
        std::size_t pitch)
       : draws_(draws),
         kernels_(kernels),
         face_(face),
-        words_(words),
+        ids_(ids),
         pitch_(pitch),
         isMirrored_(determinant(face) < 0),
         memory_(memory),
@@ -51,26 +51,26 @@ class Tile {
   /// was not finite.
   std::uint64_t draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped);
 
-  /// After all triangles: the words.
+  /// After all triangles: the item IDs.
   void resolve();
 
  private:
   void offer(const ScreenTriangle& triangle);
   void drawSmall(std::uint32_t cluster, std::uint32_t small);
   void resolveRow(int row);
-  void resolveRun(const PixelRun& run, Shading& shading, Word* words);
-  void findTexels(const PixelRun& run, Shading::Texels& texels, Word base, Word* words);
+  void resolveRun(const PixelRun& run, Shading& shading, ItemId* ids);
+  void findTexels(const PixelRun& run, Shading::Texels& texels, ItemId base, ItemId* ids);
 
-  Word* wordsOf(int row) const { return words_ + static_cast<std::size_t>(row - buffer_.scissor.row) * pitch_; }
+  ItemId* idsOf(int row) const { return ids_ + static_cast<std::size_t>(row - buffer_.scissor.row) * pitch_; }
   ScreenTriangle screenTriangle(std::uint32_t number) const;
   bool offerExactly(const ScreenTriangle& triangle, std::uint32_t number, const Pixel& pixel);
-  Word wordExactly(std::uint32_t number, const Pixel& pixel);
+  ItemId idExactly(std::uint32_t number, const Pixel& pixel);
   Shading& shading(std::uint32_t triangle);
 
   const PreparedDraws& draws_;
   const TileKernels& kernels_;
   const Face& face_;
-  Word* words_;  ///< those of small triangles are there, the others come when they are resolved
+  ItemId* ids_;  ///< those of small triangles are there, the others come when they are resolved
   std::size_t pitch_;
   bool isMirrored_;
   TileMemory& memory_;
@@ -126,7 +126,7 @@ void Tile::offer(const ScreenTriangle& triangle) {
   if (isTaken) taken_.push_back(triangle);
 }
 
-/// Offers the samples of small triangles of a cluster, a bit each, with their words.
+/// Offers the samples of small triangles of a cluster, a bit each, with their item IDs.
 void Tile::drawSmall(std::uint32_t cluster, std::uint32_t small) {
   const ClusterPart& part = draws_.mesh.parts[cluster];
   const std::vector<TriangleRun>& runs = draws_.clusters[cluster].runs;
@@ -146,23 +146,23 @@ void Tile::drawSmall(std::uint32_t cluster, std::uint32_t small) {
     const DepthTest test = offerDepth(memory_.samples.inverseDepths[i], number, p, buffer_);
     if (test == DepthTest::Hidden) continue;
     if (test == DepthTest::Undecided && !offerExactly(screenTriangle(number), number, pixel)) continue;
-    Word& word = wordsOf(pixel.row)[pixel.column - buffer_.scissor.column];
+    ItemId& id = idsOf(pixel.row)[pixel.column - buffer_.scissor.column];
     if (memory_.samples.texels[i] == undecidedTexel) {
-      word = wordExactly(number, pixel);
+      id = idExactly(number, pixel);
       continue;
     }
     const Draw& draw = runs.size() == 1 ? first : draws_.list.draws[triangleOf(draws_.clusters[cluster], t).draw];
     const bool facesAway = ((memory_.samples.negative >> t & 1) != 0) == isMirrored_;
-    word = wordOf(draws_, draw, facesAway, static_cast<Word>(memory_.samples.texels[i]));
+    id = idOf(draws_, draw, facesAway, static_cast<ItemId>(memory_.samples.texels[i]));
   }
 }
 
-/// The word of a pixel that shows a texel.
-Word Tile::wordExactly(std::uint32_t number, const Pixel& pixel) {
+/// The item ID of a pixel that shows a texel.
+ItemId Tile::idExactly(std::uint32_t number, const Pixel& pixel) {
   const ScreenTriangle triangle = screenTriangle(number);
   const Draw& draw = draws_.list.draws[triangle.draw];
   const IndexMap& map = draws_.list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
-  return wordOf(draws_, draw, triangle.facesAway, texelExactly(triangle, map, pixel));
+  return idOf(draws_, draw, triangle.facesAway, texelExactly(triangle, map, pixel));
 }
 
 Shading& Tile::shading(std::uint32_t triangle) {
@@ -175,36 +175,36 @@ Shading& Tile::shading(std::uint32_t triangle) {
 }
 
 /// `base` and the number of the texel of each pixel of a run. Where one texel is undecided, more will be.
-void Tile::findTexels(const PixelRun& run, Shading::Texels& texels, Word base, Word* words) {
+void Tile::findTexels(const PixelRun& run, Shading::Texels& texels, ItemId base, ItemId* ids) {
   const IndexMap& map = *texels.map;
-  if (texels.exact) return kernels_.texels.findExactTexels(run, *texels.exact, map.width, map.height, base, words);
-  kernels_.texels.findTexels(run, texels.planes, base, words, memory_.undecided);
+  if (texels.exact) return kernels_.texels.findExactTexels(run, *texels.exact, map.width, map.height, base, ids);
+  kernels_.texels.findTexels(run, texels.planes, base, ids, memory_.undecided);
   if (memory_.undecided.pixels.empty()) return;
   const auto u = exactQuotient(*run.triangle, run.triangle->u, map.width);
   const auto v = exactQuotient(*run.triangle, run.triangle->v, map.height);
   if (u && v) {
     texels.exact = std::make_unique<const ExactTexels>(ExactTexels{*u, *v});
-    kernels_.texels.findExactTexels(run, *texels.exact, map.width, map.height, base, words);
+    kernels_.texels.findExactTexels(run, *texels.exact, map.width, map.height, base, ids);
   } else {
     for (const Pixel& pixel : memory_.undecided.pixels)
-      words[pixel.column - run.firstColumn] = base + texelExactly(*run.triangle, map, pixel);
+      ids[pixel.column - run.firstColumn] = base + texelExactly(*run.triangle, map, pixel);
   }
   memory_.undecided.pixels.clear();
 }
 
-/// The words of pixels that show one triangle.
-void Tile::resolveRun(const PixelRun& run, Shading& shading, Word* words) {
+/// The item IDs of pixels that show one triangle.
+void Tile::resolveRun(const PixelRun& run, Shading& shading, ItemId* ids) {
   if (!shading.texels) {
-    std::fill_n(words, run.count, shading.word);
+    std::fill_n(ids, run.count, shading.id);
     return;
   }
   Shading::Texels& texels = *shading.texels;
-  findTexels(run, texels, texels.counts ? shading.word : 0, words);
+  findTexels(run, texels, texels.counts ? shading.id : 0, ids);
   if (texels.counts) return;
-  const Word* const map = texels.map->words.data();
+  const ItemId* const map = texels.map->ids.data();
   const DrawList& list = draws_.list;
-  for (Word& word : std::span(words, static_cast<std::size_t>(run.count)))
-    word = texels.isSum ? shading.word | map[word] : blend(list.format, list.blend, shading.word, map[word]);
+  for (ItemId& id : std::span(ids, static_cast<std::size_t>(run.count)))
+    id = texels.isSum ? shading.id | map[id] : blend(list.format, list.blend, shading.id, map[id]);
 }
 
 void Tile::resolve() {
@@ -213,7 +213,7 @@ void Tile::resolve() {
 }
 
 void Tile::resolveRow(int row) {
-  Word* const words = wordsOf(row);
+  ItemId* const ids = idsOf(row);
   const std::size_t begin = buffer_.rowAt(row);
   const std::uint32_t* const triangles = buffer_.triangle.data() + begin;
   const int width = buffer_.scissor.width;
@@ -221,18 +221,18 @@ void Tile::resolveRow(int row) {
     const std::uint32_t number = triangles[first];
     end = first + 1;
     if (isSmall(number)) {
-      memory_.row[static_cast<std::size_t>(first)] = words[first];
+      memory_.row[static_cast<std::size_t>(first)] = ids[first];
       continue;
     }
     if (end < width && triangles[end] == number) end = kernels_.depth.endOfRun(triangles, first, width);
     if (number == noTriangle)
-      std::fill(memory_.row.begin() + first, memory_.row.begin() + end, backgroundWord(draws_.list.format));
+      std::fill(memory_.row.begin() + first, memory_.row.begin() + end, backgroundId(draws_.list.format));
     else
       resolveRun({&taken_[number], row, buffer_.scissor.column + first, end - first,
                   buffer_.inverseDepth.data() + begin + static_cast<std::size_t>(first)},
                  shading(number), memory_.row.data() + first);
   }
-  std::copy_n(memory_.row.data(), width, words);
+  std::copy_n(memory_.row.data(), width, ids);
 }
 
 struct PlacedGroup {
@@ -256,17 +256,17 @@ std::vector<PlacedGroup> groupsIn(const ClusterTree& tree, const ViewBounds& vie
 std::vector<Scissor> tilesOf(const Face& face) {
   const Scissor& whole = face.scissor;
   std::vector<Scissor> tiles;
-  for (int row = whole.row; row < whole.row + whole.height; row += mostRows)
-    for (int column = whole.column; column < whole.column + whole.width; column += mostColumns)
-      tiles.push_back({column, row, std::min(mostColumns, whole.column + whole.width - column),
-                       std::min(mostRows, whole.row + whole.height - row)});
+  for (int row = whole.row; row < whole.row + whole.height; row += maxRows)
+    for (int column = whole.column; column < whole.column + whole.width; column += maxColumns)
+      tiles.push_back({column, row, std::min(maxColumns, whole.column + whole.width - column),
+                       std::min(maxRows, whole.row + whole.height - row)});
   return tiles;
 }
 
 std::uint64_t drawTile(const PreparedDraws& draws, const TileKernels& kernels, const Face& face,
-                       std::span<const std::uint32_t> skipped, TileMemory& memory, Word* words, std::size_t pitch) {
+                       std::span<const std::uint32_t> skipped, TileMemory& memory, ItemId* ids, std::size_t pitch) {
   std::uint64_t dropped = 0;
-  Tile tile(draws, kernels, face, memory, words, pitch);
+  Tile tile(draws, kernels, face, memory, ids, pitch);
   const ViewBounds view(face);
   std::optional<std::uint32_t> awaited;  // a cluster on its way from memory
   for (const PlacedGroup& placed : groupsIn(draws.tree, view)) {

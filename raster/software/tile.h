@@ -1,7 +1,7 @@
 /// Tiles: a face is drawn in parts, each on its own and small enough to stay in a processor's second-level cache. In a
-/// tile, triangles are set up and offered to the depth buffer, the nearest clusters first; then the words of the pixels
-/// are resolved, once a visible pixel. Small triangles have as few pixels as there are of them: theirs are resolved
-/// while all that they need is at hand, when a pixel takes them.
+/// tile, triangles are set up and offered to the depth buffer, the nearest clusters first; then the item IDs of the
+/// pixels are resolved, once a visible pixel. Small triangles have as few pixels as there are of them: theirs are
+/// resolved while all that they need is at hand, when a pixel takes them.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ struct TileMemory {
   std::vector<ScreenTriangle> taken;     ///< by some pixel
   std::vector<Shading> shadings;         ///< of those that a pixel shows in the end
   std::vector<std::uint32_t> shadingOf;  ///< of a taken triangle: its place in `shadings`, or noTriangle
-  std::vector<Word> row;
+  std::vector<ItemId> row;
   UndecidedPixels undecided;
   PlacedVertices placed;                  ///< of the cluster that is drawn
   std::vector<ScreenTriangle> triangles;  ///< of the cluster
@@ -46,10 +46,10 @@ struct TileKernels {
   const TexelKernels& texels = bestTexelKernels();
 };
 
-/// Draws the part of a face that lies in its scissor rectangle: a word a pixel, row by row from `words` on, `pitch`
-/// words from row to row. What the memory holds before does not matter. Returns the number of triangles that were
+/// Draws the part of a face that lies in its scissor rectangle: an item ID a pixel, row by row from `ids` on, `pitch`
+/// item IDs from row to row. What the memory holds before does not matter. Returns the number of triangles that were
 /// dropped because a value was not finite.
 std::uint64_t drawTile(const PreparedDraws& draws, const TileKernels& kernels, const Face& face,
-                       std::span<const std::uint32_t> skipped, TileMemory& memory, Word* words, std::size_t pitch);
+                       std::span<const std::uint32_t> skipped, TileMemory& memory, ItemId* ids, std::size_t pitch);
 
 }  // namespace hemitex::raster

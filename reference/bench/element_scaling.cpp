@@ -2,8 +2,10 @@
 
 #include <deque>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/projected_form_factors.h"
 #include "radiosity/index_maps/id_layout.h"
+#include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/projection/hemicube.h"
 #include "raster/software/software_renderer.h"
 #include "reference/bench/equal_time_error.h"
@@ -32,7 +34,7 @@ class Level {
   std::size_t hemicubes() const { return views_.size(); }
 
   void draw() {
-    for (const radiosity::View& view : views_) renderer_.draw(view.faces, view.skipped, words_);
+    for (const radiosity::View& view : views_) renderer_.draw(view.faces, view.skipped, ids_);
   }
   void sum() {
     for (const auto& buffers : drawn_) counter_.rowOf(rows_.projection(), faces_, buffers);
@@ -40,14 +42,14 @@ class Level {
 
  private:
   radiosity::Discretization discretization_;
-  radiosity::WordLayout layout_;
+  radiosity::IdLayout layout_;
   raster::SoftwareRenderer renderer_;
   radiosity::ProjectedRows rows_;
   std::vector<radiosity::Window> faces_;
   radiosity::RowCounter counter_;
   std::vector<radiosity::View> views_;
   std::vector<std::vector<raster::ItemBuffer>> drawn_;
-  std::vector<raster::ItemBuffer> words_;
+  std::vector<raster::ItemBuffer> ids_;
 };
 
 }  // namespace

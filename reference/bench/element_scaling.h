@@ -13,10 +13,10 @@ namespace hemitex::reference {
 struct GrowthPoint {
   int side = 0;  ///< elements along the side of every surface
   std::size_t elements = 0;
-  Timing draw, row;  ///< of a hemicube: faces drawn and words resolved; their row summed
+  Timing draw, row;  ///< of a hemicube: faces drawn and item IDs resolved; their row summed
 };
 
-/// Of a scene whose surfaces have sides[i] x sides[i] elements each, in turns. Words have 32 bits.
+/// Of a scene whose surfaces have sides[i] x sides[i] elements each, in turns. Item IDs have 32 bits.
 std::vector<GrowthPoint> growthOf(const radiosity::Scene& scene, std::span<const int> sides, int resolution,
                                   int repeats);
 

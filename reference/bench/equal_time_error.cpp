@@ -5,10 +5,12 @@
 #include <functional>
 #include <memory>
 
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/form_factors/projected_form_factors.h"
 #include "radiosity/index_maps/id_layout.h"
+#include "radiosity/index_maps/scene_draw_list.h"
 #include "raster/software/software_renderer.h"
-#include "reference/bench/stopwatch.h"
+#include "reference/bench/timing.h"
 #include "reference/rays/embree_form_factors.h"
 #include "reference/rays/ray_source.h"
 
@@ -102,7 +104,7 @@ RowComparison compareRows(const radiosity::Scene& scene, const radiosity::Discre
   for (const MeasuredRow& row : truth)
     result.truthError += sumOfStandardErrors(row) / static_cast<double>(truth.size());
 
-  const radiosity::WordLayout layout = radiosity::layOut(discretization);
+  const radiosity::IdLayout layout = radiosity::layOut(discretization);
   raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));
   std::vector<Contender> contenders;
   const auto addHemicubes = [&](const std::vector<int>& resolutions, radiosity::Orientation orientation,

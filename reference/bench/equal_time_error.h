@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/form_factor_row.h"
 #include "radiosity/scene/scene.h"
 #include "reference/rays/monte_carlo_form_factors.h"

@@ -4,7 +4,9 @@
 #include <memory>
 #include <utility>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/projected_form_factors.h"
+#include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "raster/base/parallel.h"
 #include "reference/bench/baseline.h"
@@ -28,7 +30,7 @@ struct World {
         const radiosity::RendererFactory& device)
       : scene(itsScene),
         discretization(radiosity::discretize(scene, bench.elements)),
-        layout(radiosity::layOut(discretization, bench.words)),
+        layout(radiosity::layOut(discretization, bench.ids)),
         textures(radiosity::sceneRenderer(scene, discretization, layout, ElementsBy::Texture)),
         mesh(hasMesh ? radiosity::sceneRenderer(scene, discretization, layout, ElementsBy::Mesh) : nullptr),
         openGl(device ? device(radiosity::makeDrawList(scene, discretization, layout)) : nullptr),
@@ -36,7 +38,7 @@ struct World {
 
   const radiosity::Scene& scene;
   radiosity::Discretization discretization;
-  radiosity::WordLayout layout;
+  radiosity::IdLayout layout;
   std::unique_ptr<raster::ItemBufferRenderer> textures, mesh, openGl;
   PixelRays rays;
 };
@@ -61,14 +63,14 @@ class Tasks {
         rows_(world.scene, world.discretization, world.layout, *world.textures, {.resolution = resolution}),
         floor_(world.discretization, world.layout, rows_.projection()) {
     for (const std::uint32_t patch : patches_) views_.push_back(rows_.viewsOfPatch(patch).front());
-    // Of one patch: words of several would push each other out of the cache, where those of a hemicube are.
+    // Of one patch: item IDs of several would push each other out of the cache, where those of a hemicube are.
     drawn_ = world.textures->render(views_.front().faces, views_.front().skipped);
     add("hemicube", [this](std::size_t i) { rows_.ofPatch(patches_[i]); });
-    add("draw", [this](std::size_t i) { world_.textures->draw(views_[i].faces, views_[i].skipped, words_); });
+    add("draw", [this](std::size_t i) { world_.textures->draw(views_[i].faces, views_[i].skipped, ids_); });
     add("embree", [this](std::size_t i) { world_.rays.cast(views_[i].faces, hits_); });
     tasks_.push_back({"floor", [this] { floor_.row(drawn_); }});
     if (world.openGl && withOpenGl)
-      add("opengl", [this](std::size_t i) { world_.openGl->draw(views_[i].faces, views_[i].skipped, words_); });
+      add("opengl", [this](std::size_t i) { world_.openGl->draw(views_[i].faces, views_[i].skipped, ids_); });
     if (!world.mesh) return;
     meshRows_ = std::make_unique<ProjectedRows>(world.scene, world.discretization, world.layout, *world.mesh,
                                                 radiosity::ViewSettings{.resolution = resolution});
@@ -104,7 +106,7 @@ class Tasks {
   BenchFloor floor_;
   std::vector<View> views_;                ///< one a patch
   std::vector<raster::ItemBuffer> drawn_;  ///< of the first view
-  std::vector<raster::ItemBuffer> words_, hits_;
+  std::vector<raster::ItemBuffer> ids_, hits_;
   std::vector<Task> tasks_;
   int shots_ = 0;
 };

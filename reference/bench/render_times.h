@@ -20,13 +20,13 @@ struct BenchRun {
   int resolution = 0;
   int threads = 0;
   /// What took the time, of the same patches but for solutions, which choose theirs:
-  /// - hemicube: from a patch to its row of form factors; five faces drawn, words resolved, the row summed;
+  /// - hemicube: from a patch to its row of form factors; five faces drawn, item IDs resolved, the row summed;
   /// - hemicube-mesh: the same where elements are polygons;
-  /// - draw: faces drawn and words resolved alone;
+  /// - draw: faces drawn and item IDs resolved alone;
   /// - embree: rays through the same pixels, which triangle each meets (pixel_rays.h);
   /// - opengl: the faces drawn and read back, without the sum; from 100,000 triangles on, where it takes long, at the
   ///   highest resolution alone;
-  /// - floor: buffers cleared and the row summed of words drawn before, of the first patch (bench_floor.h);
+  /// - floor: buffers cleared and the row summed of item IDs drawn before, of the first patch (bench_floor.h);
   /// - solution: so many shots by the solver, `benchShots`, or fewer where no light is left; shot: the mean one.
   std::string what;
   Timing seconds;

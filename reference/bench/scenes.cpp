@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "radiosity/discretization/grid_size.h"
+#include "radiosity/scene/load_scene.h"
 
 namespace hemitex::reference {
 namespace {
@@ -20,8 +21,8 @@ void asFineGallery(BenchScene& gallery) {
   gallery.elements = radiosity::settingsForPages(gallery.scene, pages, coarseSide);
   gallery.elements.subdivision = subdivision;
   gallery.elements.patch = 16;
-  gallery.words.indexMaps = radiosity::IndexMaps::Packed;
-  gallery.words.page = coarseSide * subdivision;
+  gallery.ids.indexMaps = radiosity::IndexMaps::Packed;
+  gallery.ids.page = coarseSide * subdivision;
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
 
@@ -15,7 +15,7 @@ struct BenchScene {
   std::string name;  ///< of the file, without its ending
   radiosity::Scene scene;
   radiosity::DiscretizationSettings elements;
-  radiosity::WordSettings words;
+  radiosity::IdSettings ids;
 };
 
 /// By the program's defaults. Throws InputError where nothing emits.

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/solver/shooting_state.h"
-#include "reference/bench/stopwatch.h"
 #include "reference/bench/timing.h"
 
 namespace hemitex::reference {
@@ -42,7 +42,7 @@ class HeapProbe final : public raster::ItemBufferRenderer {
 radiosity::DrawnRows drawnRows(const radiosity::Scene& scene, int texels, int resolution,
                                const radiosity::RendererFactory& renderer = radiosity::softwareRenderer) {
   radiosity::Discretization discretization = radiosity::discretize(scene, {.texels = texels});
-  radiosity::WordLayout layout = radiosity::layOut(discretization, {.format = "r32ui"});
+  radiosity::IdLayout layout = radiosity::layOut(discretization, {.format = "r32ui"});
   return {scene, std::move(discretization), std::move(layout), {.resolution = resolution, .split = 1}, renderer};
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "raster/base/parallel.h"
@@ -49,7 +50,7 @@ CoreGains coreGains(const GainByTurn& arithmetic, const GainByTurn& hemicube, co
 
 CoreGains coreGains(const BenchScene& bench, int resolution, int shots, int repeats) {
   radiosity::DrawnRows drawn(bench.scene, radiosity::discretize(bench.scene, bench.elements),
-                             radiosity::layOut(radiosity::discretize(bench.scene, bench.elements), bench.words),
+                             radiosity::layOut(radiosity::discretize(bench.scene, bench.elements), bench.ids),
                              {.resolution = resolution, .split = 1});
   const std::vector<std::uint32_t> patches = spreadPatches(drawn.discretization(), 8);
   const auto hemicubes = [&] {

@@ -4,8 +4,6 @@
 #include <cassert>
 #include <utility>
 
-#include "reference/bench/stopwatch.h"
-
 namespace hemitex::reference {
 namespace {
 

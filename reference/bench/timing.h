@@ -3,11 +3,21 @@
 /// its memory is in the caches, and its threads are awake.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <span>
 #include <vector>
 
 namespace hemitex::reference {
+
+/// Seconds since it was made.
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 /// Seconds of one call.
 struct Timing {

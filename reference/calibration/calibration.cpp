@@ -8,9 +8,9 @@ namespace hemitex::reference {
 namespace {
 
 using raster::ItemBuffer;
-using raster::Word;
+using raster::ItemId;
 
-constexpr Word nothing = 0xffffffff;  // the background of the probes
+constexpr ItemId nothing = 0xffffffff;  // the background of the probes
 
 // --- snapping and edges ---
 
@@ -43,10 +43,10 @@ Contradictions contradictionsOf(const ProbingSet& probes, std::span<const ItemBu
       const Coverage expected = coverageOf(probes.coverage[s].pixels[pixel], snapping.bits, snapping.rounding);
       const bool isCovered = expected == Coverage::Inside || expected == Coverage::OnIncludedEdge;
       const bool isSure = expected == Coverage::Inside || expected == Coverage::Outside;
-      if (answers[s].words[pixel] == (isCovered ? 1 : nothing)) continue;
-      // A word that is neither is wrong wherever the sample lies.
-      const bool isWord = answers[s].words[pixel] == 1 || answers[s].words[pixel] == nothing;
-      (isSure || !isWord ? contradictions.sure : contradictions.onEdges) += 1;
+      if (answers[s].ids[pixel] == (isCovered ? 1 : nothing)) continue;
+      // An item ID that is neither is wrong wherever the sample lies.
+      const bool isId = answers[s].ids[pixel] == 1 || answers[s].ids[pixel] == nothing;
+      (isSure || !isId ? contradictions.sure : contradictions.onEdges) += 1;
     }
   return contradictions;
 }
@@ -83,11 +83,11 @@ void calibrateTexels(const ProbingSet& probes, std::span<const ItemBuffer> answe
   for (std::size_t s = 0; s < probes.texels.size(); ++s)
     for (std::size_t pixel = 0; pixel < probes.texels[s].pixels.size(); ++pixel) {
       const TexelProbe& probe = probes.texels[s].pixels[pixel];
-      const auto above = static_cast<Word>(probe.border), below = above - 1;
-      const Word word = answers[s].words[pixel];
+      const auto above = static_cast<ItemId>(probe.border), below = above - 1;
+      const ItemId id = answers[s].ids[pixel];
       largest = std::max(largest, probe.distance);
-      strangers += word != above && word != below;
-      if (word != (probe.isAbove ? above : below)) largestWrong = std::max(largestWrong, probe.distance);
+      strangers += id != above && id != below;
+      if (id != (probe.isAbove ? above : below)) largestWrong = std::max(largestWrong, probe.distance);
     }
   calibration.profile.texelPrecision = 2 * largestWrong;
   if (strangers > 0)
@@ -105,9 +105,9 @@ void calibrateDepths(const ProbingSet& probes, std::span<const ItemBuffer> answe
   for (std::size_t s = 0; s < probes.depths.size(); ++s)
     for (std::size_t pixel = 0; pixel < probes.depths[s].pixels.size(); ++pixel) {
       const DepthProbe& probe = probes.depths[s].pixels[pixel];
-      const Word word = answers[s].words[pixel];
-      strangers += word != 1 && word != 2;
-      wrong[static_cast<std::size_t>(probe.step)] += word != probe.nearer;
+      const ItemId id = answers[s].ids[pixel];
+      strangers += id != 1 && id != 2;
+      wrong[static_cast<std::size_t>(probe.step)] += id != probe.nearer;
     }
   const auto confuses = [&](DepthStep step) { return wrong[static_cast<std::size_t>(step)] > 0; };
   calibration.profile.depthFormat = confuses(DepthStep::Float32)   ? DepthFormat::Unorm16

@@ -154,16 +154,16 @@ ProbeSheet<DepthProbe> depthSheet(const std::string& name, int resolution, float
   const Corners corners{onGrid({-6, 1}), onGrid({0, -7}), onGrid({6, 1})};  // the sample's weights are 7/16, 2/16, 7/16
   ProbeSheet<DepthProbe> sheet;
   raster::DrawList list = plainList();
-  for (const raster::Word word : {1u, 2u}) {
-    addDraw(list, word);
+  for (const raster::ItemId id : {1u, 2u}) {
+    addDraw(list, id);
     for (std::size_t pixel = 0; pixel < pairs.size(); ++pixel) {
-      const raster::Word nearer = pixel % 2 == 0 ? 1 : 2;
-      const glm::dvec3& w = word == nearer ? pairs[pixel].nearer : pairs[pixel].farther;
+      const raster::ItemId nearer = pixel % 2 == 0 ? 1 : 2;
+      const glm::dvec3& w = id == nearer ? pairs[pixel].nearer : pairs[pixel].farther;
       const auto point = [&](int k) {
         return cornerPoint(resolution, pixel, corners[static_cast<std::size_t>(k)], w[k]);
       };
       addTriangle(list, {point(0), point(1), point(2)});
-      if (word == 1) sheet.pixels.push_back({pairs[pixel].step, nearer});
+      if (id == 1) sheet.pixels.push_back({pairs[pixel].step, nearer});
     }
   }
   sheet.vector =

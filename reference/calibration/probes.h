@@ -20,13 +20,13 @@ struct ProbeSheet {
   std::vector<Probe> pixels;
 };
 
-/// Is the sample covered? Word 1 says yes, the background no.
+/// Is the sample covered? Item ID 1 says yes, the background no.
 struct CoverageProbe {
   /// Corners of the triangle relative to the sample, in units of 1/16384 pixel.
   std::array<glm::ivec2, 3> corners;
 };
 
-/// Which side of the border between texels `border - 1` and `border` is shown? The word is the texel.
+/// Which side of the border between texels `border - 1` and `border` is shown? The item ID is the texel.
 struct TexelProbe {
   int border;
   double distance;  ///< of the coordinate from the border, in texels
@@ -37,10 +37,10 @@ struct TexelProbe {
 /// buffer close to 0.
 enum class DepthStep { Unorm16, Float32, Unorm24, Fine };
 
-/// Which of two triangles is nearer? Words are 1 for the first that is drawn and 2 for the second.
+/// Which of two triangles is nearer? Item IDs are 1 for the first that is drawn and 2 for the second.
 struct DepthProbe {
   DepthStep step;
-  raster::Word nearer;
+  raster::ItemId nearer;
 };
 
 struct ProbingSet {

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/closed_forms/estimate.h"
 #include "reference/closed_forms/extended_precision.h"
 
 namespace hemitex::reference {

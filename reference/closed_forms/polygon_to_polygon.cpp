@@ -11,7 +11,6 @@
 #include <limits>
 #include <vector>
 
-#include "reference/closed_forms/estimate.h"
 #include "reference/closed_forms/extended_precision.h"
 #include "reference/closed_forms/point_to_polygon.h"
 

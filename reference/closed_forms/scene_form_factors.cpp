@@ -7,7 +7,7 @@ namespace hemitex::reference {
 namespace {
 
 /// In extents of the scene, squared: what rounding leaves along cuts, as long as a texel and 1e-17 wide.
-constexpr double leastArea = 1e-17;
+constexpr double minArea = 1e-17;
 
 double areaOf(const SurfacePiece& piece) {
   glm::dvec3 doubled(0);
@@ -24,7 +24,7 @@ struct ShootingPiece {
 double formFactor(const ShootingPiece& from, std::span<const SurfacePiece> element) {
   double sum = 0;
   for (const SurfacePiece& to : element)
-    if (to.triangle != from.piece->triangle && areaOf(to) > leastArea)
+    if (to.triangle != from.piece->triangle && areaOf(to) > minArea)
       sum += polygonToPolygon(from.piece->corner, to.corner);
   return sum;
 }
@@ -43,7 +43,7 @@ std::vector<double> analyticRow(const SurfacePieces& from, std::span<const std::
   std::vector<double> row(to.first.size() - 1, 0.0);
   raster::parallelFor(row.size(), [&](std::size_t element) {
     for (const ShootingPiece& piece : shooting)
-      if (piece.area > leastArea)
+      if (piece.area > minArea)
         row[element] += piece.area / area * formFactor(piece, to.of(static_cast<std::uint32_t>(element)));
   });
   return row;

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "radiosity/discretization/exposed_pieces.h"
 #include "radiosity/discretization/texel_areas.h"
 #include "radiosity/geometry/grid_clipping.h"
-#include "reference/rays/ray_caster.h"
 
 namespace hemitex::reference {
 namespace {
@@ -37,6 +37,15 @@ void appendPieces(const radiosity::Scene& scene, const radiosity::Surface& surfa
 }
 
 }  // namespace
+
+glm::dvec3 inFrame(const radiosity::Scene& scene, const glm::dvec3& position) {
+  return (position - scene.origin) / scene.extent;
+}
+
+std::array<glm::dvec3, 3> inFrame(const radiosity::Scene& scene, const radiosity::Triangle& triangle) {
+  const auto& [a, b, c] = triangle.position;
+  return {inFrame(scene, a), inFrame(scene, b), inFrame(scene, c)};
+}
 
 SurfacePieces surfacePieces(const radiosity::Scene& scene, const radiosity::Discretization& discretization) {
   SurfacePieces result;

@@ -10,10 +10,14 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene.h"
 
 namespace hemitex::reference {
+
+/// A point of the file, and a triangle's corners, in the frame of the scene.
+glm::dvec3 inFrame(const radiosity::Scene& scene, const glm::dvec3& position);
+std::array<glm::dvec3, 3> inFrame(const radiosity::Scene& scene, const radiosity::Triangle& triangle);
 
 /// The part of a triangle that belongs to an element: a convex polygon.
 struct SurfacePiece {

@@ -1,4 +1,4 @@
-/// Words as colours: what hardware that knows no words makes of them.
+/// Item IDs as colours: what hardware that knows no item IDs makes of them.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,17 @@
 
 namespace hemitex::reference {
 
-/// Bits [shift, shift + bits) of a word.
+/// Bits [shift, shift + bits) of an item ID.
 struct Channel {
   int shift = 0;
   int bits = 0;
 
-  raster::Word largest() const { return static_cast<raster::Word>((std::uint64_t{1} << bits) - 1); }
-  raster::Word of(raster::Word word) const { return (word >> shift) & largest(); }
+  raster::ItemId largest() const { return static_cast<raster::ItemId>((std::uint64_t{1} << bits) - 1); }
+  raster::ItemId of(raster::ItemId id) const { return (id >> shift) & largest(); }
 };
 
 /// The channels of a format, least significant first.
-inline std::vector<Channel> channelsOf(const raster::WordFormat& format) {
+inline std::vector<Channel> channelsOf(const raster::IdFormat& format) {
   std::vector<Channel> channels;
   int shift = 0;
   for (const int bits : format.channelBits) {
@@ -29,23 +29,23 @@ inline std::vector<Channel> channelsOf(const raster::WordFormat& format) {
   return channels;
 }
 
-/// The channels of the colour that holds a word: a word of one channel of 32 bits may travel as four bytes.
-inline std::vector<Channel> colourChannelsOf(const raster::WordFormat& format) {
-  return channelsOf(format.channelBits == std::vector<int>{32} ? raster::WordFormat{{8, 8, 8, 8}} : format);
+/// The channels of the colour that holds an item ID: an item ID of one channel of 32 bits may travel as four bytes.
+inline std::vector<Channel> colourChannelsOf(const raster::IdFormat& format) {
+  return channelsOf(format.channelBits == std::vector<int>{32} ? raster::IdFormat{{8, 8, 8, 8}} : format);
 }
 
-/// The word whose channels are value(channel), the others zero.
+/// The item ID whose channels are value(channel), the others zero.
 template <typename Value>
-raster::Word wordOf(std::span<const Channel> channels, const Value& value) {
-  raster::Word word = 0;
-  for (const Channel& channel : channels) word |= value(channel) << channel.shift;
-  return word;
+raster::ItemId idOf(std::span<const Channel> channels, const Value& value) {
+  raster::ItemId id = 0;
+  for (const Channel& channel : channels) id |= value(channel) << channel.shift;
+  return id;
 }
 
-/// Whether two words differ by at most one in each channel.
-inline bool isClose(std::span<const Channel> channels, raster::Word a, raster::Word b) {
+/// Whether two item IDs differ by at most one in each channel.
+inline bool isClose(std::span<const Channel> channels, raster::ItemId a, raster::ItemId b) {
   for (const Channel& channel : channels) {
-    const raster::Word x = channel.of(a), y = channel.of(b);
+    const raster::ItemId x = channel.of(a), y = channel.of(b);
     if (x > y ? x - y > 1 : y - x > 1) return false;
   }
   return true;

@@ -11,29 +11,29 @@
 namespace hemitex::reference {
 namespace {
 
-using raster::Word;
-using Words = std::vector<Word>;  // of all faces
+using raster::ItemId;
+using ItemIds = std::vector<ItemId>;  // of all faces
 
-constexpr double leastAgreement = 0.9;
+constexpr double minAgreement = 0.9;
 constexpr std::uint64_t fewestPixels = 8;
 
-Words wordsOf(const std::vector<raster::ItemBuffer>& buffers) {
-  Words words;
-  for (const raster::ItemBuffer& buffer : buffers) words.insert(words.end(), buffer.words.begin(), buffer.words.end());
-  return words;
+ItemIds idsOf(const std::vector<raster::ItemBuffer>& buffers) {
+  ItemIds ids;
+  for (const raster::ItemBuffer& buffer : buffers) ids.insert(ids.end(), buffer.ids.begin(), buffer.ids.end());
+  return ids;
 }
 
 /// What is diagnosed.
 struct Case {
-  Words rules;  ///< by the staged device, whose rounding is then no footprint
-  Words found;
+  ItemIds rules;  ///< by the staged device, whose rounding is then no footprint
+  ItemIds found;
   std::vector<bool> isError;
 };
 
 Case makeCase(const TestVector& vector, const Verdict& verdict) {
-  Case result{wordsOf(drawOn(StagedDevice{}, vector)), {}, {}};
+  Case result{idsOf(drawOn(StagedDevice{}, vector)), {}, {}};
   for (const FaceVerdict& face : verdict.faces) {
-    result.found.insert(result.found.end(), face.found.words.begin(), face.found.words.end());
+    result.found.insert(result.found.end(), face.found.ids.begin(), face.found.ids.end());
     for (const PixelVerdict pixel : face.pixels) result.isError.push_back(pixel == PixelVerdict::Error);
   }
   return result;
@@ -44,25 +44,25 @@ struct Suspect {
   const Fault* fault;
   const Variant* variant;
   double agreement;
-  std::uint64_t exact;  ///< pixels of all that hold the variant's word
-  Words words;
+  std::uint64_t exact;  ///< pixels of all that hold the variant's item ID
+  ItemIds ids;
 };
 
-std::optional<Suspect> compare(const Case& given, const Fault& fault, const Variant& variant, Words words) {
+std::optional<Suspect> compare(const Case& given, const Fault& fault, const Variant& variant, ItemIds ids) {
   const std::vector<Channel>& rounded = variant.rounded;
-  const auto areLike = [&](Word a, Word b) { return a == b || (!rounded.empty() && isClose(rounded, a, b)); };
+  const auto areLike = [&](ItemId a, ItemId b) { return a == b || (!rounded.empty() && isClose(rounded, a, b)); };
   std::uint64_t pixels = 0, agreeing = 0, exact = 0;
-  for (std::size_t p = 0; p < words.size(); ++p) {
-    const bool isChanged = words[p] != given.rules[p];
-    exact += words[p] == given.found[p];
+  for (std::size_t p = 0; p < ids.size(); ++p) {
+    const bool isChanged = ids[p] != given.rules[p];
+    exact += ids[p] == given.found[p];
     // A change that rounding may undo says nothing.
-    if (!given.isError[p] && areLike(words[p], given.rules[p])) continue;
+    if (!given.isError[p] && areLike(ids[p], given.rules[p])) continue;
     ++pixels;
-    agreeing += isChanged && areLike(words[p], given.found[p]);
+    agreeing += isChanged && areLike(ids[p], given.found[p]);
   }
   const double agreement = static_cast<double>(agreeing) / static_cast<double>(pixels);
-  if (agreeing < fewestPixels || agreement < leastAgreement) return {};
-  return Suspect{&fault, &variant, agreement, exact, std::move(words)};
+  if (agreeing < fewestPixels || agreement < minAgreement) return {};
+  return Suspect{&fault, &variant, agreement, exact, std::move(ids)};
 }
 
 std::vector<Suspect> suspectsOf(const TestVector& vector, const Case& given, const std::vector<Fault>& faults) {
@@ -76,7 +76,7 @@ std::vector<Suspect> suspectsOf(const TestVector& vector, const Case& given, con
   std::vector<std::optional<Suspect>> compared(candidates.size());
   raster::parallelFor(candidates.size(), [&](std::size_t k) {
     const auto& [fault, variant] = candidates[k];
-    compared[k] = compare(given, *fault, *variant, wordsOf(drawOn(variant->device, vector)));
+    compared[k] = compare(given, *fault, *variant, idsOf(drawOn(variant->device, vector)));
   });
   std::vector<Suspect> suspects;
   for (std::optional<Suspect>& suspect : compared)
@@ -84,12 +84,12 @@ std::vector<Suspect> suspectsOf(const TestVector& vector, const Case& given, con
   return suspects;
 }
 
-/// Whether `best` and `other` could be exchanged: of the pixels that hold the word of one of the two, those of `best`
-/// outnumber the others by no more than two standard deviations of a fair coin.
+/// Whether `best` and `other` could be exchanged: of the pixels that hold the item ID of one of the two, those of
+/// `best` outnumber the others by no more than two standard deviations of a fair coin.
 bool areIndistinct(const Case& given, const Suspect& best, const Suspect& other) {
   std::uint64_t onlyBest = 0, onlyOther = 0;
   for (std::size_t p = 0; p < given.found.size(); ++p) {
-    const bool isBest = best.words[p] == given.found[p], isOther = other.words[p] == given.found[p];
+    const bool isBest = best.ids[p] == given.found[p], isOther = other.ids[p] == given.found[p];
     onlyBest += isBest && !isOther;
     onlyOther += isOther && !isBest;
   }

@@ -1,9 +1,9 @@
 /// The diagnosis of a device whose errors are systematic: the vector is drawn again with each known fault (fault.h),
-/// and the fault whose words are the device's is named.
+/// and the fault whose item IDs are the device's is named.
 ///
-/// Let the footprint of a fault be the pixels where it changes the words of the rules. A fault *agrees* with a device
-/// as far as, of the pixels that are errors or in the footprint, the device holds the fault's word: a device with the
-/// fault agrees but where its own small errors show, another one hardly ever.
+/// Let the footprint of a fault be the pixels where it changes the item IDs of the rules. A fault *agrees* with a
+/// device as far as, of the pixels that are errors or in the footprint, the device holds the fault's item ID: a device
+/// with the fault agrees but where its own small errors show, another one hardly ever.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ struct Finding {
 };
 
 /// The fault that agrees best, if any agrees on nine pixels of ten and on at least eight; with it those that the vector
-/// cannot tell from it: no more pixels than chance allows hold the word of the one and not of the other. Empty where
+/// cannot tell from it: no more pixels than chance allows hold the item ID of the one and not of the other. Empty where
 /// nothing is an error.
 std::vector<Finding> diagnose(const TestVector& vector, const Verdict& verdict);
 

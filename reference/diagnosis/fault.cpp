@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "reference/diagnosis/fault_themes.h"
-
 namespace hemitex::reference {
 
 std::vector<Fault> knownFaults(const TestVector& vector) {

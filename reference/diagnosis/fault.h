@@ -16,17 +16,25 @@ namespace hemitex::reference {
 struct Variant {
   std::string name;  ///< may be empty
   StagedDevice device;
-  /// Where devices round differently: a word that is off by at most one in each of these channels is forgiven.
+  /// Where devices round differently: an item ID that is off by at most one in each of these channels is forgiven.
   std::vector<Channel> rounded = {};
 };
 
 struct Fault {
-  std::string name;    ///< in the field's words
+  std::string name;    ///< in the field's item IDs
   std::string advice;  ///< one line: where to look
   std::vector<Variant> variants;
 };
 
-/// All known faults, in a fixed order, with the variants that the vector's faces and word format allow.
+/// All known faults, in a fixed order, with the variants that the vector's faces and item ID format allow.
 std::vector<Fault> knownFaults(const TestVector& vector);
+
+/// The known faults of each stage, a source file each.
+std::vector<Fault> viewFaults(const TestVector& vector);     ///< flipped, exchanged, turned, moved views and pictures
+std::vector<Fault> sampleFaults(const TestVector& vector);   ///< facing, coverage and depth
+std::vector<Fault> textureFaults(const TestVector& vector);  ///< how index maps are looked up
+std::vector<Fault> blendFaults(const TestVector& vector);    ///< offsets, and how they meet texels and the target
+std::vector<Fault> memoryFaults(
+    const TestVector& vector);  ///< item IDs in memory: channels, bytes, bits, rows, colours
 
 }  // namespace hemitex::reference

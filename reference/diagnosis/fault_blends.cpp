@@ -3,33 +3,33 @@
 #include <cmath>
 #include <map>
 
-#include "reference/diagnosis/fault_themes.h"
+#include "reference/diagnosis/fault.h"
 
 namespace hemitex::reference {
 namespace {
 
 using raster::DrawList;
-using raster::Word;
+using raster::ItemId;
 
 // --- offset and texel ---
 
-using ChannelSum = std::function<Word(const Channel&, std::uint64_t, std::uint64_t)>;
+using ChannelSum = std::function<ItemId(const Channel&, std::uint64_t, std::uint64_t)>;
 
 /// A blend channel by channel.
 StagedDevice withBlend(const std::vector<Channel>& channels, const ChannelSum& sum) {
   StagedDevice device;
-  device.blend = [=](const DrawList&, Word offset, Word texel) {
-    return wordOf(channels, [&](const Channel& channel) {
+  device.blend = [=](const DrawList&, ItemId offset, ItemId texel) {
+    return idOf(channels, [&](const Channel& channel) {
       return sum(channel, std::uint64_t{channel.of(offset)}, std::uint64_t{channel.of(texel)});
     });
   };
   return device;
 }
 
-std::vector<Variant> modulations(const raster::WordFormat& format) {
+std::vector<Variant> modulations(const raster::IdFormat& format) {
   const auto product = [](const Channel& channel, std::uint64_t offset, std::uint64_t texel) {
     const std::uint64_t largest = channel.largest();
-    return static_cast<Word>((offset * texel + largest / 2) / largest);
+    return static_cast<ItemId>((offset * texel + largest / 2) / largest);
   };
   const std::vector<Channel> channels = channelsOf(format), colours = colourChannelsOf(format);
   std::vector<Variant> variants{{"", withBlend(colours, product), colours}};
@@ -37,12 +37,12 @@ std::vector<Variant> modulations(const raster::WordFormat& format) {
   return variants;
 }
 
-Word wrappedSum(const Channel& channel, std::uint64_t offset, std::uint64_t texel) {
-  return static_cast<Word>((offset + texel) & channel.largest());
+ItemId wrappedSum(const Channel& channel, std::uint64_t offset, std::uint64_t texel) {
+  return static_cast<ItemId>((offset + texel) & channel.largest());
 }
 
-Word clampedSum(const Channel& channel, std::uint64_t offset, std::uint64_t texel) {
-  return static_cast<Word>(std::min<std::uint64_t>(offset + texel, channel.largest()));
+ItemId clampedSum(const Channel& channel, std::uint64_t offset, std::uint64_t texel) {
+  return static_cast<ItemId>(std::min<std::uint64_t>(offset + texel, channel.largest()));
 }
 
 /// What else an adder may do at a channel's end.
@@ -53,8 +53,8 @@ std::vector<Fault> additions(const DrawList& list) {
              {{"", withBlend(colourChannelsOf(list.format), clampedSum)}}}};
   if (list.blend != raster::Blend::ClampedAdd) return {};
   StagedDevice carrying;
-  carrying.blend = [](const DrawList& drawn, Word offset, Word texel) {
-    return (offset + texel) & raster::backgroundWord(drawn.format);
+  carrying.blend = [](const DrawList& drawn, ItemId offset, ItemId texel) {
+    return (offset + texel) & raster::backgroundId(drawn.format);
   };
   return {
       {"wrap instead of clamp",
@@ -66,19 +66,19 @@ std::vector<Fault> additions(const DrawList& list) {
 // --- offsets ---
 
 /// How many elements a draw tells apart.
-Word elementsOf(const DrawList& list, const raster::Draw& draw) {
+ItemId elementsOf(const DrawList& list, const raster::Draw& draw) {
   if (!draw.indexMap) return 1;
-  const std::vector<Word>& words = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)].words;
-  return *std::max_element(words.begin(), words.end()) + 1;
+  const std::vector<ItemId>& ids = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)].ids;
+  return *std::max_element(ids.begin(), ids.end()) + 1;
 }
 
 /// Surfaces in the order of their offsets, each right behind the elements of the one before.
 void packOffsets(DrawList& list) {
-  std::map<Word, Word> elements;
+  std::map<ItemId, ItemId> elements;
   for (const raster::Draw& draw : list.draws)
     elements[draw.offset] = std::max(elements[draw.offset], elementsOf(list, draw));
-  std::map<Word, Word> packed;
-  Word next = 0;
+  std::map<ItemId, ItemId> packed;
+  ItemId next = 0;
   for (const auto& [offset, count] : elements) {
     packed[offset] = next;
     next += count;
@@ -96,7 +96,7 @@ StagedDevice packedOffsets() {
 /// (of the last such triangle; where there is none, of the last triangle that has it), and the device reads corner
 /// `read`. Every triangle becomes a draw of its own.
 void readOffsetsFrom(DrawList& list, std::size_t written, std::size_t read) {
-  std::vector<Word> colours(list.positions.size());
+  std::vector<ItemId> colours(list.positions.size());
   std::vector<raster::Draw> triangles;
   for (const raster::Draw& draw : list.draws)
     for (std::uint32_t first = draw.first; first < draw.first + draw.count; first += 3) {
@@ -128,18 +128,18 @@ std::vector<Variant> provokingVertices() {
 
 /// Colours that are blended into the target, which starts as the background; the fourth channel is alpha. Without one,
 /// or where colours are added, the picture is right or all background and says nothing of blending.
-std::vector<Variant> targetBlends(const raster::WordFormat& format) {
+std::vector<Variant> targetBlends(const raster::IdFormat& format) {
   const std::vector<Channel> channels = colourChannelsOf(format);
   if (channels.size() < 4) return {};
   std::vector<Variant> variants;
   for (const bool isPremultiplied : {false, true}) {
     StagedDevice device;
-    device.store = [=](Word stored, Word fragment) {
+    device.store = [=](ItemId stored, ItemId fragment) {
       const double opaque = channels[3].largest(), alpha = channels[3].of(fragment) / opaque;
-      return wordOf(channels, [&](const Channel& channel) {
+      return idOf(channels, [&](const Channel& channel) {
         const double source = channel.of(fragment), target = channel.of(stored), largest = channel.largest();
         const double sum = (isPremultiplied ? 1 : alpha) * source + (1 - alpha) * target;
-        return static_cast<Word>(std::min(std::nearbyint(sum), largest));
+        return static_cast<ItemId>(std::min(std::nearbyint(sum), largest));
       });
     };
     variants.push_back({isPremultiplied ? "by premultiplied alpha" : "by alpha", device, channels});

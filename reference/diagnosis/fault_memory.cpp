@@ -1,30 +1,30 @@
-/// Faults of words in memory: the order of channels and bytes, lost bits, the length of rows, and colours that are no
-/// numbers.
+/// Faults of item IDs in memory: the order of channels and bytes, lost bits, the length of rows, and colours that are
+/// no numbers.
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
 
-#include "reference/diagnosis/fault_themes.h"
+#include "reference/diagnosis/fault.h"
 
 namespace hemitex::reference {
 namespace {
 
 using raster::DrawList;
-using raster::Word;
-using WordChange = std::function<Word(Word)>;
+using raster::ItemId;
+using IdChange = std::function<ItemId(ItemId)>;
 
-StagedDevice withTexels(const WordChange& change) {
+StagedDevice withTexels(const IdChange& change) {
   StagedDevice device;
   device.upload = [=](DrawList& list) {
     for (raster::IndexMap& map : list.indexMaps)
-      for (Word& word : map.words) word = change(word);
+      for (ItemId& id : map.ids) id = change(id);
   };
   return device;
 }
 
-/// Back words are constants like offsets, and go the same way.
-StagedDevice withOffsets(const WordChange& change) {
+/// Back item IDs are constants like offsets, and go the same way.
+StagedDevice withOffsets(const IdChange& change) {
   StagedDevice device;
   device.upload = [=](DrawList& list) {
     for (raster::Draw& draw : list.draws) {
@@ -35,19 +35,18 @@ StagedDevice withOffsets(const WordChange& change) {
   return device;
 }
 
-StagedDevice withWords(const WordChange& change) {
+StagedDevice withIds(const IdChange& change) {
   StagedDevice device;
   device.readBack = [=](const raster::Face&, raster::ItemBuffer& buffer) {
-    for (Word& word : buffer.words) word = change(word);
+    for (ItemId& id : buffer.ids) id = change(id);
   };
   return device;
 }
 
-/// One change wherever words pass.
-std::vector<Variant> withAny(const WordChange& change) {
-  return {{"in words files", withWords(change)},
-          {"in index maps", withTexels(change)},
-          {"in offsets", withOffsets(change)}};
+/// One change wherever item IDs pass.
+std::vector<Variant> withAny(const IdChange& change) {
+  return {
+      {"in words files", withIds(change)}, {"in index maps", withTexels(change)}, {"in offsets", withOffsets(change)}};
 }
 
 // --- channels ---
@@ -72,56 +71,55 @@ std::vector<Order> channelOrders(const std::vector<Channel>& channels) {
   return orders;
 }
 
-std::vector<Variant> swaps(const raster::WordFormat& format, StagedDevice (*changed)(const WordChange&)) {
+std::vector<Variant> swaps(const raster::IdFormat& format, StagedDevice (*changed)(const IdChange&)) {
   const std::vector<Channel> channels = colourChannelsOf(format);
   std::vector<Variant> variants;
   for (const Order& order : channelOrders(channels)) {
     std::string name;
     for (const std::size_t channel : order) name += "RGBA"[channel];
-    variants.push_back({name, changed([=](Word word) {
-                          Word swapped = 0;
+    variants.push_back({name, changed([=](ItemId id) {
+                          ItemId swapped = 0;
                           for (std::size_t k = 0; k < order.size(); ++k)
-                            swapped |= channels[order[k]].of(word) << channels[k].shift;
+                            swapped |= channels[order[k]].of(id) << channels[k].shift;
                           return swapped;
                         })});
   }
   return variants;
 }
 
-std::vector<Variant> byteOrders(const raster::WordFormat& format) {
-  const auto reversed = [](Word word) { return word << 24 | (word & 0xff00) << 8 | (word >> 8 & 0xff00) | word >> 24; };
-  // Where words have fewer bits than their memory, hardware drops what does not fit.
-  const Word all = raster::backgroundWord(format);
-  const auto cut = [=](Word word) { return reversed(word) & all; };
-  return {
-      {"in words files", withWords(reversed)}, {"in index maps", withTexels(cut)}, {"in offsets", withOffsets(cut)}};
+std::vector<Variant> byteOrders(const raster::IdFormat& format) {
+  const auto reversed = [](ItemId id) { return id << 24 | (id & 0xff00) << 8 | (id >> 8 & 0xff00) | id >> 24; };
+  // Where item IDs have fewer bits than their memory, hardware drops what does not fit.
+  const ItemId all = raster::backgroundId(format);
+  const auto cut = [=](ItemId id) { return reversed(id) & all; };
+  return {{"in words files", withIds(reversed)}, {"in index maps", withTexels(cut)}, {"in offsets", withOffsets(cut)}};
 }
 
 // --- numbers and constants ---
 
 /// The nearest number of 24 significant bits; what rounds to 2^32 is held at 2^32 - 1.
-Word throughBinary32(Word word) {
-  return static_cast<Word>(std::min(static_cast<double>(static_cast<float>(word)), 4294967295.0));
+ItemId throughBinary32(ItemId id) {
+  return static_cast<ItemId>(std::min(static_cast<double>(static_cast<float>(id)), 4294967295.0));
 }
 
-/// The fourth channel all ones, or no word at all where there is none.
-std::optional<Word> opaqueBlack(const raster::WordFormat& format) {
+/// The fourth channel all ones, or no item ID at all where there is none.
+std::optional<ItemId> opaqueBlack(const raster::IdFormat& format) {
   const std::vector<Channel> channels = colourChannelsOf(format);
   if (channels.size() < 4) return {};
   return channels[3].largest() << channels[3].shift;
 }
 
-std::vector<Variant> opaqueAlphas(const raster::WordFormat& format) {
-  const std::optional<Word> alpha = opaqueBlack(format);
+std::vector<Variant> opaqueAlphas(const raster::IdFormat& format) {
+  const std::optional<ItemId> alpha = opaqueBlack(format);
   if (!alpha) return {};
-  return withAny([=](Word word) { return word | *alpha; });
+  return withAny([=](ItemId id) { return id | *alpha; });
 }
 
-std::vector<Variant> otherBackgrounds(const raster::WordFormat& format) {
-  const Word background = raster::backgroundWord(format);
-  const auto with = [=](Word clear) { return withWords([=](Word word) { return word == background ? clear : word; }); };
+std::vector<Variant> otherBackgrounds(const raster::IdFormat& format) {
+  const ItemId background = raster::backgroundId(format);
+  const auto with = [=](ItemId clear) { return withIds([=](ItemId id) { return id == background ? clear : id; }); };
   std::vector<Variant> variants{{"zeros", with(0)}};
-  if (const std::optional<Word> black = opaqueBlack(format)) variants.push_back({"opaque black", with(*black)});
+  if (const std::optional<ItemId> black = opaqueBlack(format)) variants.push_back({"opaque black", with(*black)});
   return variants;
 }
 
@@ -129,7 +127,7 @@ std::vector<Variant> otherBackgrounds(const raster::WordFormat& format) {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// How words lie in memory: a pixel has `bytes` bytes, and rows start at multiples of `alignment`.
+/// How item IDs lie in memory: a pixel has `bytes` bytes, and rows start at multiples of `alignment`.
 struct Layout {
   std::size_t bytes, alignment;
 
@@ -140,39 +138,39 @@ struct Layout {
 };
 
 /// Writes an image of `width` columns by one layout and reads it by the other; beyond the end lie zeros.
-void reinterpret(std::vector<Word>& words, int width, const Layout& written, const Layout& read) {
-  const std::size_t columns = static_cast<std::size_t>(width), rows = words.size() / columns;
+void reinterpret(std::vector<ItemId>& ids, int width, const Layout& written, const Layout& read) {
+  const std::size_t columns = static_cast<std::size_t>(width), rows = ids.size() / columns;
   Bytes memory(rows * std::max(written.rowBytes(width), read.rowBytes(width)));
   const auto at = [&](const Layout& layout, std::size_t pixel, std::size_t byte) -> std::uint8_t& {
     return memory[pixel / columns * layout.rowBytes(width) + pixel % columns * layout.bytes + byte];
   };
-  for (std::size_t pixel = 0; pixel < words.size(); ++pixel)
+  for (std::size_t pixel = 0; pixel < ids.size(); ++pixel)
     for (std::size_t byte = 0; byte < written.bytes; ++byte)
-      at(written, pixel, byte) = static_cast<std::uint8_t>(words[pixel] >> (8 * byte));
-  for (std::size_t pixel = 0; pixel < words.size(); ++pixel) {
-    words[pixel] = 0;
-    for (std::size_t byte = 0; byte < read.bytes; ++byte) words[pixel] |= Word{at(read, pixel, byte)} << (8 * byte);
+      at(written, pixel, byte) = static_cast<std::uint8_t>(ids[pixel] >> (8 * byte));
+  for (std::size_t pixel = 0; pixel < ids.size(); ++pixel) {
+    ids[pixel] = 0;
+    for (std::size_t byte = 0; byte < read.bytes; ++byte) ids[pixel] |= ItemId{at(read, pixel, byte)} << (8 * byte);
   }
 }
 
-/// Rows of words files or index maps written with padding that the reader does not know, or read with padding that is
-/// not there; pixels of four bytes, or of as few as hold a word.
-std::vector<Variant> paddings(const raster::WordFormat& format) {
+/// Rows of item IDs files or index maps written with padding that the reader does not know, or read with padding that
+/// is not there; pixels of four bytes, or of as few as hold an item ID.
+std::vector<Variant> paddings(const raster::IdFormat& format) {
   std::vector<Variant> variants;
-  const auto fewest = static_cast<std::size_t>((raster::wordBits(format) + 7) / 8);
+  const auto fewest = static_cast<std::size_t>((raster::idBits(format) + 7) / 8);
   const auto add = [&](const Layout& layout, bool isWritten) {
     const Layout tight{layout.bytes, 1};
     const Layout written = isWritten ? layout : tight, read = isWritten ? tight : layout;
     const std::string name = std::to_string(layout.alignment) + " bytes, pixels of " + std::to_string(layout.bytes) +
                              (isWritten ? ", written" : ", read");
-    StagedDevice words, maps;
-    words.readBack = [=](const raster::Face&, raster::ItemBuffer& buffer) {
-      reinterpret(buffer.words, buffer.width, written, read);
+    StagedDevice ids, maps;
+    ids.readBack = [=](const raster::Face&, raster::ItemBuffer& buffer) {
+      reinterpret(buffer.ids, buffer.width, written, read);
     };
     maps.upload = [=](DrawList& list) {
-      for (raster::IndexMap& map : list.indexMaps) reinterpret(map.words, map.width, written, read);
+      for (raster::IndexMap& map : list.indexMaps) reinterpret(map.ids, map.width, written, read);
     };
-    variants.push_back({"words files to " + name, words});
+    variants.push_back({"words files to " + name, ids});
     variants.push_back({"index maps to " + name, maps});
   };
   for (const std::size_t bytes : std::set{std::size_t{4}, fewest})
@@ -193,33 +191,33 @@ double toEncoded(double linear) {
 }
 
 /// The transfer functions of IEC 61966-2-1 on all channels but the fourth, which is alpha.
-std::vector<Variant> colourEncodings(const raster::WordFormat& format) {
+std::vector<Variant> colourEncodings(const raster::IdFormat& format) {
   const std::vector<Channel> channels = colourChannelsOf(format);
   const auto with = [&](double (*transfer)(double)) {
-    return [=](Word word) {
-      return wordOf(channels, [&](const Channel& channel) {
-        if (channels.size() == 4 && channel.shift == channels[3].shift) return channel.of(word);
+    return [=](ItemId id) {
+      return idOf(channels, [&](const Channel& channel) {
+        if (channels.size() == 4 && channel.shift == channels[3].shift) return channel.of(id);
         const double largest = channel.largest();
-        return static_cast<Word>(std::nearbyint(transfer(channel.of(word) / largest) * largest));
+        return static_cast<ItemId>(std::nearbyint(transfer(channel.of(id) / largest) * largest));
       });
     };
   };
   return {{"index maps decoded", withTexels(with(toLinear)), channels},
-          {"target encoded", withWords(with(toEncoded)), channels}};
+          {"target encoded", withIds(with(toEncoded)), channels}};
 }
 
 /// The order in which the pixels of a 4 x 4 block round up.
 constexpr std::array<int, 16> ditherMatrix{0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
 
 /// A channel that is dithered to `bits` bits and read back in its own; a channel of as many bits comes by 8 bits.
-Word dithered(const Channel& channel, Word value, int bits, double threshold) {
+ItemId dithered(const Channel& channel, ItemId value, int bits, double threshold) {
   const double largest = channel.largest(), fewer = (1 << bits) - 1;
   if (channel.bits < bits || (channel.bits == bits && bits >= 8)) return value;
   const double colour = channel.bits == bits ? std::nearbyint(value / largest * 255) / 255 : value / largest;
-  return static_cast<Word>(std::nearbyint(std::floor(colour * fewer + threshold) / fewer * largest));
+  return static_cast<ItemId>(std::nearbyint(std::floor(colour * fewer + threshold) / fewer * largest));
 }
 
-std::vector<Variant> ditherings(const raster::WordFormat& format) {
+std::vector<Variant> ditherings(const raster::IdFormat& format) {
   const std::vector<Channel> channels = colourChannelsOf(format);
   std::vector<Variant> variants;
   for (const std::vector<int>& bits : {std::vector{8, 8, 8, 8}, {5, 6, 5, 8}, {5, 5, 5, 1}, {4, 4, 4, 4}}) {
@@ -227,15 +225,14 @@ std::vector<Variant> ditherings(const raster::WordFormat& format) {
     StagedDevice device;
     device.readBack = [=](const raster::Face& face, raster::ItemBuffer& buffer) {
       const auto width = static_cast<std::size_t>(buffer.width);
-      for (std::size_t pixel = 0; pixel < buffer.words.size(); ++pixel) {
+      for (std::size_t pixel = 0; pixel < buffer.ids.size(); ++pixel) {
         const std::size_t column = static_cast<std::size_t>(face.scissor.column) + pixel % width;
         const std::size_t row = static_cast<std::size_t>(face.scissor.row) + pixel / width;
         const double threshold = (ditherMatrix[row % 4 * 4 + column % 4] + 0.5) / 16;
         std::size_t k = 0;
-        const Word word = buffer.words[pixel];
-        buffer.words[pixel] = wordOf(channels, [&](const Channel& channel) {
-          return dithered(channel, channel.of(word), bits[k++], threshold);
-        });
+        const ItemId id = buffer.ids[pixel];
+        buffer.ids[pixel] = idOf(
+            channels, [&](const Channel& channel) { return dithered(channel, channel.of(id), bits[k++], threshold); });
       }
     };
     std::string name;
@@ -248,7 +245,7 @@ std::vector<Variant> ditherings(const raster::WordFormat& format) {
 }  // namespace
 
 std::vector<Fault> memoryFaults(const TestVector& vector) {
-  const raster::WordFormat& format = vector.list.format;
+  const raster::IdFormat& format = vector.list.format;
   return {
       {"channels swapped in the texture (BGRA)",
        "the least significant channel comes first: look at the format of uploads", swaps(format, withTexels)},
@@ -256,7 +253,7 @@ std::vector<Fault> memoryFaults(const TestVector& vector) {
        "the least significant channel comes first: look at how colours are passed", swaps(format, withOffsets)},
       {"channels swapped in the target (BGRA)",
        "the least significant channel comes first: look at the format of the target and of reading back",
-       swaps(format, withWords)},
+       swaps(format, withIds)},
       {"byte order", "arrays are little-endian: write and read words with their least significant byte first",
        byteOrders(format)},
       {"words through binary32", "a binary32 holds 24 bits: pass larger words as integers or as channels",

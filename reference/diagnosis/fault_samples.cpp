@@ -1,12 +1,12 @@
 /// Faults of facing, coverage and depth.
 #include <cmath>
 
-#include "reference/diagnosis/fault_themes.h"
+#include "reference/diagnosis/fault.h"
 
 namespace hemitex::reference {
 namespace {
 
-using raster::Word;
+using raster::ItemId;
 
 StagedDevice withFacing(const std::function<Facing(Facing)>& facing) {
   StagedDevice device;
@@ -73,11 +73,11 @@ std::vector<Variant> multisamplings(const TestVector& vector) {
     const std::string name = std::to_string(count) + " samples, ";
     variants.push_back({name + "the first", device});
     const std::vector<Channel> channels = colourChannelsOf(vector.list.format);
-    device.resolve = [=](std::span<const Word> samples) {
-      return wordOf(channels, [&](const Channel& channel) {
+    device.resolve = [=](std::span<const ItemId> samples) {
+      return idOf(channels, [&](const Channel& channel) {
         double sum = 0;
-        for (const Word sample : samples) sum += channel.of(sample);
-        return static_cast<Word>(std::nearbyint(sum / static_cast<double>(samples.size())));
+        for (const ItemId sample : samples) sum += channel.of(sample);
+        return static_cast<ItemId>(std::nearbyint(sum / static_cast<double>(samples.size())));
       });
     };
     variants.push_back({name + "averaged", device, channels});

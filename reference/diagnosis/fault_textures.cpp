@@ -4,16 +4,16 @@
 #include <memory>
 #include <utility>
 
-#include "reference/diagnosis/fault_themes.h"
+#include "reference/diagnosis/fault.h"
 
 namespace hemitex::reference {
 namespace {
 
 using raster::IndexMap;
-using raster::Word;
+using raster::ItemId;
 
 /// A lookup in one index map.
-using MapFetch = std::function<Word(const IndexMap&, const Lookup&)>;
+using MapFetch = std::function<ItemId(const IndexMap&, const Lookup&)>;
 
 StagedDevice withFetch(const MapFetch& fetch) {
   StagedDevice device;
@@ -25,19 +25,19 @@ StagedDevice withFetch(const MapFetch& fetch) {
 
 glm::dvec2 sizeOf(const IndexMap& map) { return {map.width, map.height}; }
 
-Word texelAt(const IndexMap& map, const glm::dvec2& texel) {
+ItemId texelAt(const IndexMap& map, const glm::dvec2& texel) {
   const glm::dvec2 held = glm::clamp(texel, glm::dvec2(0.0), sizeOf(map) - 1.0);
   return map
-      .words[static_cast<std::size_t>(held.y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(held.x)];
+      .ids[static_cast<std::size_t>(held.y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(held.x)];
 }
 
 // --- coordinates ---
 
-Word repeatedTexel(const IndexMap& map, const Lookup& lookup) {
+ItemId repeatedTexel(const IndexMap& map, const Lookup& lookup) {
   return nearestTexel(map, lookup.at - glm::floor(lookup.at));
 }
 
-Word mirroredTexel(const IndexMap& map, const Lookup& lookup) {
+ItemId mirroredTexel(const IndexMap& map, const Lookup& lookup) {
   const glm::dvec2 period = lookup.at - 2.0 * glm::floor(lookup.at / 2.0);
   return nearestTexel(map, glm::min(period, 2.0 - period));
 }
@@ -56,21 +56,21 @@ std::vector<Variant> halfTexelShifts() {
 }
 
 /// Coordinates of the unit square in fixed point with 8 bits behind the point, as in 16.8 numbers.
-Word truncatedTexel(const IndexMap& map, const Lookup& lookup) {
+ItemId truncatedTexel(const IndexMap& map, const Lookup& lookup) {
   return nearestTexel(map, glm::floor(lookup.at * 256.0) / 256.0);
 }
 
 // --- filters ---
 
 /// Weights of the four texels around a point; clamped at the map's sides.
-Word linearTexel(const std::vector<Channel>& channels, const IndexMap& map, const glm::dvec2& at) {
+ItemId linearTexel(const std::vector<Channel>& channels, const IndexMap& map, const glm::dvec2& at) {
   const glm::dvec2 position = at * sizeOf(map) - 0.5, first = glm::floor(position), part = position - first;
-  const Word a = texelAt(map, first), b = texelAt(map, first + glm::dvec2(1, 0));
-  const Word c = texelAt(map, first + glm::dvec2(0, 1)), d = texelAt(map, first + 1.0);
-  return wordOf(channels, [&](const Channel& channel) {
+  const ItemId a = texelAt(map, first), b = texelAt(map, first + glm::dvec2(1, 0));
+  const ItemId c = texelAt(map, first + glm::dvec2(0, 1)), d = texelAt(map, first + 1.0);
+  return idOf(channels, [&](const Channel& channel) {
     const double top = (1 - part.x) * channel.of(a) + part.x * channel.of(b);
     const double bottom = (1 - part.x) * channel.of(c) + part.x * channel.of(d);
-    return static_cast<Word>(std::nearbyint((1 - part.y) * top + part.y * bottom));
+    return static_cast<ItemId>(std::nearbyint((1 - part.y) * top + part.y * bottom));
   });
 }
 
@@ -79,10 +79,10 @@ IndexMap halved(const std::vector<Channel>& channels, const IndexMap& map) {
   IndexMap half{std::max(1, map.width / 2), std::max(1, map.height / 2), {}};
   for (int row = 0; row < half.height; ++row)
     for (int column = 0; column < half.width; ++column)
-      half.words.push_back(wordOf(channels, [&](const Channel& channel) {
+      half.ids.push_back(idOf(channels, [&](const Channel& channel) {
         double sum = 0;
         for (int k = 0; k < 4; ++k) sum += channel.of(texelAt(map, glm::dvec2(2 * column + k % 2, 2 * row + k / 2)));
-        return static_cast<Word>(std::nearbyint(sum / 4));
+        return static_cast<ItemId>(std::nearbyint(sum / 4));
       }));
   return half;
 }
@@ -91,7 +91,7 @@ using Levels = std::vector<IndexMap>;
 
 Levels levelsOf(const std::vector<Channel>& channels, const IndexMap& map) {
   Levels levels{map};
-  while (levels.back().words.size() > 1) levels.push_back(halved(channels, levels.back()));
+  while (levels.back().ids.size() > 1) levels.push_back(halved(channels, levels.back()));
   return levels;
 }
 
@@ -102,8 +102,8 @@ double levelOfDetail(const IndexMap& map, const Lookup& lookup) {
 }
 
 /// Magnified maps are looked up by the rules.
-Word mipmappedTexel(const std::vector<Channel>& channels, const Levels& levels, bool isLinear, bool betweenLevels,
-                    const Lookup& lookup) {
+ItemId mipmappedTexel(const std::vector<Channel>& channels, const Levels& levels, bool isLinear, bool betweenLevels,
+                      const Lookup& lookup) {
   const double detail = levelOfDetail(levels.front(), lookup);
   if (!(detail > 0)) return nearestTexel(levels.front(), lookup.at);
   const auto texelOf = [&](double level) {
@@ -112,20 +112,20 @@ Word mipmappedTexel(const std::vector<Channel>& channels, const Levels& levels, 
   };
   if (!betweenLevels) return texelOf(std::floor(detail + 0.5));
   const double first = std::floor(detail), part = detail - first;
-  const Word fine = texelOf(first), coarse = texelOf(first + 1);
-  return wordOf(channels, [&](const Channel& channel) {
-    return static_cast<Word>(std::nearbyint((1 - part) * channel.of(fine) + part * channel.of(coarse)));
+  const ItemId fine = texelOf(first), coarse = texelOf(first + 1);
+  return idOf(channels, [&](const Channel& channel) {
+    return static_cast<ItemId>(std::nearbyint((1 - part) * channel.of(fine) + part * channel.of(coarse)));
   });
 }
 
-/// Channels as a filter sees them: those of the format, and the bytes of a word without channels.
-std::vector<std::vector<Channel>> filteredChannels(const raster::WordFormat& format) {
+/// Channels as a filter sees them: those of the format, and the bytes of an item ID without channels.
+std::vector<std::vector<Channel>> filteredChannels(const raster::IdFormat& format) {
   const std::vector<Channel> channels = channelsOf(format), colours = colourChannelsOf(format);
   if (channels.size() == colours.size()) return {channels};
   return {channels, colours};
 }
 
-std::vector<Variant> linearFilters(const raster::WordFormat& format) {
+std::vector<Variant> linearFilters(const raster::IdFormat& format) {
   std::vector<Variant> variants;
   for (const std::vector<Channel>& channels : filteredChannels(format))
     variants.push_back({variants.empty() ? "" : "by bytes", withFetch([=](const IndexMap& map, const Lookup& lookup) {
@@ -168,7 +168,7 @@ Variant reordered(const std::string& name, const std::function<glm::dvec2(const 
       std::size_t texel = 0;
       for (int row = 0; row < map.height; ++row)
         for (int column = 0; column < map.width; ++column)
-          map.words[texel++] = texelAt(source, from(source, glm::dvec2(column, row)));
+          map.ids[texel++] = texelAt(source, from(source, glm::dvec2(column, row)));
     }
   };
   return {name, device};
@@ -215,7 +215,7 @@ std::vector<Fault> textureFaults(const TestVector& vector) {
            {{"", withSizesExchanged()}}},
           {"index map not sampled",
            "texel 0 everywhere: an incomplete texture, or one that is not bound, reads as zero",
-           {{"", withFetch([](const IndexMap&, const Lookup&) { return Word{0}; })}}}};
+           {{"", withFetch([](const IndexMap&, const Lookup&) { return ItemId{0}; })}}}};
 }
 
 }  // namespace hemitex::reference

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "reference/diagnosis/fault_themes.h"
+#include "reference/diagnosis/fault.h"
 
 namespace hemitex::reference {
 namespace {
@@ -90,14 +90,14 @@ StagedDevice withScissorAsViewport() {
 }
 
 /// The scissor rectangle's pixels from the viewport's first; with a scissor test those outside it are background.
-std::vector<Variant> readBackFromFirst(raster::Word background) {
+std::vector<Variant> readBackFromFirst(raster::ItemId background) {
   const StagedDevice untested = withViews(-1, [](Face& face) { place(face, {1, 1}, cornerOf(face)); });
   StagedDevice tested = untested;
   tested.readBack = [=](const Face& face, raster::ItemBuffer& buffer) {
     for (int row = 0, pixel = 0; row < buffer.height; ++row)
       for (int column = 0; column < buffer.width; ++column, ++pixel)
         if (column < face.scissor.column || row < face.scissor.row)
-          buffer.words[static_cast<std::size_t>(pixel)] = background;
+          buffer.ids[static_cast<std::size_t>(pixel)] = background;
   };
   return {{"drawn without a scissor test", untested}, {"drawn with a scissor test", tested}};
 }
@@ -112,25 +112,25 @@ StagedDevice withFirstEye() {
   return device;
 }
 
-/// Rows or columns of the words file in reverse.
+/// Rows or columns of the item IDs file in reverse.
 StagedDevice withPicture(bool reversedRows) {
   StagedDevice device;
   device.readBack = [=](const Face&, raster::ItemBuffer& buffer) {
-    std::vector<raster::Word>& words = buffer.words;
-    // Reversing all words turns both; reversing each row then gives back the columns.
-    if (reversedRows) std::reverse(words.begin(), words.end());
-    for (auto row = words.begin(); row != words.end(); row += buffer.width) std::reverse(row, row + buffer.width);
+    std::vector<raster::ItemId>& ids = buffer.ids;
+    // Reversing all item IDs turns both; reversing each row then gives back the columns.
+    if (reversedRows) std::reverse(ids.begin(), ids.end());
+    for (auto row = ids.begin(); row != ids.end(); row += buffer.width) std::reverse(row, row + buffer.width);
   };
   return device;
 }
 
-/// Words files column by column.
+/// Item IDs files column by column.
 StagedDevice withColumnsFirst() {
   StagedDevice device;
   device.readBack = [](const Face&, raster::ItemBuffer& buffer) {
-    const std::vector<raster::Word> rows = buffer.words;
+    const std::vector<raster::ItemId> rows = buffer.ids;
     const auto width = static_cast<std::size_t>(buffer.width), height = static_cast<std::size_t>(buffer.height);
-    for (std::size_t k = 0; k < rows.size(); ++k) buffer.words[k] = rows[k % height * width + k / height];
+    for (std::size_t k = 0; k < rows.size(); ++k) buffer.ids[k] = rows[k % height * width + k / height];
   };
   return device;
 }
@@ -161,7 +161,7 @@ std::vector<Fault> viewFaults(const TestVector& vector) {
            {{"", withScissorAsViewport()}}},
           {"scissor rectangle read back from the wrong corner",
            "read from column and row of the scissor rectangle, not from (0, 0)",
-           readBackFromFirst(raster::backgroundWord(vector.list.format))},
+           readBackFromFirst(raster::backgroundId(vector.list.format))},
           {"a face's own eye ignored",
            "each face is seen from its own eye: look for one that is set once for all",
            {{"", withFirstEye()}}}};

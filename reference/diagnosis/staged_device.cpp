@@ -8,7 +8,7 @@
 namespace hemitex::reference {
 namespace {
 
-using raster::Word;
+using raster::ItemId;
 
 constexpr double subPixels = 256;  // units a pixel side
 
@@ -89,7 +89,7 @@ Lookup lookUp(const Setup& setup, const glm::dvec2& position) {
 struct Sample {
   bool isCovered = false;
   double depth = 0;
-  Word word = 0;
+  ItemId id = 0;
 };
 
 /// Draws one face.
@@ -98,7 +98,7 @@ class FaceDrawing {
   FaceDrawing(const StagedDevice& device, const raster::DrawList& list, const raster::Face& view)
       : device_(device), list_(list), view_(view) {
     const auto pixels = static_cast<std::size_t>(view.scissor.width) * static_cast<std::size_t>(view.scissor.height);
-    samples_.assign(pixels * device.samples.size(), {false, 0, raster::backgroundWord(list.format)});
+    samples_.assign(pixels * device.samples.size(), {false, 0, raster::backgroundId(list.format)});
   }
 
   void draw(const DeviceTriangle& triangle) {
@@ -112,10 +112,10 @@ class FaceDrawing {
 
   raster::ItemBuffer resolve() const {
     raster::ItemBuffer buffer{view_.scissor.width, view_.scissor.height, {}};
-    std::vector<Word> words(device_.samples.size());
-    for (std::size_t first = 0; first < samples_.size(); first += words.size()) {
-      for (std::size_t s = 0; s < words.size(); ++s) words[s] = samples_[first + s].word;
-      buffer.words.push_back(device_.resolve(words));
+    std::vector<ItemId> ids(device_.samples.size());
+    for (std::size_t first = 0; first < samples_.size(); first += ids.size()) {
+      for (std::size_t s = 0; s < ids.size(); ++s) ids[s] = samples_[first + s].id;
+      buffer.ids.push_back(device_.resolve(ids));
     }
     return buffer;
   }
@@ -132,14 +132,14 @@ class FaceDrawing {
       Sample& sample = samples_[pixel * device_.samples.size() + s];
       const double depth = device_.depth(dot(edges, setup.inverseW), static_cast<double>(view_.nearDistance));
       if (sample.isCovered && !device_.passes(depth, sample.depth)) continue;
-      sample = {true, depth, device_.store(sample.word, shade(setup, draw, facing, corner + device_.shadingSample))};
+      sample = {true, depth, device_.store(sample.id, shade(setup, draw, facing, corner + device_.shadingSample))};
     }
   }
 
-  Word shade(const Setup& setup, const raster::Draw& draw, Facing facing, const glm::dvec2& position) const {
+  ItemId shade(const Setup& setup, const raster::Draw& draw, Facing facing, const glm::dvec2& position) const {
     if (facing == Facing::Back && draw.back) return *draw.back;
     if (!draw.indexMap) return draw.offset;
-    const Word texel = device_.fetch(list_, static_cast<std::size_t>(*draw.indexMap), lookUp(setup, position));
+    const ItemId texel = device_.fetch(list_, static_cast<std::size_t>(*draw.indexMap), lookUp(setup, position));
     return device_.blend(list_, draw.offset, texel);
   }
 
@@ -151,11 +151,11 @@ class FaceDrawing {
 
 }  // namespace
 
-Word nearestTexel(const raster::IndexMap& map, const glm::dvec2& at) {
+ItemId nearestTexel(const raster::IndexMap& map, const glm::dvec2& at) {
   const auto texel = [](double coordinate, int size) {
     return static_cast<std::size_t>(std::clamp(std::floor(coordinate * size), 0.0, size - 1.0));
   };
-  return map.words[texel(at.y, map.height) * static_cast<std::size_t>(map.width) + texel(at.x, map.width)];
+  return map.ids[texel(at.y, map.height) * static_cast<std::size_t>(map.width) + texel(at.x, map.width)];
 }
 
 std::vector<raster::ItemBuffer> drawOn(const StagedDevice& device, const TestVector& vector) {

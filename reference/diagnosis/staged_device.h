@@ -27,7 +27,7 @@ struct Lookup {
 };
 
 /// The texel of the rules: clamp(floor(u N), 0, N - 1) and likewise for v.
-raster::Word nearestTexel(const raster::IndexMap& map, const glm::dvec2& at);
+raster::ItemId nearestTexel(const raster::IndexMap& map, const glm::dvec2& at);
 
 struct StagedDevice {
   /// Changes what was uploaded: vertices, index maps, offsets.
@@ -61,34 +61,34 @@ struct StagedDevice {
   std::function<double(double)> weight = [](double w) { return 1 / w; };
 
   /// The texel of index map `map`.
-  std::function<raster::Word(const raster::DrawList&, std::size_t, const Lookup&)> fetch =
+  std::function<raster::ItemId(const raster::DrawList&, std::size_t, const Lookup&)> fetch =
       [](const raster::DrawList& list, std::size_t map, const Lookup& lookup) {
         return nearestTexel(list.indexMaps[map], lookup.at);
       };
 
-  /// The word of a textured fragment.
-  std::function<raster::Word(const raster::DrawList&, raster::Word, raster::Word)> blend =
-      [](const raster::DrawList& list, raster::Word offset, raster::Word texel) {
+  /// The item ID of a textured fragment.
+  std::function<raster::ItemId(const raster::DrawList&, raster::ItemId, raster::ItemId)> blend =
+      [](const raster::DrawList& list, raster::ItemId offset, raster::ItemId texel) {
         return raster::blend(list.format, list.blend, offset, texel);
       };
 
   /// What a fragment leaves in a target that holds `stored`.
-  std::function<raster::Word(raster::Word, raster::Word)> store = [](raster::Word, raster::Word fragment) {
+  std::function<raster::ItemId(raster::ItemId, raster::ItemId)> store = [](raster::ItemId, raster::ItemId fragment) {
     return fragment;
   };
 
-  /// The word of a pixel, of its samples.
-  std::function<raster::Word(std::span<const raster::Word>)> resolve = [](std::span<const raster::Word> words) {
-    return words.front();
+  /// The item ID of a pixel, of its samples.
+  std::function<raster::ItemId(std::span<const raster::ItemId>)> resolve = [](std::span<const raster::ItemId> ids) {
+    return ids.front();
   };
 
-  /// Changes the words of a face on their way to the words file.
+  /// Changes the item IDs of a face on their way to the item IDs file.
   std::function<void(const raster::Face&, raster::ItemBuffer&)> readBack = [](const raster::Face&,
                                                                               raster::ItemBuffer&) {};
 };
 
-/// The item buffers of the vector's faces as the device draws them. A device whose stages are the rules gives the words
-/// of the rules, but for samples that lie within rounding of a texel's border or of another depth.
+/// The item buffers of the vector's faces as the device draws them. A device whose stages are the rules gives the item
+/// IDs of the rules, but for samples that lie within rounding of a texel's border or of another depth.
 std::vector<raster::ItemBuffer> drawOn(const StagedDevice& device, const TestVector& vector);
 
 }  // namespace hemitex::reference

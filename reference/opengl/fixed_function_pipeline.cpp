@@ -12,18 +12,18 @@
 namespace hemitex::reference {
 namespace {
 
-using raster::Word;
+using raster::ItemId;
 
-/// Whether adding byte by byte, each clamped, gives the words of the list.
+/// Whether adding byte by byte, each clamped, gives the item IDs of the list.
 bool addsAsBytes(const raster::DrawList& list) {
   const std::vector<int>& bits = list.format.channelBits;
   const bool areBytes = std::all_of(bits.begin(), bits.end(), [](int width) { return width == 8; });
   if (list.blend == raster::Blend::Replace || (list.blend == raster::Blend::ClampedAdd && areBytes)) return true;
-  // Words that share no bits make no carry, whatever the channels are.
+  // Item IDs that share no bits make no carry, whatever the channels are.
   return std::all_of(list.draws.begin(), list.draws.end(), [&list](const raster::Draw& draw) {
     if (!draw.indexMap) return true;
-    const std::vector<Word>& words = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)].words;
-    return std::all_of(words.begin(), words.end(), [&draw](Word word) { return (word & draw.offset) == 0; });
+    const std::vector<ItemId>& ids = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)].ids;
+    return std::all_of(ids.begin(), ids.end(), [&draw](ItemId id) { return (id & draw.offset) == 0; });
   });
 }
 
@@ -65,7 +65,7 @@ std::vector<TexelTriangle> preparedTriangles(const raster::DrawList& list) {
 }
 
 /// The lowest byte is red.
-glm::vec4 colourOf(Word word) { return glm::vec4(word & 255, word >> 8 & 255, word >> 16 & 255, word >> 24) / 255.0f; }
+glm::vec4 colourOf(ItemId id) { return glm::vec4(id & 255, id >> 8 & 255, id >> 16 & 255, id >> 24) / 255.0f; }
 
 /// A corner in front of the near plane is put on the sub-pixel that the rules snap it to.
 glm::vec4 clipPosition(const raster::Face& face, const raster::ViewVertex& view, int width) {
@@ -80,7 +80,7 @@ class FixedFunction final : public OpenGlPipeline {
  public:
   explicit FixedFunction(const raster::DrawList& list);
   OpenGlPixels pixels() const override { return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV}; }
-  void clear(Word background) override;
+  void clear(ItemId background) override;
   void setView(const raster::Face& face, int width) override;
   /// An offset is a colour, which is set for a draw; and the fronts of a draw come before its backs.
   bool joins(const raster::Draw&, const raster::Draw&) const override { return false; }
@@ -107,7 +107,7 @@ void setTextureEnvironment(raster::Blend blend) {
 
 FixedFunction::FixedFunction(const raster::DrawList& list) : triangles_(preparedTriangles(list)) {
   if (!addsAsBytes(list))
-    throw raster::InputError("fixed-function hardware cannot add words of these channels",
+    throw raster::InputError("fixed-function hardware cannot add item IDs of these channels",
                              "use r8g8b8 or r8g8b8a8 with a clamped add, aligned offsets, or the shader path");
   glDepthFunc(GL_GREATER);
   glDisable(GL_DITHER);
@@ -121,7 +121,7 @@ FixedFunction::FixedFunction(const raster::DrawList& list) : triangles_(prepared
   glTexCoordPointer(2, GL_FLOAT, sizeof(Vertex), vertexOffset(offsetof(Vertex, texel)));
 }
 
-void FixedFunction::clear(Word background) {
+void FixedFunction::clear(ItemId background) {
   const glm::vec4 colour = colourOf(background);
   const float farthest = 0;
   glClearBufferfv(GL_COLOR, 0, &colour[0]);
@@ -141,7 +141,7 @@ void FixedFunction::setView(const raster::Face& face, int width) {
 }
 
 void FixedFunction::draw(const raster::Draw& draw, const VertexRuns& runs) {
-  const auto drawSide = [&runs](Word colour, bool isTextured, GLenum culled) {
+  const auto drawSide = [&runs](ItemId colour, bool isTextured, GLenum culled) {
     isTextured ? glEnable(GL_TEXTURE_RECTANGLE) : glDisable(GL_TEXTURE_RECTANGLE);
     culled == GL_NONE ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
     if (culled != GL_NONE) glCullFace(culled);

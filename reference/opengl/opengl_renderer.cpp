@@ -18,7 +18,7 @@ std::unique_ptr<OpenGlPipeline> makePipeline(const raster::DrawList& list, OpenG
   return path == OpenGlPath::FixedFunction ? makeFixedFunction(list) : makeShader(list);
 }
 
-/// Textures with the words of the index maps, in their order.
+/// Textures with the item IDs of the index maps, in their order.
 std::vector<GLuint> makeTextures(const std::vector<raster::IndexMap>& maps, const OpenGlPixels& pixels) {
   const int largest = openGlLimit(GL_MAX_RECTANGLE_TEXTURE_SIZE);
   std::vector<GLuint> textures(maps.size());
@@ -31,7 +31,7 @@ std::vector<GLuint> makeTextures(const std::vector<raster::IndexMap>& maps, cons
     glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexImage2D(GL_TEXTURE_RECTANGLE, 0, pixels.storage, maps[m].width, maps[m].height, 0, pixels.format, pixels.type,
-                 maps[m].words.data());
+                 maps[m].ids.data());
   }
   return textures;
 }
@@ -108,14 +108,14 @@ void OpenGlRenderer::Implementation::draw(const raster::Face& face, const std::v
   buffer.resize(face.scissor);
   setSize(buffer.width, buffer.height);
   setView(face);
-  pipeline_->clear(raster::backgroundWord(list_.format));
+  pipeline_->clear(raster::backgroundId(list_.format));
   for (const DrawBatch& batch : batches) {
     const raster::Draw& draw = *batch.draw;
     if (draw.indexMap) glBindTexture(GL_TEXTURE_RECTANGLE, textures_[static_cast<std::size_t>(*draw.indexMap)]);
     pipeline_->draw(draw, batch.runs);
   }
   const OpenGlPixels pixels = pipeline_->pixels();
-  glReadPixels(0, 0, buffer.width, buffer.height, pixels.format, pixels.type, buffer.words.data());
+  glReadPixels(0, 0, buffer.width, buffer.height, pixels.format, pixels.type, buffer.ids.data());
   if (const GLenum error = glGetError(); error != GL_NO_ERROR)
     throw InputError("the OpenGL device fails with error " + std::to_string(error));
 }

@@ -29,7 +29,7 @@ enum class OpenGlPath {
   /// runs on the CPU; the depth is n/w, whose steps are finest far away, where it changes least.
   FixedFunction,
   /// Index maps are textures of 32-bit integers, and programs do the rest: the vertex stage by the rules, depth and
-  /// texels in binary64, and words of any format.
+  /// texels in binary64, and item IDs of any format.
   Shader,
 };
 
@@ -37,7 +37,7 @@ class OpenGlRenderer final : public raster::ItemBufferRenderer {
  public:
   /// Throws InputError where the list breaks the rules, where no device is there (see openGlDevice), where an index map
   /// is larger than the device's textures, and where the path cannot draw the list: all that fixed-function hardware
-  /// adds is channels of 8 bits that clamp, and, in any format, words that share no bits.
+  /// adds is channels of 8 bits that clamp, and, in any format, item IDs that share no bits.
   OpenGlRenderer(const raster::DrawList& list, OpenGlPath path);
   ~OpenGlRenderer() override;
 

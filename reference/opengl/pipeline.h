@@ -1,5 +1,5 @@
-/// How OpenGL gets from the vertices of a draw to words: what the two paths of OpenGlRenderer do each in their way. One
-/// is in opengl_fixed_function.h, the other in opengl_shader.h.
+/// How OpenGL gets from the vertices of a draw to item IDs: what the two paths of OpenGlRenderer do each in their way.
+/// One is in opengl_fixed_function.h, the other in opengl_shader.h.
 ///
 /// Clip coordinates are (x / width, y / width, n, w), where a unit of x / w is half the side of the face and the
 /// viewport is `width` times as wide as the face: the device cuts triangles at the sides of its view, and so far out
@@ -14,7 +14,7 @@
 
 namespace hemitex::reference {
 
-/// How words lie in textures and framebuffers.
+/// How item IDs lie in textures and framebuffers.
 struct OpenGlPixels {
   GLint storage;
   GLenum format, type;
@@ -25,8 +25,8 @@ class OpenGlPipeline {
  public:
   virtual ~OpenGlPipeline() = default;
   virtual OpenGlPixels pixels() const = 0;
-  /// Every word becomes `background`, every depth the farthest.
-  virtual void clear(raster::Word background) = 0;
+  /// Every item ID becomes `background`, every depth the farthest.
+  virtual void clear(raster::ItemId background) = 0;
   virtual void setView(const raster::Face& face, int width) = 0;
   /// Draws that join are drawn as one.
   virtual bool joins(const raster::Draw& draw, const raster::Draw& next) const = 0;

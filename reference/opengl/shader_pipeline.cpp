@@ -9,13 +9,13 @@
 namespace hemitex::reference {
 namespace {
 
-using raster::Word;
+using raster::ItemId;
 
 class Shader final : public OpenGlPipeline {
  public:
   explicit Shader(const raster::DrawList& list);
   OpenGlPixels pixels() const override { return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT}; }
-  void clear(Word background) override;
+  void clear(ItemId background) override;
   void setView(const raster::Face& face, int width) override;
   /// Each vertex brings the offset of its draw along.
   bool joins(const raster::Draw& draw, const raster::Draw& next) const override {
@@ -27,12 +27,12 @@ class Shader final : public OpenGlPipeline {
   GLint operation_;
 };
 
-void setFormat(const raster::WordFormat& format) {
-  glUniform1ui(Uniform::allBits, raster::backgroundWord(format));
+void setFormat(const raster::IdFormat& format) {
+  glUniform1ui(Uniform::allBits, raster::backgroundId(format));
   std::vector<GLuint> channels;
   int shift = 0;
   for (const int bits : format.channelBits) {
-    channels.push_back(raster::backgroundWord({{bits}}) << shift);
+    channels.push_back(raster::backgroundId({{bits}}) << shift);
     shift += bits;
   }
   glUniform1i(Uniform::channels, static_cast<GLint>(channels.size()));
@@ -49,11 +49,11 @@ void uploadVertices(const raster::DrawList& list) {
                         vertexOffset(offsetof(TexelCorner, position)));
   glVertexAttribPointer(VertexAttribute::texel, 2, GL_FLOAT, GL_FALSE, sizeof(TexelCorner),
                         vertexOffset(offsetof(TexelCorner, texel)));
-  std::vector<Word> offsets;
+  std::vector<ItemId> offsets;
   for (const raster::Draw& draw : list.draws) offsets.insert(offsets.end(), draw.count, draw.offset);
-  makeVertexBuffer(offsets.data(), offsets.size() * sizeof(Word), GL_STATIC_DRAW);
+  makeVertexBuffer(offsets.data(), offsets.size() * sizeof(ItemId), GL_STATIC_DRAW);
   glEnableVertexAttribArray(VertexAttribute::drawOffset);
-  glVertexAttribIPointer(VertexAttribute::drawOffset, 1, GL_UNSIGNED_INT, sizeof(Word), vertexOffset(0));
+  glVertexAttribIPointer(VertexAttribute::drawOffset, 1, GL_UNSIGNED_INT, sizeof(ItemId), vertexOffset(0));
 }
 
 Shader::Shader(const raster::DrawList& list) : operation_(1 + static_cast<GLint>(list.blend)) {
@@ -63,7 +63,7 @@ Shader::Shader(const raster::DrawList& list) : operation_(1 + static_cast<GLint>
   uploadVertices(list);
 }
 
-void Shader::clear(Word background) {
+void Shader::clear(ItemId background) {
   const float farthest = 1;
   glClearBufferuiv(GL_COLOR, 0, &background);
   glClearBufferfv(GL_DEPTH, 0, &farthest);

@@ -2,7 +2,7 @@
 /// input.
 ///
 /// The vertex program brings a corner into the view, the geometry program makes planes of a triangle's corners, and the
-/// fragment program gets depth and texel from these, in binary64, and blends the word.
+/// fragment program gets depth and texel from these, in binary64, and blends the item ID.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -29,7 +29,7 @@ struct Uniform {
   static constexpr GLint back = 7;       ///< uint
   static constexpr GLint hasBack = 8;    ///< bool
   static constexpr GLint operation = 9;  ///< int: 0 without an index map, else 1 more than raster::Blend
-  // Of a word format.
+  // Of an item ID format.
   static constexpr GLint allBits = 10;   ///< uint
   static constexpr GLint channels = 11;  ///< int: how many
   static constexpr GLint channel = 12;   ///< uint[32]: the bits of each

@@ -7,7 +7,6 @@
 
 #include "radiosity/form_factors/projected_form_factors.h"
 #include "radiosity/solver/progressive_solver.h"
-#include "reference/bench/stopwatch.h"
 #include "reference/bench/timing.h"
 
 namespace hemitex::reference {
@@ -65,7 +64,7 @@ ShotTimes solveOnce(const Cell& cell) {
 }
 
 int meshShots(const PaperScene& scene, const PaperLevel& level, const PaperDevice& device) {
-  const std::size_t shots = device.mostMeshElements / level.discretization.elements.size();
+  const std::size_t shots = device.maxMeshElements / level.discretization.elements.size();
   return static_cast<int>(std::clamp<std::size_t>(shots, 1, static_cast<std::size_t>(scene.shots)));
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
@@ -19,7 +19,7 @@ namespace hemitex::reference {
 struct PaperLevel {
   std::string name;  ///< coarse, medium or fine
   radiosity::Discretization discretization;
-  radiosity::WordLayout layout;
+  radiosity::IdLayout layout;
 };
 
 struct PaperScene {
@@ -34,7 +34,7 @@ struct PaperDevice {
   std::string name;  ///< software or opengl
   radiosity::RendererFactory makeRenderer;
   /// No more shots by meshing than draw so many elements in all, but one: where there are many, it takes too long.
-  std::size_t mostMeshElements = 5000000;
+  std::size_t maxMeshElements = 5000000;
 };
 
 /// Seconds of a solution: all of it without loading and discretizing; of that, form factors, from a patch to its row;

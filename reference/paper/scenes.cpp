@@ -2,15 +2,17 @@
 
 #include <utility>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/grid_size.h"
+#include "radiosity/scene/load_scene.h"
 
 namespace hemitex::reference {
 namespace {
 
 void addLevel(PaperScene& scene, const std::string& name, const radiosity::DiscretizationSettings& settings,
-              const radiosity::WordSettings& words = {}) {
+              const radiosity::IdSettings& ids = {}) {
   radiosity::Discretization discretization = radiosity::discretize(scene.scene, settings);
-  radiosity::WordLayout layout = radiosity::layOut(discretization, words);
+  radiosity::IdLayout layout = radiosity::layOut(discretization, ids);
   scene.levels.push_back({name, std::move(discretization), std::move(layout)});
 }
 

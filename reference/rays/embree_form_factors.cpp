@@ -9,8 +9,10 @@
 #include <limits>
 #include <utility>
 
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/projection/patch_view.h"
 #include "raster/base/parallel.h"
+#include "reference/closed_forms/surface_pieces.h"
 #include "reference/rays/embree_scene.h"
 #include "reference/rays/ray_caster.h"
 #include "reference/rays/sample_points.h"

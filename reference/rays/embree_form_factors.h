@@ -33,7 +33,8 @@
 #include <memory>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/form_factors/form_factor_row.h"
 #include "radiosity/scene/scene.h"
 #include "reference/closed_forms/surface_pieces.h"

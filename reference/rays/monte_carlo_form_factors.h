@@ -27,7 +27,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene.h"
 #include "reference/closed_forms/surface_pieces.h"
 #include "reference/rays/ray_caster.h"

@@ -93,7 +93,7 @@ void castRows(RTCScene scene, const raster::Face& face, int firstRow, int endRow
       const auto width = static_cast<std::size_t>(std::min(side, buffer.width - column));
       for (int j = row; j < std::min(row + side, endRow); ++j)
         std::copy_n(packet.rays.hit.primID + static_cast<std::ptrdiff_t>(j - row) * side, width,
-                    buffer.words.data() + static_cast<std::ptrdiff_t>(j) * buffer.width + column);
+                    buffer.ids.data() + static_cast<std::ptrdiff_t>(j) * buffer.width + column);
     }
 }
 
@@ -113,7 +113,7 @@ void PixelRays::cast(std::span<const raster::Face> faces, std::vector<raster::It
     const raster::Scissor& scissor = faces[f].scissor;
     buffers[f].width = scissor.width;
     buffers[f].height = scissor.height;
-    buffers[f].words.resize(static_cast<std::size_t>(scissor.width) * static_cast<std::size_t>(scissor.height));
+    buffers[f].ids.resize(static_cast<std::size_t>(scissor.width) * static_cast<std::size_t>(scissor.height));
   }
   const std::vector<Rows> rows = rowsOf(faces);
   raster::parallelFor(rows.size(), [&](std::size_t i) {

@@ -15,7 +15,7 @@
 namespace hemitex::reference {
 
 /// What a ray meets that meets no triangle.
-inline constexpr raster::Word noTriangle = 0xffffffff;
+inline constexpr raster::ItemId noTriangle = 0xffffffff;
 
 class PixelRays {
  public:

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "reference/closed_forms/surface_pieces.h"
 #include "reference/rays/embree_scene.h"
 
 namespace hemitex::reference {
@@ -103,15 +104,6 @@ EmbreeTree treeOver(std::vector<Target>& targets) {
 }
 
 }  // namespace
-
-glm::dvec3 inFrame(const radiosity::Scene& scene, const glm::dvec3& position) {
-  return (position - scene.origin) / scene.extent;
-}
-
-std::array<glm::dvec3, 3> inFrame(const radiosity::Scene& scene, const radiosity::Triangle& triangle) {
-  const auto& [a, b, c] = triangle.position;
-  return {inFrame(scene, a), inFrame(scene, b), inFrame(scene, c)};
-}
 
 struct RayCaster::Implementation {
   std::vector<Target> targets;

@@ -27,10 +27,6 @@ namespace hemitex::reference {
 /// smallest gap that a scene is asked about.
 inline constexpr double rayEpsilon = 0x1p-40;
 
-/// A point of the file, and a triangle's corners, in the frame of the scene.
-glm::dvec3 inFrame(const radiosity::Scene& scene, const glm::dvec3& position);
-std::array<glm::dvec3, 3> inFrame(const radiosity::Scene& scene, const radiosity::Triangle& triangle);
-
 struct Ray {
   glm::dvec3 start;            ///< in the frame of the scene
   glm::dvec3 direction;        ///< unit

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "radiosity/discretization/patch_points.h"
+#include "reference/closed_forms/surface_pieces.h"
 #include "reference/rays/ray_caster.h"
 
 namespace hemitex::reference {

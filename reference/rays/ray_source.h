@@ -9,7 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
+#include "radiosity/discretization/patch_points.h"
 #include "reference/closed_forms/surface_pieces.h"
 
 namespace hemitex::reference {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "reference/solution/form_factor_matrix.h"
+
 namespace hemitex::reference {
 namespace {
 

@@ -14,15 +14,10 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
+#include "reference/solution/form_factor_matrix.h"
 
 namespace hemitex::reference {
-
-/// A square matrix of form factors, row-major: factors[i * size + j] from element i to element j.
-struct FormFactorMatrix {
-  std::size_t size = 0;
-  std::vector<double> factors;
-};
 
 struct AlgebraicSolution {
   std::vector<glm::dvec3> flux;  ///< that leaves each element, per band

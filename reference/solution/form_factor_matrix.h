@@ -1,12 +1,17 @@
-/// What holds for every matrix of form factors, and by how much one misses it.
+/// Matrices of form factors: what holds for each of them, and by how much one misses it.
 #pragma once
 
 #include <cstddef>
 #include <span>
-
-#include "reference/solution/direct_solution.h"
+#include <vector>
 
 namespace hemitex::reference {
+
+/// A square matrix of form factors, row-major: factors[i * size + j] from element i to element j.
+struct FormFactorMatrix {
+  std::size_t size = 0;
+  std::vector<double> factors;
+};
 
 struct MatrixChecks {
   double smallestRowSum = 0, largestRowSum = 0;  ///< 1 where a surface sees nothing but fronts, never more

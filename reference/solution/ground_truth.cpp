@@ -6,6 +6,7 @@
 
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
+#include "reference/solution/form_factor_matrix.h"
 
 namespace hemitex::reference {
 namespace {
@@ -16,9 +17,9 @@ constexpr int coarseBounces = 4;
 
 void requireFewElements(const radiosity::Discretization& discretization) {
   const std::size_t count = discretization.elements.size();
-  if (count > mostTrueElements)
+  if (count > maxTrueElements)
     throw raster::InputError("the scene has " + std::to_string(count) + " elements, and the truth is found for " +
-                                 std::to_string(mostTrueElements) + " at most",
+                                 std::to_string(maxTrueElements) + " at most",
                              "use fewer texels (--texels)");
 }
 

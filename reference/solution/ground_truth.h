@@ -13,16 +13,17 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene.h"
 #include "reference/rays/monte_carlo_form_factors.h"
 #include "reference/solution/direct_solution.h"
+#include "reference/solution/form_factor_matrix.h"
 #include "reference/solution/radiosity_error.h"
 
 namespace hemitex::reference {
 
 /// Each of the two matrices has 200 MB then, and solving takes twice that again.
-inline constexpr std::size_t mostTrueElements = 5000;
+inline constexpr std::size_t maxTrueElements = 5000;
 
 /// The form factors from every element to every element, averaged over the one that shoots: over the hemisphere, with
 /// `samples` rays of each element (see Sampling::samples), and a seed of its own. The same bits for any number of
@@ -37,7 +38,7 @@ struct TrueRadiosity {
   RadiosityError error;               ///< expected of `radiosity`: what `spread` does to light that is reflected once
 };
 
-/// `sampling.samples`: rays an element on average. Throws InputError where there are more than `mostTrueElements`
+/// `sampling.samples`: rays an element on average. Throws InputError where there are more than `maxTrueElements`
 /// elements.
 TrueRadiosity trueRadiosity(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                             const Sampling& sampling);

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 
 namespace hemitex::reference {
 

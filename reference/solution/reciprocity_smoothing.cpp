@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "reference/solution/form_factor_matrix.h"
+
 namespace hemitex::reference {
 namespace {
 

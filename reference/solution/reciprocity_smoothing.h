@@ -18,7 +18,7 @@
 
 #include <span>
 
-#include "reference/solution/direct_solution.h"
+#include "reference/solution/form_factor_matrix.h"
 
 namespace hemitex::reference {
 

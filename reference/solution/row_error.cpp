@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "reference/solution/form_factor_matrix.h"
 #include "reference/solution/radiosity_error.h"
 
 namespace hemitex::reference {

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/form_factor_row.h"
-#include "reference/solution/direct_solution.h"
+#include "reference/solution/form_factor_matrix.h"
 
 namespace hemitex::reference {
 

@@ -39,7 +39,7 @@ void sortByDepth(std::vector<Part>& parts, int column, int row) {
   });
 }
 
-/// Depth, coordinates and word of a part (raster rules, 6 and 7).
+/// Depth, coordinates and item ID of a part (raster rules, 6 and 7).
 Fragment fragmentOf(const raster::DrawList& list, const Part& part, int column, int row) {
   const ScreenTriangle& triangle = part.screen;
   const raster::Draw& draw = list.draws[triangle.draw];
@@ -52,9 +52,9 @@ Fragment fragmentOf(const raster::DrawList& list, const Part& part, int column, 
   }
   Fragment fragment{part.triangle, triangle.draw, triangle.facesAway, inverse, u / inverse, v / inverse, {}, {}};
   if (triangle.facesAway && draw.back) {
-    fragment.word = *draw.back;
+    fragment.id = *draw.back;
   } else if (!draw.indexMap) {
-    fragment.word = draw.offset;
+    fragment.id = draw.offset;
   } else {
     const raster::IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
     const Texel texel{raster::texelExactly(triangle, triangle.u, map.width, column, row),
@@ -62,7 +62,7 @@ Fragment fragmentOf(const raster::DrawList& list, const Part& part, int column, 
     const auto index = static_cast<std::size_t>(texel.row) * static_cast<std::size_t>(map.width) +
                        static_cast<std::size_t>(texel.column);
     fragment.texel = texel;
-    fragment.word = raster::blend(list.format, list.blend, draw.offset, map.words[index]);
+    fragment.id = raster::blend(list.format, list.blend, draw.offset, map.ids[index]);
   }
   return fragment;
 }

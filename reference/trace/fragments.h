@@ -1,5 +1,5 @@
 /// What the raster rules demand at one pixel, spelled out: every triangle that covers its sample, from the visible one
-/// backwards. It explains a word; item buffers are drawn by raster::SoftwareRenderer.
+/// backwards. It explains an item ID; item buffers are drawn by raster::SoftwareRenderer.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct Fragment {
   double inverseDepth = 0;  ///< 1/w
   double u = 0, v = 0;
   std::optional<Texel> texel;  ///< none without an index map, or on a back
-  raster::Word word = 0;
+  raster::ItemId id = 0;
 };
 
 /// A triangle of a draw.

@@ -124,15 +124,15 @@ DerivedTexel texelAt(const raster::IndexMap& map, const Rational& u, const Ratio
   const Texel texel{floorWithin(column, map.width), floorWithin(row, map.height)};
   const auto index = static_cast<std::size_t>(texel.row) * static_cast<std::size_t>(map.width) +
                      static_cast<std::size_t>(texel.column);
-  return {map.width, map.height, {column.convert_to<double>(), row.convert_to<double>()}, texel, map.words[index]};
+  return {map.width, map.height, {column.convert_to<double>(), row.convert_to<double>()}, texel, map.ids[index]};
 }
 
-std::vector<DerivedSum> sumsOf(const raster::DrawList& list, raster::Word offset, raster::Word texel) {
+std::vector<DerivedSum> sumsOf(const raster::DrawList& list, raster::ItemId offset, raster::ItemId texel) {
   std::vector<DerivedSum> sums;
   if (list.blend == raster::Blend::Replace) return sums;
   const bool isClamped = list.blend == raster::Blend::ClampedAdd;
   int shift = 0;
-  for (const int bits : isClamped ? list.format.channelBits : std::vector<int>{raster::wordBits(list.format)}) {
+  for (const int bits : isClamped ? list.format.channelBits : std::vector<int>{raster::idBits(list.format)}) {
     const std::uint64_t largest = (std::uint64_t{1} << bits) - 1;
     DerivedSum sum{bits, (offset >> shift) & largest, (texel >> shift) & largest, 0};
     sum.result = isClamped ? std::min(sum.offset + sum.texel, largest) : (sum.offset + sum.texel) & largest;
@@ -143,24 +143,24 @@ std::vector<DerivedSum> sumsOf(const raster::DrawList& list, raster::Word offset
 }
 
 /// The results of the sums side by side, the first in the least significant bits.
-raster::Word joined(const std::vector<DerivedSum>& sums) {
-  std::uint64_t word = 0;
+raster::ItemId joined(const std::vector<DerivedSum>& sums) {
+  std::uint64_t id = 0;
   int shift = 0;
   for (const DerivedSum& sum : sums) {
-    word |= sum.result << shift;
+    id |= sum.result << shift;
     shift += sum.bits;
   }
-  return static_cast<raster::Word>(word);
+  return static_cast<raster::ItemId>(id);
 }
 
-void deriveWord(const raster::DrawList& list, const Rational& u, const Rational& v, Derivation& derivation) {
+void deriveId(const raster::DrawList& list, const Rational& u, const Rational& v, Derivation& derivation) {
   const raster::Draw& draw = list.draws[derivation.drawn.draw];
   const bool isBack = derivation.facesAway && draw.back;
-  derivation.word = isBack ? *draw.back : draw.offset;
+  derivation.id = isBack ? *draw.back : draw.offset;
   if (isBack || !draw.indexMap) return;
   derivation.texel = texelAt(list.indexMaps[static_cast<std::size_t>(*draw.indexMap)], u, v);
   derivation.sums = sumsOf(list, draw.offset, derivation.texel->index);
-  derivation.word = derivation.sums.empty() ? derivation.texel->index : joined(derivation.sums);
+  derivation.id = derivation.sums.empty() ? derivation.texel->index : joined(derivation.sums);
 }
 
 /// The first fragment behind the visible one that is of another triangle.
@@ -202,7 +202,7 @@ std::optional<Derivation> derive(const raster::DrawList& list, const raster::Fac
   derivation.inverseDepth = piece.inverseDepth.convert_to<double>();
   const Rational u = coordinateAt(piece, &ViewVertex::u), v = coordinateAt(piece, &ViewVertex::v);
   derivation.coordinates = {u.convert_to<double>(), v.convert_to<double>()};
-  deriveWord(list, u, v, derivation);
+  deriveId(list, u, v, derivation);
   derivation.runnerUp = runnerUpOf(list, face, fragments, piece, column, row);
   return derivation;
 }

@@ -1,5 +1,5 @@
-/// The word of one pixel derived by the raster rules, with every number on the way from the vertices to the blend, for
-/// whoever wants to follow it by hand.
+/// The item ID of one pixel derived by the raster rules, with every number on the way from the vertices to the blend,
+/// for whoever wants to follow it by hand.
 #pragma once
 
 #include <array>
@@ -41,10 +41,10 @@ struct DerivedTexel {
   int width, height;    ///< of the index map: N x M
   glm::dvec2 position;  ///< u N and v M
   Texel texel;
-  raster::Word index;  ///< what the map holds there
+  raster::ItemId index;  ///< what the map holds there
 };
 
-/// A sum of the blend: of one channel, or of whole words.
+/// A sum of the blend: of one channel, or of whole item IDs.
 struct DerivedSum {
   int bits;
   std::uint64_t offset, texel;
@@ -73,13 +73,13 @@ struct Derivation {
   double inverseDepth;                ///< 1/w
   glm::dvec2 coordinates;             ///< u, v
   std::optional<DerivedTexel> texel;  ///< none without an index map, or on a back
-  std::vector<DerivedSum> sums;       ///< one a channel for clamped add, one of the words for integer add, else none
-  raster::Word word;
+  std::vector<DerivedSum> sums;       ///< one a channel for clamped add, one of the item IDs for integer add, else none
+  raster::ItemId id;
   std::optional<RunnerUp> runnerUp;
 };
 
-/// How pixel (column, row) of the viewport gets its word; nothing where it holds the background. The list and the face
-/// are valid; the pixel lies in the scissor rectangle. The cost is that of every triangle.
+/// How pixel (column, row) of the viewport gets its item ID; nothing where it holds the background. The list and the
+/// face are valid; the pixel lies in the scissor rectangle. The cost is that of every triangle.
 std::optional<Derivation> derive(const raster::DrawList& list, const raster::Face& face, int column, int row);
 
 }  // namespace hemitex::reference

@@ -128,25 +128,25 @@ int texel(const Triangle& triangle, const std::array<Rational, 3>& weights, Attr
 }
 
 /// Rules, 7.
-raster::Word blend(const raster::DrawList& list, raster::Word offset, raster::Word texelWord) {
-  if (list.blend == raster::Blend::Replace) return texelWord;
+raster::ItemId blend(const raster::DrawList& list, raster::ItemId offset, raster::ItemId texelId) {
+  if (list.blend == raster::Blend::Replace) return texelId;
   if (list.blend == raster::Blend::IntegerAdd) {
     int bits = 0;
     for (const int channel : list.format.channelBits) bits += channel;
-    return static_cast<raster::Word>((std::uint64_t{offset} + texelWord) % (std::uint64_t{1} << bits));
+    return static_cast<raster::ItemId>((std::uint64_t{offset} + texelId) % (std::uint64_t{1} << bits));
   }
-  raster::Word result = 0;
+  raster::ItemId result = 0;
   std::uint64_t unit = 1;
   for (const int bits : list.format.channelBits) {
     const std::uint64_t values = std::uint64_t{1} << bits;
-    const std::uint64_t channel = std::min(offset / unit % values + texelWord / unit % values, values - 1);
-    result += static_cast<raster::Word>(channel * unit);
+    const std::uint64_t channel = std::min(offset / unit % values + texelId / unit % values, values - 1);
+    result += static_cast<raster::ItemId>(channel * unit);
     unit *= values;
   }
   return result;
 }
 
-raster::Word wordAt(const raster::DrawList& list, const Triangle& triangle, const Point& sample) {
+raster::ItemId idAt(const raster::DrawList& list, const Triangle& triangle, const Point& sample) {
   const raster::Draw& draw = *triangle.draw;
   if (triangle.isBack && draw.back) return *draw.back;
   if (!draw.indexMap) return draw.offset;
@@ -154,7 +154,7 @@ raster::Word wordAt(const raster::DrawList& list, const Triangle& triangle, cons
   const std::array<Rational, 3> weights = weightsOverDepth(triangle, sample);
   const int column = texel(triangle, weights, U, map.width);
   const int row = texel(triangle, weights, V, map.height);
-  return blend(list, draw.offset, map.words[static_cast<std::size_t>(row * map.width + column)]);
+  return blend(list, draw.offset, map.ids[static_cast<std::size_t>(row * map.width + column)]);
 }
 
 bool isFinite(const Attributes& p) {
@@ -208,7 +208,7 @@ raster::ItemBuffer evaluateRules(const raster::DrawList& list, const raster::Fac
         }
         nearest = &triangle;
       }
-      buffer.words.push_back(nearest ? wordAt(list, *nearest, sample) : raster::backgroundWord(list.format));
+      buffer.ids.push_back(nearest ? idAt(list, *nearest, sample) : raster::backgroundId(list.format));
     }
   return buffer;
 }

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "raster/base/file_io.h"
 #include "raster/base/parallel.h"
-#include "raster/base/text_file.h"
 #include "raster/setup/triangle_setup.h"
 #include "raster/software/software_renderer.h"
 #include "reference/trace/fragments.h"
@@ -65,29 +65,29 @@ void addPieces(const raster::DrawList& list, const std::vector<ViewVertex>& vert
 
 // --- pixels ---
 
-/// For every pixel which of the triangles it shows: the renderer draws each of them with its number as its word.
+/// For every pixel which of the triangles it shows: the renderer draws each of them with its number as its item ID.
 raster::ItemBuffer drawNumbers(const raster::DrawList& list, const std::vector<DrawnTriangle>& drawn,
                                const raster::Face& face) {
   raster::DrawList numbered{list.positions, list.texcoords, list.indices, {}, {}, {{32}}};
   for (const DrawnTriangle& triangle : drawn)
-    numbered.draws.push_back({3 * triangle.triangle, 3, static_cast<raster::Word>(numbered.draws.size()), {}, {}});
+    numbered.draws.push_back({3 * triangle.triangle, 3, static_cast<raster::ItemId>(numbered.draws.size()), {}, {}});
   return raster::SoftwareRenderer(std::move(numbered)).render({&face, 1}, {}).front();
 }
 
 void addPixels(const raster::DrawList& list, const raster::Face& face, Stages& stages) {
   const std::vector<DrawnTriangle> drawn = drawnTriangles(list);
   const raster::ItemBuffer numbers = drawNumbers(list, drawn, face);
-  stages.triangles.resize(numbers.words.size(), -1);
-  stages.inverseDepths.resize(numbers.words.size());
-  stages.coordinates.resize(numbers.words.size(), glm::dvec2(0.0));
-  stages.texels.resize(numbers.words.size(), glm::ivec2(-1));
+  stages.triangles.resize(numbers.ids.size(), -1);
+  stages.inverseDepths.resize(numbers.ids.size());
+  stages.coordinates.resize(numbers.ids.size(), glm::dvec2(0.0));
+  stages.texels.resize(numbers.ids.size(), glm::ivec2(-1));
   const auto width = static_cast<std::size_t>(face.scissor.width);
   raster::parallelFor(static_cast<std::size_t>(face.scissor.height), [&](std::size_t row) {
     for (std::size_t column = 0; column < width; ++column) {
       const std::size_t pixel = row * width + column;
-      if (numbers.words[pixel] >= drawn.size()) continue;
+      if (numbers.ids[pixel] >= drawn.size()) continue;
       const auto fragment =
-          fragmentOf(list, face, drawn[numbers.words[pixel]], face.scissor.column + static_cast<int>(column),
+          fragmentOf(list, face, drawn[numbers.ids[pixel]], face.scissor.column + static_cast<int>(column),
                      face.scissor.row + static_cast<int>(row));
       assert(fragment);
       stages.triangles[pixel] = static_cast<std::int32_t>(fragment->triangle);
@@ -132,7 +132,8 @@ void writeStages(const std::filesystem::path& folder, const TestVector& vector) 
     write("piece_snapped", "i32", stages.pieceSnapped);
     faces.push_back(std::move(json));
   }
-  writeText(folder / "stages.json", Json{{"faces", faces}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  raster::writeFile(folder / "stages.json",
+                    Json{{"faces", faces}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace hemitex::reference

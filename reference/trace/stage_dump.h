@@ -1,6 +1,6 @@
-/// What lies between the vertices and the words of a face, for whoever looks for the stage at which a device leaves the
-/// raster rules: where every vertex goes, what clipping leaves of the triangles that it cuts, and for every pixel which
-/// triangle it shows, at what depth and texture coordinates, and which texel.
+/// What lies between the vertices and the item IDs of a face, for whoever looks for the stage at which a device leaves
+/// the raster rules: where every vertex goes, what clipping leaves of the triangles that it cuts, and for every pixel
+/// which triangle it shows, at what depth and texture coordinates, and which texel.
 #pragma once
 
 #include <array>

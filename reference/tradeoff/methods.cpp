@@ -47,7 +47,7 @@ TradeMethod drawnMethod(const DrawnStyle& style) {
   };
   const auto directions = [style](int resolution) { return directionsOf(style.projection, resolution); };
   const auto bytes = [style](int resolution) {
-    return static_cast<std::size_t>(pixelsOf(style.projection, resolution)) * sizeof(raster::Word);
+    return static_cast<std::size_t>(pixelsOf(style.projection, resolution)) * sizeof(raster::ItemId);
   };
   return {style.name, "resolution", 2, 4096, style.measured, directions, bytes, rows};
 }
@@ -76,7 +76,7 @@ std::vector<TradeMethod> tradeMethods() {
   using radiosity::Orientation;
   using radiosity::ProjectionKind;
   const std::vector<int> few{32, 64, 128, 256, 512};
-  const double split = radiosity::defaultMostMisdirected, unsplit = 1;
+  const double split = radiosity::defaultMaxMisdirected, unsplit = 1;
   const std::vector<int> many{32, 64, 128, 256, 512, 1024, 2048};
   return {drawnMethod({"hemicube", ProjectionKind::Hemicube, Orientation::Aligned, unsplit, many}),
           drawnMethod({"turned-hemicube", ProjectionKind::Hemicube, Orientation::Turned, unsplit, few}),

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solver/progressive_solver.h"
 
@@ -22,7 +22,7 @@ struct TradeRows {
 };
 
 struct TradeMethod {
-  std::string name;                       ///< one word, as on the command line
+  std::string name;                       ///< one item ID, as on the command line
   std::string setting;                    ///< what its number is called; always a power of two
   int least, most;                        ///< of the numbers that it can be given
   std::vector<int> measured;              ///< the numbers that are compared where no others are asked for, ascending

@@ -5,7 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "reference/bench/stopwatch.h"
+#include "radiosity/discretization/discretize.h"
+#include "reference/bench/timing.h"
 #include "reference/tradeoff/pareto_front.h"
 
 namespace hemitex::reference {

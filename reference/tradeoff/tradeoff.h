@@ -12,7 +12,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene.h"
 #include "reference/solution/ground_truth.h"
 #include "reference/solution/radiosity_error.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "raster/base/text_file.h"
 
 namespace hemitex::reference {
 
@@ -20,7 +20,7 @@ static_assert(std::endian::native == std::endian::little);
 /// The numbers of a whole file.
 template <typename T>
 std::vector<T> readArray(const std::filesystem::path& file) {
-  const std::string bytes = readText(file);
+  const std::string bytes = raster::readFile(file);
   if (bytes.size() % sizeof(T) != 0)
     throw raster::InputError(
         file.string(), 0,

@@ -11,19 +11,19 @@ namespace {
 namespace filesystem = std::filesystem;
 using raster::InputError;
 
-raster::ItemBuffer readWords(const filesystem::path& file, const raster::Scissor& scissor) {
+raster::ItemBuffer readIds(const filesystem::path& file, const raster::Scissor& scissor) {
   if (!filesystem::is_regular_file(file))
-    throw InputError(file.string(), 0, "is missing or not a file", "a candidate holds one words file a face");
+    throw InputError(file.string(), 0, "is missing or not a file", "a candidate holds one item IDs file a face");
   const std::uintmax_t size = filesystem::file_size(file);
   raster::ItemBuffer buffer{scissor.width, scissor.height, {}};
-  buffer.words.resize(static_cast<std::size_t>(scissor.width) * static_cast<std::size_t>(scissor.height));
-  const std::size_t bytes = buffer.words.size() * sizeof(raster::Word);
+  buffer.ids.resize(static_cast<std::size_t>(scissor.width) * static_cast<std::size_t>(scissor.height));
+  const std::size_t bytes = buffer.ids.size() * sizeof(raster::ItemId);
   if (size != bytes)
     throw InputError(file.string(), 0, "holds " + std::to_string(size) + " bytes",
-                     std::to_string(scissor.width) + " x " + std::to_string(scissor.height) + " words are " +
+                     std::to_string(scissor.width) + " x " + std::to_string(scissor.height) + " item IDs are " +
                          std::to_string(bytes) + " bytes");
   std::ifstream stream(file, std::ios::binary);
-  stream.read(reinterpret_cast<char*>(buffer.words.data()), static_cast<std::streamsize>(bytes));
+  stream.read(reinterpret_cast<char*>(buffer.ids.data()), static_cast<std::streamsize>(bytes));
   if (!stream) throw InputError(file.string(), 0, "cannot be read to its end");
   return buffer;
 }
@@ -32,13 +32,13 @@ raster::ItemBuffer readWords(const filesystem::path& file, const raster::Scissor
 
 std::vector<raster::ItemBuffer> readCandidate(const filesystem::path& folder, const TestVector& vector) {
   std::vector<raster::ItemBuffer> buffers;
-  for (const VectorFace& face : vector.faces) buffers.push_back(readWords(folder / face.words, face.face.scissor));
+  for (const VectorFace& face : vector.faces) buffers.push_back(readIds(folder / face.ids, face.face.scissor));
   return buffers;
 }
 
 void writeCandidate(const filesystem::path& folder, const TestVector& vector,
                     std::span<const raster::ItemBuffer> buffers) {
-  for (std::size_t f = 0; f < buffers.size(); ++f) writeArray(folder / vector.faces[f].words, buffers[f].words);
+  for (std::size_t f = 0; f < buffers.size(); ++f) writeArray(folder / vector.faces[f].ids, buffers[f].ids);
 }
 
 }  // namespace hemitex::reference

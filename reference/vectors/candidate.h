@@ -1,4 +1,4 @@
-/// The answer of a device to a test vector: a folder with the words files, and nothing else is needed.
+/// The answer of a device to a test vector: a folder with the item IDs files, and nothing else is needed.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace hemitex::reference {
 
-/// One item buffer a face of the vector, in its order. Throws InputError where a words file is missing, cannot be
-/// read, or does not hold exactly one word a pixel: a buffer of the wrong size never passes for a right one.
+/// One item buffer a face of the vector, in its order. Throws InputError where a item IDs file is missing, cannot be
+/// read, or does not hold exactly one item ID a pixel: a buffer of the wrong size never passes for a right one.
 std::vector<raster::ItemBuffer> readCandidate(const std::filesystem::path& folder, const TestVector& vector);
 
 /// Writes one item buffer a face of the vector, in its order, into `folder`, which exists. Throws InputError where a

@@ -19,7 +19,7 @@ inline raster::Face frontFace(int resolution, float nearDistance = 0.01f) {
   return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, nearDistance, resolution, {0, 0, resolution, resolution}};
 }
 
-/// A list of 32-bit words without channels.
+/// A list of 32-bit item IDs without channels.
 inline raster::DrawList plainList() {
   raster::DrawList list;
   list.format = {{32}};
@@ -29,12 +29,12 @@ inline raster::DrawList plainList() {
 /// The index map whose texel (column, row) holds row * width + column.
 inline raster::IndexMap countingMap(int width, int height) {
   raster::IndexMap map{width, height, {}};
-  for (raster::Word word = 0; word < static_cast<raster::Word>(width * height); ++word) map.words.push_back(word);
+  for (raster::ItemId id = 0; id < static_cast<raster::ItemId>(width * height); ++id) map.ids.push_back(id);
   return map;
 }
 
 /// Starts a draw behind the others.
-inline void addDraw(raster::DrawList& list, raster::Word offset, std::optional<raster::Word> back = {},
+inline void addDraw(raster::DrawList& list, raster::ItemId offset, std::optional<raster::ItemId> back = {},
                     std::optional<int> indexMap = {}) {
   list.draws.push_back({static_cast<std::uint32_t>(list.indices.size()), 0, offset, back, indexMap});
 }

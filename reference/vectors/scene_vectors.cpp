@@ -3,16 +3,19 @@
 #include <string>
 #include <utility>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/index_maps/id_layout.h"
+#include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/projection/hemicube.h"
 #include "radiosity/projection/patch_view.h"
 #include "radiosity/projection/projection.h"
+#include "radiosity/scene/load_scene.h"
 #include "reference/vectors/vector_suite.h"
 
 namespace hemitex::reference {
 namespace {
 
-/// A point that looks along `normal`, and the words that the scene is drawn in.
+/// A point that looks along `normal`, and the item IDs that the scene is drawn in.
 struct View {
   std::string name;
   glm::dvec3 eye, normal, up;

@@ -3,16 +3,16 @@
 #include <random>
 
 #include "reference/vectors/draw_list_builder.h"
-#include "reference/vectors/vector_themes.h"
+#include "reference/vectors/vector_suite.h"
 
 namespace hemitex::reference {
 namespace {
 
 constexpr double subPixel = 1.0 / 256;
 
-/// A triangle of the picture in a draw of its own, whose word is the draw's number; corners in pixels.
+/// A triangle of the picture in a draw of its own, whose item ID is the draw's number; corners in pixels.
 void addNumbered(raster::DrawList& list, int resolution, const std::array<glm::dvec2, 3>& corners, double w) {
-  addDraw(list, static_cast<raster::Word>(list.draws.size()));
+  addDraw(list, static_cast<raster::ItemId>(list.draws.size()));
   addTriangle(list, {pixelPoint(resolution, corners[0], w), pixelPoint(resolution, corners[1], w),
                      pixelPoint(resolution, corners[2], w)});
 }
@@ -92,9 +92,9 @@ raster::DrawList sheet(int cells, const Point& point) {
   raster::DrawList list = plainList();
   for (int j = 0; j < cells; ++j)
     for (int i = 0; i < cells; ++i) {
-      addDraw(list, static_cast<raster::Word>(list.draws.size()));
+      addDraw(list, static_cast<raster::ItemId>(list.draws.size()));
       addTriangle(list, {at(i, j), at(i + 1, j + 1), at(i + 1, j)});
-      addDraw(list, static_cast<raster::Word>(list.draws.size()));
+      addDraw(list, static_cast<raster::ItemId>(list.draws.size()));
       addTriangle(list, {at(i, j), at(i, j + 1), at(i + 1, j + 1)});
     }
   return list;
@@ -155,16 +155,16 @@ TestVector frustumSheet() {
 TestVector behindTheEye() {
   std::mt19937 random(3);
   raster::DrawList list = plainList();
-  for (raster::Word word = 0; word < 48; ++word) {
+  for (raster::ItemId id = 0; id < 48; ++id) {
     const float middleX = uniform(random, -1, 1), middleY = uniform(random, -1, 1);
     std::array<glm::vec3, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
       const float x = middleX + uniform(random, -0.3f, 0.3f), y = middleY + uniform(random, -0.3f, 0.3f);
       const float behind = uniform(random, -1, 0.25f), ahead = uniform(random, 0.25f, 2);
-      const bool isOnPlane = word % 8 == k;
-      corners[k] = {x, y, isOnPlane ? 0.25f : k < word % 4 ? behind : ahead};
+      const bool isOnPlane = id % 8 == k;
+      corners[k] = {x, y, isOnPlane ? 0.25f : k < id % 4 ? behind : ahead};
     }
-    addDraw(list, word);
+    addDraw(list, id);
     addTriangle(list, {corners[0], corners[1], corners[2]});
   }
   return makeVector("behind-the-eye", "corners behind the eye projected through it, triangles dropped whole, w = 0",

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "reference/vectors/draw_list_builder.h"
-#include "reference/vectors/vector_themes.h"
+#include "reference/vectors/vector_suite.h"
 
 namespace hemitex::reference {
 namespace {
@@ -40,7 +40,7 @@ TestVector coplanarSloped(const std::string& name, bool reversed) {
       const Corner& at = triangles[number][c];
       return pixelPoint(resolution, {at.column, at.row}, at.w);
     };
-    addDraw(list, static_cast<raster::Word>(number));
+    addDraw(list, static_cast<raster::ItemId>(number));
     addTriangle(list, {corner(0), corner(1), corner(2)});
   }
   return makeVector(name, "ties in depth on a slope that go to the later triangle", std::move(list),
@@ -53,12 +53,12 @@ TestVector sameTriangle() {
   raster::DrawList list = plainList();
   const glm::vec3 a = pixelPoint(resolution, {1, 2}, 1.3), b = pixelPoint(resolution, {30, 5}, 7.7);
   const glm::vec3 c = pixelPoint(resolution, {9, 31}, 3.1);
-  for (raster::Word word = 0; word < 6; ++word) {
-    addDraw(list, word);
-    if (word % 3 == 0) addTriangle(list, {a, b, c});
-    if (word % 3 == 1) addTriangle(list, {b, c, a});
-    if (word % 3 == 2) addTriangle(list, {c, a, b});
-    if (word >= 3) turnLastDraw(list);
+  for (raster::ItemId id = 0; id < 6; ++id) {
+    addDraw(list, id);
+    if (id % 3 == 0) addTriangle(list, {a, b, c});
+    if (id % 3 == 1) addTriangle(list, {b, c, a});
+    if (id % 3 == 2) addTriangle(list, {c, a, b});
+    if (id >= 3) turnLastDraw(list);
   }
   return makeVector("same-triangle", "less-or-equal instead of less, depth that depends on the order of corners",
                     std::move(list), {frontFace(resolution, 0.5f)});
@@ -73,7 +73,7 @@ TestVector depthSteps() {
     const float next = std::nextafter(w, 1e9f);
     const bool nearerFirst = pixel % 2 == 0;
     for (const bool isFirst : {true, false}) {
-      addDraw(list, static_cast<raster::Word>(2 * pixel + (isFirst ? 0 : 1)));
+      addDraw(list, static_cast<raster::ItemId>(2 * pixel + (isFirst ? 0 : 1)));
       addPixel(list, resolution, pixel % 16, pixel / 16, isFirst == nearerFirst ? w : next);
     }
   }
@@ -89,7 +89,7 @@ TestVector depthRange() {
     const double w = 0.1 + pixel * pixel * (100.0 / 65536);
     const bool nearerFirst = pixel % 2 == 0;
     for (const bool isFirst : {true, false}) {
-      addDraw(list, static_cast<raster::Word>(2 * pixel + (isFirst ? 0 : 1)));
+      addDraw(list, static_cast<raster::ItemId>(2 * pixel + (isFirst ? 0 : 1)));
       addPixel(list, resolution, pixel % 16, pixel / 16, isFirst == nearerFirst ? w : 1.01 * w);
     }
   }
@@ -101,10 +101,10 @@ TestVector depthStack() {
   constexpr int resolution = 32;
   std::mt19937 random(12);
   raster::DrawList list = plainList();
-  for (raster::Word word = 0; word < 64; ++word) {
+  for (raster::ItemId id = 0; id < 64; ++id) {
     const int column = static_cast<int>(random() % 28), row = static_cast<int>(random() % 28);
     const int width = 4 + static_cast<int>(random() % 12), height = 4 + static_cast<int>(random() % 12);
-    addDraw(list, word);
+    addDraw(list, id);
     addBlock(list, resolution, {column, row, column + width, row + height}, 1 + static_cast<double>(random() % 64) / 8);
   }
   return makeVector("depth-stack", "the depth test off, reversed, or the depth buffer not cleared", std::move(list),
@@ -116,13 +116,13 @@ TestVector crossing() {
   constexpr int resolution = 64;
   std::mt19937 random(7);
   raster::DrawList list = plainList();
-  for (raster::Word word = 0; word < 12; ++word) {
+  for (raster::ItemId id = 0; id < 12; ++id) {
     std::array<glm::vec3, 3> corners;
     for (glm::vec3& corner : corners) {
       const double column = uniform(random, -8, 72), row = uniform(random, -8, 72), w = uniform(random, 1, 6);
       corner = pixelPoint(resolution, {column, row}, w);
     }
-    addDraw(list, word);
+    addDraw(list, id);
     addTriangle(list, {corners[0], corners[1], corners[2]});
   }
   return makeVector("crossing", "depth of a whole triangle instead of a sample, w interpolated instead of 1/w",
@@ -136,7 +136,7 @@ TestVector depthRatio() {
   addDraw(list, 0);
   addQuad(list, {glm::vec3(-9000, 0.008f, 10000), glm::vec3(9000, 0.008f, 10000), glm::vec3(0.009f, 0.008f, 0.01f),
                  glm::vec3(-0.009f, 0.008f, 0.01f)});
-  for (raster::Word wall = 1; wall < 12; ++wall) {
+  for (raster::ItemId wall = 1; wall < 12; ++wall) {
     const float w = std::ldexp(0.012f, static_cast<int>(wall) * 2);
     addDraw(list, wall);
     const float left = (static_cast<float>(wall) / 6 - 1.1f) * w, right = left + 0.14f * w;

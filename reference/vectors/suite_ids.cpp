@@ -1,18 +1,18 @@
-/// What word comes of offset and texel: channels and their clamping, whole words, reserved words.
+/// What item ID comes of offset and texel: channels and their clamping, whole item IDs, reserved item IDs.
 #include <algorithm>
 #include <set>
 
 #include "reference/vectors/draw_list_builder.h"
-#include "reference/vectors/vector_themes.h"
+#include "reference/vectors/vector_suite.h"
 
 namespace hemitex::reference {
 namespace {
 
-using raster::Word;
+using raster::ItemId;
 
 constexpr float nearDistance = 0.5f;
 
-raster::DrawList emptyList(const raster::WordFormat& format, raster::Blend operation) {
+raster::DrawList emptyList(const raster::IdFormat& format, raster::Blend operation) {
   raster::DrawList list;
   list.format = format;
   list.blend = operation;
@@ -20,8 +20,8 @@ raster::DrawList emptyList(const raster::WordFormat& format, raster::Blend opera
 }
 
 /// Row j of the picture blends offset j with every texel in turn.
-void addTable(raster::DrawList& list, int resolution, const std::vector<Word>& offsets,
-              const std::vector<Word>& texels) {
+void addTable(raster::DrawList& list, int resolution, const std::vector<ItemId>& offsets,
+              const std::vector<ItemId>& texels) {
   list.indexMaps.push_back({static_cast<int>(texels.size()), 1, texels});
   for (int row = 0; row < static_cast<int>(offsets.size()); ++row) {
     addDraw(list, offsets[static_cast<std::size_t>(row)], {}, static_cast<int>(list.indexMaps.size()) - 1);
@@ -29,9 +29,9 @@ void addTable(raster::DrawList& list, int resolution, const std::vector<Word>& o
   }
 }
 
-/// Turned away, with a back word, in one pixel.
+/// Turned away, with a back item ID, in one pixel.
 void addBack(raster::DrawList& list, int resolution, int column, int row) {
-  addDraw(list, 1, raster::backWord(list.format));
+  addDraw(list, 1, raster::backId(list.format));
   addPixel(list, resolution, column, row);
   turnLastDraw(list);
 }
@@ -40,9 +40,9 @@ void addBack(raster::DrawList& list, int resolution, int column, int row) {
 /// j) and (255 - i, j). So each channel meets all pairs, and never do all four reach 255, which is the background: the
 /// first two do where i + j = 255, the last two where i = j.
 TestVector bytePairs() {
-  constexpr Word all = 255;
-  std::vector<Word> offsets, texels;
-  for (Word byte = 0; byte <= all; ++byte) {
+  constexpr ItemId all = 255;
+  std::vector<ItemId> offsets, texels;
+  for (ItemId byte = 0; byte <= all; ++byte) {
     texels.push_back(byte | (all - byte) << 8 | byte << 16 | (all - byte) << 24);
     offsets.push_back(byte | (all - byte) << 8 | (all - byte) << 16 | byte << 24);
   }
@@ -54,16 +54,16 @@ TestVector bytePairs() {
 
 /// Offsets and texels of one bit each, in every combination, and texels that fill a channel but for its last bit: sums
 /// show where one channel ends and the next begins. Beside them the background and, in the last pixel, a back.
-TestVector layout(const std::string& name, const raster::WordFormat& format) {
+TestVector layout(const std::string& name, const raster::IdFormat& format) {
   constexpr int resolution = 48;
-  const int bits = raster::wordBits(format);
-  std::vector<Word> offsets, texels{0};
-  for (int bit = 0; bit < bits; ++bit) offsets.push_back(Word{1} << bit);
+  const int bits = raster::idBits(format);
+  std::vector<ItemId> offsets, texels{0};
+  for (int bit = 0; bit < bits; ++bit) offsets.push_back(ItemId{1} << bit);
   // The highest bit twice would clamp a single channel to the background.
-  for (int bit = 0; bit < bits - 1; ++bit) texels.push_back(Word{1} << bit);
+  for (int bit = 0; bit < bits - 1; ++bit) texels.push_back(ItemId{1} << bit);
   int shift = 0;
   for (const int width : format.channelBits) {
-    if (width < bits) texels.push_back(((Word{1} << width) - 2) << shift);
+    if (width < bits) texels.push_back(((ItemId{1} << width) - 2) << shift);
     shift += width;
   }
   raster::DrawList list = emptyList(format, raster::Blend::ClampedAdd);
@@ -73,10 +73,10 @@ TestVector layout(const std::string& name, const raster::WordFormat& format) {
                     {frontFace(resolution, nearDistance)});
 }
 
-/// All sums of offsets and texels around the channels' borders; some run over the end of the word.
-TestVector integerAdd(const std::string& name, const raster::WordFormat& format) {
+/// All sums of offsets and texels around the channels' borders; some run over the end of the item ID.
+TestVector integerAdd(const std::string& name, const raster::IdFormat& format) {
   constexpr int resolution = 16;
-  const Word background = raster::backgroundWord(format);
+  const ItemId background = raster::backgroundId(format);
   raster::DrawList list = emptyList(format, raster::Blend::IntegerAdd);
   addTable(list, resolution,
            {0, 0x7f, 0xfe, 0xffffu - 1, background / 2 - 3, background - 5, background - 0x100, background - 0x10001},
@@ -85,12 +85,12 @@ TestVector integerAdd(const std::string& name, const raster::WordFormat& format)
                     std::move(list), {frontFace(resolution, nearDistance)});
 }
 
-/// Surfaces of 3 x 3 elements whose indices follow each other without a gap; only whole words can be added so.
+/// Surfaces of 3 x 3 elements whose indices follow each other without a gap; only whole item IDs can be added so.
 TestVector unaligned(const std::string& name, const std::string& catches, raster::Blend operation) {
   constexpr int resolution = 48;
   raster::DrawList list = emptyList({{8, 8, 8}}, operation);
   list.indexMaps.push_back(countingMap(3, 3));
-  for (Word surface = 0; surface < 256; ++surface) {
+  for (ItemId surface = 0; surface < 256; ++surface) {
     addDraw(list, 9 * surface, {}, 0);
     const int column = static_cast<int>(surface % 16) * 3, row = static_cast<int>(surface / 16) * 3;
     addBlock(list, resolution, {column, row, column + 3, row + 3});
@@ -98,15 +98,15 @@ TestVector unaligned(const std::string& name, const std::string& catches, raster
   return makeVector(name, catches, std::move(list), {frontFace(resolution, nearDistance)});
 }
 
-/// Four surfaces, each with an index map of its own whose words occur nowhere else; the offsets must not show.
+/// Four surfaces, each with an index map of its own whose item IDs occur nowhere else; the offsets must not show.
 TestVector uniqueMaps() {
   constexpr int resolution = 32;
   raster::DrawList list = emptyList({{8, 8, 8, 8}}, raster::Blend::Replace);
   for (int surface = 0; surface < 4; ++surface) {
     raster::IndexMap map = countingMap(16, 16);
-    for (Word& word : map.words) word += 0x00ff80u + 256 * static_cast<Word>(surface);
+    for (ItemId& id : map.ids) id += 0x00ff80u + 256 * static_cast<ItemId>(surface);
     list.indexMaps.push_back(std::move(map));
-    addDraw(list, 0x01010101, raster::backWord(list.format), surface);
+    addDraw(list, 0x01010101, raster::backId(list.format), surface);
     const int column = surface % 2 * 16, row = surface / 2 * 16;
     addBlock(list, resolution, {column, row, column + 16, row + 16});
   }
@@ -121,8 +121,8 @@ TestVector singleElements() {
   list.indexMaps.push_back(countingMap(16, 16));
   for (int block = 0; block < 64; ++block) {
     const bool isTextured = block % 3 == 0;
-    const Word offset = isTextured ? static_cast<Word>(block) << 8 : 0x10000 + static_cast<Word>(block);
-    addDraw(list, offset, raster::backWord(list.format), isTextured ? std::optional<int>(0) : std::nullopt);
+    const ItemId offset = isTextured ? static_cast<ItemId>(block) << 8 : 0x10000 + static_cast<ItemId>(block);
+    addDraw(list, offset, raster::backId(list.format), isTextured ? std::optional<int>(0) : std::nullopt);
     const int column = block % 8 * 4, row = block / 8 * 4;
     addBlock(list, resolution, {column, row, column + 4, row + 4});
   }
@@ -130,22 +130,22 @@ TestVector singleElements() {
                     {frontFace(resolution, nearDistance)});
 }
 
-/// Words where binary32, signed integers or bytes change their mind, from 0 to the last that a draw can produce.
-std::vector<Word> edgeWords(int bits) {
-  const Word reserved = static_cast<Word>((std::uint64_t{1} << bits) - 2);
-  std::set<Word> words{0, 1, 2, reserved - 1, reserved / 2, reserved / 2 + 1, reserved / 2 + 2};
+/// Item IDs where binary32, signed integers or bytes change their mind, from 0 to the last that a draw can produce.
+std::vector<ItemId> edgeIds(int bits) {
+  const ItemId reserved = static_cast<ItemId>((std::uint64_t{1} << bits) - 2);
+  std::set<ItemId> ids{0, 1, 2, reserved - 1, reserved / 2, reserved / 2 + 1, reserved / 2 + 2};
   for (const int power : {8, 16, 23, 24, 25, 31})
-    if (power < bits) words.insert({(Word{1} << power) - 1, Word{1} << power, (Word{1} << power) + 1});
-  return {words.begin(), words.end()};
+    if (power < bits) ids.insert({(ItemId{1} << power) - 1, ItemId{1} << power, (ItemId{1} << power) + 1});
+  return {ids.begin(), ids.end()};
 }
 
-/// The edge words as plain offsets, a pixel each; then the back word, and the background around them.
-TestVector edgeOffsets(const std::string& name, const raster::WordFormat& format) {
+/// The edge item IDs as plain offsets, a pixel each; then the back item ID, and the background around them.
+TestVector edgeOffsets(const std::string& name, const raster::IdFormat& format) {
   constexpr int resolution = 16;
   raster::DrawList list = emptyList(format, raster::Blend::ClampedAdd);
   int pixel = 0;
-  for (const Word word : edgeWords(raster::wordBits(format))) {
-    addDraw(list, word);
+  for (const ItemId id : edgeIds(raster::idBits(format))) {
+    addDraw(list, id);
     addPixel(list, resolution, pixel % resolution, pixel / resolution);
     ++pixel;
   }
@@ -154,11 +154,11 @@ TestVector edgeOffsets(const std::string& name, const raster::WordFormat& format
                     std::move(list), {frontFace(resolution, nearDistance)});
 }
 
-/// The edge words as texels, a pixel each, in one channel of 32 bits: replacing, or added modulo 2^32 to an offset.
-TestVector edgeTexels(const std::string& name, raster::Blend operation, Word offset) {
+/// The edge item IDs as texels, a pixel each, in one channel of 32 bits: replacing, or added modulo 2^32 to an offset.
+TestVector edgeTexels(const std::string& name, raster::Blend operation, ItemId offset) {
   constexpr int resolution = 32;
-  std::vector<Word> texels = edgeWords(32);
-  for (Word& texel : texels) texel -= offset;
+  std::vector<ItemId> texels = edgeIds(32);
+  for (ItemId& texel : texels) texel -= offset;
   raster::DrawList list = emptyList({{32}}, operation);
   addTable(list, resolution, {offset}, texels);
   addBack(list, resolution, resolution - 1, resolution - 1);
@@ -166,15 +166,15 @@ TestVector edgeTexels(const std::string& name, raster::Blend operation, Word off
                     {frontFace(resolution, nearDistance)});
 }
 
-/// Blocks with and without index map and back word, turned to the eye and away; seen straight and in a mirror.
+/// Blocks with and without index map and back item ID, turned to the eye and away; seen straight and in a mirror.
 TestVector backs() {
   constexpr int resolution = 32;
   raster::DrawList list = emptyList({{8, 8, 8}}, raster::Blend::ClampedAdd);
   list.indexMaps.push_back(countingMap(4, 4));
   for (int block = 0; block < 16; ++block) {
     const bool isMapped = block % 2 == 1, hasBack = block / 2 % 2 == 1, isTurned = block / 4 % 2 == 1;
-    const Word back = raster::backWord(list.format) - static_cast<Word>(block / 8);
-    addDraw(list, static_cast<Word>(block) << 8, hasBack ? std::optional<Word>(back) : std::nullopt,
+    const ItemId back = raster::backId(list.format) - static_cast<ItemId>(block / 8);
+    addDraw(list, static_cast<ItemId>(block) << 8, hasBack ? std::optional<ItemId>(back) : std::nullopt,
             isMapped ? std::optional<int>(0) : std::nullopt);
     const int column = block % 4 * 8, row = block / 4 * 8;
     addBlock(list, resolution, {column, row, column + 7, row + 6});
@@ -188,7 +188,7 @@ TestVector backs() {
 
 }  // namespace
 
-std::vector<TestVector> wordVectors() {
+std::vector<TestVector> idVectors() {
   std::vector<TestVector> vectors{bytePairs()};
   for (const std::string& name : raster::formatNames()) {
     vectors.push_back(layout(name, *raster::formatNamed(name)));

@@ -1,13 +1,13 @@
 /// Meshes whose triangles share edges, seen unclipped: every sample inside belongs to exactly one triangle.
 ///
-/// Each triangle has its own word and its own depth, so that both faults show. A hole shows the background. A sample
+/// Each triangle has its own item ID and its own depth, so that both faults show. A hole shows the background. A sample
 /// that two triangles claim shows the nearer one; drawn once with later triangles nearer and once with earlier ones
 /// nearer, the wrong one is the nearer one in one of the two vectors.
 #include <algorithm>
 #include <random>
 
 #include "reference/vectors/draw_list_builder.h"
-#include "reference/vectors/vector_themes.h"
+#include "reference/vectors/vector_suite.h"
 
 namespace hemitex::reference {
 namespace {
@@ -26,13 +26,13 @@ Corners inOrder(Corners corners, std::size_t order) {
   return corners;
 }
 
-/// Draw t has triangle t alone and the word t.
+/// Draw t has triangle t alone and the item ID t.
 raster::DrawList drawMesh(int resolution, const Mesh& mesh, bool laterIsNearer) {
   raster::DrawList list = plainList();
   for (std::size_t t = 0; t < mesh.size(); ++t) {
     const std::size_t rank = laterIsNearer ? mesh.size() - 1 - t : t;
     const double w = 1 + static_cast<double>(rank) / 4096;
-    addDraw(list, static_cast<raster::Word>(t));
+    addDraw(list, static_cast<raster::ItemId>(t));
     addTriangle(list, {pixelPoint(resolution, mesh[t][0], w), pixelPoint(resolution, mesh[t][1], w),
                        pixelPoint(resolution, mesh[t][2], w)});
   }
@@ -154,7 +154,7 @@ TestVector strips() {
     for (int t = 0; t <= 16; ++t)
       list.positions.push_back(pixelPoint(resolution, {2 * t, 8 * strip + (t % 2 == 0 ? 0 : 8)}));
     for (std::uint32_t t = 0; t < 15; ++t) {
-      addDraw(list, static_cast<raster::Word>(list.draws.size() + 1) * 0x107);
+      addDraw(list, static_cast<raster::ItemId>(list.draws.size() + 1) * 0x107);
       for (std::uint32_t k = 0; k < 3; ++k) list.indices.push_back(firstVertex + t + k);
       list.draws.back().count = 3;
     }

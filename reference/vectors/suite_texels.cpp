@@ -2,16 +2,16 @@
 #include <cmath>
 
 #include "reference/vectors/draw_list_builder.h"
-#include "reference/vectors/vector_themes.h"
+#include "reference/vectors/vector_suite.h"
 
 namespace hemitex::reference {
 namespace {
 
-/// Aligned above every index of the maps below, so that words of u and of v differ.
-constexpr raster::Word mark = 0x10000;
+/// Aligned above every index of the maps below, so that item IDs of u and of v differ.
+constexpr raster::ItemId mark = 0x10000;
 
 /// The binary32 numbers next below k/N, nearest to it and next above it, for all k from 0 to N: each fills a pixel, the
-/// texel's number its word. Along u first, then along v with the mark.
+/// texel's number its item ID. Along u first, then along v with the mark.
 TestVector borderSteps(int texels) {
   std::vector<float> steps;
   for (int k = 0; k <= texels; ++k) {
@@ -101,11 +101,11 @@ TestVector rectangularMap() {
                     std::move(list), {frontFace(resolution, 0.5f)});
 }
 
-/// Texels of 8 x 8 pixels whose words are far apart.
+/// Texels of 8 x 8 pixels whose item IDs are far apart.
 TestVector magnified() {
   constexpr int resolution = 32;
   raster::IndexMap map{4, 4, {}};
-  for (raster::Word texel = 0; texel < 16; ++texel) map.words.push_back((texel * 7 % 16) * 0x0fff);
+  for (raster::ItemId texel = 0; texel < 16; ++texel) map.ids.push_back((texel * 7 % 16) * 0x0fff);
   raster::DrawList list = mapped(std::move(map));
   addBlock(list, resolution, {0, 0, resolution, resolution});
   return makeVector("magnified", "linear filtering: words between those of neighbours", std::move(list),
@@ -127,7 +127,7 @@ TestVector manyMaps() {
   raster::DrawList list = plainList();
   for (int k = 0; k < 16; ++k) {
     if (k < 15) list.indexMaps.push_back(countingMap(1 + k, 1 + k * 5 % 7));
-    addDraw(list, static_cast<raster::Word>(k) << 16, {}, k * 11 % 15);
+    addDraw(list, static_cast<raster::ItemId>(k) << 16, {}, k * 11 % 15);
     const int column = k % 4 * 8, row = k / 4 * 8;
     addBlock(list, resolution, {column, row, column + 8, row + 8});
   }

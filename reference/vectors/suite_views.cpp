@@ -2,7 +2,7 @@
 #include <random>
 
 #include "reference/vectors/draw_list_builder.h"
-#include "reference/vectors/vector_themes.h"
+#include "reference/vectors/vector_suite.h"
 
 namespace hemitex::reference {
 namespace {
@@ -10,13 +10,13 @@ namespace {
 using raster::Face;
 using raster::Scissor;
 
-/// A room around the origin in which no two walls, corners or halves of a wall are alike: every wall has its own word,
-/// distance and size, index maps of 5 x 3 texels, and a gap to its neighbours that shows the background.
+/// A room around the origin in which no two walls, corners or halves of a wall are alike: every wall has its own item
+/// ID, distance and size, index maps of 5 x 3 texels, and a gap to its neighbours that shows the background.
 raster::DrawList asymmetricRoom() {
   raster::DrawList list = plainList();
   list.indexMaps.push_back(countingMap(5, 3));
   const auto addWall = [&](const std::array<glm::vec3, 4>& corners) {
-    addDraw(list, static_cast<raster::Word>(list.draws.size() + 1) << 8, raster::backWord(list.format), 0);
+    addDraw(list, static_cast<raster::ItemId>(list.draws.size() + 1) << 8, raster::backId(list.format), 0);
     addQuad(list, corners);
   };
   // Ceiling; walls at +x, +y, -x, -y; a board that hides a part of the ceiling, its back to the eye.
@@ -94,9 +94,9 @@ TestVector largestViewport() {
   std::mt19937 random(4096);
   raster::DrawList list = plainList();
   list.indexMaps.push_back(countingMap(256, 256));
-  for (raster::Word word = 0; word < 64; ++word) {
-    const bool isFirstCorner = word % 2 == 0;
-    const float size = std::array<float, 4>{4, 20, 100, 20000}[word / 2 % 4];
+  for (raster::ItemId id = 0; id < 64; ++id) {
+    const bool isFirstCorner = id % 2 == 0;
+    const float size = std::array<float, 4>{4, 20, 100, 20000}[id / 2 % 4];
     std::array<glm::vec3, 3> corners;
     std::array<glm::vec2, 3> texcoords;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -107,7 +107,7 @@ TestVector largestViewport() {
       const float u = uniform(random, 0, 1), v = uniform(random, 0, 1);
       texcoords[k] = {u, v};
     }
-    addDraw(list, word << 16, {}, 0);
+    addDraw(list, id << 16, {}, 0);
     addTriangle(list, {corners[0], corners[1], corners[2]}, {texcoords[0], texcoords[1], texcoords[2]});
   }
   Face first = frontFace(resolution, 0.5f), last = first;
@@ -117,8 +117,8 @@ TestVector largestViewport() {
                     std::move(list), {first, last});
 }
 
-/// A crumpled sheet, a word a triangle, through a view so narrow that the last bits of the vertex stage measure about
-/// a sub-pixel: whoever rounds otherwise there moves corners, and a few pixels with them.
+/// A crumpled sheet, an item ID a triangle, through a view so narrow that the last bits of the vertex stage measure
+/// about a sub-pixel: whoever rounds otherwise there moves corners, and a few pixels with them.
 TestVector narrowView() {
   constexpr int cells = 48;
   constexpr float scale = 2048, third = 1.0f / 3;

@@ -8,8 +8,8 @@
 #include <set>
 #include <tuple>
 
+#include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "raster/base/text_file.h"
 #include "reference/vectors/array_file.h"
 
 namespace hemitex::reference {
@@ -127,19 +127,19 @@ struct MapFiles {
 
 int findMap(MapFiles& files, std::vector<raster::IndexMap>& maps, const std::string& file, int width, int height) {
   const auto [entry, isNew] = files.known.try_emplace({file, width, height}, static_cast<int>(maps.size()));
-  if (isNew) maps.push_back({width, height, readArray<raster::Word>(files.folder / file)});
+  if (isNew) maps.push_back({width, height, readArray<raster::ItemId>(files.folder / file)});
   return entry->second;
 }
 
 raster::Draw readDraw(const Json& json, MapFiles& files, std::vector<raster::IndexMap>& maps) {
-  const auto word = [](const Json& value, const std::string& key) {
-    return static_cast<raster::Word>(toInteger(value, key, 0, UINT32_MAX));
+  const auto id = [](const Json& value, const std::string& key) {
+    return static_cast<raster::ItemId>(toInteger(value, key, 0, UINT32_MAX));
   };
   raster::Draw draw;
-  draw.first = word(at(json, "first"), "first");
-  draw.count = word(at(json, "count"), "count");
-  draw.offset = word(at(json, "offset"), "offset");
-  draw.back = toOptional(json, "back", word);
+  draw.first = id(at(json, "first"), "first");
+  draw.count = id(at(json, "count"), "count");
+  draw.offset = id(at(json, "offset"), "offset");
+  draw.back = toOptional(json, "back", id);
   if (const auto file = toOptional(json, "index_map", toFileName)) {
     const auto side = [&](const std::string& key) { return static_cast<int>(toInteger(at(json, key), key, 1, 65536)); };
     draw.indexMap = findMap(files, maps, *file, side("width"), side("height"));
@@ -156,7 +156,7 @@ raster::Scissor readScissor(const Json& json) {
 VectorFace readFace(const Json& vector, const Json& json) {
   VectorFace face;
   face.name = toText(at(json, "name"), "name");
-  face.words = toFileName(at(json, "words"), "words");
+  face.ids = toFileName(at(json, "words"), "words");
   face.hash = toOptional(json, "hash", toText).value_or("");
   const std::optional<glm::vec3> ownEye = toOptional(json, "eye", toVector);
   face.face.eye = ownEye ? *ownEye : toVector(at(vector, "eye"), "eye");
@@ -188,7 +188,7 @@ TestVector readJson(const filesystem::path& folder, const Json& json) {
   for (const Json& draw : toList(at(json, "draws"), "draws"))
     list.draws.push_back(readDraw(draw, mapFiles, list.indexMaps));
   raster::validate(list);
-  const std::int64_t background = raster::backgroundWord(list.format);
+  const std::int64_t background = raster::backgroundId(list.format);
   toInteger(at(json, "background"), "background", background, background);
 
   for (const Json& face : toList(at(json, "faces"), "faces")) {
@@ -199,8 +199,8 @@ TestVector readJson(const filesystem::path& folder, const Json& json) {
   std::set<std::string> names{"vector.json", file("positions"), file("texcoords"), file("indices")};
   for (const auto& [map, index] : mapFiles.known) names.insert(std::get<std::string>(map));
   for (const VectorFace& face : vector.faces)
-    if (!names.insert(face.words).second)
-      throw InputError("the words of face \"" + face.name + "\" would overwrite \"" + face.words + "\"");
+    if (!names.insert(face.ids).second)
+      throw InputError("the item IDs of face \"" + face.name + "\" would overwrite \"" + face.ids + "\"");
   return vector;
 }
 
@@ -240,7 +240,7 @@ Json toJson(const VectorFace& face, const glm::vec3& sharedEye, const std::strin
             {"y", toJson(face.face.y)},
             {"w", toJson(face.face.w)},
             {"scissor", {scissor.column, scissor.row, scissor.width, scissor.height}},
-            {"words", face.words},
+            {"words", face.ids},
             {"hash", hash}};
   if (face.face.eye != sharedEye) json["eye"] = toJson(face.face.eye);
   return json;
@@ -262,7 +262,7 @@ TestVector readVector(const filesystem::path& folder) {
   if (!filesystem::is_regular_file(file))
     throw InputError(file.string(), 0, "is missing or not a file", "a test vector is a folder with a vector.json");
   try {
-    return readJson(folder, Json::parse(readText(file)));
+    return readJson(folder, Json::parse(raster::readFile(file)));
   } catch (const Json::exception& error) {
     throw InputError(file.string(), 0, error.what());
   } catch (const InputError& error) {
@@ -283,7 +283,7 @@ void writeVector(const filesystem::path& folder, const TestVector& vector,
             {"eye", toJson(first.eye)},
             {"channels", list.format.channelBits},
             {"blend", nameOf(list.blend)},
-            {"background", raster::backgroundWord(list.format)},
+            {"background", raster::backgroundId(list.format)},
             {"positions", "positions.f32"},
             {"texcoords", "texcoords.f32"},
             {"indices", "indices.u32"}};
@@ -292,23 +292,23 @@ void writeVector(const filesystem::path& folder, const TestVector& vector,
   for (const raster::Draw& draw : list.draws) json["draws"].push_back(toJson(list, draw));
   json["faces"] = Json::array();
   for (std::size_t f = 0; f < vector.faces.size(); ++f) {
-    const std::string hash = buffers.empty() ? "" : wordsHash(buffers[f].words);
+    const std::string hash = buffers.empty() ? "" : idsHash(buffers[f].ids);
     json["faces"].push_back(toJson(vector.faces[f], first.eye, hash));
-    if (!buffers.empty()) writeArray(folder / vector.faces[f].words, buffers[f].words);
+    if (!buffers.empty()) writeArray(folder / vector.faces[f].ids, buffers[f].ids);
   }
   writeArray(folder / "positions.f32", flatten(list.positions));
   writeArray(folder / "texcoords.f32", flatten(list.texcoords));
   writeArray(folder / "indices.u32", list.indices);
   for (std::size_t m = 0; m < list.indexMaps.size(); ++m)
-    writeArray(folder / mapFileName(list.indexMaps[m], m), list.indexMaps[m].words);
+    writeArray(folder / mapFileName(list.indexMaps[m], m), list.indexMaps[m].ids);
   // Names that are not UTF-8 are mended, not refused.
-  writeText(folder / "vector.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  raster::writeFile(folder / "vector.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-std::string wordsHash(std::span<const raster::Word> words) {
+std::string idsHash(std::span<const raster::ItemId> ids) {
   std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const raster::Word word : words)
-    for (int byte = 0; byte < 4; ++byte) hash = (hash ^ ((word >> (8 * byte)) & 0xff)) * 0x100000001b3u;
+  for (const raster::ItemId id : ids)
+    for (int byte = 0; byte < 4; ++byte) hash = (hash ^ ((id >> (8 * byte)) & 0xff)) * 0x100000001b3u;
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
   return text;

@@ -1,5 +1,5 @@
 /// Test vectors, version 1 (raster rules): a draw list and its faces in a folder that any language can read, and the
-/// item buffers that the rules demand for them. The author of a backend draws the list and compares words.
+/// item buffers that the rules demand for them. The author of a backend draws the list and compares item IDs.
 #pragma once
 
 #include <filesystem>
@@ -13,12 +13,12 @@
 
 namespace hemitex::reference {
 
-/// A face of a vector: `words` names the file that holds its item buffer, `hash` is wordsHash of it, empty before
+/// A face of a vector: `ids` names the file that holds its item buffer, `hash` is idsHash of it, empty before
 /// the vector was rendered.
 struct VectorFace {
   std::string name;
   raster::Face face;
-  std::string words;
+  std::string ids;
   std::string hash;
 };
 
@@ -34,12 +34,12 @@ struct TestVector {
 /// short, oversized, of the wrong type or against the rules.
 TestVector readVector(const std::filesystem::path& folder);
 
-/// Writes the vector into `folder`, which exists. With one item buffer a face, their words files are written and the
+/// Writes the vector into `folder`, which exists. With one item buffer a face, their item IDs files are written and the
 /// hashes filled in; with none, hashes are left empty. Throws InputError where a file cannot be written.
 void writeVector(const std::filesystem::path& folder, const TestVector& vector,
                  std::span<const raster::ItemBuffer> buffers);
 
-/// FNV-1a, 64 bits, over the little-endian bytes of the words: 16 hexadecimal digits.
-std::string wordsHash(std::span<const raster::Word> words);
+/// FNV-1a, 64 bits, over the little-endian bytes of the item IDs: 16 hexadecimal digits.
+std::string idsHash(std::span<const raster::ItemId> ids);
 
 }  // namespace hemitex::reference

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "raster/software/software_renderer.h"
-#include "reference/vectors/vector_themes.h"
 
 namespace hemitex::reference {
 
@@ -23,7 +22,7 @@ TestVector makeVector(std::string name, std::string catches, raster::DrawList li
 
 std::vector<TestVector> vectorSuite() {
   std::vector<TestVector> suite;
-  for (const auto& theme : {meshVectors, coverageVectors, depthVectors, texelVectors, wordVectors, viewVectors})
+  for (const auto& theme : {meshVectors, coverageVectors, depthVectors, texelVectors, idVectors, viewVectors})
     for (TestVector& vector : theme()) suite.push_back(std::move(vector));
   return suite;
 }
@@ -34,10 +33,10 @@ std::vector<raster::ItemBuffer> render(const TestVector& vector) {
   return raster::SoftwareRenderer(vector.list).render(faces, {});
 }
 
-std::string wordsHash(std::span<const raster::ItemBuffer> buffers) {
-  std::vector<raster::Word> words;
-  for (const raster::ItemBuffer& buffer : buffers) words.insert(words.end(), buffer.words.begin(), buffer.words.end());
-  return wordsHash(words);
+std::string idsHash(std::span<const raster::ItemBuffer> buffers) {
+  std::vector<raster::ItemId> ids;
+  for (const raster::ItemBuffer& buffer : buffers) ids.insert(ids.end(), buffer.ids.begin(), buffer.ids.end());
+  return idsHash(ids);
 }
 
 std::string suiteHashes(std::span<const TestVector> suite) {
@@ -45,10 +44,10 @@ std::string suiteHashes(std::span<const TestVector> suite) {
   std::vector<raster::ItemBuffer> all;
   for (const TestVector& vector : suite) {
     std::vector<raster::ItemBuffer> buffers = render(vector);
-    lines += wordsHash(buffers) + " " + vector.name + "\n";
+    lines += idsHash(buffers) + " " + vector.name + "\n";
     std::move(buffers.begin(), buffers.end(), std::back_inserter(all));
   }
-  return lines + wordsHash(all) + " suite\n";
+  return lines + idsHash(all) + " suite\n";
 }
 
 }  // namespace hemitex::reference

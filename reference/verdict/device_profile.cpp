@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "raster/base/text_file.h"
 
 namespace hemitex::reference {
 namespace {
@@ -101,7 +101,7 @@ std::string toJson(const DeviceProfile& profile) {
 }
 
 DeviceProfile readProfile(const std::filesystem::path& file) {
-  const std::string text = readText(file);
+  const std::string text = raster::readFile(file);
   try {
     const Json json = Json::parse(text);
     if (!json.is_object()) throw InputError("a device profile is a JSON object");

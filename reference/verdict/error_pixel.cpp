@@ -9,12 +9,12 @@ bool showsBack(const raster::DrawList& list, const Fragment& fragment) {
   return fragment.facesAway && list.draws[fragment.draw].back;
 }
 
-ErrorKind kindOf(const raster::DrawList& list, const std::optional<Fragment>& visible, const WordOrigin& found) {
-  if (found.kind == WordOrigin::Kind::Background) return ErrorKind::Missing;
-  if (found.kind == WordOrigin::Kind::Unknown) return ErrorKind::ForeignWord;
+ErrorKind kindOf(const raster::DrawList& list, const std::optional<Fragment>& visible, const IdOrigin& found) {
+  if (found.kind == IdOrigin::Kind::Background) return ErrorKind::Missing;
+  if (found.kind == IdOrigin::Kind::Unknown) return ErrorKind::ForeignId;
   if (!visible) return ErrorKind::Extra;
   if (found.draw != visible->draw) return ErrorKind::WrongSurface;
-  const bool foundBack = found.kind == WordOrigin::Kind::Back;
+  const bool foundBack = found.kind == IdOrigin::Kind::Back;
   return foundBack == showsBack(list, *visible) ? ErrorKind::WrongElement : ErrorKind::WrongSide;
 }
 
@@ -35,12 +35,12 @@ std::string toText(const ErrorPixel& error) {
   return text;
 }
 
-ErrorPixel errorAt(const raster::DrawList& list, const VectorFace& face, int column, int row, raster::Word found) {
+ErrorPixel errorAt(const raster::DrawList& list, const VectorFace& face, int column, int row, raster::ItemId found) {
   const std::vector<Fragment> fragments = fragmentsAt(list, face.face, column, row);
   const std::optional<Fragment> visible = fragments.empty() ? std::nullopt : std::optional(fragments.front());
-  const raster::Word expected = visible ? visible->word : raster::backgroundWord(list.format);
+  const raster::ItemId expected = visible ? visible->id : raster::backgroundId(list.format);
   const std::optional<std::uint32_t> draw = visible ? std::optional(visible->draw) : std::nullopt;
-  const WordOrigin expectedOrigin = originOf(list, expected, draw), foundOrigin = originOf(list, found, draw);
+  const IdOrigin expectedOrigin = originOf(list, expected, draw), foundOrigin = originOf(list, found, draw);
   const ErrorKind kind = kindOf(list, visible, foundOrigin);
   return {face.name, column, row, kind, expected, found, expectedOrigin, foundOrigin, visible};
 }
@@ -54,7 +54,7 @@ std::vector<ErrorPixel> firstErrors(const TestVector& vector, const Verdict& ver
       if (face.pixels[pixel] != PixelVerdict::Error) continue;
       const int column = face.scissor.column + static_cast<int>(pixel % width);
       const int row = face.scissor.row + static_cast<int>(pixel / width);
-      errors.push_back(errorAt(vector.list, vector.faces[f], column, row, face.found.words[pixel]));
+      errors.push_back(errorAt(vector.list, vector.faces[f], column, row, face.found.ids[pixel]));
     }
   }
   return errors;

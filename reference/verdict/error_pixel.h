@@ -1,4 +1,4 @@
-/// The errors of a verdict, each with what the rules show there and what the device's word stands for.
+/// The errors of a verdict, each with what the rules show there and what the device's item ID stands for.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ enum class ErrorKind : std::uint8_t {
   WrongSurface,  ///< another draw
   WrongElement,  ///< the right draw, another texel
   WrongSide,     ///< the right draw, its back for its front or the other way
-  ForeignWord,   ///< a word that no draw gives
+  ForeignId,     ///< an item ID that no draw gives
 };
 
 constexpr std::size_t errorKinds = 6;
@@ -32,16 +32,16 @@ struct ErrorPixel {
   std::string face;
   int column, row;  ///< in the viewport
   ErrorKind kind;
-  raster::Word expected, found;
-  WordOrigin expectedOrigin, foundOrigin;
+  raster::ItemId expected, found;
+  IdOrigin expectedOrigin, foundOrigin;
   std::optional<Fragment> visible;  ///< none where the rules show the background
 };
 
 /// One line, without the face's name.
 std::string toText(const ErrorPixel& error);
 
-/// The error at a pixel of a face's viewport where the device found another word than the rules.
-ErrorPixel errorAt(const raster::DrawList& list, const VectorFace& face, int column, int row, raster::Word found);
+/// The error at a pixel of a face's viewport where the device found another item ID than the rules.
+ErrorPixel errorAt(const raster::DrawList& list, const VectorFace& face, int column, int row, raster::ItemId found);
 
 /// The first errors, face by face and row by row, at most `count` of them.
 std::vector<ErrorPixel> firstErrors(const TestVector& vector, const Verdict& verdict, std::size_t count = 10);

@@ -7,72 +7,72 @@
 namespace hemitex::reference {
 namespace {
 
-using raster::Word;
+using raster::ItemId;
 
 /// The texels of an index map, ordered by what they hold; of equal ones the first comes first.
 struct TexelIndex {
   std::vector<std::size_t> order;
   const raster::IndexMap* map;
 
-  explicit TexelIndex(const raster::IndexMap& indexMap) : order(indexMap.words.size()), map(&indexMap) {
+  explicit TexelIndex(const raster::IndexMap& indexMap) : order(indexMap.ids.size()), map(&indexMap) {
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return std::pair(map->words[a], a) < std::pair(map->words[b], b); });
+              [&](std::size_t a, std::size_t b) { return std::pair(map->ids[a], a) < std::pair(map->ids[b], b); });
   }
 
-  std::optional<Texel> find(Word word) const {
-    const auto place = std::lower_bound(order.begin(), order.end(), word,
-                                        [&](std::size_t texel, Word value) { return map->words[texel] < value; });
-    if (place == order.end() || map->words[*place] != word) return {};
+  std::optional<Texel> find(ItemId id) const {
+    const auto place = std::lower_bound(order.begin(), order.end(), id,
+                                        [&](std::size_t texel, ItemId value) { return map->ids[texel] < value; });
+    if (place == order.end() || map->ids[*place] != id) return {};
     const auto width = static_cast<std::size_t>(map->width);
     return Texel{static_cast<int>(*place % width), static_cast<int>(*place / width)};
   }
 };
 
-/// The texel that gives `word` behind an offset where no channel clamps.
-Word texelBehind(const raster::DrawList& list, Word offset, Word word) {
-  return list.blend == raster::Blend::Replace ? word : (word - offset) & raster::backgroundWord(list.format);
+/// The texel that gives `id` behind an offset where no channel clamps.
+ItemId texelBehind(const raster::DrawList& list, ItemId offset, ItemId id) {
+  return list.blend == raster::Blend::Replace ? id : (id - offset) & raster::backgroundId(list.format);
 }
 
-std::optional<WordOrigin> originIn(const raster::DrawList& list, const std::vector<TexelIndex>& maps,
-                                   std::uint32_t number, Word word) {
+std::optional<IdOrigin> originIn(const raster::DrawList& list, const std::vector<TexelIndex>& maps,
+                                 std::uint32_t number, ItemId id) {
   const raster::Draw& draw = list.draws[number];
-  if (draw.back == word) return WordOrigin{WordOrigin::Kind::Back, number, {}};
+  if (draw.back == id) return IdOrigin{IdOrigin::Kind::Back, number, {}};
   if (!draw.indexMap) {
-    if (draw.offset != word) return {};
-    return WordOrigin{WordOrigin::Kind::Offset, number, {}};
+    if (draw.offset != id) return {};
+    return IdOrigin{IdOrigin::Kind::Offset, number, {}};
   }
-  const Word behind = texelBehind(list, draw.offset, word);
-  if (raster::blend(list.format, list.blend, draw.offset, behind) != word) return {};
+  const ItemId behind = texelBehind(list, draw.offset, id);
+  if (raster::blend(list.format, list.blend, draw.offset, behind) != id) return {};
   const std::optional<Texel> texel = maps[static_cast<std::size_t>(*draw.indexMap)].find(behind);
   if (!texel) return {};
-  return WordOrigin{WordOrigin::Kind::Texel, number, *texel};
+  return IdOrigin{IdOrigin::Kind::Texel, number, *texel};
 }
 
 }  // namespace
 
-WordOrigin originOf(const raster::DrawList& list, Word word, std::optional<std::uint32_t> likely) {
-  if (word == raster::backgroundWord(list.format)) return {WordOrigin::Kind::Background, 0, {}};
+IdOrigin originOf(const raster::DrawList& list, ItemId id, std::optional<std::uint32_t> likely) {
+  if (id == raster::backgroundId(list.format)) return {IdOrigin::Kind::Background, 0, {}};
   const std::vector<TexelIndex> maps(list.indexMaps.begin(), list.indexMaps.end());
   if (likely)
-    if (const auto origin = originIn(list, maps, *likely, word)) return *origin;
+    if (const auto origin = originIn(list, maps, *likely, id)) return *origin;
   for (std::uint32_t draw = 0; draw < list.draws.size(); ++draw)
-    if (const auto origin = originIn(list, maps, draw, word)) return *origin;
+    if (const auto origin = originIn(list, maps, draw, id)) return *origin;
   return {};
 }
 
-std::string toText(const WordOrigin& origin) {
+std::string toText(const IdOrigin& origin) {
   const std::string draw = "draw " + std::to_string(origin.draw);
   switch (origin.kind) {
-    case WordOrigin::Kind::Background:
+    case IdOrigin::Kind::Background:
       return "background";
-    case WordOrigin::Kind::Back:
+    case IdOrigin::Kind::Back:
       return "back of " + draw;
-    case WordOrigin::Kind::Offset:
+    case IdOrigin::Kind::Offset:
       return draw;
-    case WordOrigin::Kind::Texel:
+    case IdOrigin::Kind::Texel:
       return draw + " texel " + std::to_string(origin.texel.column) + "," + std::to_string(origin.texel.row);
-    case WordOrigin::Kind::Unknown:
+    case IdOrigin::Kind::Unknown:
       break;
   }
   return "no draw";

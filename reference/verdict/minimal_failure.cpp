@@ -64,7 +64,7 @@ raster::DrawList listOf(const raster::DrawList& list, const DrawnTriangles& tria
 struct Failure {
   VectorFace face;  ///< its scissor rectangle is the pixel
   raster::ItemBuffer found;
-  raster::Word expected;
+  raster::ItemId expected;
   ErrorKind kind;
 };
 
@@ -86,9 +86,9 @@ Failure failureAt(const TestVector& vector, const Verdict& verdict, const FacePi
   const auto width = static_cast<std::size_t>(face.scissor.width);
   const int column = face.scissor.column + static_cast<int>(at.pixel % width);
   const int row = face.scissor.row + static_cast<int>(at.pixel / width);
-  Failure failure{vector.faces[at.face], {1, 1, {face.found.words[at.pixel]}}, face.expected.words[at.pixel], {}};
+  Failure failure{vector.faces[at.face], {1, 1, {face.found.ids[at.pixel]}}, face.expected.ids[at.pixel], {}};
   failure.face.face.scissor = {column, row, 1, 1};
-  failure.kind = errorAt(vector.list, failure.face, column, row, failure.found.words[0]).kind;
+  failure.kind = errorAt(vector.list, failure.face, column, row, failure.found.ids[0]).kind;
   return failure;
 }
 
@@ -110,7 +110,7 @@ ErrorKind mostFrequentKind(const std::vector<Failure>& failures) {
 
 ErrorPixel errorOf(const Failure& failure, const raster::DrawList& list) {
   const raster::Scissor& pixel = failure.face.face.scissor;
-  return errorAt(list, failure.face, pixel.column, pixel.row, failure.found.words[0]);
+  return errorAt(list, failure.face, pixel.column, pixel.row, failure.found.ids[0]);
 }
 
 bool stillFails(const Failure& failure, const raster::DrawList& list, const DeviceProfile& profile) {

@@ -8,7 +8,7 @@
 namespace hemitex::reference {
 namespace {
 
-using raster::Word;
+using raster::ItemId;
 
 /// A triangle that may cover the sample.
 struct Candidate {
@@ -112,7 +112,7 @@ double certainDepth(const Judge& judge, const std::vector<Candidate>& candidates
   return depth;
 }
 
-// --- which words a triangle may give ---
+// --- which item IDs a triangle may give ---
 
 /// Texels [first, last] of a map's side.
 struct TexelRange {
@@ -136,25 +136,26 @@ TexelRange texelRange(const Judge& judge, const Candidate& candidate, int axis, 
           texel((candidate.region.high[axis] + drift) * size + precision)};
 }
 
-bool mayGiveTexel(const Judge& judge, const Candidate& candidate, const raster::IndexMap& map, Word offset, Word word) {
+bool mayGiveTexel(const Judge& judge, const Candidate& candidate, const raster::IndexMap& map, ItemId offset,
+                  ItemId id) {
   const TexelRange columns = texelRange(judge, candidate, 0, map.width);
   const TexelRange rows = texelRange(judge, candidate, 1, map.height);
   for (std::size_t row = rows.first; row <= rows.last; ++row)
     for (std::size_t column = columns.first; column <= columns.last; ++column) {
-      const Word texel = map.words[row * static_cast<std::size_t>(map.width) + column];
-      if (raster::blend(judge.list.format, judge.list.blend, offset, texel) == word) return true;
+      const ItemId texel = map.ids[row * static_cast<std::size_t>(map.width) + column];
+      if (raster::blend(judge.list.format, judge.list.blend, offset, texel) == id) return true;
     }
   return false;
 }
 
-bool mayGive(const Judge& judge, const Candidate& candidate, Word word) {
+bool mayGive(const Judge& judge, const Candidate& candidate, ItemId id) {
   const DeviceTriangle& triangle = *candidate.triangle;
   const raster::Draw& draw = judge.list.draws[triangle.draw];
-  if (draw.back && (triangle.facesAway || triangle.mayFlip) && word == *draw.back) return true;
+  if (draw.back && (triangle.facesAway || triangle.mayFlip) && id == *draw.back) return true;
   if (draw.back && triangle.facesAway && !triangle.mayFlip) return false;
-  if (!draw.indexMap) return word == draw.offset;
+  if (!draw.indexMap) return id == draw.offset;
   return mayGiveTexel(judge, candidate, judge.list.indexMaps[static_cast<std::size_t>(*draw.indexMap)], draw.offset,
-                      word);
+                      id);
 }
 
 /// The candidate that the rules show, where there is one.
@@ -174,17 +175,23 @@ const Candidate* expectedOf(const std::vector<Candidate>& candidates, const glm:
 
 }  // namespace
 
+std::string nameOf(PixelVerdict verdict) {
+  constexpr std::array<const char*, pixelVerdicts> names{"exact", "coverage",       "texel",
+                                                         "depth", "loose-clipping", "error"};
+  return names[static_cast<std::size_t>(verdict)];
+}
+
 Judge makeJudge(const raster::DrawList& list, const raster::Face& face, const DeviceProfile& profile) {
   // Two stored depths 1 - n/w are each off by the error, and differ by n times the difference of 1/w.
   const double nearDistance = face.nearDistance;
   return {list, profile, 2 * depthError(profile) / nearDistance, 1 / nearDistance};
 }
 
-PixelVerdict judgeWord(const Judge& judge, std::span<const DeviceTriangle* const> triangles, const glm::dvec2& sample,
-                       Word found) {
+PixelVerdict judgeId(const Judge& judge, std::span<const DeviceTriangle* const> triangles, const glm::dvec2& sample,
+                     ItemId found) {
   const std::vector<Candidate> candidates = candidatesAt(judge, triangles, sample);
   const double certain = certainDepth(judge, candidates, sample);
-  if (found == raster::backgroundWord(judge.list.format))
+  if (found == raster::backgroundId(judge.list.format))
     return certain > 0 ? PixelVerdict::Error : PixelVerdict::Coverage;
 
   const Candidate* const expected = expectedOf(candidates, sample);

@@ -1,12 +1,27 @@
-/// One pixel judged: which words may a device show there?
+/// One pixel judged: which item IDs may a device show there?
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <string>
 
+#include "reference/verdict/device_profile.h"
 #include "reference/verdict/triangle_bounds.h"
-#include "reference/verdict/verdict.h"
 
 namespace hemitex::reference {
+
+enum class PixelVerdict : std::uint8_t {
+  Exact,
+  Coverage,       ///< explained: another triangle covers the sample, or none
+  Texel,          ///< explained: the rules' triangle, at a texel nearby
+  Depth,          ///< explained: another triangle that covers the sample passes the depth test
+  LooseClipping,  ///< explained only by triangles cut at other planes
+  Error,
+};
+constexpr std::size_t pixelVerdicts = 6;
+
+/// "exact", "coverage", "texel", "depth", "loose-clipping", "error".
+std::string nameOf(PixelVerdict verdict);
 
 /// What every pixel of a face is judged by.
 struct Judge {
@@ -18,9 +33,9 @@ struct Judge {
 
 Judge makeJudge(const raster::DrawList& list, const raster::Face& face, const DeviceProfile& profile);
 
-/// Coverage, Texel, Depth or Error for a word that is not the rules' at a sample. `triangles` holds all that may cover
-/// the sample, and may hold others.
-PixelVerdict judgeWord(const Judge& judge, std::span<const DeviceTriangle* const> triangles, const glm::dvec2& sample,
-                       raster::Word found);
+/// Coverage, Texel, Depth or Error for an item ID that is not the rules' at a sample. `triangles` holds all that may
+/// cover the sample, and may hold others.
+PixelVerdict judgeId(const Judge& judge, std::span<const DeviceTriangle* const> triangles, const glm::dvec2& sample,
+                     raster::ItemId found);
 
 }  // namespace hemitex::reference

@@ -112,9 +112,9 @@ bool staysInView(const std::array<ViewVertex, 3>& corners, const std::array<View
                  double roundoff) {
   for (std::size_t k = 0; k < 3; ++k) {
     const double pictureError = roundoff * sizes[k].u;
-    const double leastDepth = corners[k].w - roundoff * sizes[k].v;
-    if (leastDepth < nearDistance) return false;
-    if (std::max(std::abs(corners[k].x), std::abs(corners[k].y)) + pictureError > leastDepth) return false;
+    const double minDepth = corners[k].w - roundoff * sizes[k].v;
+    if (minDepth < nearDistance) return false;
+    if (std::max(std::abs(corners[k].x), std::abs(corners[k].y)) + pictureError > minDepth) return false;
   }
   return true;
 }

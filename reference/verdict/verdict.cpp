@@ -84,7 +84,7 @@ void judgeErrors(const raster::DrawList& list, const raster::Face& view, const D
     for (const std::size_t pixel : pixels[tile]) {
       const glm::dvec2 sample = sampleOf(face.scissor.column + static_cast<int>(pixel % width),
                                          face.scissor.row + static_cast<int>(pixel / width));
-      const PixelVerdict verdict = judgeWord(judge, nearby[tile], sample, face.found.words[pixel]);
+      const PixelVerdict verdict = judgeId(judge, nearby[tile], sample, face.found.ids[pixel]);
       const bool isExplained = verdict != PixelVerdict::Error;
       face.pixels[pixel] = loose && isExplained ? PixelVerdict::LooseClipping : verdict;
     }
@@ -93,10 +93,10 @@ void judgeErrors(const raster::DrawList& list, const raster::Face& view, const D
 
 FaceVerdict judgeFace(const raster::DrawList& list, const VectorFace& vectorFace, const raster::ItemBuffer& expected,
                       const raster::ItemBuffer& found, const DeviceProfile& profile) {
-  assert(found.words.size() == expected.words.size());
+  assert(found.ids.size() == expected.ids.size());
   FaceVerdict face{vectorFace.name, vectorFace.face.scissor, expected, found, {}};
-  std::transform(expected.words.begin(), expected.words.end(), found.words.begin(), std::back_inserter(face.pixels),
-                 [](raster::Word a, raster::Word b) { return a == b ? PixelVerdict::Exact : PixelVerdict::Error; });
+  std::transform(expected.ids.begin(), expected.ids.end(), found.ids.begin(), std::back_inserter(face.pixels),
+                 [](raster::ItemId a, raster::ItemId b) { return a == b ? PixelVerdict::Exact : PixelVerdict::Error; });
   const auto anyError = [&] {
     return std::find(face.pixels.begin(), face.pixels.end(), PixelVerdict::Error) != face.pixels.end();
   };
@@ -106,12 +106,6 @@ FaceVerdict judgeFace(const raster::DrawList& list, const VectorFace& vectorFace
 }
 
 }  // namespace
-
-std::string nameOf(PixelVerdict verdict) {
-  constexpr std::array<const char*, pixelVerdicts> names{"exact", "coverage",       "texel",
-                                                         "depth", "loose-clipping", "error"};
-  return names[static_cast<std::size_t>(verdict)];
-}
 
 VerdictCounts countVerdicts(const FaceVerdict& face) {
   VerdictCounts counts{};

@@ -1,10 +1,11 @@
-/// The two verdicts on a device's item buffers, which never blur: a pixel is *exact* where it holds the word of the
-/// raster rules, and of the others it is *explained* where a device within its profile may show that word, an *error*
-/// otherwise (raster rules, 8). Words are compared as integers: a word that is off by one names another element.
+/// The two verdicts on a device's item buffers, which never blur: a pixel is *exact* where it holds the item ID of the
+/// raster rules, and of the others it is *explained* where a device within its profile may show that item ID, an
+/// *error* otherwise (raster rules, 8). Item IDs are compared as integers: an item ID that is off by one names another
+/// element.
 ///
-/// A word is explained when some triangle that may cover the sample (device_triangle.h) may give it, at a depth that
-/// may pass the depth test against everything that covers the sample for certain; the background when nothing does.
-/// Every bound is a worst case taken alone, so a device within the profile is never accused.
+/// An item ID is explained when some triangle that may cover the sample (device_triangle.h) may give it, at a depth
+/// that may pass the depth test against everything that covers the sample for certain; the background when nothing
+/// does. Every bound is a worst case taken alone, so a device within the profile is never accused.
 #pragma once
 
 #include <array>
@@ -15,21 +16,9 @@
 
 #include "reference/vectors/vector_file.h"
 #include "reference/verdict/device_profile.h"
+#include "reference/verdict/pixel_judge.h"
 
 namespace hemitex::reference {
-
-enum class PixelVerdict : std::uint8_t {
-  Exact,
-  Coverage,       ///< explained: another triangle covers the sample, or none
-  Texel,          ///< explained: the rules' triangle, at a texel nearby
-  Depth,          ///< explained: another triangle that covers the sample passes the depth test
-  LooseClipping,  ///< explained only by triangles cut at other planes
-  Error,
-};
-constexpr std::size_t pixelVerdicts = 6;
-
-/// "exact", "coverage", "texel", "depth", "loose-clipping", "error".
-std::string nameOf(PixelVerdict verdict);
 
 struct FaceVerdict {
   std::string name;

@@ -5,13 +5,14 @@
 namespace hemitex::reference {
 namespace {
 
-using raster::Word;
+using raster::ItemId;
 
 constexpr int gap = 4;  // pixels between pictures
 
-/// A colour that differs from word to word: the word's bits, mixed by odd multipliers (any do) and cut in three.
-glm::dvec3 falseColour(Word word) {
-  std::uint32_t mixed = word * 2654435769u;
+/// A colour that differs from item ID to item ID: the item ID's bits, mixed by odd multipliers (any do) and cut in
+/// three.
+glm::dvec3 falseColour(ItemId id) {
+  std::uint32_t mixed = id * 2654435769u;
   mixed = (mixed ^ (mixed >> 15)) * 2246822519u;
   mixed ^= mixed >> 13;
   const glm::dvec3 bits(mixed & 255, (mixed >> 8) & 255, (mixed >> 16) & 255);
@@ -49,7 +50,7 @@ void paint(radiosity::Image& picture, const FaceVerdict& face, int left, int top
 
 }  // namespace
 
-radiosity::Image toPicture(const Verdict& verdict, Word background) {
+radiosity::Image toPicture(const Verdict& verdict, ItemId background) {
   int width = 0, height = -gap;
   for (const FaceVerdict& face : verdict.faces) {
     width = std::max(width, 3 * face.scissor.width + 2 * gap);
@@ -57,12 +58,12 @@ radiosity::Image toPicture(const Verdict& verdict, Word background) {
   }
   radiosity::Image picture{width, height, {}};
   picture.pixels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), glm::dvec3(1.0));
-  const auto colourOfWord = [=](Word word) { return word == background ? glm::dvec3(0.0) : falseColour(word); };
+  const auto colourOfId = [=](ItemId id) { return id == background ? glm::dvec3(0.0) : falseColour(id); };
   int top = 0;
   for (const FaceVerdict& face : verdict.faces) {
     const int step = face.scissor.width + gap;
-    paint(picture, face, 0, top, [&](std::size_t pixel) { return colourOfWord(face.expected.words[pixel]); });
-    paint(picture, face, step, top, [&](std::size_t pixel) { return colourOfWord(face.found.words[pixel]); });
+    paint(picture, face, 0, top, [&](std::size_t pixel) { return colourOfId(face.expected.ids[pixel]); });
+    paint(picture, face, step, top, [&](std::size_t pixel) { return colourOfId(face.found.ids[pixel]); });
     paint(picture, face, 2 * step, top, [&](std::size_t pixel) { return colourOf(face.pixels[pixel]); });
     top += face.scissor.height + gap;
   }

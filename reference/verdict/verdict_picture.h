@@ -6,8 +6,9 @@
 
 namespace hemitex::reference {
 
-/// A row a face: what was expected, what was found (a colour for each word, black for `background`), and the verdict:
-/// grey where exact, blue for coverage, green for a texel, yellow for depth, violet for loose clipping, red for errors.
-radiosity::Image toPicture(const Verdict& verdict, raster::Word background);
+/// A row a face: what was expected, what was found (a colour for each item ID, black for `background`), and the
+/// verdict: grey where exact, blue for coverage, green for a texel, yellow for depth, violet for loose clipping, red
+/// for errors.
+radiosity::Image toPicture(const Verdict& verdict, raster::ItemId background);
 
 }  // namespace hemitex::reference

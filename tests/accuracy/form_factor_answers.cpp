@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/patch_points.h"
 #include "reference/closed_forms/point_to_polygon.h"
 #include "reference/closed_forms/polygon_to_polygon.h"
 #include "reference/rays/monte_carlo_form_factors.h"

@@ -5,6 +5,8 @@
 #include <functional>
 #include <stdexcept>
 
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "raster/base/input_error.h"
 #include "tests/support/hand_scenes.h"
@@ -96,7 +98,7 @@ std::vector<LimitCase> limitCases() {
       error("an emission of 1e-31", "1e-30", withMaterial("Kd 0.5\nKe 1e-31\n")),
       error("no emission at all", "something emits", withMaterial("Kd 0.5\nKe 0\n")),
       error("an index map of more than 24 bits", "4096 x 4096 texels", {}, {.texels = 5793}),
-      error("257 surfaces of 16 x 16 texels in 16 bits", "65534 words", manySquares(), {.texels = 16}, "r5g6b5"),
+      error("257 surfaces of 16 x 16 texels in 16 bits", "65534 item IDs", manySquares(), {.texels = 16}, "r5g6b5"),
       {"faces back to back in one place, the wrong one first", "the first in the file is seen", false,
        saidOfCoincidentFaces()},
   };

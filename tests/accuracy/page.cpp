@@ -126,9 +126,9 @@ emission of 1.)",
       table({"emission", "the light's share of all area", "linear", "absorbed + unshot + lost = emitted"}, rows));
 }
 
-std::string section(const std::vector<WordCase>& cases) {
+std::string section(const std::vector<IdCase>& cases) {
   std::vector<Row> rows;
-  for (const WordCase& example : cases)
+  for (const IdCase& example : cases)
     rows.push_back(
         {std::to_string(example.indexBits), example.format, std::to_string(example.surfaces), example.refusal});
   return sectionOf(
@@ -183,7 +183,7 @@ const std::vector<Section>& sections() {
       {"Emission", [] { return measured(emissions(), [](const EmissionCase& c) { return findingsOf(c); }); }},
       {"One surface", [] { return section(ofOneSurface()); }},
       {"A million surfaces", [] { return section(ofAMillionSurfaces()); }},
-      {"Index bits and full words", [] { return section(wordCases()); }},
+      {"Index bits and full words", [] { return section(idCases()); }},
       {"Limits and their messages", [] { return section(limitCases()); }}};
   return all;
 }

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "tests/accuracy/form_factor_cases.h"
+#include "tests/accuracy/id_cases.h"
 #include "tests/accuracy/limit_cases.h"
 #include "tests/accuracy/numbers.h"
 #include "tests/accuracy/size_cases.h"
 #include "tests/accuracy/solution_cases.h"
-#include "tests/accuracy/word_cases.h"
 
 namespace hemitex::accuracy {
 
@@ -23,7 +23,7 @@ std::string headline(const std::string& title);
 std::string section(const FormFactorTheme& theme, const std::vector<FormFactorAnswers>& answers);
 std::string section(const std::vector<FurnaceCase>& cases, const std::vector<FurnaceFindings>& findings);
 std::string section(const std::vector<EmissionCase>& cases, const std::vector<EmissionFindings>& findings);
-std::string section(const std::vector<WordCase>& cases);
+std::string section(const std::vector<IdCase>& cases);
 std::string section(const OneSurfaceFindings& findings);
 std::string section(const MillionFindings& findings);
 std::string section(const std::vector<LimitCase>& cases);

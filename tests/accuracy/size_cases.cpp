@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "reference/closed_forms/point_to_polygon.h"
 #include "reference/closed_forms/rectangles.h"

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "radiosity/discretization/adaptive_subdivision.h"
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "reference/solution/radiosity_error.h"
 

@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/error_control.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "reference/solution/baked_radiosity.h"

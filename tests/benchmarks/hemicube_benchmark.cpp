@@ -1,7 +1,10 @@
 // How long a hemicube takes on one core: from a patch's centre to its row of form factors, over all patches of a scene.
 #include <benchmark/benchmark.h>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/projected_form_factors.h"
+#include "radiosity/index_maps/scene_draw_list.h"
+#include "radiosity/scene/load_scene.h"
 #include "raster/base/parallel.h"
 #include "raster/software/software_renderer.h"
 
@@ -17,7 +20,7 @@ void hemicubeRow(benchmark::State& state, const std::string& file) {
   DiscretizationSettings settings;
   settings.texels = static_cast<int>(state.range(1));
   const Discretization discretization = discretize(scene, settings);
-  const WordLayout layout = layOut(discretization);
+  const IdLayout layout = layOut(discretization);
   raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
   ProjectedRows rows(scene, discretization, layout, renderer, {.resolution = static_cast<int>(state.range(0))});
   std::uint32_t patch = 0;

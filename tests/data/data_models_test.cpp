@@ -10,6 +10,7 @@
 #include "data/generate/models.h"
 #include "data/generate/random_room.h"
 #include "data/generate/shapes.h"
+#include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/scene.h"
 #include "tests/support/temporary_folder.h"
 

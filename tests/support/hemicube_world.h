@@ -3,7 +3,9 @@
 
 #include <utility>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/projected_form_factors.h"
+#include "radiosity/index_maps/scene_draw_list.h"
 #include "raster/software/software_renderer.h"
 
 namespace hemitex::tests {
@@ -11,7 +13,7 @@ namespace hemitex::tests {
 struct HemicubeWorld {
   radiosity::Scene scene;
   radiosity::Discretization discretization;
-  radiosity::WordLayout layout;
+  radiosity::IdLayout layout;
   raster::SoftwareRenderer renderer;
 
   HemicubeWorld(radiosity::Scene s, int texels, int patch)

@@ -15,7 +15,7 @@ Buffers drawAll(const SimulatedDevice& device, const reference::TestVector& vect
 namespace {
 
 using raster::ItemBuffer;
-using raster::Word;
+using raster::ItemId;
 using reference::TestVector;
 
 /// Wrong stages of the device.
@@ -36,32 +36,32 @@ Injection onInput(const std::string& fault, const std::string& vector, const std
           }};
 }
 
-/// A wrong answer; `spoil` sees the words of a face and its width.
-Injection onWords(const std::string& fault, const std::string& vector,
-                  const std::function<void(std::vector<Word>&, std::size_t)>& spoil) {
+/// A wrong answer; `spoil` sees the item IDs of a face and its width.
+Injection onIds(const std::string& fault, const std::string& vector,
+                const std::function<void(std::vector<ItemId>&, std::size_t)>& spoil) {
   return {fault, vector, [=](const TestVector& right, const SimulatedDevice& device) {
             Buffers buffers = drawAll(device, right);
-            for (ItemBuffer& buffer : buffers) spoil(buffer.words, static_cast<std::size_t>(buffer.width));
+            for (ItemBuffer& buffer : buffers) spoil(buffer.ids, static_cast<std::size_t>(buffer.width));
             return buffers;
           }};
 }
 
 template <typename Change>
-std::function<void(std::vector<Word>&, std::size_t)> everyWord(const Change& change) {
-  return [=](std::vector<Word>& words, std::size_t) {
-    for (Word& word : words) word = change(word);
+std::function<void(std::vector<ItemId>&, std::size_t)> everyId(const Change& change) {
+  return [=](std::vector<ItemId>& ids, std::size_t) {
+    for (ItemId& id : ids) id = change(id);
   };
 }
 
-Word bgra(Word rgba) { return (rgba & 0xff00ff00) | (rgba & 0xff) << 16 | (rgba >> 16 & 0xff); }
+ItemId bgra(ItemId rgba) { return (rgba & 0xff00ff00) | (rgba & 0xff) << 16 | (rgba >> 16 & 0xff); }
 
-/// The bytes of four words or of two, one by one.
+/// The bytes of four item IDs or of two, one by one.
 template <typename Byte>
-Word bytewise(const Byte& byte) {
+ItemId bytewise(const Byte& byte) {
   return byte(0) | byte(8) << 8 | byte(16) << 16 | byte(24) << 24;
 }
 
-Word byteAt(Word word, Word shift) { return word >> shift & 255; }
+ItemId byteAt(ItemId id, ItemId shift) { return id >> shift & 255; }
 
 // --- views and pictures ---
 
@@ -89,14 +89,14 @@ Buffers firstPixelsOfTargets(const TestVector& vector, const SimulatedDevice& de
   for (std::size_t f = 0; f < buffers.size(); ++f) {
     const raster::Scissor& scissor = vector.faces[f].face.scissor;
     const int resolution = vector.faces[f].face.resolution;
-    std::vector<Word> target(static_cast<std::size_t>(resolution * resolution),
-                             raster::backgroundWord(vector.list.format));
-    std::vector<Word>& words = buffers[f].words;
+    std::vector<ItemId> target(static_cast<std::size_t>(resolution * resolution),
+                               raster::backgroundId(vector.list.format));
+    std::vector<ItemId>& ids = buffers[f].ids;
     const auto rowOf = [&](int column, int row) { return target.begin() + row * resolution + column; };
     for (int row = 0; row < scissor.height; ++row)
-      std::copy_n(words.begin() + row * scissor.width, scissor.width, rowOf(scissor.column, scissor.row + row));
+      std::copy_n(ids.begin() + row * scissor.width, scissor.width, rowOf(scissor.column, scissor.row + row));
     for (int row = 0; row < scissor.height; ++row)
-      std::copy_n(rowOf(0, row), scissor.width, words.begin() + row * scissor.width);
+      std::copy_n(rowOf(0, row), scissor.width, ids.begin() + row * scissor.width);
   }
   return buffers;
 }
@@ -110,23 +110,23 @@ std::vector<Injection> viewInjections() {
           onInput("y of the view flipped", "scene-cornell-box-light", flippedRows),
           onDevice("x of the view flipped", "scissors",
                    [](SimulatedDevice& device) { device.vertex = [](raster::ViewVertex& v) { v.x = -v.x; }; }),
-          onWords("picture upside down", "five-faces",
-                  [](std::vector<Word>& words, std::size_t width) {
-                    for (std::size_t p = 0; p < words.size() / 2; ++p)
-                      std::swap(words[p], words[(words.size() / width - 1 - p / width) * width + p % width]);
-                  }),
-          onWords("picture mirrored", "scissors",
-                  [](std::vector<Word>& words, std::size_t width) {
-                    for (std::size_t p = 0; p < words.size(); ++p)
-                      if (p % width < width / 2) std::swap(words[p], words[p / width * width + width - 1 - p % width]);
-                  }),
-          onWords("picture transposed", "five-faces",
-                  [](std::vector<Word>& words, std::size_t width) {
-                    std::vector<Word> columns;
-                    for (std::size_t column = 0; column < width; ++column)
-                      for (std::size_t p = column; p < words.size(); p += width) columns.push_back(words[p]);
-                    words = columns;
-                  }),
+          onIds("picture upside down", "five-faces",
+                [](std::vector<ItemId>& ids, std::size_t width) {
+                  for (std::size_t p = 0; p < ids.size() / 2; ++p)
+                    std::swap(ids[p], ids[(ids.size() / width - 1 - p / width) * width + p % width]);
+                }),
+          onIds("picture mirrored", "scissors",
+                [](std::vector<ItemId>& ids, std::size_t width) {
+                  for (std::size_t p = 0; p < ids.size(); ++p)
+                    if (p % width < width / 2) std::swap(ids[p], ids[p / width * width + width - 1 - p % width]);
+                }),
+          onIds("picture transposed", "five-faces",
+                [](std::vector<ItemId>& ids, std::size_t width) {
+                  std::vector<ItemId> columns;
+                  for (std::size_t column = 0; column < width; ++column)
+                    for (std::size_t p = column; p < ids.size(); p += width) columns.push_back(ids[p]);
+                  ids = columns;
+                }),
           onInput("faces swapped", "five-faces",
                   [](TestVector& vector) { std::swap(vector.faces[2].face, vector.faces[3].face); }),
           onInput("faces turned", "five-faces",
@@ -160,10 +160,10 @@ Buffers multisampled(const TestVector& vector, SimulatedDevice device) {
   }
   Buffers resolved = samples[0];
   for (std::size_t f = 0; f < resolved.size(); ++f)
-    for (std::size_t p = 0; p < resolved[f].words.size(); ++p)
-      resolved[f].words[p] = bytewise([&](Word shift) {
-        Word sum = 2;  // rounds a half up
-        for (const Buffers& sample : samples) sum += byteAt(sample[f].words[p], shift);
+    for (std::size_t p = 0; p < resolved[f].ids.size(); ++p)
+      resolved[f].ids[p] = bytewise([&](ItemId shift) {
+        ItemId sum = 2;  // rounds a half up
+        for (const Buffers& sample : samples) sum += byteAt(sample[f].ids[p], shift);
         return sum / 4;
       });
   return resolved;
@@ -182,7 +182,7 @@ Buffers turnedInMirror(const TestVector& vector, const SimulatedDevice& device) 
 }
 
 std::vector<Injection> sampleInjections() {
-  return {onWords("triangles missing", "five-faces", everyWord([](Word) { return 0xffffffffu; })),
+  return {onIds("triangles missing", "five-faces", everyId([](ItemId) { return 0xffffffffu; })),
           onInput("front and back exchanged", "backs", turnTriangles),
           {"front and back exchanged", "backs", turnedInMirror},
           onDevice("wrong fill rule", "sample-grid-later-nearer",
@@ -205,14 +205,14 @@ std::vector<Injection> sampleInjections() {
 
 // --- textures ---
 
-Word texelOf(const raster::IndexMap& map, double column, double row) {
+ItemId texelOf(const raster::IndexMap& map, double column, double row) {
   const double i = std::clamp(std::floor(column), 0.0, map.width - 1.0);
   const double j = std::clamp(std::floor(row), 0.0, map.height - 1.0);
-  return map.words[static_cast<std::size_t>(j * map.width + i)];
+  return map.ids[static_cast<std::size_t>(j * map.width + i)];
 }
 
 /// The weighted mean of the four texels whose centres surround a position; maps of plain numbers.
-Word bilinear(const raster::IndexMap& map, const glm::dvec2& at) {
+ItemId bilinear(const raster::IndexMap& map, const glm::dvec2& at) {
   double sum = 0;
   for (const double dx : {-0.5, 0.5})
     for (const double dy : {-0.5, 0.5}) {
@@ -220,14 +220,14 @@ Word bilinear(const raster::IndexMap& map, const glm::dvec2& at) {
       const glm::dvec2 weight = 1.0 - glm::abs(at - centre);
       sum += weight.x * weight.y * texelOf(map, centre.x, centre.y);
     }
-  return static_cast<Word>(std::lround(sum));
+  return static_cast<ItemId>(std::lround(sum));
 }
 
 /// A texel for 8 x 8 of a counting map, which is the mean of their numbers: the third level where 7.5 texels make a
 /// pixel.
-Word thirdLevel(const raster::IndexMap& map, const glm::dvec2& at) {
+ItemId thirdLevel(const raster::IndexMap& map, const glm::dvec2& at) {
   const glm::dvec2 first = 8.0 * glm::floor(glm::clamp(at / 8.0, glm::dvec2(0.0), glm::dvec2(14.0)));
-  return static_cast<Word>(std::lround((first.y + 3.5) * map.width + first.x + 3.5));
+  return static_cast<ItemId>(std::lround((first.y + 3.5) * map.width + first.x + 3.5));
 }
 
 std::vector<Injection> textureInjections() {
@@ -241,7 +241,7 @@ std::vector<Injection> textureInjections() {
     return texelOf(map, cut(at.x, map.width), cut(at.y, map.height));
   };
   const auto cutAtHeight = [](const raster::IndexMap& map, const glm::dvec2& at) {
-    const raster::IndexMap cut{map.height, map.width, map.words};
+    const raster::IndexMap cut{map.height, map.width, map.ids};
     return texelOf(cut, at.x / map.width * cut.width, at.y / map.height * cut.height);
   };
   return {onDevice("affine instead of perspective interpolation", "perspective-twist",
@@ -254,109 +254,110 @@ std::vector<Injection> textureInjections() {
           onInput("index map upside down", "five-faces",
                   [](TestVector& vector) {
                     raster::IndexMap& map = vector.list.indexMaps[0];
-                    for (std::size_t p = 0; p < 5; ++p) std::swap(map.words[p], map.words[p + 10]);
+                    for (std::size_t p = 0; p < 5; ++p) std::swap(map.ids[p], map.ids[p + 10]);
                   }),
           onDevice("width and height of the index map exchanged", "rectangular-map", fetching(cutAtHeight)),
           onDevice("index map not sampled", "five-faces",
-                   fetching([](const raster::IndexMap&, const glm::dvec2&) { return Word{0}; }))};
+                   fetching([](const raster::IndexMap&, const glm::dvec2&) { return ItemId{0}; }))};
 }
 
-// --- words ---
+// --- item IDs ---
 
 std::vector<Injection> blendInjections() {
   const auto blending = [](const auto& blend) { return [=](SimulatedDevice& device) { device.blend = blend; }; };
   const auto bytes = [](const auto& sum) {
-    return
-        [=](Word a, Word b) { return bytewise([=](Word shift) { return sum(byteAt(a, shift), byteAt(b, shift)); }); };
+    return [=](ItemId a, ItemId b) {
+      return bytewise([=](ItemId shift) { return sum(byteAt(a, shift), byteAt(b, shift)); });
+    };
   };
   const std::string layout = "layout-r8g8b8a8";
-  const auto overTarget = [](Word target, Word fragment) {
+  const auto overTarget = [](ItemId target, ItemId fragment) {
     const double alpha = byteAt(fragment, 24) / 255.0;
-    return bytewise([=](Word shift) {
-      return static_cast<Word>(std::lround(alpha * byteAt(fragment, shift) + (1 - alpha) * byteAt(target, shift)));
+    return bytewise([=](ItemId shift) {
+      return static_cast<ItemId>(std::lround(alpha * byteAt(fragment, shift) + (1 - alpha) * byteAt(target, shift)));
     });
   };
-  return {
-      onDevice("modulate instead of add", layout, blending(bytes([](Word a, Word b) { return (a * b + 127) / 255; }))),
-      onDevice("wrap instead of clamp", layout, blending(bytes([](Word a, Word b) { return (a + b) & 255; }))),
-      onDevice("carry across channels", layout, blending([](Word a, Word b) { return a + b; })),
-      onDevice("clamp instead of integer add", "integer-add-32",
-               blending(bytes([](Word a, Word b) { return std::min(a + b, 255u); }))),
-      onInput("offset not aligned", "many-maps",
-              [](TestVector& vector) {
-                Word next = 0;
-                for (raster::Draw& draw : vector.list.draws) {
-                  const raster::IndexMap& map = vector.list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
-                  draw.offset = next;
-                  next += static_cast<Word>(map.width * map.height);
-                }
-              }),
-      onInput("colour from the wrong provoking vertex", "shared-vertices",
-              [](TestVector& vector) {
-                // The last vertex of a triangle is the first of the next but one; a strip's end has none.
-                const std::vector<raster::Draw> draws = vector.list.draws;
-                for (std::size_t t = 0; t < draws.size(); ++t)
-                  vector.list.draws[t].offset = draws[std::min(t + 2, t / 15 * 15 + 14)].offset;
-              }),
-      onDevice("blending left on", layout, [=](SimulatedDevice& device) { device.store = overTarget; })};
+  return {onDevice("modulate instead of add", layout,
+                   blending(bytes([](ItemId a, ItemId b) { return (a * b + 127) / 255; }))),
+          onDevice("wrap instead of clamp", layout, blending(bytes([](ItemId a, ItemId b) { return (a + b) & 255; }))),
+          onDevice("carry across channels", layout, blending([](ItemId a, ItemId b) { return a + b; })),
+          onDevice("clamp instead of integer add", "integer-add-32",
+                   blending(bytes([](ItemId a, ItemId b) { return std::min(a + b, 255u); }))),
+          onInput("offset not aligned", "many-maps",
+                  [](TestVector& vector) {
+                    ItemId next = 0;
+                    for (raster::Draw& draw : vector.list.draws) {
+                      const raster::IndexMap& map = vector.list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
+                      draw.offset = next;
+                      next += static_cast<ItemId>(map.width * map.height);
+                    }
+                  }),
+          onInput("colour from the wrong provoking vertex", "shared-vertices",
+                  [](TestVector& vector) {
+                    // The last vertex of a triangle is the first of the next but one; a strip's end has none.
+                    const std::vector<raster::Draw> draws = vector.list.draws;
+                    for (std::size_t t = 0; t < draws.size(); ++t)
+                      vector.list.draws[t].offset = draws[std::min(t + 2, t / 15 * 15 + 14)].offset;
+                  }),
+          onDevice("blending left on", layout, [=](SimulatedDevice& device) { device.store = overTarget; })};
 }
 
 /// 8 bits of red and blue to 5 and of green to 6, dithered by the recursive matrix of 4 x 4 thresholds, and back.
-void ditherTo565(std::vector<Word>& words, std::size_t width) {
+void ditherTo565(std::vector<ItemId>& ids, std::size_t width) {
   constexpr std::array<int, 16> matrix{0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
-  for (std::size_t p = 0; p < words.size(); ++p) {
+  for (std::size_t p = 0; p < ids.size(); ++p) {
     const double threshold = (matrix[p / width % 4 * 4 + p % width % 4] + 0.5) / 16;
-    const auto reduced = [&](Word shift, double largest) {
-      const double level = std::floor(byteAt(words[p], shift) / 255.0 * largest + threshold);
-      return static_cast<Word>(std::lround(level / largest * 255)) << shift;
+    const auto reduced = [&](ItemId shift, double largest) {
+      const double level = std::floor(byteAt(ids[p], shift) / 255.0 * largest + threshold);
+      return static_cast<ItemId>(std::lround(level / largest * 255)) << shift;
     };
-    words[p] = reduced(0, 31) | reduced(8, 63) | reduced(16, 31) | (words[p] & 0xff000000);
+    ids[p] = reduced(0, 31) | reduced(8, 63) | reduced(16, 31) | (ids[p] & 0xff000000);
   }
 }
 
-Word encoded(Word word) {
-  const auto channel = [=](Word shift) {
-    const double linear = byteAt(word, shift) / 255.0;
+ItemId encoded(ItemId id) {
+  const auto channel = [=](ItemId shift) {
+    const double linear = byteAt(id, shift) / 255.0;
     const double value = linear < 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-    return static_cast<Word>(std::lround(255 * value)) << shift;
+    return static_cast<ItemId>(std::lround(255 * value)) << shift;
   };
-  return channel(0) | channel(8) | channel(16) | (word & 0xff000000);
+  return channel(0) | channel(8) | channel(16) | (id & 0xff000000);
 }
 
 /// 24 significant bits.
-Word throughBinary32(Word word) {
-  const double unit = std::ldexp(1.0, std::max(0, static_cast<int>(std::bit_width(word)) - 24));
-  return static_cast<Word>(std::min(std::nearbyint(word / unit) * unit, 4294967295.0));
+ItemId throughBinary32(ItemId id) {
+  const double unit = std::ldexp(1.0, std::max(0, static_cast<int>(std::bit_width(id)) - 24));
+  return static_cast<ItemId>(std::min(std::nearbyint(id / unit) * unit, 4294967295.0));
 }
 
 std::vector<Injection> memoryInjections() {
   const std::string layout = "layout-r8g8b8a8";
   return {onInput("channels swapped in the texture (BGRA)", layout,
                   [](TestVector& vector) {
-                    for (Word& word : vector.list.indexMaps[0].words) word = bgra(word);
+                    for (ItemId& id : vector.list.indexMaps[0].ids) id = bgra(id);
                   }),
           onInput("channels swapped in the offset (BGRA)", layout,
                   [](TestVector& vector) {
                     for (raster::Draw& draw : vector.list.draws) draw.offset = bgra(draw.offset);
                   }),
-          onWords("channels swapped in the target (BGRA)", layout, everyWord(bgra)),
-          onWords("byte order", layout,
-                  everyWord([](Word w) { return w >> 24 | (w >> 8 & 0xff00) | (w << 8 & 0xff0000) | w << 24; })),
-          onWords("words through binary32", layout, everyWord(throughBinary32)),
-          onWords("alpha forced to opaque", layout, everyWord([](Word w) { return w | 0xff000000; })),
-          onWords("background not cleared", "five-faces", everyWord([](Word w) { return w == 0xffffffff ? 0 : w; })),
-          onWords("background not cleared", layout, everyWord([](Word w) { return w == 0xffffffff ? 0xff000000 : w; })),
-          onWords("padded rows", "rectangular-map",
-                  [](std::vector<Word>& words, std::size_t width) {
-                    std::vector<Word> padded;  // 42 words a row, padded to 48: 3 times 64 bytes
-                    for (std::size_t row = 0; row < words.size() / width; ++row) {
-                      padded.insert(padded.end(), &words[row * width], &words[row * width] + width);
-                      padded.insert(padded.end(), 6, 0);
-                    }
-                    std::copy_n(padded.begin(), words.size(), words.begin());
-                  }),
-          onWords("sRGB encoding", layout, everyWord(encoded)),
-          onWords("dithering", layout, ditherTo565)};
+          onIds("channels swapped in the target (BGRA)", layout, everyId(bgra)),
+          onIds("byte order", layout,
+                everyId([](ItemId w) { return w >> 24 | (w >> 8 & 0xff00) | (w << 8 & 0xff0000) | w << 24; })),
+          onIds("words through binary32", layout, everyId(throughBinary32)),
+          onIds("alpha forced to opaque", layout, everyId([](ItemId w) { return w | 0xff000000; })),
+          onIds("background not cleared", "five-faces", everyId([](ItemId w) { return w == 0xffffffff ? 0 : w; })),
+          onIds("background not cleared", layout, everyId([](ItemId w) { return w == 0xffffffff ? 0xff000000 : w; })),
+          onIds("padded rows", "rectangular-map",
+                [](std::vector<ItemId>& ids, std::size_t width) {
+                  std::vector<ItemId> padded;  // 42 item IDs a row, padded to 48: 3 times 64 bytes
+                  for (std::size_t row = 0; row < ids.size() / width; ++row) {
+                    padded.insert(padded.end(), &ids[row * width], &ids[row * width] + width);
+                    padded.insert(padded.end(), 6, 0);
+                  }
+                  std::copy_n(padded.begin(), ids.size(), ids.begin());
+                }),
+          onIds("sRGB encoding", layout, everyId(encoded)),
+          onIds("dithering", layout, ditherTo565)};
 }
 
 }  // namespace

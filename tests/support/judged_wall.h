@@ -8,7 +8,7 @@
 
 namespace hemitex::tests {
 
-/// Two faces of 8 x 8 and 8 x 4 pixels that look at one wall of 4 x 4 texels; its words are 0x100 + texel.
+/// Two faces of 8 x 8 and 8 x 4 pixels that look at one wall of 4 x 4 texels; its item IDs are 0x100 + texel.
 struct JudgedWall {
   reference::TestVector vector;
   std::vector<raster::ItemBuffer> found;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/projection/hemicube.h"
 
 namespace hemitex::tests {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene.h"
 #include "tests/support/hand_scenes.h"
 

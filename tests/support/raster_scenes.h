@@ -28,14 +28,14 @@ inline raster::DrawList crossingTriangles() {
   raster::DrawList list;
   list.format = {{8, 8, 8, 8}};
   list.indexMaps.push_back(countingMap(16, 16));
-  for (raster::Word surface = 0; surface < 40; ++surface) {
+  for (raster::ItemId surface = 0; surface < 40; ++surface) {
     addDraw(list, surface << 8, 0xfffffffe, 0);
     for (int t = 0; t < 50; ++t) {
       const auto point = [&] {
         return glm::vec3{uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -1, 4)};
       };
       const auto coordinate = [&] {
-        const float v = uniform(random, 0, 1), u = uniform(random, 0, 1);  // in this order: their words are pinned
+        const float v = uniform(random, 0, 1), u = uniform(random, 0, 1);  // in this order: their item IDs are pinned
         return glm::vec2(u, v);
       };
       const glm::vec3 a = point(), b = a + 0.3f * point(), c = a + 0.3f * point();

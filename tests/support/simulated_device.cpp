@@ -82,7 +82,7 @@ double storedDepth(const SimulatedDevice& device, double depth, std::mt19937& ra
 struct DevicePixel {
   bool isCovered = false;
   double depth = 0;
-  raster::Word word = 0;
+  raster::ItemId id = 0;
 };
 
 /// Pixels [first, end) of a scissor rectangle's side whose samples may lie between the least and the largest position.
@@ -140,22 +140,22 @@ bool covers(const SimulatedDevice& device, const SnappedTriangle& triangle, cons
   return true;
 }
 
-raster::Word fetch(const SimulatedDevice& device, const raster::IndexMap& map, const glm::dvec2& texcoord,
-                   std::mt19937& random) {
+raster::ItemId fetch(const SimulatedDevice& device, const raster::IndexMap& map, const glm::dvec2& texcoord,
+                     std::mt19937& random) {
   const glm::dvec2 size(map.width, map.height);
   glm::dvec2 texel = texcoord * size + device.texelShift;
   for (int axis = 0; axis < 2; ++axis) texel[axis] += anyError(random) * device.profile.texelPrecision;
   if (device.fetch) return device.fetch(map, texel);
   texel = glm::clamp(glm::floor(texel), glm::dvec2(0.0), size - 1.0);
-  return map.words[static_cast<std::size_t>(texel.y * size.x + texel.x)];
+  return map.ids[static_cast<std::size_t>(texel.y * size.x + texel.x)];
 }
 
-raster::Word shade(const SimulatedDevice& device, const raster::DrawList& list, const raster::Draw& draw,
-                   bool facesAway, const glm::dvec2& texcoord, std::mt19937& random) {
+raster::ItemId shade(const SimulatedDevice& device, const raster::DrawList& list, const raster::Draw& draw,
+                     bool facesAway, const glm::dvec2& texcoord, std::mt19937& random) {
   if (facesAway && draw.back) return *draw.back;
   if (!draw.indexMap) return draw.offset;
   const raster::IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
-  const raster::Word texel = fetch(device, map, texcoord, random);
+  const raster::ItemId texel = fetch(device, map, texcoord, random);
   return device.blend ? device.blend(draw.offset, texel) : raster::blend(list.format, list.blend, draw.offset, texel);
 }
 
@@ -183,8 +183,8 @@ void drawTriangle(const SimulatedDevice& device, const raster::DrawList& list, c
       const bool passes = device.passes ? device.passes(depth, pixel.depth) : depth < pixel.depth;
       if (pixel.isCovered && !passes) continue;
       const glm::dvec2 texcoord = triangle.texcoordAt(corner + device.shading, device.affine);
-      const raster::Word word = shade(device, list, draw, facesAway, texcoord, random);
-      pixel = {true, depth, device.store ? device.store(pixel.word, word) : word};
+      const raster::ItemId id = shade(device, list, draw, facesAway, texcoord, random);
+      pixel = {true, depth, device.store ? device.store(pixel.id, id) : id};
     }
 }
 
@@ -193,7 +193,7 @@ void drawTriangle(const SimulatedDevice& device, const raster::DrawList& list, c
 raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face) {
   const raster::Scissor& scissor = face.scissor;
   std::vector<DevicePixel> pixels(static_cast<std::size_t>(scissor.width) * static_cast<std::size_t>(scissor.height),
-                                  {false, 0, raster::backgroundWord(list.format)});
+                                  {false, 0, raster::backgroundId(list.format)});
   std::mt19937 random(device.seed);
   for (const raster::Draw& draw : list.draws)
     for (std::uint32_t first = draw.first; first < draw.first + draw.count; first += 3) {
@@ -208,7 +208,7 @@ raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList&
                      random, pixels);
     }
   raster::ItemBuffer buffer{scissor.width, scissor.height, {}};
-  for (const DevicePixel& pixel : pixels) buffer.words.push_back(pixel.word);
+  for (const DevicePixel& pixel : pixels) buffer.ids.push_back(pixel.id);
   return buffer;
 }
 

@@ -26,9 +26,10 @@ struct SimulatedDevice {
   glm::dvec2 shading{128, 128};                       ///< of texture coordinates
   bool affine = false;                                ///< interpolates them without perspective
   std::function<bool(double, double)> passes{};       ///< of a depth and the one stored
-  std::function<raster::Word(const raster::IndexMap&, const glm::dvec2&)> fetch{};  ///< at (u N, v M)
-  std::function<raster::Word(raster::Word, raster::Word)> blend{};                  ///< of offset and texel
-  std::function<raster::Word(raster::Word, raster::Word)> store{};  ///< of the target's word and the fragment's
+  std::function<raster::ItemId(const raster::IndexMap&, const glm::dvec2&)> fetch{};  ///< at (u N, v M)
+  std::function<raster::ItemId(raster::ItemId, raster::ItemId)> blend{};              ///< of offset and texel
+  std::function<raster::ItemId(raster::ItemId, raster::ItemId)>
+      store{};  ///< of the target's item ID and the fragment's
 };
 
 raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face);

@@ -31,10 +31,10 @@ DrawnCase emptyCase() {
   return result;
 }
 
-/// A triangle in a draw of its own; every other one has a back word.
+/// A triangle in a draw of its own; every other one has a back item ID.
 void add(DrawnCase& result, const Corners& p, const Coordinates& t) {
-  const auto number = static_cast<raster::Word>(result.list.draws.size());
-  addDraw(result.list, number << 16, number % 2 == 0 ? std::optional<raster::Word>() : 0xfffffffe, 0);
+  const auto number = static_cast<raster::ItemId>(result.list.draws.size());
+  addDraw(result.list, number << 16, number % 2 == 0 ? std::optional<raster::ItemId>() : 0xfffffffe, 0);
   addTriangle(result.list, {p[0], p[1], p[2]}, {t[0], t[1], t[2]});
 }
 

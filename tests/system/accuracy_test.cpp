@@ -152,10 +152,10 @@ TEST_CASE("a million surfaces receive what the one receives that they are cut fr
   checkPage(section(findings));
 }
 
-TEST_CASE("index maps of 1 to 31 bits fill words to the last", "[accuracy]") {
-  const std::vector<WordCase> cases = wordCases();
+TEST_CASE("index maps of 1 to 31 bits fill item IDs to the last", "[accuracy]") {
+  const std::vector<IdCase> cases = idCases();
   CHECK(cases.size() == 31);
-  for (const WordCase& example : cases) {
+  for (const IdCase& example : cases) {
     INFO(example.indexBits << " bits in " << example.format);
     CHECK(isOneToOne(example));
     CHECK_FALSE(example.refusal.empty());
@@ -163,16 +163,16 @@ TEST_CASE("index maps of 1 to 31 bits fill words to the last", "[accuracy]") {
   checkPage(section(cases));
 }
 
-TEST_CASE("words of 1 to 31 index bits are drawn as they are laid out", "[accuracy]") {
-  // A wall of two texels, the first and the last index of a block: of the last but one of the word's blocks, then of
-  // the last, which ends two words short.
+TEST_CASE("item IDs of 1 to 31 index bits are drawn as they are laid out", "[accuracy]") {
+  // A wall of two texels, the first and the last index of a block: of the last but one of the item ID's blocks, then of
+  // the last, which ends two item IDs short.
   for (const char* format : {"r8g8b8a8", "r32ui"})
     for (int k = 1; k <= 31; ++k)
       for (const bool isLast : {false, true}) {
         if (isLast && k == 1) continue;  // a block of two, both reserved
-        const auto blocks = raster::Word{1} << (32 - k);
-        const raster::Word offset = (blocks - (isLast ? 1 : 2)) << k;
-        const raster::Word index = (raster::Word{1} << k) - (isLast ? 3 : 1);
+        const auto blocks = raster::ItemId{1} << (32 - k);
+        const raster::ItemId offset = (blocks - (isLast ? 1 : 2)) << k;
+        const raster::ItemId index = (raster::ItemId{1} << k) - (isLast ? 3 : 1);
         raster::DrawList list;
         list.format = *raster::formatNamed(format);
         list.indexMaps = {{2, 1, {0, index}}};
@@ -182,7 +182,7 @@ TEST_CASE("words of 1 to 31 index bits are drawn as they are laid out", "[accura
         const raster::Face face = reference::frontFace(2);
         const raster::ItemBuffer buffer = renderer.render({&face, 1}, {}).front();
         INFO(k << " bits in " << format);
-        CHECK(buffer.words == std::vector<raster::Word>{offset, offset + index, offset, offset + index});
+        CHECK(buffer.ids == std::vector<raster::ItemId>{offset, offset + index, offset, offset + index});
       }
 }
 

@@ -499,7 +499,7 @@ TEST_CASE("A result that cannot be printed is no success", "[cli]") {
   CHECK(Shell().run("formfactors room.obj --from floor --resolution 32 >/dev/full; (exit $?)").exitCode == 2);
 }
 
-// The charts of a solved scene lie inside its radiosity textures; a picture of its words has to undo that.
+// The charts of a solved scene lie inside its radiosity textures; a picture of its item IDs has to undo that.
 TEST_CASE("A solved folder shows the grids that were solved", "[cli]") {
   const Shell shell;
   const std::string grids = GENERATE(as<std::string>{}, "--texels 4 --surface floor=3 --surface left=1 ",
@@ -782,7 +782,7 @@ TEST_CASE("The matrix of form factors is checked by what holds for all", "[cli]"
   }
 }
 
-TEST_CASE("A test vector is exported without words and rendered in place", "[cli]") {
+TEST_CASE("A test vector is exported without item IDs and rendered in place", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0,0,0 --normal 0,0,1 --resolution 8 -o vector");
   CHECK(fs::exists(shell.file("vector/vector.json")));
@@ -836,7 +836,7 @@ TEST_CASE("vector calibrate finds the profile of the reference renderer, and non
   CHECK_FALSE(fs::exists(shell.file("again")));
 }
 
-TEST_CASE("vector explain derives a word from the vertices to the blend", "[cli]") {
+TEST_CASE("vector explain derives an item ID from the vertices to the blend", "[cli]") {
   // A triangle from w = 2 to w = 0 is cut at n = 1/2, a quarter of the way from its far corner, where x/w is 1 and -1
   // and y/w is 2. In units of 1/256 pixel the sample lies at 1152/4096 of the picture's width and 1152/6144 of the
   // height of what is left: b = (9/32, 17/32, 6/32), 1/w = (9 + 17)/64 + 6/16 = 25/32, and u/w = 9/64 + 9/64 as well as
@@ -847,7 +847,7 @@ TEST_CASE("vector explain derives a word from the vertices to the blend", "[cli]
   raster::DrawList& list = vector.list;
   list.format = {{8, 8}};
   list.indexMaps.push_back(reference::countingMap(4, 4));
-  for (raster::Word& word : list.indexMaps[0].words) word *= 0x102;
+  for (raster::ItemId& id : list.indexMaps[0].ids) id *= 0x102;
   reference::addDraw(list, 0x10fa, {}, 0);
   reference::addTriangle(list, {{2, -2, 2}, {-2, -2, 2}, {0, 2, 0}}, {{1, 0}, {0, 0}, {0.5f, 1}});
   reference::addDraw(list, 7);
@@ -899,7 +899,7 @@ triangle,draw,facing,w,u,v,column,row,word
   CHECK(derivation["word"] == 5631);
 }
 
-TEST_CASE("Stages lie beside an exported vector, and beside one whose words were drawn", "[cli]") {
+TEST_CASE("Stages lie beside an exported vector, and beside one whose item IDs were drawn", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0,0,0 --normal 0,0,1 --resolution 8 --stages -o vector");
   const json faces = json::parse(readAll(shell.file("vector/stages.json")))["faces"];
@@ -957,9 +957,9 @@ TEST_CASE("vector check judges a suite of vectors as one", "[cli]") {
   CHECK(right[3] == "all,1536,0,0,0,0,0");
   CHECK(right[1].substr(0, 8) == "far,768,");  // 16 x 16 pixels, and four times 16 x 8
 
-  std::string words = readAll(shell.file("device/near/top.u32"));
-  for (std::size_t byte = 0; byte < words.size(); byte += 4) std::reverse(&words[byte], &words[byte] + 4);
-  writeAll(shell.file("device/near/top.u32"), words);
+  std::string ids = readAll(shell.file("device/near/top.u32"));
+  for (std::size_t byte = 0; byte < ids.size(); byte += 4) std::reverse(&ids[byte], &ids[byte] + 4);
+  writeAll(shell.file("device/near/top.u32"), ids);
   const Outcome wrong = shell.run(check + " --json --junit report.xml --diff report.png --minimize small");
   CHECK(wrong.exitCode == 1);
   const json report = json::parse(wrong.out);
@@ -987,34 +987,34 @@ TEST_CASE("vector check names the fault where errors are systematic", "[cli]") {
   shell.output("vector render vector -o device");
   for (const char* face : {"top", "side-right", "side-up", "side-left", "side-down"}) {
     const std::string file = "device/" + std::string(face) + ".u32";
-    std::string words = readAll(shell.file(file));
-    for (std::size_t byte = 0; byte < words.size(); byte += 4) std::reverse(&words[byte], &words[byte] + 4);
-    writeAll(shell.file(file), words);
+    std::string ids = readAll(shell.file(file));
+    for (std::size_t byte = 0; byte < ids.size(); byte += 4) std::reverse(&ids[byte], &ids[byte] + 4);
+    writeAll(shell.file(file), ids);
   }
   const Outcome wrong = shell.run("vector check vector --candidate device");
   CHECK(wrong.exitCode == 1);
-  CHECK(wrong.out.find("\ndiagnosis: byte order, in words files (100.0 % agreement): ") != std::string::npos);
+  CHECK(wrong.out.find("\ndiagnosis: byte order, in item IDs files (100.0 % agreement): ") != std::string::npos);
   const json report = json::parse(shell.run("vector check vector --candidate device --json").out);
   REQUIRE(report["diagnosis"].size() == 1);
   CHECK(report["diagnosis"][0]["fault"] == "byte order");
 }
 
-TEST_CASE("vector check passes what the rules draw, fails on one wrong word, and refuses a short file", "[cli]") {
+TEST_CASE("vector check passes what the rules draw, fails on one wrong item ID, and refuses a short file", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0.5,0.5,0.01 --normal 0,0,1 --resolution 16 -o vector");
   shell.output("vector render vector -o device");
   const std::string check = "vector check vector --candidate device";
   CHECK(json::parse(shell.output(check + " --json"))["pixels"]["error"] == 0);
 
-  std::string words = readAll(shell.file("device/top.u32"));
-  words[100] = static_cast<char>(words[100] ^ 1);
-  words[103] = static_cast<char>(words[103] ^ 64);
-  writeAll(shell.file("device/top.u32"), words);
+  std::string ids = readAll(shell.file("device/top.u32"));
+  ids[100] = static_cast<char>(ids[100] ^ 1);
+  ids[103] = static_cast<char>(ids[103] ^ 64);
+  writeAll(shell.file("device/top.u32"), ids);
   const Outcome wrong = shell.run(check + " --json --junit report.xml --diff report.png");
   CHECK(wrong.exitCode == 1);
   const json report = json::parse(wrong.out);
   CHECK(report["pixels"]["error"] == 1);
-  CHECK(report["errors"][0]["column"] == 9);  // byte 100 is of word 25: row 1, column 9
+  CHECK(report["errors"][0]["column"] == 9);  // byte 100 is of item ID 25: row 1, column 9
   CHECK(report["errors"][0]["row"] == 1);
   CHECK(readAll(shell.file("report.xml")).find("failures=\"1\"") != std::string::npos);
   CHECK(readAll(shell.file("report.png")).substr(1, 3) == "PNG");
@@ -1030,9 +1030,9 @@ TEST_CASE("vector check passes what the rules draw, fails on one wrong word, and
   CHECK(explained["word"] == report["errors"][0]["expected"]);
   CHECK(explained["triangles"][0]["word"] == explained["word"]);
 
-  writeAll(shell.file("device/top.u32"), words.substr(4));
+  writeAll(shell.file("device/top.u32"), ids.substr(4));
   CHECK(shell.run(check).exitCode == 2);
-  writeAll(shell.file("device/top.u32"), words + "more");
+  writeAll(shell.file("device/top.u32"), ids + "more");
   CHECK(shell.run(check).exitCode == 2);
   CHECK(shell.run("vector check vector --candidate nowhere").exitCode == 2);
   CHECK(shell.run("vector explain vector --pixel top,16,1").exitCode == 2);

@@ -4,7 +4,9 @@
 #include <map>
 #include <string>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/kahan_sum.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "tests/support/truth_table.h"
@@ -21,7 +23,7 @@ struct LitRoom {
 
 LitRoom litRoom(const Scene& scene) {
   Discretization unsplit = discretize(scene, {});
-  WordLayout layout = layOut(unsplit);
+  IdLayout layout = layOut(unsplit);
   DrawnRows drawn(scene, std::move(unsplit), std::move(layout), {});
   const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
   Solution solution = solve(scene, drawn.discretization(), rowOf, {}, {}, drawn.splits());

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <random>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/projected_form_factors.h"
+#include "radiosity/index_maps/scene_draw_list.h"
 #include "raster/software/software_renderer.h"
 #include "reference/closed_forms/point_to_polygon.h"
 #include "tests/support/hand_scenes.h"
@@ -56,7 +58,7 @@ Errors errorsAt(int resolution) {
     for (const Triangle& triangle : scene.surfaces[1].triangles)
       exact += reference::pointToPolygon(glm::dvec3(0), glm::dvec3(0, 0, 1), triangle.position);
     const Discretization discretization = discretize(scene, {.texels = 1});
-    const WordLayout layout = layOut(discretization);
+    const IdLayout layout = layOut(discretization);
     raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
     const FormFactorRow row =
         ProjectedRows(scene, discretization, layout, renderer, {.resolution = resolution}).ofPatch(0);

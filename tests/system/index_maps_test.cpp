@@ -1,12 +1,15 @@
-// The three ways to use index maps: shared, packed and unique ones give the same elements, by words of their own.
+// The three ways to use index maps: shared, packed and unique ones give the same elements, by item IDs of their own.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
 #include <set>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/projected_form_factors.h"
 #include "radiosity/index_maps/id_layout.h"
+#include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/projection/hemicube.h"
+#include "radiosity/scene/load_scene.h"
 #include "raster/base/input_error.h"
 #include "raster/software/software_renderer.h"
 #include "tests/support/hand_scenes.h"
@@ -15,13 +18,13 @@ using namespace hemitex;
 using namespace hemitex::radiosity;
 using namespace hemitex::tests;
 using raster::Blend;
-using raster::Word;
+using raster::ItemId;
 
 namespace {
 
 struct Way {
   std::string name;
-  WordSettings words;
+  IdSettings ids;
 };
 
 std::vector<Way> allWays() {
@@ -51,26 +54,26 @@ Scene dataScene(const std::string& name) { return loadScene(std::string(HEMITEX_
 /// A scene drawn in some way: what is seen in each pixel of a view.
 class Drawing {
  public:
-  Drawing(const Scene& scene, const Discretization& discretization, const WordSettings& words)
+  Drawing(const Scene& scene, const Discretization& discretization, const IdSettings& ids)
       : scene_(scene),
         discretization_(discretization),
-        layout_(layOut(discretization, words)),
+        layout_(layOut(discretization, ids)),
         renderer_(makeDrawList(scene, discretization, layout_)) {}
 
-  const WordLayout& layout() const { return layout_; }
+  const IdLayout& layout() const { return layout_; }
   ProjectedRows rows(int resolution) { return {scene_, discretization_, layout_, renderer_, {resolution}}; }
 
   std::vector<std::optional<std::uint32_t>> elementsSeen(std::span<const raster::Face> faces) {
     std::vector<std::optional<std::uint32_t>> elements;
     for (const raster::ItemBuffer& buffer : renderer_.render(faces, {}))
-      for (const Word word : buffer.words) elements.push_back(elementOf(discretization_, layout_, word));
+      for (const ItemId id : buffer.ids) elements.push_back(elementOf(discretization_, layout_, id));
     return elements;
   }
 
  private:
   const Scene& scene_;
   const Discretization& discretization_;
-  WordLayout layout_;
+  IdLayout layout_;
   raster::SoftwareRenderer renderer_;
 };
 
@@ -93,39 +96,39 @@ int texelsApart(const Discretization& discretization, std::uint32_t a, std::uint
 
 }  // namespace
 
-TEST_CASE("every element has a word of its own, whichever way the index maps go", "[index maps]") {
+TEST_CASE("every element has an item ID of its own, whichever way the index maps go", "[index maps]") {
   const Scene scene = mixedScene();
   const Discretization discretization = mixedGrids(scene);
   for (const Way& way : allWays()) {
-    const WordLayout layout = layOut(discretization, way.words);
+    const IdLayout layout = layOut(discretization, way.ids);
     INFO(way.name);
-    std::set<Word> words;
+    std::set<ItemId> ids;
     for (std::uint32_t e = 0; e < discretization.elements.size(); ++e) {
-      const Word word = wordOf(discretization, layout, e);
-      REQUIRE(word < raster::backWord(layout.format));
-      REQUIRE(elementOf(discretization, layout, word) == e);
-      words.insert(word);
+      const ItemId id = idOf(discretization, layout, e);
+      REQUIRE(id < raster::backId(layout.format));
+      REQUIRE(elementOf(discretization, layout, id) == e);
+      ids.insert(id);
     }
-    CHECK(words.size() == discretization.elements.size());
-    CHECK_FALSE(elementOf(discretization, layout, raster::backWord(layout.format)));
-    CHECK_FALSE(elementOf(discretization, layout, raster::backgroundWord(layout.format)));
+    CHECK(ids.size() == discretization.elements.size());
+    CHECK_FALSE(elementOf(discretization, layout, raster::backId(layout.format)));
+    CHECK_FALSE(elementOf(discretization, layout, raster::backgroundId(layout.format)));
     CHECK_NOTHROW(raster::validate(makeDrawList(scene, discretization, layout)));
   }
 }
 
-TEST_CASE("of all words as many stand for elements as there are texels of surfaces, or elements", "[index maps]") {
+TEST_CASE("of all item IDs as many stand for elements as there are texels of surfaces, or elements", "[index maps]") {
   const Scene scene = mixedScene();
   const Discretization discretization = mixedGrids(scene);
   std::size_t texels = 0;
   for (const Grid& grid : discretization.grids) texels += grid.spill.size();
   REQUIRE(texels > discretization.elements.size());
   for (Way& way : allWays()) {
-    way.words.format = "r5g6b5";
-    const WordLayout layout = layOut(discretization, way.words);
+    way.ids.format = "r5g6b5";
+    const IdLayout layout = layOut(discretization, way.ids);
     INFO(way.name);
     std::size_t decoded = 0;
-    for (Word word = 0; word <= raster::backgroundWord(layout.format); ++word)
-      decoded += elementOf(discretization, layout, word).has_value();
+    for (ItemId id = 0; id <= raster::backgroundId(layout.format); ++id)
+      decoded += elementOf(discretization, layout, id).has_value();
     CHECK(decoded == (way.name == "unique" ? discretization.elements.size() : texels));
   }
 }
@@ -138,8 +141,8 @@ TEST_CASE("on every scene all ways draw the same elements, but packed pages at b
     Drawing shared(scene, discretization, {});
     for (const Way& way : allWays()) {
       INFO(name << ", " << way.name);
-      Drawing drawing(scene, discretization, way.words);
-      const bool isScaled = way.words.page.has_value();
+      Drawing drawing(scene, discretization, way.ids);
+      const bool isScaled = way.ids.page.has_value();
       std::size_t different = 0;
       for (unsigned seed = 0; seed < 4; ++seed) {
         const auto faces = tiltedFaces(scene, seed, resolution);
@@ -231,18 +234,18 @@ TEST_CASE("packed pages share one index map, and as many offsets are in use as t
   for (int i = 0; i < 100; ++i) surfaces.push_back(flat("wall" + std::to_string(i), rectangle({0, 0}, {1, 1})));
   const Scene scene = sceneOf(std::move(surfaces));
   const Discretization discretization = discretize(scene, {.texels = 8});
-  const WordLayout layout = layOut(discretization, {.indexMaps = IndexMaps::Packed});
+  const IdLayout layout = layOut(discretization, {.indexMaps = IndexMaps::Packed});
   const raster::DrawList list = makeDrawList(scene, discretization, layout);
-  std::set<Word> offsets;
+  std::set<ItemId> offsets;
   for (const raster::Draw& draw : list.draws) offsets.insert(draw.offset);
-  CHECK(offsets == std::set<Word>{0, 4096});
+  CHECK(offsets == std::set<ItemId>{0, 4096});
   REQUIRE(list.indexMaps.size() == 1);
   CHECK(list.indexMaps[0].width == 64);
   CHECK(list.indexMaps[0].height == 64);
   for (const raster::Draw& draw : list.draws) CHECK(draw.indexMap == 0);
 }
 
-TEST_CASE("with unique maps texels share words, and elements have any shape", "[index maps]") {
+TEST_CASE("with unique maps texels share item IDs, and elements have any shape", "[index maps]") {
   // A quadtree of a 4 x 4 grid: one quarter whole, one of single texels, an L of three and a lone texel in the others.
   const Scene scene = sceneOf({quad("wall", {{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}}}),
                                quad("far", {{{9, 9, 9}, {9, 10, 9}, {9, 10, 10}, {9, 9, 10}}})});
@@ -262,36 +265,36 @@ TEST_CASE("with unique maps texels share words, and elements have any shape", "[
   discretization.elements.push_back({.area = 1, .surface = 1});
   const raster::Face face{-glm::vec3(scene.origin), {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, 0.1f, 32, {0, 0, 32, 32}};
   for (const Way& way : allWays()) {
-    Drawing drawing(scene, discretization, way.words);
+    Drawing drawing(scene, discretization, way.ids);
     const auto seen = drawing.elementsSeen({&face, 1});
     INFO(way.name);
     for (std::size_t pixel = 0; pixel < seen.size(); ++pixel)
       REQUIRE(seen[pixel] == shapes[pixel / 32 / 8 * 4 + pixel % 32 / 8]);
     for (std::uint32_t e = 0; e < discretization.elements.size(); ++e)
-      CHECK(elementOf(discretization, drawing.layout(), wordOf(discretization, drawing.layout(), e)) == e);
+      CHECK(elementOf(discretization, drawing.layout(), idOf(discretization, drawing.layout(), e)) == e);
   }
-  const WordLayout unique = layOut(discretization, {.indexMaps = IndexMaps::Unique});
+  const IdLayout unique = layOut(discretization, {.indexMaps = IndexMaps::Unique});
   const raster::DrawList list = makeDrawList(scene, discretization, unique);
   CHECK(list.blend == Blend::Replace);
   REQUIRE(list.indexMaps.size() == 1);
-  CHECK(list.indexMaps[0].words == shapes);
+  CHECK(list.indexMaps[0].ids == shapes);
   CHECK(list.draws[1].offset == 8);
 }
 
-TEST_CASE("unique maps ask for as many words as there are elements", "[index maps]") {
-  // r5g6b5 has 65534 words of use: a surface of 255 x 256 texels and 254 of one.
+TEST_CASE("unique maps ask for as many item IDs as there are elements", "[index maps]") {
+  // r5g6b5 has 65534 item IDs of use: a surface of 255 x 256 texels and 254 of one.
   std::vector<Surface> surfaces{flat("wall", rectangle({0, 0}, {1, 1}))};
   for (int i = 0; i < 254; ++i) surfaces.push_back(flat("single" + std::to_string(i), rectangle({0, 0}, {1, 1})));
   const Scene scene = sceneOf(std::move(surfaces));
   Discretization discretization = discretize(scene, {.texels = 1, .surfaceTexels = {{"wall", 255}}});
-  const WordSettings words{.format = "r5g6b5", .indexMaps = IndexMaps::Unique};
-  CHECK(layOut(discretization, words).pages.back().offset == 255 * 255 + 253);
+  const IdSettings ids{.format = "r5g6b5", .indexMaps = IndexMaps::Unique};
+  CHECK(layOut(discretization, ids).pages.back().offset == 255 * 255 + 253);
   Grid more;
   more.elementCount = 65535 - (255 * 255 + 254);
   discretization.grids.push_back(more);
-  CHECK_THROWS_AS(layOut(discretization, words), raster::InputError);
+  CHECK_THROWS_AS(layOut(discretization, ids), raster::InputError);
   --discretization.grids.back().elementCount;
-  CHECK_NOTHROW(layOut(discretization, words));
+  CHECK_NOTHROW(layOut(discretization, ids));
 }
 
 TEST_CASE("a page is a power of two that holds the largest surface", "[index maps]") {

@@ -1,5 +1,5 @@
-// As many surfaces as words can hold: how many that are, what happens one beyond, and that each is drawn with its own
-// words.
+// As many surfaces as item IDs can hold: how many that are, what happens one beyond, and that each is drawn with its
+// own item IDs.
 #include <bit>
 #include <catch2/catch.hpp>
 #include <fstream>
@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/solver/progressive_solver.h"
@@ -18,7 +19,7 @@
 using namespace hemitex;
 using namespace hemitex::radiosity;
 using namespace hemitex::tests;
-using raster::Word;
+using raster::ItemId;
 
 namespace {
 
@@ -41,15 +42,15 @@ bool fits(std::uint64_t count, int columns, int rows, const std::string& format)
 }
 
 /// A wall of side x side squares with one index map of texels x texels, each a draw with an offset of its own, that
-/// fills a view along z from the origin. The last draw is left out where its last words are reserved.
+/// fills a view along z from the origin. The last draw is left out where its last item IDs are reserved.
 raster::DrawList wallOf(int side, int texels, const std::string& format) {
   raster::DrawList list;
   list.format = *raster::formatNamed(format);
-  list.indexMaps = {{texels, texels, std::vector<Word>(std::size_t(texels * texels))}};
-  std::iota(list.indexMaps[0].words.begin(), list.indexMaps[0].words.end(), Word{0});
+  list.indexMaps = {{texels, texels, std::vector<ItemId>(std::size_t(texels * texels))}};
+  std::iota(list.indexMaps[0].ids.begin(), list.indexMaps[0].ids.end(), ItemId{0});
   const auto at = [&](int i) { return float(-1 + 2.0 * i / side); };
   const std::uint64_t count = std::min<std::uint64_t>(std::uint64_t(side) * std::uint64_t(side),
-                                                      mostSurfaces(list.format, std::uint64_t(texels * texels)));
+                                                      maxSurfaces(list.format, std::uint64_t(texels * texels)));
   for (std::uint64_t draw = 0; draw < count; ++draw) {
     const int column = int(draw) % side, row = int(draw) / side;
     const auto first = std::uint32_t(list.positions.size());
@@ -59,19 +60,19 @@ raster::DrawList wallOf(int side, int texels, const std::string& format) {
     }
     list.draws.push_back({.first = std::uint32_t(list.indices.size()),
                           .count = 6,
-                          .offset = Word(draw) * Word(texels * texels),
-                          .back = raster::backWord(list.format),
+                          .offset = ItemId(draw) * ItemId(texels * texels),
+                          .back = raster::backId(list.format),
                           .indexMap = 0});
     for (const std::uint32_t corner : {0u, 2u, 1u, 0u, 3u, 2u}) list.indices.push_back(first + corner);
   }
   return list;
 }
 
-/// The pixels whose word is not that of the texel at their middle. `resolution` is such that no sample is nearer to a
-/// border between texels than snapping moves it.
+/// The pixels whose item ID is not that of the texel at their middle. `resolution` is such that no sample is nearer to
+/// a border between texels than snapping moves it.
 std::size_t wrongPixels(raster::DrawList list, int side, int texels, int resolution) {
   const auto draws = list.draws.size();
-  const Word background = raster::backgroundWord(list.format);
+  const ItemId background = raster::backgroundId(list.format);
   raster::SoftwareRenderer renderer(std::move(list));
   const raster::Face face{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.1f, resolution, {0, 0, resolution, resolution}};
   const raster::ItemBuffer buffer = renderer.render({&face, 1}, {}).front();
@@ -83,9 +84,9 @@ std::size_t wrongPixels(raster::DrawList list, int side, int texels, int resolut
     for (int i = 0; i < resolution; ++i) {
       const std::int64_t column = texelAt(i), row = texelAt(j);
       const std::int64_t draw = row / texels * side + column / texels;
-      const Word word = Word(draw * texels * texels + row % texels * texels + column % texels);
-      const Word expected = draw < std::int64_t(draws) ? word : background;
-      wrong += buffer.words[std::size_t(j) * std::size_t(resolution) + std::size_t(i)] != expected ? 1 : 0;
+      const ItemId id = ItemId(draw * texels * texels + row % texels * texels + column % texels);
+      const ItemId expected = draw < std::int64_t(draws) ? id : background;
+      wrong += buffer.ids[std::size_t(j) * std::size_t(resolution) + std::size_t(i)] != expected ? 1 : 0;
     }
   return wrong;
 }
@@ -98,8 +99,8 @@ TEST_CASE("a format holds the surfaces that the formula says, and not one more",
     int columns, rows;
     std::uint64_t surfaces;
   };
-  // 2^m words less two; a map of 2^k texels leaves 2^(m-k) - 1. 9 texels take 16 words, but the last surface 9 alone:
-  // 65534 = 4095 * 16 + 14. 255 x 257 = 65535 texels are one word too many.
+  // 2^m item IDs less two; a map of 2^k texels leaves 2^(m-k) - 1. 9 texels take 16 item IDs, but the last surface 9
+  // alone: 65534 = 4095 * 16 + 14. 255 x 257 = 65535 texels are one item ID too many.
   const std::vector<Limit> limits{
       {"r5g6b5", 1, 1, 65534},          {"r5g6b5", 2, 2, 16383},       {"r5g6b5", 3, 3, 4096},
       {"r5g6b5", 16, 16, 255},          {"r5g6b5", 64, 64, 15},        {"r5g6b5", 255, 256, 1},
@@ -108,7 +109,7 @@ TEST_CASE("a format holds the surfaces that the formula says, and not one more",
       {"r10g10b10a2", 64, 64, 1048575}, {"r8g8b8a8", 256, 256, 65535}, {"r32ui", 4096, 4096, 255}};
   for (const Limit& limit : limits) {
     INFO(limit.format << ", " << limit.columns << " x " << limit.rows);
-    CHECK(mostSurfaces(*raster::formatNamed(limit.format), std::uint64_t(limit.columns) * std::uint64_t(limit.rows)) ==
+    CHECK(maxSurfaces(*raster::formatNamed(limit.format), std::uint64_t(limit.columns) * std::uint64_t(limit.rows)) ==
           limit.surfaces);
     if (limit.surfaces > 0) CHECK(fits(limit.surfaces, limit.columns, limit.rows, limit.format));
     CHECK_FALSE(fits(limit.surfaces + 1, limit.columns, limit.rows, limit.format));
@@ -124,14 +125,14 @@ TEST_CASE("the page on item buffers says how many surfaces fit", "[many surfaces
     const std::string name = std::to_string(side) + " x " + std::to_string(side);
     std::string row = "| " + name + " | " + std::to_string(std::bit_width(texels - 1)) + " |";
     for (const char* format : {"r5g6b5", "r8g8b8", "r8g8b8a8"})
-      row += " " + std::to_string(mostSurfaces(*raster::formatNamed(format), texels)) + " |";
+      row += " " + std::to_string(maxSurfaces(*raster::formatNamed(format), texels)) + " |";
     INFO(row);
     CHECK(lines.count(row) == 1);
   }
 }
 
-TEST_CASE("16 bits full of surfaces to the last are drawn, each with words of its own", "[many surfaces]") {
-  // 128 x 128 squares of 2 x 2 texels, a pixel each, but the last square, whose last words are reserved.
+TEST_CASE("16 bits full of surfaces to the last are drawn, each with item IDs of its own", "[many surfaces]") {
+  // 128 x 128 squares of 2 x 2 texels, a pixel each, but the last square, whose last item IDs are reserved.
   CHECK(wallOf(128, 2, "r5g6b5").draws.size() == 16383);
   CHECK(wrongPixels(wallOf(128, 2, "r5g6b5"), 128, 2, 256) == 0);
   // One more is refused as soon as it is drawn.
@@ -140,7 +141,7 @@ TEST_CASE("16 bits full of surfaces to the last are drawn, each with words of it
   CHECK_THROWS_AS(raster::SoftwareRenderer(list), raster::InputError);
 }
 
-TEST_CASE("a million draws with maps of 64 x 64 texels fill 32 bits, and every pixel has its word", "[.million]") {
+TEST_CASE("a million draws with maps of 64 x 64 texels fill 32 bits, and every pixel has its item ID", "[.million]") {
   // 1000 x 1000 squares over 2048 x 2048 pixels: a square is 524 of the 256ths of a pixel that corners snap to, and a
   // texel 8.2 of them. Samples lie at odd multiples of 125/8 texels, an eighth of a texel or more from every border:
   // one 256th, and snapping moves a border by half of one.
@@ -170,7 +171,7 @@ TEST_CASE("a million surfaces of 2 x 2 texels are solved", "[.million]") {
   scene.materials[0].reflectance = glm::dvec3(0.5);
   Discretization discretization = discretize(scene, {.texels = 2, .patch = 2});
   CHECK(discretization.elements.size() == 4000000);
-  WordLayout layout = layOut(discretization);
+  IdLayout layout = layOut(discretization);
   CHECK(layout.textured == 1000000);
   DrawnRows drawn(scene, std::move(discretization), std::move(layout), {.resolution = 1024, .split = 1});
   const Solution solution = solve(scene, drawn.discretization(),

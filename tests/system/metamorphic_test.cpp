@@ -10,6 +10,9 @@
 #include <sstream>
 #include <tuple>
 
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/patch_points.h"
+#include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "raster/base/parallel.h"
 #include "reference/closed_forms/point_to_polygon.h"
@@ -270,10 +273,10 @@ TEST_CASE("a file whose vertices are scaled or moved has the same surfaces and e
     std::ofstream written(folder.path / "scene.obj");
     written.precision(17);
     for (std::string line; std::getline(file, line);) {
-      std::istringstream words(line);
+      std::istringstream fields(line);
       std::string keyword;
       glm::dvec3 p;
-      if (words >> keyword >> p.x >> p.y >> p.z && keyword == "v") {
+      if (fields >> keyword >> p.x >> p.y >> p.z && keyword == "v") {
         p = scale * p + by;
         written << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
       } else {

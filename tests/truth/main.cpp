@@ -8,6 +8,7 @@
 #include <string>
 
 #include "radiosity/discretization/discretize.h"
+#include "radiosity/scene/load_scene.h"
 #include "raster/base/input_error.h"
 #include "reference/solution/baked_radiosity.h"
 #include "tests/support/truth_table.h"

@@ -24,7 +24,7 @@ int main() {
   const raster::ItemBuffer buffer = renderer.render({&face, 1}, {}).front();
   // The triangle's vertices lie at (-1/2, -1/2), (3/2, -1/2) and (-1/2, 3/2) of the picture plane, so that it covers
   // the pixel at (1/4, 1/4) and not the one at (-3/4, -3/4).
-  const bool right = buffer.words[2 * 4 + 2] == 7 && buffer.words[0] == raster::backgroundWord(list.format);
-  std::cout << "item buffer " << reference::wordsHash(buffer.words) << (right ? " is right\n" : " is wrong\n");
+  const bool right = buffer.ids[2 * 4 + 2] == 7 && buffer.ids[0] == raster::backgroundId(list.format);
+  std::cout << "item buffer " << reference::idsHash(buffer.ids) << (right ? " is right\n" : " is wrong\n");
   return right ? 0 : 1;
 }

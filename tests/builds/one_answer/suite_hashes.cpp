@@ -1,4 +1,4 @@
-/// The hashes of the vector suite's words, as tests/builds/one_answer.sh compares them:
+/// The hashes of the vector suite's item IDs, as tests/builds/one_answer.sh compares them:
 ///   hemitex_suite_hashes THREADS [VECTOR...]
 /// draws what vectorSuite() makes and the vectors in the folders named, and prints suiteHashes.
 #include <cstdio>

@@ -7,9 +7,12 @@
 #include <map>
 #include <numeric>
 
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/discretization/texel_areas.h"
 #include "radiosity/form_factors/patch_subdivision.h"
 #include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "raster/base/input_error.h"
 #include "reference/rays/embree_form_factors.h"

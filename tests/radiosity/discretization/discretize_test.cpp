@@ -244,7 +244,7 @@ TEST_CASE("settings out of range and names without a surface are input errors", 
   CHECK_FALSE(fails({.surfaceTexels = {{"light", 1}, {"wall", 4096 / 64}}}));
 }
 
-TEST_CASE("more texels than there are words are refused before memory is asked for", "[discretization]") {
+TEST_CASE("more texels than there are item IDs are refused before memory is asked for", "[discretization]") {
   const Scene scene = sceneOf(std::vector<Surface>(256, flat("wall", rectangle({0, 0}, {1, 1}))));
   CHECK_THROWS_WITH(discretize(scene, {.texels = 4096}), Catch::Contains("4294967296 texels"));
 }

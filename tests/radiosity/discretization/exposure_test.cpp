@@ -9,6 +9,7 @@
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/discretization/texel_areas.h"
+#include "radiosity/scene/load_scene.h"
 #include "raster/base/parallel.h"
 #include "reference/solution/baked_radiosity.h"
 #include "reference/solution/ground_truth.h"

@@ -5,7 +5,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/index_maps/id_layout.h"
+#include "radiosity/index_maps/scene_draw_list.h"
+#include "radiosity/scene/load_scene.h"
 #include "raster/base/input_error.h"
 #include "tests/support/hand_scenes.h"
 
@@ -162,7 +165,7 @@ TEST_CASE("the complex scene fills eight pages at three levels of detail", "[gri
   for (const int subdivision : {1, 2}) {
     settings.subdivision = subdivision;
     const Discretization discretization = discretize(scene, settings);
-    const WordLayout layout = layOut(discretization, {.indexMaps = IndexMaps::Packed, .page = 64 * subdivision});
+    const IdLayout layout = layOut(discretization, {.indexMaps = IndexMaps::Packed, .page = 64 * subdivision});
     CHECK(layout.pages.size() == 8);
     CHECK(makeDrawList(scene, discretization, layout).indexMaps.size() == 1);
     // The pages are nearly full: less than a quarter is spare, or has merged.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "radiosity/discretization/discretize.h"
 #include "tests/support/hand_scenes.h"
 
 using namespace hemitex::radiosity;

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "radiosity/discretization/discretize.h"
 #include "tests/support/hand_scenes.h"
 
 using namespace hemitex;

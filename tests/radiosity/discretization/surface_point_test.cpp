@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/exposed_pieces.h"
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/discretization/texel_areas.h"
 #include "radiosity/geometry/grid_clipping.h"
 #include "tests/support/hand_scenes.h"

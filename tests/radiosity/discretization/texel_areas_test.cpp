@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "radiosity/discretization/exposed_pieces.h"
 #include "radiosity/geometry/grid_clipping.h"
 #include "tests/support/hand_scenes.h"
 

@@ -1,8 +1,9 @@
-// From words to slots: as elementOf says, for every word there is.
+// From item IDs to slots: as elementOf says, for every item ID there is.
 #include "radiosity/form_factors/id_lookup.h"
 
 #include <catch2/catch.hpp>
 
+#include "radiosity/discretization/discretize.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hand_scenes.h"
 
@@ -10,7 +11,7 @@ using namespace hemitex;
 using namespace hemitex::radiosity;
 using namespace hemitex::tests;
 using raster::Blend;
-using raster::Word;
+using raster::ItemId;
 
 namespace {
 
@@ -20,27 +21,27 @@ Scene mixedScene() {
                   flat("light", rectangle({0, 0}, {1, 1})), flat("lamp", rectangle({0, 0}, {1, 1})), star(7, 3)});
 }
 
-/// How many of the words 0 to 65535, of some behind them and of the last ones there are, have a slot that is not
-/// elementOf's, after another word or as the first.
-int wrongSlots(const Discretization& discretization, const WordSettings& settings) {
-  const WordLayout layout = layOut(discretization, settings);
-  const WordSlots slots(discretization, layout);
+/// How many of the item IDs 0 to 65535, of some behind them and of the last ones there are, have a slot that is not
+/// elementOf's, after another item ID or as the first.
+int wrongSlots(const Discretization& discretization, const IdSettings& settings) {
+  const IdLayout layout = layOut(discretization, settings);
+  const IdLookup slots(discretization, layout);
   SlotFinder finder(slots);
-  const auto isWrong = [&](Word word) {
-    const std::uint32_t other = word == raster::backWord(layout.format) ? slots.back() : slots.background();
-    const std::uint32_t slot = elementOf(discretization, layout, word).value_or(other);
-    return finder.of(word) != slot || SlotFinder(slots).of(word) != slot;
+  const auto isWrong = [&](ItemId id) {
+    const std::uint32_t other = id == raster::backId(layout.format) ? slots.back() : slots.background();
+    const std::uint32_t slot = elementOf(discretization, layout, id).value_or(other);
+    return finder.of(id) != slot || SlotFinder(slots).of(id) != slot;
   };
   int wrong = 0;
-  for (Word word = 0; word < 0x10000; ++word) wrong += isWrong(word) ? 1 : 0;
-  for (Word word = 0x10000; word < 0x800000; word += 97) wrong += isWrong(word) ? 1 : 0;
-  for (Word word = 0xffffff00; word != 0; ++word) wrong += isWrong(word) ? 1 : 0;
+  for (ItemId id = 0; id < 0x10000; ++id) wrong += isWrong(id) ? 1 : 0;
+  for (ItemId id = 0x10000; id < 0x800000; id += 97) wrong += isWrong(id) ? 1 : 0;
+  for (ItemId id = 0xffffff00; id != 0; ++id) wrong += isWrong(id) ? 1 : 0;
   return wrong;
 }
 
 }  // namespace
 
-TEST_CASE("the slot of every word is the element that it stands for", "[rows]") {
+TEST_CASE("the slot of every item ID is the element that it stands for", "[rows]") {
   const Scene scene = mixedScene();
   const Discretization mixed =
       discretize(scene, {.texels = 12, .surfaceTexels = {{"bump", 33}, {"wall", 8}, {"light", 1}, {"lamp", 1}}});
@@ -53,14 +54,15 @@ TEST_CASE("the slot of every word is the element that it stands for", "[rows]") 
     CHECK(wrongSlots(mixed, {format, Blend::ClampedAdd, true, IndexMaps::Unique}) == 0);
   }
   CHECK(wrongSlots(mixed, {"r8g8b8a8", Blend::ClampedAdd, true, IndexMaps::Shared, 64}) == 0);
-  // Seven million words.
+  // Seven million item IDs.
   CHECK(wrongSlots(mixed, {"r8g8b8a8", Blend::IntegerAdd, false, IndexMaps::Shared, 1024}) == 0);
 }
 
-TEST_CASE("words of a scene without textures have slots, and so have more single words than a page holds", "[rows]") {
+TEST_CASE("item IDs of a scene without textures have slots, and so have more single item IDs than a page holds",
+          "[rows]") {
   Scene scene = closedCube(glm::dvec3(0.5), glm::dvec3(1));
   CHECK(wrongSlots(discretize(scene, {.texels = 1}), {"r8g8b8a8"}) == 0);
-  // Pages of 2 x 1 texels: k = 1, so that five single words fill three blocks.
+  // Pages of 2 x 1 texels: k = 1, so that five single item IDs fill three blocks.
   Discretization one = discretize(scene, {.texels = 1});
   Discretization two = discretize(scene, {.texels = 2, .surfaceTexels = {{"left", 2}}});
   CHECK(wrongSlots(two, {"r8g8b8a8"}) == 0);
@@ -72,14 +74,14 @@ TEST_CASE("words of a scene without textures have slots, and so have more single
 
 TEST_CASE("grids whose every texel is an element need no table", "[rows]") {
   const Discretization plain = discretize(closedCube(glm::dvec3(0.5), glm::dvec3(1)), {.texels = 64});
-  const WordLayout layout = layOut(plain);
-  // Six blocks of 16 bytes, which a growing vector may double, and an empty table of single words.
-  CHECK(WordSlots(plain, layout).bytes() <= 2 * 6 * 16);
+  const IdLayout layout = layOut(plain);
+  // Six blocks of 16 bytes, which a growing vector may double, and an empty table of single item IDs.
+  CHECK(IdLookup(plain, layout).bytes() <= 2 * 6 * 16);
 }
 
 TEST_CASE("a page much larger than its grid needs a table of the rows that the grid has", "[rows]") {
   const Discretization plain = discretize(closedCube(glm::dvec3(0.5), glm::dvec3(1)), {.texels = 16});
-  const WordLayout layout = layOut(plain, {.page = 4096});
+  const IdLayout layout = layOut(plain, {.page = 4096});
   // Six tables of 16 rows; pages whole would take 400 MB.
-  CHECK(WordSlots(plain, layout).bytes() <= 6 * 16 * 4096 * sizeof(std::uint32_t) + 2 * 6 * 16);
+  CHECK(IdLookup(plain, layout).bytes() <= 6 * 16 * 4096 * sizeof(std::uint32_t) + 2 * 6 * 16);
 }

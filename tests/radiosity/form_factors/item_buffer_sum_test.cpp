@@ -30,15 +30,15 @@ FormFactorRow countedSlowly(const tests::HemicubeWorld& world, const Projection&
   std::map<std::uint32_t, std::uint64_t> sums;
   FormFactorRow row;
   for (std::size_t w = 0; w < windows.size(); ++w)
-    for (std::size_t pixel = 0; pixel < buffers[w].words.size(); ++pixel) {
+    for (std::size_t pixel = 0; pixel < buffers[w].ids.size(); ++pixel) {
       const raster::Scissor& scissor = windows[w].scissor;
       const auto width = static_cast<std::size_t>(scissor.width);
       const std::uint64_t share = shareOf(projection, windows[w].face, scissor.column + static_cast<int>(pixel % width),
                                           scissor.row + static_cast<int>(pixel / width));
-      const raster::Word word = buffers[w].words[pixel];
-      const auto element = elementOf(world.discretization, world.layout, word);
+      const raster::ItemId id = buffers[w].ids[pixel];
+      const auto element = elementOf(world.discretization, world.layout, id);
       if (element && share > 0) sums[*element] += share;
-      if (!element) (word == raster::backWord(world.layout.format) ? row.back : row.background) += share;
+      if (!element) (id == raster::backId(world.layout.format) ? row.back : row.background) += share;
     }
   for (const auto& [element, share] : sums) {
     row.elements.push_back(element);

@@ -8,6 +8,9 @@
 #include <map>
 #include <numeric>
 
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/index_maps/scene_draw_list.h"
+#include "radiosity/scene/load_scene.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hemicube_world.h"
 
@@ -88,9 +91,9 @@ TEST_CASE("a coarser index map shows the blocks of a finer one, pixel by pixel",
     const std::vector<raster::ItemBuffer> buffers = coarse.renderer.render(view.faces, view.skipped);
     int compared = 0;
     for (std::size_t face = 0; face < buffers.size(); ++face)
-      for (std::size_t i = 0; i < buffers[face].words.size(); ++i) {
-        const auto small = pageIndexOf(fine.layout, fineBuffers[face].words[i]);
-        const auto large = pageIndexOf(coarse.layout, buffers[face].words[i]);
+      for (std::size_t i = 0; i < buffers[face].ids.size(); ++i) {
+        const auto small = pageIndexOf(fine.layout, fineBuffers[face].ids[i]);
+        const auto large = pageIndexOf(coarse.layout, buffers[face].ids[i]);
         REQUIRE(small.has_value() == large.has_value());
         if (!small) continue;
         REQUIRE(small->page == large->page);

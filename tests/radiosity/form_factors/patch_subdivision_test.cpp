@@ -24,8 +24,8 @@ Scene facingSquares(double gap) {
   return tests::finish(std::move(scene));
 }
 
-Discretization split(tests::HemicubeWorld& world, double mostReturning) {
-  return splitPatches(world.scene, world.discretization, world.layout, world.renderer, mostReturning);
+Discretization split(tests::HemicubeWorld& world, double maxReturning) {
+  return splitPatches(world.scene, world.discretization, world.layout, world.renderer, maxReturning);
 }
 
 /// The form factor between the two squares, by hemicubes over points x points of the first.
@@ -101,16 +101,16 @@ TEST_CASE("A split keeps the elements and shares them out among its patches", "[
   rings.surfaces = {tests::ring(24), tests::parallelogram("over", {0, 0, 0.1}, {0, 1, 0}, {1, 0, 0})};
   for (const Scene& scene : {tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), tests::finish(std::move(rings))})
     for (const int texels : {1, 5, 16})
-      for (const double mostReturning : {0.1, 0.02, 1e-6}) {
-        CAPTURE(texels, mostReturning);
+      for (const double maxReturning : {0.1, 0.02, 1e-6}) {
+        CAPTURE(texels, maxReturning);
         tests::HemicubeWorld world(scene, texels, 4);
-        const Discretization after = split(world, mostReturning);
+        const Discretization after = split(world, maxReturning);
         checkPartition(after);
         CHECK(after.patches.size() >= world.discretization.patches.size());
         for (std::size_t e = 0; e < after.elements.size(); ++e)
           CHECK(after.elements[e].area == world.discretization.elements[e].area);
         for (const Patch& patch : after.patches) {
-          CHECK(patch.halvings <= mostHalvings);
+          CHECK(patch.halvings <= maxHalvings);
           if (patch.points > 1) CHECK((patch.width == 1 && patch.height == 1));
         }
       }
@@ -140,9 +140,9 @@ TEST_CASE("A split patch brings a cube's light nearer to what it is", "[patch_sp
   // In a furnace every element has the same radiosity, E / (1 - r) = 2; what differs is error. With one patch a face,
   // edges get too little and middles too much. A quarter has a quarter of the flux, and of that a quarter of the share
   // comes back: patches half as wide take a limit of a sixteenth.
-  const auto worst = [](double mostReturning) {
+  const auto worst = [](double maxReturning) {
     tests::HemicubeWorld world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 8);
-    world.discretization = split(world, mostReturning);
+    world.discretization = split(world, maxReturning);
     ProjectedRows rows(world.scene, world.discretization, world.layout, world.renderer, {256, Orientation::Turned});
     const Solution solution =
         solve(world.scene, world.discretization, [&](std::uint32_t p) { return rows.ofPatch(p); }, {.residual = 1e-6});

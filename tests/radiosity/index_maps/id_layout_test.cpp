@@ -1,10 +1,12 @@
-// Which word stands for which element, and the draws that make the words.
+// Which item ID stands for which element, and the draws that make the item IDs.
 #include "radiosity/index_maps/id_layout.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/index_maps/phantom_indices.h"
+#include "radiosity/index_maps/scene_draw_list.h"
 #include "raster/base/input_error.h"
 #include "raster/software/software_renderer.h"
 #include "tests/support/hand_scenes.h"
@@ -13,7 +15,7 @@ using namespace hemitex;
 using namespace hemitex::radiosity;
 using namespace hemitex::tests;
 using raster::Blend;
-using raster::Word;
+using raster::ItemId;
 
 namespace {
 
@@ -55,43 +57,43 @@ bool fits(const std::vector<Size>& sizes, std::string_view format, bool aligned)
 
 bool mentions(const std::string& message, const std::string& text) { return message.find(text) != std::string::npos; }
 
-std::vector<Word> offsetsOf(const WordLayout& layout) {
-  std::vector<Word> offsets;
+std::vector<ItemId> offsetsOf(const IdLayout& layout) {
+  std::vector<ItemId> offsets;
   for (const Page& page : layout.pages) offsets.push_back(page.offset);
   return offsets;
 }
 
-/// Whether every texel's word is blended to offset + texel, is not reserved, decodes to its texel, and no other word of
-/// the format decodes at all.
-bool isOneToOne(const Discretization& discretization, const WordLayout& layout) {
-  const Word background = raster::backgroundWord(layout.format);
+/// Whether every texel's item ID is blended to offset + texel, is not reserved, decodes to its texel, and no other item
+/// ID of the format decodes at all.
+bool isOneToOne(const Discretization& discretization, const IdLayout& layout) {
+  const ItemId background = raster::backgroundId(layout.format);
   std::vector<bool> taken(std::size_t{background} + 1);
   for (std::uint32_t s = 0; s < discretization.grids.size(); ++s) {
     const Grid& grid = discretization.grids[s];
     for (std::uint32_t texel = 0; texel < std::uint32_t(grid.columns * grid.rows); ++texel) {
-      const Word word = raster::blend(layout.format, layout.blend, layout.pages[s].offset, texel);
-      const auto decoded = pageIndexOf(layout, word);
-      if (word != layout.pages[s].offset + texel || word >= background - 1 || taken[word]) return false;
+      const ItemId id = raster::blend(layout.format, layout.blend, layout.pages[s].offset, texel);
+      const auto decoded = pageIndexOf(layout, id);
+      if (id != layout.pages[s].offset + texel || id >= background - 1 || taken[id]) return false;
       if (!decoded || decoded->page != s || decoded->index != texel) return false;
-      taken[word] = true;
+      taken[id] = true;
     }
   }
-  for (std::uint64_t word = 0; word <= background; ++word)
-    if (!taken[word] && pageIndexOf(layout, Word(word))) return false;
+  for (std::uint64_t id = 0; id <= background; ++id)
+    if (!taken[id] && pageIndexOf(layout, ItemId(id))) return false;
   return true;
 }
 
 }  // namespace
 
-TEST_CASE("every element of a full 24-bit word with 12 index bits has a word of its own", "[layout]") {
-  // 4096 surfaces of 64 x 64: the last one's last two words are reserved, so it is 63 x 64 here.
+TEST_CASE("every element of a full 24-bit item ID with 12 index bits has an item ID of its own", "[layout]") {
+  // 4096 surfaces of 64 x 64: the last one's last two item IDs are reserved, so it is 63 x 64 here.
   const Discretization discretization = gridsOf(joined(times(4095, {64, 64}), {{63, 64}}));
-  const WordLayout layout = layOut(discretization, {"r8g8b8", Blend::ClampedAdd, true});
+  const IdLayout layout = layOut(discretization, {"r8g8b8", Blend::ClampedAdd, true});
   CHECK(layout.indexBits == 12);
   CHECK(isOneToOne(discretization, layout));
 }
 
-TEST_CASE("words and texels are one to one for mixed sizes, aligned or not, in every narrow format", "[layout]") {
+TEST_CASE("item IDs and texels are one to one for mixed sizes, aligned or not, in every narrow format", "[layout]") {
   const std::vector<Size> mixed{{1, 1}, {8, 8}, {3, 3}, {1, 1}, {1, 5}, {7, 9}, {1, 1}, {2, 32}, {8, 8}, {1, 1}};
   for (const char* format : {"r5g6b5", "r8g8b8"}) {
     const Discretization discretization = gridsOf(mixed);
@@ -101,24 +103,24 @@ TEST_CASE("words and texels are one to one for mixed sizes, aligned or not, in e
   }
 }
 
-TEST_CASE("textured surfaces take aligned blocks in order, single words stand behind them", "[layout]") {
+TEST_CASE("textured surfaces take aligned blocks in order, single item IDs stand behind them", "[layout]") {
   // 65 texels need 7 bits.
-  const WordLayout layout =
+  const IdLayout layout =
       layOut(gridsOf({{1, 1}, {8, 8}, {1, 1}, {5, 13}, {3, 3}}), {"r8g8b8", Blend::ClampedAdd, true});
   CHECK(layout.indexBits == 7);
-  CHECK(offsetsOf(layout) == std::vector<Word>{384, 0, 385, 128, 256});
+  CHECK(offsetsOf(layout) == std::vector<ItemId>{384, 0, 385, 128, 256});
   CHECK(layout.byOffset == std::vector<std::uint32_t>{1, 3, 4, 0, 2});
 }
 
 TEST_CASE("without alignment the offsets follow each other without a gap", "[layout]") {
-  const WordLayout layout =
+  const IdLayout layout =
       layOut(gridsOf({{1, 1}, {8, 8}, {1, 1}, {5, 13}, {3, 3}}), {"r8g8b8", Blend::IntegerAdd, false});
-  CHECK(offsetsOf(layout) == std::vector<Word>{0, 1, 65, 66, 131});
+  CHECK(offsetsOf(layout) == std::vector<ItemId>{0, 1, 65, 66, 131});
   CHECK(layout.byOffset == std::vector<std::uint32_t>{0, 1, 2, 3, 4});
 }
 
-TEST_CASE("a format holds as many words as it has, less two, and not one more", "[layout]") {
-  // r5g6b5: 65536 words, 65534 of use. With 8 x 8 texels, 1023 blocks and 62 single words fill it.
+TEST_CASE("a format holds as many item IDs as it has, less two, and not one more", "[layout]") {
+  // r5g6b5: 65536 item IDs, 65534 of use. With 8 x 8 texels, 1023 blocks and 62 single item IDs fill it.
   CHECK(fits(times(65534, {1, 1}), "r5g6b5", true));
   CHECK_FALSE(fits(times(65535, {1, 1}), "r5g6b5", true));
   CHECK(fits(joined(times(1023, {8, 8}), times(62, {1, 1})), "r5g6b5", true));
@@ -128,16 +130,16 @@ TEST_CASE("a format holds as many words as it has, less two, and not one more", 
   CHECK_FALSE(fits(times(1024, {8, 8}), "r5g6b5", true));
   CHECK(fits(joined(times(1023, {8, 8}), {{2, 31}}), "r5g6b5", false));
   CHECK_FALSE(fits(joined(times(1023, {8, 8}), {{7, 9}}), "r5g6b5", false));
-  // Without alignment 9 texels take 9 words instead of 16.
+  // Without alignment 9 texels take 9 item IDs instead of 16.
   CHECK(fits(times(7281, {3, 3}), "r5g6b5", false));
   CHECK_FALSE(fits(times(7282, {3, 3}), "r5g6b5", false));
   CHECK_FALSE(fits(times(4097, {3, 3}), "r5g6b5", true));
 }
 
-TEST_CASE("what does not fit is told with the words, and the format and the texels that would", "[layout]") {
-  // 1024 * 64 = 65536 words, for 65534; 7 x 7 texels still take a block of 64, but its end may be missing.
+TEST_CASE("what does not fit is told with the item IDs, and the format and the texels that would", "[layout]") {
+  // 1024 * 64 = 65536 item IDs, for 65534; 7 x 7 texels still take a block of 64, but its end may be missing.
   const std::string tooMany = messageOf(times(1024, {8, 8}), "r5g6b5", Blend::ClampedAdd, true);
-  CHECK(mentions(tooMany, "needs 65536 words"));
+  CHECK(mentions(tooMany, "needs 65536 item IDs"));
   CHECK(mentions(tooMany, "65534"));
   CHECK(mentions(tooMany, "r8g8b8"));
   CHECK_FALSE(mentions(tooMany, "r8g8b8a8"));
@@ -149,7 +151,7 @@ TEST_CASE("what does not fit is told with the words, and the format and the texe
   CHECK(mentions(noFormat, "2896 x 2896 texels"));
   CHECK(fits(times(300, {2896, 2896}), "r32ui", true));
   CHECK_FALSE(fits(times(300, {2897, 2897}), "r32ui", true));
-  // More surfaces than words: no number of texels helps.
+  // More surfaces than item IDs: no number of texels helps.
   const std::string surfaces = messageOf(times(65535, {2, 2}), "r5g6b5", Blend::ClampedAdd, true);
   CHECK(mentions(surfaces, "use the format r8g8b8"));
   CHECK_FALSE(mentions(surfaces, "texels"));
@@ -158,7 +160,7 @@ TEST_CASE("what does not fit is told with the words, and the format and the texe
 
 TEST_CASE("a million surfaces of 64 x 64 texels fit 32 bits", "[layout]") {
   const Discretization discretization = gridsOf(times(1000000, {64, 64}));
-  const WordLayout layout = layOut(discretization);
+  const IdLayout layout = layOut(discretization);
   for (const std::uint32_t s : {0u, 1u, 123456u, 999999u}) {
     const auto decoded = pageIndexOf(layout, layout.pages[s].offset + 4095);
     REQUIRE(decoded);
@@ -170,10 +172,10 @@ TEST_CASE("a million surfaces of 64 x 64 texels fit 32 bits", "[layout]") {
   CHECK_FALSE(pageIndexOf(layout, 1000000u << 12));
 }
 
-TEST_CASE("the last words of 32 bits are laid out and decoded", "[layout]") {
-  // 256 blocks of 2^24; the last one ends right before the reserved words.
+TEST_CASE("the last item IDs of 32 bits are laid out and decoded", "[layout]") {
+  // 256 blocks of 2^24; the last one ends right before the reserved item IDs.
   const Discretization discretization = gridsOf(joined(times(255, {4096, 4096}), {{4095, 4096}}));
-  const WordLayout layout = layOut(discretization, {"r32ui", Blend::ClampedAdd, true});
+  const IdLayout layout = layOut(discretization, {"r32ui", Blend::ClampedAdd, true});
   const auto last = pageIndexOf(layout, 0xff000000u + 4095 * 4096 - 1);
   REQUIRE(last);
   CHECK(last->page == 255);
@@ -181,14 +183,14 @@ TEST_CASE("the last words of 32 bits are laid out and decoded", "[layout]") {
   CHECK_FALSE(pageIndexOf(layout, 0xff000000u + 4095 * 4096));
 }
 
-TEST_CASE("an unaligned draw reaches no reserved word, clamped or not", "[layout]") {
+TEST_CASE("an unaligned draw reaches no reserved item ID, clamped or not", "[layout]") {
   // Clamping a channel, and dropping its carry, lowers the sum: with the last map ending right below the reserved
-  // words, every clamped sum stays below them as well, wherever the map begins.
+  // item IDs, every clamped sum stays below them as well, wherever the map begins.
   for (const Size& map : {Size{2, 1}, {5, 7}, {16, 16}, {63, 65}, {255, 256}}) {
     const auto before = std::size_t(65534 - map.columns * map.rows);
     const Discretization discretization = gridsOf(joined(times(before, {1, 1}), {map}));
-    const WordLayout layout = layOut(discretization, {"r5g6b5", Blend::ClampedAdd, false});
-    for (Word texel = 0; texel < Word(map.columns * map.rows); ++texel)
+    const IdLayout layout = layOut(discretization, {"r5g6b5", Blend::ClampedAdd, false});
+    for (ItemId texel = 0; texel < ItemId(map.columns * map.rows); ++texel)
       REQUIRE(raster::blend(layout.format, layout.blend, layout.pages.back().offset, texel) < 65534);
   }
 }
@@ -211,7 +213,7 @@ TEST_CASE("the draw list numbers the scene's triangles and shares index maps of 
   Scene scene = sceneOf({bump(3), flat("a", rectangle({0, 0}, {1, 1})), flat("b", rectangle({0, 0}, {1, 1})),
                          flat("light", rectangle({0, 0}, {1, 1}))});
   const Discretization discretization = discretize(scene, {.texels = 4, .surfaceTexels = {{"b", 3}, {"light", 1}}});
-  const WordLayout layout = layOut(discretization, {"r8g8b8", Blend::ClampedAdd, true});
+  const IdLayout layout = layOut(discretization, {"r8g8b8", Blend::ClampedAdd, true});
   const raster::DrawList list = makeDrawList(scene, discretization, layout);
   CHECK_NOTHROW(raster::validate(list));
   REQUIRE(list.draws.size() == 4);
@@ -223,7 +225,7 @@ TEST_CASE("the draw list numbers the scene's triangles and shares index maps of 
     CHECK(list.draws[s].first == 3 * t);
     CHECK(list.draws[s].count == 3 * scene.surfaces[s].triangles.size());
     CHECK(list.draws[s].offset == layout.pages[s].offset);
-    CHECK(list.draws[s].back == raster::backWord(layout.format));
+    CHECK(list.draws[s].back == raster::backId(layout.format));
     for (const Triangle& triangle : scene.surfaces[s].triangles) {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t vertex = list.indices[3 * t + k];
@@ -234,21 +236,21 @@ TEST_CASE("the draw list numbers the scene's triangles and shares index maps of 
     }
   }
   const raster::IndexMap& map = list.indexMaps[std::size_t(*list.draws[2].indexMap)];
-  CHECK(map.words == std::vector<Word>{0, 1, 2, 3, 4, 5, 6, 7, 8});
+  CHECK(map.ids == std::vector<ItemId>{0, 1, 2, 3, 4, 5, 6, 7, 8});
 }
 
 TEST_CASE("a wall that fills the view is drawn as its texels, each over the same number of pixels", "[layout]") {
   // The wall spans the frustum of a 90-degree view at distance 1; 4 x 4 texels over 32 x 32 pixels are 64 pixels each.
   const Scene scene = sceneOf({quad("wall", {{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}}})});
   const Discretization discretization = discretize(scene, {.texels = 4});
-  const WordLayout layout = layOut(discretization, {"r5g6b5", Blend::ClampedAdd, true});
+  const IdLayout layout = layOut(discretization, {"r5g6b5", Blend::ClampedAdd, true});
   raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
   const glm::vec3 eye = glm::dvec3(0, 0, 0) - scene.origin;
   const raster::Face face{eye, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, 0.1f, 32, {0, 0, 32, 32}};
   const raster::ItemBuffer buffer = renderer.render({&face, 1}, {}).front();
   for (int row = 0; row < 32; ++row)
     for (int column = 0; column < 32; ++column) {
-      const auto seen = pageIndexOf(layout, buffer.words[std::size_t(row * 32 + column)]);
+      const auto seen = pageIndexOf(layout, buffer.ids[std::size_t(row * 32 + column)]);
       REQUIRE(seen);
       REQUIRE(seen->index == std::uint32_t(row / 8 * 4 + column / 8));
     }

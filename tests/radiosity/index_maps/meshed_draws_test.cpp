@@ -8,9 +8,10 @@
 #include <map>
 #include <numeric>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/texel_areas.h"
 #include "radiosity/form_factors/scene_form_factors.h"
-#include "radiosity/index_maps/meshed_renderer.h"
+#include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "reference/closed_forms/surface_pieces.h"
 #include "tests/support/hand_scenes.h"
@@ -23,7 +24,7 @@ namespace {
 
 Scene dataScene(const std::string& name) { return radiosity::loadScene(std::string(HEMITEX_DATA) + "/" + name); }
 
-radiosity::WordLayout layoutOf(const Discretization& discretization) {
+radiosity::IdLayout layoutOf(const Discretization& discretization) {
   return radiosity::layOut(discretization, {.format = "r32ui"});
 }
 
@@ -31,7 +32,7 @@ radiosity::WordLayout layoutOf(const Discretization& discretization) {
 struct World {
   Scene scene;
   Discretization discretization;
-  radiosity::WordLayout layout;
+  radiosity::IdLayout layout;
   radiosity::MeshedDraws mesh;
 
   World(Scene s, const radiosity::DiscretizationSettings& settings)
@@ -40,9 +41,9 @@ struct World {
         layout(layoutOf(discretization)),
         mesh(radiosity::makeMeshedDraws(scene, discretization, layout)) {}
 
-  /// What a word stands for: an element, or one of the reserved words, which are above all elements.
-  std::uint32_t shownBy(raster::Word word) const {
-    return radiosity::elementOf(discretization, layout, word).value_or(word);
+  /// What an item ID stands for: an element, or one of the reserved item IDs, which are above all elements.
+  std::uint32_t shownBy(raster::ItemId id) const {
+    return radiosity::elementOf(discretization, layout, id).value_or(id);
   }
 };
 
@@ -129,7 +130,7 @@ void compare(const World& world, const reference::SurfacePieces& pieces, const V
     for (int row = scissor.row; row < scissor.row + scissor.height; ++row)
       for (int column = scissor.column; column < scissor.column + scissor.width; ++column, ++pixel) {
         ++agreement.pixels;
-        if (world.shownBy(views.byTexture[f].words[pixel]) == world.shownBy(views.byMesh[f].words[pixel])) continue;
+        if (world.shownBy(views.byTexture[f].ids[pixel]) == world.shownBy(views.byMesh[f].ids[pixel])) continue;
         ++agreement.differing;
         if (!isAtBorder(world, pieces, views.faces[f], {column + 0.5, row + 0.5})) ++agreement.unexplained;
       }
@@ -258,7 +259,7 @@ TEST_CASE("Where surfaces meet with the same grid, a mesh has no gap", "[meshing
   CHECK(open == 2 * 4);  // the light's outline
   for (std::uint32_t patch = 0; patch < world.discretization.patches.size(); patch += 5)
     for (const raster::ItemBuffer& buffer : viewsFrom(world, patch, 64).byMesh)
-      CHECK(std::count(buffer.words.begin(), buffer.words.end(), raster::backgroundWord(world.layout.format)) == 0);
+      CHECK(std::count(buffer.ids.begin(), buffer.ids.end(), raster::backgroundId(world.layout.format)) == 0);
 }
 
 TEST_CASE("Leaving out a triangle of the scene leaves out its pieces", "[meshing]") {

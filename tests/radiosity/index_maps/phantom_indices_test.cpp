@@ -3,7 +3,10 @@
 
 #include <catch2/catch.hpp>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/projected_form_factors.h"
+#include "radiosity/index_maps/scene_draw_list.h"
+#include "radiosity/scene/load_scene.h"
 #include "raster/software/software_renderer.h"
 #include "tests/support/hand_scenes.h"
 
@@ -14,11 +17,11 @@ using raster::Blend;
 
 namespace {
 
-Phantoms phantomsOf(const Discretization& discretization, const WordSettings& words) {
-  return countPhantoms(discretization, layOut(discretization, words));
+Phantoms phantomsOf(const Discretization& discretization, const IdSettings& ids) {
+  return countPhantoms(discretization, layOut(discretization, ids));
 }
 
-WordSettings withPage(IndexMaps way, int page) { return {.indexMaps = way, .page = page}; }
+IdSettings withPage(IndexMaps way, int page) { return {.indexMaps = way, .page = page}; }
 
 Discretization paperRoom(const Scene& scene, int wall, int face) {
   DiscretizationSettings settings{.texels = wall, .surfaceTexels = {{"light", 1}}};
@@ -33,14 +36,14 @@ TEST_CASE("the phantoms of the paper's room are those that its sizes foretell", 
   const Scene scene = loadScene(std::string(HEMITEX_DATA) + "/paper-room.obj");
   struct Expected {
     std::string name;
-    WordSettings words;
+    IdSettings ids;
     std::uint64_t spare, gaps;
   };
-  // Figure 2: six walls of 8 x 8, six faces of 3 x 3 and a light. 64 words are 6 bits: a face leaves 64 - 9 of them, up
-  // to the next offset or, with one map for all, inside the map. Pages of 8 x 8 hold a wall each, or four faces, or two
-  // faces and the light; pages of 16 x 16 hold four walls, or two walls, six faces and the light.
-  // The coarse level: 6 x 6, 2 x 2 and one, 241 elements. Walls leave 64 - 36, faces 64 - 4. Pages of 8 x 8 hold a wall
-  // each, and faces and light lie in the strips beside the walls.
+  // Figure 2: six walls of 8 x 8, six faces of 3 x 3 and a light. 64 item IDs are 6 bits: a face leaves 64 - 9 of them,
+  // up to the next offset or, with one map for all, inside the map. Pages of 8 x 8 hold a wall each, or four faces, or
+  // two faces and the light; pages of 16 x 16 hold four walls, or two walls, six faces and the light. The coarse level:
+  // 6 x 6, 2 x 2 and one, 241 elements. Walls leave 64 - 36, faces 64 - 4. Pages of 8 x 8 hold a wall each, and faces
+  // and light lie in the strips beside the walls.
   const std::vector<Expected> figure{{"shared", {}, 0, 6 * 55},
                                      {"one map for all", withPage(IndexMaps::Shared, 8), 6 * 55, 0},
                                      {"unaligned", {"r8g8b8a8", Blend::IntegerAdd, false}, 0, 0},
@@ -56,7 +59,7 @@ TEST_CASE("the phantoms of the paper's room are those that its sizes foretell", 
   const auto check = [&](const Discretization& discretization, const std::vector<Expected>& cases) {
     for (const Expected& expected : cases) {
       INFO(expected.name);
-      const Phantoms phantoms = phantomsOf(discretization, expected.words);
+      const Phantoms phantoms = phantomsOf(discretization, expected.ids);
       CHECK(phantoms.spareTexels == expected.spare);
       CHECK(phantoms.alignmentGaps == expected.gaps);
     }
@@ -65,16 +68,16 @@ TEST_CASE("the phantoms of the paper's room are those that its sizes foretell", 
   check(paperRoom(scene, 6, 2), coarse);
 }
 
-TEST_CASE("words in use, phantoms and gaps fill the range of words", "[phantoms]") {
-  // Counted by hand: every word below the last page's end is a texel with area, one without, or none at all.
+TEST_CASE("item IDs in use, phantoms and gaps fill the range of item IDs", "[phantoms]") {
+  // Counted by hand: every item ID below the last page's end is a texel with area, one without, or none at all.
   const Scene scene = sceneOf({bump(3), lShape(), ring(8), flat("wall", rectangle({0, 0}, {0.75, 0.75}))});
   const Discretization discretization = discretize(scene, {.texels = 12, .surfaceTexels = {{"ring", 17}}});
   std::uint64_t covered = 0;
   for (const Grid& grid : discretization.grids) covered += grid.spill.size() - grid.phantoms;
-  for (const WordSettings& words :
-       {WordSettings{}, WordSettings{"r8g8b8", Blend::IntegerAdd, false}, withPage(IndexMaps::Shared, 32),
+  for (const IdSettings& ids :
+       {IdSettings{}, IdSettings{"r8g8b8", Blend::IntegerAdd, false}, withPage(IndexMaps::Shared, 32),
         withPage(IndexMaps::Packed, 32), withPage(IndexMaps::Packed, 64)}) {
-    const WordLayout layout = layOut(discretization, words);
+    const IdLayout layout = layOut(discretization, ids);
     const Page& last = layout.pages[layout.byOffset.back()];
     const std::uint64_t block =
         layout.aligned ? std::uint64_t{1} << layout.indexBits : std::uint64_t(last.columns) * std::uint64_t(last.rows);
@@ -99,23 +102,23 @@ TEST_CASE("unique maps and unaligned offsets leave none or few, packed pages few
     CHECK(uses[2].phantoms.alignmentGaps == 0);  // integer addition
     CHECK(phantomsOf(2) == uses[0].phantoms.spareTexels);
     CHECK(phantomsOf(4) == 0);  // elements alone
-    CHECK(uses[4].words == discretization.elements.size());
-    for (std::size_t way = 0; way < 4; ++way) CHECK(uses[way].words == uses[0].words);
+    CHECK(uses[4].ids == discretization.elements.size());
+    for (std::size_t way = 0; way < 4; ++way) CHECK(uses[way].ids == uses[0].ids);
   }
 }
 
 TEST_CASE("rows hold what is seen, however many phantoms there are", "[phantoms]") {
   const Scene scene = loadScene(std::string(HEMITEX_DATA) + "/cornell-box.obj");
   const Discretization discretization = discretize(scene, {.texels = 9, .patch = 9});
-  const std::vector<WordSettings> ways{{.indexMaps = IndexMaps::Unique},
-                                       {"r8g8b8a8", Blend::IntegerAdd, false},
-                                       {},
-                                       withPage(IndexMaps::Shared, 16),
-                                       withPage(IndexMaps::Shared, 256)};
+  const std::vector<IdSettings> ways{{.indexMaps = IndexMaps::Unique},
+                                     {"r8g8b8a8", Blend::IntegerAdd, false},
+                                     {},
+                                     withPage(IndexMaps::Shared, 16),
+                                     withPage(IndexMaps::Shared, 256)};
   std::uint64_t before = 0;
   std::optional<FormFactorRow> expected;
-  for (const WordSettings& words : ways) {
-    const WordLayout layout = layOut(discretization, words);
+  for (const IdSettings& ids : ways) {
+    const IdLayout layout = layOut(discretization, ids);
     raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
     ProjectedRows rows(scene, discretization, layout, renderer, {64});
     const FormFactorRow row = rows.ofPatch(3);

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "radiosity/pictures/tangent.h"
+#include "radiosity/pictures/visibility.h"
 #include "raster/base/input_error.h"
 #include "tests/support/picture_scenes.h"
 

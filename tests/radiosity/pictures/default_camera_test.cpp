@@ -1,4 +1,6 @@
 /// The camera that is chosen where none is given: what a person would choose to look at, judged by rays.
+#include "radiosity/pictures/default_camera.h"
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -8,6 +10,8 @@
 #include <vector>
 
 #include "radiosity/pictures/camera.h"
+#include "radiosity/pictures/visibility.h"
+#include "radiosity/scene/load_scene.h"
 #include "tests/support/picture_scenes.h"
 
 using namespace hemitex;

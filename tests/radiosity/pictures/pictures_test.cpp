@@ -1,4 +1,4 @@
-/// Pictures: orientation, filtering and Gouraud shading of the unlit view, and the views of words and meshes.
+/// Pictures: orientation, filtering and Gouraud shading of the unlit view, and the views of item IDs and meshes.
 #include "radiosity/pictures/pictures.h"
 
 #include <algorithm>
@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <set>
 
+#include "radiosity/index_maps/scene_draw_list.h"
+#include "radiosity/pictures/id_pictures.h"
 #include "radiosity/projection/hemicube.h"
 #include "raster/base/input_error.h"
 #include "raster/software/software_renderer.h"
@@ -45,11 +47,11 @@ Scene mappedScene(const Image& map) {
   return scene;
 }
 
-/// A room with grids of 4 x 4 texels, its words and its hemicube.
+/// A room with grids of 4 x 4 texels, its item IDs and its hemicube.
 struct Room {
   Scene scene = makeRoom();
   Discretization discretization;
-  WordLayout layout;
+  IdLayout layout;
 
   Room() {
     for (int wall = 0; wall < 6; ++wall) addGrid(discretization, 4, 4);
@@ -152,7 +154,7 @@ TEST_CASE("the index map on a quad is the index map, v upwards", "[picture]") {
   Discretization discretization;
   addGrid(discretization, 4, 2);
   addGrid(discretization, 1, 1);
-  const WordLayout layout = layOut(discretization, {"r8g8b8", raster::Blend::ClampedAdd, true});
+  const IdLayout layout = layOut(discretization, {"r8g8b8", raster::Blend::ClampedAdd, true});
   const Image seen = indexMapPicture(scene, discretization, layout, straight, 16, 16);
   const Image map = indexMapImage(4, 2, 1);
   CHECK(codesAt(map, 0, 1) == glm::ivec3(15));  // texel 0 is below left, and the darkest
@@ -161,30 +163,30 @@ TEST_CASE("the index map on a quad is the index map, v upwards", "[picture]") {
       REQUIRE(pixelAt(seen, column, row) == pixelAt(map, column / 4, row / 8));
 }
 
-TEST_CASE("in codes, the picture of words is that of index maps plus that of offsets", "[picture]") {
+TEST_CASE("in codes, the picture of item IDs is that of index maps plus that of offsets", "[picture]") {
   const Room room;
   const Camera camera{{0.3, -0.2, 0.4}, {-0.7, 0.1, -0.9}, {0.1, 1, 0.2}, 90};
   const auto draw = [&](auto picture) { return picture(room.scene, room.discretization, room.layout, camera, 60, 50); };
-  const Image maps = draw(indexMapPicture), offsets = draw(offsetPicture), words = draw(wordPicture);
+  const Image maps = draw(indexMapPicture), offsets = draw(offsetPicture), ids = draw(idPicture);
   std::set<int> levels;
   for (int row = 0; row < 50; ++row)
     for (int column = 0; column < 60; ++column) {
-      REQUIRE(codesAt(words, column, row) == codesAt(maps, column, row) + codesAt(offsets, column, row));
+      REQUIRE(codesAt(ids, column, row) == codesAt(maps, column, row) + codesAt(offsets, column, row));
       levels.insert(codesAt(maps, column, row).x);
     }
   CHECK(levels.size() == 16);
 }
 
 TEST_CASE("what a clamped add makes of unaligned offsets is shown where it goes wrong, and counted", "[picture]") {
-  // The far grid's 250 words come first, so that the quad's are 250 to 265, and a channel of 8 bits ends at 255: texels
-  // 6 to 15 all become 255, the word of texel 5.
+  // The far grid's 250 item IDs come first, so that the quad's are 250 to 265, and a channel of 8 bits ends at 255:
+  // texels 6 to 15 all become 255, the item ID of texel 5.
   const Scene scene = sceneOf({farAway(), fillingQuad()});
   Discretization discretization;
   addGrid(discretization, 25, 10);
   addGrid(discretization, 4, 4);
   const glm::ivec3 magenta(255, 0, 255);
-  const auto errorsOf = [&](const WordSettings& words) {
-    return blendErrorPicture(scene, discretization, layOut(discretization, words), straight, 16, 16);
+  const auto errorsOf = [&](const IdSettings& ids) {
+    return blendErrorPicture(scene, discretization, layOut(discretization, ids), straight, 16, 16);
   };
   const BlendErrors errors = errorsOf({"r8g8b8", raster::Blend::ClampedAdd, false});
   CHECK(errors.pixels == 10 * 16);
@@ -202,12 +204,12 @@ TEST_CASE("what a clamped add makes of unaligned offsets is shown where it goes 
   CHECK(errorsOf({.format = "r8g8b8", .indexMaps = IndexMaps::Unique}).pixels == 0);
 }
 
-TEST_CASE("in the pictures of words packed surfaces share the hue of their page, unique ones have levels",
+TEST_CASE("in the pictures of item IDs packed surfaces share the hue of their page, unique ones have levels",
           "[picture]") {
   const Room room;
   const Camera camera{{0.3, -0.2, 0.4}, {-0.7, 0.1, -0.9}, {0.1, 1, 0.2}, 90};
-  const auto coloursOf = [&](const WordSettings& words, auto picture) {
-    const Image image = picture(room.scene, room.discretization, layOut(room.discretization, words), camera, 60, 50);
+  const auto coloursOf = [&](const IdSettings& ids, auto picture) {
+    const Image image = picture(room.scene, room.discretization, layOut(room.discretization, ids), camera, 60, 50);
     std::set<std::array<int, 3>> colours;
     for (int row = 0; row < 50; ++row)
       for (int column = 0; column < 60; ++column) {
@@ -287,6 +289,6 @@ TEST_CASE("an unfolded hemicube shows the ceiling in the middle and the walls ar
 TEST_CASE("pictures are the same pixels on every machine", "[picture]") {
   const Room room;
   const Camera camera{glm::dvec3(-2.0 / 3), {0, 0, 0}, {0, 1, 0}, 60};
-  CHECK(hashOf(wordPicture(room.scene, room.discretization, room.layout, camera, 80, 60)) == 0x43534eded0eafb4cu);
+  CHECK(hashOf(idPicture(room.scene, room.discretization, room.layout, camera, 80, 60)) == 0x43534eded0eafb4cu);
   CHECK(hashOf(wireframePicture(room.scene, camera, 80, 60)) == 0x1608f71a4e0d695u);
 }

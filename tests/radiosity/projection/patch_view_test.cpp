@@ -8,6 +8,7 @@
 #include <random>
 #include <utility>
 
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/projection/hemicube.h"
 #include "radiosity/projection/projection.h"
 #include "tests/support/box_scene.h"

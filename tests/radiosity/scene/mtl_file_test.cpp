@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "radiosity/scene/scene_settings.h"
 #include "raster/base/input_error.h"
 
 using namespace hemitex;
@@ -13,9 +14,9 @@ TEST_CASE("what is wrong in an MTL file is refused with its line", "[material]")
   struct Case {
     std::string text;
     int line;
-    std::string word;
+    std::string id;
   };
-  const auto [text, line, word] = GENERATE(values<Case>({
+  const auto [text, line, id] = GENERATE(values<Case>({
       {"newmtl a\nKd 0.5 x 0.5\n", 2, "'x' is not a number"},
       {"newmtl a\nKd 0.5 nan 0.5\n", 2, "'nan' is not a finite number"},
       {"newmtl a\n\nKe 1 inf 1\n", 3, "'inf' is not a finite number"},
@@ -34,7 +35,7 @@ TEST_CASE("what is wrong in an MTL file is refused with its line", "[material]")
   } catch (const raster::InputError& error) {
     CHECK(error.file() == "room.mtl");
     CHECK(error.line() == line);
-    CHECK_THAT(error.what(), Catch::Contains(word));
+    CHECK_THAT(error.what(), Catch::Contains(id));
   }
 }
 

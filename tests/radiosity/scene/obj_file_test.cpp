@@ -43,9 +43,9 @@ TEST_CASE("what is wrong in an OBJ file is refused with its line", "[obj]") {
   struct Case {
     std::string text;
     int line;
-    std::string word;
+    std::string id;
   };
-  const auto [text, line, word] = GENERATE(values<Case>({
+  const auto [text, line, id] = GENERATE(values<Case>({
       {"v 0 0 x\n", 1, "'x' is not a number"},
       {"v 0 0 1.5.2\n", 1, "'1.5.2' is not a number"},
       {"v 0 0 1e\n", 1, "'1e' is not a number"},
@@ -95,7 +95,7 @@ TEST_CASE("what is wrong in an OBJ file is refused with its line", "[obj]") {
   } catch (const raster::InputError& error) {
     CHECK(error.file() == "room.obj");
     CHECK(error.line() == line);
-    CHECK_THAT(error.what(), Catch::Contains(word));
+    CHECK_THAT(error.what(), Catch::Contains(id));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <string>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/edited_discretization.h"
 #include "raster/base/input_error.h"
 #include "tests/support/hand_scenes.h"

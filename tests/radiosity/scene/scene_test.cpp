@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "radiosity/scene/load_scene.h"
 #include "raster/base/input_error.h"
 #include "tests/support/temporary_folder.h"
 
@@ -58,11 +59,11 @@ double totalArea(const Scene& scene) {
   return sum;
 }
 
-/// Whether one of the warnings contains all words.
-bool warns(const Scene& scene, const std::vector<std::string>& words) {
+/// Whether one of the warnings contains all item IDs.
+bool warns(const Scene& scene, const std::vector<std::string>& ids) {
   for (const std::string& warning : scene.warnings) {
     bool all = true;
-    for (const std::string& word : words) all = all && warning.find(word) != std::string::npos;
+    for (const std::string& id : ids) all = all && warning.find(id) != std::string::npos;
     if (all) return true;
   }
   return false;

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/solver/row_update.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
@@ -43,7 +45,7 @@ Scene lampRoom() {
   return tests::finish(std::move(scene));
 }
 
-WordLayout layOutWords(const Discretization& discretization) { return layOut(discretization); }
+IdLayout layOutIds(const Discretization& discretization) { return layOut(discretization); }
 
 DynamicSettings settings(double limit = residual) {
   return {{.texels = 6, .surfaceTexels = {{"lamp", 1}}, .isUnburied = true, .patch = 2},
@@ -54,7 +56,7 @@ DynamicSettings settings(double limit = residual) {
 std::unique_ptr<DynamicSolution> solved(double limit = residual) {
   Scene scene = lampRoom();
   Discretization discretization = discretize(scene, settings().discretization);
-  return std::make_unique<DynamicSolution>(std::move(scene), std::move(discretization), settings(limit), layOutWords);
+  return std::make_unique<DynamicSolution>(std::move(scene), std::move(discretization), settings(limit), layOutIds);
 }
 
 /// The scene as it is by now, solved from its emission on.
@@ -113,7 +115,7 @@ class CountingRenderer final : public raster::ItemBufferRenderer {
             std::vector<raster::ItemBuffer>& buffers) override {
     renderer_.draw(faces, skipped, buffers);
     drawn_.faces += buffers.size();
-    for (const raster::ItemBuffer& buffer : buffers) drawn_.pixels += buffer.words.size();
+    for (const raster::ItemBuffer& buffer : buffers) drawn_.pixels += buffer.ids.size();
   }
 
  private:
@@ -130,8 +132,8 @@ struct MovedCube {
 
   MovedCube(const Scene& scene, const Discretization& discretization, int resolution)
       : edit(edited(scene, {}, {{Move{"cube", {0.5, 0.25, 0.125}}}})),
-        before(scene, discretization, layOutWords(discretization), unsplit(resolution)),
-        after(edit.scene, discretization, layOutWords(discretization), unsplit(resolution)),
+        before(scene, discretization, layOutIds(discretization), unsplit(resolution)),
+        after(edit.scene, discretization, layOutIds(discretization), unsplit(resolution)),
         isCube(cubesOf(scene)),
         change{before.rows(), after.rows(), {scene, isCube}, {edit.scene, isCube}} {}
 
@@ -176,7 +178,7 @@ TEST_CASE("the floor under an object that moved away is lit as if it had never s
   dynamic->update({{Remove{"cube"}}});
   EditedScene edit = edited(lampRoom(), {}, {{Remove{"cube"}}});
   Discretization discretization = discretize(edit.scene, settings().discretization);
-  const DynamicSolution fresh(std::move(edit.scene), std::move(discretization), settings(), layOutWords);
+  const DynamicSolution fresh(std::move(edit.scene), std::move(discretization), settings(), layOutIds);
   REQUIRE(fresh.scene().surfaces[0].name == dynamic->scene().surfaces[0].name);
   const Grid &grid = dynamic->discretization().grids[0], &freshGrid = fresh.discretization().grids[0];
   double different = 0, all = 0;
@@ -196,7 +198,7 @@ TEST_CASE("a restored object has the texels that the scene gave it", "[dynamic]"
   following.discretization = {.isUnburied = true};
   Scene scene = lampRoom();
   Discretization discretization = discretize(scene, following.discretization);
-  DynamicSolution dynamic(std::move(scene), std::move(discretization), following, layOutWords);
+  DynamicSolution dynamic(std::move(scene), std::move(discretization), following, layOutIds);
   const auto sizes = [&] {
     std::map<std::string, std::pair<int, int>> grids;
     for (std::size_t s = 0; s < dynamic.scene().surfaces.size(); ++s)
@@ -307,7 +309,7 @@ TEST_CASE("an update draws a small part of what a fresh solution draws", "[dynam
   unsplit.drawing.split = 1;
   unsplit.discretization.surfaceTexels["post"] = 1;
   Discretization discretization = discretize(scene, unsplit.discretization);
-  DynamicSolution dynamic(std::move(scene), std::move(discretization), unsplit, layOutWords, {}, counting);
+  DynamicSolution dynamic(std::move(scene), std::move(discretization), unsplit, layOutIds, {}, counting);
   const Drawn fresh = std::exchange(drawn, {});
   const UpdateCost cost = dynamic.update({{Move{"post", {0.125, 0, 0}}}});
   const Drawn update = std::exchange(drawn, {});
@@ -329,7 +331,7 @@ TEST_CASE("after a move, patches that shoot from several points still draw nothi
   DynamicSettings split = settings();
   split.drawing.split = 0.005;
   Discretization discretization = discretize(scene, split.discretization);
-  DynamicSolution dynamic(std::move(scene), std::move(discretization), split, layOutWords, {}, counting);
+  DynamicSolution dynamic(std::move(scene), std::move(discretization), split, layOutIds, {}, counting);
   const auto& patches = dynamic.discretization().patches;
   CHECK(std::count_if(patches.begin(), patches.end(), [](const Patch& patch) { return patch.points > 1; }) > 100);
   const Drawn fresh = std::exchange(drawn, {});
@@ -347,7 +349,7 @@ TEST_CASE("updates are the same bits for any number of threads and any row cache
     Discretization discretization = discretize(scene, settings().discretization);
     DynamicSettings some = settings(0.02);
     some.solver.rowCacheBytes = cache;
-    DynamicSolution dynamic(std::move(scene), std::move(discretization), some, layOutWords);
+    DynamicSolution dynamic(std::move(scene), std::move(discretization), some, layOutIds);
     dynamic.update({{Move{"cube", {0.5, 0.25, 0}}, Remove{"post"}}});
     dynamic.update({{Restore{"post"}}});
     return dynamic.solution();

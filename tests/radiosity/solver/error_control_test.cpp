@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "data/generate/random_room.h"
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "raster/base/input_error.h"
 #include "reference/solution/ground_truth.h"

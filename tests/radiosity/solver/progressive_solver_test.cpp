@@ -4,7 +4,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/projected_form_factors.h"
+#include "radiosity/index_maps/scene_draw_list.h"
 #include "raster/base/parallel.h"
 #include "raster/software/software_renderer.h"
 #include "tests/support/box_scene.h"
@@ -23,7 +25,7 @@ struct Run {
 Run run(Scene scene, int texels, int patch, int resolution, const SolverSettings& settings) {
   Run result{std::move(scene), {}, {}};
   result.discretization = discretize(result.scene, {.texels = texels, .patch = patch});
-  const WordLayout layout = layOut(result.discretization);
+  const IdLayout layout = layOut(result.discretization);
   raster::SoftwareRenderer renderer(makeDrawList(result.scene, result.discretization, layout));
   ProjectedRows rows(result.scene, result.discretization, layout, renderer, {.resolution = resolution});
   result.solution = solve(

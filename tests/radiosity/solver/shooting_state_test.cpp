@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/row_cache.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hemicube_world.h"

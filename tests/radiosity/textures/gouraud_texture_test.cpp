@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/texel_areas.h"
 #include "tests/support/hand_scenes.h"
 

@@ -9,6 +9,7 @@
 
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/scene/image.h"
+#include "radiosity/scene/load_scene.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/input_error.h"
 #include "tests/support/picture_scenes.h"

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/textures/texture_filter.h"
 #include "tests/support/hand_scenes.h"
 #include "tests/support/random_quadtrees.h"

@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/patch_points.h"
 #include "tests/support/hand_scenes.h"
 #include "tests/support/random_quadtrees.h"
 

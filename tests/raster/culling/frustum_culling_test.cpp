@@ -24,7 +24,7 @@ DrawList clouds() {
     return glm::vec3(tests::uniform(random, -size, size), tests::uniform(random, -size, size),
                      tests::uniform(random, -size, size));
   };
-  for (Word draw = 0; draw < 600; ++draw) {
+  for (ItemId draw = 0; draw < 600; ++draw) {
     tests::addDraw(list, draw, {}, 0);
     const glm::vec3 centre = point(6);
     const float size = 0.001F * static_cast<float>(1U << (random() % 11));

@@ -24,7 +24,7 @@ DrawList cloud(int draws, int triangles, unsigned seed) {
                      tests::uniform(random, -size, size));
   };
   for (int draw = 0; draw < draws; ++draw) {
-    tests::addDraw(list, static_cast<Word>(draw));
+    tests::addDraw(list, static_cast<ItemId>(draw));
     const glm::vec3 centre = point(4);
     const float size = 0.01F * static_cast<float>(1U << (random() % 9));
     for (int t = 0; t < triangles; ++t)

@@ -1,4 +1,4 @@
-// The words of the texture-blend path, over whole ranges.
+// The item IDs of the texture-blend path, over whole ranges.
 #include "raster/interface/item_id.h"
 
 #include <algorithm>
@@ -9,11 +9,11 @@ using namespace hemitex::raster;
 
 namespace {
 
-const WordFormat rgb8{{8, 8, 8}};
+const IdFormat rgb8{{8, 8, 8}};
 
 }  // namespace
 
-TEST_CASE("the named formats have the widths their names say", "[word]") {
+TEST_CASE("the named formats have the widths their names say", "[item_id]") {
   for (const std::string& name : formatNames()) {
     int bits = 0;  // the sum of the numbers in the name: r5g6b5 has 5 + 6 + 5 bits
     int number = 0;
@@ -27,87 +27,87 @@ TEST_CASE("the named formats have the widths their names say", "[word]") {
     }
     INFO(name);
     REQUIRE(formatNamed(name));
-    CHECK(wordBits(*formatNamed(name)) == bits);
+    CHECK(idBits(*formatNamed(name)) == bits);
   }
   CHECK_FALSE(formatNamed("r9g9b9e5"));
 }
 
-TEST_CASE("the reserved words are the two at the top of the range", "[word]") {
-  CHECK(backgroundWord({{8, 8, 8}}) == 0xffffffu);
-  CHECK(backWord({{8, 8, 8}}) == 0xfffffeu);
-  CHECK(backgroundWord({{32}}) == 0xffffffffu);
-  CHECK(backWord({{10, 10, 10, 2}}) == 0xfffffffeu);
-  CHECK(backgroundWord({{5, 6, 5}}) == 0xffffu);
+TEST_CASE("the reserved item IDs are the two at the top of the range", "[item_id]") {
+  CHECK(backgroundId({{8, 8, 8}}) == 0xffffffu);
+  CHECK(backId({{8, 8, 8}}) == 0xfffffeu);
+  CHECK(backgroundId({{32}}) == 0xffffffffu);
+  CHECK(backId({{10, 10, 10, 2}}) == 0xfffffffeu);
+  CHECK(backgroundId({{5, 6, 5}}) == 0xffffu);
 }
 
-TEST_CASE("a clamped add saturates each channel alone, for all byte pairs of every channel", "[word]") {
+TEST_CASE("a clamped add saturates each channel alone, for all byte pairs of every channel", "[item_id]") {
   for (int channel = 0; channel < 3; ++channel) {
     const int shift = 8 * channel;
     // Neighbouring channels hold 0x12 + 0x34 = 0x46: a carry or a borrow would show there.
-    const Word others = 0x121212u & ~(0xffu << shift);
-    const Word otherTexels = 0x343434u & ~(0xffu << shift);
-    const Word expectedOthers = 0x464646u & ~(0xffu << shift);
+    const ItemId others = 0x121212u & ~(0xffu << shift);
+    const ItemId otherTexels = 0x343434u & ~(0xffu << shift);
+    const ItemId expectedOthers = 0x464646u & ~(0xffu << shift);
     bool holds = true;
-    for (Word offset = 0; offset < 256; ++offset)
-      for (Word texel = 0; texel < 256; ++texel) {
-        const Word word = blend(rgb8, Blend::ClampedAdd, others | offset << shift, otherTexels | texel << shift);
-        holds &= word == (expectedOthers | std::min<Word>(offset + texel, 255) << shift);
+    for (ItemId offset = 0; offset < 256; ++offset)
+      for (ItemId texel = 0; texel < 256; ++texel) {
+        const ItemId id = blend(rgb8, Blend::ClampedAdd, others | offset << shift, otherTexels | texel << shift);
+        holds &= id == (expectedOthers | std::min<ItemId>(offset + texel, 255) << shift);
       }
     CHECK(holds);
   }
 }
 
-TEST_CASE("a clamped add saturates unequal channels at their own maxima", "[word]") {
-  const WordFormat format{{5, 6, 5}};
+TEST_CASE("a clamped add saturates unequal channels at their own maxima", "[item_id]") {
+  const IdFormat format{{5, 6, 5}};
   bool holds = true;
-  for (Word a = 0; a < 64; ++a)
-    for (Word b = 0; b < 64; ++b) {
-      const Word red = std::min<Word>((a & 31) + (b & 31), 31);
-      const Word green = std::min<Word>(a + b, 63);
-      const auto word = [](Word c) { return (c & 31) | c << 5 | (c & 31) << 11; };
-      holds &= blend(format, Blend::ClampedAdd, word(a), word(b)) == (red | green << 5 | red << 11);
+  for (ItemId a = 0; a < 64; ++a)
+    for (ItemId b = 0; b < 64; ++b) {
+      const ItemId red = std::min<ItemId>((a & 31) + (b & 31), 31);
+      const ItemId green = std::min<ItemId>(a + b, 63);
+      const auto id = [](ItemId c) { return (c & 31) | c << 5 | (c & 31) << 11; };
+      holds &= blend(format, Blend::ClampedAdd, id(a), id(b)) == (red | green << 5 | red << 11);
     }
   CHECK(holds);
 }
 
-TEST_CASE("integer add carries across channels and wraps at the word's width", "[word]") {
+TEST_CASE("integer add carries across channels and wraps at the item ID's width", "[item_id]") {
   CHECK(blend(rgb8, Blend::IntegerAdd, 0x0000ff, 1) == 0x000100);
   CHECK(blend(rgb8, Blend::IntegerAdd, 0xffffff, 2) == 1);
   CHECK(blend({{32}}, Blend::IntegerAdd, 0xffffffff, 2) == 1);
   CHECK(blend(rgb8, Blend::Replace, 0x123456, 0x654321) == 0x654321);
 }
 
-TEST_CASE("every surface and element of a 24-bit word with k = 12 comes back from its word", "[word]") {
+TEST_CASE("every surface and element of a 24-bit item ID with k = 12 comes back from its item ID", "[item_id]") {
   bool holds = true;
-  for (Word surface = 0; surface < 4096; ++surface)
-    for (Word element = 0; element < 4096; ++element) {
-      const Word word = pack({surface, element}, 12);
-      holds &= unpack(word, 12) == SurfaceElement{surface, element};
+  for (ItemId surface = 0; surface < 4096; ++surface)
+    for (ItemId element = 0; element < 4096; ++element) {
+      const ItemId id = pack({surface, element}, 12);
+      holds &= unpack(id, 12) == SurfaceElement{surface, element};
       // The aligned offset and the index have no bit in common, so the blend unit's add is a plain or.
-      holds &= blend(rgb8, Blend::ClampedAdd, surface << 12, element) == word;
-      holds &= blend(rgb8, Blend::IntegerAdd, surface << 12, element) == word;
+      holds &= blend(rgb8, Blend::ClampedAdd, surface << 12, element) == id;
+      holds &= blend(rgb8, Blend::IntegerAdd, surface << 12, element) == id;
     }
   CHECK(holds);
 }
 
-TEST_CASE("the clamp destroys the two words of an unaligned offset that need a carry", "[word]") {
-  // Offset 254 and a 2 x 2 index map: the words should be 254, 255, 256, 257. The last two carry out of the low
+TEST_CASE("the clamp destroys the two item IDs of an unaligned offset that need a carry", "[item_id]") {
+  // Offset 254 and a 2 x 2 index map: the item IDs should be 254, 255, 256, 257. The last two carry out of the low
   // channel, which the clamp forbids: both become 255, so two elements are lost and a third gets all their pixels.
-  std::vector<Word> clamped, added;
-  for (Word texel = 0; texel < 4; ++texel) {
+  std::vector<ItemId> clamped, added;
+  for (ItemId texel = 0; texel < 4; ++texel) {
     clamped.push_back(blend(rgb8, Blend::ClampedAdd, 254, texel));
     added.push_back(blend(rgb8, Blend::IntegerAdd, 254, texel));
   }
-  CHECK(added == std::vector<Word>{254, 255, 256, 257});
-  CHECK(clamped == std::vector<Word>{254, 255, 255, 255});
+  CHECK(added == std::vector<ItemId>{254, 255, 256, 257});
+  CHECK(clamped == std::vector<ItemId>{254, 255, 255, 255});
 }
 
-TEST_CASE("a clamped add equals the integer sum exactly where no channel overflows", "[word]") {
-  // For all offsets of 16 bits against the largest 8-bit index map: destroyed are the words whose low byte carries.
-  const WordFormat format{{8, 8}};
+TEST_CASE("a clamped add equals the integer sum exactly where no channel overflows", "[item_id]") {
+  // For all offsets of 16 bits against the largest 8-bit index map: destroyed are the item IDs whose low byte carries.
+  const IdFormat format{{8, 8}};
   bool holds = true;
-  for (Word offset = 0; offset < 65280; ++offset)
-    for (Word texel = 0; texel < 256; ++texel) {
+  for (ItemId offset = 0; offset < 65280; ++offset)
+    for (ItemId texel = 0; texel < 256; ++texel) {
       const bool carries = (offset & 255) + texel > 255;
       const bool equal =
           blend(format, Blend::ClampedAdd, offset, texel) == blend(format, Blend::IntegerAdd, offset, texel);

@@ -58,7 +58,7 @@ TEST_CASE("runs end where another triangle is shown, with every instruction set"
   std::vector<std::uint32_t> triangles;
   for (std::uint32_t length = 1; length < 40; ++length) triangles.insert(triangles.end(), length, length % 2);
   const auto size = static_cast<int>(triangles.size());
-  triangles.insert(triangles.end(), raster::mostLanes, triangles.back());
+  triangles.insert(triangles.end(), raster::maxLanes, triangles.back());
   std::vector<raster::DepthKernels> all = raster::simdDepthKernels();
   all.push_back(raster::plainDepthKernels());
   for (const raster::DepthKernels& kernels : all) {

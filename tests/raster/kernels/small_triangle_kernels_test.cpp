@@ -50,7 +50,7 @@ std::vector<std::pair<int, int>> coveredBy(const ScreenTriangle& triangle) {
   std::vector<std::pair<int, int>> covered;
   for (int row = triangle.firstRow; row < triangle.endRow; ++row)
     for (int column = triangle.firstColumn; column < triangle.endColumn; ++column) {
-      const EdgeValues edge = edgeValues(triangle, column, row), least = leastCovered(triangle);
+      const EdgeValues edge = edgeValues(triangle, column, row), least = minCovered(triangle);
       if (edge[0] >= least[0] && edge[1] >= least[1] && edge[2] >= least[2]) covered.emplace_back(row, column);
     }
   return covered;

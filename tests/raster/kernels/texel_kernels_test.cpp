@@ -39,7 +39,7 @@ struct Texels {
 
 Texels texelsOf(const raster::TexelKernels& kernels, const raster::PixelRun& run, const raster::TexelPlanes& planes) {
   // Behind the run stands what kernels may take for a texel that is still open.
-  Texels found{std::vector<std::uint32_t>(static_cast<std::size_t>(run.count + raster::mostLanes), 0xffffffff), {}};
+  Texels found{std::vector<std::uint32_t>(static_cast<std::size_t>(run.count + raster::maxLanes), 0xffffffff), {}};
   raster::UndecidedPixels undecided;
   kernels.findTexels(run, planes, 7, found.texels.data(), undecided);
   found.texels.resize(static_cast<std::size_t>(run.count));
@@ -199,7 +199,7 @@ TEST_CASE("exact quotients give the texels of the exact fallback, with every ins
         }
         const raster::PixelRun run{&triangle, row, first, static_cast<int>(expected.size()), nullptr};
         for (const raster::TexelKernels& kernels : all) {
-          std::vector<std::uint32_t> found(expected.size() + raster::mostLanes);
+          std::vector<std::uint32_t> found(expected.size() + raster::maxLanes);
           kernels.findExactTexels(run, {*u, *v}, size, 2 * size, 7, found.data());
           found.resize(expected.size());
           INFO(kernels.name << ", row " << row << ", size " << size);

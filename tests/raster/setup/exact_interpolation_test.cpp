@@ -16,7 +16,7 @@ namespace {
 using Integer = boost::multiprecision::cpp_int;
 using Rational = boost::multiprecision::cpp_rational;
 
-/// Raster rules, 6, word for word.
+/// Raster rules, 6, item ID for item ID.
 Rational inverseDepth(const ScreenTriangle& triangle, int column, int row) {
   Rational sum = 0;
   for (std::size_t k = 0; k < 3; ++k)

@@ -1,4 +1,4 @@
-// What every pixel is: coverage, depth, texels and words of the reference renderer.
+// What every pixel is: coverage, depth, texels and item IDs of the reference renderer.
 #include "raster/software/software_renderer.h"
 
 #include <algorithm>
@@ -13,11 +13,11 @@
 
 using namespace hemitex;
 using namespace hemitex::tests;
-using raster::Word;
+using raster::ItemId;
 
 namespace {
 
-constexpr Word background = 0xffffffff;
+constexpr ItemId background = 0xffffffff;
 
 /// How often the triangles of a list cover each pixel, drawn one by one.
 std::vector<int> coverCounts(const raster::DrawList& list, const raster::Face& face) {
@@ -26,7 +26,7 @@ std::vector<int> coverCounts(const raster::DrawList& list, const raster::Face& f
     raster::DrawList one = list;
     one.draws = {{3 * t, 3, 0, {}, {}}};
     const raster::ItemBuffer buffer = drawOne(one, face);
-    for (std::size_t p = 0; p < counts.size(); ++p) counts[p] += buffer.words[p] != background;
+    for (std::size_t p = 0; p < counts.size(); ++p) counts[p] += buffer.ids[p] != background;
   }
   return counts;
 }
@@ -64,9 +64,9 @@ raster::DrawList jitteredGrid(std::mt19937& random, int size, float depthSpread,
   return list;
 }
 
-std::uint64_t fnv1a(const std::vector<Word>& words, std::uint64_t hash = 0xcbf29ce484222325u) {
-  for (const Word word : words)
-    for (int byte = 0; byte < 4; ++byte) hash = (hash ^ ((word >> (8 * byte)) & 0xff)) * 0x100000001b3u;
+std::uint64_t fnv1a(const std::vector<ItemId>& ids, std::uint64_t hash = 0xcbf29ce484222325u) {
+  for (const ItemId id : ids)
+    for (int byte = 0; byte < 4; ++byte) hash = (hash ^ ((id >> (8 * byte)) & 0xff)) * 0x100000001b3u;
   return hash;
 }
 
@@ -118,7 +118,7 @@ TEST_CASE("sample positions on edges belong to the triangle whose top or left ed
     for (int column = 0; column < 4; ++column) {
       const bool expected = column >= 1 && column < 3 && row >= 1 && row < 3;
       INFO("pixel " << column << ", " << row);
-      CHECK((buffer.words[static_cast<std::size_t>(4 * row + column)] == 7) == expected);
+      CHECK((buffer.ids[static_cast<std::size_t>(4 * row + column)] == 7) == expected);
     }
 }
 
@@ -127,9 +127,9 @@ TEST_CASE("y = -w maps to row 0 and x = -w to column 0", "[renderer]") {
   addDraw(list, 1);
   addTriangle(list, {{-1, -1, 1}, {-0.4f, -1, 1}, {-1, -0.4f, 1}});
   const raster::ItemBuffer buffer = drawOne(list, frontFace(8));
-  CHECK(buffer.words[0] == 1);
-  CHECK(buffer.words[7] == background);
-  CHECK(buffer.words[56] == background);
+  CHECK(buffer.ids[0] == 1);
+  CHECK(buffer.ids[7] == background);
+  CHECK(buffer.ids[56] == background);
 }
 
 TEST_CASE("only the pixels of the scissor rectangle exist, and they are those of the whole face", "[renderer]") {
@@ -141,26 +141,26 @@ TEST_CASE("only the pixels of the scissor rectangle exist, and they are those of
   raster::Face part = whole;
   part.scissor = {5, 16, 20, 9};
   const raster::ItemBuffer all = drawOne(list, whole), some = drawOne(list, part);
-  REQUIRE(some.words.size() == 180);
+  REQUIRE(some.ids.size() == 180);
   bool holds = true;
   for (int row = 0; row < 9; ++row)
     for (int column = 0; column < 20; ++column)
-      holds &= some.words[static_cast<std::size_t>(20 * row + column)] ==
-               all.words[static_cast<std::size_t>(32 * (row + 16) + column + 5)];
+      holds &= some.ids[static_cast<std::size_t>(20 * row + column)] ==
+               all.ids[static_cast<std::size_t>(32 * (row + 16) + column + 5)];
   CHECK(holds);
 }
 
 TEST_CASE("the nearer triangle wins whatever the order, and the earlier one on a tie", "[renderer]") {
   const auto draw = [](std::initializer_list<float> depths) {
     raster::DrawList list = plainList();
-    Word word = 0;
+    ItemId id = 0;
     for (const float w : depths) {
-      addDraw(list, word++);
+      addDraw(list, id++);
       addTriangle(list, {{-w, -w, w}, {3 * w, -w, w}, {-w, 3 * w, w}});
     }
     const raster::ItemBuffer buffer = drawOne(list, frontFace(8));
-    CHECK(std::count(buffer.words.begin(), buffer.words.end(), buffer.words[0]) == 64);
-    return buffer.words[0];
+    CHECK(std::count(buffer.ids.begin(), buffer.ids.end(), buffer.ids[0]) == 64);
+    return buffer.ids[0];
   };
   CHECK(draw({2, 1}) == 1);
   CHECK(draw({1, 2}) == 0);
@@ -176,17 +176,16 @@ TEST_CASE("the nearer triangle wins whatever the order, and the earlier one on a
 TEST_CASE("on a tie the earlier surface keeps the pixel, though a later one was drawn before it", "[renderer]") {
   raster::DrawList list = plainList();
   list.indexMaps.push_back({1, 1, {0}});
-  for (Word word = 0; word < 6; ++word) {
-    const float near = 1 - 0.1f * static_cast<float>(word);
-    addDraw(list, word, {}, 0);
+  for (ItemId id = 0; id < 6; ++id) {
+    const float near = 1 - 0.1f * static_cast<float>(id);
+    addDraw(list, id, {}, 0);
     addTriangle(list, {{-1, -1, 1}, {3, -1, 1}, {-1, 3, 1}});
     addTriangle(list, {{-near, -near, near}, {-0.75f * near, -near, near}, {-near, -0.75f * near, near}});
   }
   const raster::ItemBuffer buffer = drawOne(list, frontFace(64));
-  CHECK(buffer.words[0] == 5);
-  CHECK(std::count(buffer.words.begin(), buffer.words.end(), 0U) > 64 * 64 * 9 / 10);
-  CHECK(std::count(buffer.words.begin(), buffer.words.end(), 0U) +
-            std::count(buffer.words.begin(), buffer.words.end(), 5U) ==
+  CHECK(buffer.ids[0] == 5);
+  CHECK(std::count(buffer.ids.begin(), buffer.ids.end(), 0U) > 64 * 64 * 9 / 10);
+  CHECK(std::count(buffer.ids.begin(), buffer.ids.end(), 0U) + std::count(buffer.ids.begin(), buffer.ids.end(), 5U) ==
         64 * 64);
 }
 
@@ -197,20 +196,20 @@ TEST_CASE("coplanar triangles of different shape tie exactly where their depth i
   bool holds = true;
   for (int repeat = 0; repeat < 20; ++repeat) {
     raster::DrawList list = plainList();
-    for (Word word = 0; word < 6; ++word) {
+    for (ItemId id = 0; id < 6; ++id) {
       const auto far = [&](float x, float y) {
         return glm::vec3(w * x * uniform(random, 4, 7), w * y * uniform(random, 4, 7), w);
       };
-      addDraw(list, word);
+      addDraw(list, id);
       addTriangle(list, {far(-1, -1), far(1, -1), far(0, 1)});
     }
     const raster::ItemBuffer buffer = drawOne(list, frontFace(16));
-    holds &= std::count(buffer.words.begin(), buffer.words.end(), 0u) == 256;
+    holds &= std::count(buffer.ids.begin(), buffer.ids.end(), 0u) == 256;
   }
   CHECK(holds);
 }
 
-TEST_CASE("a triangle that faces away draws the back word, untextured, for mirrored views too", "[renderer]") {
+TEST_CASE("a triangle that faces away draws the back item ID, untextured, for mirrored views too", "[renderer]") {
   raster::DrawList list;
   list.format = {{8, 8, 8}};
   list.indexMaps.push_back({1, 1, {5}});
@@ -219,16 +218,16 @@ TEST_CASE("a triangle that faces away draws the back word, untextured, for mirro
   raster::Face face = frontFace(4);
   // Seen with x right and rows downwards the corners wind clockwise, which faces a viewer whose rows grow along +y in
   // a right-handed frame: the determinant is +1, the snapped area is positive, equal signs, so this is the back.
-  CHECK(drawOne(list, face).words[0] == 0xfffffe);
+  CHECK(drawOne(list, face).ids[0] == 0xfffffe);
   face.x = -face.x;  // the picture is mirrored, the surface is not turned
-  CHECK(drawOne(list, face).words[0] == 0xfffffe);
+  CHECK(drawOne(list, face).ids[0] == 0xfffffe);
   std::swap(list.indices[0], list.indices[1]);
-  CHECK(drawOne(list, face).words[0] == 0x105);
+  CHECK(drawOne(list, face).ids[0] == 0x105);
   face.x = -face.x;
-  CHECK(drawOne(list, face).words[0] == 0x105);
+  CHECK(drawOne(list, face).ids[0] == 0x105);
   list.draws[0].back.reset();
   std::swap(list.indices[0], list.indices[1]);
-  CHECK(drawOne(list, face).words[0] == 0x105);
+  CHECK(drawOne(list, face).ids[0] == 0x105);
 }
 
 TEST_CASE("a pixel's facing is the side of the plane on which the eye lies", "[renderer]") {
@@ -244,8 +243,8 @@ TEST_CASE("a pixel's facing is the side of the plane on which the eye lies", "[r
     const float side = glm::dot(a, glm::cross(b - a, c - a));
     raster::Face face = frontFace(32);
     if (random() % 2 == 0) face.y = -face.y;
-    for (const Word word : drawOne(list, face).words)
-      holds &= word == background || std::abs(side) < 1e-3f || word == (side < 0 ? 1u : 2u);
+    for (const ItemId id : drawOne(list, face).ids)
+      holds &= id == background || std::abs(side) < 1e-3f || id == (side < 0 ? 1u : 2u);
   }
   CHECK(holds);
 }
@@ -265,7 +264,7 @@ TEST_CASE("a texel border that falls on pixel samples gives each sample the texe
   for (int row = 0; row < n; ++row)
     for (int column = 0; column < n; ++column)
       holds &=
-          buffer.words[static_cast<std::size_t>(n * row + column)] == static_cast<Word>(std::min(column + 1, n - 1));
+          buffer.ids[static_cast<std::size_t>(n * row + column)] == static_cast<ItemId>(std::min(column + 1, n - 1));
   CHECK(holds);
 }
 
@@ -317,8 +316,8 @@ TEST_CASE("depth, texel and coverage equal their rational definition on random t
           inside &= value > 0 || (value == 0 && (top || left));
           weight[k] = Rational(value);
         }
-        const Word word = buffer.words[static_cast<std::size_t>(resolution * row + column)];
-        coverageHolds &= inside == (word != background);
+        const ItemId id = buffer.ids[static_cast<std::size_t>(resolution * row + column)];
+        coverageHolds &= inside == (id != background);
         if (!inside) continue;
         ++covered;
         Rational inverseDepth, u, v;
@@ -333,7 +332,7 @@ TEST_CASE("depth, texel and coverage equal their rational definition on random t
           return std::min(boost::multiprecision::cpp_int(numerator(position) / denominator(position)).convert_to<int>(),
                           mapSize - 1);
         };
-        texelHolds &= word == static_cast<Word>(texel(v) * mapSize + texel(u));
+        texelHolds &= id == static_cast<ItemId>(texel(v) * mapSize + texel(u));
       }
   }
   CHECK(covered > 10000);
@@ -349,7 +348,7 @@ TEST_CASE("skipped triangles leave no pixel, the others are as before", "[render
   rest.draws.clear();
   for (std::uint32_t t = 0; t < list.indices.size() / 3; ++t)
     if (!std::binary_search(skipped.begin(), skipped.end(), t)) rest.draws.push_back({3 * t, 3, 0, {}, {}});
-  CHECK(drawOne(list, frontFace(32), skipped).words == drawOne(rest, frontFace(32)).words);
+  CHECK(drawOne(list, frontFace(32), skipped).ids == drawOne(rest, frontFace(32)).ids);
 }
 
 TEST_CASE("triangles with values that are not finite are dropped and counted", "[renderer]") {
@@ -363,7 +362,7 @@ TEST_CASE("triangles with values that are not finite are dropped and counted", "
   face.x = {2, 0, 0};  // twice the largest float overflows
   raster::SoftwareRenderer renderer(list);
   const raster::ItemBuffer buffer = renderer.render({&face, 1}, {}).front();
-  CHECK(std::count(buffer.words.begin(), buffer.words.end(), background) == 16);
+  CHECK(std::count(buffer.ids.begin(), buffer.ids.end(), background) == 16);
   CHECK(renderer.droppedTriangles() == 3);
 }
 
@@ -375,7 +374,7 @@ TEST_CASE("item buffers are the pinned bits for any number of threads", "[render
     const raster::ThreadLimit limit(threads);
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (const raster::ItemBuffer& buffer : raster::SoftwareRenderer(list).render(faces, {}))
-      hash = fnv1a(buffer.words, hash);
+      hash = fnv1a(buffer.ids, hash);
     hashes.push_back(hash);
   }
   CHECK(hashes[0] == hashes[1]);
@@ -383,7 +382,7 @@ TEST_CASE("item buffers are the pinned bits for any number of threads", "[render
   CHECK(hashes[0] == 0x371ce9d26ebca796u);
 }
 
-/// The faces' words, each copied when it is said to be there; how often that was said.
+/// The faces' item IDs, each copied when it is said to be there; how often that was said.
 struct Told {
   std::vector<raster::ItemBuffer> buffers;
   std::vector<std::atomic<int>> times;
@@ -417,7 +416,7 @@ TEST_CASE("a face's buffer is whole when it is said to be there, which is said o
       const Told told = drawnEach(*renderer, faces);
       for (std::size_t f = 0; f < faces.size(); ++f) {
         CHECK(told.times[f] == 1);
-        CHECK(told.buffers[f].words == expected[f].words);
+        CHECK(told.buffers[f].ids == expected[f].ids);
       }
     }
   }
@@ -426,7 +425,7 @@ TEST_CASE("a face's buffer is whole when it is said to be there, which is said o
 TEST_CASE("what item buffers held before does not matter", "[renderer]") {
   const std::array<raster::Face, 3> faces = threeFaces();
   raster::SoftwareRenderer renderer(crossingTriangles());
-  std::vector<raster::ItemBuffer> buffers(5, {7, 1, std::vector<raster::Word>(7, 12345)});
+  std::vector<raster::ItemBuffer> buffers(5, {7, 1, std::vector<raster::ItemId>(7, 12345)});
   // More, fewer, larger and smaller ones than before.
   for (const std::size_t first : {2, 0, 1}) {
     const std::span<const raster::Face> some = std::span(faces).subspan(first);
@@ -436,7 +435,7 @@ TEST_CASE("what item buffers held before does not matter", "[renderer]") {
     for (std::size_t i = 0; i < buffers.size(); ++i) {
       CHECK(buffers[i].width == expected[i].width);
       CHECK(buffers[i].height == expected[i].height);
-      CHECK(buffers[i].words == expected[i].words);
+      CHECK(buffers[i].ids == expected[i].ids);
     }
   }
 }
@@ -445,9 +444,9 @@ TEST_CASE("an index map has at most 2^31 texels, whose numbers every kernel hold
   raster::DrawList list = plainList();
   list.indexMaps.push_back({65536, 32769, {}});
   CHECK_THROWS_WITH(raster::validate(list), Catch::Contains("2^31"));
-  // As many as there may be; only their words are missing.
+  // As many as there may be; only their item IDs are missing.
   list.indexMaps[0] = {65536, 32768, {}};
-  CHECK_THROWS_WITH(raster::validate(list), Catch::Contains("width x height words"));
+  CHECK_THROWS_WITH(raster::validate(list), Catch::Contains("width x height item IDs"));
 }
 
 TEST_CASE("draw lists and faces that break the rules are input errors", "[renderer]") {
@@ -471,8 +470,8 @@ TEST_CASE("draw lists and faces that break the rules are input errors", "[render
   broken([](raster::DrawList& l) { l.draws[0].count = 2; });
   broken([](raster::DrawList& l) { l.draws[0].first = 1; });
   broken([](raster::DrawList& l) { l.draws[0].indexMap = 1; });
-  broken([](raster::DrawList& l) { l.indexMaps[0].words.pop_back(); });
-  broken([](raster::DrawList& l) { l.indexMaps[0].words[3] = 0x1000000; });
+  broken([](raster::DrawList& l) { l.indexMaps[0].ids.pop_back(); });
+  broken([](raster::DrawList& l) { l.indexMaps[0].ids[3] = 0x1000000; });
   broken([](raster::DrawList& l) { l.draws[0].offset = 0x1000000; });
   broken([](raster::DrawList& l) { l.draws[0].back = 0xffffff; });
   broken([](raster::DrawList& l) { l.draws[0].offset = 0xffff00; });  // texel 255 gives the background

@@ -18,19 +18,19 @@ TEST_CASE("there are kernels of every instruction set, once", "[kernels]") {
   CHECK(raster::simdVertexKernels().size() == names.size());
   CHECK(raster::simdSmallTriangleKernels().size() == names.size());
   CHECK(raster::simdTexelKernels().size() == names.size());
-  CHECK(raster::simdWordKernels().size() == names.size());
+  CHECK(raster::simdRunKernels().size() == names.size());
 }
 
 TEST_CASE("item buffers are the same with every instruction set", "[kernels]") {
   const std::vector<raster::Face> faces = facesAndParts();
   for (const raster::DrawList& list : {crossingTriangles(), smallTriangles(200)}) {
-    const auto words = [&](const raster::TileKernels& kernels) {
-      std::vector<raster::Word> all;
+    const auto ids = [&](const raster::TileKernels& kernels) {
+      std::vector<raster::ItemId> all;
       for (const raster::ItemBuffer& buffer : raster::SoftwareRenderer(list, kernels).render(faces, {}))
-        all.insert(all.end(), buffer.words.begin(), buffer.words.end());
+        all.insert(all.end(), buffer.ids.begin(), buffer.ids.end());
       return all;
     };
-    const std::vector<raster::Word> plain = words({raster::plainVertexKernels(), raster::plainSmallTriangleKernels(),
+    const std::vector<raster::ItemId> plain = ids({raster::plainVertexKernels(), raster::plainSmallTriangleKernels(),
                                                    raster::plainDepthKernels(), raster::plainTexelKernels()});
     for (std::size_t k = 0; k < raster::simdDepthKernels().size(); ++k) {
       const raster::TileKernels kernels{raster::simdVertexKernels()[k], raster::simdSmallTriangleKernels()[k],
@@ -38,7 +38,7 @@ TEST_CASE("item buffers are the same with every instruction set", "[kernels]") {
       INFO(kernels.depth.name);
       for (const std::string& name : {kernels.vertices.name, kernels.smallTriangles.name, kernels.texels.name})
         CHECK(name == kernels.depth.name);
-      CHECK(words(kernels) == plain);
+      CHECK(ids(kernels) == plain);
     }
   }
 }

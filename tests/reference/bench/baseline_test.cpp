@@ -3,17 +3,21 @@
 
 #include <catch2/catch.hpp>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/projected_form_factors.h"
+#include "radiosity/index_maps/scene_draw_list.h"
+#include "radiosity/scene/load_scene.h"
 #include "raster/software/software_renderer.h"
 #include "tests/support/hand_scenes.h"
 
 using namespace hemitex;
 using namespace hemitex::radiosity;
 
-TEST_CASE("the floor sums words that were drawn to the row of their hemicube, whatever was summed before", "[bench]") {
+TEST_CASE("the floor sums item IDs that were drawn to the row of their hemicube, whatever was summed before",
+          "[bench]") {
   const Scene scene = loadScene(HEMITEX_DATA "/cornell-box.obj");
   const Discretization discretization = discretize(scene, {.texels = 9});
-  const WordLayout layout = layOut(discretization);
+  const IdLayout layout = layOut(discretization);
   raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
   ProjectedRows rows(scene, discretization, layout, renderer, {.resolution = 70});
   reference::BenchFloor floor(discretization, layout, rows.projection());

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "radiosity/discretization/discretize.h"
 #include "tests/support/box_scene.h"
 
 using namespace hemitex;

@@ -5,7 +5,7 @@
 
 #include "raster/software/software_renderer.h"
 #include "reference/vectors/draw_list_builder.h"
-#include "reference/vectors/vector_themes.h"
+#include "reference/vectors/vector_suite.h"
 
 using namespace hemitex;
 using namespace hemitex::reference;
@@ -19,7 +19,7 @@ TEST_CASE("the tied wall is the vector borders-on-samples", "[bench]") {
   CHECK(wall.positions == named->list.positions);
   CHECK(wall.texcoords == named->list.texcoords);
   CHECK(wall.indices == named->list.indices);
-  CHECK(wall.indexMaps.at(0).words == named->list.indexMaps.at(0).words);
+  CHECK(wall.indexMaps.at(0).ids == named->list.indexMaps.at(0).ids);
 }
 
 TEST_CASE("the wall that was moved shows the same texels, a third of a pixel from their borders", "[bench]") {
@@ -34,6 +34,6 @@ TEST_CASE("the wall that was moved shows the same texels, a third of a pixel fro
   for (int row = 1; row < resolution; ++row)
     for (int column = 1; column < resolution; ++column) {
       const auto pixel = static_cast<std::size_t>(row * resolution + column);
-      CHECK(tied.words[pixel] == moved.words[pixel] + resolution + 1);
+      CHECK(tied.ids[pixel] == moved.ids[pixel] + resolution + 1);
     }
 }

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "radiosity/discretization/discretize.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "tests/support/temporary_folder.h"
@@ -24,6 +25,6 @@ TEST_CASE("a file of a user's own is no scene of the program's, whatever its nam
 TEST_CASE("a scene in which nothing emits has no solution to time", "[bench]") {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path / "dark.obj";
-  radiosity::writeFile(file, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  raster::writeFile(file, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   CHECK_THROWS_AS(reference::benchScene(file), raster::InputError);
 }

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/discretization.h"
 #include "radiosity/solver/shooting_state.h"
 #include "raster/interface/item_id.h"
 #include "tests/support/box_scene.h"
@@ -31,11 +31,11 @@ TEST_CASE("the memory of a solution holds what an element and a pixel must have"
   }
   const radiosity::Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
   const reference::SolutionMemory memory = reference::solutionMemory(scene, 128, 128);
-  // The element, its place in its patch, its texel's, and the light that it received; a pixel's word.
+  // The element, its place in its patch, its texel's, and the light that it received; a pixel's item ID.
   const auto element = static_cast<double>(sizeof(radiosity::Element) + 4 + 4 + sizeof(glm::dvec3));
   CHECK(memory.bytesPerElement > element);
   CHECK(memory.bytesPerElement < 2 * element);
-  CHECK(memory.bytesPerPixel > sizeof(raster::Word));
+  CHECK(memory.bytesPerPixel > sizeof(raster::ItemId));
   CHECK(memory.bytesPerPixel < 100);
   CHECK(static_cast<double>(memory.peakBytes) > 6 * 128 * 128 * element);
 }

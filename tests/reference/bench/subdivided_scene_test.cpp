@@ -7,7 +7,9 @@
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/index_maps/id_layout.h"
+#include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/projection/hemicube.h"
+#include "radiosity/scene/load_scene.h"
 #include "raster/software/software_renderer.h"
 #include "tests/support/hand_scenes.h"
 
@@ -124,8 +126,8 @@ TEST_CASE("a scene that is cut looks as it did but for pixels on borders", "[fin
   const std::vector<raster::ItemBuffer> before = drawn(scene), after = drawn(finer);
   std::size_t changed = 0, all = 0;
   for (std::size_t f = 0; f < before.size(); ++f)
-    for (std::size_t i = 0; i < before[f].words.size(); ++i, ++all)
-      changed += before[f].words[i] != after[f].words[i] ? 1 : 0;
+    for (std::size_t i = 0; i < before[f].ids.size(); ++i, ++all)
+      changed += before[f].ids[i] != after[f].ids[i] ? 1 : 0;
   INFO(changed << " of " << all);
   CHECK(changed > 0);
   CHECK(changed < all / 5000);

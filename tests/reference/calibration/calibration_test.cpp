@@ -84,14 +84,14 @@ TEST_CASE("every two snappings give different answers for sure, whatever the edg
 
 TEST_CASE("the probes are the same on every machine", "[calibration]") {
   // Answers that were drawn from one build's probes are read by another.
-  std::vector<raster::Word> bits;
+  std::vector<raster::ItemId> bits;
   for (const reference::TestVector& vector : vectorsOf(reference::makeProbes())) {
     for (const glm::vec3& position : vector.list.positions)
-      for (int k = 0; k < 3; ++k) bits.push_back(std::bit_cast<raster::Word>(position[k]));
+      for (int k = 0; k < 3; ++k) bits.push_back(std::bit_cast<raster::ItemId>(position[k]));
     for (const glm::vec2& texcoord : vector.list.texcoords)
-      for (int k = 0; k < 2; ++k) bits.push_back(std::bit_cast<raster::Word>(texcoord[k]));
+      for (int k = 0; k < 2; ++k) bits.push_back(std::bit_cast<raster::ItemId>(texcoord[k]));
   }
-  CHECK(reference::wordsHash(bits) == "0ba27cbf9780b694");
+  CHECK(reference::idsHash(bits) == "0ba27cbf9780b694");
 }
 
 TEST_CASE("the reference renderer calibrates to the raster rules", "[calibration]") {
@@ -178,14 +178,14 @@ TEST_CASE("what no profile explains is said, not made up", "[calibration]") {
       for (const SnapRounding rounding : {SnapRounding::Nearest, SnapRounding::Truncate})
         isInside &= coverageOf(probe, bits, rounding) == Coverage::Inside;
     if (!isInside) continue;
-    hole[0].words[pixel] = 0xffffffff;
+    hole[0].ids[pixel] = 0xffffffff;
     break;
   }
   CHECK(faultsOf(hole) == "coverage ");
   std::vector<raster::ItemBuffer> stranger = right;
-  stranger[probes.coverage.size()].words[77] += 2;
+  stranger[probes.coverage.size()].ids[77] += 2;
   CHECK(faultsOf(stranger) == "texels ");
   std::vector<raster::ItemBuffer> lastWins = right;
-  std::fill(lastWins[depths].words.begin(), lastWins[depths].words.end(), 2u);
+  std::fill(lastWins[depths].ids.begin(), lastWins[depths].ids.end(), 2u);
   CHECK(faultsOf(lastWins) == "depth ");
 }

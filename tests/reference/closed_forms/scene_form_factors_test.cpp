@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 
+#include "radiosity/discretization/discretize.h"
 #include "reference/closed_forms/rectangles.h"
 #include "reference/rays/ray_source.h"
 #include "tests/support/box_scene.h"

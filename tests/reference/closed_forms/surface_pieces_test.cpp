@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "radiosity/discretization/discretize.h"
 #include "reference/rays/ray_caster.h"
 #include "tests/support/hand_scenes.h"
 

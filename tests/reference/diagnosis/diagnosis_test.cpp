@@ -13,7 +13,7 @@
 
 using namespace hemitex;
 using raster::ItemBuffer;
-using raster::Word;
+using raster::ItemId;
 using reference::TestVector;
 using tests::Buffers;
 using tests::drawAll;
@@ -39,11 +39,11 @@ std::set<std::string> faultsNamed(const TestVector& vector, const Buffers& found
   return names;
 }
 
-/// Words of neighbours in two pixels of a hundred, as errors besides the fault.
+/// Item IDs of neighbours in two pixels of a hundred, as errors besides the fault.
 void disturb(Buffers& buffers, std::mt19937& random) {
   for (ItemBuffer& buffer : buffers)
-    for (std::size_t p = 1; p < buffer.words.size(); ++p)
-      if (random() % 50 == 0) buffer.words[p] = buffer.words[p - 1];
+    for (std::size_t p = 1; p < buffer.ids.size(); ++p)
+      if (random() % 50 == 0) buffer.ids[p] = buffer.ids[p - 1];
 }
 
 }  // namespace
@@ -135,15 +135,15 @@ TEST_CASE("what is no known fault is not named", "[diagnosis]") {
     std::mt19937 random(3);
     Buffers noisy = right, rolled = right, constant = right, mixed = right, next = right;
     for (std::size_t f = 0; f < right.size(); ++f) {
-      for (Word& word : noisy[f].words)
-        if (random() % 20 == 0) word ^= 1u << random() % 24;
-      for (Word& word : next[f].words)
-        if (random() % 20 == 0) word ^= 1;
-      std::vector<Word>& words = rolled[f].words;
-      std::rotate(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(words.size() / 3), words.end());
-      for (std::size_t p = 0; p < words.size(); ++p)
-        if (p % 4 != 0) mixed[f].words[p] = right[f].words[words.size() - 1 - p];
-      std::fill(constant[f].words.begin(), constant[f].words.end(), right[f].words[words.size() / 2] ^ 0x55);
+      for (ItemId& id : noisy[f].ids)
+        if (random() % 20 == 0) id ^= 1u << random() % 24;
+      for (ItemId& id : next[f].ids)
+        if (random() % 20 == 0) id ^= 1;
+      std::vector<ItemId>& ids = rolled[f].ids;
+      std::rotate(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(ids.size() / 3), ids.end());
+      for (std::size_t p = 0; p < ids.size(); ++p)
+        if (p % 4 != 0) mixed[f].ids[p] = right[f].ids[ids.size() - 1 - p];
+      std::fill(constant[f].ids.begin(), constant[f].ids.end(), right[f].ids[ids.size() / 2] ^ 0x55);
     }
     check("random bits", noisy);
     check("elements off by one, which rounding may not excuse", next);
@@ -158,8 +158,8 @@ TEST_CASE("one wrong pixel is not systematic, even where a fault would give it",
   const std::vector<TestVector> suite = reference::vectorSuite();
   const TestVector& vector = named(suite, "layout-r8g8b8a8");
   Buffers found = reference::render(vector);
-  REQUIRE(found[0].words.back() == 0xfffffffe);
-  found[0].words.back() = 0xffffffff;
+  REQUIRE(found[0].ids.back() == 0xfffffffe);
+  found[0].ids.back() = 0xffffffff;
   CHECK(hasErrors(judge(vector, found, {})));
   CHECK(faultsNamed(vector, found).empty());
 }
@@ -170,9 +170,9 @@ TEST_CASE("a staged device without faults draws the words of the rules", "[diagn
   for (const TestVector& vector : wholeSuite()) {
     const Buffers expected = reference::render(vector), found = drawOn(reference::StagedDevice{}, vector);
     for (std::size_t f = 0; f < found.size(); ++f)
-      for (std::size_t p = 0; p < found[f].words.size(); ++p) {
+      for (std::size_t p = 0; p < found[f].ids.size(); ++p) {
         ++pixels;
-        different += found[f].words[p] != expected[f].words[p];
+        different += found[f].ids[p] != expected[f].ids[p];
       }
   }
   INFO(different << " of " << pixels);

@@ -13,8 +13,8 @@ using tests::JudgedWall;
 
 TEST_CASE("the report counts by face and names the first ten errors", "[verdict]") {
   JudgedWall judged;
-  for (std::size_t pixel = 8; pixel < 24; ++pixel) judged.found[0].words[pixel] ^= 1;
-  judged.found[1].words[0] = 0x555555;
+  for (std::size_t pixel = 8; pixel < 24; ++pixel) judged.found[0].ids[pixel] ^= 1;
+  judged.found[1].ids[0] = 0x555555;
   const reference::Verdict verdict = judged.verdict();
   const auto errors = firstErrors(judged.vector, verdict);
   REQUIRE(errors.size() == 10);
@@ -44,7 +44,7 @@ TEST_CASE("the report counts by face and names the first ten errors", "[verdict]
 
 TEST_CASE("the report names the diagnosis, and both where two cannot be told apart", "[verdict]") {
   JudgedWall judged;
-  judged.found[0].words[0] = 0;
+  judged.found[0].ids[0] = 0;
   const reference::Verdict verdict = judged.verdict();
   const std::vector<reference::Finding> findings{{"depth test off", "", 0.96, "turn it on"},
                                                  {"padded rows", "64 bytes", 1, "set pack & unpack alignment"}};
@@ -68,7 +68,7 @@ TEST_CASE("the report names the diagnosis, and both where two cannot be told apa
 
 TEST_CASE("in JUnit XML each face is a test case that fails where it has errors", "[verdict]") {
   JudgedWall judged;
-  judged.found[1].words[5] = 0;
+  judged.found[1].ids[5] = 0;
   const reference::Verdict verdict = judged.verdict();
   const Report report{verdict, firstErrors(judged.vector, verdict), {}};
   const std::string xml = reference::toJUnit({&report, 1});
@@ -81,7 +81,7 @@ TEST_CASE("in JUnit XML each face is a test case that fails where it has errors"
 
 TEST_CASE("of several vectors the report names the fault that most of those that fail have in common", "[verdict]") {
   JudgedWall right, wrong;
-  wrong.found[0].words[0] = 0;
+  wrong.found[0].ids[0] = 0;
   const reference::Finding dithering{"dithering", "", 0.95, "turn it off"},
       linear{"linear filtering", "", 1, "nearest"};
   const std::vector<Report> reports{{wrong.verdict(), {}, {dithering, linear}},

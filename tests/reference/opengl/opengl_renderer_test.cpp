@@ -8,7 +8,10 @@
 #include <limits>
 #include <set>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/projected_form_factors.h"
+#include "radiosity/index_maps/scene_draw_list.h"
+#include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "raster/base/input_error.h"
 #include "reference/solution/radiosity_error.h"
@@ -60,11 +63,11 @@ struct Tally {
 };
 
 Tally tallyOf(const TestVector& vector, const reference::Verdict& verdict) {
-  const raster::Word background = raster::backgroundWord(vector.list.format);
+  const raster::ItemId background = raster::backgroundId(vector.list.format);
   Tally tally;
   for (const reference::FaceVerdict& face : verdict.faces)
     for (std::size_t p = 0; p < face.pixels.size(); ++p) {
-      if (face.expected.words[p] == background && face.found.words[p] == background) continue;
+      if (face.expected.ids[p] == background && face.found.ids[p] == background) continue;
       ++tally.covered;
       tally.exact += face.pixels[p] == PixelVerdict::Exact;
     }
@@ -116,7 +119,7 @@ std::vector<std::string> judgeSuite(OpenGlPath path) {
 
 constexpr std::array<OpenGlPath, 2> paths{OpenGlPath::FixedFunction, OpenGlPath::Shader};
 
-/// Draws on the device, judges every item buffer, and gathers the words that stand in explained pixels.
+/// Draws on the device, judges every item buffer, and gathers the item IDs that stand in explained pixels.
 class JudgedRenderer final : public raster::ItemBufferRenderer {
  public:
   JudgedRenderer(const raster::DrawList& list, OpenGlPath path) : list_(list), device_(list, path) {}
@@ -131,10 +134,10 @@ class JudgedRenderer final : public raster::ItemBufferRenderer {
     CHECK(!hasErrors(verdict));
     for (const reference::FaceVerdict& face : verdict.faces)
       for (std::size_t p = 0; p < face.pixels.size(); ++p)
-        if (face.pixels[p] != PixelVerdict::Exact) explained.insert({face.expected.words[p], face.found.words[p]});
+        if (face.pixels[p] != PixelVerdict::Exact) explained.insert({face.expected.ids[p], face.found.ids[p]});
   }
 
-  std::set<raster::Word> explained;  ///< what the rules or the device show there
+  std::set<raster::ItemId> explained;  ///< what the rules or the device show there
 
  private:
   raster::DrawList list_;
@@ -179,7 +182,7 @@ TEST_CASE("a device drops triangles with a value that is not finite", "[opengl]"
   raster::DrawList list = tests::plainList();
   list.indexMaps.push_back(tests::countingMap(4, 4));
   const auto addWall = [&](float depth, const glm::vec3& corner, const glm::vec2& texcoord) {
-    tests::addDraw(list, static_cast<raster::Word>(list.draws.size()) << 8, {}, 0);
+    tests::addDraw(list, static_cast<raster::ItemId>(list.draws.size()) << 8, {}, 0);
     tests::addTriangle(list, {{-3 * depth, -3 * depth, depth}, {9 * depth, -3 * depth, depth}, corner},
                        {{0, 0}, {1, 0}, texcoord});
   };
@@ -194,10 +197,9 @@ TEST_CASE("a device drops triangles with a value that is not finite", "[opengl]"
   addWall(2, {-6, 18, 2}, {0, 1});
   raster::Face face = tests::frontFace(16);
   face.x.x = face.y.y = face.w.z = 2;
-  const std::vector<raster::Word> expected = tests::drawOne(list, face).words;
+  const std::vector<raster::ItemId> expected = tests::drawOne(list, face).ids;
   CHECK(*std::min_element(expected.begin(), expected.end()) >> 8 == list.draws.size() - 1);
-  for (const OpenGlPath path : paths)
-    CHECK(OpenGlRenderer(list, path).render({&face, 1}, {}).front().words == expected);
+  for (const OpenGlPath path : paths) CHECK(OpenGlRenderer(list, path).render({&face, 1}, {}).front().ids == expected);
 }
 
 TEST_CASE("a device says what it cannot draw", "[opengl]") {
@@ -215,12 +217,12 @@ TEST_CASE("a device says what it cannot draw", "[opengl]") {
   tests::addDraw(list, 2, {}, 0);
   CHECK(refusal(list, OpenGlPath::FixedFunction).empty());
   list.draws[0].offset = 1;
-  CHECK(refusal(list, OpenGlPath::FixedFunction).find("cannot add words of these channels") != std::string::npos);
+  CHECK(refusal(list, OpenGlPath::FixedFunction).find("cannot add item IDs of these channels") != std::string::npos);
   CHECK(refusal(list, OpenGlPath::Shader).empty());
 
   // Larger than any texture today.
   constexpr int width = 1 << 20;
-  list.indexMaps[0] = {width, 1, std::vector<raster::Word>(width)};
+  list.indexMaps[0] = {width, 1, std::vector<raster::ItemId>(width)};
   CHECK(refusal(list, OpenGlPath::Shader).find("index map 0 is larger") != std::string::npos);
   list.draws[0].indexMap = 1;
   CHECK(refusal(list, OpenGlPath::Shader).find("an index map that does not exist") != std::string::npos);
@@ -234,7 +236,7 @@ TEST_CASE("the Cornell box is the same lit by a device, outside explained pixels
   if (!hasDevice()) return;
   const radiosity::Scene scene = radiosity::loadScene(std::string(HEMITEX_DATA) + "/cornell-box.obj");
   const radiosity::Discretization discretization = radiosity::discretize(scene, {.texels = 8, .patch = 4});
-  const radiosity::WordLayout layout = radiosity::layOut(discretization);
+  const radiosity::IdLayout layout = radiosity::layOut(discretization);
   const raster::DrawList list = radiosity::makeDrawList(scene, discretization, layout);
   const auto solutionOf = [&](raster::ItemBufferRenderer& renderer) {
     radiosity::ProjectedRows rows(scene, discretization, layout, renderer, {.resolution = 128});
@@ -249,8 +251,8 @@ TEST_CASE("the Cornell box is the same lit by a device, outside explained pixels
     CHECK(found.shots == expected.shots);
     // An explained pixel takes flux from one element and gives it to another; the rest see it only reflected.
     std::set<std::uint32_t> touched;
-    for (const raster::Word word : device.explained)
-      if (const auto element = elementOf(discretization, layout, word)) touched.insert(*element);
+    for (const raster::ItemId id : device.explained)
+      if (const auto element = elementOf(discretization, layout, id)) touched.insert(*element);
     const std::vector<double> errors = reference::errorsByElement(found.radiosity, expected.radiosity);
     double largest = 0;
     for (std::uint32_t element = 0; element < errors.size(); ++element)

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/patch_points.h"
 #include "raster/base/parallel.h"
 #include "reference/closed_forms/point_to_polygon.h"
 #include "reference/closed_forms/rectangles.h"

@@ -5,7 +5,9 @@
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/index_maps/id_layout.h"
+#include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/projection/hemicube.h"
+#include "radiosity/scene/load_scene.h"
 #include "raster/software/software_renderer.h"
 
 using namespace hemitex;
@@ -13,7 +15,7 @@ using namespace hemitex::reference;
 
 namespace {
 
-/// Every triangle with its own number as its word, whichever way it faces.
+/// Every triangle with its own number as its item ID, whichever way it faces.
 raster::DrawList numbered(raster::DrawList list) {
   list.format = *raster::formatNamed("r32ui");
   list.indexMaps.clear();
@@ -44,10 +46,10 @@ TEST_CASE("rays through pixels meet the triangles that the rasterizer shows", "[
     std::size_t differing = 0, all = 0, hit = 0;
     for (std::size_t f = 0; f < met.size(); ++f) {
       REQUIRE(met[f].width == drawn[f].width);
-      REQUIRE(met[f].words.size() == drawn[f].words.size());
-      for (std::size_t i = 0; i < met[f].words.size(); ++i, ++all) {
-        differing += met[f].words[i] != drawn[f].words[i] ? 1 : 0;
-        hit += met[f].words[i] != noTriangle ? 1 : 0;
+      REQUIRE(met[f].ids.size() == drawn[f].ids.size());
+      for (std::size_t i = 0; i < met[f].ids.size(); ++i, ++all) {
+        differing += met[f].ids[i] != drawn[f].ids[i] ? 1 : 0;
+        hit += met[f].ids[i] != noTriangle ? 1 : 0;
       }
     }
     INFO("R = " << resolution << ": " << differing << " of " << all);

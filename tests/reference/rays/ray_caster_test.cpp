@@ -8,6 +8,7 @@
 #include <random>
 
 #include "raster/base/parallel.h"
+#include "reference/closed_forms/surface_pieces.h"
 #include "tests/support/hand_scenes.h"
 
 using namespace hemitex;

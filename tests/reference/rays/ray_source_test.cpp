@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/patch_points.h"
+#include "reference/closed_forms/surface_pieces.h"
 #include "reference/rays/ray_caster.h"
 #include "reference/rays/sample_points.h"
 #include "tests/support/hand_scenes.h"

@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/scene/load_scene.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
 #include "reference/closed_forms/rectangles.h"

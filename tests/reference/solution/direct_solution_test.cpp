@@ -5,9 +5,12 @@
 #include <cmath>
 #include <random>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/projected_form_factors.h"
+#include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "raster/software/software_renderer.h"
+#include "reference/solution/form_factor_matrix.h"
 #include "reference/solution/radiosity_error.h"
 #include "reference/vectors/draw_list_builder.h"
 #include "tests/support/box_scene.h"
@@ -91,7 +94,7 @@ TEST_CASE("progressive refinement comes to the algebraic solution of its own row
   scene.materials.push_back(tests::material("lamp", glm::dvec3(0.3), {5, 4, 3}));
   scene.surfaces.front().material = 1;
   const radiosity::Discretization discretization = discretize(scene, {.texels = 3, .patch = 1});
-  const radiosity::WordLayout layout = layOut(discretization);
+  const radiosity::IdLayout layout = layOut(discretization);
   raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
   radiosity::ProjectedRows rows(scene, discretization, layout, renderer, {.resolution = 32});
 

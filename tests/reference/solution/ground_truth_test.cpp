@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "radiosity/discretization/discretize.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
 #include "reference/closed_forms/rectangles.h"

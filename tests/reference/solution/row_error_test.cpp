@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "radiosity/discretization/discretize.h"
+#include "reference/solution/form_factor_matrix.h"
 #include "tests/support/hand_scenes.h"
 
 using namespace hemitex;

@@ -1,4 +1,4 @@
-// Derivations of words: they end in the renderer's word, and their numbers are those of the stages.
+// Derivations of item IDs: they end in the renderer's item ID, and their numbers are those of the stages.
 #include "reference/trace/pixel_trace.h"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ void count(const raster::DrawList& list, const raster::Face& face, const Derivat
 
 }  // namespace
 
-TEST_CASE("a derivation ends in the renderer's word, whatever was clipped, mirrored, turned away or blended",
+TEST_CASE("a derivation ends in the renderer's item ID, whatever was clipped, mirrored, turned away or blended",
           "[derivation]") {
   Met met;
   for (const TestVector& vector : reference::vectorSuite()) {
@@ -64,8 +64,8 @@ TEST_CASE("a derivation ends in the renderer's word, whatever was clipped, mirro
       INFO(vector.name << ", " << vector.faces[f].name);
       int wrong = 0;
       forSomePixels(vector.list, face, 64, [&](std::size_t pixel, const std::optional<Derivation>& derivation) {
-        const raster::Word background = raster::backgroundWord(vector.list.format);
-        wrong += (derivation ? derivation->word : background) != expected[f].words[pixel];
+        const raster::ItemId background = raster::backgroundId(vector.list.format);
+        wrong += (derivation ? derivation->id : background) != expected[f].ids[pixel];
         met.background += !derivation;
         if (derivation) count(vector.list, face, *derivation, met);
       });

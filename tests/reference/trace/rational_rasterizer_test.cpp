@@ -17,9 +17,9 @@ void compareOnFamilies(int trianglesPerFamily) {
       const tests::DrawnCase drawn = family.make(random);
       const raster::ItemBuffer expected = reference::evaluateRules(drawn.list, drawn.face);
       const raster::ItemBuffer found = tests::drawOne(drawn.list, drawn.face);
-      for (std::size_t p = 0; p < expected.words.size(); ++p) {
-        differing += found.words[p] != expected.words[p];
-        covered += expected.words[p] != raster::backgroundWord(drawn.list.format);
+      for (std::size_t p = 0; p < expected.ids.size(); ++p) {
+        differing += found.ids[p] != expected.ids[p];
+        covered += expected.ids[p] != raster::backgroundId(drawn.list.format);
       }
     }
     INFO(family.name);
@@ -40,7 +40,7 @@ TEST_CASE("the rasterizer equals the rules where triangles are a few pixels wide
   mirrored.x = -mirrored.x;
   mirrored.scissor = {17, 9, 31, 40};
   for (const raster::Face& face : {tests::frontFace(64), mirrored})
-    CHECK(tests::drawOne(list, face).words == reference::evaluateRules(list, face).words);
+    CHECK(tests::drawOne(list, face).ids == reference::evaluateRules(list, face).ids);
 }
 
 // The target all_triangle_families runs it; the test above is a part of it.

@@ -131,7 +131,7 @@ TEST_CASE("stages are the first of all fragments at every pixel", "[stages]") {
     }
 }
 
-TEST_CASE("every word of the suite is the blend of its stages' texel, a back or an offset", "[stages]") {
+TEST_CASE("every item ID of the suite is the blend of its stages' texel, a back or an offset", "[stages]") {
   std::size_t textured = 0, backs = 0;
   for (const TestVector& vector : reference::vectorSuite()) {
     const raster::DrawList& list = vector.list;
@@ -141,24 +141,24 @@ TEST_CASE("every word of the suite is the blend of its stages' texel, a back or 
       const Stages stages = reference::stagesOf(list, face);
       std::size_t wrong = 0;
       forEachPixel(face, [&](std::size_t pixel, int column, int row) {
-        raster::Word word = raster::backgroundWord(list.format);
+        raster::ItemId id = raster::backgroundId(list.format);
         const glm::ivec2 texel = stages.texels[pixel];
         if (stages.triangles[pixel] >= 0) {
           const raster::Draw& draw = firstDrawWith(list, stages.triangles[pixel]);
-          word = draw.offset;
+          id = draw.offset;
           if (texel.x >= 0) {
             ++textured;
             const raster::IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
-            const raster::Word index = map.words[static_cast<std::size_t>(texel.y * map.width + texel.x)];
-            word = raster::blend(list.format, list.blend, draw.offset, index);
+            const raster::ItemId index = map.ids[static_cast<std::size_t>(texel.y * map.width + texel.x)];
+            id = raster::blend(list.format, list.blend, draw.offset, index);
           } else if (draw.back) {
             const glm::dvec2 sample(256 * column + 128, 256 * row + 128);
             const std::vector<Corners> pieces = cornersOf(list, stages, stages.triangles[pixel]);
-            if (facesAway(shown(pieces, sample, stages.inverseDepths[pixel]), face)) word = *draw.back;
-            backs += word == *draw.back;
+            if (facesAway(shown(pieces, sample, stages.inverseDepths[pixel]), face)) id = *draw.back;
+            backs += id == *draw.back;
           }
         }
-        wrong += word != expected[f].words[pixel];
+        wrong += id != expected[f].ids[pixel];
       });
       INFO(vector.name << ", " << vector.faces[f].name);
       CHECK(wrong == 0);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "radiosity/discretization/discretize.h"
 #include "raster/base/parallel.h"
 #include "tests/support/hand_scenes.h"
 

@@ -61,7 +61,7 @@ TEST_CASE("a vector reads back to the same bits", "[vector]") {
     CHECK(read.list.draws[d].indexMap == written.list.draws[d].indexMap);
   }
   REQUIRE(read.list.indexMaps.size() == 2);
-  CHECK(read.list.indexMaps[0].words == written.list.indexMaps[0].words);
+  CHECK(read.list.indexMaps[0].ids == written.list.indexMaps[0].ids);
   REQUIRE(read.faces.size() == 2);
   CHECK(read.faces[0].face.eye == written.faces[0].face.eye);
   CHECK(read.faces[1].face.eye == written.faces[1].face.eye);
@@ -69,7 +69,7 @@ TEST_CASE("a vector reads back to the same bits", "[vector]") {
   CHECK(read.faces[1].hash.empty());
 }
 
-TEST_CASE("rendering a vector writes one word a pixel and the hash of the file's bytes", "[vector]") {
+TEST_CASE("rendering a vector writes one item ID a pixel and the hash of the file's bytes", "[vector]") {
   const TemporaryFolder folder;
   const TestVector vector = sample();
   raster::SoftwareRenderer renderer(vector.list);
@@ -85,8 +85,8 @@ TEST_CASE("rendering a vector writes one word a pixel and the hash of the file's
   digits << std::hex << hash;
   const TestVector read = reference::readVector(folder.path);
   CHECK(read.faces[1].hash == std::string(16 - digits.str().size(), '0') + digits.str());
-  CHECK(read.faces[1].hash == reference::wordsHash(buffers[1].words));
-  CHECK(reference::wordsHash({}) == "cbf29ce484222325");  // the offset basis of FNV-1a
+  CHECK(read.faces[1].hash == reference::idsHash(buffers[1].ids));
+  CHECK(reference::idsHash({}) == "cbf29ce484222325");  // the offset basis of FNV-1a
 }
 
 TEST_CASE("a vector that breaks the format is an input error that names the file", "[vector]") {

@@ -14,7 +14,7 @@
 #include "tests/support/temporary_folder.h"
 
 using namespace hemitex;
-using raster::Word;
+using raster::ItemId;
 using reference::TestVector;
 
 namespace {
@@ -27,8 +27,8 @@ const TestVector& named(const std::vector<TestVector>& suite, const std::string&
   return *found;
 }
 
-/// The words of a vector's first face.
-std::vector<Word> wordsOf(const TestVector& vector) { return reference::render(vector).front().words; }
+/// The item IDs of a vector's first face.
+std::vector<ItemId> idsOf(const TestVector& vector) { return reference::render(vector).front().ids; }
 
 /// How often the draws of a vector cover each pixel, drawn one by one.
 std::vector<int> coverCounts(const TestVector& vector) {
@@ -36,9 +36,9 @@ std::vector<int> coverCounts(const TestVector& vector) {
   TestVector one = vector;
   for (const raster::Draw& draw : vector.list.draws) {
     one.list.draws = {draw};
-    const std::vector<Word> words = wordsOf(one);
-    counts.resize(words.size());
-    for (std::size_t p = 0; p < words.size(); ++p) counts[p] += words[p] != 0xffffffff;
+    const std::vector<ItemId> ids = idsOf(one);
+    counts.resize(ids.size());
+    for (std::size_t p = 0; p < ids.size(); ++p) counts[p] += ids[p] != 0xffffffff;
   }
   return counts;
 }
@@ -47,9 +47,9 @@ std::size_t countOf(const std::vector<int>& counts, int value) {
   return static_cast<std::size_t>(std::count(counts.begin(), counts.end(), value));
 }
 
-bool hasSameWords(const std::vector<raster::ItemBuffer>& a, const std::vector<raster::ItemBuffer>& b) {
+bool hasSameIds(const std::vector<raster::ItemBuffer>& a, const std::vector<raster::ItemBuffer>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const auto& x, const auto& y) { return x.words == y.words; });
+                    [](const auto& x, const auto& y) { return x.ids == y.ids; });
 }
 
 }  // namespace
@@ -79,10 +79,10 @@ TEST_CASE("every vector of the suite reads back from disk to the same bits and d
     CHECK(read.catches == vector.catches);
     CHECK(read.list.positions == vector.list.positions);
     CHECK(read.list.texcoords == vector.list.texcoords);
-    CHECK(hasSameWords(reference::render(read), buffers));
+    CHECK(hasSameIds(reference::render(read), buffers));
     REQUIRE(read.faces.size() == vector.faces.size());
     for (std::size_t f = 0; f < read.faces.size(); ++f) {
-      CHECK(read.faces[f].hash == reference::wordsHash(buffers[f].words));
+      CHECK(read.faces[f].hash == reference::idsHash(buffers[f].ids));
       CHECK(read.faces[f].face.x == vector.faces[f].face.x);
       CHECK(read.faces[f].face.eye == vector.faces[f].face.eye);
       CHECK(read.faces[f].face.nearDistance == vector.faces[f].face.nearDistance);
@@ -95,7 +95,7 @@ TEST_CASE("the rasterizer equals the rules on every pixel of the suite", "[suite
     const std::vector<raster::ItemBuffer> found = reference::render(vector);
     for (std::size_t f = 0; f < found.size(); ++f) {
       INFO(vector.name << ", face " << vector.faces[f].name);
-      CHECK(found[f].words == reference::evaluateRules(vector.list, vector.faces[f].face).words);
+      CHECK(found[f].ids == reference::evaluateRules(vector.list, vector.faces[f].face).ids);
     }
   }
 }
@@ -159,7 +159,7 @@ TEST_CASE("a double hit in a mesh shows in the one or the other order of depths"
       const TestVector& right = named(suite, order);
       TestVector wrong = right;
       for (std::size_t k = 0; k < 3; ++k) wrong.list.positions[3 * moved + k] *= glm::vec3(0.99f, 0.99f, 1);
-      const std::vector<Word> expected = wordsOf(right), found = wordsOf(wrong);
+      const std::vector<ItemId> expected = idsOf(right), found = idsOf(wrong);
       for (std::size_t p = 0; p < found.size(); ++p)
         changed += found[p] == moved && expected[p] != moved && expected[p] != 0xffffffff;
     }
@@ -171,9 +171,9 @@ TEST_CASE("half sub-pixels snap to the even one, and any other rounding shows", 
   const std::vector<TestVector> suite = reference::vectorSuite();
   for (const bool isRow : {false, true}) {
     const TestVector& vector = named(suite, isRow ? "snapping-rows" : "snapping-columns");
-    std::vector<Word> expected;
-    for (Word k = 0; k < 256; ++k) expected.push_back(k % 2 == 0 ? 2 * k + 1 : 2 * k);
-    CHECK(wordsOf(vector) == expected);
+    std::vector<ItemId> expected;
+    for (ItemId k = 0; k < 256; ++k) expected.push_back(k % 2 == 0 ? 2 * k + 1 : 2 * k);
+    CHECK(idsOf(vector) == expected);
     // Positions are multiples of 2^-12 here, and the odd ones lie on half sub-pixels. Moving them up by less than a
     // half is rounding half up: wrong for even k alone; moving them down is rounding half down: wrong for odd k alone.
     for (const float direction : {1.0f, -1.0f}) {
@@ -182,9 +182,9 @@ TEST_CASE("half sub-pixels snap to the even one, and any other rounding shows", 
         float& coordinate = isRow ? position.y : position.x;
         if (static_cast<int>(coordinate * 4096) % 2 != 0) coordinate += direction * 0x1p-14f;
       }
-      const std::vector<Word> found = wordsOf(wrong);
+      const std::vector<ItemId> found = idsOf(wrong);
       bool holds = true;
-      for (Word k = 0; k < 256; ++k) holds &= (found[k] != expected[k]) == (k % 2 == (direction > 0 ? 0 : 1));
+      for (ItemId k = 0; k < 256; ++k) holds &= (found[k] != expected[k]) == (k % 2 == (direction > 0 ? 0 : 1));
       CHECK(holds);
     }
   }
@@ -192,19 +192,19 @@ TEST_CASE("half sub-pixels snap to the even one, and any other rounding shows", 
 
 TEST_CASE("sheets that are cut at the near plane and the guard band have no holes", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
-  const auto hasNoHole = [](const std::vector<Word>& words) {
-    return std::find(words.begin(), words.end(), 0xffffffff) == words.end();
+  const auto hasNoHole = [](const std::vector<ItemId>& ids) {
+    return std::find(ids.begin(), ids.end(), 0xffffffff) == ids.end();
   };
-  CHECK(hasNoHole(wordsOf(named(suite, "guard-band-sheet"))));
-  CHECK(hasNoHole(wordsOf(named(suite, "perspective-sheet"))));
+  CHECK(hasNoHole(idsOf(named(suite, "guard-band-sheet"))));
+  CHECK(hasNoHole(idsOf(named(suite, "perspective-sheet"))));
   // The floor y = 1/2 is seen at w = 1 / (2 y/w): cut at w = 3/2, which is y/w = 1/3, and at its end behind w = 5,
   // y/w = 1/10. The view there is narrower than the floor.
-  const std::vector<Word> words = wordsOf(named(suite, "near-plane-sheet"));
+  const std::vector<ItemId> ids = idsOf(named(suite, "near-plane-sheet"));
   for (std::size_t row = 0; row < 64; ++row) {
     INFO("row " << row);
     const double y = (2 * static_cast<double>(row) + 1) / 64 - 1;
-    const std::vector<Word> line(words.begin() + static_cast<std::ptrdiff_t>(64 * row),
-                                 words.begin() + static_cast<std::ptrdiff_t>(64 * row + 64));
+    const std::vector<ItemId> line(ids.begin() + static_cast<std::ptrdiff_t>(64 * row),
+                                   ids.begin() + static_cast<std::ptrdiff_t>(64 * row + 64));
     const auto empty = std::count(line.begin(), line.end(), 0xffffffff);
     if (y > 0.11 && y < 0.33) CHECK(empty == 0);
     if (y < 0.07 || y > 0.34) CHECK(empty == 64);
@@ -215,15 +215,15 @@ TEST_CASE("the frustum sheet is whole where its plane lies before the near plane
   // The plane y = 0.04 + 0.01 x - 0.2 z meets the ray (x, y, 1) w at w = 0.04 / (y - 0.01 x + 0.2). The sheet ends
   // behind w = 0.8, and there is wider than the view.
   const std::vector<TestVector> suite = reference::vectorSuite();
-  const std::vector<Word> words = wordsOf(named(suite, "frustum-sheet"));
+  const std::vector<ItemId> ids = idsOf(named(suite, "frustum-sheet"));
   int checked = 0;
-  for (std::size_t p = 0; p < words.size(); ++p) {
+  for (std::size_t p = 0; p < ids.size(); ++p) {
     const double x = (2 * static_cast<double>(p % 64) + 1) / 64 - 1, y = (2 * static_cast<double>(p / 64) + 1) / 64 - 1;
     const double w = 0.04 / (y - 0.01 * x + 0.2);
     if (w < 0.051 && w > 0.049) continue;
     const bool isSeen = w > 0.05 && w < 0.8;
     INFO("pixel " << p % 64 << ", " << p / 64 << " at w " << w);
-    if (w < 0.8) CHECK((words[p] != 0xffffffff) == isSeen);
+    if (w < 0.8) CHECK((ids[p] != 0xffffffff) == isSeen);
     checked += isSeen;
   }
   CHECK(checked > 1400);
@@ -234,33 +234,33 @@ TEST_CASE("texels beside k/N are those of the binary64 quotient", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   for (const int texels : {1, 3, 7, 100, 255, 256, 257, 1000, 1024}) {
     const TestVector& vector = named(suite, "texels-" + std::to_string(texels));
-    const std::vector<Word> words = wordsOf(vector);
+    const std::vector<ItemId> ids = idsOf(vector);
     const std::size_t steps = 3 * (static_cast<std::size_t>(texels) + 1);
     bool holds = true;
     for (std::size_t p = 0; p < 2 * steps; ++p) {
       const glm::vec2 t = vector.list.texcoords[3 * p];
       const double position = static_cast<double>(p < steps ? t.x : t.y) * texels;
       const double texel = std::clamp(std::floor(position), 0.0, texels - 1.0);
-      holds &= words[p] == (p < steps ? 0u : 0x10000u) + static_cast<Word>(texel);
+      holds &= ids[p] == (p < steps ? 0u : 0x10000u) + static_cast<ItemId>(texel);
     }
     INFO(texels);
     CHECK(holds);
-    CHECK(std::count(words.begin(), words.end(), 0xffffffff) == static_cast<long>(words.size() - 2 * steps));
+    CHECK(std::count(ids.begin(), ids.end(), 0xffffffff) == static_cast<long>(ids.size() - 2 * steps));
   }
 }
 
 TEST_CASE("every pair of bytes is added and clamped in every channel", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
-  const std::vector<Word> words = wordsOf(named(suite, "byte-pairs"));
+  const std::vector<ItemId> ids = idsOf(named(suite, "byte-pairs"));
   bool holds = true;
-  for (Word offset = 0; offset < 256; ++offset)
-    for (Word texel = 0; texel < 256; ++texel) {
-      const Word word = words[256 * offset + texel];
-      const auto sum = [](Word a, Word b) { return std::min<Word>(a + b, 255); };
-      holds &= (word & 255) == sum(offset, texel);
-      holds &= (word >> 8 & 255) == sum(255 - offset, 255 - texel);
-      holds &= (word >> 16 & 255) == sum(255 - offset, texel);
-      holds &= word >> 24 == sum(offset, 255 - texel);
+  for (ItemId offset = 0; offset < 256; ++offset)
+    for (ItemId texel = 0; texel < 256; ++texel) {
+      const ItemId id = ids[256 * offset + texel];
+      const auto sum = [](ItemId a, ItemId b) { return std::min<ItemId>(a + b, 255); };
+      holds &= (id & 255) == sum(offset, texel);
+      holds &= (id >> 8 & 255) == sum(255 - offset, 255 - texel);
+      holds &= (id >> 16 & 255) == sum(255 - offset, texel);
+      holds &= id >> 24 == sum(offset, 255 - texel);
     }
   CHECK(holds);
 }
@@ -270,16 +270,16 @@ TEST_CASE("the edge words and both reserved words come out as they went in", "[s
   for (const char* name :
        {"edge-offsets-r32ui", "edge-offsets-r8g8b8a8", "edge-texels-replaced", "edge-texels-added"}) {
     INFO(name);
-    const std::vector<Word> words = wordsOf(named(suite, name));
-    for (const Word word : {0u, (1u << 24) - 1, 1u << 24, (1u << 24) + 1, 0xfffffffdu, 0xfffffffeu, 0xffffffffu})
-      CHECK(std::find(words.begin(), words.end(), word) != words.end());
+    const std::vector<ItemId> ids = idsOf(named(suite, name));
+    for (const ItemId id : {0u, (1u << 24) - 1, 1u << 24, (1u << 24) + 1, 0xfffffffdu, 0xfffffffeu, 0xffffffffu})
+      CHECK(std::find(ids.begin(), ids.end(), id) != ids.end());
   }
 }
 
 TEST_CASE("coplanar surfaces show the one that was drawn first", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
-  const std::vector<Word> lightFirst = wordsOf(named(suite, "coplanar-light-first"));
-  const std::vector<Word> ceilingFirst = wordsOf(named(suite, "coplanar-ceiling-first"));
+  const std::vector<ItemId> lightFirst = idsOf(named(suite, "coplanar-light-first"));
+  const std::vector<ItemId> ceilingFirst = idsOf(named(suite, "coplanar-ceiling-first"));
   CHECK(std::count(lightFirst.begin(), lightFirst.end(), 1u) == 9 * 14);
   CHECK(std::count(lightFirst.begin(), lightFirst.end(), 0u) == 27 * 28 - 9 * 14);
   CHECK(std::count(ceilingFirst.begin(), ceilingFirst.end(), 0u) == 27 * 28);
@@ -288,25 +288,25 @@ TEST_CASE("coplanar surfaces show the one that was drawn first", "[suite]") {
     const TestVector& vector = named(suite, name);
     TestVector painted = vector;
     std::reverse(painted.list.draws.begin(), painted.list.draws.end());
-    std::vector<Word> first(wordsOf(vector).size(), 0xffffffff);
+    std::vector<ItemId> first(idsOf(vector).size(), 0xffffffff);
     for (const raster::Draw& draw : painted.list.draws) {
       TestVector one = vector;
       one.list.draws = {draw};
-      const std::vector<Word> words = wordsOf(one);
-      for (std::size_t p = 0; p < words.size(); ++p)
-        if (words[p] != 0xffffffff) first[p] = words[p];
+      const std::vector<ItemId> ids = idsOf(one);
+      for (std::size_t p = 0; p < ids.size(); ++p)
+        if (ids[p] != 0xffffffff) first[p] = ids[p];
     }
     INFO(name);
-    CHECK(wordsOf(vector) == first);
+    CHECK(idsOf(vector) == first);
   }
 }
 
 TEST_CASE("of two depths one binary32 number apart the smaller is seen", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   for (const char* name : {"depth-steps", "depth-range"}) {
-    const std::vector<Word> words = wordsOf(named(suite, name));
+    const std::vector<ItemId> ids = idsOf(named(suite, name));
     bool holds = true;
-    for (Word pixel = 0; pixel < 256; ++pixel) holds &= words[pixel] == 2 * pixel + pixel % 2;
+    for (ItemId pixel = 0; pixel < 256; ++pixel) holds &= ids[pixel] == 2 * pixel + pixel % 2;
     INFO(name);
     CHECK(holds);
   }
@@ -314,18 +314,18 @@ TEST_CASE("of two depths one binary32 number apart the smaller is seen", "[suite
 
 TEST_CASE("unaligned words survive an integer add and not a clamped one", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
-  const std::vector<Word> sums = wordsOf(named(suite, "unaligned-integer-add"));
-  const std::vector<Word> clamped = wordsOf(named(suite, "unaligned-clamped-add"));
-  CHECK(std::set<Word>(sums.begin(), sums.end()).size() == 9 * 256);
-  CHECK(std::set<Word>(clamped.begin(), clamped.end()).size() < 9 * 256);
+  const std::vector<ItemId> sums = idsOf(named(suite, "unaligned-integer-add"));
+  const std::vector<ItemId> clamped = idsOf(named(suite, "unaligned-clamped-add"));
+  CHECK(std::set<ItemId>(sums.begin(), sums.end()).size() == 9 * 256);
+  CHECK(std::set<ItemId>(clamped.begin(), clamped.end()).size() < 9 * 256);
 }
 
 TEST_CASE("every word of the unique maps is seen, and no offset", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
-  std::vector<Word> words = wordsOf(named(suite, "unique-maps"));
-  std::sort(words.begin(), words.end());
+  std::vector<ItemId> ids = idsOf(named(suite, "unique-maps"));
+  std::sort(ids.begin(), ids.end());
   bool holds = true;
-  for (Word k = 0; k < 1024; ++k) holds &= words[k] == 0x00ff80 + k;
+  for (ItemId k = 0; k < 1024; ++k) holds &= ids[k] == 0x00ff80 + k;
   CHECK(holds);
 }
 
@@ -333,16 +333,16 @@ TEST_CASE("the five faces show every wall and the background, and no two faces a
   const std::vector<TestVector> suite = reference::vectorSuite();
   const TestVector& vector = named(suite, "five-faces");
   const std::vector<raster::ItemBuffer> buffers = reference::render(vector);
-  std::set<Word> walls;
+  std::set<ItemId> walls;
   for (std::size_t f = 0; f < 5; ++f) {
-    for (const Word word : buffers[f].words) walls.insert(word >> 8);
-    CHECK(std::count(buffers[f].words.begin(), buffers[f].words.end(), 0xffffffff) > 0);
-    for (std::size_t other = 0; other < f; ++other) CHECK(buffers[f].words != buffers[other].words);
+    for (const ItemId id : buffers[f].ids) walls.insert(id >> 8);
+    CHECK(std::count(buffers[f].ids.begin(), buffers[f].ids.end(), 0xffffffff) > 0);
+    for (std::size_t other = 0; other < f; ++other) CHECK(buffers[f].ids != buffers[other].ids);
   }
   // Ceiling and four walls; the back of the board shares its upper bits with the background.
-  for (Word wall = 1; wall <= 5; ++wall) CHECK(walls.count(wall) == 1);
+  for (ItemId wall = 1; wall <= 5; ++wall) CHECK(walls.count(wall) == 1);
   CHECK(walls.count(0xffffff) == 1);
-  CHECK(std::count(buffers[0].words.begin(), buffers[0].words.end(), 0xfffffffe) > 0);
+  CHECK(std::count(buffers[0].ids.begin(), buffers[0].ids.end(), 0xfffffffe) > 0);
 }
 
 TEST_CASE("the narrow view tells how the vertex stage rounds", "[suite]") {
@@ -350,7 +350,7 @@ TEST_CASE("the narrow view tells how the vertex stage rounds", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   const TestVector& vector = named(suite, "narrow-view");
   const raster::Face& face = vector.faces[0].face;
-  const auto wordsBy = [&](const auto& dot) {
+  const auto idsBy = [&](const auto& dot) {
     TestVector transformed = vector;
     for (glm::vec3& p : transformed.list.positions) p = {dot(face.x, p), dot(face.y, p), dot(face.w, p)};
     raster::Face& plain = transformed.faces[0].face;
@@ -358,13 +358,13 @@ TEST_CASE("the narrow view tells how the vertex stage rounds", "[suite]") {
     plain.x = {1, 0, 0};
     plain.y = {0, 1, 0};
     plain.w = {0, 0, 1};
-    return wordsOf(transformed);
+    return idsOf(transformed);
   };
   const glm::vec3& e = face.eye;
-  const std::vector<Word> words = wordsOf(vector);
-  const auto differing = [&](const std::vector<Word>& found) {
+  const std::vector<ItemId> ids = idsOf(vector);
+  const auto differing = [&](const std::vector<ItemId>& found) {
     std::size_t count = 0;
-    for (std::size_t p = 0; p < words.size(); ++p) count += found[p] != words[p];
+    for (std::size_t p = 0; p < ids.size(); ++p) count += found[p] != ids[p];
     return count;
   };
   const auto byTheRules = [&](const glm::vec3& r, const glm::vec3& p) {
@@ -379,8 +379,8 @@ TEST_CASE("the narrow view tells how the vertex stage rounds", "[suite]") {
   const auto moreBits = [&](const glm::vec3& r, const glm::vec3& p) {
     return static_cast<float>(glm::dot(glm::dvec3(r), glm::dvec3(p) - glm::dvec3(e)));
   };
-  CHECK(differing(wordsBy(byTheRules)) == 0);
-  CHECK(differing(wordsBy(otherOrder)) > 0);
-  CHECK(differing(wordsBy(fused)) > 0);
-  CHECK(differing(wordsBy(moreBits)) > 0);
+  CHECK(differing(idsBy(byTheRules)) == 0);
+  CHECK(differing(idsBy(otherOrder)) > 0);
+  CHECK(differing(idsBy(fused)) > 0);
+  CHECK(differing(idsBy(moreBits)) > 0);
 }

@@ -69,7 +69,7 @@ TEST_CASE("a profile with an unknown key or a wrong value is an input error", "[
   CHECK_THROWS_AS(reference::readProfile(folder.path), InputError);
 }
 
-TEST_CASE("a candidate's buffers are read, and refused where they do not hold one word a pixel", "[verdict]") {
+TEST_CASE("a candidate's buffers are read, and refused where they do not hold one item ID a pixel", "[verdict]") {
   reference::TestVector vector;
   raster::Face face = tests::frontFace(4);
   face.scissor = {0, 2, 4, 2};
@@ -92,13 +92,13 @@ TEST_CASE("a candidate's buffers are read, and refused where they do not hold on
   REQUIRE(buffers.size() == 1);
   CHECK(buffers[0].width == 4);
   CHECK(buffers[0].height == 2);
-  CHECK(buffers[0].words.size() == 8);
-  CHECK(buffers[0].words[1] == 0x07060504u);  // little-endian
+  CHECK(buffers[0].ids.size() == 8);
+  CHECK(buffers[0].ids[1] == 0x07060504u);  // little-endian
 
   vector.faces.push_back({"other", face, "other.u32", ""});
   CHECK_THROWS_AS(reference::readCandidate(folder.path, vector), InputError);
   std::ofstream(folder.path / "other.u32", std::ios::binary) << std::string(32, '\1');
-  CHECK(reference::readCandidate(folder.path, vector)[1].words[0] == 0x01010101u);
+  CHECK(reference::readCandidate(folder.path, vector)[1].ids[0] == 0x01010101u);
   vector.faces.pop_back();
 
   std::filesystem::remove(file);

@@ -1,4 +1,4 @@
-// What a wrong word stands for in place of the right one.
+// What a wrong item ID stands for in place of the right one.
 #include "reference/verdict/error_pixel.h"
 
 #include <catch2/catch.hpp>
@@ -15,7 +15,7 @@ TEST_CASE("an error is named by what the device shows in place of what", "[verdi
   tests::addDraw(list, 0x200);
   tests::addPixel(list, 8, 7, 7, 0.5);                            // before the wall
   for (glm::vec3& position : list.positions) position.x -= 0.5f;  // the wall covers columns 0 to 5
-  const auto kindAt = [&](int column, int row, raster::Word found) {
+  const auto kindAt = [&](int column, int row, raster::ItemId found) {
     return errorAt(list, wall.vector.faces[0], column, row, found).kind;
   };
   CHECK(kindAt(1, 1, 0xffffff) == ErrorKind::Missing);
@@ -23,12 +23,12 @@ TEST_CASE("an error is named by what the device shows in place of what", "[verdi
   CHECK(kindAt(1, 1, 0x200) == ErrorKind::WrongSurface);
   CHECK(kindAt(1, 1, 0x10f) == ErrorKind::WrongElement);
   CHECK(kindAt(1, 1, 0x300) == ErrorKind::WrongSide);
-  CHECK(kindAt(1, 1, 0x110) == ErrorKind::ForeignWord);
-  CHECK(kindAt(7, 1, 0x110) == ErrorKind::ForeignWord);
+  CHECK(kindAt(1, 1, 0x110) == ErrorKind::ForeignId);
+  CHECK(kindAt(7, 1, 0x110) == ErrorKind::ForeignId);
 }
 
 TEST_CASE("where several draws give a word, the one that is visible there is meant", "[verdict]") {
-  // Draw 1 gives the words of draw 0, and lies before it.
+  // Draw 1 gives the item IDs of draw 0, and lies before it.
   JudgedWall wall;
   raster::DrawList& list = wall.vector.list;
   tests::addDraw(list, 0x100, {}, 0);

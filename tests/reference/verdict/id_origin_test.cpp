@@ -1,4 +1,4 @@
-// Which draw and texel a word comes from.
+// Which draw and texel an item ID comes from.
 #include "reference/verdict/id_origin.h"
 
 #include <catch2/catch.hpp>
@@ -10,7 +10,7 @@ using reference::originOf;
 using reference::toText;
 using tests::JudgedWall;
 
-TEST_CASE("a word is traced back to its draw and texel", "[verdict]") {
+TEST_CASE("an item ID is traced back to its draw and texel", "[verdict]") {
   raster::DrawList list = JudgedWall().vector.list;
   tests::addDraw(list, 0x200);
   tests::addDraw(list, 0xff00fe, {}, 0);  // clamps with texels above 1

@@ -7,7 +7,7 @@
 #include "tests/support/raster_scenes.h"
 
 using namespace hemitex;
-using raster::Word;
+using raster::ItemId;
 using reference::DeviceProfile;
 using reference::pixelPoint;
 using reference::PixelVerdict;
@@ -34,20 +34,20 @@ DeviceProfile coarseProfile() {
 constexpr double tie = 1.0 / 32;
 
 PixelVerdict verdictAt(const raster::DrawList& list, const raster::Face& face, const DeviceProfile& profile, int column,
-                       int row, Word found) {
+                       int row, ItemId found) {
   const auto all = [](const reference::DeviceTriangle&) { return true; };
   const auto triangles = placeTriangles(list, face, profile, false, all);
   std::vector<const reference::DeviceTriangle*> pointers;
   for (const reference::DeviceTriangle& triangle : triangles) pointers.push_back(&triangle);
-  return judgeWord(makeJudge(list, face, profile), pointers, reference::sampleOf(column, row), found);
+  return judgeId(makeJudge(list, face, profile), pointers, reference::sampleOf(column, row), found);
 }
 
 /// A corner at (column, row) in pixels, at depth w.
 glm::vec3 at(double column, double row, double w = 1) { return pixelPoint(resolution, {column, row}, w); }
 
 /// Adds a wall over the whole view and beyond, at depth w.
-void addBackdrop(raster::DrawList& list, Word word, double w) {
-  tests::addDraw(list, word);
+void addBackdrop(raster::DrawList& list, ItemId id, double w) {
+  tests::addDraw(list, id);
   tests::addTriangle(list, {at(-8, -8, w), at(-8, 56, w), at(56, -8, w)});
 }
 
@@ -69,9 +69,9 @@ TEST_CASE("the next texel is explained up to the texel precision from its border
                            Case{7, 9, 4 * 4 + 1, 5 * 4 + 1, 0.25}, Case{4, 6, 3 * 4 + 1, 2 * 4 + 0, 0.25}}) {
     INFO("pixel " << each.column << ", " << each.row << ", texel " << each.nextTexel);
     DeviceProfile profile = strictProfile();
-    const auto found = static_cast<Word>(each.nextTexel);
+    const auto found = static_cast<ItemId>(each.nextTexel);
     CHECK(tests::drawOne(list, tests::frontFace(resolution))
-              .words[static_cast<std::size_t>(each.row * resolution + each.column)] == static_cast<Word>(each.texel));
+              .ids[static_cast<std::size_t>(each.row * resolution + each.column)] == static_cast<ItemId>(each.texel));
     profile.texelPrecision = each.distance - 0.001;
     CHECK(verdictAt(list, tests::frontFace(resolution), profile, each.column, each.row, found) == PixelVerdict::Error);
     profile.texelPrecision = each.distance + 0.001;
@@ -102,7 +102,7 @@ TEST_CASE("errors of the depth move texture coordinates by half of them", "[verd
           t[1 - axis] = 0;
         }
         const int column = axis == 0 ? 8 : 3, row = axis == 0 ? 3 : 8;
-        const Word found = side > 0 ? 0 : 1;
+        const ItemId found = side > 0 ? 0 : 1;
         INFO("axis " << axis << ", side " << side << ", distance " << distance);
         CHECK(verdictAt(list, face, profile, column, row, found) ==
               (distance < error ? PixelVerdict::Texel : PixelVerdict::Error));
@@ -149,21 +149,21 @@ TEST_CASE("what is far behind a boundary shows by coverage, not by depth", "[ver
 TEST_CASE("of two triangles at one depth the first is the rules'", "[verdict]") {
   raster::DrawList list = tests::plainList();
   list.indexMaps.push_back(tests::countingMap(4, 4));
-  for (const Word offset : {0x100u, 0x200u}) {
+  for (const ItemId offset : {0x100u, 0x200u}) {
     tests::addDraw(list, offset, {}, 0);
     reference::addQuad(list, {at(0, 0), at(16, 0), at(16, 16), at(0, 16)});
   }
   DeviceProfile profile = strictProfile();
   profile.texelPrecision = 0.2;
   const raster::Face face = tests::frontFace(resolution);
-  REQUIRE(tests::drawOne(list, face).words[6 * resolution + 4] == 0x105);
+  REQUIRE(tests::drawOne(list, face).ids[6 * resolution + 4] == 0x105);
   CHECK(verdictAt(list, face, profile, 4, 6, 0x104) == PixelVerdict::Texel);
   CHECK(verdictAt(list, face, profile, 4, 6, 0x204) == PixelVerdict::Depth);
   CHECK(verdictAt(list, face, profile, 4, 6, 0x106) == PixelVerdict::Error);
 }
 
-TEST_CASE("a back word is shown by what faces away, or may", "[verdict]") {
-  constexpr Word front = 1, back = 2;
+TEST_CASE("a back item ID is shown by what faces away, or may", "[verdict]") {
+  constexpr ItemId front = 1, back = 2;
   const auto listOf = [&](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     raster::DrawList list = tests::plainList();
     tests::addDraw(list, front, back);
@@ -173,8 +173,8 @@ TEST_CASE("a back word is shown by what faces away, or may", "[verdict]") {
   const raster::Face face = tests::frontFace(resolution);
   const raster::DrawList facing = listOf(at(0, 0), at(0, 16), at(16, 0));
   const raster::DrawList away = listOf(at(0, 0), at(16, 0), at(0, 16));
-  REQUIRE(tests::drawOne(facing, face).words[0] == front);
-  REQUIRE(tests::drawOne(away, face).words[0] == back);
+  REQUIRE(tests::drawOne(facing, face).ids[0] == front);
+  REQUIRE(tests::drawOne(away, face).ids[0] == back);
   CHECK(verdictAt(facing, face, {}, 3, 4, back) == PixelVerdict::Error);
   CHECK(verdictAt(away, face, {}, 3, 4, front) == PixelVerdict::Error);
   // A sub-pixel high, with corners that move by one: either side may show.
@@ -200,8 +200,8 @@ TEST_CASE("a fold may slip off a sample, a sheet across it may not", "[verdict]"
     tests::addTriangle(list, {top, bottom, at(1, 8)});
     tests::addTriangle(list, {bottom, top, at(isFolded ? 2 : 15, 8)});
     const raster::Face face = tests::frontFace(resolution);
-    const Word background = raster::backgroundWord(list.format);
-    REQUIRE(tests::drawOne(list, face).words[8 * resolution + 8] == 1);
+    const ItemId background = raster::backgroundId(list.format);
+    REQUIRE(tests::drawOne(list, face).ids[8 * resolution + 8] == 1);
     CHECK(verdictAt(list, face, coarseProfile(), 8, 8, background) ==
           (isFolded ? PixelVerdict::Coverage : PixelVerdict::Error));
     CHECK(verdictAt(list, face, coarseProfile(), 7, 8, background) == PixelVerdict::Error);
@@ -219,7 +219,7 @@ TEST_CASE("triangles share an edge only where its ends are equal to the bit", "[
     tests::addTriangle(list, {top, bottom, at(1, 8)});
     tests::addTriangle(list, {bottom, otherTop, at(15, 8)});
     INFO("coordinate " << moved);
-    CHECK(verdictAt(list, face, coarseProfile(), 8, 8, raster::backgroundWord(list.format)) ==
+    CHECK(verdictAt(list, face, coarseProfile(), 8, 8, raster::backgroundId(list.format)) ==
           (moved < 0 ? PixelVerdict::Error : PixelVerdict::Coverage));
   }
 }

@@ -10,7 +10,7 @@ using tests::JudgedWall;
 
 TEST_CASE("the picture shows expected, found and verdict beside each other, a row a face", "[verdict]") {
   JudgedWall judged;
-  judged.found[0].words[0] = 0xffffff;
+  judged.found[0].ids[0] = 0xffffff;
   const radiosity::Image picture = toPicture(judged.verdict(), 0xffffff);
   constexpr int gap = 4;
   REQUIRE(picture.width == 3 * 8 + 2 * gap);
@@ -21,7 +21,7 @@ TEST_CASE("the picture shows expected, found and verdict beside each other, a ro
   CHECK(at(0, 0) != glm::dvec3(0.0));
   CHECK(at(12, 0) == glm::dvec3(0.0));      // the background is black
   CHECK(at(24, 0) == glm::dvec3(1, 0, 0));  // an error is red
-  CHECK(at(1, 0) == at(13, 0));             // equal words have equal colours
-  CHECK(at(0, 12) != at(2, 12));            // different words have others
+  CHECK(at(1, 0) == at(13, 0));             // equal item IDs have equal colours
+  CHECK(at(0, 12) != at(2, 12));            // different item IDs have others
   CHECK(at(25, 0).x == at(25, 0).y);        // exact is grey
 }

@@ -1,4 +1,4 @@
-// The verdicts on a device: a right one is never accused, a wrong one is, and one wrong word is enough.
+// The verdicts on a device: a right one is never accused, a wrong one is, and one wrong item ID is enough.
 #include "reference/verdict/verdict.h"
 
 #include <algorithm>
@@ -122,22 +122,22 @@ TEST_CASE("a texture that is half a texel off is accused where a quarter of a te
 TEST_CASE("one wrong element is an error, even the next one", "[verdict]") {
   const Wall wall;
   const raster::ItemBuffer right = tests::drawOne(wall.list, wall.face);
-  for (std::size_t pixel = 0; pixel < right.words.size(); pixel += 7)
-    for (const raster::Word word : {right.words[pixel] + 1, right.words[pixel] - 1, right.words[pixel] ^ 0x80000000u}) {
+  for (std::size_t pixel = 0; pixel < right.ids.size(); pixel += 7)
+    for (const raster::ItemId id : {right.ids[pixel] + 1, right.ids[pixel] - 1, right.ids[pixel] ^ 0x80000000u}) {
       raster::ItemBuffer found = right;
-      found.words[pixel] = word;
+      found.ids[pixel] = id;
       const auto counts = countsOf(wall.list, wall.face, found);
-      INFO("pixel " << pixel << ", word " << word);
+      INFO("pixel " << pixel << ", item ID " << id);
       CHECK(count(counts, PixelVerdict::Error) == 1);
       CHECK(count(counts, PixelVerdict::Exact) == 255);
     }
 }
 
-TEST_CASE("two words that changed places are two errors", "[verdict]") {
+TEST_CASE("two item IDs that changed places are two errors", "[verdict]") {
   const Wall wall;
   raster::ItemBuffer found = tests::drawOne(wall.list, wall.face);
-  REQUIRE(found.words[3] != found.words[4]);
-  std::swap(found.words[3], found.words[4]);
+  REQUIRE(found.ids[3] != found.ids[4]);
+  std::swap(found.ids[3], found.ids[4]);
   CHECK(count(countsOf(wall.list, wall.face, found), PixelVerdict::Error) == 2);
 }
 
@@ -154,14 +154,14 @@ TEST_CASE("a hole where triangles share an edge is an error, at the mesh's bound
   const raster::ItemBuffer right = tests::drawOne(list, wall.face);
   DeviceProfile profile;
   profile.vertexError = 2000;
-  const raster::Word background = raster::backgroundWord(list.format);
+  const raster::ItemId background = raster::backgroundId(list.format);
   for (std::size_t row = 1; row < 15; ++row)
     for (std::size_t column = 1; column < 15; ++column) {
       raster::ItemBuffer found = right;
       const std::size_t pixel = row * 16 + column;
       const bool onBoundary = row == 1 || column == 1;
-      REQUIRE(right.words[pixel] != background);
-      found.words[pixel] = background;
+      REQUIRE(right.ids[pixel] != background);
+      found.ids[pixel] = background;
       const auto counts = countsOf(list, wall.face, found, profile);
       INFO("column " << column << ", row " << row);
       CHECK(count(counts, PixelVerdict::Coverage) == (onBoundary ? 1u : 0u));
@@ -197,7 +197,7 @@ TEST_CASE("the surface behind is explained by depth within the tolerance, an err
     raster::Face face = tests::frontFace(16);
     face.nearDistance = 0x1p-6f;
     raster::ItemBuffer found = tests::drawOne(list, face);
-    std::fill(found.words.begin(), found.words.end(), 2u);
+    std::fill(found.ids.begin(), found.ids.end(), 2u);
     DeviceProfile profile;
     profile.vertexError = 1;
     const auto counts = countsOf(list, face, found, profile);
@@ -207,16 +207,16 @@ TEST_CASE("the surface behind is explained by depth within the tolerance, an err
 
 TEST_CASE("a pixel's verdict depends on no tile, neighbour or scissor rectangle", "[verdict]") {
   // Triangles all over a view of five by five tiles, and through a rectangle that begins and ends inside tiles; every
-  // word is a neighbour's. Brute force judges each pixel alone, by all triangles.
+  // item ID is a neighbour's. Brute force judges each pixel alone, by all triangles.
   std::mt19937 random(4);
   raster::DrawList list = tests::plainList();
-  for (raster::Word word = 0; word < 40; ++word) {
+  for (raster::ItemId id = 0; id < 40; ++id) {
     const glm::vec3 middle(tests::uniform(random, -1, 1), tests::uniform(random, -1, 1), 1);
     const auto corner = [&] {
       return middle + glm::vec3(tests::uniform(random, -0.4f, 0.4f), tests::uniform(random, -0.4f, 0.4f), 0);
     };
     const glm::vec3 a = corner(), b = corner(), c = corner();
-    tests::addDraw(list, word);
+    tests::addDraw(list, id);
     tests::addTriangle(list, {a, b, c});
   }
   DeviceProfile profile;
@@ -226,7 +226,7 @@ TEST_CASE("a pixel's verdict depends on no tile, neighbour or scissor rectangle"
     raster::Face face = tests::frontFace(80);
     face.scissor = scissor;
     raster::ItemBuffer found = tests::drawOne(list, face);
-    std::rotate(found.words.begin(), found.words.begin() + 1, found.words.end());
+    std::rotate(found.ids.begin(), found.ids.begin() + 1, found.ids.end());
     const reference::Verdict verdict = reference::judge(vectorOf(list, face), {&found, 1}, profile);
     const raster::ItemBuffer& expected = verdict.faces[0].expected;
 
@@ -239,9 +239,9 @@ TEST_CASE("a pixel's verdict depends on no tile, neighbour or scissor rectangle"
     bool holds = true;
     for (int row = scissor.row; row < scissor.row + scissor.height; ++row)
       for (int column = scissor.column; column < scissor.column + scissor.width; ++column, ++pixel) {
-        const PixelVerdict alone = found.words[pixel] == expected.words[pixel]
+        const PixelVerdict alone = found.ids[pixel] == expected.ids[pixel]
                                        ? PixelVerdict::Exact
-                                       : judgeWord(judge, all, reference::sampleOf(column, row), found.words[pixel]);
+                                       : judgeId(judge, all, reference::sampleOf(column, row), found.ids[pixel]);
         holds &= verdict.faces[0].pixels[pixel] == alone;
         ++counts[static_cast<std::size_t>(alone)];
       }
@@ -279,7 +279,7 @@ TEST_CASE("one error in the last face of many fails the whole", "[verdict]") {
   std::vector<raster::ItemBuffer> found;
   for (const reference::VectorFace& face : vector.faces) found.push_back(tests::drawOne(wall.list, face.face));
   CHECK_FALSE(hasErrors(reference::judge(vector, found, {})));
-  found[1].words[255] = 5;
+  found[1].ids[255] = 5;
   const reference::Verdict verdict = reference::judge(vector, found, {});
   CHECK(hasErrors(verdict));
   CHECK(count(countVerdicts(verdict), PixelVerdict::Error) == 1);
@@ -287,8 +287,8 @@ TEST_CASE("one error in the last face of many fails the whole", "[verdict]") {
 }
 
 TEST_CASE("a triangle without an index map is never explained by a texel", "[verdict]") {
-  // Every triangle lies on others, their corners in another order. A device that lets the later ones win shows words of
-  // equal depth, whichever of them rounding takes for the rules' own.
+  // Every triangle lies on others, their corners in another order. A device that lets the later ones win shows item IDs
+  // of equal depth, whichever of them rounding takes for the rules' own.
   for (const reference::TestVector& vector : reference::vectorSuite()) {
     if (vector.name != "same-triangle") continue;
     SimulatedDevice later;

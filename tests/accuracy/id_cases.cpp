@@ -1,4 +1,4 @@
-#include "tests/accuracy/word_cases.h"
+#include "tests/accuracy/id_cases.h"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@ namespace hemitex::accuracy {
 namespace {
 
 using namespace radiosity;
-using raster::Word;
+using raster::ItemId;
 
 /// The texels of a surface of 2^k, as a grid near to a square.
 Grid gridOf(int indexBits) {
@@ -19,8 +19,8 @@ Grid gridOf(int indexBits) {
   return grid;
 }
 
-/// Surfaces that fill a format's words to the last. The last surface is a strip, two texels short or not.
-Discretization filled(const WordCase& example, bool isShort) {
+/// Surfaces that fill a format's item IDs to the last. The last surface is a strip, two texels short or not.
+Discretization filled(const IdCase& example, bool isShort) {
   Discretization discretization;
   discretization.grids.assign(example.surfaces - 1, gridOf(example.indexBits));
   Grid last;
@@ -29,11 +29,11 @@ Discretization filled(const WordCase& example, bool isShort) {
   return discretization;
 }
 
-WordLayout layoutOf(const WordCase& example, bool isShort) {
+IdLayout layoutOf(const IdCase& example, bool isShort) {
   return layOut(filled(example, isShort), {example.format, raster::Blend::ClampedAdd, true});
 }
 
-std::string refusalOf(const WordCase& example) {
+std::string refusalOf(const IdCase& example) {
   try {
     layoutOf(example, false);
   } catch (const raster::InputError& error) {
@@ -44,8 +44,8 @@ std::string refusalOf(const WordCase& example) {
 
 }  // namespace
 
-std::vector<WordCase> wordCases() {
-  std::vector<WordCase> cases;
+std::vector<IdCase> idCases() {
+  std::vector<IdCase> cases;
   for (int k = 1; k <= 31; ++k) {
     const auto [format, bits] = k < 16   ? std::pair("r5g6b5", 16)
                                 : k < 24 ? std::pair("r8g8b8", 24)
@@ -56,20 +56,20 @@ std::vector<WordCase> wordCases() {
   return cases;
 }
 
-bool isOneToOne(const WordCase& example) {
+bool isOneToOne(const IdCase& example) {
   const Discretization discretization = filled(example, true);
-  const WordLayout layout = layoutOf(example, true);
-  const Word background = raster::backgroundWord(layout.format);
-  const auto standsFor = [&](std::uint32_t surface, Word texel) {
-    const Word word = raster::blend(layout.format, layout.blend, layout.pages[surface].offset, texel);
-    const auto found = pageIndexOf(layout, word);
-    return word == layout.pages[surface].offset + texel && word < background - 1 && found && found->page == surface &&
+  const IdLayout layout = layoutOf(example, true);
+  const ItemId background = raster::backgroundId(layout.format);
+  const auto standsFor = [&](std::uint32_t surface, ItemId texel) {
+    const ItemId id = raster::blend(layout.format, layout.blend, layout.pages[surface].offset, texel);
+    const auto found = pageIndexOf(layout, id);
+    return id == layout.pages[surface].offset + texel && id < background - 1 && found && found->page == surface &&
            found->index == texel;
   };
   for (std::uint32_t s = 0; s < discretization.grids.size(); ++s) {
     const Grid& grid = discretization.grids[s];
-    const Word texels = static_cast<Word>(grid.columns) * static_cast<Word>(grid.rows);
-    for (const Word texel : {Word{0}, texels / 3, texels - 1})
+    const ItemId texels = static_cast<ItemId>(grid.columns) * static_cast<ItemId>(grid.rows);
+    for (const ItemId texel : {ItemId{0}, texels / 3, texels - 1})
       if (!standsFor(s, texel)) return false;
   }
   return layout.indexBits == std::max(1, example.indexBits) && !pageIndexOf(layout, background) &&

@@ -1,0 +1,160 @@
+#include "radiosity/scene/load_scene.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "radiosity/scene/materials.h"
+#include "radiosity/scene/mesh_sections.h"
+#include "radiosity/scene/obj_file.h"
+#include "radiosity/scene/obj_lines.h"
+#include "radiosity/scene/section_charts.h"
+#include "raster/base/input_error.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// The square of a smaller length would leave the range of binary32, in which everything is drawn.
+constexpr double smallestExtent = 1e-18;
+
+/// Of the brightest light: what surfaces receive of less would leave the range of binary32, which images hold.
+constexpr double smallestEmission = 1e-30;
+
+/// What `mtllib` says is one file whose name may have blanks, where there is one; else a file a word.
+std::vector<std::filesystem::path> materialFiles(const ObjFile& obj, const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& library : obj.materialLibraries) {
+    std::error_code ignored;
+    if (std::filesystem::exists(folder / library, ignored)) {
+      files.push_back(folder / library);
+      continue;
+    }
+    std::string_view rest = library;
+    for (auto word = nextWord(rest); word; word = nextWord(rest)) files.push_back(folder / *word);
+  }
+  return files;
+}
+
+/// The names of materials, each once, and which one each section has.
+struct MaterialChoice {
+  std::vector<std::string> names;
+  std::vector<int> ofSection;
+};
+
+MaterialChoice chooseMaterials(const std::vector<Section>& sections) {
+  MaterialChoice choice;
+  std::map<std::string, int> indices;
+  for (const Section& section : sections) {
+    const auto [known, isNew] = indices.try_emplace(section.material, static_cast<int>(choice.names.size()));
+    if (isNew) choice.names.push_back(section.material);
+    choice.ofSection.push_back(known->second);
+  }
+  return choice;
+}
+
+void addSurfaces(Scene& scene, std::vector<std::vector<Triangle>> parts, const std::string& family, int material) {
+  for (std::size_t n = 0; n < parts.size(); ++n) {
+    const std::string name = parts.size() == 1 ? family : family + "#" + std::to_string(n + 1);
+    scene.surfaces.push_back({.name = name, .family = family, .material = material, .triangles = std::move(parts[n])});
+  }
+}
+
+template <typename T>
+void turnOver(std::array<T, 3>& corners) {
+  std::swap(corners[1], corners[2]);
+}
+
+/// The other side: the same triangles the other way round, each corner with its own coordinates.
+Surface backOf(const Surface& front) {
+  Surface back = front;
+  back.name += "/back";
+  back.family += "/back";
+  for (Triangle& triangle : back.triangles) {
+    turnOver(triangle.position);
+    turnOver(triangle.chart);
+    turnOver(triangle.texcoord);
+    if (triangle.cornerColor) turnOver(*triangle.cornerColor);
+  }
+  return back;
+}
+
+void addBacks(std::vector<Surface>& surfaces) {
+  const std::size_t fronts = surfaces.size();
+  for (std::size_t s = 0; s < fronts; ++s) {
+    surfaces.push_back(backOf(surfaces[s]));
+    surfaces[s].twin = static_cast<int>(fronts + s);
+    surfaces.back().twin = static_cast<int>(s);
+  }
+}
+
+void makeNamesUnique(std::vector<Surface>& surfaces) {
+  std::set<std::string> taken;
+  for (Surface& surface : surfaces) surface.name = uniqueName(taken, surface.name);
+}
+
+void measureBounds(Scene& scene) {
+  glm::dvec3 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());
+  for (const Surface& surface : scene.surfaces) {
+    for (const Triangle& triangle : surface.triangles) {
+      for (const glm::dvec3& p : triangle.position) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+      }
+    }
+  }
+  scene.origin = 0.5 * (low + high);
+  scene.extent = glm::length(high - low);
+}
+
+/// What a material emits at most in any band.
+double brightestEmission(const Scene& scene, const Material& material) {
+  glm::dvec3 largest(1.0);
+  if (material.emissionMap) {
+    largest = glm::dvec3(0.0);
+    const Image& map = scene.images[static_cast<std::size_t>(*material.emissionMap)];
+    for (const glm::dvec3& pixel : map.pixels) largest = glm::max(largest, pixel);
+  }
+  const glm::dvec3 emission = material.emission * largest;
+  return std::max({emission.r, emission.g, emission.b});
+}
+
+}  // namespace
+
+Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings) {
+  if (!(settings.maxReflectance >= 0 && settings.maxReflectance < 1)) {
+    throw raster::InputError("the largest reflectance must be at least 0 and below 1");
+  }
+  Scene scene;
+  const ObjFile obj = readObj(file);
+  std::vector<Section> sections = cutIntoSections(obj, scene.warnings);
+  if (sections.empty()) fail({file}, "the scene is empty: it has no face with area");
+
+  const MaterialChoice choice = chooseMaterials(sections);
+  MaterialSet found = findMaterials(choice.names, materialFiles(obj, file.parent_path()), settings);
+  scene.materials = std::move(found.materials);
+  scene.images = std::move(found.images);
+  std::move(found.warnings.begin(), found.warnings.end(), std::back_inserter(scene.warnings));
+
+  for (std::size_t s = 0; s < sections.size(); ++s) {
+    const std::string family = sections[s].family;
+    addSurfaces(scene, layCharts(std::move(sections[s]), obj, file, settings.charts), family, choice.ofSection[s]);
+  }
+  if (settings.twoSided) addBacks(scene.surfaces);
+  makeNamesUnique(scene.surfaces);
+  measureBounds(scene);
+  if (scene.extent < smallestExtent) fail({file}, "the scene is smaller than 1e-18 units", "scale it up");
+  return scene;
+}
+
+void requireEmission(const Scene& scene, const std::filesystem::path& file) {
+  double brightest = 0;
+  for (const Material& material : scene.materials) brightest = std::max(brightest, brightestEmission(scene, material));
+  if (brightest == 0)
+    fail({file}, "nothing in the scene emits light", "give a material an emission (Ke in the MTL file)");
+  if (brightest < smallestEmission) fail({file}, "nothing in the scene emits 1e-30 or more", "scale the light up");
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,142 @@
+/// The include graph of the sources: an include goes down the list of rooms only (cli, web, python; reference;
+/// radiosity; raster), front ends never include each other, and no files include each other in a circle.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Include {
+  std::string file;  ///< relative to the top folder, as the included path is
+  std::size_t line = 0;
+  std::string included;
+
+  std::string text() const { return file + ":" + std::to_string(line) + ": #include \"" + included + "\""; }
+};
+
+/// Of a header and its source: both are one unit.
+using Graph = std::map<std::string, std::vector<Include>>;
+
+const std::vector<std::string> rooms = {"raster", "radiosity", "reference", "cli", "web", "python"};
+
+bool isSource(const fs::path& file) { return file.extension() == ".h" || file.extension() == ".cpp"; }
+
+std::vector<Include> includesOf(const std::string& file, std::istream& lines) {
+  std::vector<Include> includes;
+  std::size_t number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    const std::string start = "#include \"";
+    if (!line.starts_with(start)) continue;
+    includes.push_back({file, number, line.substr(start.size(), line.find('"', start.size()) - start.size())});
+  }
+  return includes;
+}
+
+/// Every source of the rooms, headers only where `isHeaderOnly`.
+std::vector<Include> includesOfRooms() {
+  std::vector<Include> includes;
+  for (const std::string& room : rooms) {
+    const fs::path folder = fs::path(HEMITEX_SOURCE) / room;
+    if (!fs::exists(folder)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      if (!isSource(entry.path())) continue;
+      std::ifstream lines(entry.path());
+      const std::string name = fs::relative(entry.path(), HEMITEX_SOURCE).generic_string();
+      const std::vector<Include> found = includesOf(name, lines);
+      includes.insert(includes.end(), found.begin(), found.end());
+    }
+  }
+  return includes;
+}
+
+/// The height of a file's room: an include may go to its own room or to a lower one. Front ends are equally high.
+std::size_t roomOf(const std::string& file) {
+  const std::string room = file.substr(0, file.find('/'));
+  return static_cast<std::size_t>(std::find(rooms.begin(), rooms.end(), room) - rooms.begin());
+}
+
+bool goesUp(const Include& include) {
+  const std::size_t from = roomOf(include.file);
+  const std::size_t to = roomOf(include.included);
+  const std::size_t frontEnds = roomOf("cli/");
+  return to > from || (from >= frontEnds && to >= frontEnds && from != to);
+}
+
+std::string withoutExtension(const std::string& file) { return file.substr(0, file.rfind('.')); }
+
+/// Units (a header with its source) that include each other in a circle: the includes along one such circle.
+std::vector<Include> circle(const std::vector<Include>& includes) {
+  Graph graph;
+  for (const Include& include : includes) {
+    if (withoutExtension(include.included) != withoutExtension(include.file))
+      graph[withoutExtension(include.file)].push_back(include);
+  }
+  enum class State { New, Open, Done };
+  std::map<std::string, State> states;
+  std::vector<Include> path;
+  const auto visit = [&](const auto& self, const std::string& unit) -> bool {
+    states[unit] = State::Open;
+    for (const Include& include : graph[unit]) {
+      const std::string next = withoutExtension(include.included);
+      path.push_back(include);
+      if (states[next] == State::Open) {
+        while (withoutExtension(path.front().file) != next) path.erase(path.begin());
+        return true;
+      }
+      if (states[next] == State::New && self(self, next)) return true;
+      path.pop_back();
+    }
+    states[unit] = State::Done;
+    return false;
+  };
+  for (const auto& unit : std::vector(graph.begin(), graph.end())) {
+    if (states[unit.first] == State::New && visit(visit, unit.first)) return path;
+  }
+  return {};
+}
+
+std::string textOf(const std::vector<Include>& includes) {
+  std::string text;
+  for (const Include& include : includes) text += "\n" + include.text();
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("goesUp and circle find wrong includes", "[includes]") {
+  CHECK(goesUp({"raster/a.h", 1, "radiosity/b.h"}));
+  CHECK(goesUp({"radiosity/a.h", 1, "cli/b.h"}));
+  CHECK(goesUp({"cli/a.h", 1, "python/b.h"}));
+  CHECK_FALSE(goesUp({"cli/a.h", 1, "raster/b.h"}));
+  CHECK_FALSE(goesUp({"cli/a.h", 1, "cli/b.h"}));
+
+  const Include up{"raster/a.cpp", 3, "raster/b.h"};
+  const Include down{"raster/b.h", 7, "raster/c.h"};
+  const Include back{"raster/c.cpp", 9, "raster/a.h"};
+  CHECK(circle({up, down, {"raster/a.cpp", 1, "raster/a.h"}}).empty());
+  // A source belongs to the unit of its header: c.cpp closes the circle that a.cpp and b.h begin.
+  CHECK(textOf(circle({up, down, back})) ==
+        "\nraster/a.cpp:3: #include \"raster/b.h\"\nraster/b.h:7: #include \"raster/c.h\""
+        "\nraster/c.cpp:9: #include \"raster/a.h\"");
+}
+
+TEST_CASE("Sources include lower rooms only, and never in a circle", "[includes]") {
+  const std::vector<Include> includes = includesOfRooms();
+  REQUIRE(includes.size() > 1000);
+  std::vector<Include> upward;
+  for (const Include& include : includes) {
+    if (goesUp(include)) upward.push_back(include);
+  }
+  INFO("these includes go up:" << textOf(upward));
+  CHECK(upward.empty());
+  const std::vector<Include> found = circle(includes);
+  INFO("these units include each other in a circle:" << textOf(found));
+  CHECK(found.empty());
+}
