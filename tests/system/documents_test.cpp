@@ -1,0 +1,101 @@
+/// README.md and the pages of docs/: what they name exists, and their sentences are short.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "raster/base/file_io.h"
+
+namespace fs = std::filesystem;
+using hemitex::raster::readFile;
+
+namespace {
+
+const fs::path top = HEMITEX_SOURCE;
+
+std::vector<fs::path> pages() {
+  std::vector<fs::path> found = {top / "README.md"};
+  for (const auto& entry : fs::directory_iterator(top / "docs")) {
+    if (entry.path().extension() == ".md") found.push_back(entry.path());
+  }
+  return found;
+}
+
+std::vector<std::smatch> matches(const std::string& text, const std::regex& pattern) {
+  return {std::sregex_iterator(text.begin(), text.end(), pattern), std::sregex_iterator()};
+}
+
+/// Paragraphs and list items, each as one line; without headings, tables, code blocks and pictures.
+std::vector<std::string> paragraphs(const std::string& page) {
+  std::vector<std::string> found(1);
+  std::istringstream lines(page);
+  for (std::string line; std::getline(lines, line);) {
+    const bool isProse = !line.empty() && line.find_first_of("#|!") != 0 && !line.starts_with("    ");
+    const bool isItem = std::regex_search(line, std::regex(R"(^ *(-|\d+\.) )"));
+    if (!isProse || isItem) found.emplace_back();
+    if (isProse) found.back() += " " + line;
+  }
+  return found;
+}
+
+/// Sentences end with a period, colon, semicolon, question or exclamation mark before a blank.
+std::vector<std::string> sentences(const std::string& paragraph) {
+  const std::regex end(R"([.:;?!][)*`"]* +)");
+  return {std::sregex_token_iterator(paragraph.begin(), paragraph.end(), end, -1), std::sregex_token_iterator()};
+}
+
+std::size_t wordCount(const std::string& sentence) {
+  std::istringstream stream(sentence);
+  std::size_t count = 0;
+  for (std::string word; stream >> word;) count += 1;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("Files that README.md and docs name exist", "[documents]") {
+  const std::regex inBackticks(R"(`((?:data|docs|raster|radiosity|reference|cli|tests)/[\w/.-]+)`)");
+  const std::regex linked(R"(\]\(([^):#]+)(?:#[^)]*)?\))");
+  std::size_t count = 0;
+  for (const fs::path& page : pages()) {
+    const std::string text = readFile(page);
+    for (const std::smatch& match : matches(text, inBackticks)) {
+      INFO(page.filename() << " names " << match[1]);
+      CHECK(fs::exists(top / match[1].str()));
+      ++count;
+    }
+    for (const std::smatch& match : matches(text, linked)) {
+      INFO(page.filename() << " links " << match[1]);
+      CHECK(fs::exists(page.parent_path() / match[1].str()));
+      ++count;
+    }
+  }
+  CHECK(count > 40);
+}
+
+TEST_CASE("docs/tour.md has ten stops, and the function of each is declared in its file", "[documents]") {
+  const std::string tour = readFile(top / "docs/tour.md");
+  const std::regex stop(R"(\n## (\d+)\. [^\n]+\n\n`([\w/]+\.h)`: `(\w+)`\n)");
+  const std::vector<std::smatch> stops = matches(tour, stop);
+  REQUIRE(stops.size() == 10);
+  for (std::size_t n = 0; n < stops.size(); ++n) {
+    CHECK(stops[n][1] == std::to_string(n + 1));
+    INFO(stops[n][2] << " declares " << stops[n][3]);
+    REQUIRE(fs::exists(top / stops[n][2].str()));
+    CHECK(std::regex_search(readFile(top / stops[n][2].str()), std::regex("\\b" + stops[n][3].str() + "\\(")));
+  }
+}
+
+TEST_CASE("Sentences of README.md and docs have at most 25 words", "[documents]") {
+  for (const fs::path& page : pages()) {
+    for (const std::string& paragraph : paragraphs(readFile(page))) {
+      for (const std::string& sentence : sentences(paragraph)) {
+        INFO(page.filename() << ": " << sentence);
+        CHECK(wordCount(sentence) <= 25);
+      }
+    }
+  }
+}
