@@ -22,7 +22,7 @@ void addRow(Row& mean, const radiosity::FormFactorRow& row, const Receivers& rec
 
 /// The row of one element, from its centre, or of whole surfaces, averaged over their patches.
 Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-            radiosity::ProjectedRows& rows, const Source& source, const Receivers& receivers) {
+            radiosity::ProjectedFormFactors& rows, const Source& source, const Receivers& receivers) {
   Row mean{.formFactor = std::vector<double>(receivers.area.size(), 0.0),
            .standardError = {},
            .background = 0.0,
@@ -104,8 +104,8 @@ Receivers familiesAsReceivers(const radiosity::Discretization& discretization, c
 RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                       const Receivers& receivers, const radiosity::IdSettings& id,
                       const radiosity::DrawingSettings& settings, Console& console) {
-  const auto drawn =
-      std::make_shared<radiosity::DrawnRows>(scene, discretization, layoutOf(id, discretization, console), settings);
+  const auto drawn = std::make_shared<radiosity::SceneFormFactors>(scene, discretization,
+                                                                   layoutOf(id, discretization, console), settings);
   drawn->splitAll();
   return [&scene, &receivers, drawn](const Source& source) {
     return meanRow(scene, drawn->discretization(), drawn->rows(), source, receivers);
@@ -116,7 +116,7 @@ RowMethod rayMethod(const radiosity::Scene& scene, const radiosity::Discretizati
                     const Receivers& receivers, const RayOptions& options) {
   const auto rays = std::make_shared<Rays>(scene, discretization, receivers);
   return [&discretization, rays, options](const Source& source) {
-    const reference::Shooter shooter = reference::areaShooter(rays->shooting, elementsOf(discretization, source));
+    const reference::RaySource shooter = reference::areaShooter(rays->shooting, elementsOf(discretization, source));
     const auto measure = options.aimed ? &reference::RayFormFactors::aimed : &reference::RayFormFactors::overHemisphere;
     const reference::MeasuredRow measured =
         (rays->formFactors.*measure)(shooter, rays->receivers, {.samples = options.samples});

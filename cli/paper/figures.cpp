@@ -77,7 +77,7 @@ struct Shown {
 Shown solved(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
              const radiosity::SolverSettings& settings) {
   // As in the paper no patch is split. Looking for those that should be takes a drawing of each.
-  radiosity::DrawnRows drawn(scene, discretization, layout, {.resolution = 128, .split = 1});
+  radiosity::SceneFormFactors drawn(scene, discretization, layout, {.resolution = 128, .split = 1});
   const auto rowOf = [&drawn](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
   const radiosity::Solution solution = radiosity::solve(scene, drawn.discretization(), rowOf, settings);
   Shown shown{drawn.discretization(), radiosity::displayRadiosity(scene, drawn.discretization(), solution)};

@@ -42,7 +42,7 @@ struct Patch {
   std::uint32_t surface = 0;
   int column = 0, row = 0, width = 0, height = 0;    ///< in texels; at the grid's end a block may be smaller
   std::uint32_t firstElement = 0, elementCount = 0;  ///< in Discretization::patchElements
-  int halvings = 0;  ///< of the resolution that it is drawn at, for it shoots little (see patch_splitting.h)
+  int halvings = 0;  ///< of the resolution that it is drawn at, for it shoots little (see patch_subdivision.h)
   int points = 1;    ///< along its side: it shoots from points x points of them; more than 1 only for a single element
   bool isSettled = false;  ///< whether to split it has been decided
   /// Instead of its number, what a turned projection over it is turned by (see turnOf): patches that were renumbered

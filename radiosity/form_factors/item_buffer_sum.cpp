@@ -18,7 +18,7 @@ using raster::ItemId;
 /// Adds pixels that lie side by side, run by run of one item ID. `before` holds the running sum of shares before each
 /// of them, and after the last.
 void addPixels(const IdLookup& slots, const ItemId* ids, const std::uint64_t* before, std::size_t count,
-               ShareSums& sums) {
+               SparseSums& sums) {
   assert(count > 0);
   constexpr std::size_t pixelsAtOnce = 4096;
   std::array<std::uint64_t, pixelsAtOnce / raster::changesAtOnce> changes;
@@ -39,7 +39,7 @@ void addPixels(const IdLookup& slots, const ItemId* ids, const std::uint64_t* be
 
 /// Adds rows [firstRow, endRow) of a window.
 void addRows(const IdLookup& slots, const Projection& projection, const Window& window,
-             const raster::ItemBuffer& buffer, int firstRow, int endRow, ShareSums& sums) {
+             const raster::ItemBuffer& buffer, int firstRow, int endRow, SparseSums& sums) {
   const raster::Scissor& some = window.scissor;
   const raster::Scissor& whole = projection.faces[window.face].scissor;
   assert(buffer.width == some.width && buffer.height == some.height);
@@ -58,15 +58,15 @@ void addRows(const IdLookup& slots, const Projection& projection, const Window& 
   for (int row = firstRow; row < endRow; ++row) add(row, width);
 }
 
-using AllSums = std::span<ShareSums* const>;
+using AllSums = std::span<SparseSums* const>;
 
 /// Calls body(number) for the blocks of a group that any of the sums have, in ascending order.
 template <typename Body>
 void forEachBlock(AllSums all, std::size_t group, const Body& body) {
   std::uint64_t blocks = 0;
-  for (const ShareSums* sums : all) blocks |= sums->blocksIn(group);
+  for (const SparseSums* sums : all) blocks |= sums->blocksIn(group);
   for (; blocks != 0; blocks &= blocks - 1)
-    body(static_cast<std::uint32_t>(group * ShareSums::blocksInGroup) +
+    body(static_cast<std::uint32_t>(group * SparseSums::blocksInGroup) +
          static_cast<std::uint32_t>(std::countr_zero(blocks)));
 }
 
@@ -74,8 +74,8 @@ std::size_t elementsIn(AllSums all, std::size_t group) {
   std::size_t elements = 0;
   forEachBlock(all, group, [&](std::uint32_t number) {
     std::uint64_t touched = 0;
-    for (ShareSums* sums : all)
-      if (const ShareSums::Block* block = sums->find(number)) touched |= block->touched;
+    for (SparseSums* sums : all)
+      if (const SparseSums::Block* block = sums->find(number)) touched |= block->touched;
     elements += static_cast<std::size_t>(std::popcount(touched));
   });
   return elements;
@@ -83,20 +83,20 @@ std::size_t elementsIn(AllSums all, std::size_t group) {
 
 /// Moves the shares of a group into a row, from a place on.
 void moveGroup(AllSums all, std::size_t group, std::size_t place, FormFactorRow& row) {
-  std::vector<ShareSums::Block*> blocks;
+  std::vector<SparseSums::Block*> blocks;
   forEachBlock(all, group, [&](std::uint32_t number) {
     blocks.clear();
     std::uint64_t touched = 0;
-    for (ShareSums* sums : all)
-      if (ShareSums::Block* block = sums->find(number)) {
+    for (SparseSums* sums : all)
+      if (SparseSums::Block* block = sums->find(number)) {
         blocks.push_back(block);
         touched |= block->touched;
       }
     for (; touched != 0; touched &= touched - 1, ++place) {
       const auto slot = static_cast<std::uint32_t>(std::countr_zero(touched));
       std::uint64_t share = 0;
-      for (ShareSums::Block* block : blocks) share += block->take(slot);
-      row.elements[place] = number * ShareSums::slotsInBlock + slot;
+      for (SparseSums::Block* block : blocks) share += block->take(slot);
+      row.elements[place] = number * SparseSums::slotsInBlock + slot;
       row.shares[place] = share;
     }
   });
@@ -113,11 +113,12 @@ std::uint64_t takeLast(FormFactorRow& row, std::uint32_t slot) {
 
 }  // namespace
 
-RowCounter::RowCounter(const Discretization& discretization, const IdLayout& layout) : slots_(discretization, layout) {
+ItemBufferSum::ItemBufferSum(const Discretization& discretization, const IdLayout& layout)
+    : slots_(discretization, layout) {
   sums_.mine(slots_.count());  // there is always one
 }
 
-void RowCounter::add(const Projection& projection, const Window& window, const raster::ItemBuffer& buffer) {
+void ItemBufferSum::add(const Projection& projection, const Window& window, const raster::ItemBuffer& buffer) {
   constexpr int pixelsOfThread = 8192;
   const int height = window.scissor.height, rows = std::max(1, pixelsOfThread / std::max(1, window.scissor.width));
   raster::parallelFor(static_cast<std::size_t>((height + rows - 1) / rows), [&](std::size_t part) {
@@ -127,15 +128,15 @@ void RowCounter::add(const Projection& projection, const Window& window, const r
   });
 }
 
-FormFactorRow RowCounter::rowOf(const Projection& projection, std::span<const Window> windows,
-                                std::span<const raster::ItemBuffer> buffers) {
+FormFactorRow ItemBufferSum::rowOf(const Projection& projection, std::span<const Window> windows,
+                                   std::span<const raster::ItemBuffer> buffers) {
   assert(windows.size() == buffers.size());
   raster::parallelFor(windows.size(), [&](std::size_t w) { add(projection, windows[w], buffers[w]); });
   return takeRow();
 }
 
-FormFactorRow RowCounter::takeRow() {
-  std::vector<ShareSums*> all;
+FormFactorRow ItemBufferSum::takeRow() {
+  std::vector<SparseSums*> all;
   for (auto& [thread, sums] : sums_.all()) all.push_back(&sums);
   const std::size_t groups = all.front()->groups();
   std::vector<std::size_t> first(groups + 1);
@@ -146,15 +147,15 @@ FormFactorRow RowCounter::takeRow() {
   row.shares.resize(first.back());
   raster::parallelFor(groups, [&](std::size_t group) {
     moveGroup(all, group, first[group], row);
-    for (ShareSums* sums : all) sums->clear(group);
+    for (SparseSums* sums : all) sums->clear(group);
   });
-  for (ShareSums* sums : all) sums->reuse();
+  for (SparseSums* sums : all) sums->reuse();
   row.background = takeLast(row, slots_.background());
   row.back = takeLast(row, slots_.back());
   return row;
 }
 
-std::size_t RowCounter::bytes() const {
+std::size_t ItemBufferSum::bytes() const {
   std::size_t bytes = slots_.bytes();
   for (const auto& [thread, sums] : sums_.all()) bytes += sums.bytes();
   return bytes;

@@ -22,10 +22,10 @@
 
 namespace hemitex::radiosity {
 
-class RowCounter {
+class ItemBufferSum {
  public:
   /// Both referenced objects must outlive this one.
-  RowCounter(const Discretization& discretization, const IdLayout& layout);
+  ItemBufferSum(const Discretization& discretization, const IdLayout& layout);
 
   /// Adds what a window of a projection's face shows; drawing a face with a smaller scissor rectangle gives the same
   /// item IDs there. Windows may be added by several threads at a time.
@@ -42,7 +42,7 @@ class RowCounter {
 
  private:
   IdLookup slots_;
-  raster::PerThread<ShareSums> sums_;
+  raster::PerThread<SparseSums> sums_;
 };
 
 }  // namespace hemitex::radiosity

@@ -27,14 +27,14 @@ int halvingsFor(double weight) {
 }  // namespace
 
 /// A part of a patch: a block of texels and the elements whose own texels lie there.
-struct PatchSplitter::Part {
+struct PatchSubdivision::Part {
   Patch block;
   std::vector<std::uint32_t> elements;  ///< ascending
   int depth = 0;                        ///< how often its side was halved, its points' distance included
 };
 
-PatchSplitter::PatchSplitter(const Scene& scene, Discretization& discretization, const IdLayout& layout,
-                             raster::ItemBufferRenderer& renderer, double maxMisdirected)
+PatchSubdivision::PatchSubdivision(const Scene& scene, Discretization& discretization, const IdLayout& layout,
+                                   raster::ItemBufferRenderer& renderer, double maxMisdirected)
     : scene_(scene),
       discretization_(discretization),
       rows_(scene, discretization, layout, renderer, {.resolution = scoutResolution}),
@@ -43,7 +43,7 @@ PatchSplitter::PatchSplitter(const Scene& scene, Discretization& discretization,
   for (const Patch& patch : discretization.patches) patchArea_.push_back(patchArea(discretization, patch));
 }
 
-std::vector<std::uint32_t> PatchSplitter::split(std::uint32_t number, double weight) {
+std::vector<std::uint32_t> PatchSubdivision::split(std::uint32_t number, double weight) {
   Patch& patch = discretization_.patches[number];
   if (patch.isSettled || maxMisdirected_ >= 1) return {};
   patch.isSettled = true;
@@ -54,7 +54,7 @@ std::vector<std::uint32_t> PatchSplitter::split(std::uint32_t number, double wei
 }
 
 /// Appends what becomes of a part.
-void PatchSplitter::split(Part part, double weight, std::vector<Part>& parts) {
+void PatchSubdivision::split(Part part, double weight, std::vector<Part>& parts) {
   part.block.halvings = halvingsFor(weight);
   const double limit = maxMisdirected_ / std::sqrt(weight);
   // Not even all of its light would be too much.
@@ -78,19 +78,19 @@ void PatchSplitter::split(Part part, double weight, std::vector<Part>& parts) {
   parts.push_back(std::move(part));
 }
 
-double PatchSplitter::areaOf(const Part& part) const {
+double PatchSubdivision::areaOf(const Part& part) const {
   double area = 0;
   for (const std::uint32_t element : part.elements) area += discretization_.elements[element].area;
   return area;
 }
 
 /// Of its first element: a part is cut down to single elements.
-int PatchSplitter::leafSideOf(const Part& part) const {
+int PatchSubdivision::leafSideOf(const Part& part) const {
   const Element& element = discretization_.elements[part.elements.front()];
   return leafOf(discretization_.grids[element.surface], element.texel).side;
 }
 
-double PatchSplitter::misdirectedShareOf(const Part& part) {
+double PatchSubdivision::misdirectedShareOf(const Part& part) {
   const Patch& block = part.block;
   const auto shooting = shootingBlock(scene_.surfaces[block.surface], discretization_.grids[block.surface],
                                       glm::dvec2(block.column, block.row), glm::dvec2(block.width, block.height));
@@ -100,7 +100,7 @@ double PatchSplitter::misdirectedShareOf(const Part& part) {
 }
 
 /// By how much the sum of its elements' normals falls short of their number, both weighted by area.
-double PatchSplitter::foldOf(const Part& part) const {
+double PatchSubdivision::foldOf(const Part& part) const {
   glm::dvec3 sum(0);
   for (const std::uint32_t element : part.elements)
     sum += discretization_.elements[element].area *
@@ -109,7 +109,7 @@ double PatchSplitter::foldOf(const Part& part) const {
 }
 
 /// Of what has this row and this area, all patches being white.
-double PatchSplitter::returningShareOf(const FormFactorRow& row, double area) {
+double PatchSubdivision::returningShareOf(const FormFactorRow& row, double area) {
   std::vector<std::uint32_t> seen;
   for (std::size_t i = 0; i < row.elements.size(); ++i) {
     const std::uint32_t patch = discretization_.patchOf[row.elements[i]];
@@ -125,7 +125,7 @@ double PatchSplitter::returningShareOf(const FormFactorRow& row, double area) {
 }
 
 /// The quarters that have elements, row by row; halves where the block is one texel wide or high.
-std::vector<PatchSplitter::Part> PatchSplitter::quarters(const Part& part) const {
+std::vector<PatchSubdivision::Part> PatchSubdivision::quarters(const Part& part) const {
   const Patch& block = part.block;
   const int width = (block.width + 1) / 2, height = (block.height + 1) / 2;
   std::array<Part, 4> quarter;
@@ -153,7 +153,7 @@ std::vector<PatchSplitter::Part> PatchSplitter::quarters(const Part& part) const
 
 /// Puts parts in the place of a patch: the first takes its number, the others are appended. Their elements lie where
 /// those of the patch did.
-std::vector<std::uint32_t> PatchSplitter::replace(std::uint32_t patch, const std::vector<Part>& parts) {
+std::vector<std::uint32_t> PatchSubdivision::replace(std::uint32_t patch, const std::vector<Part>& parts) {
   std::uint32_t place = discretization_.patches[patch].firstElement;
   std::vector<std::uint32_t> added;
   for (const Part& part : parts) {
@@ -182,7 +182,7 @@ std::vector<std::uint32_t> PatchSplitter::replace(std::uint32_t patch, const std
 
 Discretization splitPatches(const Scene& scene, Discretization discretization, const IdLayout& layout,
                             raster::ItemBufferRenderer& renderer, double maxMisdirected) {
-  PatchSplitter splitter(scene, discretization, layout, renderer, maxMisdirected);
+  PatchSubdivision splitter(scene, discretization, layout, renderer, maxMisdirected);
   const auto count = static_cast<std::uint32_t>(discretization.patches.size());
   for (std::uint32_t patch = 0; patch < count; ++patch) splitter.split(patch, 1);
   return discretization;

@@ -45,12 +45,12 @@ inline constexpr int maxSplits = 4;
 inline constexpr int maxHalvings = 8;
 
 /// Splits patches of one discretization, which changes: elements stay what they are.
-class PatchSplitter {
+class PatchSubdivision {
  public:
   /// `layout` is that of the discretization; the renderer draws its draw list. All referenced objects must outlive this
   /// one. `maxMisdirected`: the share of its light that a patch of weight 1 may misdirect; 1 or more splits none.
-  PatchSplitter(const Scene& scene, Discretization& discretization, const IdLayout& layout,
-                raster::ItemBufferRenderer& renderer, double maxMisdirected);
+  PatchSubdivision(const Scene& scene, Discretization& discretization, const IdLayout& layout,
+                   raster::ItemBufferRenderer& renderer, double maxMisdirected);
 
   /// Quarters a patch until no more than maxMisdirected / sqrt(weight) of the light of each part is misdirected, the
   /// weight of a part being that of the patch times its share of the area. Returns the numbers of the new patches. A
@@ -71,7 +71,7 @@ class PatchSplitter {
 
   const Scene& scene_;
   Discretization& discretization_;
-  ProjectedRows rows_;
+  ProjectedFormFactors rows_;
   std::vector<double> patchArea_;     ///< one a patch
   std::vector<std::uint64_t> share_;  ///< one a patch, all 0 between rows
   double maxMisdirected_;

@@ -7,8 +7,9 @@
 
 namespace hemitex::radiosity {
 
-ProjectedRows::ProjectedRows(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
-                             raster::ItemBufferRenderer& renderer, const ViewSettings& settings)
+ProjectedFormFactors::ProjectedFormFactors(const Scene& scene, const Discretization& discretization,
+                                           const IdLayout& layout, raster::ItemBufferRenderer& renderer,
+                                           const ViewSettings& settings)
     : scene_(scene),
       discretization_(discretization),
       layout_(layout),
@@ -17,7 +18,7 @@ ProjectedRows::ProjectedRows(const Scene& scene, const Discretization& discretiz
       boxes_(triangleBoxes(scene)),
       counter_(discretization, layout) {}
 
-const Projection& ProjectedRows::projectionAfter(int halvings) {
+const Projection& ProjectedFormFactors::projectionAfter(int halvings) {
   const int halved = settings_.resolution >> halvings;
   const int resolution = std::min(settings_.resolution, std::max(smallestResolution, halved + halved % 2));
   const auto known = projections_.find(resolution);
@@ -25,8 +26,8 @@ const Projection& ProjectedRows::projectionAfter(int halvings) {
   return projections_.emplace(resolution, projectionOf(settings_.projection, resolution)).first->second;
 }
 
-View ProjectedRows::viewFrom(std::uint32_t surface, const SurfacePoint& point, const glm::dvec3& up, int halvings,
-                             double area) {
+View ProjectedFormFactors::viewFrom(std::uint32_t surface, const SurfacePoint& point, const glm::dvec3& up,
+                                    int halvings, double area) {
   const Projection& projection = projectionAfter(halvings);
   const glm::dvec3 eye = eyeOver(scene_, surface, point);
   View view{&projection, {}, skippedTriangles(scene_, boxes_, surface, point), area};
@@ -35,7 +36,7 @@ View ProjectedRows::viewFrom(std::uint32_t surface, const SurfacePoint& point, c
   return view;
 }
 
-std::vector<View> ProjectedRows::viewsOfPatch(std::uint32_t number) {
+std::vector<View> ProjectedFormFactors::viewsOfPatch(std::uint32_t number) {
   const Patch& patch = discretization_.patches[number];
   std::vector<View> views;
   const auto add = [&](const SurfacePoint& point, double area) {
@@ -50,7 +51,7 @@ std::vector<View> ProjectedRows::viewsOfPatch(std::uint32_t number) {
   return views;
 }
 
-FormFactorRow ProjectedRows::ofView(const View& view) {
+FormFactorRow ProjectedFormFactors::ofView(const View& view) {
   const std::vector<Window> windows = wholeFaces(*view.projection);
   FormFactorRow row = ofWindows(view, windows);
   if (settings_.pixelsPerElement > 0)
@@ -59,7 +60,7 @@ FormFactorRow ProjectedRows::ofView(const View& view) {
   return row;
 }
 
-FormFactorRow ProjectedRows::ofWindows(const View& view, std::span<const Window> windows) {
+FormFactorRow ProjectedFormFactors::ofWindows(const View& view, std::span<const Window> windows) {
   std::vector<raster::Face> faces;
   for (const Window& window : windows) {
     faces.push_back(view.faces[window.face]);
@@ -70,7 +71,7 @@ FormFactorRow ProjectedRows::ofWindows(const View& view, std::span<const Window>
   return counter_.takeRow();
 }
 
-std::vector<std::uint32_t> ProjectedRows::pixelsOf(const FormFactorRow& row, const View& view) const {
+std::vector<std::uint32_t> ProjectedFormFactors::pixelsOf(const FormFactorRow& row, const View& view) const {
   std::vector<std::uint32_t> pixels(row.elements.size());
   for (std::size_t face = 0; face < buffers_.size(); ++face) {
     const std::vector<std::uint64_t>& before = view.projection->sharesBefore[view.projection->faces[face].shares];
@@ -84,11 +85,11 @@ std::vector<std::uint32_t> ProjectedRows::pixelsOf(const FormFactorRow& row, con
   return pixels;
 }
 
-FormFactorRow ProjectedRows::from(std::uint32_t surface, const SurfacePoint& point) {
+FormFactorRow ProjectedFormFactors::from(std::uint32_t surface, const SurfacePoint& point) {
   return ofView(viewFrom(surface, point, glm::dvec3(0), 0, 0));
 }
 
-FormFactorRow ProjectedRows::ofPatch(std::uint32_t patch) {
+FormFactorRow ProjectedFormFactors::ofPatch(std::uint32_t patch) {
   const std::vector<View> views = viewsOfPatch(patch);
   if (views.size() == 1) return ofView(views.front());
   std::vector<WeightedRow> rows;

@@ -28,23 +28,23 @@ struct ViewSettings {
   Orientation orientation = Orientation::Aligned;
   ProjectionKind projection = ProjectionKind::Hemicube;
   /// Where a surface covers fewer pixels than this for each of its elements in view, coarser index maps are used (see
-  /// coarser_maps.h); 0: nowhere.
+  /// level_of_detail.h); 0: nowhere.
   double pixelsPerElement = 0;
 };
 
 /// All that is drawn for the row from one point.
 struct View {
-  const Projection* projection = nullptr;  ///< of the ProjectedRows that it came from
+  const Projection* projection = nullptr;  ///< of the ProjectedFormFactors that it came from
   std::vector<raster::Face> faces;         ///< one a face of the projection, with the same scissor rectangles
   std::vector<std::uint32_t> skipped;      ///< see skippedTriangles
   double area = 0;                         ///< of the surface that shoots from there
 };
 
-class ProjectedRows {
+class ProjectedFormFactors {
  public:
   /// All referenced objects must outlive this one.
-  ProjectedRows(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
-                raster::ItemBufferRenderer& renderer, const ViewSettings& settings);
+  ProjectedFormFactors(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
+                       raster::ItemBufferRenderer& renderer, const ViewSettings& settings);
 
   /// What stands over patches that are not split.
   const Projection& projection() { return projectionAfter(0); }
@@ -79,7 +79,7 @@ class ProjectedRows {
   ViewSettings settings_;
   std::vector<TriangleBox> boxes_;
   std::map<int, Projection> projections_;  ///< by resolution, made when first asked for
-  RowCounter counter_;
+  ItemBufferSum counter_;
   std::vector<raster::ItemBuffer> buffers_;  ///< drawn last; their memory serves the next view
 };
 

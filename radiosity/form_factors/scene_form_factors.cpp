@@ -19,8 +19,8 @@ std::unique_ptr<raster::ItemBufferRenderer> sceneRenderer(const Scene& scene, co
   return std::make_unique<MeshedRenderer>(makeRenderer(std::move(mesh.list)), std::move(mesh.firstPiece));
 }
 
-DrawnRows::DrawnRows(const Scene& scene, Discretization unsplit, IdLayout layout, const DrawingSettings& settings,
-                     const RendererFactory& makeRenderer)
+SceneFormFactors::SceneFormFactors(const Scene& scene, Discretization unsplit, IdLayout layout,
+                                   const DrawingSettings& settings, const RendererFactory& makeRenderer)
     : layout_(std::move(layout)),
       discretization_(std::move(unsplit)),
       renderer_(sceneRenderer(scene, discretization_, layout_, settings.elementsBy, makeRenderer)),
@@ -32,12 +32,12 @@ DrawnRows::DrawnRows(const Scene& scene, Discretization unsplit, IdLayout layout
   splitter_.emplace(scene, discretization_, layout_, textures_ ? *textures_ : *renderer_, settings.split);
 }
 
-void DrawnRows::splitAll() {
+void SceneFormFactors::splitAll() {
   const auto count = static_cast<std::uint32_t>(discretization_.patches.size());
   for (std::uint32_t patch = 0; splitter_ && patch < count; ++patch) splitter_->split(patch, 1);
 }
 
-PatchSplit DrawnRows::splits() {
+PatchSplit SceneFormFactors::splits() {
   if (!splitter_) return {};
   return [this](std::uint32_t patch, double weight) { return splitter_->split(patch, weight); };
 }

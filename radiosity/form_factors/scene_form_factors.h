@@ -47,14 +47,14 @@ std::unique_ptr<raster::ItemBufferRenderer> sceneRenderer(const Scene& scene, co
                                                           const IdLayout& layout, ElementsBy elementsBy,
                                                           const RendererFactory& makeRenderer = softwareRenderer);
 
-class DrawnRows {
+class SceneFormFactors {
  public:
   /// `layout` is that of the discretization. The scene must outlive this. Which patches are split, textures say,
   /// also where meshes are drawn, so that the patches do not depend on it.
-  DrawnRows(const Scene& scene, Discretization unsplit, IdLayout layout, const DrawingSettings& settings,
-            const RendererFactory& makeRenderer = softwareRenderer);
-  DrawnRows(const DrawnRows&) = delete;
-  DrawnRows& operator=(const DrawnRows&) = delete;
+  SceneFormFactors(const Scene& scene, Discretization unsplit, IdLayout layout, const DrawingSettings& settings,
+                   const RendererFactory& makeRenderer = softwareRenderer);
+  SceneFormFactors(const SceneFormFactors&) = delete;
+  SceneFormFactors& operator=(const SceneFormFactors&) = delete;
 
   /// Patches that were split are replaced by their parts; elements are what they were.
   const Discretization& discretization() const { return discretization_; }
@@ -64,15 +64,15 @@ class DrawnRows {
   /// this.
   PatchSplit splits();
   const IdLayout& layout() const { return layout_; }
-  ProjectedRows& rows() { return rows_; }
+  ProjectedFormFactors& rows() { return rows_; }
 
  private:
   IdLayout layout_;
   Discretization discretization_;
   std::unique_ptr<raster::ItemBufferRenderer> renderer_;
-  ProjectedRows rows_;
+  ProjectedFormFactors rows_;
   std::unique_ptr<raster::ItemBufferRenderer> textures_;  ///< what splits are judged by, where rows are drawn otherwise
-  std::optional<PatchSplitter> splitter_;
+  std::optional<PatchSubdivision> splitter_;
 };
 
 }  // namespace hemitex::radiosity

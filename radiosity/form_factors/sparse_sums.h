@@ -11,7 +11,7 @@
 
 namespace hemitex::radiosity {
 
-class ShareSums {
+class SparseSums {
  public:
   static constexpr std::uint32_t slotsInBlock = 64;
   static constexpr std::uint32_t blocksInGroup = 64;
@@ -25,7 +25,7 @@ class ShareSums {
   };
 
   /// Slots are below `slots`.
-  explicit ShareSums(std::size_t slots);
+  explicit SparseSums(std::size_t slots);
 
   void add(std::uint32_t slot, std::uint64_t share) {
     const std::uint32_t number = slot / slotsInBlock, place = slot % slotsInBlock;

@@ -39,7 +39,7 @@ struct Add {
 /// Gives surfaces an emission or a reflectance of their own; a material's map scales it as before.
 struct SetEmission {
   std::string name;
-  glm::dvec3 to;  ///< radiosity, W/m^2 per band, 0 to largestEmission (material_file.h)
+  glm::dvec3 to;  ///< radiosity, W/m^2 per band, 0 to largestEmission (mtl_file.h)
 };
 struct SetReflectance {
   std::string name;
@@ -60,7 +60,7 @@ struct EditedScene {
 };
 
 /// The farthest from the origin that an edit puts a vertex, in extents: positions are binary32, and what keeps rounding
-/// out of a picture (shooting_view.h) is measured in extents.
+/// out of a picture (patch_view.h) is measured in extents.
 inline constexpr double farthestEdit = 16;
 
 /// Applies edits in their order. `removed` holds what former edits removed. Throws InputError where a name means no

@@ -33,7 +33,7 @@ struct DynamicSolution::World {
       : scene(std::move(edited)), drawn(scene, shooting, layOut(shooting), settings, makeRenderer) {}
 
   const Scene scene;
-  DrawnRows drawn;
+  SceneFormFactors drawn;
 };
 
 namespace {
@@ -121,7 +121,7 @@ LeftRows leaveRows(const std::vector<double>& bounds, double allowed) {
 /// What an edit makes of what was shot, and of the rows that are kept.
 class LightUpdate {
  public:
-  LightUpdate(const Scene& sceneBefore, DrawnRows& before, const Scene& sceneAfter, DrawnRows& after,
+  LightUpdate(const Scene& sceneBefore, SceneFormFactors& before, const Scene& sceneAfter, SceneFormFactors& after,
               const std::vector<Origin>& origins, const KeptRows& kept, std::size_t rowCacheBytes)
       : sceneBefore_(sceneBefore),
         before_(before),
@@ -253,8 +253,8 @@ class LightUpdate {
   }
 
   const Scene& sceneBefore_;
-  DrawnRows& before_;
-  DrawnRows& after_;
+  SceneFormFactors& before_;
+  SceneFormFactors& after_;
   Renumbering numbers_;
   std::uint32_t gone_;  ///< the number of all elements that are gone
   SceneChange change_;
@@ -274,7 +274,7 @@ DynamicSolution::DynamicSolution(Scene scene, Discretization unsplit, DynamicSet
       world_(std::make_unique<World>(std::move(scene), std::move(unsplit), layOut_, settings_.drawing, makeRenderer_)),
       rows_(settings_.solver.rowCacheBytes) {
   settings_.discretization = followingScene(world_->scene, settings_.discretization);
-  refine(Refinement(world_->scene, discretization()), progress);
+  refine(ShootingState(world_->scene, discretization()), progress);
 }
 
 DynamicSolution::~DynamicSolution() = default;
@@ -285,9 +285,9 @@ const IdLayout& DynamicSolution::layout() const { return world_->drawn.layout();
 
 std::uint64_t DynamicSolution::captured() const { return world_->drawn.rows().projection().captured; }
 
-/// As ProjectedRows::ofPatch, but that views are drawn only where their rows are not kept.
+/// As ProjectedFormFactors::ofPatch, but that views are drawn only where their rows are not kept.
 FormFactorRow DynamicSolution::rowOf(std::uint32_t patch) {
-  ProjectedRows& rows = world_->drawn.rows();
+  ProjectedFormFactors& rows = world_->drawn.rows();
   const std::vector<View> views = rows.viewsOfPatch(patch);
   if (views.size() == 1) return rows.ofView(views.front());
   std::vector<WeightedRow> weighted;
@@ -298,11 +298,11 @@ FormFactorRow DynamicSolution::rowOf(std::uint32_t patch) {
   return meanOf(weighted);
 }
 
-void DynamicSolution::refine(Refinement refinement, const Progress& progress) {
+void DynamicSolution::refine(ShootingState state, const Progress& progress) {
   solution_ = radiosity::refine(
-      world_->scene, discretization(), refinement, rows_.ofPatches,
-      [this](std::uint32_t patch) { return rowOf(patch); }, settings_.solver, progress, world_->drawn.splits());
-  light_ = refinement.light();
+      world_->scene, discretization(), state, rows_.ofPatches, [this](std::uint32_t patch) { return rowOf(patch); },
+      settings_.solver, progress, world_->drawn.splits());
+  light_ = state.light();
 }
 
 UpdateCost DynamicSolution::update(std::span<const Edit> edits, const Progress& progress) {
@@ -326,7 +326,8 @@ UpdateCost DynamicSolution::update(std::span<const Edit> edits, const Progress& 
   rows_ = std::move(update.rows());
   ShotLight light = std::move(update.light());
   world_ = std::move(next);
-  refine(startsOver ? Refinement(scene(), discretization()) : Refinement(scene(), discretization(), std::move(light)),
+  refine(startsOver ? ShootingState(scene(), discretization())
+                    : ShootingState(scene(), discretization(), std::move(light)),
          progress);
   return cost;
 }

@@ -1,9 +1,9 @@
 /// Dynamic scenes: a solution that follows the edits of its scene instead of starting over (Chen 1990; George, Sillion
 /// and Greenberg 1990).
 ///
-/// What was shot says what changes (refinement.h). A new emission or reflectance is there at once, for each element
+/// What was shot says what changes (shooting_state.h). A new emission or reflectance is there at once, for each element
 /// keeps what it received. Where objects came, went or moved, the light that patches have shot goes elsewhere: for each
-/// patch the light times what of its row changed (changed_rows.h), below zero where it no longer arrives. What moved
+/// patch the light times what of its row changed (row_update.h), below zero where it no longer arrives. What moved
 /// patches themselves have shot is taken back, and unshot again. What is unshot then, of either sign, is shot until no
 /// more than the residual is left.
 ///
@@ -85,7 +85,7 @@ class DynamicSolution {
   struct World;
 
   FormFactorRow rowOf(std::uint32_t patch);
-  void refine(Refinement refinement, const Progress& progress);
+  void refine(ShootingState state, const Progress& progress);
 
   DynamicSettings settings_;
   LayoutFactory layOut_;

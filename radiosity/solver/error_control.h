@@ -22,7 +22,7 @@ namespace hemitex::radiosity {
 
 /// How hard a solution tries.
 struct Effort {
-  double split = 0.003;  ///< see PatchSplitter
+  double split = 0.003;  ///< see PatchSubdivision
   int resolution = 256;  ///< of hemicubes
 };
 

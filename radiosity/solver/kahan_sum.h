@@ -8,7 +8,7 @@ namespace hemitex::radiosity {
 inline double bandSum(const glm::dvec3& flux) { return flux.x + flux.y + flux.z; }
 
 /// A sum of fluxes to the last digit however many there are (Kahan 1965): `rest_` holds what rounding cut off so far.
-class FluxSum {
+class KahanSum {
  public:
   void add(const glm::dvec3& flux) {
     const glm::dvec3 term = flux - rest_;

@@ -42,37 +42,37 @@ std::vector<std::string> warningsOf(const Energy& energy) {
 constexpr double unitsOfFlux = 256;
 
 /// Shoots until the settings say stop.
-Solution shoot(Refinement& refinement, RowCache& rows, const RowSource& rowOf, const SolverSettings& settings,
+Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, const SolverSettings& settings,
                const Progress& progress, const PatchSplit& split) {
   Solution solution;
-  solution.residual = refinement.residual();
+  solution.residual = state.residual();
   const auto isDone = [&] {
     return solution.residual <= settings.residual || (settings.shots && solution.shots >= *settings.shots);
   };
-  const double unitFlux = refinement.light().lastEmitted / unitsOfFlux;
+  const double unitFlux = state.light().lastEmitted / unitsOfFlux;
   const auto hasBeenSplit = [&](std::uint32_t patch) {
-    if (!split || refinement.hasShot(patch)) return false;
-    const std::vector<std::uint32_t> parts = split(patch, bandSum(glm::abs(refinement.unshot(patch))) / unitFlux);
-    if (!parts.empty()) refinement.split(patch, parts);
+    if (!split || state.hasShot(patch)) return false;
+    const std::vector<std::uint32_t> parts = split(patch, bandSum(glm::abs(state.unshot(patch))) / unitFlux);
+    if (!parts.empty()) state.split(patch, parts);
     return !parts.empty();
   };
   while (!isDone()) {
-    const std::uint32_t patch = refinement.brightestPatch();
+    const std::uint32_t patch = state.brightestPatch();
     if (hasBeenSplit(patch)) continue;  // another may be brighter than its parts
-    refinement.shoot(patch, rows.row(patch, [&] { return rowOf(patch); }));
+    state.shoot(patch, rows.row(patch, [&] { return rowOf(patch); }));
     ++solution.shots;
-    solution.residual = refinement.residual();
+    solution.residual = state.residual();
     if (progress) progress(solution.shots, solution.residual);
   }
   return solution;
 }
 
 /// Accounts for a solution. A refinement that is moved gives its memory to the radiosity.
-template <typename AnyRefinement>
+template <typename AnyShootingState>
 Solution finished(Solution solution, const Scene& scene, const Discretization& discretization,
-                  AnyRefinement&& refinement) {
-  solution.energy = refinement.energy();
-  solution.radiosity = std::forward<AnyRefinement>(refinement).radiosity();
+                  AnyShootingState&& state) {
+  solution.energy = state.energy();
+  solution.radiosity = std::forward<AnyShootingState>(state).radiosity();
   solution.ambient = ambientEstimate(scene, discretization, solution.energy);
   solution.warnings = warningsOf(solution.energy);
   return solution;
@@ -83,17 +83,17 @@ Solution finished(Solution solution, const Scene& scene, const Discretization& d
 Solution solve(const Scene& scene, const Discretization& discretization, const RowSource& rowOf,
                const SolverSettings& settings, const Progress& progress, const PatchSplit& split) {
   assert(!discretization.patches.empty());
-  Refinement refinement(scene, discretization);
+  ShootingState state(scene, discretization);
   RowCache rows(settings.rowCacheBytes);
-  Solution solution = shoot(refinement, rows, rowOf, settings, progress, split);
-  return finished(std::move(solution), scene, discretization, std::move(refinement));
+  Solution solution = shoot(state, rows, rowOf, settings, progress, split);
+  return finished(std::move(solution), scene, discretization, std::move(state));
 }
 
-Solution refine(const Scene& scene, const Discretization& discretization, Refinement& refinement, RowCache& rows,
+Solution refine(const Scene& scene, const Discretization& discretization, ShootingState& state, RowCache& rows,
                 const RowSource& rowOf, const SolverSettings& settings, const Progress& progress,
                 const PatchSplit& split) {
-  Solution solution = shoot(refinement, rows, rowOf, settings, progress, split);
-  return finished(std::move(solution), scene, discretization, std::as_const(refinement));
+  Solution solution = shoot(state, rows, rowOf, settings, progress, split);
+  return finished(std::move(solution), scene, discretization, std::as_const(state));
 }
 
 }  // namespace hemitex::radiosity

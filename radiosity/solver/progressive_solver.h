@@ -1,5 +1,5 @@
 /// Progressive refinement (Cohen, Chen, Wallace and Greenberg 1988): shoot the patch with the most unshot flux, until
-/// little is left. All flux is accounted for: emitted = absorbed + unshot + lost (see refinement.h).
+/// little is left. All flux is accounted for: emitted = absorbed + unshot + lost (see shooting_state.h).
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct Solution {
   std::vector<glm::dvec3> radiosity;  ///< one an element, W/m^2 per band, without the ambient estimate
   glm::dvec3 ambient{0.0};  ///< ambient radiosity of the unshot flux; times reflectance it is added for display only
   Energy energy;
-  double residual = 0;  ///< unshot over emitted flux, bands summed (see Refinement::residual)
+  double residual = 0;  ///< unshot over emitted flux, bands summed (see ShootingState::residual)
   int shots = 0;
   std::vector<std::string> warnings;
 };
@@ -46,7 +46,7 @@ Solution solve(const Scene& scene, const Discretization& discretization, const R
                const SolverSettings& settings, const Progress& progress = {}, const PatchSplit& split = {});
 
 /// Continues a refinement of the scene until the settings say stop; counts shots from here.
-Solution refine(const Scene& scene, const Discretization& discretization, Refinement& refinement, RowCache& rows,
+Solution refine(const Scene& scene, const Discretization& discretization, ShootingState& state, RowCache& rows,
                 const RowSource& rowOf, const SolverSettings& settings, const Progress& progress = {},
                 const PatchSplit& split = {});
 

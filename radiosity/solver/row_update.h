@@ -51,8 +51,8 @@ struct RowChange {
 
 /// The scene before an edit and the scene after it, and the surfaces that are not in both or not at the same place.
 struct SceneChange {
-  ProjectedRows& rowsBefore;
-  ProjectedRows& rowsAfter;
+  ProjectedFormFactors& rowsBefore;
+  ProjectedFormFactors& rowsAfter;
   ChangedSurfaces gone, come;
 };
 

@@ -32,7 +32,7 @@ std::vector<glm::dvec3> emittedByPatches(const Scene& scene, const Discretizatio
     const Patch& patch = discretization.patches[p];
     const SurfaceValues emission = emissions(scene, discretization, patch.surface);
     if (emission.areZero()) return;
-    FluxSum sum;
+    KahanSum sum;
     for (std::uint32_t i = 0; i < patch.elementCount; ++i) {
       const std::uint32_t element = discretization.patchElements[patch.firstElement + i];
       sum.add(emission.of(element) * discretization.elements[element].area);
@@ -77,16 +77,16 @@ struct Arrival {
 /// The unshot flux of patches that receive, and their blocks.
 class ReceivingPatches {
  public:
-  ReceivingPatches(UnshotFlux& unshot, std::vector<std::uint32_t>& blocks) : unshot_(unshot), blocks_(blocks) {}
+  ReceivingPatches(UnshotTree& unshot, std::vector<std::uint32_t>& blocks) : unshot_(unshot), blocks_(blocks) {}
 
   void add(std::uint32_t patch, const glm::dvec3& flux) {
     unshot_.add(patch, flux);
-    const std::uint32_t block = patch / UnshotFlux::patchesInBlock;
+    const std::uint32_t block = patch / UnshotTree::patchesInBlock;
     if (block != last_) blocks_.push_back(last_ = block);
   }
 
  private:
-  UnshotFlux& unshot_;
+  UnshotTree& unshot_;
   std::vector<std::uint32_t>& blocks_;
   std::uint32_t last_ = std::numeric_limits<std::uint32_t>::max();
 };
@@ -140,7 +140,7 @@ struct Receipt {
 
 /// What a shot does to all entries of a part, surface by surface.
 Receipt receive(const Part& part, const glm::dvec3& shot, const FormFactorRow& row, const Scene& scene,
-                const Discretization& discretization, std::span<glm::dvec3> received, UnshotFlux& unshot) {
+                const Discretization& discretization, std::span<glm::dvec3> received, UnshotTree& unshot) {
   Receipt receipt{.blocks = {}, .visits = part.end - part.first};
   for (std::size_t first = part.first, end = part.first; first < part.end; first = end) {
     const std::uint32_t surface = discretization.elements[row.elements[first]].surface;
@@ -167,7 +167,7 @@ Receipt receive(const Part& part, const glm::dvec3& shot, const FormFactorRow& r
 }  // namespace
 
 glm::dvec3 emittedFlux(const Scene& scene, const Discretization& discretization) {
-  FluxSum sum;
+  KahanSum sum;
   for (std::uint32_t s = 0; s < discretization.grids.size(); ++s) {
     const SurfaceValues emission = emissions(scene, discretization, s);
     if (emission.areZero()) continue;
@@ -178,7 +178,7 @@ glm::dvec3 emittedFlux(const Scene& scene, const Discretization& discretization)
   return sum.value();
 }
 
-Refinement::Refinement(const Scene& scene, const Discretization& discretization)
+ShootingState::ShootingState(const Scene& scene, const Discretization& discretization)
     : scene_(scene),
       discretization_(discretization),
       light_(nothingShot(discretization)),
@@ -187,7 +187,7 @@ Refinement::Refinement(const Scene& scene, const Discretization& discretization)
   light_.lastEmitted = bandSum(emitted_);
 }
 
-Refinement::Refinement(const Scene& scene, const Discretization& discretization, ShotLight light)
+ShootingState::ShootingState(const Scene& scene, const Discretization& discretization, ShotLight light)
     : scene_(scene),
       discretization_(discretization),
       light_(std::move(light)),
@@ -198,7 +198,7 @@ Refinement::Refinement(const Scene& scene, const Discretization& discretization,
   lostToBacks_.add(light_.lostToBacks);
 }
 
-std::size_t Refinement::shoot(std::uint32_t patch, const FormFactorRow& row) {
+std::size_t ShootingState::shoot(std::uint32_t patch, const FormFactorRow& row) {
   const glm::dvec3 shot = unshot_.flux()[patch];
   light_.shot[patch] += shot;
   unshot_.clear(patch);
@@ -208,7 +208,7 @@ std::size_t Refinement::shoot(std::uint32_t patch, const FormFactorRow& row) {
   raster::parallelFor(parts.size(), [&](std::size_t i) {
     receipts[i] = receive(parts[i], shot, row, scene_, discretization_, light_.received, unshot_);
   });
-  std::vector<std::uint32_t> blocks{patch / UnshotFlux::patchesInBlock};
+  std::vector<std::uint32_t> blocks{patch / UnshotTree::patchesInBlock};
   std::size_t visits = 0;
   for (const Receipt& receipt : receipts) {
     blocks.insert(blocks.end(), receipt.blocks.begin(), receipt.blocks.end());
@@ -221,21 +221,21 @@ std::size_t Refinement::shoot(std::uint32_t patch, const FormFactorRow& row) {
   return visits + unshot_.update(blocks);
 }
 
-Energy Refinement::energy() const {
-  FluxSum unshot;
+Energy ShootingState::energy() const {
+  KahanSum unshot;
   for (const glm::dvec3& flux : unshot_.flux()) unshot.add(flux);
   return {emitted_, absorbed(), unshot.value(), lost_.value(), lostToBacks_.value()};
 }
 
 /// What the elements received and do not send on. Few are summed plainly, which is four times as fast and costs no more
 /// than a digit.
-glm::dvec3 Refinement::absorbed() const {
+glm::dvec3 ShootingState::absorbed() const {
   constexpr std::uint32_t summedPlainly = 64;
   std::vector<glm::dvec3> ofSurfaces(discretization_.grids.size());
   raster::parallelFor(ofSurfaces.size(), [&](std::size_t s) {
     const SurfaceValues reflectance = reflectances(scene_, discretization_, static_cast<std::uint32_t>(s));
     const Grid& grid = discretization_.grids[s];
-    FluxSum sum;
+    KahanSum sum;
     for (std::uint32_t first = grid.firstElement; first < endOf(grid); first += summedPlainly) {
       glm::dvec3 some(0);
       for (std::uint32_t e = first; e < std::min(first + summedPlainly, endOf(grid)); ++e)
@@ -244,32 +244,32 @@ glm::dvec3 Refinement::absorbed() const {
     }
     ofSurfaces[s] = sum.value();
   });
-  FluxSum sum;
+  KahanSum sum;
   for (const glm::dvec3& ofSurface : ofSurfaces) sum.add(ofSurface);
   return sum.value();
 }
 
-double Refinement::residual() const {
+double ShootingState::residual() const {
   return light_.lastEmitted > 0 ? (bandSum(unshot_.sizes()) + light_.astray) / light_.lastEmitted : 0;
 }
 
-std::vector<glm::dvec3> Refinement::radiosity() const& {
+std::vector<glm::dvec3> ShootingState::radiosity() const& {
   std::vector<glm::dvec3> result = light_.received;
   makeRadiosity(result);
   return result;
 }
 
-std::vector<glm::dvec3> Refinement::radiosity() && {
+std::vector<glm::dvec3> ShootingState::radiosity() && {
   makeRadiosity(light_.received);
   return std::move(light_.received);
 }
 
-std::size_t Refinement::bytes() const {
+std::size_t ShootingState::bytes() const {
   return (light_.shot.capacity() + light_.received.capacity()) * sizeof(glm::dvec3) + unshot_.bytes();
 }
 
 /// From what elements received to their radiosity: what they send out over their area.
-void Refinement::makeRadiosity(std::vector<glm::dvec3>& received) const {
+void ShootingState::makeRadiosity(std::vector<glm::dvec3>& received) const {
   raster::parallelFor(discretization_.grids.size(), [&](std::size_t s) {
     const auto surface = static_cast<std::uint32_t>(s);
     const SurfaceValues emission = emissions(scene_, discretization_, surface),
@@ -282,11 +282,11 @@ void Refinement::makeRadiosity(std::vector<glm::dvec3>& received) const {
 }
 
 /// What the elements of a patch send out and the patch has not shot yet.
-glm::dvec3 Refinement::unshotOf(std::uint32_t number) const {
+glm::dvec3 ShootingState::unshotOf(std::uint32_t number) const {
   const Patch& patch = discretization_.patches[number];
   const SurfaceValues emission = emissions(scene_, discretization_, patch.surface),
                       reflectance = reflectances(scene_, discretization_, patch.surface);
-  FluxSum sum;
+  KahanSum sum;
   sum.add(-light_.shot[number]);
   for (std::uint32_t i = 0; i < patch.elementCount; ++i) {
     const std::uint32_t element = discretization_.patchElements[patch.firstElement + i];
@@ -296,7 +296,7 @@ glm::dvec3 Refinement::unshotOf(std::uint32_t number) const {
   return sum.value();
 }
 
-std::vector<glm::dvec3> Refinement::unshotByPatches() const {
+std::vector<glm::dvec3> ShootingState::unshotByPatches() const {
   assert(light_.shot.size() == discretization_.patches.size());
   assert(light_.received.size() == discretization_.elements.size());
   std::vector<glm::dvec3> unshot(light_.shot.size());
@@ -305,7 +305,7 @@ std::vector<glm::dvec3> Refinement::unshotByPatches() const {
   return unshot;
 }
 
-void Refinement::split(std::uint32_t patch, std::span<const std::uint32_t> newPatches) {
+void ShootingState::split(std::uint32_t patch, std::span<const std::uint32_t> newPatches) {
   assert(!hasShot(patch));
   light_.shot.resize(discretization_.patches.size());
   unshot_.grow(discretization_.patches.size());
@@ -313,7 +313,7 @@ void Refinement::split(std::uint32_t patch, std::span<const std::uint32_t> newPa
   const auto makeAnew = [&](std::uint32_t changed) {
     unshot_.clear(changed);
     unshot_.add(changed, unshotOf(changed));
-    blocks.push_back(changed / UnshotFlux::patchesInBlock);
+    blocks.push_back(changed / UnshotTree::patchesInBlock);
   };
   makeAnew(patch);
   for (const std::uint32_t newPatch : newPatches) makeAnew(newPatch);

@@ -54,12 +54,12 @@ struct ShotLight {
 /// What all elements emit.
 glm::dvec3 emittedFlux(const Scene& scene, const Discretization& discretization);
 
-class Refinement {
+class ShootingState {
  public:
   /// Nothing is shot yet. Both must outlive this.
-  Refinement(const Scene& scene, const Discretization& discretization);
+  ShootingState(const Scene& scene, const Discretization& discretization);
   /// Goes on from what was shot, which is accounted for: sum of `shot` = sum of `received` + `lost`.
-  Refinement(const Scene& scene, const Discretization& discretization, ShotLight light);
+  ShootingState(const Scene& scene, const Discretization& discretization, ShotLight light);
 
   /// The patch with the most unshot flux, sizes of the bands summed; the first of equals.
   std::uint32_t brightestPatch() const { return unshot_.brightest(); }
@@ -95,9 +95,9 @@ class Refinement {
   const Scene& scene_;
   const Discretization& discretization_;
   ShotLight light_;
-  UnshotFlux unshot_;  ///< one a patch
+  UnshotTree unshot_;  ///< one a patch
   glm::dvec3 emitted_{0.0};
-  FluxSum lost_, lostToBacks_;
+  KahanSum lost_, lostToBacks_;
 };
 
 }  // namespace hemitex::radiosity

@@ -9,11 +9,11 @@
 namespace hemitex::radiosity {
 namespace {
 
-constexpr std::size_t children = UnshotFlux::patchesInBlock;
+constexpr std::size_t children = UnshotTree::patchesInBlock;
 
 }  // namespace
 
-UnshotFlux::UnshotFlux(std::vector<glm::dvec3> flux) : flux_(std::move(flux)) {
+UnshotTree::UnshotTree(std::vector<glm::dvec3> flux) : flux_(std::move(flux)) {
   assert(!flux_.empty());
   std::size_t count = flux_.size();
   do {
@@ -23,7 +23,7 @@ UnshotFlux::UnshotFlux(std::vector<glm::dvec3> flux) : flux_(std::move(flux)) {
   } while (count > 1);
 }
 
-void UnshotFlux::grow(std::size_t patches) {
+void UnshotTree::grow(std::size_t patches) {
   flux_.resize(patches);
   std::size_t count = patches;
   for (std::size_t level = 0; level == 0 || count > 1; ++level) {
@@ -38,7 +38,7 @@ void UnshotFlux::grow(std::size_t patches) {
 }
 
 /// Makes a node from its children; returns how many they are.
-std::size_t UnshotFlux::make(std::size_t level, std::uint32_t number) {
+std::size_t UnshotTree::make(std::size_t level, std::uint32_t number) {
   const std::size_t below = level == 0 ? flux_.size() : levels_[level - 1].size();
   const std::size_t first = number * children, end = std::min(first + children, below);
   Node node;
@@ -56,7 +56,7 @@ std::size_t UnshotFlux::make(std::size_t level, std::uint32_t number) {
   return end - first;
 }
 
-std::size_t UnshotFlux::update(std::span<const std::uint32_t> blocks) {
+std::size_t UnshotTree::update(std::span<const std::uint32_t> blocks) {
   ++updates_;
   std::size_t visits = 0;
   std::vector<std::uint32_t> changed(blocks.begin(), blocks.end());
@@ -72,7 +72,7 @@ std::size_t UnshotFlux::update(std::span<const std::uint32_t> blocks) {
   return visits;
 }
 
-std::size_t UnshotFlux::bytes() const {
+std::size_t UnshotTree::bytes() const {
   std::size_t bytes = flux_.capacity() * sizeof(flux_[0]);
   for (const std::vector<Node>& level : levels_) bytes += level.capacity() * sizeof(Node);
   return bytes;

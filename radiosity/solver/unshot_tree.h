@@ -13,13 +13,13 @@
 
 namespace hemitex::radiosity {
 
-class UnshotFlux {
+class UnshotTree {
  public:
   /// Patches that share a lowest node.
   static constexpr std::uint32_t patchesInBlock = 64;
 
   /// One a patch; at least one.
-  explicit UnshotFlux(std::vector<glm::dvec3> flux);
+  explicit UnshotTree(std::vector<glm::dvec3> flux);
 
   const std::vector<glm::dvec3>& flux() const { return flux_; }
   /// Adds to a patch. Blocks of different patches may be changed at the same time; `update` is to follow.

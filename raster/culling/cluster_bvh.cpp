@@ -30,21 +30,21 @@ std::vector<Box> parentsOf(const std::vector<Box>& boxes) {
 
 }  // namespace
 
-ClusterTree::ClusterTree(std::span<const Cluster> clusters) : groups_(groupsOf(clusters)) {
+ClusterBvh::ClusterBvh(std::span<const Cluster> clusters) : groups_(groupsOf(clusters)) {
   if (groups_.empty()) return;
   levels_.emplace_back();
   for (const ClusterGroup& group : groups_) levels_.back().push_back(group.box);
   while (levels_.back().size() > 1) levels_.push_back(parentsOf(levels_.back()));
 }
 
-std::vector<std::uint32_t> ClusterTree::groupsIn(const ViewBounds& view) const {
+std::vector<std::uint32_t> ClusterBvh::groupsIn(const ViewBounds& view) const {
   std::vector<std::uint32_t> found;
   if (!levels_.empty()) visit(levels_.size() - 1, 0, view, found);
   return found;
 }
 
-void ClusterTree::visit(std::size_t level, std::size_t node, const ViewBounds& view,
-                        std::vector<std::uint32_t>& found) const {
+void ClusterBvh::visit(std::size_t level, std::size_t node, const ViewBounds& view,
+                       std::vector<std::uint32_t>& found) const {
   if (!view.mayShow(levels_[level][node])) return;
   if (level == 0) {
     found.push_back(static_cast<std::uint32_t>(node));

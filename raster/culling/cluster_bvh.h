@@ -17,10 +17,10 @@ struct ClusterGroup {
   Box box;  ///< around theirs
 };
 
-class ClusterTree {
+class ClusterBvh {
  public:
-  ClusterTree() = default;
-  explicit ClusterTree(std::span<const Cluster> clusters);
+  ClusterBvh() = default;
+  explicit ClusterBvh(std::span<const Cluster> clusters);
 
   /// The numbers of the groups that may cover a sample, in draw order.
   std::vector<std::uint32_t> groupsIn(const ViewBounds& view) const;

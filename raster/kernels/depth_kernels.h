@@ -2,8 +2,8 @@
 /// which says what they compute, and one for each SIMD instruction set that the processor has; all give the same
 /// numbers, bit for bit.
 ///
-/// The kernels decide in binary64 where its error bound (pixel_bounds.h) allows. What it does not decide, they leave as
-/// it was and list as undecided; the caller decides it exactly (exact.h).
+/// The kernels decide in binary64 where its error bound (interpolation_bounds.h) allows. What it does not decide, they
+/// leave as it was and list as undecided; the caller decides it exactly (exact_interpolation.h).
 #pragma once
 
 #include <cstdint>

@@ -6,8 +6,8 @@
 /// same numbers, bit for bit.
 ///
 /// Positions count from a sample near by: corners are less than 2^11 sub-pixels away from it, and the values of edges
-/// integers below 2^23. 1/w and texels come from binary64; where its error bound (pixel_bounds.h) does not tell the
-/// texel, the caller finds it exactly.
+/// integers below 2^23. 1/w and texels come from binary64; where its error bound (interpolation_bounds.h) does not tell
+/// the texel, the caller finds it exactly.
 #pragma once
 
 #include <array>

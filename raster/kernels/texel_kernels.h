@@ -2,7 +2,7 @@
 /// compute, and one for each SIMD instruction set that the processor has; all give the same numbers, bit for bit.
 ///
 /// The kernels decide in floating point where its error bound (texel_kernels.cpp) allows. What it does not decide, they
-/// list as undecided; the caller decides it exactly (exact.h).
+/// list as undecided; the caller decides it exactly (exact_interpolation.h).
 #pragma once
 
 #include <cstdint>
@@ -41,7 +41,7 @@ struct TexelPlanes {
   TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHeight);
 };
 
-/// Both texture coordinates of a triangle as quotients that binary64 decides everywhere (exact.h).
+/// Both texture coordinates of a triangle as quotients that binary64 decides everywhere (exact_interpolation.h).
 struct ExactTexels {
   ExactQuotient u, v;
 };

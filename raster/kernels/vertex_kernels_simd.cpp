@@ -34,7 +34,7 @@ Integer bitWhere(hn::Mask<Floats> mask, std::int32_t bit) {
   return hn::IfThenElseZero(hn::RebindMask(integers, mask), all(bit));
 }
 
-/// The snapped position of x / w; see snap in screen_triangle.cpp.
+/// The snapped position of x / w; see snap in triangle_setup.cpp.
 Integer snapped(Float x, Float w, int resolution) {
   const auto set = [](double value) { return hn::Set(doubles, value); };
   const Double q = hn::Div(hn::PromoteTo(doubles, x), hn::PromoteTo(doubles, w));

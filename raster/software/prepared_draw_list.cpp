@@ -5,8 +5,8 @@
 namespace hemitex::raster {
 namespace {
 
-PreparedDraws::MapTraits traitsOf(const IndexMap& map) {
-  PreparedDraws::MapTraits traits{true, 0};
+PreparedDrawList::MapTraits traitsOf(const IndexMap& map) {
+  PreparedDrawList::MapTraits traits{true, 0};
   for (std::size_t i = 0; i < map.ids.size(); ++i) {
     traits.countsTexels = traits.countsTexels && map.ids[i] == i;
     traits.bits |= map.ids[i];
@@ -23,18 +23,18 @@ void prefetch(const std::vector<Value>& values, std::size_t first, std::size_t c
 
 }  // namespace
 
-PreparedDraws prepare(DrawList list) {
+PreparedDrawList prepare(DrawList list) {
   validate(list);
-  PreparedDraws draws;
+  PreparedDrawList draws;
   draws.list = std::move(list);
   draws.clusters = clustersOf(draws.list);
-  draws.tree = ClusterTree(draws.clusters);
+  draws.tree = ClusterBvh(draws.clusters);
   draws.mesh = meshOf(draws.list, draws.clusters);
   for (const IndexMap& map : draws.list.indexMaps) draws.maps.push_back(traitsOf(map));
   return draws;
 }
 
-void prefetch(const PreparedDraws& draws, std::uint32_t cluster) {
+void prefetch(const PreparedDrawList& draws, std::uint32_t cluster) {
   const ClusterPart& part = draws.mesh.parts[cluster];
   for (const auto& values : draws.mesh.positions) prefetch(values, part.firstVertex, part.vertices);
   prefetch(draws.mesh.texcoords, part.firstVertex, part.vertices);

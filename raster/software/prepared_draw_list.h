@@ -11,10 +11,10 @@
 
 namespace hemitex::raster {
 
-struct PreparedDraws {
+struct PreparedDrawList {
   DrawList list;
   std::vector<Cluster> clusters;
-  ClusterTree tree;  ///< over the clusters
+  ClusterBvh tree;   ///< over the clusters
   ClusterMesh mesh;  ///< of their triangles
   /// What resolving needs to know of an index map.
   struct MapTraits {
@@ -25,9 +25,9 @@ struct PreparedDraws {
 };
 
 /// Throws InputError where the list breaks the rules (see validate).
-PreparedDraws prepare(DrawList list);
+PreparedDrawList prepare(DrawList list);
 
 /// Asks memory for all that drawing a cluster reads: on the way, it takes as long as another cluster's drawing.
-void prefetch(const PreparedDraws& draws, std::uint32_t cluster);
+void prefetch(const PreparedDrawList& draws, std::uint32_t cluster);
 
 }  // namespace hemitex::raster

@@ -6,23 +6,23 @@
 
 namespace hemitex::raster {
 
-Shading shadingOf(const PreparedDraws& draws, const ScreenTriangle& triangle) {
+Shading shadingOf(const PreparedDrawList& draws, const ScreenTriangle& triangle) {
   const DrawList& list = draws.list;
   const Draw& draw = list.draws[triangle.draw];
   if (triangle.facesAway && draw.back) return {*draw.back, {}};
   if (!draw.indexMap) return {draw.offset, {}};
   const IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
-  const PreparedDraws::MapTraits& traits = draws.maps[static_cast<std::size_t>(*draw.indexMap)];
+  const PreparedDrawList::MapTraits& traits = draws.maps[static_cast<std::size_t>(*draw.indexMap)];
   const bool isSum = list.blend != Blend::Replace && (draw.offset & traits.bits) == 0;
   return {draw.offset,
           Shading::Texels{&map, isSum, isSum && traits.countsTexels, TexelPlanes(triangle, map.width, map.height), {}}};
 }
 
-ItemId idOf(const PreparedDraws& draws, const Draw& draw, bool facesAway, ItemId texel) {
+ItemId idOf(const PreparedDrawList& draws, const Draw& draw, bool facesAway, ItemId texel) {
   if (facesAway && draw.back) return *draw.back;
   if (!draw.indexMap) return draw.offset;
   const auto map = static_cast<std::size_t>(*draw.indexMap);
-  const PreparedDraws::MapTraits& traits = draws.maps[map];
+  const PreparedDrawList::MapTraits& traits = draws.maps[map];
   const bool isSum = draws.list.blend != Blend::Replace && (draw.offset & traits.bits) == 0;
   if (isSum && traits.countsTexels) return draw.offset + texel;
   const ItemId id = draws.list.indexMaps[map].ids[texel];

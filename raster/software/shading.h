@@ -27,10 +27,10 @@ struct Shading {
 };
 
 /// Of a triangle on the screen.
-Shading shadingOf(const PreparedDraws& draws, const ScreenTriangle& triangle);
+Shading shadingOf(const PreparedDrawList& draws, const ScreenTriangle& triangle);
 
 /// The item ID of a pixel that shows a draw, and of its index map, if any, a texel by number.
-ItemId idOf(const PreparedDraws& draws, const Draw& draw, bool facesAway, ItemId texel);
+ItemId idOf(const PreparedDrawList& draws, const Draw& draw, bool facesAway, ItemId texel);
 
 /// The number of the texel that a sample falls on.
 ItemId texelExactly(const ScreenTriangle& triangle, const IndexMap& map, const Pixel& pixel);

@@ -2,7 +2,7 @@
 ///
 /// Each face is cut into tiles (tile.h), which are drawn independently of each other: depth first, then one item ID a
 /// visible pixel. Both decide in floating point where its error bound allows (depth_kernels.h, texel_kernels.h), and in
-/// exact arithmetic (exact.h) where it does not.
+/// exact arithmetic (exact_interpolation.h) where it does not.
 #pragma once
 
 #include <atomic>
@@ -34,7 +34,7 @@ class SoftwareRenderer final : public ItemBufferRenderer {
  private:
   void drawFace(const Face& face, std::span<const std::uint32_t> skipped, ItemBuffer& buffer);
 
-  PreparedDraws draws_;
+  PreparedDrawList draws_;
   TileKernels kernels_;
   PerThread<TileMemory> memory_;
   std::atomic<std::uint64_t> dropped_ = 0;

@@ -26,7 +26,7 @@ bool isSmall(std::uint32_t number) { return number >= firstSmall && number != no
 class Tile {
  public:
   /// For item IDs and their pitch see drawTile.
-  Tile(const PreparedDraws& draws, const TileKernels& kernels, const Face& face, TileMemory& memory, ItemId* ids,
+  Tile(const PreparedDrawList& draws, const TileKernels& kernels, const Face& face, TileMemory& memory, ItemId* ids,
        std::size_t pitch)
       : draws_(draws),
         kernels_(kernels),
@@ -67,7 +67,7 @@ class Tile {
   ItemId idExactly(std::uint32_t number, const Pixel& pixel);
   Shading& shading(std::uint32_t triangle);
 
-  const PreparedDraws& draws_;
+  const PreparedDrawList& draws_;
   const TileKernels& kernels_;
   const Face& face_;
   ItemId* ids_;  ///< those of small triangles are there, the others come when they are resolved
@@ -242,7 +242,7 @@ struct PlacedGroup {
 
 /// The groups of clusters that a view may show, the nearest first. Not the clusters one by one: what follows each other
 /// in memory is faster to read, and of a group that is hidden none is looked at.
-std::vector<PlacedGroup> groupsIn(const ClusterTree& tree, const ViewBounds& view) {
+std::vector<PlacedGroup> groupsIn(const ClusterBvh& tree, const ViewBounds& view) {
   std::vector<PlacedGroup> found;
   for (const std::uint32_t g : tree.groupsIn(view)) found.push_back({g, view.placeOf(tree.group(g).box)});
   std::sort(found.begin(), found.end(), [](const PlacedGroup& a, const PlacedGroup& b) {
@@ -263,7 +263,7 @@ std::vector<Scissor> tilesOf(const Face& face) {
   return tiles;
 }
 
-std::uint64_t drawTile(const PreparedDraws& draws, const TileKernels& kernels, const Face& face,
+std::uint64_t drawTile(const PreparedDrawList& draws, const TileKernels& kernels, const Face& face,
                        std::span<const std::uint32_t> skipped, TileMemory& memory, ItemId* ids, std::size_t pitch) {
   std::uint64_t dropped = 0;
   Tile tile(draws, kernels, face, memory, ids, pitch);

@@ -33,7 +33,7 @@ class BenchFloor {
  private:
   const radiosity::Projection& projection_;
   std::vector<radiosity::Window> faces_;
-  radiosity::RowCounter counter_;
+  radiosity::ItemBufferSum counter_;
   std::vector<raster::ItemId> cleared_;  ///< of all faces
   raster::PerThread<std::vector<std::byte>> fragments_;
 };

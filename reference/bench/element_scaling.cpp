@@ -44,9 +44,9 @@ class Level {
   radiosity::Discretization discretization_;
   radiosity::IdLayout layout_;
   raster::SoftwareRenderer renderer_;
-  radiosity::ProjectedRows rows_;
+  radiosity::ProjectedFormFactors rows_;
   std::vector<radiosity::Window> faces_;
-  radiosity::RowCounter counter_;
+  radiosity::ItemBufferSum counter_;
   std::vector<radiosity::View> views_;
   std::vector<std::vector<raster::ItemBuffer>> drawn_;
   std::vector<raster::ItemBuffer> ids_;

@@ -34,8 +34,9 @@ std::vector<MeasuredRow> trueRows(const radiosity::Scene& scene, const radiosity
   std::vector<MeasuredRow> rows;
   for (const std::uint32_t patch : patches) {
     const radiosity::Patch& block = discretization.patches[patch];
-    const Shooter shooter = pointShooter(scene, block.surface, radiosity::patchCentre(scene, discretization, block));
-    rows.push_back(rays.aimed(shooter, receivers, {.samples = samples}));
+    const RaySource raySource =
+        pointRaySource(scene, block.surface, radiosity::patchCentre(scene, discretization, block));
+    rows.push_back(rays.aimed(raySource, receivers, {.samples = samples}));
   }
   return rows;
 }
@@ -110,8 +111,8 @@ RowComparison compareRows(const radiosity::Scene& scene, const radiosity::Discre
   const auto addHemicubes = [&](const std::vector<int>& resolutions, radiosity::Orientation orientation,
                                 std::vector<RowQuality>& group) {
     for (const int resolution : resolutions) {
-      const auto rows = std::make_shared<radiosity::ProjectedRows>(scene, discretization, layout, renderer,
-                                                                   radiosity::ViewSettings{resolution, orientation});
+      const auto rows = std::make_shared<radiosity::ProjectedFormFactors>(
+          scene, discretization, layout, renderer, radiosity::ViewSettings{resolution, orientation});
       contenders.push_back(
           {[rows](std::uint32_t patch) { return rows->ofPatch(patch); }, group, {.size = resolution}, {}});
     }

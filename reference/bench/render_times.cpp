@@ -18,7 +18,7 @@ namespace hemitex::reference {
 namespace {
 
 using radiosity::ElementsBy;
-using radiosity::ProjectedRows;
+using radiosity::ProjectedFormFactors;
 using radiosity::View;
 
 /// A repeat is the mean over so many patches of a scene as it is, and one of a scene that was cut.
@@ -72,8 +72,8 @@ class Tasks {
     if (world.openGl && withOpenGl)
       add("opengl", [this](std::size_t i) { world_.openGl->draw(views_[i].faces, views_[i].skipped, ids_); });
     if (!world.mesh) return;
-    meshRows_ = std::make_unique<ProjectedRows>(world.scene, world.discretization, world.layout, *world.mesh,
-                                                radiosity::ViewSettings{.resolution = resolution});
+    meshRows_ = std::make_unique<ProjectedFormFactors>(world.scene, world.discretization, world.layout, *world.mesh,
+                                                       radiosity::ViewSettings{.resolution = resolution});
     add("hemicube-mesh", [this](std::size_t i) { meshRows_->ofPatch(patches_[i]); });
     tasks_.push_back({"solution", [this] { solve(); }});
   }
@@ -101,8 +101,8 @@ class Tasks {
 
   World& world_;
   std::vector<std::uint32_t> patches_;
-  ProjectedRows rows_;
-  std::unique_ptr<ProjectedRows> meshRows_;
+  ProjectedFormFactors rows_;
+  std::unique_ptr<ProjectedFormFactors> meshRows_;
   BenchFloor floor_;
   std::vector<View> views_;                ///< one a patch
   std::vector<raster::ItemBuffer> drawn_;  ///< of the first view

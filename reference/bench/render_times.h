@@ -26,7 +26,7 @@ struct BenchRun {
   /// - embree: rays through the same pixels, which triangle each meets (pixel_rays.h);
   /// - opengl: the faces drawn and read back, without the sum; from 100,000 triangles on, where it takes long, at the
   ///   highest resolution alone;
-  /// - floor: buffers cleared and the row summed of item IDs drawn before, of the first patch (bench_floor.h);
+  /// - floor: buffers cleared and the row summed of item IDs drawn before, of the first patch (baseline.h);
   /// - solution: so many shots by the solver, `benchShots`, or fewer where no light is left; shot: the mean one.
   std::string what;
   Timing seconds;
@@ -37,7 +37,7 @@ inline constexpr int benchShots = 10;
 
 struct BenchSettings {
   std::vector<int> resolutions = {128, 256, 512, 1024};
-  /// Scenes of fewer triangles are also cut into so many (finer_scene.h), ascending.
+  /// Scenes of fewer triangles are also cut into so many (subdivided_scene.h), ascending.
   std::vector<std::size_t> triangles = {8000, 100000, 1000000};
   int threads = 1;
   int repeats = 11;

@@ -8,7 +8,7 @@
 namespace hemitex::reference {
 namespace {
 
-/// 3841 elements (see paper_scenes.h).
+/// 3841 elements (see reference/paper/scenes.h).
 void asFineRoom(BenchScene& room) {
   room.elements = {.texels = 24, .surfaceTexels = {{"light", 1}}, .patch = 8};
   for (const char* face : {"bottom", "top", "front", "right", "back", "left"})

@@ -39,14 +39,14 @@ class HeapProbe final : public raster::ItemBufferRenderer {
   std::size_t& bytes_;
 };
 
-radiosity::DrawnRows drawnRows(const radiosity::Scene& scene, int texels, int resolution,
-                               const radiosity::RendererFactory& renderer = radiosity::softwareRenderer) {
+radiosity::SceneFormFactors drawnRows(const radiosity::Scene& scene, int texels, int resolution,
+                                      const radiosity::RendererFactory& renderer = radiosity::softwareRenderer) {
   radiosity::Discretization discretization = radiosity::discretize(scene, {.texels = texels});
   radiosity::IdLayout layout = radiosity::layOut(discretization, {.format = "r32ui"});
   return {scene, std::move(discretization), std::move(layout), {.resolution = resolution, .split = 1}, renderer};
 }
 
-SolutionParts solveOnce(const radiosity::Scene& scene, radiosity::DrawnRows& drawn, int shots) {
+SolutionParts solveOnce(const radiosity::Scene& scene, radiosity::SceneFormFactors& drawn, int shots) {
   SolutionParts parts;
   const auto timed = [](double& part, const auto& step) {
     const Stopwatch watch;
@@ -55,15 +55,15 @@ SolutionParts solveOnce(const radiosity::Scene& scene, radiosity::DrawnRows& dra
     return result;
   };
   const auto refinement =
-      timed(parts.start, [&] { return std::make_unique<radiosity::Refinement>(scene, drawn.discretization()); });
+      timed(parts.start, [&] { return std::make_unique<radiosity::ShootingState>(scene, drawn.discretization()); });
   for (int shot = 0; shot < shots; ++shot) {
-    const std::uint32_t patch = timed(parts.picking, [&] { return refinement->brightestPatch(); });
+    const std::uint32_t patch = timed(parts.picking, [&] { return state->brightestPatch(); });
     const radiosity::FormFactorRow row = timed(parts.hemicubes, [&] { return drawn.rows().ofPatch(patch); });
-    timed(parts.spreading, [&] { return refinement->shoot(patch, row); });
-    timed(parts.accounting, [&] { return refinement->residual(); });
+    timed(parts.spreading, [&] { return state->shoot(patch, row); });
+    timed(parts.accounting, [&] { return state->residual(); });
   }
-  timed(parts.accounting, [&] { return refinement->energy(); });
-  timed(parts.accounting, [&] { return std::move(*refinement).radiosity(); });
+  timed(parts.accounting, [&] { return state->energy(); });
+  timed(parts.accounting, [&] { return std::move(*state).radiosity(); });
   parts.besideOfTotal = parts.beside() / parts.total();
   return parts;
 }
@@ -74,18 +74,18 @@ std::size_t heapBytes(const radiosity::Scene& scene, int texels, int resolution)
   const auto probed = [&whileDrawn](raster::DrawList list) {
     return std::make_unique<HeapProbe>(radiosity::softwareRenderer(std::move(list)), whileDrawn);
   };
-  radiosity::DrawnRows drawn = drawnRows(scene, texels, resolution, probed);
-  radiosity::Refinement refinement(scene, drawn.discretization());
-  refinement.shoot(refinement.brightestPatch(), drawn.rows().ofPatch(refinement.brightestPatch()));
+  radiosity::SceneFormFactors drawn = drawnRows(scene, texels, resolution, probed);
+  radiosity::ShootingState state(scene, drawn.discretization());
+  state.shoot(state.brightestPatch(), drawn.rows().ofPatch(state.brightestPatch()));
   const std::size_t before = heapBytes();
-  const radiosity::FormFactorRow row = drawn.rows().ofPatch(refinement.brightestPatch());
+  const radiosity::FormFactorRow row = drawn.rows().ofPatch(state.brightestPatch());
   return whileDrawn + (heapBytes() - before);
 }
 
 }  // namespace
 
 SolutionParts solutionParts(const radiosity::Scene& scene, int texels, int resolution, int shots, int repeats) {
-  radiosity::DrawnRows drawn = drawnRows(scene, texels, resolution);
+  radiosity::SceneFormFactors drawn = drawnRows(scene, texels, resolution);
   drawn.rows().ofPatch(0);
   std::vector<SolutionParts> times;
   for (int repeat = 0; repeat < repeats; ++repeat) times.push_back(solveOnce(scene, drawn, shots));

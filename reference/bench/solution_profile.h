@@ -23,8 +23,8 @@ struct SolutionParts {
   double total() const { return beside() + hemicubes; }
 };
 
-/// Every surface of the scene with texels x texels elements, item IDs of 32 bits. Goes the solver's way (solver.h) step
-/// by step, on the threads that are allowed.
+/// Every surface of the scene with texels x texels elements, item IDs of 32 bits. Goes the solver's way
+/// (progressive_solver.h) step by step, on the threads that are allowed.
 SolutionParts solutionParts(const radiosity::Scene& scene, int texels, int resolution, int shots, int repeats);
 
 /// What a solution takes above the scene itself while it sums a row: elements, patches, tables, index maps, light, item

@@ -49,9 +49,9 @@ CoreGains coreGains(const GainByTurn& arithmetic, const GainByTurn& hemicube, co
 }
 
 CoreGains coreGains(const BenchScene& bench, int resolution, int shots, int repeats) {
-  radiosity::DrawnRows drawn(bench.scene, radiosity::discretize(bench.scene, bench.elements),
-                             radiosity::layOut(radiosity::discretize(bench.scene, bench.elements), bench.ids),
-                             {.resolution = resolution, .split = 1});
+  radiosity::SceneFormFactors drawn(bench.scene, radiosity::discretize(bench.scene, bench.elements),
+                                    radiosity::layOut(radiosity::discretize(bench.scene, bench.elements), bench.ids),
+                                    {.resolution = resolution, .split = 1});
   const std::vector<std::uint32_t> patches = spreadPatches(drawn.discretization(), 8);
   const auto hemicubes = [&] {
     for (const std::uint32_t patch : patches) drawn.rows().ofPatch(patch);

@@ -1,9 +1,9 @@
 /// A renderer on a real device: OpenGL through EGL, without a window. It shows what a backend for this method looks
 /// like, and gives the verdicts (verdict.h) a device to judge.
 ///
-/// The renderer itself holds textures, framebuffer and viewport. A context to work in is in opengl_context.h, triangles
-/// as the device is given them in opengl_vertices.h, what it draws with one call in opengl_batches.h, and what the two
-/// paths do each in their way in opengl_pipeline.h.
+/// The renderer itself holds textures, framebuffer and viewport. A context to work in is in context.h, triangles
+/// as the device is given them in vertices.h, what it draws with one call in batches.h, and what the two
+/// paths do each in their way in pipeline.h.
 ///
 /// Left to itself a device departs from the raster rules in four ways, and each has its remedy here. It cuts triangles
 /// at the sides of its view: the view is as wide as the rules' guard band, and the framebuffer shows the scissor

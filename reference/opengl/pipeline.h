@@ -1,5 +1,5 @@
 /// How OpenGL gets from the vertices of a draw to item IDs: what the two paths of OpenGlRenderer do each in their way.
-/// One is in opengl_fixed_function.h, the other in opengl_shader.h.
+/// One is in fixed_function_pipeline.h, the other in shader_pipeline.h.
 ///
 /// Clip coordinates are (x / width, y / width, n, w), where a unit of x / w is half the side of the face and the
 /// viewport is `width` times as wide as the face: the device cuts triangles at the sides of its view, and so far out

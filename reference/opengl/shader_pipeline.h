@@ -1,4 +1,4 @@
-/// The path of today's hardware: programs on the device (opengl_programs.h) do all that the raster rules ask for.
+/// The path of today's hardware: programs on the device (shader_programs.h) do all that the raster rules ask for.
 ///
 /// An item ID is an integer of 32 bits, in textures as in the framebuffer, so that item IDs may have any format.
 /// Vertices lie on the device once for all views, each with the offset of its draw. The depth is w; the smaller is the

@@ -44,8 +44,8 @@ struct Cell {
 ShotTimes solveOnce(const Cell& cell) {
   TimedRenderer renderer(*cell.renderer);
   const PaperLevel& level = *cell.level;
-  radiosity::ProjectedRows rows(cell.scene->scene, level.discretization, level.layout, renderer,
-                                {.resolution = cell.run.resolution});
+  radiosity::ProjectedFormFactors rows(cell.scene->scene, level.discretization, level.layout, renderer,
+                                       {.resolution = cell.run.resolution});
   rows.ofPatch(0);
   ShotTimes times;
   const auto rowOf = [&](std::uint32_t patch) {

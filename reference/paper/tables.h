@@ -1,4 +1,4 @@
-/// What the runs of paper_runs.h say, beside what Nielsen and Christensen (2002) say: their tables, how much faster
+/// What the runs of runs.h say, beside what Nielsen and Christensen (2002) say: their tables, how much faster
 /// textures are than regular meshing, and by how much time grows from the coarse to the fine level.
 ///
 /// Times of two runs are compared shot by shot, since runs that take too long have fewer shots.

@@ -136,7 +136,7 @@ void passBacksOfTwins(const RTCFilterFunctionNArguments* arguments) {
 }
 
 /// The tree asks for the places, which are those of its triangles, as long as it lives.
-EmbreeTree treeOver(const radiosity::Scene& scene, std::vector<Place>& places) {
+EmbreeScene treeOver(const radiosity::Scene& scene, std::vector<Place>& places) {
   return embreeTree([&](RTCDevice device) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* corner = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
@@ -164,11 +164,11 @@ struct RayRows::Implementation {
   std::vector<Sample> samples;
   SurfacePieces pieces;  ///< empty where rays start at centres
   std::vector<Place> places;
-  EmbreeTree tree;
+  EmbreeScene tree;
   std::vector<std::uint32_t> met;     ///< by each ray: an element, `background` or `back`
   std::vector<std::uint64_t> counts;  ///< of rays, one an element, all 0 between rows
 
-  Shooter shooterOf(std::uint32_t patch) const;
+  RaySource shooterOf(std::uint32_t patch) const;
   std::uint32_t whatIsMet(const RTCRayHit16& packet, std::size_t i) const;
   radiosity::FormFactorRow count();
 };
@@ -180,17 +180,17 @@ RayRows::RayRows(const radiosity::Scene& scene, const radiosity::Discretization&
   implementation_.reset(new Implementation{
       scene, discretization, settings.start, samplesOf(settings.rays),
       settings.start == RayStart::Area ? surfacePieces(scene, discretization) : SurfacePieces{}, placesOf(scene),
-      EmbreeTree{}, std::vector<std::uint32_t>(static_cast<std::size_t>(settings.rays)),
+      EmbreeScene{}, std::vector<std::uint32_t>(static_cast<std::size_t>(settings.rays)),
       std::vector<std::uint64_t>(discretization.elements.size())});
   implementation_->tree = treeOver(scene, implementation_->places);
 }
 
 RayRows::~RayRows() = default;
 
-Shooter RayRows::Implementation::shooterOf(std::uint32_t patch) const {
-  if (start == RayStart::Area) return areaShooter(pieces, elementsOfPatch(discretization, patch));
+RaySource RayRows::Implementation::shooterOf(std::uint32_t patch) const {
+  if (start == RayStart::Area) return areaRaySource(pieces, elementsOfPatch(discretization, patch));
   const radiosity::Patch& block = discretization.patches[patch];
-  return pointShooter(scene, block.surface, radiosity::patchCentre(scene, discretization, block));
+  return pointRaySource(scene, block.surface, radiosity::patchCentre(scene, discretization, block));
 }
 
 std::uint32_t RayRows::Implementation::whatIsMet(const RTCRayHit16& packet, std::size_t i) const {
@@ -221,10 +221,10 @@ radiosity::FormFactorRow RayRows::Implementation::count() {
 
 radiosity::FormFactorRow RayRows::ofPatch(std::uint32_t patch) {
   Implementation& our = *implementation_;
-  const Shooter shooter = our.shooterOf(patch);
+  const RaySource raySource = our.shooterOf(patch);
   const glm::dvec2 turn = onCircle(radiosity::turnOf(patch, 0));
   const auto originOf = [&](const glm::vec2& square) {
-    const ShootingPoint point = shootingPoint(shooter, square.x, square.y);
+    const ShootingPoint point = shootingPoint(raySource, square.x, square.y);
     const Place& place = our.places[point.triangle];
     const auto corner = inFrame(our.scene, our.scene.surfaces[place.surface].triangles[place.triangle]);
     return originAt(point, (corner[0] + corner[1] + corner[2]) / 3.0, turn);

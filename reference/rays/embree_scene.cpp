@@ -6,8 +6,8 @@
 namespace hemitex::reference {
 namespace {
 
-EmbreeTree build(const std::function<RTCGeometry(RTCDevice)>& make, RTCSceneFlags flags) {
-  EmbreeTree tree;
+EmbreeScene build(const std::function<RTCGeometry(RTCDevice)>& make, RTCSceneFlags flags) {
+  EmbreeScene tree;
   tree.device.reset(rtcNewDevice(nullptr));
   if (!tree.device) throw std::runtime_error("Embree does not run on this machine");
   tree.scene.reset(rtcNewScene(tree.device.get()));
@@ -26,7 +26,7 @@ EmbreeTree build(const std::function<RTCGeometry(RTCDevice)>& make, RTCSceneFlag
 
 /// Embree builds in tasks that flush subnormal numbers to 0, and oneTBB hands that mode on to every later loop of the
 /// thread that called. So a thread of its own calls.
-EmbreeTree embreeTree(const std::function<RTCGeometry(RTCDevice)>& make, RTCSceneFlags flags) {
+EmbreeScene embreeTree(const std::function<RTCGeometry(RTCDevice)>& make, RTCSceneFlags flags) {
   return std::async(std::launch::async, [&make, flags] { return build(make, flags); }).get();
 }
 

@@ -15,13 +15,13 @@ struct ReleaseEmbree {
   void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
 };
 
-struct EmbreeTree {
+struct EmbreeScene {
   std::unique_ptr<RTCDeviceTy, ReleaseEmbree> device;
   std::unique_ptr<RTCSceneTy, ReleaseEmbree> scene;
 };
 
 /// The tree over the one geometry that `make` returns, not yet committed, made with the device that it is given. Unless
 /// the flags say else, rays may not slip between neighbours. Throws std::runtime_error where Embree fails.
-EmbreeTree embreeTree(const std::function<RTCGeometry(RTCDevice)>& make, RTCSceneFlags flags = RTC_SCENE_FLAG_ROBUST);
+EmbreeScene embreeTree(const std::function<RTCGeometry(RTCDevice)>& make, RTCSceneFlags flags = RTC_SCENE_FLAG_ROBUST);
 
 }  // namespace hemitex::reference

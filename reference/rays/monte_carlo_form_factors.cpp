@@ -106,7 +106,7 @@ RayFormFactors::RayFormFactors(const radiosity::Scene& scene, const radiosity::D
     for (std::uint32_t t = 0; t < scene.surfaces[surface].triangles.size(); ++t) places_.push_back({surface, t});
 }
 
-MeasuredRow RayFormFactors::overHemisphere(const Shooter& shooter, const Receivers& receivers,
+MeasuredRow RayFormFactors::overHemisphere(const RaySource& raySource, const Receivers& receivers,
                                            const Sampling& sampling) const {
   const std::size_t back = receivers.count, background = back + 1;
   const auto columnOf = [&](const std::optional<RayHit>& hit) -> std::size_t {
@@ -118,7 +118,7 @@ MeasuredRow RayFormFactors::overHemisphere(const Shooter& shooter, const Receive
     return receiver == Receivers::none ? background : hit->front ? receiver : back;
   };
   const auto add = [&](const SamplePoint& sample, Sums& sums) {
-    const ShootingPoint point = shootingPoint(shooter, sample[2], sample[3]);
+    const ShootingPoint point = shootingPoint(raySource, sample[2], sample[3]);
     const glm::dvec3 direction = cosineDirection(point.normal, sample[0], sample[1]);
     sums[columnOf(rays_.firstHit({point.position, direction, point.triangle}))] += 1;
   };
@@ -128,7 +128,8 @@ MeasuredRow RayFormFactors::overHemisphere(const Shooter& shooter, const Receive
   return row;
 }
 
-MeasuredRow RayFormFactors::aimed(const Shooter& shooter, const Receivers& receivers, const Sampling& sampling) const {
+MeasuredRow RayFormFactors::aimed(const RaySource& raySource, const Receivers& receivers,
+                                  const Sampling& sampling) const {
   const std::size_t back = receivers.count, background = back + 1;
   std::vector<const SurfacePiece*> asked;
   for (const SurfacePiece& piece : pieces_.pieces)
@@ -138,7 +139,7 @@ MeasuredRow RayFormFactors::aimed(const Shooter& shooter, const Receivers& recei
   };
 
   const auto add = [&](const SamplePoint& sample, Sums& sums) {
-    const ShootingPoint point = shootingPoint(shooter, sample[0], sample[1]);
+    const ShootingPoint point = shootingPoint(raySource, sample[0], sample[1]);
     double left = 1;
     for (const SurfacePiece* piece : asked) {
       const std::optional<SeenSide> side = seenSide(*piece, point);

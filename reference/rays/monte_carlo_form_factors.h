@@ -1,6 +1,6 @@
 /// Form factors with occlusion, measured by rays: the ground truth that every other method is compared with. Each value
-/// comes with its standard error. From a point, or averaged over the area of elements (see shooter.h), to elements or
-/// to groups of them.
+/// comes with its standard error. From a point, or averaged over the area of elements (see ray_source.h), to elements
+/// or to groups of them.
 ///
 /// Two estimators:
 /// - Over the hemisphere, rays leave evenly in projected solid angle, so each that arrives counts alike. A row costs
@@ -8,11 +8,11 @@
 ///   same whatever the number of receivers. Use it for whole rows, and as the judge of the other: it shares nothing
 ///   with closed forms. Standard errors are about 1e-3 with 2^16 rays and 1e-4 with 2^20; a receiver that fewer than
 ///   some twenty rays meet is measured badly.
-/// - Aimed: at each point of the shooter the form factor of every receiver is known in closed form but for its
+/// - Aimed: at each point of the source the form factor of every receiver is known in closed form but for its
 /// blockers,
-///   and a ray towards it says whether there are any. Where nothing is hidden only the average over the shooter is
+///   and a ray towards it says whether there are any. Where nothing is hidden only the average over the source is
 ///   sampled, which is smooth: standard errors of 1e-5 of the value with 2^16 points, 1e-6 with 2^20. Where a blocker
-///   hides a part, 1e-3 and 1e-4. What happens on less of the shooter than one point stands for may be missed, and no
+///   hides a part, 1e-3 and 1e-4. What happens on less of the source than one point stands for may be missed, and no
 ///   standard error tells: at a gap of a millionth of the side it is the light that leaves between the rims, 2e-6 of
 ///   all. Time grows with points times pieces of receivers. Use it for few, small or near receivers, and where digits
 ///   count. A value that is 0, for all is hidden, may come out below 0 by its error.
@@ -64,8 +64,8 @@ class RayFormFactors {
   /// The referenced objects must outlive this one.
   RayFormFactors(const radiosity::Scene& scene, const radiosity::Discretization& discretization);
 
-  MeasuredRow overHemisphere(const Shooter& shooter, const Receivers& receivers, const Sampling& sampling) const;
-  MeasuredRow aimed(const Shooter& shooter, const Receivers& receivers, const Sampling& sampling) const;
+  MeasuredRow overHemisphere(const RaySource& raySource, const Receivers& receivers, const Sampling& sampling) const;
+  MeasuredRow aimed(const RaySource& raySource, const Receivers& receivers, const Sampling& sampling) const;
 
   /// For shooters made of elements.
   const SurfacePieces& pieces() const { return pieces_; }

@@ -15,7 +15,7 @@ constexpr std::size_t packetSize = side * side;
 /// Rows of packets that a thread takes at once.
 constexpr int rowsAtOnce = 4;
 
-EmbreeTree treeOver(const raster::DrawList& list) {
+EmbreeScene treeOver(const raster::DrawList& list) {
   const auto make = [&list](RTCDevice device) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* const positions = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
@@ -100,7 +100,7 @@ void castRows(RTCScene scene, const raster::Face& face, int firstRow, int endRow
 }  // namespace
 
 struct PixelRays::Implementation {
-  EmbreeTree tree;
+  EmbreeScene tree;
 };
 
 PixelRays::PixelRays(const raster::DrawList& list) : implementation_(new Implementation{treeOver(list)}) {}

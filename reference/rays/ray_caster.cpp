@@ -92,7 +92,7 @@ std::vector<Target> targetsOf(const radiosity::Scene& scene) {
 }
 
 /// The tree asks for the targets as long as it lives.
-EmbreeTree treeOver(std::vector<Target>& targets) {
+EmbreeScene treeOver(std::vector<Target>& targets) {
   return embreeTree([&targets](RTCDevice device) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(targets.size()));
@@ -107,7 +107,7 @@ EmbreeTree treeOver(std::vector<Target>& targets) {
 
 struct RayCaster::Implementation {
   std::vector<Target> targets;
-  EmbreeTree tree;
+  EmbreeScene tree;
 };
 
 RayCaster::RayCaster(const radiosity::Scene& scene) : implementation_(new Implementation{targetsOf(scene), {}}) {

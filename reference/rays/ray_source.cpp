@@ -26,7 +26,7 @@ std::uint32_t numberInScene(const radiosity::Scene& scene, std::uint32_t surface
 
 }  // namespace
 
-Shooter pointShooter(const radiosity::Scene& scene, std::uint32_t surface, const radiosity::SurfacePoint& point) {
+RaySource pointRaySource(const radiosity::Scene& scene, std::uint32_t surface, const radiosity::SurfacePoint& point) {
   const auto [a, b, c] = inFrame(scene, scene.surfaces[surface].triangles[point.triangle]);
   const glm::dvec3 near = inFrame(scene, point.position);
   const glm::dvec3 inPlane = near - glm::dot(near - a, point.normal) * point.normal;
@@ -36,19 +36,19 @@ Shooter pointShooter(const radiosity::Scene& scene, std::uint32_t surface, const
   return {{{{start, start, start}, point.normal, numberInScene(scene, surface, point.triangle)}}, {1.0}};
 }
 
-Shooter areaShooter(const SurfacePieces& pieces, std::span<const std::uint32_t> elements) {
-  Shooter shooter;
+RaySource areaRaySource(const SurfacePieces& pieces, std::span<const std::uint32_t> elements) {
+  RaySource raySource;
   double sum = 0;
   for (const std::uint32_t element : elements)
     for (const SurfacePiece& piece : pieces.of(element))
       for (std::size_t i = 2; i < piece.corner.size(); ++i) {
-        shooter.triangles.push_back(
+        raySource.triangles.push_back(
             {{piece.corner[0], piece.corner[i - 1], piece.corner[i]}, piece.normal, piece.triangle});
-        shooter.upTo.push_back(sum += doubledArea(shooter.triangles.back().corner));
+        raySource.upTo.push_back(sum += doubledArea(raySource.triangles.back().corner));
       }
   assert(sum > 0);
-  for (double& share : shooter.upTo) share /= sum;
-  return shooter;
+  for (double& share : raySource.upTo) share /= sum;
+  return raySource;
 }
 
 std::vector<std::uint32_t> elementsOfPatch(const radiosity::Discretization& discretization, std::uint32_t patch) {
@@ -64,10 +64,10 @@ std::vector<std::uint32_t> elementsOfSurface(const radiosity::Discretization& di
 }
 
 /// A triangle takes an interval of x as wide as its share of the area; in it the square is drawn together at one end.
-ShootingPoint shootingPoint(const Shooter& shooter, double x, double y) {
-  const auto found = std::upper_bound(shooter.upTo.begin(), std::prev(shooter.upTo.end()), x);
-  const double before = found == shooter.upTo.begin() ? 0 : *std::prev(found);
-  const ShootingTriangle& triangle = shooter.triangles[static_cast<std::size_t>(found - shooter.upTo.begin())];
+ShootingPoint shootingPoint(const RaySource& raySource, double x, double y) {
+  const auto found = std::upper_bound(raySource.upTo.begin(), std::prev(raySource.upTo.end()), x);
+  const double before = found == raySource.upTo.begin() ? 0 : *std::prev(found);
+  const ShootingTriangle& triangle = raySource.triangles[static_cast<std::size_t>(found - raySource.upTo.begin())];
   const auto& [a, b, c] = triangle.corner;
   const double along = std::sqrt((x - before) / (*found - before));
   return {a + along * ((b - a) + y * (c - b)), triangle.normal, triangle.triangle};

@@ -22,17 +22,17 @@ struct ShootingTriangle {
   std::uint32_t triangle = 0;  ///< of the scene
 };
 
-struct Shooter {
+struct RaySource {
   std::vector<ShootingTriangle> triangles;
   std::vector<double> upTo;  ///< the share of the area of the triangles up to each and with it; the last is 1
 };
 
 /// A single point. It is put into the plane of its triangle, and moved towards the triangle's middle by 2^-30 extents,
 /// so that no rounding leaves it behind a surface that touches it.
-Shooter pointShooter(const radiosity::Scene& scene, std::uint32_t surface, const radiosity::SurfacePoint& point);
+RaySource pointRaySource(const radiosity::Scene& scene, std::uint32_t surface, const radiosity::SurfacePoint& point);
 
 /// The area of one or more elements together.
-Shooter areaShooter(const SurfacePieces& pieces, std::span<const std::uint32_t> elements);
+RaySource areaRaySource(const SurfacePieces& pieces, std::span<const std::uint32_t> elements);
 
 /// The elements of a patch, and of a surface.
 std::vector<std::uint32_t> elementsOfPatch(const radiosity::Discretization& discretization, std::uint32_t patch);
@@ -45,7 +45,7 @@ struct ShootingPoint {
   std::uint32_t triangle = 0;  ///< of the scene
 };
 
-/// The point of a shooter that the point (x, y) of the unit square stands for; equal areas stand for equal areas.
-ShootingPoint shootingPoint(const Shooter& shooter, double x, double y);
+/// The point of a ray source that the point (x, y) of the unit square stands for; equal areas stand for equal areas.
+ShootingPoint shootingPoint(const RaySource& raySource, double x, double y);
 
 }  // namespace hemitex::reference

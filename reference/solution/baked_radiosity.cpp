@@ -70,7 +70,7 @@ std::vector<Place> placesOf(const radiosity::Scene& scene) {
 
 /// An element that emits.
 struct Light {
-  Shooter shooter;
+  RaySource raySource;
   glm::dvec3 power;  ///< flux of a path from here, so that all paths together carry what is emitted, W
   double upTo;       ///< the share of the flux of the lights up to this one and with it; of the last it is 1
 };
@@ -102,13 +102,13 @@ class Tracer {
   Measurement exposedShare(std::uint32_t element, std::size_t count, std::uint32_t seed) const {
     const SamplePoints points(count, 2 * seed);
     Random random(2 * seed + 1);
-    const Shooter shooter = areaShooter(pieces_, std::array{element});
+    const RaySource raySource = areaRaySource(pieces_, std::array{element});
     const bool emits = total(radiosity::emission(scene_, discretization_, element)) > 0;
     std::array<double, randomizations> shares{};
     for (std::size_t r = 0; r < randomizations; ++r)
       for (std::size_t i = 0; i < count; ++i) {
         const SamplePoint sample = points.at(r, i);
-        if (!isBuried(shootingPoint(shooter, sample[0], sample[1]), emits, random))
+        if (!isBuried(shootingPoint(raySource, sample[0], sample[1]), emits, random))
           shares[r] += 1 / static_cast<double>(count);
       }
     return meanOf(shares);
@@ -121,7 +121,7 @@ class Tracer {
       const glm::dvec3 emission = radiosity::emission(scene_, discretization_, e);
       if (total(emission) == 0) continue;
       sum += discretization_.elements[e].area * total(emission);
-      lights_.push_back({areaShooter(pieces_, std::array{e}), emission / total(emission), sum});
+      lights_.push_back({areaRaySource(pieces_, std::array{e}), emission / total(emission), sum});
     }
     for (Light& light : lights_) {
       light.upTo /= sum;
@@ -179,7 +179,7 @@ class Tracer {
   ShootingPoint lightPoint(double x, double y) const {
     const auto light = lightAt(x);
     const double before = light == lights_.begin() ? 0 : std::prev(light)->upTo;
-    return shootingPoint(light->shooter, (x - before) / (light->upTo - before), y);
+    return shootingPoint(light->raySource, (x - before) / (light->upTo - before), y);
   }
 
   /// Whether light arrives from a point of the lights, drawn at random.

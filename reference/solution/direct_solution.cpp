@@ -39,13 +39,13 @@ Band solveBand(const Eigen::Map<const RowMajor>& factors, const Eigen::VectorXd&
 
 }  // namespace
 
-AlgebraicSolution solveAlgebraically(const FormFactorMatrix& matrix, std::span<const glm::dvec3> emitted,
-                                     std::span<const glm::dvec3> reflectance) {
+DirectSolution solveDirectly(const FormFactorMatrix& matrix, std::span<const glm::dvec3> emitted,
+                             std::span<const glm::dvec3> reflectance) {
   assert(matrix.factors.size() == matrix.size * matrix.size);
   assert(emitted.size() == matrix.size && reflectance.size() == matrix.size);
   const auto size = static_cast<Eigen::Index>(matrix.size);
   const Eigen::Map<const RowMajor> factors(matrix.factors.data(), size, size);
-  AlgebraicSolution solution{std::vector<glm::dvec3>(matrix.size), 0};
+  DirectSolution solution{std::vector<glm::dvec3>(matrix.size), 0};
   for (int k = 0; k < 3; ++k) {
     const Eigen::VectorXd source = bandOf(emitted, k);
     const Band band = solveBand(factors, source, bandOf(reflectance, k));
@@ -64,7 +64,7 @@ std::vector<glm::dvec3> algebraicRadiosity(const radiosity::Scene& scene,
     emitted.push_back(emission(scene, discretization, e) * elements[e].area);
     reflectances.push_back(reflectance(scene, discretization, e));
   }
-  std::vector<glm::dvec3> radiosity = solveAlgebraically(matrix, emitted, reflectances).flux;
+  std::vector<glm::dvec3> radiosity = solveDirectly(matrix, emitted, reflectances).flux;
   for (std::size_t e = 0; e < radiosity.size(); ++e) radiosity[e] /= elements[e].area;
   return radiosity;
 }

@@ -19,7 +19,7 @@
 
 namespace hemitex::reference {
 
-struct AlgebraicSolution {
+struct DirectSolution {
   std::vector<glm::dvec3> flux;  ///< that leaves each element, per band
   double residual = 0;           ///< what the equations miss over all flux, sums of sizes; the worst band
 };
@@ -27,8 +27,8 @@ struct AlgebraicSolution {
 /// Flux from emitted flux and reflectance of each element, by LU decomposition and iterative refinement; of a row sum
 /// up to 1 and reflectance up to 0.9999 the residual is below 1e-12. Memory is twice that of the matrix, time grows
 /// with the cube of its size (5000 elements: 400 MB).
-AlgebraicSolution solveAlgebraically(const FormFactorMatrix& matrix, std::span<const glm::dvec3> emitted,
-                                     std::span<const glm::dvec3> reflectance);
+DirectSolution solveDirectly(const FormFactorMatrix& matrix, std::span<const glm::dvec3> emitted,
+                             std::span<const glm::dvec3> reflectance);
 
 /// Radiosity of every element of a discretized scene, per band.
 std::vector<glm::dvec3> algebraicRadiosity(const radiosity::Scene& scene,

@@ -79,9 +79,9 @@ FormFactorMatrix measuredMatrix(const RayFormFactors& rays, const radiosity::Dis
   FormFactorMatrix matrix{receivers.count, std::vector<double>(std::size_t{receivers.count} * receivers.count)};
   raster::parallelFor(receivers.count, [&](std::size_t from) {
     const auto element = static_cast<std::uint32_t>(from);
-    const Shooter shooter = areaShooter(rays.pieces(), std::vector{element});
+    const RaySource raySource = areaRaySource(rays.pieces(), std::vector{element});
     const Sampling sampling{samples[from], seed * receivers.count + element};
-    const MeasuredRow row = rays.overHemisphere(shooter, receivers, sampling);
+    const MeasuredRow row = rays.overHemisphere(raySource, receivers, sampling);
     for (std::size_t to = 0; to < receivers.count; ++to)
       matrix.factors[from * receivers.count + to] = row.receivers[to].value;
   });

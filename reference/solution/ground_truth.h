@@ -1,5 +1,5 @@
 /// The truth for a whole scene: every form factor from element to element measured by rays, the equations solved
-/// directly (see algebraic_solution.h). What is left of error is chance, and how much is told.
+/// directly (see direct_solution.h). What is left of error is chance, and how much is told.
 ///
 /// Rays go where the light is: a quarter of them is spread evenly over the elements, the others by the flux that leaves
 /// each, as a few bounces along a coarse matrix have it. So most rays carry alike, and errors are half of what as many

@@ -39,8 +39,8 @@ TradeMethod drawnMethod(const DrawnStyle& style) {
     const radiosity::DrawingSettings settings{resolution,       style.orientation,
                                               style.split,      radiosity::ElementsBy::Texture,
                                               style.projection, style.pixelsPerElement};
-    const auto drawn =
-        std::make_shared<radiosity::DrawnRows>(scene, discretization, radiosity::layOut(discretization), settings);
+    const auto drawn = std::make_shared<radiosity::SceneFormFactors>(scene, discretization,
+                                                                     radiosity::layOut(discretization), settings);
     return {{drawn, &drawn->discretization()},
             [drawn](std::uint32_t patch) { return drawn->rows().ofPatch(patch); },
             drawn->splits()};

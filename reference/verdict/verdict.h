@@ -3,7 +3,7 @@
 /// *error* otherwise (raster rules, 8). Item IDs are compared as integers: an item ID that is off by one names another
 /// element.
 ///
-/// An item ID is explained when some triangle that may cover the sample (device_triangle.h) may give it, at a depth
+/// An item ID is explained when some triangle that may cover the sample (triangle_bounds.h) may give it, at a depth
 /// that may pass the depth test against everything that covers the sample for certain; the background when nothing
 /// does. Every bound is a worst case taken alone, so a device within the profile is never accused.
 #pragma once

@@ -33,7 +33,7 @@ SurfacePoint eyeOver(const Scene& scene, const SurfacePoint& point) {
 
 FromCentres fromCentres(const Scene& scene, std::uint32_t to, int centresAlongSide) {
   tests::HemicubeWorld world(scene, centresAlongSide, 1);
-  ProjectedRows rows = world.rows(hemicubeResolution);
+  ProjectedFormFactors rows = world.rows(hemicubeResolution);
   const std::vector<glm::dvec3> receiver = quadOf(scene.surfaces[to]);
   FromCentres mean{};
   const Grid& grid = world.discretization.grids[from];
@@ -59,10 +59,11 @@ FormFactorAnswers answersTo(const FormFactorCase& extreme) {
   const Discretization whole = discretize(scene, {.texels = 1});
   const reference::RayFormFactors rays(scene, whole);
   const std::vector<std::uint32_t> shooting = reference::elementsOfSurface(whole, from);
-  const reference::Shooter shooter = reference::areaShooter(rays.pieces(), shooting);
-  const reference::MeasuredRow everywhere = rays.overHemisphere(shooter, reference::everyElement(whole), {raySamples});
+  const reference::RaySource raySource = reference::areaRaySource(rays.pieces(), shooting);
+  const reference::MeasuredRow everywhere =
+      rays.overHemisphere(raySource, reference::everyElement(whole), {raySamples});
   return {reference::polygonToPolygon(quadOf(scene.surfaces[from]), quadOf(scene.surfaces[to])),
-          rays.aimed(shooter, reference::onlyElement(whole, to), {raySamples}).receivers[0],
+          rays.aimed(raySource, reference::onlyElement(whole, to), {raySamples}).receivers[0],
           everywhere.receivers[to],
           everywhere.background.value + everywhere.back.value,
           fromCentres(scene, to, 1),

@@ -62,7 +62,7 @@ std::string saidOfCoincidentFaces() {
   scene.surfaces.push_back(tests::parallelogram("up", corner, z, x));
   scene.surfaces.push_back(tests::parallelogram("down", corner, x, z));
   tests::HemicubeWorld world(tests::finish(std::move(scene)), 2, 1);
-  ProjectedRows rows = world.rows(64);
+  ProjectedFormFactors rows = world.rows(64);
   const Solution solution =
       solve(world.scene, world.discretization, [&](std::uint32_t patch) { return rows.ofPatch(patch); }, {});
   return solution.warnings.empty() ? "" : solution.warnings.back();

@@ -21,8 +21,8 @@ using namespace radiosity;
 reference::MeasuredRow hemisphereRow(const Scene& scene, const reference::Receivers& receivers,
                                      const Discretization& discretization) {
   const reference::RayFormFactors rays(scene, discretization);
-  const auto shooter = reference::areaShooter(rays.pieces(), reference::elementsOfSurface(discretization, 0));
-  return rays.overHemisphere(shooter, receivers, {raySamples});
+  const auto raySource = reference::areaRaySource(rays.pieces(), reference::elementsOfSurface(discretization, 0));
+  return rays.overHemisphere(raySource, receivers, {raySamples});
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ OneSurfaceFindings ofOneSurface() {
   Scene scene = tests::sceneOf({tests::parallelogram("alone", {}, {1, 0, 0}, {0, 1, 0})});
   scene.materials[0].emission = glm::dvec3(1);
   tests::HemicubeWorld world(std::move(scene), 1, 1);
-  ProjectedRows rows = world.rows(hemicubeResolution);
+  ProjectedFormFactors rows = world.rows(hemicubeResolution);
   const auto rowOf = [&](std::uint32_t patch) { return rows.ofPatch(patch); };
   const Energy energy = solve(world.scene, world.discretization, rowOf, {}).energy;
   const auto receivers = reference::everyElement(world.discretization);

@@ -13,7 +13,7 @@ namespace {
 using namespace radiosity;
 
 Solution solutionOf(tests::HemicubeWorld& world, int resolution, const Progress& progress) {
-  ProjectedRows rows = world.rows(resolution);
+  ProjectedFormFactors rows = world.rows(resolution);
   return solve(
       world.scene, world.discretization, [&](std::uint32_t patch) { return rows.ofPatch(patch); }, {}, progress);
 }

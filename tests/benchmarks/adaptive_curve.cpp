@@ -50,8 +50,8 @@ class Curve {
   static radiosity::DiscretizationSettings settings(int texels) { return {.texels = texels, .patches = 4}; }
 
   std::vector<glm::dvec3> solved(const radiosity::Discretization& discretization, int side) const {
-    radiosity::DrawnRows drawn(scene_, discretization, radiosity::layOut(discretization, {.format = "r32ui"}),
-                               {.resolution = side});
+    radiosity::SceneFormFactors drawn(scene_, discretization, radiosity::layOut(discretization, {.format = "r32ui"}),
+                                      {.resolution = side});
     const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
     return radiosity::solve(scene_, drawn.discretization(), rowOf, {}, {}, drawn.splits()).radiosity;
   }

@@ -66,8 +66,8 @@ Timed solvedWithin(const World& world, double bound) {
   const ProcessorWatch watch;
   Timed timed;
   const auto solveWith = [&](const radiosity::Effort& effort) {
-    radiosity::DrawnRows drawn(world.scene, world.discretization, radiosity::layOut(world.discretization),
-                               {.resolution = effort.resolution, .split = effort.split});
+    radiosity::SceneFormFactors drawn(world.scene, world.discretization, radiosity::layOut(world.discretization),
+                                      {.resolution = effort.resolution, .split = effort.split});
     const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
     return timed.radiosity = radiosity::solve(world.scene, drawn.discretization(), rowOf,
                                               {.residual = radiosity::residualFor(bound)}, {}, drawn.splits())

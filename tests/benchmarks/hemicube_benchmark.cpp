@@ -22,7 +22,7 @@ void hemicubeRow(benchmark::State& state, const std::string& file) {
   const Discretization discretization = discretize(scene, settings);
   const IdLayout layout = layOut(discretization);
   raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
-  ProjectedRows rows(scene, discretization, layout, renderer, {.resolution = static_cast<int>(state.range(0))});
+  ProjectedFormFactors rows(scene, discretization, layout, renderer, {.resolution = static_cast<int>(state.range(0))});
   std::uint32_t patch = 0;
   for (auto _ : state) {
     benchmark::DoNotOptimize(rows.ofPatch(patch));

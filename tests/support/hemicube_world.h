@@ -25,7 +25,7 @@ struct HemicubeWorld {
         layout(radiosity::layOut(discretization)),
         renderer(radiosity::makeDrawList(scene, discretization, layout)) {}
 
-  radiosity::ProjectedRows rows(int resolution) {
+  radiosity::ProjectedFormFactors rows(int resolution) {
     return {scene, discretization, layout, renderer, {.resolution = resolution}};
   }
 };

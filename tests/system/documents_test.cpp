@@ -1,8 +1,9 @@
-/// README.md and the pages of docs/: what they name exists, and their sentences are short.
+/// README.md, the pages of docs/ and comments: what they name exists, and the sentences of the pages are short.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -54,7 +55,41 @@ std::size_t wordCount(const std::string& sentence) {
   return count;
 }
 
+/// Headers and sources of the repository.
+std::vector<fs::path> sources() {
+  std::vector<fs::path> found;
+  for (const char* folder : {"raster", "radiosity", "reference", "cli", "data", "tests"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(top / folder)) {
+      if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp") found.push_back(entry.path());
+    }
+  }
+  return found;
+}
+
 }  // namespace
+
+TEST_CASE("Headers and sources that comments name exist", "[documents]") {
+  const std::vector<fs::path> files = sources();
+  std::set<std::string> names;
+  for (const fs::path& file : files) names.insert(file.filename().string());
+  const std::regex named(R"(\b\w+\.(h|cpp)\b)");
+  std::size_t count = 0;
+  for (const fs::path& file : files) {
+    std::istringstream lines(readFile(file));
+    for (std::string line; std::getline(lines, line);) {
+      if (line.find("// ") == std::string::npos && line.find("/// ") == std::string::npos) continue;
+      if (line.find(".h") == std::string::npos && line.find(".cpp") == std::string::npos) continue;
+      const std::string comment = line.substr(line.find("//"));
+      for (const std::smatch& match : matches(comment, named)) {
+        if (file.filename() == "includes_test.cpp") continue;  // invents names
+        INFO(file << ": " << comment);
+        CHECK(names.count(match.str()) == 1);
+        ++count;
+      }
+    }
+  }
+  CHECK(count > 20);
+}
 
 TEST_CASE("Files that README.md and docs name exist", "[documents]") {
   const std::regex inBackticks(R"(`((?:data|docs|raster|radiosity|reference|cli|tests)/[\w/.-]+)`)");

@@ -24,7 +24,7 @@ struct LitRoom {
 LitRoom litRoom(const Scene& scene) {
   Discretization unsplit = discretize(scene, {});
   IdLayout layout = layOut(unsplit);
-  DrawnRows drawn(scene, std::move(unsplit), std::move(layout), {});
+  SceneFormFactors drawn(scene, std::move(unsplit), std::move(layout), {});
   const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
   Solution solution = solve(scene, drawn.discretization(), rowOf, {}, {}, drawn.splits());
   return {drawn.discretization(), std::move(solution)};

@@ -61,7 +61,7 @@ Errors errorsAt(int resolution) {
     const IdLayout layout = layOut(discretization);
     raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
     const FormFactorRow row =
-        ProjectedRows(scene, discretization, layout, renderer, {.resolution = resolution}).ofPatch(0);
+        ProjectedFormFactors(scene, discretization, layout, renderer, {.resolution = resolution}).ofPatch(0);
     const double found = row.elements.empty() ? 0 : formFactor(row.shares[0]);
     REQUIRE(row.back == 0);
     errors.mean += exact / rectangles;

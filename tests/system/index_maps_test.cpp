@@ -61,7 +61,7 @@ class Drawing {
         renderer_(makeDrawList(scene, discretization, layout_)) {}
 
   const IdLayout& layout() const { return layout_; }
-  ProjectedRows rows(int resolution) { return {scene_, discretization_, layout_, renderer_, {resolution}}; }
+  ProjectedFormFactors rows(int resolution) { return {scene_, discretization_, layout_, renderer_, {resolution}}; }
 
   std::vector<std::optional<std::uint32_t>> elementsSeen(std::span<const raster::Face> faces) {
     std::vector<std::optional<std::uint32_t>> elements;
@@ -168,7 +168,7 @@ TEST_CASE("unaligned offsets added as integers give every patch the row of align
     const Discretization discretization = discretize(scene, {.texels = 13, .patch = 13});
     Drawing aligned(scene, discretization, {}),
         unaligned(scene, discretization, {"r8g8b8a8", Blend::IntegerAdd, false});
-    ProjectedRows expected = aligned.rows(32), rows = unaligned.rows(32);
+    ProjectedFormFactors expected = aligned.rows(32), rows = unaligned.rows(32);
     const auto patches = std::uint32_t(discretization.patches.size());
     for (std::uint32_t patch = 0; patch < patches; patch += 1 + patches / 40) {
       const FormFactorRow a = expected.ofPatch(patch), b = rows.ofPatch(patch);

@@ -173,7 +173,7 @@ TEST_CASE("a million surfaces of 2 x 2 texels are solved", "[.million]") {
   CHECK(discretization.elements.size() == 4000000);
   IdLayout layout = layOut(discretization);
   CHECK(layout.textured == 1000000);
-  DrawnRows drawn(scene, std::move(discretization), std::move(layout), {.resolution = 1024, .split = 1});
+  SceneFormFactors drawn(scene, std::move(discretization), std::move(layout), {.resolution = 1024, .split = 1});
   const Solution solution = solve(scene, drawn.discretization(),
                                   [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); }, {.shots = 3});
   CHECK(solution.shots == 3);

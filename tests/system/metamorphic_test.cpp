@@ -200,7 +200,7 @@ Scene withOccluder(Scene scene, std::mt19937& random) {
   return tests::finish(std::move(scene));
 }
 
-using Estimator = reference::MeasuredRow (reference::RayFormFactors::*)(const reference::Shooter&,
+using Estimator = reference::MeasuredRow (reference::RayFormFactors::*)(const reference::RaySource&,
                                                                         const reference::Receivers&,
                                                                         const reference::Sampling&) const;
 constexpr Estimator bothEstimators[] = {&reference::RayFormFactors::overHemisphere, &reference::RayFormFactors::aimed};
@@ -215,8 +215,8 @@ struct RayWorld {
       : scene(std::move(s)), discretization(discretize(scene, {.texels = 1})), rays(scene, discretization) {}
 
   reference::MeasuredRow row(Estimator estimator, std::uint32_t surface, int samples) const {
-    const reference::Shooter shooter =
-        reference::areaShooter(rays.pieces(), reference::elementsOfSurface(discretization, surface));
+    const reference::RaySource shooter =
+        reference::areaRaySource(rays.pieces(), reference::elementsOfSurface(discretization, surface));
     return (rays.*estimator)(shooter, reference::everyElement(discretization), {samples});
   }
 };
@@ -229,13 +229,13 @@ TEST_CASE("a scene turned by quarters has the same rows of form factors", "[meta
   for (const NamedScene& named : tableOfScenes()) {
     INFO(named.name);
     World world(stretched(named.scene), 8, 4);
-    ProjectedRows rows = world.rows(resolution);
+    ProjectedFormFactors rows = world.rows(resolution);
     RowComparison comparison{shareOfRounding(resolution)};
     std::vector<glm::dmat3> turns = quarterTurns();
     if (triangleCount(world.scene) > 1000) turns.resize(4);
     for (const glm::dmat3& turn : turns) {
       World turned(mapped(world.scene, turn), 8, 4);
-      ProjectedRows turnedRows = turned.rows(resolution);
+      ProjectedFormFactors turnedRows = turned.rows(resolution);
       for (const std::uint32_t patch : somePatches(world.discretization))
         comparison.add(sharesOf(world, rows.ofPatch(patch)), sharesOf(turned, turnedRows.ofPatch(patch)));
     }
@@ -256,10 +256,10 @@ TEST_CASE("a scene that is scaled or moved has the same rows, to the bit where i
   for (const NamedScene& named : tableOfScenes()) {
     INFO(named.name);
     World world(moved(named.scene, 1, 0), 8, 4);
-    ProjectedRows rows = world.rows(resolution);
+    ProjectedFormFactors rows = world.rows(resolution);
     for (const auto& [scale, by] : {std::pair{0x1p-20, 0.0}, {0x1p20, 0.0}, {1.0, 0x1p20}, {0x1p-20, -0x1p20}}) {
       World other(moved(named.scene, scale, by), 8, 4);
-      ProjectedRows otherRows = other.rows(resolution);
+      ProjectedFormFactors otherRows = other.rows(resolution);
       for (const std::uint32_t patch : somePatches(world.discretization))
         CHECK(sharesOf(other, otherRows.ofPatch(patch)) == sharesOf(world, rows.ofPatch(patch)));
     }
@@ -318,7 +318,7 @@ TEST_CASE("a room turned any way has the closed form's factors within the pixels
                             tests::sceneOf(tests::box("flat", {0, 0, 0}, {4, 3, 0.5}, true))})
     for (int repeat = 0; repeat < 10; ++repeat) {
       World world(mapped(room, anyRotation(random)), 4, 2);
-      ProjectedRows rows = world.rows(resolution);
+      ProjectedFormFactors rows = world.rows(resolution);
       for (const Patch& patch : world.discretization.patches) {
         const SurfacePoint centre = patchCentre(world.scene, world.discretization, patch);
         const FormFactorRow row = rows.from(patch.surface, centre);
@@ -342,12 +342,12 @@ TEST_CASE("surfaces and polygons in another order have the same rows in another 
   for (const NamedScene& named : tableOfScenes()) {
     INFO(named.name);
     World world(named.scene, 8, 4);
-    ProjectedRows rows = world.rows(resolution);
+    ProjectedFormFactors rows = world.rows(resolution);
     RowComparison comparison{0};
     for (int repeat = 0; repeat < 4; ++repeat) {
       const Permutation permutation = permuted(named.scene, random);
       World other(permutation.scene, 8, 4);
-      ProjectedRows otherRows = other.rows(resolution);
+      ProjectedFormFactors otherRows = other.rows(resolution);
       for (const std::uint32_t patch : somePatches(world.discretization)) {
         const std::uint32_t there = numberIn(other, world, permutation.from,
                                              world.discretization.patches[patch].surface, patch, &Grid::firstPatch);
@@ -411,13 +411,13 @@ TEST_CASE("something put in the way raises no form factor of a hemicube, by not 
   for (const NamedScene& named : tableOfScenes()) {
     INFO(named.name);
     World world(named.scene, 8, 4);
-    ProjectedRows rows = world.rows(resolution);
+    ProjectedFormFactors rows = world.rows(resolution);
     int rowsCompared = 0, lowered = 0;
     bool raised = false;
     for (int repeat = 0; repeat < 4; ++repeat) {
       World occluded(withOccluder(named.scene, random), 8, 4);
       REQUIRE(occluded.scene.extent == world.scene.extent);
-      ProjectedRows occludedRows = occluded.rows(resolution);
+      ProjectedFormFactors occludedRows = occluded.rows(resolution);
       for (const std::uint32_t patch : somePatches(world.discretization)) {
         const Patch& block = world.discretization.patches[patch];
         const SurfacePoint centre = patchCentre(world.scene, world.discretization, block);
@@ -470,7 +470,7 @@ TEST_CASE("the number of threads changes no bit of rows, rays and solutions of w
     const auto everything = [&](int threads) {
       const raster::ThreadLimit limit(threads);
       World world(named.scene, 8, 4);
-      ProjectedRows rows = world.rows(resolution);
+      ProjectedFormFactors rows = world.rows(resolution);
       std::vector<Shares> shares;
       for (const std::uint32_t patch : somePatches(world.discretization))
         shares.push_back(sharesOf(world, rows.ofPatch(patch)));

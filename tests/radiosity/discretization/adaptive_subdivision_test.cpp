@@ -163,11 +163,12 @@ TEST_CASE("a row to leaves is the row to their texels, added up, by hemicubes wi
   const std::vector<std::uint32_t> leafElement = both.leafElements(), itself = themselves(both.ofLeaves);
   REQUIRE(both.ofLeaves.patches.size() == both.ofTexels.patches.size());
   const auto drawn = [&](const Discretization& discretization, IndexMaps indexMaps) {
-    return DrawnRows(scene, discretization, layOut(discretization, {.format = "r8g8b8", .indexMaps = indexMaps}),
-                     {.resolution = 64, .split = 1});
+    return SceneFormFactors(scene, discretization, layOut(discretization, {.format = "r8g8b8", .indexMaps = indexMaps}),
+                            {.resolution = 64, .split = 1});
   };
-  DrawnRows texelRows = drawn(both.ofTexels, IndexMaps::Shared), leafRows = drawn(both.ofLeaves, IndexMaps::Shared);
-  DrawnRows uniqueRows = drawn(both.ofLeaves, IndexMaps::Unique);
+  SceneFormFactors texelRows = drawn(both.ofTexels, IndexMaps::Shared),
+                   leafRows = drawn(both.ofLeaves, IndexMaps::Shared);
+  SceneFormFactors uniqueRows = drawn(both.ofLeaves, IndexMaps::Unique);
   const reference::RayRowSettings settings{.rays = 1 << 12};
   reference::RayRows texelRays(scene, both.ofTexels, settings), leafRays(scene, both.ofLeaves, settings);
   for (std::uint32_t patch = 0; patch < both.ofLeaves.patches.size(); patch += 7) {
@@ -183,7 +184,7 @@ TEST_CASE("a leaf that is near to what it lights shoots from several points, not
   const Scene scene = furnishedRoom();
   const std::vector<Quadtree> trees(scene.surfaces.size(), uniformQuadtree(texels, 8));
   const Discretization unsplit = discretize(scene, {.texels = texels}, trees);
-  DrawnRows drawn(scene, unsplit, layOut(unsplit, {.format = "r8g8b8"}), {});
+  SceneFormFactors drawn(scene, unsplit, layOut(unsplit, {.format = "r8g8b8"}), {});
   drawn.splitAll();
   const Discretization& discretization = drawn.discretization();
   REQUIRE(discretization.patches.size() == unsplit.patches.size());
@@ -292,8 +293,8 @@ TEST_CASE("on the Cornell box quadtrees err less than texels of which there are 
   // whole curve: hemitex_adaptive_curve.
   const Scene scene = loadScene(HEMITEX_DATA "/cornell-box.obj");
   const auto solved = [&](const Discretization& discretization) {
-    DrawnRows drawn(scene, discretization, layOut(discretization, {.format = "r32ui"}),
-                    {.resolution = 128, .split = 0.05});
+    SceneFormFactors drawn(scene, discretization, layOut(discretization, {.format = "r32ui"}),
+                           {.resolution = 128, .split = 0.05});
     const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
     return solve(scene, drawn.discretization(), rowOf, {.residual = 0.01}, {}, drawn.splits()).radiosity;
   };

@@ -72,11 +72,11 @@ Scene mixedScene() {
 TEST_CASE("rows are what counting pixel by pixel gives, for any window and any number of threads", "[rows]") {
   tests::HemicubeWorld world(mixedScene(), 20, 4);
   std::mt19937 random(3);
-  RowCounter counter(world.discretization, world.layout);
+  ItemBufferSum counter(world.discretization, world.layout);
   for (const int resolution : {16, 64, 200})
     for (const ProjectionKind kind : {ProjectionKind::Hemicube, ProjectionKind::CubicTetrahedron}) {
-      ProjectedRows rows(world.scene, world.discretization, world.layout, world.renderer,
-                         {.resolution = resolution, .orientation = Orientation::Turned, .projection = kind});
+      ProjectedFormFactors rows(world.scene, world.discretization, world.layout, world.renderer,
+                                {.resolution = resolution, .orientation = Orientation::Turned, .projection = kind});
       for (int i = 0; i < 3; ++i) {
         const auto patch = static_cast<std::uint32_t>(random() % world.discretization.patches.size());
         const View view = rows.viewsOfPatch(patch).front();
@@ -94,10 +94,10 @@ TEST_CASE("rows are what counting pixel by pixel gives, for any window and any n
 
 TEST_CASE("the rows of windows drawn one by one add up to the row of the whole view", "[rows]") {
   tests::HemicubeWorld world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 4);
-  ProjectedRows rows = world.rows(32);
+  ProjectedFormFactors rows = world.rows(32);
   const View view = rows.viewsOfPatch(5).front();
   const FormFactorRow whole = rows.ofView(view);
-  RowCounter counter(world.discretization, world.layout);
+  ItemBufferSum counter(world.discretization, world.layout);
   std::map<std::uint32_t, std::uint64_t> sums;
   std::uint64_t total = 0;
   for (std::size_t face = 0; face < view.faces.size(); ++face)
@@ -118,8 +118,8 @@ TEST_CASE("what a counter holds grows with the pixels, not with the elements", "
   // Each of 16 x 16 x 3 pixels shows one element, in a block of 64 shares and a bit for each; a vector that grows may
   // double that. A number for 64 elements and a bit for 4096 are there always, and so are the scene's six pages.
   tests::HemicubeWorld world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 256, 64);
-  ProjectedRows rows = world.rows(16);
-  RowCounter counter(world.discretization, world.layout);
+  ProjectedFormFactors rows = world.rows(16);
+  ItemBufferSum counter(world.discretization, world.layout);
   const std::size_t elements = world.discretization.elements.size();
   REQUIRE(elements == 6 * 256 * 256);
   const std::size_t before = counter.bytes();
@@ -128,5 +128,5 @@ TEST_CASE("what a counter holds grows with the pixels, not with the elements", "
   const std::vector<Window> windows = wholeFaces(*view.projection);
   const raster::ThreadLimit one(1);
   CHECK(counter.rowOf(*view.projection, windows, drawn(world, view, windows)).elements.size() <= 768);
-  CHECK(counter.bytes() - before <= 2 * 768 * sizeof(ShareSums::Block));
+  CHECK(counter.bytes() - before <= 2 * 768 * sizeof(SparseSums::Block));
 }

@@ -140,10 +140,10 @@ TEST_CASE("rows with coarser maps sum to exactly one, and are nearer to the trut
   // elements; the truth is a hemicube of 1024. Each row gains.
   World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 32, 8);
   const auto rowsAt = [&world](const ViewSettings& settings) {
-    return ProjectedRows(world.scene, world.discretization, world.layout, world.renderer, settings);
+    return ProjectedFormFactors(world.scene, world.discretization, world.layout, world.renderer, settings);
   };
-  ProjectedRows truth = rowsAt(viewOf(1024, 0)), plain = rowsAt(viewOf(32, 0)),
-                coarser = rowsAt(viewOf(32, suggestedPixelsPerElement));
+  ProjectedFormFactors truth = rowsAt(viewOf(1024, 0)), plain = rowsAt(viewOf(32, 0)),
+                       coarser = rowsAt(viewOf(32, suggestedPixelsPerElement));
   double plainError = 0, coarserError = 0;
   for (const std::uint32_t patch : {3U, 20U, 37U, 54U, 90U}) {
     const FormFactorRow exact = truth.ofPatch(patch), row = coarser.ofPatch(patch);

@@ -87,9 +87,9 @@ TEST_CASE("Splitting brings the squares' exchange to the closed form, whatever t
     CAPTURE(gap);
     tests::HemicubeWorld world(facingSquares(gap), 1, 1);
     world.discretization = split(world, 0.002);
-    const FormFactorRow row =
-        ProjectedRows(world.scene, world.discretization, world.layout, world.renderer, {1024, Orientation::Turned})
-            .ofPatch(0);
+    const FormFactorRow row = ProjectedFormFactors(world.scene, world.discretization, world.layout, world.renderer,
+                                                   {1024, Orientation::Turned})
+                                  .ofPatch(0);
     const double exact = reference::parallelRectangles({{0, 1}, {0, 1}}, {{0, 1}, {0, 1}}, gap);
     CHECK(formFactor(row.shares.front()) == Approx(exact).margin(1.1 * exact * std::sqrt(0.002)));
   }
@@ -143,7 +143,8 @@ TEST_CASE("A split patch brings a cube's light nearer to what it is", "[patch_sp
   const auto worst = [](double maxReturning) {
     tests::HemicubeWorld world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 8);
     world.discretization = split(world, maxReturning);
-    ProjectedRows rows(world.scene, world.discretization, world.layout, world.renderer, {256, Orientation::Turned});
+    ProjectedFormFactors rows(world.scene, world.discretization, world.layout, world.renderer,
+                              {256, Orientation::Turned});
     const Solution solution =
         solve(world.scene, world.discretization, [&](std::uint32_t p) { return rows.ofPatch(p); }, {.residual = 1e-6});
     double largest = 0;
@@ -178,9 +179,9 @@ TEST_CASE("A turned hemicube sees the same room", "[patch_splitting]") {
   // R^2).
   constexpr int resolution = 128;
   tests::HemicubeWorld world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 1, 1);
-  ProjectedRows aligned = world.rows(resolution);
-  ProjectedRows turned(world.scene, world.discretization, world.layout, world.renderer,
-                       {resolution, Orientation::Turned});
+  ProjectedFormFactors aligned = world.rows(resolution);
+  ProjectedFormFactors turned(world.scene, world.discretization, world.layout, world.renderer,
+                              {resolution, Orientation::Turned});
   for (std::uint32_t patch = 0; patch < 6; ++patch) {
     const FormFactorRow a = aligned.ofPatch(patch), b = turned.ofPatch(patch);
     REQUIRE(a.elements == b.elements);

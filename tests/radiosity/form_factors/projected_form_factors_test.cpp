@@ -32,7 +32,7 @@ double toSurface(const World& world, const FormFactorRow& row, const std::string
 
 /// The mean of the rows of a surface's patches to another surface; all patches have equal areas here.
 double meanFactor(World& world, const std::string& from, const std::string& to, int resolution) {
-  ProjectedRows rows = world.rows(resolution);
+  ProjectedFormFactors rows = world.rows(resolution);
   double factor = 0;
   int count = 0;
   for (std::uint32_t p = 0; p < world.discretization.patches.size(); ++p)
@@ -47,7 +47,7 @@ double meanFactor(World& world, const std::string& from, const std::string& to, 
 
 TEST_CASE("a row in a closed room is exactly one, from every patch", "[rows]") {
   World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 4);
-  ProjectedRows rows = world.rows(64);
+  ProjectedFormFactors rows = world.rows(64);
   for (std::uint32_t patch = 0; patch < world.discretization.patches.size(); ++patch) {
     const FormFactorRow row = rows.ofPatch(patch);
     CHECK(sum(row) == wholeShare);
@@ -114,8 +114,8 @@ TEST_CASE("the back of a blocker is counted as back, not as an element", "[rows]
 
 TEST_CASE("a cubic tetrahedron's row in a closed room is exactly one, from every patch", "[rows]") {
   World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 4);
-  ProjectedRows rows(world.scene, world.discretization, world.layout, world.renderer,
-                     {64, Orientation::Turned, ProjectionKind::CubicTetrahedron});
+  ProjectedFormFactors rows(world.scene, world.discretization, world.layout, world.renderer,
+                            {64, Orientation::Turned, ProjectionKind::CubicTetrahedron});
   for (std::uint32_t patch = 0; patch < world.discretization.patches.size(); ++patch) {
     const FormFactorRow row = rows.ofPatch(patch);
     CHECK(sum(row) == wholeShare);
@@ -128,8 +128,8 @@ TEST_CASE("a cubic tetrahedron's row in a closed room is exactly one, from every
 
 TEST_CASE("in a closed room a single plane leaves to the background what it does not capture", "[rows]") {
   World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 4);
-  ProjectedRows rows(world.scene, world.discretization, world.layout, world.renderer,
-                     {64, Orientation::Turned, ProjectionKind::SinglePlane});
+  ProjectedFormFactors rows(world.scene, world.discretization, world.layout, world.renderer,
+                            {64, Orientation::Turned, ProjectionKind::SinglePlane});
   const FormFactorRow row = rows.ofPatch(9);
   CHECK(sum(row) == wholeShare);
   CHECK(row.background == wholeShare - rows.projection().captured);
@@ -147,8 +147,8 @@ TEST_CASE("the projections converge to the same form factors", "[rows]") {
   for (const ProjectionKind kind :
        {ProjectionKind::Hemicube, ProjectionKind::SinglePlane, ProjectionKind::CubicTetrahedron})
     for (const int resolution : {64, 1024}) {
-      ProjectedRows rows(world.scene, world.discretization, world.layout, world.renderer,
-                         {resolution, Orientation::Aligned, kind});
+      ProjectedFormFactors rows(world.scene, world.discretization, world.layout, world.renderer,
+                                {resolution, Orientation::Aligned, kind});
       const FormFactorRow row = rows.ofPatch(2);
       const double lost = kind == ProjectionKind::SinglePlane ? underPlane : 0;
       // An outline of length l on a face is wrong by at most half a pixel's share along it: the ceiling's, of length 4

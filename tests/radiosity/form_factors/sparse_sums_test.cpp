@@ -6,25 +6,25 @@
 #include <map>
 #include <random>
 
-using hemitex::radiosity::ShareSums;
+using hemitex::radiosity::SparseSums;
 
 namespace {
 
 /// Takes them, and leaves nothing.
-std::map<std::uint32_t, std::uint64_t> takeShares(ShareSums& sums) {
+std::map<std::uint32_t, std::uint64_t> takeShares(SparseSums& sums) {
   std::map<std::uint32_t, std::uint64_t> shares;
   for (std::uint32_t group = 0; group < sums.groups(); ++group)
-    for (std::uint32_t i = 0; i < ShareSums::blocksInGroup; ++i) {
-      const std::uint32_t number = group * ShareSums::blocksInGroup + i;
+    for (std::uint32_t i = 0; i < SparseSums::blocksInGroup; ++i) {
+      const std::uint32_t number = group * SparseSums::blocksInGroup + i;
       if ((sums.blocksIn(group) >> i & 1) == 0) continue;
-      for (std::uint32_t slot = 0; slot < ShareSums::slotsInBlock; ++slot)
+      for (std::uint32_t slot = 0; slot < SparseSums::slotsInBlock; ++slot)
         if ((sums.find(number)->touched >> slot & 1) != 0)
-          shares[number * ShareSums::slotsInBlock + slot] = sums.find(number)->take(slot);
+          shares[number * SparseSums::slotsInBlock + slot] = sums.find(number)->take(slot);
     }
   return shares;
 }
 
-void clear(ShareSums& sums) {
+void clear(SparseSums& sums) {
   takeShares(sums);
   for (std::size_t group = 0; group < sums.groups(); ++group) sums.clear(group);
   sums.reuse();
@@ -34,7 +34,7 @@ void clear(ShareSums& sums) {
 
 TEST_CASE("sums of shares are those of a map, again and again", "[rows]") {
   std::mt19937 random(1);
-  ShareSums sums(1000003);
+  SparseSums sums(1000003);
   for (int round = 0; round < 20; ++round) {
     std::map<std::uint32_t, std::uint64_t> expected;
     for (int i = 0; i < 500; ++i) {
@@ -51,7 +51,7 @@ TEST_CASE("sums of shares are those of a map, again and again", "[rows]") {
 
 TEST_CASE("blocks are there only where shares are, and their memory serves the next row", "[rows]") {
   // A group a bit in 4096 slots and a number for every 64 are always there: 15,626 numbers and 245 groups.
-  ShareSums sums(1000002);
+  SparseSums sums(1000002);
   const std::size_t empty = sums.bytes();
   CHECK(empty == 15626 * 4 + 245 * 8);
   const auto fill = [&](std::uint32_t first) {
@@ -65,7 +65,7 @@ TEST_CASE("blocks are there only where shares are, and their memory serves the n
   fill(0);
   const std::size_t filled = sums.bytes();
   // A vector that grows takes twice as much as it needs at most.
-  CHECK(filled - empty <= 2 * 100 * sizeof(ShareSums::Block));
+  CHECK(filled - empty <= 2 * 100 * sizeof(SparseSums::Block));
   fill(777777);
   CHECK(sums.bytes() == filled);
 }

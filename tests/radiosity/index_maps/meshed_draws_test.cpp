@@ -61,8 +61,8 @@ Views viewsFrom(const World& world, std::uint32_t patch, int resolution) {
     return radiosity::sceneRenderer(world.scene, world.discretization, world.layout, method);
   };
   const auto textures = rendererBy(radiosity::ElementsBy::Texture), mesh = rendererBy(radiosity::ElementsBy::Mesh);
-  radiosity::ProjectedRows rows(world.scene, world.discretization, world.layout, *textures,
-                                {.resolution = resolution, .orientation = radiosity::Orientation::Turned});
+  radiosity::ProjectedFormFactors rows(world.scene, world.discretization, world.layout, *textures,
+                                       {.resolution = resolution, .orientation = radiosity::Orientation::Turned});
   const radiosity::View view = rows.viewsOfPatch(patch).front();
   return {view.faces, textures->render(view.faces, view.skipped), mesh->render(view.faces, view.skipped)};
 }
@@ -303,8 +303,8 @@ TEST_CASE("The solutions of mesh and textures differ by no more than their rows"
     std::vector<radiosity::Solution> solutions;
     std::optional<Discretization> split;
     for (const auto method : {radiosity::ElementsBy::Texture, radiosity::ElementsBy::Mesh}) {
-      radiosity::DrawnRows drawn(scene, unsplit, layoutOf(unsplit),
-                                 {.resolution = 128, .split = 1, .elementsBy = method});
+      radiosity::SceneFormFactors drawn(scene, unsplit, layoutOf(unsplit),
+                                        {.resolution = 128, .split = 1, .elementsBy = method});
       if (split) REQUIRE(split->patches.size() == drawn.discretization().patches.size());
       split = drawn.discretization();
       std::vector<radiosity::FormFactorRow>& ofMethod = rows.emplace_back();

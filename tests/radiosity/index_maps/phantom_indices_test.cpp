@@ -120,7 +120,7 @@ TEST_CASE("rows hold what is seen, however many phantoms there are", "[phantoms]
   for (const IdSettings& ids : ways) {
     const IdLayout layout = layOut(discretization, ids);
     raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
-    ProjectedRows rows(scene, discretization, layout, renderer, {64});
+    ProjectedFormFactors rows(scene, discretization, layout, renderer, {64});
     const FormFactorRow row = rows.ofPatch(3);
     const Phantoms phantoms = countPhantoms(discretization, layout);
     const std::uint64_t count = phantoms.spareTexels + phantoms.alignmentGaps;

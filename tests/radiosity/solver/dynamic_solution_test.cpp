@@ -63,12 +63,12 @@ std::unique_ptr<DynamicSolution> solved(double limit = residual) {
 ShotLight freshLight(const DynamicSolution& dynamic, double limit = residual) {
   DrawingSettings unsplit = settings().drawing;
   unsplit.split = 1;
-  DrawnRows drawn(dynamic.scene(), dynamic.discretization(), dynamic.layout(), unsplit);
-  Refinement refinement(dynamic.scene(), drawn.discretization());
+  SceneFormFactors drawn(dynamic.scene(), dynamic.discretization(), dynamic.layout(), unsplit);
+  ShootingState state(dynamic.scene(), drawn.discretization());
   RowCache rows(std::size_t{1} << 30);
-  refine(dynamic.scene(), drawn.discretization(), refinement, rows,
+  refine(dynamic.scene(), drawn.discretization(), state, rows,
          [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); }, {.residual = limit});
-  return refinement.light();
+  return state.light();
 }
 
 /// What elements absorb more or less of, bands summed.
@@ -126,7 +126,7 @@ class CountingRenderer final : public raster::ItemBufferRenderer {
 /// Rows of a scene before and after its cube moves.
 struct MovedCube {
   EditedScene edit;
-  DrawnRows before, after;
+  SceneFormFactors before, after;
   std::vector<bool> isCube;  ///< one a surface
   SceneChange change;
 

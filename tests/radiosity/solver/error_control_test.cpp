@@ -44,8 +44,8 @@ SolveWith solutionsWithError(std::size_t elements, double errorTimesResolution) 
 
 std::vector<glm::dvec3> solutionOf(const Scene& scene, const Discretization& discretization, const Effort& effort,
                                    double residual) {
-  DrawnRows drawn(scene, discretization, layOut(discretization),
-                  {.resolution = effort.resolution, .split = effort.split});
+  SceneFormFactors drawn(scene, discretization, layOut(discretization),
+                         {.resolution = effort.resolution, .split = effort.split});
   const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
   return solve(scene, drawn.discretization(), rowOf, {.residual = residual}, {}, drawn.splits()).radiosity;
 }

@@ -27,7 +27,7 @@ Run run(Scene scene, int texels, int patch, int resolution, const SolverSettings
   result.discretization = discretize(result.scene, {.texels = texels, .patch = patch});
   const IdLayout layout = layOut(result.discretization);
   raster::SoftwareRenderer renderer(makeDrawList(result.scene, result.discretization, layout));
-  ProjectedRows rows(result.scene, result.discretization, layout, renderer, {.resolution = resolution});
+  ProjectedFormFactors rows(result.scene, result.discretization, layout, renderer, {.resolution = resolution});
   result.solution = solve(
       result.scene, result.discretization, [&](std::uint32_t patchNumber) { return rows.ofPatch(patchNumber); },
       settings);

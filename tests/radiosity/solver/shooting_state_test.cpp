@@ -16,15 +16,15 @@ using namespace hemitex::radiosity;
 namespace {
 
 /// Shoots so often, or until less than a residual is left.
-void shoot(Refinement& refinement, const RowSource& rowOf, int shots, double residual = 0) {
-  for (int shot = 0; shot < shots && refinement.residual() > residual; ++shot) {
-    const std::uint32_t patch = refinement.brightestPatch();
-    refinement.shoot(patch, rowOf(patch));
+void shoot(ShootingState& state, const RowSource& rowOf, int shots, double residual = 0) {
+  for (int shot = 0; shot < shots && state.residual() > residual; ++shot) {
+    const std::uint32_t patch = state.brightestPatch();
+    state.shoot(patch, rowOf(patch));
   }
 }
 
 /// Rows, each drawn once.
-RowSource rowsOf(ProjectedRows& rows, RowCache& cache) {
+RowSource rowsOf(ProjectedFormFactors& rows, RowCache& cache) {
   return [&](std::uint32_t patch) { return cache.row(patch, [&, patch] { return rows.ofPatch(patch); }); };
 }
 
@@ -44,12 +44,12 @@ TEST_CASE("a refinement goes on from what was shot as if it had not been left", 
     if (isMapped)
       for (std::size_t e = 0; e < world.discretization.elements.size(); ++e)
         world.discretization.mappedReflectance.push_back(glm::dvec3(0.1, 0.2, 0.3) * static_cast<double>(e % 4));
-    ProjectedRows rows = world.rows(32);
+    ProjectedFormFactors rows = world.rows(32);
     RowCache cache(std::size_t{1} << 30);
     const RowSource rowOf = rowsOf(rows, cache);
-    Refinement whole(world.scene, world.discretization);
+    ShootingState whole(world.scene, world.discretization);
     shoot(whole, rowOf, 20);
-    Refinement continued(world.scene, world.discretization, whole.light());
+    ShootingState continued(world.scene, world.discretization, whole.light());
     // The same sums in another order: a few units in the last place, of the largest patch's flux.
     CHECK(continued.residual() == Approx(whole.residual()).epsilon(1e-12));
     const Energy energy = whole.energy();
@@ -67,17 +67,17 @@ TEST_CASE("a refinement goes on from what was shot as if it had not been left", 
 TEST_CASE("a light that goes out is taken back by negative shots, and the account closes", "[refinement]") {
   tests::HemicubeWorld world(litCube({3, 2, 1}), 4, 2);
   const Scene dark = litCube(glm::dvec3(0));
-  ProjectedRows rows = world.rows(32);
+  ProjectedFormFactors rows = world.rows(32);
   RowCache cache(std::size_t{1} << 30);
   const RowSource rowOf = rowsOf(rows, cache);
-  Refinement lit(world.scene, world.discretization);
+  ShootingState lit(world.scene, world.discretization);
   shoot(lit, rowOf, 100000, 1e-4);
-  Refinement refinement(dark, world.discretization, lit.light());
+  ShootingState state(dark, world.discretization, lit.light());
   // The side of area 1 emitted 6 W, all of which was shot.
-  CHECK(refinement.residual() >= 1 - 1e-4);
-  shoot(refinement, rowOf, 100000, 1e-6);
-  CHECK(refinement.residual() <= 1e-6);
-  const Energy energy = refinement.energy();
+  CHECK(state.residual() >= 1 - 1e-4);
+  shoot(state, rowOf, 100000, 1e-6);
+  CHECK(state.residual() <= 1e-6);
+  const Energy energy = state.energy();
   CHECK(energy.emitted == glm::dvec3(0));
   for (int band = 0; band < 3; ++band)
     CHECK(std::abs(energy.absorbed[band] + energy.unshot[band] + energy.lost[band]) <= 1e-12);
@@ -85,28 +85,27 @@ TEST_CASE("a light that goes out is taken back by negative shots, and the accoun
   double absorbed = 0;
   for (std::size_t e = 0; e < world.discretization.elements.size(); ++e) {
     const glm::dvec3 reflects = reflectance(dark, world.discretization, static_cast<std::uint32_t>(e));
-    for (int band = 0; band < 3; ++band)
-      absorbed += (1 - reflects[band]) * std::abs(refinement.light().received[e][band]);
+    for (int band = 0; band < 3; ++band) absorbed += (1 - reflects[band]) * std::abs(state.light().received[e][band]);
   }
   CHECK(absorbed <= 1e-6 * 6);
 }
 
 TEST_CASE("what is absorbed differs from the end's by no more than the residual", "[refinement]") {
   tests::HemicubeWorld world(litCube({3, 2, 1}), 4, 2);
-  ProjectedRows rows = world.rows(32);
+  ProjectedFormFactors rows = world.rows(32);
   RowCache cache(std::size_t{1} << 30);
   const RowSource rowOf = rowsOf(rows, cache);
-  Refinement end(world.scene, world.discretization);
+  ShootingState end(world.scene, world.discretization);
   shoot(end, rowOf, 100000, 1e-12);
-  Refinement refinement(world.scene, world.discretization);
+  ShootingState state(world.scene, world.discretization);
   for (int step = 0; step < 40; ++step) {
-    shoot(refinement, rowOf, 3);
+    shoot(state, rowOf, 3);
     double difference = 0;
     for (std::size_t e = 0; e < world.discretization.elements.size(); ++e) {
       const glm::dvec3 reflects = reflectance(world.scene, world.discretization, static_cast<std::uint32_t>(e));
-      difference += bandSum((1.0 - reflects) * glm::abs(end.light().received[e] - refinement.light().received[e]));
+      difference += bandSum((1.0 - reflects) * glm::abs(end.light().received[e] - state.light().received[e]));
     }
-    CHECK(difference <= (refinement.residual() + 2e-12) * 6);
+    CHECK(difference <= (state.residual() + 2e-12) * 6);
     CHECK(difference > 0);
   }
 }
@@ -119,11 +118,10 @@ TEST_CASE("a shot looks at what its row has, not at all elements or patches", "[
   FormFactorRow row{{5, 1000, 200000, 300000, 400000, 500000, 600000, 700000, 800000, 900000}, {}};
   row.shares.assign(10, wholeShare / 16);
   row.background = wholeShare - 10 * (wholeShare / 16);
-  Refinement refinement(scene, discretization);
+  ShootingState state(scene, discretization);
   // Ten elements receive. They and the shooter lie in eleven blocks of 64 patches at most, these below eleven nodes of
   // 64 blocks, and the root has 16 children.
-  for (int shot = 0; shot < 1000; ++shot)
-    REQUIRE(refinement.shoot(refinement.brightestPatch(), row) <= 10 + 11 * (64 + 64) + 16);
+  for (int shot = 0; shot < 1000; ++shot) REQUIRE(state.shoot(state.brightestPatch(), row) <= 10 + 11 * (64 + 64) + 16);
 }
 
 TEST_CASE("a shot that much of a surface receives looks at its patches at most once for two elements", "[refinement]") {
@@ -137,15 +135,15 @@ TEST_CASE("a shot that much of a surface receives looks at its patches at most o
     for (std::uint32_t e = 0; e < seen; ++e) row.elements.push_back(grid.firstElement + e);
     row.shares.assign(seen, wholeShare / 4096);
     row.background = wholeShare - seen * (wholeShare / 4096);
-    Refinement refinement(scene, discretization);
-    const std::size_t visits = refinement.shoot(refinement.brightestPatch(), row);
+    ShootingState state(scene, discretization);
+    const std::size_t visits = state.shoot(state.brightestPatch(), row);
     // 2048 elements lie in 512 patches, these in eight blocks, the shooter in another; below the root are 96 of them.
     const std::size_t updated = (8 + 1) * 64 + 2 * (64 + 64) + 2;
     INFO(seen << " elements: " << visits);
     CHECK(visits >= seen + (seen == 2048 ? grid.patchCount : 0));
     CHECK(visits <= seen + (seen == 2048 ? grid.patchCount : 0) + updated);
     // What arrives is unshot in part, and absorbed in part, wherever it is summed.
-    const Energy energy = refinement.energy();
+    const Energy energy = state.energy();
     const double arrived = static_cast<double>(seen) / 4096 * energy.emitted.x / static_cast<double>(grid.patchCount);
     CHECK(energy.absorbed.x == Approx((1 - 0.7) * arrived).epsilon(1e-12));
     CHECK(energy.emitted.x - energy.unshot.x == Approx(0.3 * arrived + energy.lost.x).epsilon(1e-12));

@@ -18,7 +18,7 @@ std::vector<glm::dvec3> randomFlux(std::size_t count, std::mt19937& random) {
 }
 
 /// Small integers: their sums are exact in any order, and many are equal.
-void checkAgainstAll(const UnshotFlux& unshot) {
+void checkAgainstAll(const UnshotTree& unshot) {
   glm::dvec3 sizes(0);
   std::uint32_t brightest = 0;
   for (std::uint32_t patch = 0; patch < unshot.flux().size(); ++patch) {
@@ -35,17 +35,17 @@ TEST_CASE("the brightest patch and the sum of sizes are those of all patches, wh
   std::mt19937 random(5);
   for (const std::size_t count : {1, 2, 63, 64, 65, 4096, 4097, 10000}) {
     INFO(count << " patches");
-    UnshotFlux unshot(randomFlux(count, random));
+    UnshotTree unshot(randomFlux(count, random));
     checkAgainstAll(unshot);
     for (int round = 0; round < 10; ++round) {
       std::vector<std::uint32_t> blocks;
       for (const glm::dvec3& more : randomFlux(20, random)) {
         const auto patch = static_cast<std::uint32_t>(random() % count);
         unshot.add(patch, more);
-        blocks.push_back(patch / UnshotFlux::patchesInBlock);
+        blocks.push_back(patch / UnshotTree::patchesInBlock);
       }
       unshot.clear(unshot.brightest());
-      blocks.push_back(unshot.brightest() / UnshotFlux::patchesInBlock);
+      blocks.push_back(unshot.brightest() / UnshotTree::patchesInBlock);
       unshot.update(blocks);
       checkAgainstAll(unshot);
     }
@@ -57,18 +57,18 @@ TEST_CASE("sums of sizes are those of a tree made afresh, to the last bit", "[re
   std::uniform_real_distribution<double> some(-1, 1);
   std::vector<glm::dvec3> flux(5000);
   for (glm::dvec3& f : flux) f = {some(random), some(random), some(random)};
-  UnshotFlux unshot(flux);
+  UnshotTree unshot(flux);
   for (int round = 0; round < 100; ++round) {
     const auto patch = static_cast<std::uint32_t>(random() % flux.size());
-    const std::uint32_t block = patch / UnshotFlux::patchesInBlock;
+    const std::uint32_t block = patch / UnshotTree::patchesInBlock;
     unshot.add(patch, {some(random), 1e-9 * some(random), 1e9});
     unshot.update({&block, 1});
   }
-  CHECK(unshot.sizes() == UnshotFlux(unshot.flux()).sizes());
+  CHECK(unshot.sizes() == UnshotTree(unshot.flux()).sizes());
 }
 
 TEST_CASE("a change looks at 64 patches and at 64 nodes a level", "[refinement]") {
-  UnshotFlux unshot(std::vector<glm::dvec3>(1 << 18, glm::dvec3(1)));
+  UnshotTree unshot(std::vector<glm::dvec3>(1 << 18, glm::dvec3(1)));
   unshot.add(77777, glm::dvec3(1));
   const std::vector<std::uint32_t> blocks(3, 77777 / 64);
   CHECK(unshot.update(blocks) == 3 * 64);

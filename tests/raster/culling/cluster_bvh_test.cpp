@@ -40,7 +40,7 @@ TEST_CASE("the tree finds the groups of clusters that may cover a sample, in dra
   for (const std::uint32_t count : {0, 1, 7, 8, 9, 64, 65, 1000}) {
     const std::vector<Cluster> clusters = scattered(count);
     REQUIRE(clusters.size() == count);
-    const ClusterTree tree(clusters);
+    const ClusterBvh tree(clusters);
     const std::uint32_t groups = (count + 7) / 8;
     for (std::uint32_t g = 0; g < groups; ++g) {
       const ClusterGroup& group = tree.group(g);

@@ -133,7 +133,7 @@ TEST_CASE("a texel decided exactly is the one of the rules, whatever the numbers
             ++samples;
             wrong += texelExactly(triangle, coordinate, size, s.column, s.row) != expected;
             const auto exact = exactQuotient(triangle, coordinate, size);
-            quotients += exact.has_value();
+            quotients += exact_interpolation.has_value();
             if (exact) wrongQuotients += texelOf(*exact, triangle, size, s.column, s.row) != expected;
           }
     }

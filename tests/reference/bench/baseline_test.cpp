@@ -19,7 +19,7 @@ TEST_CASE("the floor sums item IDs that were drawn to the row of their hemicube,
   const Discretization discretization = discretize(scene, {.texels = 9});
   const IdLayout layout = layOut(discretization);
   raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
-  ProjectedRows rows(scene, discretization, layout, renderer, {.resolution = 70});
+  ProjectedFormFactors rows(scene, discretization, layout, renderer, {.resolution = 70});
   reference::BenchFloor floor(discretization, layout, rows.projection());
   for (const std::uint32_t patch : {0U, 20U, 5U, 5U}) {
     const View view = rows.viewsOfPatch(patch).front();

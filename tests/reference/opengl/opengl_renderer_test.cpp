@@ -239,7 +239,7 @@ TEST_CASE("the Cornell box is the same lit by a device, outside explained pixels
   const radiosity::IdLayout layout = radiosity::layOut(discretization);
   const raster::DrawList list = radiosity::makeDrawList(scene, discretization, layout);
   const auto solutionOf = [&](raster::ItemBufferRenderer& renderer) {
-    radiosity::ProjectedRows rows(scene, discretization, layout, renderer, {.resolution = 128});
+    radiosity::ProjectedFormFactors rows(scene, discretization, layout, renderer, {.resolution = 128});
     return radiosity::solve(scene, discretization, [&rows](std::uint32_t patch) { return rows.ofPatch(patch); },
                             {.residual = 0.01});
   };

@@ -107,7 +107,7 @@ TEST_CASE("rows by rays are the closed forms, better than by chance", "[ray rows
 
 TEST_CASE("rays spread over an area take the mean of its points", "[ray rows]") {
   // Parallel unit squares, Howell C-11, and a blocker over half of them that hides exactly a half (see
-  // ray_form_factors_test.cpp), from its back: what it hides, it absorbs.
+  // monte_carlo_form_factors_test.cpp), from its back: what it hides, it absorbs.
   constexpr int rays = 1 << 16;
   const AxisRectangle square{{0, 1}, {0, 1}};
   for (const double gap : {0.1, 1.0}) {
@@ -137,11 +137,11 @@ TEST_CASE("the fast rays measure what the slow ones do", "[ray rows]") {
     RayRows rows = world.rows(4 * samples, start);
     for (std::uint32_t patch = 0; patch < world.discretization.patches.size(); patch += 3) {
       const Patch& block = world.discretization.patches[patch];
-      const Shooter shooter =
+      const RaySource raySource =
           start == RayStart::Area
-              ? areaShooter(slow.pieces(), elementsOfPatch(world.discretization, patch))
-              : pointShooter(world.scene, block.surface, patchCentre(world.scene, world.discretization, block));
-      const MeasuredRow measured = slow.overHemisphere(shooter, receivers, {samples, patch});
+              ? areaRaySource(slow.pieces(), elementsOfPatch(world.discretization, patch))
+              : pointRaySource(world.scene, block.surface, patchCentre(world.scene, world.discretization, block));
+      const MeasuredRow measured = slow.overHemisphere(raySource, receivers, {samples, patch});
       const FormFactorRow row = rows.ofPatch(patch);
       const std::vector<double> fast = factors(world, row);
       const auto differ = [&](const Measurement& measurement, double value) {

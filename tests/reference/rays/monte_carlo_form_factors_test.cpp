@@ -30,10 +30,10 @@ struct World {
         discretization(discretize(scene, {.texels = texels, .patch = patch})),
         rays(scene, discretization) {}
 
-  Shooter surface(std::uint32_t number) const {
-    return areaShooter(rays.pieces(), elementsOfSurface(discretization, number));
+  RaySource surface(std::uint32_t number) const {
+    return areaRaySource(rays.pieces(), elementsOfSurface(discretization, number));
   }
-  Shooter element(std::uint32_t number) const { return areaShooter(rays.pieces(), std::vector{number}); }
+  RaySource element(std::uint32_t number) const { return areaRaySource(rays.pieces(), std::vector{number}); }
 };
 
 /// The rectangle `to` in the plane z = gap, facing down, its chart's columns along y and rows along x.
@@ -106,7 +106,7 @@ std::vector<Case> tableOfCases() {
   return cases;
 }
 
-using Estimator = MeasuredRow (RayFormFactors::*)(const Shooter&, const Receivers&, const Sampling&) const;
+using Estimator = MeasuredRow (RayFormFactors::*)(const RaySource&, const Receivers&, const Sampling&) const;
 constexpr Estimator bothEstimators[] = {&RayFormFactors::overHemisphere, &RayFormFactors::aimed};
 
 Measurement measured(const Case& example, Estimator estimator, const Sampling& sampling) {
@@ -148,7 +148,7 @@ TEST_CASE("rays agree with closed forms from every element to every element", "[
     const int samples = estimator == &RayFormFactors::aimed ? 1 << 10 : 1 << 14;
     int beyond = 0;
     for (std::uint32_t from = 0; from < n * n; ++from) {
-      const AxisRectangle shooter{part(int(from) % n), part(int(from) / n)};
+      const AxisRectangle raySource{part(int(from) % n), part(int(from) / n)};
       const auto rowOf = [&](const World& world) {
         return (world.rays.*estimator)(world.element(from), everyElement(world.discretization), {samples, from});
       };
@@ -156,8 +156,8 @@ TEST_CASE("rays agree with closed forms from every element to every element", "[
       for (int to = 0; to < n * n; ++to) {
         const AxisRectangle receiver{part(to / n), part(to % n)};
         const auto column = static_cast<std::size_t>(n * n + to);
-        beyond += !agrees(over.receivers[column], parallelRectangles(shooter, receiver, 0.4));
-        beyond += !agrees(beside.receivers[column], perpendicularRectangles(shooter, receiver));
+        beyond += !agrees(over.receivers[column], parallelRectangles(raySource, receiver, 0.4));
+        beyond += !agrees(beside.receivers[column], perpendicularRectangles(raySource, receiver));
       }
     }
     CHECK(beyond <= 2);  // 0.2 % of 1250
@@ -310,11 +310,11 @@ TEST_CASE("what leaves one surface for another is what would come back", "[ray f
 TEST_CASE("a point's factors are the closed forms of the elements it sees", "[ray form factors]") {
   const World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 3);
   const SurfacePoint place = elementCentre(world.scene, world.discretization, 2 * 9 + 1);
-  const Shooter shooter = pointShooter(world.scene, 2, place);
-  const ShootingPoint point = shootingPoint(shooter, 0.5, 0.5);
+  const RaySource raySource = pointRaySource(world.scene, 2, place);
+  const ShootingPoint point = shootingPoint(raySource, 0.5, 0.5);
   const Receivers receivers = everyElement(world.discretization);
-  const MeasuredRow hemisphere = world.rays.overHemisphere(shooter, receivers, {1 << 14});
-  const MeasuredRow aimed = world.rays.aimed(shooter, receivers, {64});
+  const MeasuredRow hemisphere = world.rays.overHemisphere(raySource, receivers, {1 << 14});
+  const MeasuredRow aimed = world.rays.aimed(raySource, receivers, {64});
   for (std::uint32_t e = 0; e < receivers.count; ++e) {
     double exact = 0;
     for (const SurfacePiece& piece : world.rays.pieces().of(e))
@@ -330,7 +330,8 @@ TEST_CASE("a patch's factors are the means of its elements' by area", "[ray form
   const std::vector<std::uint32_t> elements = elementsOfPatch(world.discretization, 4);
   REQUIRE(elements.size() == patch.elementCount);
   const Receivers receivers = everyElement(world.discretization);
-  const MeasuredRow whole = world.rays.overHemisphere(areaShooter(world.rays.pieces(), elements), receivers, {1 << 14});
+  const MeasuredRow whole =
+      world.rays.overHemisphere(areaRaySource(world.rays.pieces(), elements), receivers, {1 << 14});
   std::vector<double> mean(receivers.count), variance(receivers.count);
   double area = 0;
   for (const std::uint32_t e : elements) area += world.discretization.elements[e].area;

@@ -1,4 +1,4 @@
-// Shooters: points of equal density over the area, points put where they belong.
+// RaySources: points of equal density over the area, points put where they belong.
 #include "reference/rays/ray_source.h"
 
 #include <catch2/catch.hpp>
@@ -16,7 +16,7 @@ using namespace hemitex;
 using namespace hemitex::reference;
 using namespace hemitex::radiosity;
 
-TEST_CASE("equal areas of a shooter get equal numbers of points", "[shooter]") {
+TEST_CASE("equal areas of a raySource get equal numbers of points", "[raySource]") {
   // A net of 2^12 points on the triangles of a warped quad and of a patch of it: each triangle's number of points is
   // its share of the area but for less than two, since it takes an interval of one coordinate.
   const Scene scene = tests::sceneOf({tests::quad("warped", {{{0, 0, 0}, {2, 0, 1}, {2, 3, -1}, {0, 1, 2}}})});
@@ -24,25 +24,25 @@ TEST_CASE("equal areas of a shooter get equal numbers of points", "[shooter]") {
   const SurfacePieces pieces = surfacePieces(scene, discretization);
   const SamplePoints points(1 << 12, 0);
   for (const auto& elements : {elementsOfSurface(discretization, 0), elementsOfPatch(discretization, 1)}) {
-    const Shooter shooter = areaShooter(pieces, elements);
+    const RaySource raySource = areaRaySource(pieces, elements);
     double whole = 0, share = 0;
-    for (const ShootingTriangle& t : shooter.triangles)
+    for (const ShootingTriangle& t : raySource.triangles)
       whole += glm::length(glm::cross(t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]));
     double expected = 0;
     for (const std::uint32_t element : elements) expected += discretization.elements[element].area;
     CHECK(whole / 2 * scene.extent * scene.extent == Approx(expected).epsilon(1e-11));
-    for (std::size_t t = 0; t < shooter.triangles.size(); ++t) {
-      const auto& [a, b, c] = shooter.triangles[t].corner;
+    for (std::size_t t = 0; t < raySource.triangles.size(); ++t) {
+      const auto& [a, b, c] = raySource.triangles[t].corner;
       const double before = share;
       share += glm::length(glm::cross(b - a, c - a)) / whole;
-      CHECK(shooter.upTo[t] == Approx(share).epsilon(1e-12));
+      CHECK(raySource.upTo[t] == Approx(share).epsilon(1e-12));
       int inside = 0;
       for (std::size_t i = 0; i < points.count(); ++i) {
         const SamplePoint p = points.at(0, i);
         if (p[0] < before || p[0] >= share) continue;
         ++inside;
-        const ShootingPoint point = shootingPoint(shooter, p[0], p[1]);
-        CHECK(point.triangle == shooter.triangles[t].triangle);
+        const ShootingPoint point = shootingPoint(raySource, p[0], p[1]);
+        CHECK(point.triangle == raySource.triangles[t].triangle);
         CHECK(std::abs(glm::dot(point.position - a, point.normal)) < 1e-15);
       }
       CHECK(std::abs(inside - (share - before) * 4096) < 2);
@@ -50,14 +50,14 @@ TEST_CASE("equal areas of a shooter get equal numbers of points", "[shooter]") {
   }
 }
 
-TEST_CASE("the points of a triangle have its centroid and its second moments", "[shooter]") {
+TEST_CASE("the points of a triangle have its centroid and its second moments", "[raySource]") {
   // Over a triangle the mean of the weights is 1/3, of their squares 1/6 and of their products 1/12.
-  const Shooter shooter{{{{glm::dvec3(1, 0, 0), {0, 1, 0}, {0, 0, 1}}, glm::normalize(glm::dvec3(1)), 0}}, {1.0}};
+  const RaySource raySource{{{{glm::dvec3(1, 0, 0), {0, 1, 0}, {0, 0, 1}}, glm::normalize(glm::dvec3(1)), 0}}, {1.0}};
   const SamplePoints points(1 << 14, 0);
   glm::dvec3 mean(0), squares(0), products(0);
   for (std::size_t i = 0; i < points.count(); ++i) {
     const SamplePoint p = points.at(0, i);
-    const glm::dvec3 w = shootingPoint(shooter, p[0], p[1]).position;
+    const glm::dvec3 w = shootingPoint(raySource, p[0], p[1]).position;
     mean += w / 16384.0;
     squares += w * w / 16384.0;
     products += w * glm::dvec3(w.y, w.z, w.x) / 16384.0;
@@ -69,15 +69,15 @@ TEST_CASE("the points of a triangle have its centroid and its second moments", "
   }
 }
 
-TEST_CASE("a single point stands in the plane of its triangle and off its edges, far from zero, too", "[shooter]") {
+TEST_CASE("a single point stands in the plane of its triangle and off its edges, far from zero, too", "[raySource]") {
   for (const double distance : {0.0, 1e6, 1e8}) {
     INFO("moved by " << distance);
     Scene scene = tests::sceneOf({tests::parallelogram("tilted", glm::dvec3(distance), {1, 0.3, 0.2}, {-0.1, 1, 0.4})});
     const Discretization discretization = discretize(scene, {.texels = 2});
     // The middle of a quad lies on its diagonal.
     const SurfacePoint middle = patchCentre(scene, discretization, discretization.patches[0]);
-    const Shooter shooter = pointShooter(scene, 0, middle);
-    const ShootingPoint point = shootingPoint(shooter, 0.3, 0.8);
+    const RaySource raySource = pointRaySource(scene, 0, middle);
+    const ShootingPoint point = shootingPoint(raySource, 0.3, 0.8);
     const auto [a, b, c] = inFrame(scene, scene.surfaces[0].triangles[middle.triangle]);
     CHECK(glm::length(point.position - inFrame(scene, middle.position)) < 1e-8 + 4e-16 * distance);
     CHECK(std::abs(glm::dot(point.position - a, middle.normal)) < 1e-15);

@@ -16,9 +16,9 @@
 #include "tests/support/box_scene.h"
 
 using namespace hemitex;
-using reference::AlgebraicSolution;
+using reference::DirectSolution;
 using reference::FormFactorMatrix;
-using reference::solveAlgebraically;
+using reference::solveDirectly;
 
 namespace {
 
@@ -50,7 +50,7 @@ TEST_CASE("two elements that face each other exchange light as in the closed for
   // flux_1 = (e_1 + r_1 F_21 e_2) / (1 - r_1 r_2 F_12 F_21).
   const double f12 = 0.25, f21 = 0.125;
   const std::vector<glm::dvec3> emitted{{1, 0, 2}, {0, 3, 5}}, reflectance{{0.5, 0.25, 0}, {0.75, 0.5, 0.9999}};
-  const AlgebraicSolution solution = solveAlgebraically({2, {0, f12, f21, 0}}, emitted, reflectance);
+  const DirectSolution solution = solveDirectly({2, {0, f12, f21, 0}}, emitted, reflectance);
   for (int band = 0; band < 3; ++band) {
     const double e1 = emitted[0][band], e2 = emitted[1][band], r1 = reflectance[0][band], r2 = reflectance[1][band];
     const double loop = 1 - r1 * r2 * f12 * f21;
@@ -65,8 +65,8 @@ TEST_CASE("in a closed enclosure of one emission and reflectance radiosity is E 
   std::vector<glm::dvec3> emitted;
   for (const double area : enclosure.areas) emitted.push_back(area * glm::dvec3(2, 1, 0.5));
   const glm::dvec3 reflectance(0.5, 0.9, 0.9999);
-  const AlgebraicSolution solution =
-      solveAlgebraically(enclosure.matrix, emitted, std::vector<glm::dvec3>(emitted.size(), reflectance));
+  const DirectSolution solution =
+      solveDirectly(enclosure.matrix, emitted, std::vector<glm::dvec3>(emitted.size(), reflectance));
   CHECK(solution.residual < 1e-12);
   for (std::size_t e = 0; e < emitted.size(); ++e)
     for (int band = 0; band < 3; ++band)
@@ -83,8 +83,7 @@ TEST_CASE("in a sphere a lit cap lights all else alike", "[algebra]") {
   for (std::size_t i = 0; i < 4; ++i) matrix.factors.insert(matrix.factors.end(), share.begin(), share.end());
   const double reflectance = 0.8;
   const std::vector<glm::dvec3> emitted{glm::dvec3(0.05), {}, {}, {}};
-  const AlgebraicSolution solution =
-      solveAlgebraically(matrix, emitted, std::vector<glm::dvec3>(4, glm::dvec3(reflectance)));
+  const DirectSolution solution = solveDirectly(matrix, emitted, std::vector<glm::dvec3>(4, glm::dvec3(reflectance)));
   for (std::size_t e = 1; e < 4; ++e)
     CHECK(solution.flux[e].x / share[e] == Approx(reflectance * 0.05 / (1 - reflectance)).epsilon(1e-13));
 }
@@ -96,7 +95,7 @@ TEST_CASE("progressive refinement comes to the algebraic solution of its own row
   const radiosity::Discretization discretization = discretize(scene, {.texels = 3, .patch = 1});
   const radiosity::IdLayout layout = layOut(discretization);
   raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
-  radiosity::ProjectedRows rows(scene, discretization, layout, renderer, {.resolution = 32});
+  radiosity::ProjectedFormFactors rows(scene, discretization, layout, renderer, {.resolution = 32});
 
   const std::size_t size = discretization.elements.size();
   FormFactorMatrix matrix{size, std::vector<double>(size * size)};
