@@ -49,4 +49,13 @@ std::optional<glm::dvec3> parseVector(std::string_view text) {
 std::string toText(double value) { return shortest(value); }
 std::string toText(float value) { return shortest(value); }
 
+std::string roundedText(double value) {
+  std::array<char, 32> digits{};
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 4).ptr;
+  return shortest(parseAll<double>({digits.data(), end}).value_or(value));
+}
+
+std::string percentText(double share) { return roundedText(100 * share) + " %"; }
+
 }  // namespace hemitex::cli

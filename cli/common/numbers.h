@@ -20,4 +20,9 @@ std::optional<glm::dvec3> parseVector(std::string_view text);
 std::string toText(double value);
 std::string toText(float value);
 
+/// A number for people: four significant digits.
+std::string roundedText(double value);
+/// A share of 1 for people: four significant digits, in percent.
+std::string percentText(double share);
+
 }  // namespace hemitex::cli

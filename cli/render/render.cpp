@@ -150,7 +150,7 @@ Image projectionView(const RenderOptions& options, const Subject& subject, Conso
   const auto faces =
       radiosity::facesOver(projection.faces, point.position - scene.origin, point.normal, glm::dvec3(0), nearDistance);
   raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));
-  const std::vector<raster::ItemBuffer> buffers = renderer.render(faces, skipped);
+  const std::vector<raster::ItemBuffer> buffers = render(renderer, faces, skipped);
   return kind == radiosity::ProjectionKind::Hemicube ? radiosity::hemicubePicture(layout, faces, buffers)
                                                      : radiosity::facesPicture(layout, projection, faces, buffers);
 }

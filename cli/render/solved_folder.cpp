@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "cli/common/surface_names.h"
-#include "radiosity/scene/image.h"
+#include "radiosity/images/image.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 

@@ -1,11 +1,12 @@
 #include "cli/solve/output.h"
 
+#include <iomanip>
 #include <sstream>
 
 #include "cli/common/json.h"
+#include "cli/common/numbers.h"
 #include "cli/solve/solution_json.h"
 #include "radiosity/pictures/pictures.h"
-#include "radiosity/scene/load_scene.h"
 #include "radiosity/textures/lit_scene.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/file_io.h"
@@ -70,20 +71,42 @@ ordered_json settingsJson(const Showing& showing) {
           {"exposure", showing.exposure}};
 }
 
+std::string shotsText(const ordered_json& solution, double seconds) {
+  return std::to_string(solution["shots"].get<int>()) + " shots in " + roundedText(seconds) + " s, " +
+         percentText(solution["residual"]) + " of the flux unshot\n";
+}
+
+/// A line per kind of flux: W in each band, and the share of the emitted flux over all bands.
+std::string fluxText(const ordered_json& energy) {
+  const auto sum = [](const ordered_json& bands) {
+    return bands[0].get<double>() + bands[1].get<double>() + bands[2].get<double>();
+  };
+  const double emitted = sum(energy["emitted"]);
+  std::ostringstream text;
+  text << '\n' << std::left << std::setw(16) << "flux in W" << std::right;
+  for (const char* title : {"red", "green", "blue", "of emitted"}) text << std::setw(12) << title;
+  for (const auto& [name, bands] : energy.items()) {
+    text << '\n' << std::left << std::setw(16) << name << std::right;
+    for (const ordered_json& flux : bands) text << std::setw(12) << roundedText(flux);
+    text << std::setw(12) << (emitted > 0 ? percentText(sum(bands) / emitted) : "-");
+  }
+  text << '\n';
+  return text.str();
+}
+
 }  // namespace
 
 double exposureOf(const SolveOptions& options, const Lit& lit) {
-  return options.camera.exposure.value_or(radiosity::defaultExposure(
-      lit.scene, lit.discretization, radiosity::displayRadiosity(lit.scene, lit.discretization, lit.solution)));
+  return options.camera.exposure.value_or(radiosity::defaultExposure(lit.scene, lit.discretization, lit.displayed));
 }
 
 void writeSolved(const std::filesystem::path& folder, const Lit& lit, const Showing& showing) {
   const SolveOptions& options = showing.options;
-  radiosity::writeLitScene(folder, lit.scene, lit.discretization, lit.solution, showing.exposure, texturesOf(options));
-  // The picture shows what is in the folder: the textures that any viewer shows.
-  const radiosity::Scene shown = radiosity::loadScene(folder / "scene.obj");
-  radiosity::writePng(folder / "render.png",
-                      radiosity::unlitPicture(shown, showing.camera, options.camera.width, options.camera.height));
+  const radiosity::LitScene shown =
+      radiosity::makeLitScene(lit.scene, lit.discretization, lit.displayed, showing.exposure, texturesOf(options));
+  radiosity::writeLitScene(folder, shown, lit.discretization, lit.solution.radiosity);
+  radiosity::writePng(folder / "render.png", radiosity::unlitPicture(shown.scene, showing.camera, options.camera.width,
+                                                                     options.camera.height));
   raster::writeFile(folder / "scene.view.json", toText(toJson(showing.camera)));
   std::ostringstream elements;
   writeCsv(elements, elementTable(lit.scene, lit.discretization, lit.solution));
@@ -99,14 +122,13 @@ ordered_json description(const Lit& lit, const Showing& showing) {
 std::string summary(const ordered_json& solution) {
   std::ostringstream text;
   text << solution["surfaces"].size() << " surfaces, " << solution["elements"] << " elements, " << solution["patches"]
-       << " patches, " << solution["phantoms"] << " phantom indices\n"
-       << solution["shots"] << " shots, residual " << solution["residual"] << '\n';
+       << " patches\n"
+       << shotsText(solution, solution["times"]["solve_s"]);
   if (solution.contains("frames"))
     for (const ordered_json& frame : solution["frames"])
-      text << frame["folder"].get<std::string>() << ": " << frame["shots"] << " shots, residual " << frame["residual"]
-           << '\n';
-  if (solution.contains("expected_error")) text << "expected error " << solution["expected_error"] << '\n';
-  for (const auto& [name, flux] : solution["energy"].items()) text << name << ' ' << flux.dump() << '\n';
+      text << frame["folder"].get<std::string>() << ": " << shotsText(frame, frame["times"]["update_s"]);
+  if (solution.contains("expected_error")) text << "expected error " << percentText(solution["expected_error"]) << '\n';
+  text << fluxText(solution["energy"]);
   return text.str();
 }
 

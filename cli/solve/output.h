@@ -12,6 +12,7 @@
 #include "radiosity/pictures/camera.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solver/progressive_solver.h"
+#include "radiosity/textures/radiosity_texture.h"
 
 namespace hemitex::cli {
 
@@ -21,6 +22,7 @@ struct Lit {
   const radiosity::Discretization& discretization;
   const radiosity::IdLayout& layout;
   const radiosity::Solution& solution;
+  std::vector<glm::dvec3> displayed = radiosity::displayRadiosity(scene, discretization, solution);
 };
 
 /// How solutions are shown: those of all frames alike.
@@ -39,7 +41,7 @@ void writeSolved(const std::filesystem::path& folder, const Lit& lit, const Show
 /// count), and the solution.
 nlohmann::ordered_json description(const Lit& lit, const Showing& showing);
 
-/// A few lines for people of the object of solution.json.
+/// What solution.json says, for people: counts, times, and where the flux went.
 std::string summary(const nlohmann::ordered_json& solution);
 
 }  // namespace hemitex::cli

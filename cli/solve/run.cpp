@@ -79,7 +79,7 @@ radiosity::Progress progressOf(const radiosity::SolverSettings& settings, Consol
   return [&settings, &console](int shots, double residual) {
     const double fraction = settings.shots ? static_cast<double>(shots) / *settings.shots
                                            : std::log(residual) / std::log(settings.residual);
-    console.progress(fraction, "shot " + std::to_string(shots) + ", unshot " + toText(residual));
+    console.progress(fraction, "shot " + std::to_string(shots) + ", " + percentText(residual) + " of the flux unshot");
   };
 }
 

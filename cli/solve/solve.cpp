@@ -74,8 +74,8 @@ ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number,
 void warnOf(const Solved& solved, Console& console) {
   console.warnings(solved.solution.warnings);
   if (solved.captured < 1)
-    console.warning("the single plane captures " + toText(solved.captured) +
-                    " of the light that leaves a patch; the rest is lost, and the scene darker for it");
+    console.warning("the single plane captures " + percentText(solved.captured) +
+                    " of the flux that leaves a patch; the rest is lost, and the scene is darker");
 }
 
 void solve(SolveOptions asked, Context& context) {

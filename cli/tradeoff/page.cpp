@@ -6,8 +6,8 @@
 #include "cli/report/embedded_files.h"
 #include "cli/report/html_page.h"
 #include "radiosity/discretization/discretize.h"
+#include "radiosity/images/image.h"
 #include "radiosity/pictures/pictures.h"
-#include "radiosity/scene/image.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "reference/solution/radiosity_error.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
-#include "radiosity/scene/image.h"
+#include "radiosity/images/image.h"
 #include "radiosity/scene/scene.h"
 
 namespace hemitex::radiosity {

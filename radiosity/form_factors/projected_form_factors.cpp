@@ -6,6 +6,26 @@
 #include "radiosity/form_factors/level_of_detail.h"
 
 namespace hemitex::radiosity {
+namespace {
+
+/// The number of pixels in which each of a row's elements is seen; `buffers` hold the whole faces of the projection.
+std::vector<std::uint32_t> pixelsOf(const FormFactorRow& row, const Discretization& discretization,
+                                    const IdLayout& layout, const Projection& projection,
+                                    std::span<const raster::ItemBuffer> buffers) {
+  std::vector<std::uint32_t> pixels(row.elements.size());
+  for (std::size_t face = 0; face < buffers.size(); ++face) {
+    const std::vector<std::uint64_t>& before = projection.sharesBefore[projection.faces[face].shares];
+    for (std::size_t i = 0; i + 1 < before.size(); ++i) {
+      const auto element = elementOf(discretization, layout, buffers[face].ids[i]);
+      if (before[i] == before[i + 1] || !element) continue;
+      const auto place = std::lower_bound(row.elements.begin(), row.elements.end(), *element);
+      ++pixels[static_cast<std::size_t>(place - row.elements.begin())];
+    }
+  }
+  return pixels;
+}
+
+}  // namespace
 
 ProjectedFormFactors::ProjectedFormFactors(const Scene& scene, const Discretization& discretization,
                                            const IdLayout& layout, raster::ItemBufferRenderer& renderer,
@@ -53,36 +73,29 @@ std::vector<View> ProjectedFormFactors::viewsOfPatch(std::uint32_t number) {
 
 FormFactorRow ProjectedFormFactors::ofView(const View& view) {
   const std::vector<Window> windows = wholeFaces(*view.projection);
-  FormFactorRow row = ofWindows(view, windows);
-  if (settings_.pixelsPerElement > 0)
-    row = withCoarserMaps(discretization_, row, pixelsOf(row, view), settings_.pixelsPerElement);
+  FormFactorRow row = drawWindows(view, windows, buffers_);
+  if (settings_.pixelsPerElement > 0) {
+    const std::vector<std::uint32_t> pixels = pixelsOf(row, discretization_, layout_, *view.projection, buffers_);
+    row = withCoarserMaps(discretization_, row, pixels, settings_.pixelsPerElement);
+  }
   row.background += wholeShare - view.projection->captured;
   return row;
 }
 
 FormFactorRow ProjectedFormFactors::ofWindows(const View& view, std::span<const Window> windows) {
+  return drawWindows(view, windows, buffers_);
+}
+
+FormFactorRow ProjectedFormFactors::drawWindows(const View& view, std::span<const Window> windows,
+                                                std::vector<raster::ItemBuffer>& buffers) {
   std::vector<raster::Face> faces;
   for (const Window& window : windows) {
     faces.push_back(view.faces[window.face]);
     faces.back().scissor = window.scissor;
   }
-  renderer_.drawEach(faces, view.skipped, buffers_,
-                     [&](std::size_t w) { counter_.add(*view.projection, windows[w], buffers_[w]); });
+  renderer_.draw(faces, view.skipped, buffers,
+                 [&](std::size_t w) { counter_.add(*view.projection, windows[w], buffers[w]); });
   return counter_.takeRow();
-}
-
-std::vector<std::uint32_t> ProjectedFormFactors::pixelsOf(const FormFactorRow& row, const View& view) const {
-  std::vector<std::uint32_t> pixels(row.elements.size());
-  for (std::size_t face = 0; face < buffers_.size(); ++face) {
-    const std::vector<std::uint64_t>& before = view.projection->sharesBefore[view.projection->faces[face].shares];
-    for (std::size_t i = 0; i + 1 < before.size(); ++i) {
-      const auto element = elementOf(discretization_, layout_, buffers_[face].ids[i]);
-      if (before[i] == before[i + 1] || !element) continue;
-      const auto place = std::lower_bound(row.elements.begin(), row.elements.end(), *element);
-      ++pixels[static_cast<std::size_t>(place - row.elements.begin())];
-    }
-  }
-  return pixels;
 }
 
 FormFactorRow ProjectedFormFactors::from(std::uint32_t surface, const SurfacePoint& point) {

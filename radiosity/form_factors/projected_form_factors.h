@@ -67,8 +67,9 @@ class ProjectedFormFactors {
   bool isSumOfWindows() const { return settings_.pixelsPerElement == 0; }
 
  private:
-  /// In which each of a row's elements is seen, of the whole view that was drawn last.
-  std::vector<std::uint32_t> pixelsOf(const FormFactorRow& row, const View& view) const;
+  /// Draws the windows, one buffer per window, and returns the sum of their pixels.
+  FormFactorRow drawWindows(const View& view, std::span<const Window> windows,
+                            std::vector<raster::ItemBuffer>& buffers);
   View viewFrom(std::uint32_t surface, const SurfacePoint& point, const glm::dvec3& up, int halvings, double area);
   const Projection& projectionAfter(int halvings);
 
@@ -80,7 +81,7 @@ class ProjectedFormFactors {
   std::vector<TriangleBox> boxes_;
   std::map<int, Projection> projections_;  ///< by resolution, made when first asked for
   ItemBufferSum counter_;
-  std::vector<raster::ItemBuffer> buffers_;  ///< drawn last; their memory serves the next view
+  std::vector<raster::ItemBuffer> buffers_;  ///< their memory is reused from view to view
 };
 
 }  // namespace hemitex::radiosity

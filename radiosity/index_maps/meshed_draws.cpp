@@ -162,13 +162,8 @@ MeshedRenderer::MeshedRenderer(std::unique_ptr<raster::ItemBufferRenderer> piece
     : pieces_(std::move(pieces)), firstPiece_(std::move(firstPiece)) {}
 
 void MeshedRenderer::draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
-                          std::vector<raster::ItemBuffer>& buffers) {
-  pieces_->draw(faces, piecesOf(skipped), buffers);
-}
-
-void MeshedRenderer::drawEach(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
-                              std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) {
-  pieces_->drawEach(faces, piecesOf(skipped), buffers, drawn);
+                          std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) {
+  pieces_->draw(faces, piecesOf(skipped), buffers, drawn);
 }
 
 std::vector<std::uint32_t> MeshedRenderer::piecesOf(std::span<const std::uint32_t> triangles) const {

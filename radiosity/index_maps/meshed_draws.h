@@ -41,9 +41,7 @@ class MeshedRenderer final : public raster::ItemBufferRenderer {
 
   /// `skipped` are triangles of the scene.
   void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
-            std::vector<raster::ItemBuffer>& buffers) override;
-  void drawEach(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
-                std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) override;
+            std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) override;
 
  private:
   std::vector<std::uint32_t> piecesOf(std::span<const std::uint32_t> triangles) const;

@@ -66,7 +66,7 @@ CodesOf sumOfBoth(const IdLayout& layout) {
 raster::ItemBuffer drawBuffer(raster::DrawList list, const Scene& scene, const Camera& camera, int width, int height) {
   const raster::Face face = cameraFace(scene, camera, width, height);
   raster::SoftwareRenderer renderer(std::move(list));
-  return renderer.render({&face, 1}, trianglesFacingAway(scene, camera.eye)).front();
+  return render(renderer, {&face, 1}, trianglesFacingAway(scene, camera.eye)).front();
 }
 
 /// A picture from a colour a pixel of an item buffer, whose rows go upwards.

@@ -9,10 +9,10 @@
 #include <span>
 
 #include "radiosity/discretization/discretization.h"
+#include "radiosity/images/image.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/pictures/camera.h"
 #include "radiosity/projection/projection.h"
-#include "radiosity/scene/image.h"
 #include "radiosity/scene/scene.h"
 #include "raster/interface/face.h"
 #include "raster/interface/item_buffer_renderer.h"

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
+#include "radiosity/images/image.h"
 #include "radiosity/pictures/camera.h"
 #include "radiosity/pictures/visibility.h"
-#include "radiosity/scene/image.h"
 #include "radiosity/scene/scene.h"
 
 namespace hemitex::radiosity {

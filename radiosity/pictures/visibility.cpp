@@ -97,7 +97,7 @@ std::vector<std::optional<Visible>> TriangleView::seeBothSides(const Camera& cam
 std::vector<std::optional<Visible>> TriangleView::see(const raster::Face& face,
                                                       const std::vector<std::uint32_t>& skipped) {
   const int width = face.scissor.width, height = face.scissor.height;
-  const raster::ItemBuffer buffer = renderer_.render({&face, 1}, skipped).front();
+  const raster::ItemBuffer buffer = render(renderer_, {&face, 1}, skipped).front();
   const raster::ItemId background = raster::backgroundId(renderer_.drawList().format);
   const Rays rays(face);
   std::vector<std::optional<Visible>> samples(buffer.ids.size());

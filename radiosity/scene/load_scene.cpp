@@ -95,20 +95,6 @@ void makeNamesUnique(std::vector<Surface>& surfaces) {
   for (Surface& surface : surfaces) surface.name = uniqueName(taken, surface.name);
 }
 
-void measureBounds(Scene& scene) {
-  glm::dvec3 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());
-  for (const Surface& surface : scene.surfaces) {
-    for (const Triangle& triangle : surface.triangles) {
-      for (const glm::dvec3& p : triangle.position) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-      }
-    }
-  }
-  scene.origin = 0.5 * (low + high);
-  scene.extent = glm::length(high - low);
-}
-
 /// What a material emits at most in any band.
 double brightestEmission(const Scene& scene, const Material& material) {
   glm::dvec3 largest(1.0);

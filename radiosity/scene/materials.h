@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "radiosity/scene/image.h"
+#include "radiosity/images/image.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/scene/scene_settings.h"
 

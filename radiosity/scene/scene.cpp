@@ -22,4 +22,18 @@ std::size_t triangleCount(const Scene& scene) {
   return count;
 }
 
+void measureBounds(Scene& scene) {
+  glm::dvec3 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());
+  for (const Surface& surface : scene.surfaces) {
+    for (const Triangle& triangle : surface.triangles) {
+      for (const glm::dvec3& p : triangle.position) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+      }
+    }
+  }
+  scene.origin = 0.5 * (low + high);
+  scene.extent = glm::length(high - low);
+}
+
 }  // namespace hemitex::radiosity

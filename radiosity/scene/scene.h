@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "radiosity/scene/image.h"
+#include "radiosity/images/image.h"
 
 namespace hemitex::radiosity {
 
@@ -62,5 +62,8 @@ glm::dvec3 normal(const Triangle& triangle);
 
 /// The number of triangles of all surfaces; triangles are numbered through the scene, surface by surface.
 std::size_t triangleCount(const Scene& scene);
+
+/// Sets the origin and the extent of a scene that has a surface.
+void measureBounds(Scene& scene);
 
 }  // namespace hemitex::radiosity

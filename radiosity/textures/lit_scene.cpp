@@ -4,7 +4,8 @@
 #include <string>
 #include <unordered_map>
 
-#include "radiosity/scene/image.h"
+#include "radiosity/images/image.h"
+#include "radiosity/scene/scene_settings.h"
 #include "radiosity/textures/corner_radiosity.h"
 #include "radiosity/textures/file_names.h"
 #include "radiosity/textures/radiosity_texture.h"
@@ -86,29 +87,44 @@ std::string gouraudMaterial(const TextureLayout& layout) {
   return uniqueFileNames(names).back();
 }
 
-std::string objText(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
-                    const GouraudCorners& gouraud) {
+/// The display textures with the 256 values per channel that an 8-bit sRGB file holds.
+std::vector<Image> quantized(std::vector<Image> textures) {
+  for (Image& texture : textures)
+    for (glm::dvec3& pixel : texture.pixels)
+      for (int band = 0; band < 3; ++band) pixel[band] = decodeSrgb(encodeSrgb(pixel[band]) / 255.0);
+  return textures;
+}
+
+/// A material per texture, and behind them the one without a map.
+std::vector<Material> litMaterials(const TextureLayout& layout) {
+  // loadScene lowers a reflectance of 1, and the pictures of both are the same.
+  const glm::dvec3 reflectance(SceneSettings{}.maxReflectance);
+  std::vector<Material> materials;
+  for (const std::string& name : layout.names)
+    materials.push_back(
+        {.name = name, .reflectance = reflectance, .reflectanceMap = static_cast<int>(materials.size())});
+  materials.push_back({.name = gouraudMaterial(layout), .reflectance = reflectance});
+  return materials;
+}
+
+std::string objText(const Scene& lit) {
   std::vector<std::string> surfaceNames;
-  for (const Surface& surface : scene.surfaces) surfaceNames.push_back(surface.name);
+  for (const Surface& surface : lit.surfaces) surfaceNames.push_back(surface.name);
   const std::vector<std::string> groups = uniqueFileNames(surfaceNames);
 
-  const std::string mapless = gouraudMaterial(layout);
   std::string text =
       "# A scene lit by radiosity: show it without lights, its textures hold the light.\nmtllib scene.mtl\n";
   Lines positions, texcoords;
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-    const Surface& surface = scene.surfaces[s];
-    const std::string& texture = layout.names[static_cast<std::size_t>(layout.places[s].texture)];
-    text += "g " + groups[s] + "\nusemtl " + (gouraud.isNeeded(s) ? mapless : texture) + "\n";
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-      const Triangle& triangle = surface.triangles[t];
+  for (std::size_t s = 0; s < lit.surfaces.size(); ++s) {
+    const Surface& surface = lit.surfaces[s];
+    text += "g " + groups[s] + "\nusemtl " + lit.materials[static_cast<std::size_t>(surface.material)].name + "\n";
+    for (const Triangle& triangle : surface.triangles) {
       std::string face = "f";
       for (std::size_t k = 0; k < 3; ++k) {
         std::string position = lineOf("v", triangle.position[k]);
-        if (gouraud.isNeeded(s)) position += lineOf("", encodedColour(gouraud.at(s, t)[k]));
-        const glm::dvec2 uv = textureCoordinate(discretization, layout, s, triangle.chart[k]);
+        if (triangle.cornerColor) position += lineOf("", (*triangle.cornerColor)[k]);
         face += " " + std::to_string(positions.number(text, position)) + "/" +
-                std::to_string(texcoords.number(text, lineOf("vt", uv)));
+                std::to_string(texcoords.number(text, lineOf("vt", triangle.texcoord[k])));
       }
       text += face + "\n";
     }
@@ -116,42 +132,52 @@ std::string objText(const Scene& scene, const Discretization& discretization, co
   return text;
 }
 
-std::string materialText(const std::string& name, const std::string& map) {
-  return "newmtl " + name + "\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 0\n" + (map.empty() ? "" : "map_Kd " + map + "\n");
-}
-
-std::string mtlText(const TextureLayout& layout) {
+std::string mtlText(const Scene& lit) {
   std::string text = "# Radiosity textures, to be shown without lights.\n";
-  for (const std::string& name : layout.names) text += materialText(name, name + ".png");
-  return text + materialText(gouraudMaterial(layout), "");
-}
-
-/// What is displayed of each element, exposed: 1 is the brightest that a display shows.
-std::vector<glm::dvec3> exposedRadiosity(const Scene& scene, const Discretization& discretization,
-                                         const Solution& solution, double exposure) {
-  std::vector<glm::dvec3> exposed = displayRadiosity(scene, discretization, solution);
-  for (glm::dvec3& value : exposed) value *= exposure;
-  return exposed;
-}
-
-using Writer = void (*)(const std::filesystem::path&, const Image&);
-
-void writeTextures(const std::filesystem::path& folder, const TextureLayout& layout, const std::string& ending,
-                   const std::vector<Image>& textures, Writer write) {
-  for (std::size_t t = 0; t < textures.size(); ++t) write(folder / (layout.names[t] + ending), textures[t]);
+  for (const Material& material : lit.materials) {
+    text += "newmtl " + material.name + "\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 0\n";
+    if (material.reflectanceMap) text += "map_Kd " + material.name + ".png\n";
+  }
+  return text;
 }
 
 }  // namespace
 
-void writeLitScene(const std::filesystem::path& folder, const Scene& scene, const Discretization& discretization,
-                   const Solution& solution, double exposure, const TextureSettings& textures) {
-  const TextureLayout layout = layOutTextures(scene, discretization);
-  const std::vector<glm::dvec3> exposed = exposedRadiosity(scene, discretization, solution, exposure);
-  writeTextures(folder, layout, ".exr", radiosityTextures(discretization, layout, solution.radiosity), writeExr);
-  writeTextures(folder, layout, ".png", filteredTextures(scene, discretization, layout, exposed, textures), writePng);
+LitScene makeLitScene(const Scene& scene, const Discretization& discretization,
+                      const std::vector<glm::dvec3>& displayed, double exposure, const TextureSettings& textures) {
+  std::vector<glm::dvec3> exposed = displayed;
+  for (glm::dvec3& value : exposed) value *= exposure;
+  LitScene lit{{.surfaces = scene.surfaces}, layOutTextures(scene, discretization)};
+  lit.scene.materials = litMaterials(lit.layout);
+  lit.scene.images = quantized(filteredTextures(scene, discretization, lit.layout, exposed, textures));
   const GouraudCorners gouraud(scene, discretization, exposed);
-  raster::writeFile(folder / "scene.obj", objText(scene, discretization, layout, gouraud));
-  raster::writeFile(folder / "scene.mtl", mtlText(layout));
+  const auto mapless = static_cast<int>(lit.layout.names.size());
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    Surface& surface = lit.scene.surfaces[s];
+    surface.material = gouraud.isNeeded(s) ? mapless : lit.layout.places[s].texture;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+      Triangle& triangle = surface.triangles[t];
+      triangle.cornerColor.reset();
+      if (gouraud.isNeeded(s)) triangle.cornerColor.emplace();
+      for (std::size_t k = 0; k < 3; ++k) {
+        triangle.texcoord[k] = textureCoordinate(discretization, lit.layout, s, triangle.chart[k]);
+        if (triangle.cornerColor) (*triangle.cornerColor)[k] = encodedColour(gouraud.at(s, t)[k]);
+      }
+    }
+  }
+  measureBounds(lit.scene);
+  return lit;
+}
+
+void writeLitScene(const std::filesystem::path& folder, const LitScene& lit, const Discretization& discretization,
+                   const std::vector<glm::dvec3>& radiosity) {
+  const std::vector<Image> linear = radiosityTextures(discretization, lit.layout, radiosity);
+  for (std::size_t t = 0; t < linear.size(); ++t) {
+    writeExr(folder / (lit.layout.names[t] + ".exr"), linear[t]);
+    writePng(folder / (lit.layout.names[t] + ".png"), lit.scene.images[t]);
+  }
+  raster::writeFile(folder / "scene.obj", objText(lit.scene));
+  raster::writeFile(folder / "scene.mtl", mtlText(lit.scene));
 }
 
 }  // namespace hemitex::radiosity

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
-#include "radiosity/scene/image.h"
+#include "radiosity/images/image.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "radiosity/textures/texture_filter.h"
 

@@ -1,6 +1,5 @@
-/// The seam where a rasterizer is plugged in: views in, item IDs out. The solver asks this interface and does not know
-/// whether a CPU or a GPU answers. SoftwareRenderer (software_renderer.h) is the reference; the author of a GPU
-/// backend implements this one class.
+/// The interface that a rasterizer backend implements: faces in, item buffers out. The solver does not know whether a
+/// CPU or a GPU draws. SoftwareRenderer (software_renderer.h) is the reference.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "raster/base/parallel.h"
 #include "raster/interface/face.h"
 
 namespace hemitex::raster {
@@ -18,27 +16,26 @@ class ItemBufferRenderer {
  public:
   virtual ~ItemBufferRenderer() = default;
 
-  /// Draws the faces, one item buffer each, in their order. `skipped` holds the triangles to leave out, numbered as
-  /// in the DrawList that the renderer was made for (triangle t has indices 3t to 3t + 2), in ascending order. What
-  /// `buffers` holds before is of no account but for its memory, which need not be asked for and cleared again.
+  /// Draws the faces, one item buffer per face, in their order. `skipped` holds the triangles to leave out, numbered as
+  /// in the DrawList that the renderer was made for (triangle t has indices 3t to 3t + 2), in ascending order. Old
+  /// contents of `buffers` are ignored; their memory is reused.
+  ///
+  /// Calls drawn(f) once the buffer of face f is complete. A renderer that draws faces one by one or on several threads
+  /// calls it at once, so that the caller finds the buffer in the cache; calls may come from several threads at a time.
   virtual void draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
-                    std::vector<ItemBuffer>& buffers) = 0;
-
-  /// The same, and calls drawn(f) when the buffer of face f is there: not when all are, where a renderer draws some
-  /// before others, and on several threads at a time, where it draws on them. So what reads the buffers finds them in
-  /// the cache, and no thread waits for the last face.
-  virtual void drawEach(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
-                        std::vector<ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) {
-    draw(faces, skipped, buffers);
-    parallelFor(faces.size(), drawn);
-  }
-
-  /// As `draw`, into buffers of their own.
-  std::vector<ItemBuffer> render(std::span<const Face> faces, std::span<const std::uint32_t> skipped) {
-    std::vector<ItemBuffer> buffers;
-    draw(faces, skipped, buffers);
-    return buffers;
-  }
+                    std::vector<ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) = 0;
 };
+
+/// Draws the faces and returns when all buffers are complete.
+void draw(ItemBufferRenderer& renderer, std::span<const Face> faces, std::span<const std::uint32_t> skipped,
+          std::vector<ItemBuffer>& buffers);
+/// The same into new buffers.
+std::vector<ItemBuffer> render(ItemBufferRenderer& renderer, std::span<const Face> faces,
+                               std::span<const std::uint32_t> skipped = {});
+
+inline std::vector<ItemBuffer> render(ItemBufferRenderer&& renderer, std::span<const Face> faces,
+                                      std::span<const std::uint32_t> skipped = {}) {
+  return render(renderer, faces, skipped);
+}
 
 }  // namespace hemitex::raster

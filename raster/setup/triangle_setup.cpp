@@ -61,16 +61,16 @@ bool isOutsideView(const std::array<ViewVertex, 3>& p, double nearDistance) {
          all([](const ViewVertex& q) { return -q.y > 2 * std::abs(q.w); });
 }
 
-/// Appends what is left of triangle t; false where it was dropped because a value was not finite.
-bool appendScreenTriangle(const DrawList& list, const Face& face, bool mirrored, std::uint32_t draw, std::uint32_t t,
+/// Appends what is left of triangle t after clipping; nothing where a value is not finite (raster rules, 2).
+void appendScreenTriangle(const DrawList& list, const Face& face, bool mirrored, std::uint32_t draw, std::uint32_t t,
                           std::vector<ScreenTriangle>& triangles) {
   std::array<ViewVertex, 3> vertices;
   for (std::uint32_t k = 0; k < 3; ++k) {
     const std::uint32_t index = list.indices[3 * std::size_t{t} + k];
     vertices[k] = transform(face, list.positions[index], list.texcoords[index]);
   }
-  if (!isFinite(vertices[0]) || !isFinite(vertices[1]) || !isFinite(vertices[2])) return false;
-  if (isOutsideView(vertices, face.nearDistance)) return true;
+  if (!isFinite(vertices[0]) || !isFinite(vertices[1]) || !isFinite(vertices[2])) return;
+  if (isOutsideView(vertices, face.nearDistance)) return;
   const ClippedPolygon polygon = clip(vertices, face.nearDistance);
   for (std::size_t k = 2; k < static_cast<std::size_t>(polygon.count); ++k) {
     ScreenTriangle triangle;
@@ -80,7 +80,6 @@ bool appendScreenTriangle(const DrawList& list, const Face& face, bool mirrored,
                            triangle))
       triangles.push_back(triangle);
   }
-  return true;
 }
 
 }  // namespace
@@ -132,9 +131,8 @@ bool makeScreenTriangle(const Scissor& scissor, const std::array<SnappedPoint, 3
   return true;
 }
 
-std::uint64_t appendScreenTriangles(const DrawList& list, const Face& face, std::span<const TriangleRun> runs,
-                                    std::span<const std::uint32_t> skipped, std::vector<ScreenTriangle>& triangles) {
-  std::uint64_t dropped = 0;
+void appendScreenTriangles(const DrawList& list, const Face& face, std::span<const TriangleRun> runs,
+                           std::span<const std::uint32_t> skipped, std::vector<ScreenTriangle>& triangles) {
   const bool mirrored = determinant(face) < 0;
   auto skip = skipped.end();
   std::uint32_t reached = std::numeric_limits<std::uint32_t>::max();
@@ -148,10 +146,9 @@ std::uint64_t appendScreenTriangles(const DrawList& list, const Face& face, std:
         ++skip;
         continue;
       }
-      dropped += appendScreenTriangle(list, face, mirrored, run.draw, t, triangles) ? 0 : 1;
+      appendScreenTriangle(list, face, mirrored, run.draw, t, triangles);
     }
   }
-  return dropped;
 }
 
 }  // namespace hemitex::raster

@@ -60,9 +60,9 @@ struct TriangleRun {
   std::uint32_t end = 0;
 };
 
-/// Appends the screen triangles of runs, in draw order. Triangles in `skipped` (ascending) are left out; returns how
-/// many were dropped because a value was not finite.
-std::uint64_t appendScreenTriangles(const DrawList& list, const Face& face, std::span<const TriangleRun> runs,
-                                    std::span<const std::uint32_t> skipped, std::vector<ScreenTriangle>& triangles);
+/// Appends the screen triangles of runs, in draw order, without triangles in `skipped` (ascending) and without those
+/// that have a value that is not finite.
+void appendScreenTriangles(const DrawList& list, const Face& face, std::span<const TriangleRun> runs,
+                           std::span<const std::uint32_t> skipped, std::vector<ScreenTriangle>& triangles);
 
 }  // namespace hemitex::raster

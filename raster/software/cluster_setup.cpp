@@ -41,29 +41,30 @@ bool makeScreenTriangle(const ClusterMesh& mesh, const Cluster& cluster, const C
   return true;
 }
 
-SeenTriangles appendScreenTriangles(const DrawList& list, const ClusterMesh& mesh, const Cluster& cluster,
+std::uint32_t appendScreenTriangles(const DrawList& list, const ClusterMesh& mesh, const Cluster& cluster,
                                     const ClusterPart& part, const VertexKernels& kernels, const Face& face,
                                     std::span<const std::uint32_t> skipped, PlacedVertices& placed,
                                     std::vector<ScreenTriangle>& triangles) {
   // A value that is not finite made the box so; it may be a texture coordinate, which the kernels do not look at.
-  if (!std::isfinite(cluster.box.low.x))
-    return {0, appendScreenTriangles(list, face, cluster.runs, skipped, triangles)};
+  if (!std::isfinite(cluster.box.low.x)) {
+    appendScreenTriangles(list, face, cluster.runs, skipped, triangles);
+    return 0;
+  }
   const TriangleSets sets = kernels.place(mesh, part, face, placed);
-  if ((sets.whole | sets.cut) == 0) return {};
+  if ((sets.whole | sets.cut) == 0) return 0;
   const std::uint32_t drawn = ~skippedOf(cluster, skipped);
-  SeenTriangles seen{sets.small & drawn};
   const bool mirrored = determinant(face) < 0;
   for (std::uint32_t left = (sets.whole | sets.cut) & ~sets.small & drawn; left != 0; left &= left - 1) {
     const auto t = static_cast<std::uint32_t>(std::countr_zero(left));
     if ((sets.cut >> t & 1) != 0) {
       const TriangleRun one = triangleOf(cluster, t);
-      seen.dropped += appendScreenTriangles(list, face, {&one, 1}, {}, triangles);
+      appendScreenTriangles(list, face, {&one, 1}, {}, triangles);
       continue;
     }
     ScreenTriangle& triangle = triangles.emplace_back();
     if (!makeScreenTriangle(mesh, cluster, part, t, placed, face.scissor, mirrored, triangle)) triangles.pop_back();
   }
-  return seen;
+  return sets.small & drawn;
 }
 
 }  // namespace hemitex::raster

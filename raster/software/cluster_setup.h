@@ -13,14 +13,10 @@
 
 namespace hemitex::raster {
 
-struct SeenTriangles {
-  std::uint32_t small = 0;    ///< of the cluster, a bit each
-  std::uint64_t dropped = 0;  ///< because a value was not finite
-};
-
 /// Places the vertices of a cluster, `part` of the mesh, and appends the screen triangles of those that are not small,
-/// in draw order. Triangles in `skipped` (ascending) are left out.
-SeenTriangles appendScreenTriangles(const DrawList& list, const ClusterMesh& mesh, const Cluster& cluster,
+/// in draw order. Triangles in `skipped` (ascending) are left out. Returns the small ones, one bit per triangle of the
+/// cluster.
+std::uint32_t appendScreenTriangles(const DrawList& list, const ClusterMesh& mesh, const Cluster& cluster,
                                     const ClusterPart& part, const VertexKernels& kernels, const Face& face,
                                     std::span<const std::uint32_t> skipped, PlacedVertices& placed,
                                     std::vector<ScreenTriangle>& triangles);

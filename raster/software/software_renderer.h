@@ -5,9 +5,6 @@
 /// exact arithmetic (exact_interpolation.h) where it does not.
 #pragma once
 
-#include <atomic>
-#include <cstdint>
-
 #include "raster/base/per_thread.h"
 #include "raster/interface/draw_list.h"
 #include "raster/interface/item_buffer_renderer.h"
@@ -21,13 +18,8 @@ class SoftwareRenderer final : public ItemBufferRenderer {
   explicit SoftwareRenderer(DrawList list, const TileKernels& kernels = {});
 
   /// May be called from several threads at a time.
-  void draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
-            std::vector<ItemBuffer>& buffers) override;
-  void drawEach(std::span<const Face> faces, std::span<const std::uint32_t> skipped, std::vector<ItemBuffer>& buffers,
-                const std::function<void(std::size_t)>& drawn) override;
-
-  /// Triangles dropped so far because the vertex stage gave a value that is not finite, summed over all faces drawn.
-  std::uint64_t droppedTriangles() const { return dropped_; }
+  void draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped, std::vector<ItemBuffer>& buffers,
+            const std::function<void(std::size_t)>& drawn) override;
 
   const DrawList& drawList() const { return draws_.list; }
 
@@ -37,7 +29,6 @@ class SoftwareRenderer final : public ItemBufferRenderer {
   PreparedDrawList draws_;
   TileKernels kernels_;
   PerThread<TileMemory> memory_;
-  std::atomic<std::uint64_t> dropped_ = 0;
 };
 
 }  // namespace hemitex::raster

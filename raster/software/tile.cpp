@@ -47,9 +47,8 @@ class Tile {
   /// Whether nothing of a box can be seen, or only behind what was drawn so far.
   bool hides(const BoxPlace& place) const { return kernels_.depth.isHidden(buffer_, place.part, place.inverseDepth); }
 
-  /// Draws a cluster but for triangles in `skipped` (ascending); returns how many of them were dropped because a value
-  /// was not finite.
-  std::uint64_t draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped);
+  /// Draws a cluster without the triangles in `skipped` (ascending).
+  void draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped);
 
   /// After all triangles: the item IDs.
   void resolve();
@@ -107,14 +106,13 @@ bool Tile::offerExactly(const ScreenTriangle& triangle, std::uint32_t number, co
   return true;
 }
 
-std::uint64_t Tile::draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped) {
+void Tile::draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped) {
   memory_.triangles.clear();
-  const SeenTriangles seen =
+  const std::uint32_t small =
       appendScreenTriangles(draws_.list, draws_.mesh, draws_.clusters[cluster], draws_.mesh.parts[cluster],
                             kernels_.vertices, face_, skipped, memory_.placed, memory_.triangles);
   for (const ScreenTriangle& triangle : memory_.triangles) offer(triangle);
-  if (seen.small != 0) drawSmall(cluster, seen.small);
-  return seen.dropped;
+  if (small != 0) drawSmall(cluster, small);
 }
 
 /// Offers a triangle to the depth buffer, and keeps it if a pixel took it.
@@ -263,9 +261,8 @@ std::vector<Scissor> tilesOf(const Face& face) {
   return tiles;
 }
 
-std::uint64_t drawTile(const PreparedDrawList& draws, const TileKernels& kernels, const Face& face,
-                       std::span<const std::uint32_t> skipped, TileMemory& memory, ItemId* ids, std::size_t pitch) {
-  std::uint64_t dropped = 0;
+void drawTile(const PreparedDrawList& draws, const TileKernels& kernels, const Face& face,
+              std::span<const std::uint32_t> skipped, TileMemory& memory, ItemId* ids, std::size_t pitch) {
   Tile tile(draws, kernels, face, memory, ids, pitch);
   const ViewBounds view(face);
   std::optional<std::uint32_t> awaited;  // a cluster on its way from memory
@@ -275,13 +272,12 @@ std::uint64_t drawTile(const PreparedDrawList& draws, const TileKernels& kernels
     for (std::uint32_t c = group.first; c < group.end; ++c) {
       if (tile.hides(view.placeOf(draws.clusters[c].box))) continue;
       prefetch(draws, c);
-      if (awaited) dropped += tile.draw(*awaited, skipped);
+      if (awaited) tile.draw(*awaited, skipped);
       awaited = c;
     }
   }
-  if (awaited) dropped += tile.draw(*awaited, skipped);
+  if (awaited) tile.draw(*awaited, skipped);
   tile.resolve();
-  return dropped;
 }
 
 }  // namespace hemitex::raster

@@ -47,9 +47,8 @@ struct TileKernels {
 };
 
 /// Draws the part of a face that lies in its scissor rectangle: an item ID a pixel, row by row from `ids` on, `pitch`
-/// item IDs from row to row. What the memory holds before does not matter. Returns the number of triangles that were
-/// dropped because a value was not finite.
-std::uint64_t drawTile(const PreparedDrawList& draws, const TileKernels& kernels, const Face& face,
-                       std::span<const std::uint32_t> skipped, TileMemory& memory, ItemId* ids, std::size_t pitch);
+/// item IDs from row to row. What the memory holds before does not matter.
+void drawTile(const PreparedDrawList& draws, const TileKernels& kernels, const Face& face,
+              std::span<const std::uint32_t> skipped, TileMemory& memory, ItemId* ids, std::size_t pitch);
 
 }  // namespace hemitex::raster

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "raster/base/input_error.h"
+#include "raster/base/parallel.h"
 #include "reference/opengl/batches.h"
 #include "reference/opengl/context.h"
 #include "reference/opengl/fixed_function_pipeline.h"
@@ -137,8 +138,9 @@ OpenGlRenderer::OpenGlRenderer(const raster::DrawList& list, OpenGlPath path)
 OpenGlRenderer::~OpenGlRenderer() = default;
 
 void OpenGlRenderer::draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
-                          std::vector<raster::ItemBuffer>& buffers) {
+                          std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) {
   implementation_->draw(faces, skipped, buffers);
+  raster::parallelFor(faces.size(), drawn);
 }
 
 std::optional<std::string> openGlDevice() {

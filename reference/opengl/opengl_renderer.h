@@ -45,7 +45,7 @@ class OpenGlRenderer final : public raster::ItemBufferRenderer {
   /// fails. The fixed-function path draws the fronts of a draw before its backs: where both lie at one depth, the front
   /// is seen.
   void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
-            std::vector<raster::ItemBuffer>& buffers) override;
+            std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) override;
 
  private:
   class Implementation;

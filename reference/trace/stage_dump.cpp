@@ -71,7 +71,7 @@ raster::ItemBuffer drawNumbers(const raster::DrawList& list, const std::vector<D
   raster::DrawList numbered{list.positions, list.texcoords, list.indices, {}, {}, {{32}}};
   for (const DrawnTriangle& triangle : drawn)
     numbered.draws.push_back({3 * triangle.triangle, 3, static_cast<raster::ItemId>(numbered.draws.size()), {}, {}});
-  return raster::SoftwareRenderer(std::move(numbered)).render({&face, 1}, {}).front();
+  return render(raster::SoftwareRenderer(std::move(numbered)), {&face, 1}, {}).front();
 }
 
 void addPixels(const raster::DrawList& list, const raster::Face& face, Stages& stages) {

@@ -30,7 +30,7 @@ std::vector<TestVector> vectorSuite() {
 std::vector<raster::ItemBuffer> render(const TestVector& vector) {
   std::vector<raster::Face> faces;
   for (const VectorFace& face : vector.faces) faces.push_back(face.face);
-  return raster::SoftwareRenderer(vector.list).render(faces, {});
+  return render(raster::SoftwareRenderer(vector.list), faces, {});
 }
 
 std::string idsHash(std::span<const raster::ItemBuffer> buffers) {

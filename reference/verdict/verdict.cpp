@@ -130,7 +130,7 @@ Verdict judge(const TestVector& vector, std::span<const raster::ItemBuffer> foun
   assert(found.size() == vector.faces.size());
   std::vector<raster::Face> views;
   for (const VectorFace& face : vector.faces) views.push_back(face.face);
-  const std::vector<raster::ItemBuffer> expected = raster::SoftwareRenderer(vector.list).render(views, {});
+  const std::vector<raster::ItemBuffer> expected = render(raster::SoftwareRenderer(vector.list), views, {});
   Verdict verdict{vector.name, {}};
   for (std::size_t f = 0; f < found.size(); ++f)
     verdict.faces.push_back(judgeFace(vector.list, vector.faces[f], expected[f], found[f], profile));

@@ -1,7 +1,7 @@
 /// A verdict as a picture.
 #pragma once
 
-#include "radiosity/scene/image.h"
+#include "radiosity/images/image.h"
 #include "reference/verdict/verdict.h"
 
 namespace hemitex::reference {

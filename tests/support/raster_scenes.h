@@ -19,7 +19,7 @@ using reference::uniform;
 
 inline raster::ItemBuffer drawOne(const raster::DrawList& list, const raster::Face& face,
                                   std::span<const std::uint32_t> skipped = {}) {
-  return raster::SoftwareRenderer(list).render({&face, 1}, skipped).front();
+  return render(raster::SoftwareRenderer(list), {&face, 1}, skipped).front();
 }
 
 /// 2000 triangles that cross each other and what clips them, as 40 textured surfaces with backs.

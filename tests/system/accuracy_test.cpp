@@ -180,7 +180,7 @@ TEST_CASE("item IDs of 1 to 31 index bits are drawn as they are laid out", "[acc
         reference::addQuad(list, {{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}});
         raster::SoftwareRenderer renderer(list);
         const raster::Face face = reference::frontFace(2);
-        const raster::ItemBuffer buffer = renderer.render({&face, 1}, {}).front();
+        const raster::ItemBuffer buffer = render(renderer, {&face, 1}, {}).front();
         INFO(k << " bits in " << format);
         CHECK(buffer.ids == std::vector<raster::ItemId>{offset, offset + index, offset, offset + index});
       }

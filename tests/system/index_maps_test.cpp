@@ -65,7 +65,7 @@ class Drawing {
 
   std::vector<std::optional<std::uint32_t>> elementsSeen(std::span<const raster::Face> faces) {
     std::vector<std::optional<std::uint32_t>> elements;
-    for (const raster::ItemBuffer& buffer : renderer_.render(faces, {}))
+    for (const raster::ItemBuffer& buffer : render(renderer_, faces, {}))
       for (const ItemId id : buffer.ids) elements.push_back(elementOf(discretization_, layout_, id));
     return elements;
   }

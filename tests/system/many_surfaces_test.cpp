@@ -75,7 +75,7 @@ std::size_t wrongPixels(raster::DrawList list, int side, int texels, int resolut
   const ItemId background = raster::backgroundId(list.format);
   raster::SoftwareRenderer renderer(std::move(list));
   const raster::Face face{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.1f, resolution, {0, 0, resolution, resolution}};
-  const raster::ItemBuffer buffer = renderer.render({&face, 1}, {}).front();
+  const raster::ItemBuffer buffer = render(renderer, {&face, 1}, {}).front();
   const auto texelAt = [&](int pixel) {  // of all squares' in a row
     return (2 * std::int64_t{pixel} + 1) * side * texels / (2 * resolution);
   };

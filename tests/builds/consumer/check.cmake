@@ -11,3 +11,6 @@ execute_process(COMMAND ${WORK}/build/consumer COMMAND_ERROR_IS_FATAL ANY)
 # The scenes of the vector suite are installed with the program.
 execute_process(COMMAND ${WORK}/prefix/bin/hemitex --quiet vector suite -o ${WORK}/suite
   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+# The installed program finds its module for images.
+execute_process(COMMAND ${WORK}/prefix/bin/hemitex --quiet render ${WORK}/prefix/share/hemitex/pyramid-room.obj --show ids
+  --size 64x48 -o ${WORK}/ids.png OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)

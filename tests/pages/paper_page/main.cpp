@@ -5,7 +5,7 @@
 
 #include "cli/paper/page.h"
 #include "cli/paper/report.h"
-#include "radiosity/scene/image.h"
+#include "radiosity/images/image.h"
 
 using namespace hemitex;
 

@@ -21,7 +21,7 @@ std::vector<raster::ItemBuffer> drawn(tests::HemicubeWorld& world, const View& v
     faces.push_back(view.faces[window.face]);
     faces.back().scissor = window.scissor;
   }
-  return world.renderer.render(faces, view.skipped);
+  return render(world.renderer, faces, view.skipped);
 }
 
 /// Counted pixel by pixel.

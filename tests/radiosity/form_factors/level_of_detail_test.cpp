@@ -84,11 +84,11 @@ TEST_CASE("a coarser index map shows the blocks of a finer one, pixel by pixel",
   constexpr int fineTexels = 32;
   World fine(scene, fineTexels, 8);
   const View view = fine.rows(64).viewsOfPatch(100).front();
-  const std::vector<raster::ItemBuffer> fineBuffers = fine.renderer.render(view.faces, view.skipped);
+  const std::vector<raster::ItemBuffer> fineBuffers = render(fine.renderer, view.faces, view.skipped);
   for (const int level : {1, 3, 5}) {
     const int texels = fineTexels >> level;
     World coarse(scene, texels, 1);
-    const std::vector<raster::ItemBuffer> buffers = coarse.renderer.render(view.faces, view.skipped);
+    const std::vector<raster::ItemBuffer> buffers = render(coarse.renderer, view.faces, view.skipped);
     int compared = 0;
     for (std::size_t face = 0; face < buffers.size(); ++face)
       for (std::size_t i = 0; i < buffers[face].ids.size(); ++i) {

@@ -247,7 +247,7 @@ TEST_CASE("a wall that fills the view is drawn as its texels, each over the same
   raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
   const glm::vec3 eye = glm::dvec3(0, 0, 0) - scene.origin;
   const raster::Face face{eye, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, 0.1f, 32, {0, 0, 32, 32}};
-  const raster::ItemBuffer buffer = renderer.render({&face, 1}, {}).front();
+  const raster::ItemBuffer buffer = render(renderer, {&face, 1}, {}).front();
   for (int row = 0; row < 32; ++row)
     for (int column = 0; column < 32; ++column) {
       const auto seen = pageIndexOf(layout, buffer.ids[std::size_t(row * 32 + column)]);

@@ -261,7 +261,7 @@ TEST_CASE("an unfolded hemicube shows the ceiling in the middle and the walls ar
   raster::SoftwareRenderer renderer(makeDrawList(room.scene, room.discretization, room.layout));
   // Over the floor's middle, its rows towards the back wall.
   const auto faces = facesOver(hemicubeFaces(32), {0, -0.999, 0}, {0, 1, 0}, {0, 0, -1}, 1e-4);
-  const std::vector<raster::ItemBuffer> buffers = renderer.render(faces, {});
+  const std::vector<raster::ItemBuffer> buffers = render(renderer, faces, {});
   const Image picture = hemicubePicture(room.layout, faces, buffers);
   REQUIRE(picture.width == 64);
   // What the floor's middle sees, looking up with its head towards the back wall: left and right change places for

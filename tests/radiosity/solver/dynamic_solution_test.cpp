@@ -112,8 +112,8 @@ class CountingRenderer final : public raster::ItemBufferRenderer {
  public:
   CountingRenderer(raster::DrawList list, Drawn& drawn) : renderer_(std::move(list)), drawn_(drawn) {}
   void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
-            std::vector<raster::ItemBuffer>& buffers) override {
-    renderer_.draw(faces, skipped, buffers);
+            std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) override {
+    renderer_.draw(faces, skipped, buffers, drawn);
     drawn_.faces += buffers.size();
     for (const raster::ItemBuffer& buffer : buffers) drawn_.pixels += buffer.ids.size();
   }

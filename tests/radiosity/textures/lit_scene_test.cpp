@@ -7,8 +7,8 @@
 #include <iterator>
 #include <set>
 
+#include "radiosity/images/image.h"
 #include "radiosity/pictures/pictures.h"
-#include "radiosity/scene/image.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/input_error.h"
@@ -31,6 +31,13 @@ double quantized(double linear) { return decodeSrgb(encodeSrgb(linear) / 255.0);
 
 /// What of that a picture shows of a scene that was read back: Kd is 1, which is lowered to this by reading.
 const double kd = SceneSettings{}.maxReflectance;
+
+void writeSolution(const std::filesystem::path& folder, const Scene& scene, const Discretization& discretization,
+                   const Solution& solution, double exposure, const TextureSettings& textures = {}) {
+  const std::vector<glm::dvec3> displayed = displayRadiosity(scene, discretization, solution);
+  writeLitScene(folder, makeLitScene(scene, discretization, displayed, exposure, textures), discretization,
+                solution.radiosity);
+}
 
 /// The room, its walls cut into tiles x tiles quads each; grids of 5 x 3 texels, or none for every third tile.
 struct TiledRoom {
@@ -65,7 +72,7 @@ TEST_CASE("a lit scene keeps positions, winding and order, and texture coordinat
     const TemporaryFolder folder;
     TiledRoom room(tiles);
     room.scene.surfaces[0].triangles[0].position[1] += glm::dvec3(1e-17, 1.0 / 3, 1e-9);
-    writeLitScene(folder.path, room.scene, room.discretization,
+    writeSolution(folder.path, room.scene, room.discretization,
                   solutionOf(std::vector<glm::dvec3>(room.discretization.elements.size(), glm::dvec3(1.0))), 1);
     const Scene lit = loadScene(folder.path / "scene.obj");
     REQUIRE(lit.surfaces.size() == room.scene.surfaces.size());
@@ -81,12 +88,30 @@ TEST_CASE("a lit scene keeps positions, winding and order, and texture coordinat
   }
 }
 
+TEST_CASE("loadScene reads from the files of writeLitScene the scene of makeLitScene", "[lit-scene]") {
+  for (const int tiles : {2, 4}) {
+    const TemporaryFolder folder;
+    const TiledRoom room(tiles);
+    std::vector<glm::dvec3> displayed;
+    for (std::size_t e = 0; e < room.discretization.elements.size(); ++e)
+      displayed.emplace_back(0.01 * static_cast<double>(e % 90), 0.5, 1.0 / (1 + static_cast<double>(e % 7)));
+    const LitScene lit = makeLitScene(room.scene, room.discretization, displayed, 0.9);
+    writeLitScene(folder.path, lit, room.discretization, displayed);
+    const Scene read = loadScene(folder.path / "scene.obj");
+    CHECK(read.origin == lit.scene.origin);
+    CHECK(read.extent == lit.scene.extent);
+    const Camera camera{{0.3, -0.2, 0.4}, {-0.7, 0.1, -0.9}, {0.1, 1, 0.2}, 90};
+    const Image expected = unlitPicture(read, camera, 60, 50), found = unlitPicture(lit.scene, camera, 60, 50);
+    CHECK(found.pixels == expected.pixels);
+  }
+}
+
 TEST_CASE("constant light shows as one colour, without a seam or a dark border", "[lit-scene]") {
   const glm::dvec3 light(0.02, 3, 7);
   for (int tiles : {2, 4}) {
     const TemporaryFolder folder;
     const TiledRoom room(tiles);
-    writeLitScene(folder.path, room.scene, room.discretization,
+    writeSolution(folder.path, room.scene, room.discretization,
                   solutionOf(std::vector<glm::dvec3>(room.discretization.elements.size(), light)), 0.125);
     const Camera camera{{0.3, -0.2, 0.4}, {-0.7, 0.1, -0.9}, {0.1, 1, 0.2}, 90};
     const Image picture = unlitPicture(loadScene(folder.path / "scene.obj"), camera, 60, 50);
@@ -104,7 +129,7 @@ TEST_CASE("the EXR holds the radiosity of the elements, as floats, and nothing e
                            1e5 / (1.0 + static_cast<double>(e)));
   Solution solution = solutionOf(radiosity);
   solution.ambient = glm::dvec3(3.0);
-  writeLitScene(folder.path, room.scene, room.discretization, solution, 0.01);
+  writeSolution(folder.path, room.scene, room.discretization, solution, 0.01);
   const TextureLayout layout = layOutTextures(room.scene, room.discretization);
   CHECK(layout.names[0] == "left_0");
   for (std::size_t s = 0; s < 6; ++s) {
@@ -129,7 +154,7 @@ TEST_CASE("the PNG holds filtered radiosity with the ambient estimate, exposed",
   scene.materials[0].reflectance = {0.5, 0.25, 0};
   Solution solution = solutionOf({glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(0.0)});
   solution.ambient = glm::dvec3(0.4);
-  writeLitScene(folder.path, scene, discretization, solution, 0.5);
+  writeSolution(folder.path, scene, discretization, solution, 0.5);
   const Image texture = readImage(folder.path / "wall.png");
   REQUIRE(texture.width == 5);
   // (1 2 1) over 0 1 0 leaves 1/3, 1/2, 1/3 at the three texels; the ambient estimate adds 0.2, 0.1, 0.
@@ -148,7 +173,7 @@ TEST_CASE("surfaces of one texel are Gouraud shaded where their corners differ",
                parallelogram("alone", {0, 5, 0}, {1, 0, 0}, {0, 1, 0})});
   Discretization discretization;
   for (int s = 0; s < 3; ++s) addGrid(discretization, 1, 1);
-  writeLitScene(folder.path, scene, discretization, solutionOf({glm::dvec3(0.2), glm::dvec3(0.5), glm::dvec3(0.7)}), 1);
+  writeSolution(folder.path, scene, discretization, solutionOf({glm::dvec3(0.2), glm::dvec3(0.5), glm::dvec3(0.7)}), 1);
   const Scene lit = loadScene(folder.path / "scene.obj");
   CHECK_FALSE(lit.surfaces[2].triangles[0].cornerColor);
   CHECK(lit.materials[static_cast<std::size_t>(lit.surfaces[2].material)].reflectanceMap);
@@ -177,7 +202,7 @@ TEST_CASE("names that files and groups cannot have are replaced", "[lit-scene]")
     addGrid(discretization, 2, 2);
   }
   const Scene scene = sceneOf(surfaces);
-  writeLitScene(folder.path, scene, discretization, solutionOf(std::vector<glm::dvec3>(20, glm::dvec3(0.5))), 1);
+  writeSolution(folder.path, scene, discretization, solutionOf(std::vector<glm::dvec3>(20, glm::dvec3(0.5))), 1);
   std::set<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path)) files.insert(entry.path().filename());
   CHECK(files == std::set<std::string>{"a_b.png", "a_b.exr", "A_b-2.png", "A_b-2.exr", "a_b_1.png", "a_b_1.exr",
@@ -194,7 +219,7 @@ TEST_CASE("a lit scene is the same bytes again", "[lit-scene]") {
   const std::vector<glm::dvec3> radiosity(room.discretization.elements.size(), glm::dvec3(1.0 / 3));
   for (const char* name : {"a", "b"}) {
     std::filesystem::create_directory(folder.path / name);
-    writeLitScene(folder.path / name, room.scene, room.discretization, solutionOf(radiosity), 0.7);
+    writeSolution(folder.path / name, room.scene, room.discretization, solutionOf(radiosity), 0.7);
   }
   for (const auto& entry : std::filesystem::directory_iterator(folder.path / "a"))
     REQUIRE(textOf(entry.path()) == textOf(folder.path / "b" / entry.path().filename()));
@@ -204,6 +229,6 @@ TEST_CASE("a folder that is not there is the user's fault", "[lit-scene]") {
   const TemporaryFolder folder;
   const TiledRoom room(1);
   const std::vector<glm::dvec3> radiosity(room.discretization.elements.size());
-  CHECK_THROWS_AS(writeLitScene(folder.path / "absent", room.scene, room.discretization, solutionOf(radiosity), 1),
+  CHECK_THROWS_AS(writeSolution(folder.path / "absent", room.scene, room.discretization, solutionOf(radiosity), 1),
                   raster::InputError);
 }

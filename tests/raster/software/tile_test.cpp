@@ -26,7 +26,7 @@ TEST_CASE("item buffers are the same with every instruction set", "[kernels]") {
   for (const raster::DrawList& list : {crossingTriangles(), smallTriangles(200)}) {
     const auto ids = [&](const raster::TileKernels& kernels) {
       std::vector<raster::ItemId> all;
-      for (const raster::ItemBuffer& buffer : raster::SoftwareRenderer(list, kernels).render(faces, {}))
+      for (const raster::ItemBuffer& buffer : render(raster::SoftwareRenderer(list, kernels), faces, {}))
         all.insert(all.end(), buffer.ids.begin(), buffer.ids.end());
       return all;
     };

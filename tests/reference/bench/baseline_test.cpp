@@ -23,7 +23,7 @@ TEST_CASE("the floor sums item IDs that were drawn to the row of their hemicube,
   reference::BenchFloor floor(discretization, layout, rows.projection());
   for (const std::uint32_t patch : {0U, 20U, 5U, 5U}) {
     const View view = rows.viewsOfPatch(patch).front();
-    const FormFactorRow expected = rows.ofView(view), found = floor.row(renderer.render(view.faces, view.skipped));
+    const FormFactorRow expected = rows.ofView(view), found = floor.row(render(renderer, view.faces, view.skipped));
     CHECK(found.elements == expected.elements);
     CHECK(found.shares == expected.shares);
     CHECK(found.background == expected.background);

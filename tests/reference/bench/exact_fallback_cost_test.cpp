@@ -28,7 +28,7 @@ TEST_CASE("the wall that was moved shows the same texels, a third of a pixel fro
   constexpr int resolution = 16;
   const raster::Face face = frontFace(resolution, 0.5f);
   const auto drawn = [&face](double moved) {
-    return raster::SoftwareRenderer(tiedWall(resolution, moved)).render({&face, 1}, {}).front();
+    return render(raster::SoftwareRenderer(tiedWall(resolution, moved)), {&face, 1}, {}).front();
   };
   const raster::ItemBuffer tied = drawn(0), moved = drawn(1.0 / 3);
   for (int row = 1; row < resolution; ++row)

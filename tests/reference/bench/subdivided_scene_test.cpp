@@ -121,7 +121,7 @@ TEST_CASE("a scene that is cut looks as it did but for pixels on borders", "[fin
     raster::SoftwareRenderer renderer(radiosity::makeDrawList(what, discretization, radiosity::layOut(discretization)));
     const auto faces =
         radiosity::facesOver(radiosity::hemicubeFaces(128), {0.1, 0.05, -0.2}, {0, 1, 0}, {0, 0, 1}, 0.01);
-    return renderer.render(faces, {});
+    return render(renderer, faces, {});
   };
   const std::vector<raster::ItemBuffer> before = drawn(scene), after = drawn(finer);
   std::size_t changed = 0, all = 0;

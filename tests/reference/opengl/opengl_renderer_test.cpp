@@ -101,7 +101,7 @@ std::vector<std::string> judgeSuite(OpenGlPath path) {
       leftOut.push_back(vector.name);
       continue;
     }
-    const reference::Verdict verdict = judge(vector, renderer->render(facesOf(vector), {}), {});
+    const reference::Verdict verdict = judge(vector, render(*renderer, facesOf(vector), {}), {});
     CHECK(!hasErrors(verdict));
     const Tally tally = tallyOf(vector, verdict);
     if (vector.name == "depth-steps" && path == OpenGlPath::FixedFunction) {
@@ -125,11 +125,11 @@ class JudgedRenderer final : public raster::ItemBufferRenderer {
   JudgedRenderer(const raster::DrawList& list, OpenGlPath path) : list_(list), device_(list, path) {}
 
   void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
-            std::vector<raster::ItemBuffer>& buffers) override {
+            std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) override {
     TestVector vector;
     vector.list = without(list_, skipped);
     for (const raster::Face& face : faces) vector.faces.push_back({"", face, "", ""});
-    device_.draw(faces, skipped, buffers);
+    device_.draw(faces, skipped, buffers, drawn);
     const reference::Verdict verdict = judge(vector, buffers, {});
     CHECK(!hasErrors(verdict));
     for (const reference::FaceVerdict& face : verdict.faces)
@@ -171,7 +171,7 @@ TEST_CASE("a device leaves out the triangles that it is told to skip", "[opengl]
     OpenGlRenderer renderer(whole, path);
     for (const std::vector<std::uint32_t>& skipped : {{}, {0}, {1, 2, 7}, {3, 4, 5, 11}, all}) {
       vector.list = without(whole, skipped);
-      CHECK(!hasErrors(judge(vector, renderer.render(facesOf(vector), skipped), {})));
+      CHECK(!hasErrors(judge(vector, render(renderer, facesOf(vector), skipped), {})));
     }
   }
 }
@@ -199,7 +199,7 @@ TEST_CASE("a device drops triangles with a value that is not finite", "[opengl]"
   face.x.x = face.y.y = face.w.z = 2;
   const std::vector<raster::ItemId> expected = tests::drawOne(list, face).ids;
   CHECK(*std::min_element(expected.begin(), expected.end()) >> 8 == list.draws.size() - 1);
-  for (const OpenGlPath path : paths) CHECK(OpenGlRenderer(list, path).render({&face, 1}, {}).front().ids == expected);
+  for (const OpenGlPath path : paths) CHECK(render(OpenGlRenderer(list, path), {&face, 1}, {}).front().ids == expected);
 }
 
 TEST_CASE("a device says what it cannot draw", "[opengl]") {
@@ -229,7 +229,7 @@ TEST_CASE("a device says what it cannot draw", "[opengl]") {
 
   OpenGlRenderer renderer(tests::plainList(), OpenGlPath::Shader);
   const raster::Face odd = tests::frontFace(15);
-  CHECK_THROWS_AS(renderer.render({&odd, 1}, {}), raster::InputError);
+  CHECK_THROWS_AS(render(renderer, {&odd, 1}, {}), raster::InputError);
 }
 
 TEST_CASE("the Cornell box is the same lit by a device, outside explained pixels to a thousandth", "[opengl]") {

@@ -40,7 +40,7 @@ TEST_CASE("rays through pixels meet the triangles that the rasterizer shows", "[
   for (const int resolution : {100, 26, 64}) {  // packets of 4 x 4 fit the last alone
     const std::vector<raster::Face> faces =
         radiosity::facesOver(radiosity::hemicubeFaces(resolution), eye, {0, 1, 0}, {0, 0, 1}, 1e-4 * scene.extent);
-    const std::vector<raster::ItemBuffer> drawn = renderer.render(faces, {});
+    const std::vector<raster::ItemBuffer> drawn = render(renderer, faces, {});
     rays.cast(faces, met);
     REQUIRE(met.size() == drawn.size());
     std::size_t differing = 0, all = 0, hit = 0;

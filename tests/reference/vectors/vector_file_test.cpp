@@ -74,7 +74,7 @@ TEST_CASE("rendering a vector writes one item ID a pixel and the hash of the fil
   const TestVector vector = sample();
   raster::SoftwareRenderer renderer(vector.list);
   const std::vector<raster::Face> faces{vector.faces[0].face, vector.faces[1].face};
-  const std::vector<raster::ItemBuffer> buffers = renderer.render(faces, {});
+  const std::vector<raster::ItemBuffer> buffers = render(renderer, faces, {});
   writeVector(folder.path, vector, buffers);
   const std::string bytes = contents(folder.path / "side.u32");
   REQUIRE(bytes.size() == 16 * 8 * 4);

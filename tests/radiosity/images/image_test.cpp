@@ -1,5 +1,5 @@
 /// Images: the sRGB curve against the library's pow, and files that are read as they were written.
-#include "radiosity/scene/image.h"
+#include "radiosity/images/image.h"
 
 #include <catch2/catch.hpp>
 #include <chrono>

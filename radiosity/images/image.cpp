@@ -1,0 +1,129 @@
+#include "radiosity/images/image.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "radiosity/images/image_module.h"
+#include "raster/base/file_io.h"
+#include "raster/base/input_error.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+using namespace std::string_literals;
+
+constexpr std::uint64_t maxPixels = std::uint64_t{1} << 28;
+
+/// a^(1/5) for a in [0.001, 1], the real root of y^5 = a, by Newton's iteration y <- (4 y + a / y^4) / 5. From y = 1
+/// it falls towards the root by at most a fifth a step, then doubles its digits: y is below 0.26 after no more than
+/// six steps, and has all 53 bits after five more.
+double fifthRoot(double a) {
+  double y = 1;
+  for (int step = 0; step < 14; ++step) y = (4 * y + a / (y * y * y * y)) / 5;
+  return y;
+}
+
+/// Threshold k, counted from 1, is the linear value from which on code k is nearer to it than code k - 1 is.
+std::array<double, 255> codeThresholds() {
+  std::array<double, 255> thresholds;
+  for (int k = 1; k <= 255; ++k) thresholds[static_cast<std::size_t>(k - 1)] = decodeSrgb((k - 0.5) / 255);
+  return thresholds;
+}
+
+std::array<double, 256> decodedCodes() {
+  std::array<double, 256> values;
+  for (int code = 0; code < 256; ++code) values[static_cast<std::size_t>(code)] = decodeSrgb(code / 255.0);
+  return values;
+}
+
+const ImageFunctions& functionsFor(const std::filesystem::path& file) try {
+  return imageFunctions();
+} catch (const std::runtime_error& error) {
+  throw raster::InputError(file.string(), 0, "needs the module for images, which cannot be opened: "s + error.what(),
+                           "install hemitex again, or build it with CMake");
+}
+
+void throwIfAny(const ImageProblem& problem, const std::filesystem::path& file) {
+  if (!problem.problem.empty()) throw raster::InputError(file.string(), 0, problem.problem, problem.advice);
+}
+
+/// Three linear channels per pixel: `decode` turns a sample into a linear value, grey becomes three equal channels.
+template <typename Sample, typename Decode>
+std::vector<glm::dvec3> linearPixels(const std::vector<Sample>& samples, int channels, const Decode& decode) {
+  const auto stride = static_cast<std::size_t>(channels);
+  std::vector<glm::dvec3> pixels;
+  pixels.reserve(samples.size() / stride);
+  for (std::size_t first = 0; first < samples.size(); first += stride) {
+    const Sample* s = &samples[first];
+    pixels.push_back(stride < 3 ? glm::dvec3(decode(s[0])) : glm::dvec3(decode(s[0]), decode(s[1]), decode(s[2])));
+  }
+  return pixels;
+}
+
+std::vector<glm::dvec3> linearPixels(const ImageSamples& samples) {
+  if (samples.codes.empty())
+    return linearPixels(samples.values, samples.channels, [](float value) { return static_cast<double>(value); });
+  const std::array<double, 256> decoded = decodedCodes();
+  return linearPixels(samples.codes, samples.channels, [&](std::uint8_t code) { return decoded[code]; });
+}
+
+/// Encodes in memory, so that a disk that is full is noticed when the bytes are written, whatever the encoder does.
+void writeEncoded(const std::filesystem::path& file, const std::string& format, const std::string& colourSpace,
+                  const ImageSamples& samples) {
+  std::vector<unsigned char> bytes;
+  throwIfAny(functionsFor(file).encode(format, colourSpace, samples, bytes), file);
+  raster::writeFile(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+}  // namespace
+
+double decodeSrgb(double encoded) {
+  if (encoded <= 0.04045) return encoded / 12.92;
+  const double x = (encoded + 0.055) / 1.055;
+  return x * x * fifthRoot(x * x);  // x^2.4
+}
+
+std::uint8_t encodeSrgb(double linear) {
+  static const std::array<double, 255> thresholds = codeThresholds();
+  const auto above =
+      std::partition_point(thresholds.begin(), thresholds.end(), [&](double threshold) { return threshold <= linear; });
+  return static_cast<std::uint8_t>(above - thresholds.begin());
+}
+
+Image readImage(const std::filesystem::path& file) {
+  ImageSamples samples;
+  throwIfAny(functionsFor(file).read(file.string(), maxPixels, samples), file);
+  const Image image{samples.width, samples.height, linearPixels(samples)};
+  const auto isFinite = [](const glm::dvec3& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+  };
+  if (!std::all_of(image.pixels.begin(), image.pixels.end(), isFinite))
+    throw raster::InputError(file.string(), 0, "holds a value that is not finite", "repair the image");
+  return image;
+}
+
+void writePng(const std::filesystem::path& file, const Image& image) {
+  ImageSamples samples{image.width, image.height, 3, {}, {}};
+  samples.codes.reserve(3 * image.pixels.size());
+  for (const glm::dvec3& pixel : image.pixels)
+    for (int band = 0; band < 3; ++band) samples.codes.push_back(encodeSrgb(pixel[band]));
+  writeEncoded(file, "png", "sRGB", samples);
+}
+
+void writeExr(const std::filesystem::path& file, const Image& image) {
+  ImageSamples samples{image.width, image.height, 3, {}, {}};
+  samples.values.reserve(3 * image.pixels.size());
+  for (const glm::dvec3& pixel : image.pixels)
+    for (int band = 0; band < 3; ++band) {
+      if (pixel[band] > std::numeric_limits<float>::max())
+        throw raster::InputError(file.string(), 0, "cannot hold a value above 3.4e38", "scale the light down");
+      samples.values.push_back(static_cast<float>(pixel[band]));
+    }
+  writeEncoded(file, "openexr", "Linear", samples);
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,38 @@
+/// The module hemitex_images, which is the only code that links OpenImageIO. Programs open it when they read or write
+/// their first image, because the libraries behind OpenImageIO take longer to load than most commands take to run.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hemitex::radiosity {
+
+/// The samples of an image as its file holds them, row-major, channel by channel: `codes` or `values`.
+struct ImageSamples {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  std::vector<std::uint8_t> codes;  ///< of files with 8 bits per channel, else empty
+  std::vector<float> values;        ///< of all other files, else empty
+};
+
+/// Why an image was not read or written, and what to do about it; both are empty when it was.
+struct ImageProblem {
+  std::string problem;
+  std::string advice;
+};
+
+/// What the module exports under the name `hemitexImageFunctions`. The functions throw nothing but std::bad_alloc.
+struct ImageFunctions {
+  /// Reads a file of at most `maxPixels` pixels.
+  ImageProblem (*read)(const std::string& file, std::uint64_t maxPixels, ImageSamples& samples);
+  /// Encodes samples as `format` ("png" or "openexr") in memory. Equal samples give equal bytes.
+  ImageProblem (*encode)(const std::string& format, const std::string& colourSpace, const ImageSamples& samples,
+                         std::vector<unsigned char>& bytes);
+};
+
+/// Opens the module at the first call. Throws std::runtime_error where it is not found.
+const ImageFunctions& imageFunctions();
+
+}  // namespace hemitex::radiosity

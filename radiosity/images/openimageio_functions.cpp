@@ -1,0 +1,51 @@
+/// The module hemitex_images: image files by OpenImageIO.
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include "radiosity/images/image_module.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+ImageProblem read(const std::string& file, std::uint64_t maxPixels, ImageSamples& samples) {
+  OIIO::ImageSpec config;
+  config.attribute("oiio:UnassociatedAlpha", 1);  // alpha is dropped, so colours must not be multiplied by it
+  const auto input = OIIO::ImageInput::open(file, &config);
+  if (!input) return {"cannot be read as an image: " + OIIO::geterror(), ""};
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.image_pixels() > maxPixels) return {"has too many pixels", "scale it down to at most 16384 x 16384"};
+  samples = {spec.width, spec.height, spec.nchannels, {}, {}};
+  const std::size_t count = spec.image_pixels() * static_cast<std::size_t>(spec.nchannels);
+  const bool holdsCodes = spec.format == OIIO::TypeDesc::UINT8;
+  holdsCodes ? samples.codes.resize(count) : samples.values.resize(count);
+  const bool isRead = holdsCodes
+                          ? input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, samples.codes.data())
+                          : input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, samples.values.data());
+  if (!isRead || count == 0) return {"cannot be read: " + input->geterror(), ""};
+  return {};
+}
+
+ImageProblem encode(const std::string& format, const std::string& colourSpace, const ImageSamples& samples,
+                    std::vector<unsigned char>& bytes) {
+  const bool holdsCodes = !samples.codes.empty();
+  OIIO::ImageSpec spec(samples.width, samples.height, samples.channels,
+                       holdsCodes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
+  spec.attribute("oiio:ColorSpace", colourSpace);
+  // Without a date of its own a file takes the time of writing, and equal pixels would not give equal files.
+  spec.attribute("DateTime", "2000:01:01 00:00:00");
+  OIIO::Filesystem::IOVecOutput memory(bytes);
+  const auto output = OIIO::ImageOutput::create(format);
+  if (!output || !output->supports("ioproxy")) return {"cannot be encoded: OpenImageIO lacks " + format, ""};
+  const void* const first =
+      holdsCodes ? static_cast<const void*>(samples.codes.data()) : static_cast<const void*>(samples.values.data());
+  const bool isEncoded = output->set_ioproxy(&memory) && output->open("image." + format, spec) &&
+                         output->write_image(spec.format, first) && output->close();
+  if (!isEncoded) return {"cannot be encoded: " + output->geterror(), ""};
+  return {};
+}
+
+}  // namespace
+}  // namespace hemitex::radiosity
+
+extern "C" __attribute__((visibility("default")))
+const hemitex::radiosity::ImageFunctions hemitexImageFunctions = {hemitex::radiosity::read, hemitex::radiosity::encode};
