@@ -5,13 +5,9 @@
 
 namespace hemitex::cli {
 
-std::string paperPage(const nlohmann::ordered_json& result, const std::filesystem::path& folder) {
-  nlohmann::ordered_json pictures = nlohmann::ordered_json::object();
-  for (const auto& figure : result.at("figures")) {
-    const auto file = figure.at("file").get<std::string>();
-    pictures[file] = base64OfFile(folder / file);
-  }
-  return completePage(paperPageText, result, pictures);
+std::string paperPage(nlohmann::ordered_json result, const std::filesystem::path& folder) {
+  for (auto& figure : result.at("figures")) figure["png"] = base64OfFile(folder / figure.at("file").get<std::string>());
+  return completePage(paperPageText, result);
 }
 
 }  // namespace hemitex::cli

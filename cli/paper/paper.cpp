@@ -46,15 +46,16 @@ std::string summary(const std::vector<reference::PaperRun>& runs) {
          << run.elements << " elements";
     const auto published = reference::publishedTimes(run);
     if (published && published->total && published->formFactors)
-      text << "; the paper: " << times(*published->total, *published->formFactors) << " s";
+      text << "; in the paper: " << times(*published->total, *published->formFactors) << " s";
     text << '\n';
   }
-  for (const reference::SpeedUp& s : reference::speedUps(runs))
-    text << s.scene << ", " << s.device << ", " << s.level << ", R = " << s.resolution << ": textures are "
-         << times(s.total, s.formFactors) << " times faster\n";
-  for (const reference::Promise& promise : reference::promises(runs))
-    text << (promise.isKept ? "kept: " : "NOT KEPT: ") << promise.what << ": " << promise.measured << " (limit "
-         << promise.limit << ")\n";
+  for (const reference::PaperRatio& s : reference::speedUps(runs)) {
+    text << s.run.scene << ", " << s.run.device << ", " << s.run.level << ", R = " << s.run.resolution
+         << ": textures are " << times(s.ratio.total, s.ratio.formFactors) << " times faster";
+    if (s.published.total && s.published.formFactors)
+      text << "; in the paper: " << times(*s.published.total, *s.published.formFactors);
+    text << '\n';
+  }
   return text.str();
 }
 

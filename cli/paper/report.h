@@ -8,7 +8,7 @@
 
 namespace hemitex::cli {
 
-/// An object with the lists `runs`, `speed_ups`, `growth` and `promises`. The paper's figures stand under `paper`, and
+/// An object with the lists `runs`, `speed_ups` and `growth`. The paper's figures stand under `paper`, and
 /// are null where it has none or the text lost them.
 nlohmann::ordered_json paperJson(const std::vector<reference::PaperRun>& runs);
 

@@ -4,8 +4,9 @@
 
 namespace hemitex::cli {
 
-extern const char* const tradeoffPageText;  ///< tradeoff_page.html
-extern const char* const paperPageText;     ///< paper_page.html
+extern const char* const benchPageText;     ///< cli/bench/report.html
+extern const char* const tradeoffPageText;  ///< cli/tradeoff/report.html
+extern const char* const paperPageText;     ///< cli/paper/report.html
 extern const char* const pageStyle;         ///< page_style.css
 extern const char* const pageScript;        ///< page_script.js
 extern const char* const chartLibrary;      ///< Chart.js, minified, with its licence

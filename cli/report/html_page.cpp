@@ -26,13 +26,11 @@ std::string scriptText(const nlohmann::ordered_json& json) {
 
 }  // namespace
 
-std::string completePage(std::string page, const nlohmann::ordered_json& result,
-                         const nlohmann::ordered_json& pictures) {
+std::string completePage(std::string page, const nlohmann::ordered_json& result) {
   fillIn(page, "{{page style}}", pageStyle);
   fillIn(page, "{{page script}}", pageScript);
   fillIn(page, "{{chart library}}", chartLibrary);
   fillIn(page, "{{result}}", scriptText(result));
-  fillIn(page, "{{pictures}}", scriptText(pictures));
   return page;
 }
 

@@ -1,5 +1,7 @@
 #include "cli/tradeoff/files.h"
 
+#include "cli/common/json.h"
+
 namespace hemitex::cli {
 namespace {
 
@@ -33,16 +35,15 @@ ordered_json toJson(const Tradeoff& tradeoff, const TradeMeasurement& measuremen
       {"bytes",
        {{"buffer", measurement.bufferBytes}, {"rows", measurement.rowBytes}, {"elements", measurement.elementBytes}}},
       {"times",
-       {{"median_s", reference::seconds(measurement)},
-        {"rounds_s", measurement.seconds},
+       {{"median_s", measurement.seconds.median},
+        {"rounds_s", measurement.seconds.repetitions},
         {"pareto", measurement.isOnFront}}}};
 }
 
 ordered_json toJson(const std::vector<reference::RowQuality>& qualities) {
-  ordered_json list = ordered_json::array();
-  for (const reference::RowQuality& quality : qualities)
-    list.push_back({{"size", quality.size}, {"error", quality.error}, {"times", {{"row_s", quality.seconds}}}});
-  return list;
+  return listOf(qualities, [](const reference::RowQuality& quality) -> ordered_json {
+    return {{"size", quality.size}, {"error", quality.error}, {"times", {{"row_s", quality.seconds}}}};
+  });
 }
 
 /// Hemicubes beside the error of rays in the same time.
@@ -71,7 +72,7 @@ std::optional<std::size_t> fastestWithin(const Tradeoff& tradeoff, double error)
   for (std::size_t i = 0; i < tradeoff.measurements.size(); ++i) {
     const TradeMeasurement& measurement = tradeoff.measurements[i];
     if (measurement.error.fluxWeighted > error) continue;
-    if (!fastest || reference::seconds(measurement) < reference::seconds(tradeoff.measurements[*fastest])) fastest = i;
+    if (!fastest || measurement.seconds.median < tradeoff.measurements[*fastest].seconds.median) fastest = i;
   }
   return fastest;
 }
@@ -84,73 +85,45 @@ std::string nameOf(const Tradeoff& tradeoff, const TradeMeasurement& measurement
 }
 
 ordered_json toJson(const Tradeoff& tradeoff) {
-  ordered_json choices = ordered_json::array(), within = ordered_json::array();
-  for (const TradeMeasurement& measurement : tradeoff.measurements) choices.push_back(toJson(tradeoff, measurement));
-  for (const double level : errorLevels) {
+  const auto choice = [&](const TradeMeasurement& measurement) { return toJson(tradeoff, measurement); };
+  const auto within = [&](double level) -> ordered_json {
     const std::optional<std::size_t> fastest = fastestWithin(tradeoff, level);
-    within.push_back({{"error", level}, {"choice", fastest ? ordered_json(*fastest) : ordered_json()}});
-  }
+    return {{"error", level}, {"choice", fastest ? ordered_json(*fastest) : ordered_json()}};
+  };
   return {{"truth",
            {{"elements", tradeoff.fine.elements.size()},
             {"radiosity_error", toJson(tradeoff.truth.error)},
             {"row_error", toJson(tradeoff.truthRowError)}}},
-          {"choices", std::move(choices)},
+          {"choices", listOf(tradeoff.measurements, choice)},
           {"same_points", tradeoff.samePoints ? toJson(*tradeoff.samePoints) : ordered_json()},
-          {"times", {{"within", std::move(within)}}}};
+          {"times", {{"within", listOf(errorLevels, within)}}}};
 }
 
-Table choiceTable(const Tradeoff& tradeoff) {
-  const auto row = [&tradeoff](std::size_t index) -> std::vector<Cell> {
-    const auto count = [](std::size_t value) { return static_cast<std::int64_t>(value); };
-    const TradeMeasurement& m = tradeoff.measurements[index];
-    const reference::TradeMethod& method = tradeoff.methods[m.choice.method];
-    return {method.name,
-            method.setting,
-            std::int64_t{m.choice.setting},
-            method.directions(m.choice.setting),
-            std::int64_t{m.choice.texels},
-            std::int64_t{m.choice.patch},
-            count(m.elements),
-            count(m.patches),
-            count(m.rows),
-            std::int64_t{m.shots},
-            m.rowError.relativeL1,
-            m.rowError.rms,
-            m.rowError.maximum,
-            m.error.fluxWeighted,
-            m.error.rms,
-            m.error.maximum,
-            count(m.bufferBytes),
-            count(m.rowBytes),
-            count(m.elementBytes),
-            reference::seconds(m),
-            count(m.seconds.size()),
-            std::int64_t{m.isOnFront}};
-  };
-  return {{"method",
-           "setting",
-           "value",
-           "directions",
-           "texels",
-           "patch",
-           "elements",
-           "patches",
-           "rows",
-           "shots",
-           "row_relative_l1",
-           "row_rms",
-           "row_maximum",
-           "radiosity_flux_weighted",
-           "radiosity_rms",
-           "radiosity_maximum",
-           "buffer_bytes",
-           "row_bytes",
-           "element_bytes",
-           "median_s",
-           "rounds",
-           "pareto"},
-          tradeoff.measurements.size(),
-          row};
+Table choiceTable(const ordered_json& choices) {
+  Table table = tableOf(choices);
+  table.columns = {"method",
+                   "setting",
+                   "value",
+                   "directions",
+                   "texels",
+                   "patch",
+                   "elements",
+                   "patches",
+                   "rows",
+                   "shots",
+                   "row_relative_l1",
+                   "row_rms",
+                   "row_maximum",
+                   "radiosity_flux_weighted",
+                   "radiosity_rms",
+                   "radiosity_maximum",
+                   "buffer_bytes",
+                   "row_bytes",
+                   "element_bytes",
+                   "median_s",
+                   "rounds",
+                   "pareto"};
+  return table;
 }
 
 }  // namespace hemitex::cli

@@ -54,6 +54,7 @@ std::string nameOf(const Tradeoff& tradeoff, const reference::TradeMeasurement& 
 
 /// `truth`, `choices`, `same_points` and `within`.
 nlohmann::ordered_json toJson(const Tradeoff& tradeoff);
-Table choiceTable(const Tradeoff& tradeoff);
+/// Of the list `choices` of that object: the CSV has its values in the same order, and the number of rounds.
+Table choiceTable(const nlohmann::ordered_json& choices);
 
 }  // namespace hemitex::cli

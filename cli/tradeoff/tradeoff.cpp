@@ -116,7 +116,7 @@ std::string summary(const Tradeoff& tradeoff) {
       continue;
     }
     const reference::TradeMeasurement& choice = tradeoff.measurements[*fastest];
-    text << nameOf(tradeoff, choice) << ": " << reference::seconds(choice) << " s, error "
+    text << nameOf(tradeoff, choice) << ": " << choice.seconds.median << " s, error "
          << percent(choice.error.fluxWeighted) << '\n';
   }
   text << "the truth itself is known to " << percent(tradeoff.truth.error.fluxWeighted) << '\n';
@@ -168,7 +168,7 @@ void measure(const TradeoffOptions& options, Context& context) {
   result["times"]["all_s"] = all.seconds();
   Staging staging(options.output);
   std::ostringstream csv;
-  writeCsv(csv, choiceTable(tradeoff));
+  writeCsv(csv, choiceTable(result["choices"]));
   raster::writeFile(staging.folder() / "tradeoff.csv", csv.view());
   raster::writeFile(staging.folder() / "tradeoff.json", toText(result));
   raster::writeFile(staging.folder() / "report.html", tradeoffPage(tradeoff, camera, result, staging.folder()));

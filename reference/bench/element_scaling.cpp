@@ -63,7 +63,7 @@ std::vector<GrowthPoint> growthOf(const radiosity::Scene& scene, std::span<const
     tasks.push_back([&level] { level.draw(); });
     tasks.push_back([&level] { level.sum(); });
   }
-  const std::vector<Timing> timings = timeInTurns(tasks, repeats);
+  const std::vector<Timing> timings = shortTaskTimings(tasks, repeats);
   std::vector<GrowthPoint> points;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const auto hemicubes = static_cast<double>(levels[i].hemicubes());

@@ -16,7 +16,7 @@ struct GrowthPoint {
   Timing draw, row;  ///< of a hemicube: faces drawn and item IDs resolved; their row summed
 };
 
-/// Of a scene whose surfaces have sides[i] x sides[i] elements each, in turns. Item IDs have 32 bits.
+/// Of a scene whose surfaces have sides[i] x sides[i] elements each, in interleaved repetitions. Item IDs have 32 bits.
 std::vector<GrowthPoint> growthOf(const radiosity::Scene& scene, std::span<const int> sides, int resolution,
                                   int repeats);
 

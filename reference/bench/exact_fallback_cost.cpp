@@ -24,7 +24,7 @@ WallTimes wallTimes(int resolution, int repeats) {
   std::vector<raster::ItemBuffer> buffers;
   const auto draw = [&](raster::SoftwareRenderer& wall) { return [&] { wall.draw({&face, 1}, {}, buffers); }; };
   const std::vector<std::function<void()>> tasks{draw(tied), draw(moved)};
-  const std::vector<Timing> timings = timeInTurns(tasks, repeats);
+  const std::vector<Timing> timings = shortTaskTimings(tasks, repeats);
   return {resolution, timings[0], timings[1]};
 }
 

@@ -118,7 +118,7 @@ void appendRuns(World& world, const std::string& name, int resolution, const Ben
   const Tasks tasks(world, resolution, triangles < slowTriangles || isHighest);
   std::vector<std::function<void()>> calls;
   for (const Task& task : tasks.tasks()) calls.push_back(task.call);
-  const std::vector<Timing> timings = timeInTurns(calls, settings.repeats);
+  const std::vector<Timing> timings = shortTaskTimings(calls, settings.repeats);
   for (std::size_t t = 0; t < timings.size(); ++t) {
     const Task& task = tasks.tasks()[t];
     BenchRun run{name,

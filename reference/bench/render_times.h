@@ -1,5 +1,5 @@
 /// How fast a hemicube is, beside whatever else gives the same pixels: regular meshing, Embree, OpenGL, and the floor
-/// under it all. Everything is timed in turns (timing.h) on equal threads.
+/// under it all. Everything is timed in interleaved repetitions (timing.h) on the same number of threads.
 #pragma once
 
 #include <cstdint>

@@ -68,11 +68,6 @@ int meshShots(const PaperScene& scene, const PaperLevel& level, const PaperDevic
   return static_cast<int>(std::clamp<std::size_t>(shots, 1, static_cast<std::size_t>(scene.shots)));
 }
 
-/// Long runs are timed once.
-bool isLong(const Cell& cell, double longTime) {
-  return !cell.repeats.empty() && mediansOf({cell.repeats.front()}).total > longTime;
-}
-
 double sumOfMedians(const std::vector<ShotTimes>& repeats, std::vector<double> ShotTimes::*times) {
   double sum = 0;
   for (std::size_t shot = 0; shot < (repeats.front().*times).size(); ++shot) {
@@ -119,16 +114,16 @@ std::vector<PaperRun> measurePaperRuns(const std::vector<PaperScene>& scenes, co
                               isMesh ? meshShots(scene, level, device) : scene.shots,
                               {}}});
         }
-  const double count = static_cast<double>(cells.size()) * settings.repeats;
-  double done = 0;
-  for (int repeat = 0; repeat < settings.repeats; ++repeat)
-    for (Cell& cell : cells) {
-      const PaperRun& run = cell.run;
-      if (progress)
-        progress(done++ / count, run.scene + ", " + run.level + ", " + run.discretize + ", " + run.device +
-                                     ", R = " + std::to_string(run.resolution));
-      if (!isLong(cell, settings.longTime)) cell.repeats.push_back(solveOnce(cell));
-    }
+  const auto secondsOf = [&](std::size_t i, int repeat) {
+    const PaperRun& run = cells[i].run;
+    const double done = repeat + static_cast<double>(i) / static_cast<double>(cells.size());
+    if (progress)
+      progress(done / settings.repeats, run.scene + ", " + run.level + ", " + run.discretize + ", " + run.device +
+                                            ", R = " + std::to_string(run.resolution));
+    cells[i].repeats.push_back(solveOnce(cells[i]));
+    return mediansOf({cells[i].repeats.back()}).total;
+  };
+  interleavedTimings(cells.size(), settings.repeats, secondsOf, settings.longTime);
   std::vector<PaperRun> runs;
   for (Cell& cell : cells) {
     cell.run.seconds = mediansOf(cell.repeats);

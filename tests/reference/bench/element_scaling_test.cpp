@@ -15,7 +15,7 @@ TEST_CASE("growth is measured with as many elements a side as were asked for", "
   for (std::size_t i = 0; i < sides.size(); ++i) {
     CHECK(points[i].side == sides[i]);
     CHECK(points[i].elements == static_cast<std::size_t>(6 * sides[i] * sides[i]));
-    CHECK(points[i].draw.turns.size() == 3);
-    CHECK(points[i].row.turns.size() == 3);
+    CHECK(points[i].draw.repetitions.size() == 3);
+    CHECK(points[i].row.repetitions.size() == 3);
   }
 }
