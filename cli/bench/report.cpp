@@ -133,12 +133,7 @@ ordered_json toJson(const reference::BenchReport& report) {
 
 std::string benchText(const ordered_json& result) {
   std::ostringstream text;
-  const auto add = [&text](const std::string& title, const ordered_json& records) {
-    if (records.empty()) return;
-    text << title << "\n\n";
-    writeMarkdown(text, tableOf(records));
-    text << '\n';
-  };
+  const auto add = [&text](const std::string& title, const ordered_json& list) { writeMarkdown(text, title, list); };
   add("Milliseconds:", byPlace(result["runs"], "median_ms"));
   add("Times as long as a hemicube:", byPlace(result["ratios"], "over_hemicube"));
   add("The number of triangles from which Embree is faster:", result["crossover"]);

@@ -79,11 +79,14 @@ Table tableOf(const ordered_json& records) {
   return table;
 }
 
-void writeMarkdown(std::ostream& stream, const Table& table) {
+void writeMarkdown(std::ostream& stream, const std::string& title, const ordered_json& records) {
+  if (records.empty()) return;
+  const Table table = tableOf(records);
   const auto writeRow = [&stream](const std::vector<std::string>& cells) {
     for (const std::string& cell : cells) stream << "| " << cell << ' ';
     stream << "|\n";
   };
+  stream << title << "\n\n";
   writeRow(table.columns);
   writeRow(std::vector<std::string>(table.columns.size(), "---"));
   for (std::size_t i = 0; i < table.size; ++i) {
@@ -92,6 +95,7 @@ void writeMarkdown(std::ostream& stream, const Table& table) {
       cells.push_back(std::visit([](const auto& value) { return rounded(value); }, cell));
     writeRow(cells);
   }
+  stream << '\n';
 }
 
 void writeCsv(std::ostream& stream, const Table& table) {

@@ -26,8 +26,9 @@ struct Table {
 Table tableOf(const nlohmann::ordered_json& records);
 
 void writeCsv(std::ostream& stream, const Table& table);
-/// Doubles have three significant digits, and all digits before the point.
-void writeMarkdown(std::ostream& stream, const Table& table);
+/// A title and the table of these objects (tableOf), or nothing where there are none. Doubles have three significant
+/// digits, and all digits before the point.
+void writeMarkdown(std::ostream& stream, const std::string& title, const nlohmann::ordered_json& records);
 nlohmann::ordered_json toJson(const Table& table);
 
 }  // namespace hemitex::cli

@@ -1,7 +1,11 @@
 #include "cli/paper/report.h"
 
 #include <optional>
+#include <sstream>
 
+#include "cli/common/table.h"
+#include "cli/report/embedded_files.h"
+#include "cli/report/html_page.h"
 #include "reference/paper/tables.h"
 
 namespace hemitex::cli {
@@ -47,6 +51,19 @@ ordered_json paperJson(const std::vector<reference::PaperRun>& runs) {
   return {{"runs", listOf(runs, runJson)},
           {"speed_ups", listOf(reference::speedUps(runs), speedUp)},
           {"growth", listOf(reference::growths(runs), growth)}};
+}
+
+std::string paperText(const ordered_json& result) {
+  std::ostringstream text;
+  writeMarkdown(text, "Solutions, and the seconds of the paper:", result["runs"]);
+  writeMarkdown(text, "Regular meshing over textures, and the same ratio of the paper:", result["speed_ups"]);
+  writeMarkdown(text, "The fine level over the coarse one, and the same ratio of the paper:", result["growth"]);
+  return text.str();
+}
+
+std::string paperPage(ordered_json result, const std::filesystem::path& folder) {
+  for (auto& figure : result.at("figures")) figure["png"] = base64OfFile(folder / figure.at("file").get<std::string>());
+  return completePage(paperPageText, result);
 }
 
 }  // namespace hemitex::cli

@@ -1,5 +1,4 @@
-/// Files that the program carries inside, so that what it writes needs nothing beside it. They are put there when it is
-/// built (embedded_files.cpp.in).
+/// Files that are built into the program, so that its pages need nothing else.
 #pragma once
 
 namespace hemitex::cli {

@@ -7,9 +7,9 @@
 
 namespace hemitex::cli {
 
-/// The page with the text `page`, in which these marks appear once each and are replaced: `{{page style}}` and
-/// `{{page script}}` by what all pages share, `{{chart library}}` by Chart.js, `{{result}}` by what the page shows.
-std::string completePage(std::string page, const nlohmann::ordered_json& result);
+/// A page from its title, its own style, its content and its script, behind what all pages share: page_style.css,
+/// page_script.js, Chart.js, and `result`, the object that the page shows.
+std::string completePage(const std::string& page, const nlohmann::ordered_json& result);
 
 /// A file's bytes as letters, for a picture inside a page.
 std::string base64OfFile(const std::filesystem::path& file);

@@ -79,7 +79,8 @@ const axis = (text, format, limits) => ({ ...limits, type: "logarithmic", title:
 /// A curve through points {x, y, label}; the label is shown under the pointer.
 const line = (label, color, data, more) => ({ label, data, showLine: true, borderColor: color, backgroundColor: color,
                                               borderWidth: 2, pointRadius: 4, ...more });
-const dashed = { borderDash: [6, 4] };
+/// A second kind of curve: its points are squares, which the legend shows.
+const dashed = { borderDash: [6, 4], pointStyle: "rect" };
 
 /// Points and painted pixels of each plot, by the id of its canvas.
 const drawn = {};

@@ -101,25 +101,18 @@ std::optional<reference::RowComparison> comparisonOf(const std::vector<reference
 
 /// The fastest choice for each error, for people.
 std::string summary(const Tradeoff& tradeoff) {
-  std::ostringstream text;
-  const auto percent = [](double value) {
-    std::ostringstream number;
-    number << std::setprecision(2) << 100 * value << " %";
-    return number.str();
-  };
-  text << std::setprecision(3);
-  for (const double level : errorLevels) {
+  ordered_json rows = listOf(errorLevels, [&tradeoff](double level) -> ordered_json {
     const std::optional<std::size_t> fastest = fastestWithin(tradeoff, level);
-    text << "within " << percent(level) << ": ";
-    if (!fastest) {
-      text << "none\n";
-      continue;
-    }
+    if (!fastest) return {{"error at most, %", 100 * level}, {"choice", "none"}};
     const reference::TradeMeasurement& choice = tradeoff.measurements[*fastest];
-    text << nameOf(tradeoff, choice) << ": " << choice.seconds.median << " s, error "
-         << percent(choice.error.fluxWeighted) << '\n';
-  }
-  text << "the truth itself is known to " << percent(tradeoff.truth.error.fluxWeighted) << '\n';
+    return {{"error at most, %", 100 * level},
+            {"choice", nameOf(tradeoff, choice)},
+            {"seconds", choice.seconds.median},
+            {"error, %", 100 * choice.error.fluxWeighted}};
+  });
+  rows.push_back({{"choice", "the truth itself, by chance"}, {"error, %", 100 * tradeoff.truth.error.fluxWeighted}});
+  std::ostringstream text;
+  writeMarkdown(text, "The fastest choices:", rows);
   return text.str();
 }
 

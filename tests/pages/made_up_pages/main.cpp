@@ -3,7 +3,6 @@
 #include <fstream>
 
 #include "cli/bench/report.h"
-#include "cli/paper/page.h"
 #include "cli/paper/report.h"
 #include "cli/report/embedded_files.h"
 #include "cli/report/html_page.h"
