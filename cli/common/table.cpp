@@ -35,7 +35,7 @@ void writeLine(std::ostream& stream, const std::vector<std::string>& fields) {
 std::string rounded(const std::string& text) { return text; }
 std::string rounded(std::int64_t number) { return std::to_string(number); }
 std::string rounded(double number) {
-  if (number >= 1000) return std::to_string(std::llround(number));
+  if (std::abs(number) >= 1000) return std::to_string(std::llround(number));
   std::ostringstream text;
   text << std::setprecision(3) << number;
   return text.str();

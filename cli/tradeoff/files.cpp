@@ -1,5 +1,7 @@
 #include "cli/tradeoff/files.h"
 
+#include <sstream>
+
 #include "cli/common/json.h"
 
 namespace hemitex::cli {
@@ -65,8 +67,10 @@ ordered_json toJson(const reference::RowComparison& comparison) {
           {"rays", toJson(comparison.rays)}};
 }
 
-}  // namespace
+/// The errors that the fastest choices are named for.
+constexpr double errorLevels[] = {0.1, 0.05, 0.03, 0.02, 0.01};
 
+/// The fastest choice with at most this error; nothing where none is so good.
 std::optional<std::size_t> fastestWithin(const Tradeoff& tradeoff, double error) {
   std::optional<std::size_t> fastest;
   for (std::size_t i = 0; i < tradeoff.measurements.size(); ++i) {
@@ -77,12 +81,7 @@ std::optional<std::size_t> fastestWithin(const Tradeoff& tradeoff, double error)
   return fastest;
 }
 
-std::string nameOf(const Tradeoff& tradeoff, const TradeMeasurement& measurement) {
-  const reference::TradeChoice& choice = measurement.choice;
-  const reference::TradeMethod& method = tradeoff.methods[choice.method];
-  return method.name + ", " + method.setting + ' ' + std::to_string(choice.setting) + ", " +
-         std::to_string(choice.texels) + " texels, patches of " + std::to_string(choice.patch);
-}
+}  // namespace
 
 ordered_json toJson(const Tradeoff& tradeoff) {
   const auto choice = [&](const TradeMeasurement& measurement) { return toJson(tradeoff, measurement); };
@@ -124,6 +123,23 @@ Table choiceTable(const ordered_json& choices) {
                    "rounds",
                    "pareto"};
   return table;
+}
+
+std::string tradeoffText(const ordered_json& result) {
+  const auto row = [&result](const ordered_json& level) {
+    ordered_json cells{{"error at most", level["error"]}};
+    if (level["choice"].is_null()) return cells;
+    const ordered_json& choice = result["choices"][level["choice"].get<std::size_t>()];
+    for (const char* key : {"method", "setting", "value", "texels", "patch"}) cells[key] = choice[key];
+    cells.update({{"seconds", choice["times"]["median_s"]}, {"error", choice["radiosity_error"]["flux_weighted"]}});
+    return cells;
+  };
+  ordered_json rows = listOf(result["times"]["within"], row);
+  rows.push_back({{"error at most", "the truth itself, by chance"},
+                  {"error", result["truth"]["radiosity_error"]["flux_weighted"]}});
+  std::ostringstream text;
+  writeMarkdown(text, "The fastest choices:", rows);
+  return text.str();
 }
 
 }  // namespace hemitex::cli

@@ -99,23 +99,6 @@ std::optional<reference::RowComparison> comparisonOf(const std::vector<reference
   return reference::compareRows(scene, discretization, settings);
 }
 
-/// The fastest choice for each error, for people.
-std::string summary(const Tradeoff& tradeoff) {
-  ordered_json rows = listOf(errorLevels, [&tradeoff](double level) -> ordered_json {
-    const std::optional<std::size_t> fastest = fastestWithin(tradeoff, level);
-    if (!fastest) return {{"error at most, %", 100 * level}, {"choice", "none"}};
-    const reference::TradeMeasurement& choice = tradeoff.measurements[*fastest];
-    return {{"error at most, %", 100 * level},
-            {"choice", nameOf(tradeoff, choice)},
-            {"seconds", choice.seconds.median},
-            {"error, %", 100 * choice.error.fluxWeighted}};
-  });
-  rows.push_back({{"choice", "the truth itself, by chance"}, {"error, %", 100 * tradeoff.truth.error.fluxWeighted}});
-  std::ostringstream text;
-  writeMarkdown(text, "The fastest choices:", rows);
-  return text.str();
-}
-
 /// All that is measured against the truth, which is of the fine grids.
 Tradeoff measuredAgainst(const reference::TrueRadiosity& truth, const radiosity::Scene& scene,
                          const radiosity::Discretization& fine, const TradeoffOptions& options, Console& console) {
@@ -166,7 +149,7 @@ void measure(const TradeoffOptions& options, Context& context) {
   raster::writeFile(staging.folder() / "tradeoff.json", toText(result));
   raster::writeFile(staging.folder() / "report.html", tradeoffPage(tradeoff, camera, result, staging.folder()));
   staging.commit();
-  std::cout << (context.json ? toText(result) : summary(tradeoff));
+  std::cout << (context.json ? toText(result) : tradeoffText(result));
 }
 
 }  // namespace
