@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "reference/bench/element_scaling.h"
 #include "reference/bench/equal_time_error.h"
 #include "reference/bench/exact_fallback_cost.h"
 #include "reference/bench/render_times.h"
