@@ -8,13 +8,13 @@
 #include <set>
 #include <thread>
 
-#include "cli/bench/json_report.h"
-#include "cli/bench/plots.h"
-#include "cli/bench/tables.h"
+#include "cli/bench/report.h"
 #include "cli/common/commands.h"
 #include "cli/common/opengl_device.h"
 #include "cli/common/scene_folder.h"
 #include "cli/common/staging.h"
+#include "cli/report/embedded_files.h"
+#include "cli/report/html_page.h"
 #include "radiosity/discretization/discretize.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
@@ -56,7 +56,7 @@ reference::BenchSettings settingsOf(const BenchOptions& options, Context& contex
 
 using Progress = std::function<void(const std::string&)>;
 
-/// What speed is asked for beside the runs, on scenes of its own: the room and the Cornell box.
+/// What is measured beside the runs, on the first two scenes of the program: the room and the Cornell box.
 void measureRest(reference::BenchReport& report, const std::vector<reference::BenchScene>& scenes, Context& context,
                  const reference::BenchSettings& settings, const Progress& progress) {
   constexpr int resolution = 512;
@@ -95,16 +95,11 @@ void measureRest(reference::BenchReport& report, const std::vector<reference::Be
     report.parts.push_back(reference::solutionParts(box.scene, texels, side, 300, settings.repeats));
 }
 
-/// The numbers, the tables and the pictures of docs/performance.md.
-void writeFiles(const reference::BenchReport& report, const std::filesystem::path& output) {
+void writeFiles(const nlohmann::ordered_json& result, const std::filesystem::path& output) {
   Staging staging(output);
-  const auto write = [&staging](const std::string& name, const std::string& text) {
-    raster::writeFile(staging.folder() / name, text);
-  };
-  write("bench.json", toText(toJson(report)));
-  write("tables.md", benchText(report));
-  if (!report.growth.empty()) write("growth.svg", svgOf(growthPlot(report.growth)));
-  for (const Plot& plot : trianglesPlots(report.runs)) write("triangles-" + plot.name + ".svg", svgOf(plot));
+  raster::writeFile(staging.folder() / "bench.json", toText(result));
+  raster::writeFile(staging.folder() / "tables.md", benchText(result));
+  raster::writeFile(staging.folder() / "report.html", completePage(benchPageText, result));
   staging.commit();
 }
 
@@ -121,14 +116,13 @@ void bench(const BenchOptions& options, Context& context) {
     report.runs.insert(report.runs.end(), runs.begin(), runs.end());
     ++done;
   }
-  if (options.scenes.empty()) {
+  if (options.scenes.empty())
     measureRest(report, scenes, context, settings,
                 [&](const std::string& what) { console.progress(done / all, what); });
-    report.requirements = requirementsOf(report);
-  }
   console.endProgress();
-  if (!options.output.empty()) writeFiles(report, options.output);
-  std::cout << (context.json ? toText(toJson(report)) : benchText(report));
+  const nlohmann::ordered_json result = toJson(report);
+  if (!options.output.empty()) writeFiles(result, options.output);
+  std::cout << (context.json ? toText(result) : benchText(result));
 }
 
 }  // namespace
@@ -151,7 +145,7 @@ void addBench(CLI::App& program, Context& context) {
                                                       "cut the scenes into so many triangles, too (repeatable)")
       ->allow_extra_args(false)
       ->type_name("N");
-  command->add_option("-o,--output", options->output, "folder for bench.json, tables.md and pictures of curves");
+  command->add_option("-o,--output", options->output, "folder for report.html, bench.json and tables.md");
   command->callback([options, &context] { context.command = [options, &context] { bench(*options, context); }; });
 }
 

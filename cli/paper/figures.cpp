@@ -12,6 +12,7 @@
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "radiosity/textures/radiosity_texture.h"
+#include "reference/bench/scenes.h"
 #include "reference/paper/tables.h"
 
 namespace hemitex::cli {
@@ -95,18 +96,11 @@ const reference::PaperLevel& mediumOf(const reference::PaperScene& scene) {
                        [](const reference::PaperLevel& level) { return level.name == "medium"; });
 }
 
-/// Walls of 8 x 8 elements, faces of the box of 3 x 3 and the light in one: 439. One index map serves all.
-Discretization figure2Discretization(const Scene& scene) {
-  radiosity::DiscretizationSettings settings{.texels = 8, .surfaceTexels = {{"light", 1}}, .patch = 2};
-  for (const char* face : {"bottom", "top", "front", "right", "back", "left"})
-    settings.surfaceTexels[std::string("box-") + face] = 3;
-  return radiosity::discretize(scene, settings);
-}
-
 void addFigure2(Album& album, const Stage& stage) {
   constexpr int mapSide = 8;
   const auto& [scene, camera] = stage;
-  const Discretization discretization = figure2Discretization(scene);
+  // 439 elements. One index map serves all surfaces.
+  const Discretization discretization = radiosity::discretize(scene, reference::roomElements(8, 3, 2));
   const IdLayout layout = radiosity::layOut(discretization, {.page = mapSide});
   album.addPanel(2, "a", radiosity::indexMapPicture(scene, discretization, layout, camera, width, height),
                  "Index maps laid over the surfaces: the level of a texel is its number in the map.");

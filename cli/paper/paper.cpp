@@ -1,21 +1,17 @@
 /// `hemitex paper`: the tables and figures of Nielsen and Christensen (2002), made again.
-#include <iomanip>
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 #include "cli/common/commands.h"
 #include "cli/common/opengl_device.h"
 #include "cli/common/scene_folder.h"
 #include "cli/common/staging.h"
 #include "cli/paper/figures.h"
-#include "cli/paper/page.h"
 #include "cli/paper/report.h"
 #include "raster/base/file_io.h"
 #include "raster/base/parallel.h"
 #include "reference/bench/timing.h"
 #include "reference/paper/scenes.h"
-#include "reference/paper/tables.h"
 
 namespace hemitex::cli {
 namespace {
@@ -28,34 +24,6 @@ std::vector<reference::PaperDevice> devices(Console& console) {
   const radiosity::RendererFactory openGl = openGlRenderers(console, "no hardware columns");
   if (openGl) devices.push_back({"opengl", openGl, 500000});
   return devices;
-}
-
-std::string times(double total, double formFactors) {
-  std::ostringstream text;
-  text << std::setprecision(3) << total << " (" << formFactors << ')';
-  return text.str();
-}
-
-/// The tables for people: seconds in all and, in brackets, for form factors.
-std::string summary(const std::vector<reference::PaperRun>& runs) {
-  std::ostringstream text;
-  text << std::setprecision(3);
-  for (const reference::PaperRun& run : runs) {
-    text << run.scene << ", " << run.device << ", " << run.discretize << ", " << run.level << ", R = " << run.resolution
-         << ": " << times(run.seconds.total, run.seconds.formFactors) << " s for " << run.shots << " shots, "
-         << run.elements << " elements";
-    const auto published = reference::publishedTimes(run);
-    if (published && published->total && published->formFactors)
-      text << "; the paper: " << times(*published->total, *published->formFactors) << " s";
-    text << '\n';
-  }
-  for (const reference::SpeedUp& s : reference::speedUps(runs))
-    text << s.scene << ", " << s.device << ", " << s.level << ", R = " << s.resolution << ": textures are "
-         << times(s.total, s.formFactors) << " times faster\n";
-  for (const reference::Promise& promise : reference::promises(runs))
-    text << (promise.isKept ? "kept: " : "NOT KEPT: ") << promise.what << ": " << promise.measured << " (limit "
-         << promise.limit << ")\n";
-  return text.str();
 }
 
 void makePaper(const std::filesystem::path& output, Context& context) {
@@ -78,7 +46,7 @@ void makePaper(const std::filesystem::path& output, Context& context) {
   raster::writeFile(staging.folder() / "paper.json", toText(result));
   raster::writeFile(staging.folder() / "report.html", paperPage(result, staging.folder()));
   staging.commit();
-  std::cout << (context.json ? toText(result) : summary(runs));
+  std::cout << (context.json ? toText(result) : paperText(result));
 }
 
 }  // namespace

@@ -1,7 +1,11 @@
 #include "cli/paper/report.h"
 
 #include <optional>
+#include <sstream>
 
+#include "cli/common/table.h"
+#include "cli/report/embedded_files.h"
+#include "cli/report/html_page.h"
 #include "reference/paper/tables.h"
 
 namespace hemitex::cli {
@@ -27,34 +31,39 @@ ordered_json runJson(const reference::PaperRun& run) {
           {"paper", {{"total_s", orNull(published.total)}, {"form_factor_s", orNull(published.formFactors)}}}};
 }
 
-/// The ratios of a speed-up or a growth, behind what says which it is.
-template <typename Ratios>
-ordered_json ratioJson(ordered_json result, const Ratios& ratios) {
-  result.update(
-      {{"resolution", ratios.resolution},
-       {"total", ratios.total},
-       {"form_factor", ratios.formFactors},
-       {"draw", ratios.draw},
-       {"paper", {{"total", orNull(ratios.published.total)}, {"form_factor", orNull(ratios.published.formFactors)}}}});
-  return result;
+ordered_json ratioJson(const reference::PaperRatio& ratio, const std::string& key, const std::string& value) {
+  return {{"scene", ratio.run.scene},
+          {"device", ratio.run.device},
+          {key, value},
+          {"resolution", ratio.run.resolution},
+          {"total", ratio.ratio.total},
+          {"form_factor", ratio.ratio.formFactors},
+          {"draw", ratio.ratio.draw},
+          {"paper", {{"total", orNull(ratio.published.total)}, {"form_factor", orNull(ratio.published.formFactors)}}}};
 }
 
 }  // namespace
 
 ordered_json paperJson(const std::vector<reference::PaperRun>& runs) {
-  ordered_json result{{"runs", ordered_json::array()},
-                      {"speed_ups", ordered_json::array()},
-                      {"growth", ordered_json::array()},
-                      {"promises", ordered_json::array()}};
-  for (const reference::PaperRun& run : runs) result["runs"].push_back(runJson(run));
-  for (const reference::SpeedUp& s : reference::speedUps(runs))
-    result["speed_ups"].push_back(ratioJson({{"scene", s.scene}, {"device", s.device}, {"level", s.level}}, s));
-  for (const reference::Growth& g : reference::growths(runs))
-    result["growth"].push_back(ratioJson({{"scene", g.scene}, {"device", g.device}, {"discretize", g.discretize}}, g));
-  for (const reference::Promise& promise : reference::promises(runs))
-    result["promises"].push_back(
-        {{"what", promise.what}, {"measured", promise.measured}, {"limit", promise.limit}, {"kept", promise.isKept}});
-  return result;
+  using reference::PaperRatio;
+  const auto speedUp = [](const PaperRatio& ratio) { return ratioJson(ratio, "level", ratio.run.level); };
+  const auto growth = [](const PaperRatio& ratio) { return ratioJson(ratio, "discretize", ratio.run.discretize); };
+  return {{"runs", listOf(runs, runJson)},
+          {"speed_ups", listOf(reference::speedUps(runs), speedUp)},
+          {"growth", listOf(reference::growths(runs), growth)}};
+}
+
+std::string paperText(const ordered_json& result) {
+  std::ostringstream text;
+  writeMarkdown(text, "Solutions, and the seconds of the paper:", result["runs"]);
+  writeMarkdown(text, "Regular meshing over textures, and the same ratio of the paper:", result["speed_ups"]);
+  writeMarkdown(text, "The fine level over the coarse one, and the same ratio of the paper:", result["growth"]);
+  return text.str();
+}
+
+std::string paperPage(ordered_json result, const std::filesystem::path& folder) {
+  for (auto& figure : result.at("figures")) figure["png"] = base64OfFile(folder / figure.at("file").get<std::string>());
+  return completePage(paperPageText, result);
 }
 
 }  // namespace hemitex::cli

@@ -1,11 +1,11 @@
-/// Files that the program carries inside, so that what it writes needs nothing beside it. They are put there when it is
-/// built (embedded_files.cpp.in).
+/// Files that are built into the program, so that its pages need nothing else.
 #pragma once
 
 namespace hemitex::cli {
 
-extern const char* const tradeoffPageText;  ///< tradeoff_page.html
-extern const char* const paperPageText;     ///< paper_page.html
+extern const char* const benchPageText;     ///< cli/bench/report.html
+extern const char* const tradeoffPageText;  ///< cli/tradeoff/report.html
+extern const char* const paperPageText;     ///< cli/paper/report.html
 extern const char* const pageStyle;         ///< page_style.css
 extern const char* const pageScript;        ///< page_script.js
 extern const char* const chartLibrary;      ///< Chart.js, minified, with its licence

@@ -12,11 +12,6 @@
 namespace hemitex::cli {
 namespace {
 
-/// Puts `by` in the place of the first `mark`, which the text has.
-void fillIn(std::string& text, const std::string& mark, const std::string& by) {
-  text.replace(text.find(mark), mark.size(), by);
-}
-
 /// JSON for a script element, which the letters `</` could end.
 std::string scriptText(const nlohmann::ordered_json& json) {
   std::string text = toText(json);
@@ -26,14 +21,11 @@ std::string scriptText(const nlohmann::ordered_json& json) {
 
 }  // namespace
 
-std::string completePage(std::string page, const nlohmann::ordered_json& result,
-                         const nlohmann::ordered_json& pictures) {
-  fillIn(page, "{{page style}}", pageStyle);
-  fillIn(page, "{{page script}}", pageScript);
-  fillIn(page, "{{chart library}}", chartLibrary);
-  fillIn(page, "{{result}}", scriptText(result));
-  fillIn(page, "{{pictures}}", scriptText(pictures));
-  return page;
+std::string completePage(const std::string& page, const nlohmann::ordered_json& result) {
+  return std::string("<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n") +
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<style>\n" + pageStyle +
+         "</style>\n<script>\n" + pageScript + "</script>\n<script>" + chartLibrary +
+         "</script>\n<script type=\"application/json\" id=\"result\">" + scriptText(result) + "</script>\n" + page;
 }
 
 std::string base64OfFile(const std::filesystem::path& file) {

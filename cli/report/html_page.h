@@ -1,4 +1,4 @@
-/// What pages that carry all they need inside are put together from.
+/// HTML pages that need no network: one file with its plots (Chart.js), its numbers and its pictures inside.
 #pragma once
 
 #include <filesystem>
@@ -7,11 +7,9 @@
 
 namespace hemitex::cli {
 
-/// The page whose text is `page`, with what stands for its parts replaced by them: `{{page style}}` and `{{page
-/// script}}` by what pages share, `{{chart library}}` by what draws their plots, and `{{result}}` and `{{pictures}}` by
-/// what the page shows. The text has each of them once.
-std::string completePage(std::string page, const nlohmann::ordered_json& result,
-                         const nlohmann::ordered_json& pictures);
+/// A page from its title, its own style, its content and its script, behind what all pages share: page_style.css,
+/// page_script.js, Chart.js, and `result`, the object that the page shows.
+std::string completePage(const std::string& page, const nlohmann::ordered_json& result);
 
 /// A file's bytes as letters, for a picture inside a page.
 std::string base64OfFile(const std::filesystem::path& file);

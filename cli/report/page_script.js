@@ -1,12 +1,15 @@
 "use strict";
-// What the pages of `hemitex tradeoff` and `hemitex paper` are made with. It comes before all other scripts, so that no
-// fault of theirs is missed.
+// What the pages of `hemitex bench`, `hemitex tradeoff` and `hemitex paper` share. It comes before all other scripts, so
+// that no fault of theirs is missed.
 
 const faults = [];
 addEventListener("error", event => faults.push(event.message));
 
-/// The JSON that the page carries in the script element with this id.
-const carried = id => JSON.parse(document.getElementById(id).textContent);
+const byId = id => document.getElementById(id);
+/// The JSON that the page shows.
+const readResult = () => JSON.parse(byId("result").textContent);
+const distinct = values => [...new Set(values)];
+const byX = points => points.sort((a, b) => a.x - b.x);
 
 /// How numbers are said with so many digits.
 function numbers(digits) {
@@ -26,8 +29,10 @@ function element(parent, tag, text, className) {
   return made;
 }
 
-/// A cell is a text, or a text and what stands small below it, or with a class; `classOf` gives the class of a row.
-function table(made, head, rows, classOf = () => "") {
+/// Fills the table with this id. A cell is a text, or an object with a text, a small text below it and a class; `classOf`
+/// gives the class of a row.
+function table(id, head, rows, classOf = () => "") {
+  const made = byId(id);
   const top = element(made, "tr");
   for (const cell of head) element(top, "th", cell);
   rows.forEach((cells, i) => {
@@ -53,12 +58,49 @@ function picture(parent, png, alt, caption) {
 function setUpCharts() {
   Chart.defaults.animation = false;
   Chart.defaults.maintainAspectRatio = false;
+  Chart.defaults.font.size = 13;
 }
 
-/// Points and painted pixels of each chart, by the id of its canvas.
+/// The ticks of a logarithmic axis: powers of ten, and 2 and 5 times them where the axis is short.
+function ticks(format) {
+  return {
+    autoSkip: false, maxRotation: 0,
+    callback(value) {
+      const digit = Math.round(value / 10 ** Math.floor(Math.log10(value) + 1e-9));
+      const span = Math.log10(this.max / this.min);
+      return digit === 1 || span < 3 && (digit === 2 || digit === 5) ? format(value) : "";
+    },
+  };
+}
+
+const axis = (text, format, limits) => ({ ...limits, type: "logarithmic", title: { display: true, text },
+                                          ticks: ticks(format), grid: { color: "#eee" } });
+
+/// A curve through points {x, y, label}; the label is shown under the pointer.
+const line = (label, color, data, more) => ({ label, data, showLine: true, borderColor: color, backgroundColor: color,
+                                              borderWidth: 2, pointRadius: 4, ...more });
+/// A second kind of curve: its points are squares, which the legend shows.
+const dashed = { borderDash: [6, 4], pointStyle: "rect" };
+
+/// Points and painted pixels of each plot, by the id of its canvas.
 const drawn = {};
-function drawChart(canvas, settings) {
-  const chart = new Chart(canvas, settings);
+
+/// A plot in a new canvas with an id, inside the element with the id `parent`. `x` and `y` are the arguments of `axis`.
+function plot(parent, id, title, x, y, datasets) {
+  const canvas = element(element(byId(parent), "div", undefined, "plot"), "canvas");
+  canvas.id = id;
+  const chart = new Chart(canvas, {
+    type: "scatter",
+    data: { datasets },
+    options: {
+      scales: { x: axis(...x), y: axis(...y) },
+      plugins: {
+        title: { display: true, text: title, font: { size: 15 } },
+        legend: { position: "bottom", labels: { usePointStyle: true, boxHeight: 7 } },
+        tooltip: { callbacks: { label: item => item.raw.label ?? item.dataset.label } },
+      },
+    },
+  });
   const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
   let points = 0, painted = 0;
   for (let i = 0; i < chart.data.datasets.length; ++i) points += chart.getDatasetMeta(i).data.length;

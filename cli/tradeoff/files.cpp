@@ -1,5 +1,9 @@
 #include "cli/tradeoff/files.h"
 
+#include <sstream>
+
+#include "cli/common/json.h"
+
 namespace hemitex::cli {
 namespace {
 
@@ -33,16 +37,15 @@ ordered_json toJson(const Tradeoff& tradeoff, const TradeMeasurement& measuremen
       {"bytes",
        {{"buffer", measurement.bufferBytes}, {"rows", measurement.rowBytes}, {"elements", measurement.elementBytes}}},
       {"times",
-       {{"median_s", reference::seconds(measurement)},
-        {"rounds_s", measurement.seconds},
+       {{"median_s", measurement.seconds.median},
+        {"rounds_s", measurement.seconds.repetitions},
         {"pareto", measurement.isOnFront}}}};
 }
 
 ordered_json toJson(const std::vector<reference::RowQuality>& qualities) {
-  ordered_json list = ordered_json::array();
-  for (const reference::RowQuality& quality : qualities)
-    list.push_back({{"size", quality.size}, {"error", quality.error}, {"times", {{"row_s", quality.seconds}}}});
-  return list;
+  return listOf(qualities, [](const reference::RowQuality& quality) -> ordered_json {
+    return {{"size", quality.size}, {"error", quality.error}, {"times", {{"row_s", quality.seconds}}}};
+  });
 }
 
 /// Hemicubes beside the error of rays in the same time.
@@ -64,93 +67,79 @@ ordered_json toJson(const reference::RowComparison& comparison) {
           {"rays", toJson(comparison.rays)}};
 }
 
-}  // namespace
+/// The errors that the fastest choices are named for.
+constexpr double errorLevels[] = {0.1, 0.05, 0.03, 0.02, 0.01};
 
+/// The fastest choice with at most this error; nothing where none is so good.
 std::optional<std::size_t> fastestWithin(const Tradeoff& tradeoff, double error) {
   std::optional<std::size_t> fastest;
   for (std::size_t i = 0; i < tradeoff.measurements.size(); ++i) {
     const TradeMeasurement& measurement = tradeoff.measurements[i];
     if (measurement.error.fluxWeighted > error) continue;
-    if (!fastest || reference::seconds(measurement) < reference::seconds(tradeoff.measurements[*fastest])) fastest = i;
+    if (!fastest || measurement.seconds.median < tradeoff.measurements[*fastest].seconds.median) fastest = i;
   }
   return fastest;
 }
 
-std::string nameOf(const Tradeoff& tradeoff, const TradeMeasurement& measurement) {
-  const reference::TradeChoice& choice = measurement.choice;
-  const reference::TradeMethod& method = tradeoff.methods[choice.method];
-  return method.name + ", " + method.setting + ' ' + std::to_string(choice.setting) + ", " +
-         std::to_string(choice.texels) + " texels, patches of " + std::to_string(choice.patch);
-}
+}  // namespace
 
 ordered_json toJson(const Tradeoff& tradeoff) {
-  ordered_json choices = ordered_json::array(), within = ordered_json::array();
-  for (const TradeMeasurement& measurement : tradeoff.measurements) choices.push_back(toJson(tradeoff, measurement));
-  for (const double level : errorLevels) {
+  const auto choice = [&](const TradeMeasurement& measurement) { return toJson(tradeoff, measurement); };
+  const auto within = [&](double level) -> ordered_json {
     const std::optional<std::size_t> fastest = fastestWithin(tradeoff, level);
-    within.push_back({{"error", level}, {"choice", fastest ? ordered_json(*fastest) : ordered_json()}});
-  }
+    return {{"error", level}, {"choice", fastest ? ordered_json(*fastest) : ordered_json()}};
+  };
   return {{"truth",
            {{"elements", tradeoff.fine.elements.size()},
             {"radiosity_error", toJson(tradeoff.truth.error)},
             {"row_error", toJson(tradeoff.truthRowError)}}},
-          {"choices", std::move(choices)},
+          {"choices", listOf(tradeoff.measurements, choice)},
           {"same_points", tradeoff.samePoints ? toJson(*tradeoff.samePoints) : ordered_json()},
-          {"times", {{"within", std::move(within)}}}};
+          {"times", {{"within", listOf(errorLevels, within)}}}};
 }
 
-Table choiceTable(const Tradeoff& tradeoff) {
-  const auto row = [&tradeoff](std::size_t index) -> std::vector<Cell> {
-    const auto count = [](std::size_t value) { return static_cast<std::int64_t>(value); };
-    const TradeMeasurement& m = tradeoff.measurements[index];
-    const reference::TradeMethod& method = tradeoff.methods[m.choice.method];
-    return {method.name,
-            method.setting,
-            std::int64_t{m.choice.setting},
-            method.directions(m.choice.setting),
-            std::int64_t{m.choice.texels},
-            std::int64_t{m.choice.patch},
-            count(m.elements),
-            count(m.patches),
-            count(m.rows),
-            std::int64_t{m.shots},
-            m.rowError.relativeL1,
-            m.rowError.rms,
-            m.rowError.maximum,
-            m.error.fluxWeighted,
-            m.error.rms,
-            m.error.maximum,
-            count(m.bufferBytes),
-            count(m.rowBytes),
-            count(m.elementBytes),
-            reference::seconds(m),
-            count(m.seconds.size()),
-            std::int64_t{m.isOnFront}};
+Table choiceTable(const ordered_json& choices) {
+  Table table = tableOf(choices);
+  table.columns = {"method",
+                   "setting",
+                   "value",
+                   "directions",
+                   "texels",
+                   "patch",
+                   "elements",
+                   "patches",
+                   "rows",
+                   "shots",
+                   "row_relative_l1",
+                   "row_rms",
+                   "row_maximum",
+                   "radiosity_flux_weighted",
+                   "radiosity_rms",
+                   "radiosity_maximum",
+                   "buffer_bytes",
+                   "row_bytes",
+                   "element_bytes",
+                   "median_s",
+                   "rounds",
+                   "pareto"};
+  return table;
+}
+
+std::string tradeoffText(const ordered_json& result) {
+  const auto row = [&result](const ordered_json& level) {
+    ordered_json cells{{"error at most", level["error"]}};
+    if (level["choice"].is_null()) return cells;
+    const ordered_json& choice = result["choices"][level["choice"].get<std::size_t>()];
+    for (const char* key : {"method", "setting", "value", "texels", "patch"}) cells[key] = choice[key];
+    cells.update({{"seconds", choice["times"]["median_s"]}, {"error", choice["radiosity_error"]["flux_weighted"]}});
+    return cells;
   };
-  return {{"method",
-           "setting",
-           "value",
-           "directions",
-           "texels",
-           "patch",
-           "elements",
-           "patches",
-           "rows",
-           "shots",
-           "row_relative_l1",
-           "row_rms",
-           "row_maximum",
-           "radiosity_flux_weighted",
-           "radiosity_rms",
-           "radiosity_maximum",
-           "buffer_bytes",
-           "row_bytes",
-           "element_bytes",
-           "median_s",
-           "rounds",
-           "pareto"},
-          tradeoff.measurements.size(),
-          row};
+  ordered_json rows = listOf(result["times"]["within"], row);
+  rows.push_back({{"error at most", "the truth itself, by chance"},
+                  {"error", result["truth"]["radiosity_error"]["flux_weighted"]}});
+  std::ostringstream text;
+  writeMarkdown(text, "The fastest choices:", rows);
+  return text.str();
 }
 
 }  // namespace hemitex::cli

@@ -43,17 +43,11 @@ struct Tradeoff {
   std::optional<reference::RowComparison> samePoints;  ///< of hemicubes and rays, where both are measured
 };
 
-/// The errors that the fastest choices are named for.
-inline constexpr double errorLevels[] = {0.1, 0.05, 0.03, 0.02, 0.01};
-
-/// The fastest choice with at most this error; nothing where none is so good.
-std::optional<std::size_t> fastestWithin(const Tradeoff& tradeoff, double error);
-
-/// `hemicube, resolution 256, 16 texels, patches of 4`.
-std::string nameOf(const Tradeoff& tradeoff, const reference::TradeMeasurement& measurement);
-
 /// `truth`, `choices`, `same_points` and `within`.
 nlohmann::ordered_json toJson(const Tradeoff& tradeoff);
-Table choiceTable(const Tradeoff& tradeoff);
+/// Of the list `choices` of that object: the CSV has its values in the same order, and the number of rounds.
+Table choiceTable(const nlohmann::ordered_json& choices);
+/// The fastest choices of that object, in Markdown.
+std::string tradeoffText(const nlohmann::ordered_json& result);
 
 }  // namespace hemitex::cli

@@ -93,7 +93,7 @@ std::vector<std::size_t> front(const Tradeoff& tradeoff) {
   for (std::size_t i = 0; i < tradeoff.measurements.size(); ++i)
     if (tradeoff.measurements[i].isOnFront) choices.push_back(i);
   std::stable_sort(choices.begin(), choices.end(), [&](std::size_t a, std::size_t b) {
-    return reference::seconds(tradeoff.measurements[a]) < reference::seconds(tradeoff.measurements[b]);
+    return tradeoff.measurements[a].seconds.median < tradeoff.measurements[b].seconds.median;
   });
   return choices;
 }
@@ -122,10 +122,11 @@ ordered_json legend() {
 
 }  // namespace
 
-std::string tradeoffPage(const Tradeoff& tradeoff, const radiosity::Camera& camera, const ordered_json& result,
+std::string tradeoffPage(const Tradeoff& tradeoff, const radiosity::Camera& camera, ordered_json result,
                          const std::filesystem::path& folder) {
-  return completePage(tradeoffPageText, result,
-                      {{"legend", legend()}, {"pictures", picturesOf(tradeoff, camera, folder)}});
+  result["legend"] = legend();
+  result["pictures"] = picturesOf(tradeoff, camera, folder);
+  return completePage(tradeoffPageText, result);
 }
 
 }  // namespace hemitex::cli

@@ -99,30 +99,6 @@ std::optional<reference::RowComparison> comparisonOf(const std::vector<reference
   return reference::compareRows(scene, discretization, settings);
 }
 
-/// The fastest choice for each error, for people.
-std::string summary(const Tradeoff& tradeoff) {
-  std::ostringstream text;
-  const auto percent = [](double value) {
-    std::ostringstream number;
-    number << std::setprecision(2) << 100 * value << " %";
-    return number.str();
-  };
-  text << std::setprecision(3);
-  for (const double level : errorLevels) {
-    const std::optional<std::size_t> fastest = fastestWithin(tradeoff, level);
-    text << "within " << percent(level) << ": ";
-    if (!fastest) {
-      text << "none\n";
-      continue;
-    }
-    const reference::TradeMeasurement& choice = tradeoff.measurements[*fastest];
-    text << nameOf(tradeoff, choice) << ": " << reference::seconds(choice) << " s, error "
-         << percent(choice.error.fluxWeighted) << '\n';
-  }
-  text << "the truth itself is known to " << percent(tradeoff.truth.error.fluxWeighted) << '\n';
-  return text.str();
-}
-
 /// All that is measured against the truth, which is of the fine grids.
 Tradeoff measuredAgainst(const reference::TrueRadiosity& truth, const radiosity::Scene& scene,
                          const radiosity::Discretization& fine, const TradeoffOptions& options, Console& console) {
@@ -168,12 +144,12 @@ void measure(const TradeoffOptions& options, Context& context) {
   result["times"]["all_s"] = all.seconds();
   Staging staging(options.output);
   std::ostringstream csv;
-  writeCsv(csv, choiceTable(tradeoff));
+  writeCsv(csv, choiceTable(result["choices"]));
   raster::writeFile(staging.folder() / "tradeoff.csv", csv.view());
   raster::writeFile(staging.folder() / "tradeoff.json", toText(result));
   raster::writeFile(staging.folder() / "report.html", tradeoffPage(tradeoff, camera, result, staging.folder()));
   staging.commit();
-  std::cout << (context.json ? toText(result) : summary(tradeoff));
+  std::cout << (context.json ? toText(result) : tradeoffText(result));
 }
 
 }  // namespace

@@ -29,6 +29,8 @@ class BenchFloor {
   /// Clears as much as drawing the projection's faces does, then sums the row of item IDs that were drawn before, an
   /// item buffer a face. The row that the item IDs stand for, without what the projection does not capture.
   radiosity::FormFactorRow row(std::span<const raster::ItemBuffer> ids);
+  /// The same row, with nothing cleared before.
+  radiosity::FormFactorRow sum(std::span<const raster::ItemBuffer> ids);
 
  private:
   const radiosity::Projection& projection_;

@@ -24,7 +24,6 @@ struct Contender {
   RowOfPatch rowOf;
   std::vector<RowQuality>& group;  ///< that it is one of
   RowQuality quality;
-  std::vector<double> seconds;  ///< one a repeat, all rows together
 };
 
 std::vector<MeasuredRow> trueRows(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
@@ -49,23 +48,20 @@ double sumOfStandardErrors(const MeasuredRow& row) {
 
 void race(std::vector<Contender>& contenders, const std::vector<std::uint32_t>& patches,
           const std::vector<MeasuredRow>& truth, int repeats) {
-  for (int repeat = 0; repeat < repeats; ++repeat)
-    for (Contender& contender : contenders) {
-      double spent = 0;
-      for (std::size_t p = 0; p < patches.size(); ++p) {
-        const Stopwatch watch;
-        const radiosity::FormFactorRow row = contender.rowOf(patches[p]);
-        spent += watch.seconds();
-        if (repeat == 0)
-          contender.quality.error += distanceToTruth(row, truth[p]) / static_cast<double>(patches.size());
-      }
-      contender.seconds.push_back(spent);
+  const auto count = static_cast<double>(patches.size());
+  const auto secondsOfRows = [&](std::size_t i, int repeat) {
+    Contender& contender = contenders[i];
+    double spent = 0;
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+      const Stopwatch watch;
+      const radiosity::FormFactorRow row = contender.rowOf(patches[p]);
+      spent += watch.seconds();
+      if (repeat == 0) contender.quality.error += distanceToTruth(row, truth[p]) / count;
     }
-  for (Contender& contender : contenders) {
-    const auto middle = contender.seconds.begin() + repeats / 2;
-    std::nth_element(contender.seconds.begin(), middle, contender.seconds.end());
-    contender.quality.seconds = *middle / static_cast<double>(patches.size());
-  }
+    return spent;
+  };
+  const std::vector<Timing> timings = interleavedTimings(contenders.size(), repeats, secondsOfRows);
+  for (std::size_t i = 0; i < contenders.size(); ++i) contenders[i].quality.seconds = timings[i].median / count;
 }
 
 }  // namespace
@@ -113,8 +109,7 @@ RowComparison compareRows(const radiosity::Scene& scene, const radiosity::Discre
     for (const int resolution : resolutions) {
       const auto rows = std::make_shared<radiosity::ProjectedFormFactors>(
           scene, discretization, layout, renderer, radiosity::ViewSettings{resolution, orientation});
-      contenders.push_back(
-          {[rows](std::uint32_t patch) { return rows->ofPatch(patch); }, group, {.size = resolution}, {}});
+      contenders.push_back({[rows](std::uint32_t patch) { return rows->ofPatch(patch); }, group, {.size = resolution}});
     }
   };
   addHemicubes(settings.hemicubes, radiosity::Orientation::Aligned, result.hemicubes);
@@ -122,8 +117,7 @@ RowComparison compareRows(const radiosity::Scene& scene, const radiosity::Discre
   for (const int count : settings.rays) {
     const auto rows =
         std::make_shared<RayRows>(scene, discretization, RayRowSettings{.rays = count, .start = RayStart::Centre});
-    contenders.push_back(
-        {[rows](std::uint32_t patch) { return rows->ofPatch(patch); }, result.rays, {.size = count}, {}});
+    contenders.push_back({[rows](std::uint32_t patch) { return rows->ofPatch(patch); }, result.rays, {.size = count}});
   }
   race(contenders, result.patches, truth, settings.repeats);
   for (const Contender& contender : contenders) contender.group.push_back(contender.quality);

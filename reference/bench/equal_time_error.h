@@ -37,7 +37,7 @@ struct RowComparisonSettings {
   std::vector<int> rays = {1 << 10, 1 << 12, 1 << 14, 1 << 16, 1 << 18, 1 << 20, 1 << 22};
   std::size_t points = 24;
   int truthSamples = 1 << 10;  ///< of the aimed rays that true rows are measured with
-  int repeats = 5;             ///< odd
+  int repeats = 5;
 };
 
 struct RowComparison {
@@ -46,7 +46,7 @@ struct RowComparison {
   std::vector<RowQuality> hemicubes, turnedHemicubes, rays;
 };
 
-/// Everything in turns, so that whatever else the machine does falls on all alike.
+/// All sizes are timed in interleaved repetitions (timing.h).
 RowComparison compareRows(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                           const RowComparisonSettings& settings = {});
 

@@ -22,9 +22,9 @@ WallTimes wallTimes(int resolution, int repeats) {
   raster::SoftwareRenderer tied(tiedWall(resolution, 0)), moved(tiedWall(resolution, 1.0 / 3));
   const raster::Face face = frontFace(resolution, 0.5f);
   std::vector<raster::ItemBuffer> buffers;
-  const auto draw = [&](raster::SoftwareRenderer& wall) { return [&] { wall.draw({&face, 1}, {}, buffers); }; };
+  const auto draw = [&](raster::SoftwareRenderer& wall) { return [&] { raster::draw(wall, {&face, 1}, {}, buffers); }; };
   const std::vector<std::function<void()>> tasks{draw(tied), draw(moved)};
-  const std::vector<Timing> timings = timeInTurns(tasks, repeats);
+  const std::vector<Timing> timings = shortTaskTimings(tasks, repeats);
   return {resolution, timings[0], timings[1]};
 }
 

@@ -7,7 +7,7 @@
 
 namespace hemitex::reference {
 
-/// The wall of the vector borders-on-samples (vector_suite_texels.cpp): seen straight on by frontFace(resolution, 0.5),
+/// The wall of the vector borders-on-samples (suite_texels.cpp): seen straight on by frontFace(resolution, 0.5),
 /// a texel a pixel, moved to the right and down by so many pixels. `resolution` is a power of two.
 raster::DrawList tiedWall(int resolution, double moved);
 

@@ -1,6 +1,7 @@
 #include "reference/bench/render_times.h"
 
 #include <algorithm>
+#include <deque>
 #include <memory>
 #include <utility>
 
@@ -57,20 +58,22 @@ struct Task {
 /// The tasks of a world at one resolution, and what they need.
 class Tasks {
  public:
-  Tasks(World& world, int resolution, bool withOpenGl)
+  Tasks(World& world, int resolution, std::size_t patches, bool withOpenGl)
       : world_(world),
-        patches_(spreadPatches(world.discretization, world.mesh ? patchesAtOnce : 1)),
+        patches_(spreadPatches(world.discretization, patches)),
         rows_(world.scene, world.discretization, world.layout, *world.textures, {.resolution = resolution}),
         floor_(world.discretization, world.layout, rows_.projection()) {
-    for (const std::uint32_t patch : patches_) views_.push_back(rows_.viewsOfPatch(patch).front());
-    // Of one patch: item IDs of several would push each other out of the cache, where those of a hemicube are.
-    drawn_ = world.textures->render(views_.front().faces, views_.front().skipped);
+    for (const std::uint32_t patch : patches_) {
+      views_.push_back(rows_.viewsOfPatch(patch).front());
+      drawn_.push_back(render(*world.textures, views_.back().faces, views_.back().skipped));
+    }
     add("hemicube", [this](std::size_t i) { rows_.ofPatch(patches_[i]); });
-    add("draw", [this](std::size_t i) { world_.textures->draw(views_[i].faces, views_[i].skipped, ids_); });
+    add("draw", [this](std::size_t i) { draw(i); });
     add("embree", [this](std::size_t i) { world_.rays.cast(views_[i].faces, hits_); });
-    tasks_.push_back({"floor", [this] { floor_.row(drawn_); }});
+    // Of one patch: item IDs of several would push each other out of the cache, where those of a hemicube are.
+    tasks_.push_back({"floor", [this] { floor_.row(drawn_.front()); }});
     if (world.openGl && withOpenGl)
-      add("opengl", [this](std::size_t i) { world_.openGl->draw(views_[i].faces, views_[i].skipped, ids_); });
+      add("opengl", [this](std::size_t i) { raster::draw(*world_.openGl, views_[i].faces, views_[i].skipped, ids_); });
     if (!world.mesh) return;
     meshRows_ = std::make_unique<ProjectedFormFactors>(world.scene, world.discretization, world.layout, *world.mesh,
                                                        radiosity::ViewSettings{.resolution = resolution});
@@ -81,6 +84,14 @@ class Tasks {
   Tasks& operator=(const Tasks&) = delete;
 
   const std::vector<Task>& tasks() const { return tasks_; }
+  std::size_t patches() const { return patches_.size(); }
+  /// Of all patches: faces drawn and item IDs resolved; the rows summed of item IDs drawn before.
+  void drawAll() {
+    for (std::size_t i = 0; i < patches_.size(); ++i) draw(i);
+  }
+  void sumAll() {
+    for (const std::vector<raster::ItemBuffer>& ids : drawn_) floor_.sum(ids);
+  }
   /// Of the solution: fewer than benchShots where no light is left.
   int shots() const { return shots_; }
 
@@ -91,6 +102,8 @@ class Tasks {
     };
     tasks_.push_back({what, all, patches_.size()});
   }
+
+  void draw(std::size_t i) { raster::draw(*world_.textures, views_[i].faces, views_[i].skipped, ids_); }
 
   void solve() {
     const auto rowOf = [this](std::uint32_t patch) { return rows_.ofPatch(patch); };
@@ -104,8 +117,8 @@ class Tasks {
   ProjectedFormFactors rows_;
   std::unique_ptr<ProjectedFormFactors> meshRows_;
   BenchFloor floor_;
-  std::vector<View> views_;                ///< one a patch
-  std::vector<raster::ItemBuffer> drawn_;  ///< of the first view
+  std::vector<View> views_;                             ///< one per patch
+  std::vector<std::vector<raster::ItemBuffer>> drawn_;  ///< of each view
   std::vector<raster::ItemBuffer> ids_, hits_;
   std::vector<Task> tasks_;
   int shots_ = 0;
@@ -115,10 +128,10 @@ void appendRuns(World& world, const std::string& name, int resolution, const Ben
                 std::vector<BenchRun>& runs) {
   const std::size_t triangles = radiosity::triangleCount(world.scene);
   const bool isHighest = resolution == *std::max_element(settings.resolutions.begin(), settings.resolutions.end());
-  const Tasks tasks(world, resolution, triangles < slowTriangles || isHighest);
+  const Tasks tasks(world, resolution, world.mesh ? patchesAtOnce : 1, triangles < slowTriangles || isHighest);
   std::vector<std::function<void()>> calls;
   for (const Task& task : tasks.tasks()) calls.push_back(task.call);
-  const std::vector<Timing> timings = timeInTurns(calls, settings.repeats);
+  const std::vector<Timing> timings = shortTaskTimings(calls, settings.repeats);
   for (std::size_t t = 0; t < timings.size(); ++t) {
     const Task& task = tasks.tasks()[t];
     BenchRun run{name,
@@ -155,6 +168,28 @@ std::vector<BenchRun> benchRuns(const BenchScene& bench, const BenchSettings& se
     }
   }
   return runs;
+}
+
+std::vector<GrowthPoint> growthOf(const radiosity::Scene& scene, std::span<const int> sides, int resolution,
+                                  int repeats) {
+  std::deque<World> worlds;
+  std::deque<Tasks> tasks;
+  std::vector<std::function<void()>> calls;
+  for (const int side : sides) {
+    const BenchScene finer{{}, scene, {.texels = side, .patches = 4}, {.format = "r32ui"}};
+    Tasks& own =
+        tasks.emplace_back(worlds.emplace_back(scene, finer, false, nullptr), resolution, patchesAtOnce, false);
+    calls.push_back([&own] { own.drawAll(); });
+    calls.push_back([&own] { own.sumAll(); });
+  }
+  const std::vector<Timing> timings = shortTaskTimings(calls, repeats);
+  std::vector<GrowthPoint> points;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const auto patches = static_cast<double>(tasks[i].patches());
+    points.push_back(
+        {sides[i], worlds[i].discretization.elements.size(), timings[2 * i] / patches, timings[2 * i + 1] / patches});
+  }
+  return points;
 }
 
 }  // namespace hemitex::reference

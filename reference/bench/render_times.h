@@ -1,10 +1,10 @@
 /// How fast a hemicube is, beside whatever else gives the same pixels: regular meshing, Embree, OpenGL, and the floor
-/// under it all. Everything is timed in turns (timing.h) on equal threads.
+/// under it all. Everything is timed in interleaved repetitions (timing.h) on the same number of threads.
 #pragma once
 
 #include <cstdint>
 #include <functional>
-#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,5 +47,16 @@ struct BenchSettings {
 /// Of a scene as it is and cut, everything at every resolution; meshing and solutions of the scene as it is alone.
 std::vector<BenchRun> benchRuns(const BenchScene& scene, const BenchSettings& settings,
                                 const std::function<void(const std::string&)>& progress);
+
+/// A hemicube of a scene whose surfaces have side x side elements each.
+struct GrowthPoint {
+  int side = 0;
+  std::size_t elements = 0;
+  Timing draw, row;  ///< faces drawn and item IDs resolved; their row summed
+};
+
+/// One point per entry of `sides`, all in interleaved repetitions. Item IDs have 32 bits.
+std::vector<GrowthPoint> growthOf(const radiosity::Scene& scene, std::span<const int> sides, int resolution,
+                                  int repeats);
 
 }  // namespace hemitex::reference

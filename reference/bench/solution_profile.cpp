@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "radiosity/discretization/discretize.h"
-#include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/solver/shooting_state.h"
+#include "reference/bench/scenes.h"
 #include "reference/bench/timing.h"
 
 namespace hemitex::reference {
@@ -29,8 +29,8 @@ class HeapProbe final : public raster::ItemBufferRenderer {
       : renderer_(std::move(renderer)), bytes_(bytes) {}
 
   void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
-            std::vector<raster::ItemBuffer>& buffers) override {
-    renderer_->draw(faces, skipped, buffers);
+            std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) override {
+    renderer_->draw(faces, skipped, buffers, drawn);
     bytes_ = heapBytes();
   }
 
@@ -38,13 +38,6 @@ class HeapProbe final : public raster::ItemBufferRenderer {
   std::unique_ptr<raster::ItemBufferRenderer> renderer_;
   std::size_t& bytes_;
 };
-
-radiosity::SceneFormFactors drawnRows(const radiosity::Scene& scene, int texels, int resolution,
-                                      const radiosity::RendererFactory& renderer = radiosity::softwareRenderer) {
-  radiosity::Discretization discretization = radiosity::discretize(scene, {.texels = texels});
-  radiosity::IdLayout layout = radiosity::layOut(discretization, {.format = "r32ui"});
-  return {scene, std::move(discretization), std::move(layout), {.resolution = resolution, .split = 1}, renderer};
-}
 
 SolutionParts solveOnce(const radiosity::Scene& scene, radiosity::SceneFormFactors& drawn, int shots) {
   SolutionParts parts;
@@ -74,7 +67,8 @@ std::size_t heapBytes(const radiosity::Scene& scene, int texels, int resolution)
   const auto probed = [&whileDrawn](raster::DrawList list) {
     return std::make_unique<HeapProbe>(radiosity::softwareRenderer(std::move(list)), whileDrawn);
   };
-  radiosity::SceneFormFactors drawn = drawnRows(scene, texels, resolution, probed);
+  radiosity::SceneFormFactors drawn =
+      unsplitFormFactors(scene, {.texels = texels}, {.format = "r32ui"}, resolution, probed);
   radiosity::ShootingState state(scene, drawn.discretization());
   state.shoot(state.brightestPatch(), drawn.rows().ofPatch(state.brightestPatch()));
   const std::size_t before = heapBytes();
@@ -85,7 +79,7 @@ std::size_t heapBytes(const radiosity::Scene& scene, int texels, int resolution)
 }  // namespace
 
 SolutionParts solutionParts(const radiosity::Scene& scene, int texels, int resolution, int shots, int repeats) {
-  radiosity::SceneFormFactors drawn = drawnRows(scene, texels, resolution);
+  radiosity::SceneFormFactors drawn = unsplitFormFactors(scene, {.texels = texels}, {.format = "r32ui"}, resolution);
   drawn.rows().ofPatch(0);
   std::vector<SolutionParts> times;
   for (int repeat = 0; repeat < repeats; ++repeat) times.push_back(solveOnce(scene, drawn, shots));

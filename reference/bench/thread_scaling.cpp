@@ -3,8 +3,6 @@
 #include <array>
 #include <atomic>
 
-#include "radiosity/discretization/discretize.h"
-#include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "raster/base/parallel.h"
 #include "reference/bench/equal_time_error.h"
@@ -29,7 +27,7 @@ void multiplyAndAdd() {
 
 }  // namespace
 
-std::vector<GainByTurn> gainsOfSecondCore(std::span<const std::function<void()>> tasks, int repeats) {
+std::vector<std::vector<double>> gainsOfSecondCore(std::span<const std::function<void()>> tasks, int repeats) {
   std::vector<std::function<void()>> limited;
   for (const std::function<void()>& task : tasks)
     for (const int threads : {1, 2})
@@ -37,21 +35,21 @@ std::vector<GainByTurn> gainsOfSecondCore(std::span<const std::function<void()>>
         const raster::ThreadLimit limit(threads);
         task();
       });
-  const std::vector<Timing> timings = timeInTurns(limited, repeats);
-  std::vector<GainByTurn> gains;
-  for (std::size_t i = 0; i < timings.size(); i += 2) gains.push_back(gainOf(timings[i], timings[i + 1]));
+  const std::vector<Timing> timings = shortTaskTimings(limited, repeats);
+  std::vector<std::vector<double>> gains;
+  for (std::size_t i = 0; i < timings.size(); i += 2)
+    gains.push_back(quotients(timings[i].repetitions, timings[i + 1].repetitions));
   return gains;
 }
 
-CoreGains coreGains(const GainByTurn& arithmetic, const GainByTurn& hemicube, const GainByTurn& solution) {
+CoreGains coreGains(const std::vector<double>& arithmetic, const std::vector<double>& hemicube,
+                    const std::vector<double>& solution) {
   return {medianOf(arithmetic), medianOf(hemicube), medianOf(solution), medianOf(quotients(hemicube, arithmetic)),
           medianOf(quotients(solution, arithmetic))};
 }
 
 CoreGains coreGains(const BenchScene& bench, int resolution, int shots, int repeats) {
-  radiosity::SceneFormFactors drawn(bench.scene, radiosity::discretize(bench.scene, bench.elements),
-                                    radiosity::layOut(radiosity::discretize(bench.scene, bench.elements), bench.ids),
-                                    {.resolution = resolution, .split = 1});
+  radiosity::SceneFormFactors drawn = unsplitFormFactors(bench.scene, bench.elements, bench.ids, resolution);
   const std::vector<std::uint32_t> patches = spreadPatches(drawn.discretization(), 8);
   const auto hemicubes = [&] {
     for (const std::uint32_t patch : patches) drawn.rows().ofPatch(patch);
@@ -60,7 +58,7 @@ CoreGains coreGains(const BenchScene& bench, int resolution, int shots, int repe
     const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
     radiosity::solve(bench.scene, drawn.discretization(), rowOf, {.residual = 0, .shots = shots, .rowCacheBytes = 0});
   };
-  const std::vector<GainByTurn> gains =
+  const auto gains =
       gainsOfSecondCore(std::vector<std::function<void()>>{multiplyAndAdd, hemicubes, solution}, repeats);
   return coreGains(gains[0], gains[1], gains[2]);
 }

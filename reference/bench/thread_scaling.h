@@ -1,5 +1,5 @@
-/// What the second core brings: to pure arithmetic, which needs nothing else of the machine, and beside it to a
-/// hemicube and to a whole solution. All in turns.
+/// How much faster a second core makes pure arithmetic, which needs nothing else of the machine, a hemicube and a whole
+/// solution.
 #pragma once
 
 #include <functional>
@@ -7,27 +7,21 @@
 #include <vector>
 
 #include "reference/bench/scenes.h"
-#include "reference/bench/timing.h"
 
 namespace hemitex::reference {
 
-/// How many times faster a task is on two threads than on one, in each turn.
-using GainByTurn = std::vector<double>;
+/// How many times faster each task is on two threads than on one, in each repetition. All runs are interleaved.
+std::vector<std::vector<double>> gainsOfSecondCore(std::span<const std::function<void()>> tasks, int repeats);
 
-/// Of a task that was timed on one and on two.
-inline GainByTurn gainOf(const Timing& onOne, const Timing& onTwo) { return quotients(onOne.turns, onTwo.turns); }
-
-/// That of each task: each runs on one thread and then on two, all in turns.
-std::vector<GainByTurn> gainsOfSecondCore(std::span<const std::function<void()>> tasks, int repeats);
-
-/// Medians of these gains, and of what they are of those of arithmetic in the same turn.
+/// Medians of these gains, and of their ratios to the gains of arithmetic in the same repetition.
 struct CoreGains {
   double arithmetic = 0, hemicube = 0, solution = 0;
   double hemicubeOfArithmetic = 0, solutionOfArithmetic = 0;
 };
 
-/// From the gains of each.
-CoreGains coreGains(const GainByTurn& arithmetic, const GainByTurn& hemicube, const GainByTurn& solution);
+/// From the gains of each repetition.
+CoreGains coreGains(const std::vector<double>& arithmetic, const std::vector<double>& hemicube,
+                    const std::vector<double>& solution);
 
 /// `resolution` is that of both; the solution has `shots`. More than one thread must be allowed.
 CoreGains coreGains(const BenchScene& scene, int resolution, int shots, int repeats);

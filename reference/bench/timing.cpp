@@ -7,7 +7,7 @@
 namespace hemitex::reference {
 namespace {
 
-/// Seconds of the mean call, of as many as take `shortest` seconds.
+/// Seconds of the mean call, of as many calls as take `shortest` seconds.
 double secondsOf(const std::function<void()>& task, double shortest) {
   const Stopwatch watch;
   int calls = 0;
@@ -29,34 +29,43 @@ double medianOf(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-Timing timingOf(std::vector<double> turns) {
-  const double median = medianOf(turns), least = *std::min_element(turns.begin(), turns.end());
-  return {median, least, std::move(turns)};
+Timing timingOf(std::vector<double> repetitions) {
+  const double median = medianOf(repetitions), min = *std::min_element(repetitions.begin(), repetitions.end());
+  return {median, min, std::move(repetitions)};
 }
 
 Timing operator/(const Timing& timing, double parts) {
-  Timing part{timing.median / parts, timing.least / parts, timing.turns};
-  for (double& seconds : part.turns) seconds /= parts;
+  Timing part{timing.median / parts, timing.min / parts, timing.repetitions};
+  for (double& seconds : part.repetitions) seconds /= parts;
   return part;
 }
 
-std::vector<double> quotients(std::span<const double> turns, std::span<const double> others) {
-  assert(turns.size() == others.size());
+std::vector<double> quotients(std::span<const double> values, std::span<const double> others) {
+  assert(values.size() == others.size());
   std::vector<double> result;
-  for (std::size_t turn = 0; turn < turns.size(); ++turn) result.push_back(turns[turn] / others[turn]);
+  for (std::size_t i = 0; i < values.size(); ++i) result.push_back(values[i] / others[i]);
   return result;
 }
 
-double ratioOf(const Timing& timing, const Timing& other) { return medianOf(quotients(timing.turns, other.turns)); }
+double ratioOf(const Timing& timing, const Timing& other) {
+  return medianOf(quotients(timing.repetitions, other.repetitions));
+}
 
-std::vector<Timing> timeInTurns(std::span<const std::function<void()>> tasks, int repeats, double shortest) {
-  for (const std::function<void()>& task : tasks) task();
-  std::vector<std::vector<double>> seconds(tasks.size());
-  for (int repeat = 0; repeat < repeats; ++repeat)
-    for (std::size_t t = 0; t < tasks.size(); ++t) seconds[t].push_back(secondsOf(tasks[t], shortest));
+std::vector<Timing> interleavedTimings(std::size_t tasks, int repetitions,
+                                       const std::function<double(std::size_t, int)>& timed, double longTime) {
+  std::vector<std::vector<double>> seconds(tasks);
+  for (int repetition = 0; repetition < repetitions; ++repetition)
+    for (std::size_t task = 0; task < tasks; ++task)
+      if (repetition == 0 || seconds[task].front() <= longTime) seconds[task].push_back(timed(task, repetition));
   std::vector<Timing> timings;
   for (std::vector<double>& ofTask : seconds) timings.push_back(timingOf(std::move(ofTask)));
   return timings;
+}
+
+std::vector<Timing> shortTaskTimings(std::span<const std::function<void()>> tasks, int repetitions, double shortest) {
+  for (const std::function<void()>& task : tasks) task();
+  return interleavedTimings(tasks.size(), repetitions,
+                            [&](std::size_t task, int) { return secondsOf(tasks[task], shortest); });
 }
 
 }  // namespace hemitex::reference

@@ -1,10 +1,10 @@
-/// Times that can be compared: what is to be compared runs in turns, so that whatever else the machine does meets all
-/// alike, and what counts is the median. What is short is called again and again in its turn, as a solution calls it:
-/// its memory is in the caches, and its threads are awake.
+/// Times that can be compared. Tasks run in interleaved repetitions, so that a disturbance of the machine hits all of
+/// them alike, and the median of the repetitions counts.
 #pragma once
 
 #include <chrono>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -21,32 +21,38 @@ class Stopwatch {
 
 /// Seconds of one call.
 struct Timing {
-  double median = 0, least = 0;
-  std::vector<double> turns;  ///< each, in their order
+  double median = 0, min = 0;
+  std::vector<double> repetitions;  ///< in the order in which they were measured
 };
 
-/// Of a part, where a call did so many.
+/// The time of one part of a call that has so many equal parts.
 Timing operator/(const Timing& timing, double parts);
 
-/// Of times taken, one at least.
-Timing timingOf(std::vector<double> turns);
+/// `repetitions` has at least one entry.
+Timing timingOf(std::vector<double> repetitions);
 
-/// Of values, one at least; between the two in the middle where their number is even.
+/// `values` has at least one entry. The mean of the two middle values where their number is even.
 double medianOf(std::vector<double> values);
 
-/// What each turn gave over what it gave of something else; of as many.
-std::vector<double> quotients(std::span<const double> turns, std::span<const double> others);
+/// values[i] / others[i]; both have the same size.
+std::vector<double> quotients(std::span<const double> values, std::span<const double> others);
 
-/// How many times longer one thing takes than another that ran in the same turns: the median of what each turn says. A
-/// machine that is slower for a while is slower for both, whereas their medians may be of different whiles.
+/// How many times as long one task takes as another of the same interleaved repetitions: the median of the ratios of
+/// each repetition. The ratio of the medians could compare a slow phase of the machine with a fast one.
 double ratioOf(const Timing& timing, const Timing& other);
 
-/// Seconds that a turn takes at least.
-inline constexpr double shortestTurn = 0.02;
+/// Runs the tasks 0, 1, ..., `tasks` - 1 and then all of them again, `repetitions` times (at least 1). `timed` runs a
+/// task in a repetition and returns its seconds. A task that takes more than `longTime` seconds is not repeated.
+std::vector<Timing> interleavedTimings(std::size_t tasks, int repetitions,
+                                       const std::function<double(std::size_t task, int repetition)>& timed,
+                                       double longTime = std::numeric_limits<double>::infinity());
 
-/// Every task once without the clock, then all of them in their order, `repeats` times (at least 1). In its turn a task
-/// is called until `shortest` seconds are over, at least once; the time is that of the mean call.
-std::vector<Timing> timeInTurns(std::span<const std::function<void()>> tasks, int repeats,
-                                double shortest = shortestTurn);
+/// Minimum duration of a repetition of a short task, in seconds.
+inline constexpr double shortestRepetition = 0.02;
+
+/// The same for short tasks, as a solution calls them: with warm caches and threads that are awake. Each task runs once
+/// before the measurement. A repetition calls its task until `shortest` seconds are over, and has the mean time.
+std::vector<Timing> shortTaskTimings(std::span<const std::function<void()>> tasks, int repetitions,
+                                     double shortest = shortestRepetition);
 
 }  // namespace hemitex::reference

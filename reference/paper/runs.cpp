@@ -7,6 +7,7 @@
 
 #include "radiosity/form_factors/projected_form_factors.h"
 #include "radiosity/solver/progressive_solver.h"
+#include "raster/base/parallel.h"
 #include "reference/bench/timing.h"
 
 namespace hemitex::reference {
@@ -18,10 +19,11 @@ class TimedRenderer final : public raster::ItemBufferRenderer {
   explicit TimedRenderer(raster::ItemBufferRenderer& renderer) : renderer_(renderer) {}
 
   void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
-            std::vector<raster::ItemBuffer>& buffers) override {
+            std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) override {
     const Stopwatch watch;
-    renderer_.draw(faces, skipped, buffers);
+    raster::draw(renderer_, faces, skipped, buffers);
     seconds_ = watch.seconds();
+    raster::parallelFor(faces.size(), drawn);
   }
 
   /// Of the last drawing.
@@ -66,11 +68,6 @@ ShotTimes solveOnce(const Cell& cell) {
 int meshShots(const PaperScene& scene, const PaperLevel& level, const PaperDevice& device) {
   const std::size_t shots = device.maxMeshElements / level.discretization.elements.size();
   return static_cast<int>(std::clamp<std::size_t>(shots, 1, static_cast<std::size_t>(scene.shots)));
-}
-
-/// Long runs are timed once.
-bool isLong(const Cell& cell, double longTime) {
-  return !cell.repeats.empty() && mediansOf({cell.repeats.front()}).total > longTime;
 }
 
 double sumOfMedians(const std::vector<ShotTimes>& repeats, std::vector<double> ShotTimes::*times) {
@@ -119,16 +116,16 @@ std::vector<PaperRun> measurePaperRuns(const std::vector<PaperScene>& scenes, co
                               isMesh ? meshShots(scene, level, device) : scene.shots,
                               {}}});
         }
-  const double count = static_cast<double>(cells.size()) * settings.repeats;
-  double done = 0;
-  for (int repeat = 0; repeat < settings.repeats; ++repeat)
-    for (Cell& cell : cells) {
-      const PaperRun& run = cell.run;
-      if (progress)
-        progress(done++ / count, run.scene + ", " + run.level + ", " + run.discretize + ", " + run.device +
-                                     ", R = " + std::to_string(run.resolution));
-      if (!isLong(cell, settings.longTime)) cell.repeats.push_back(solveOnce(cell));
-    }
+  const auto secondsOf = [&](std::size_t i, int repeat) {
+    const PaperRun& run = cells[i].run;
+    const double done = repeat + static_cast<double>(i) / static_cast<double>(cells.size());
+    if (progress)
+      progress(done / settings.repeats, run.scene + ", " + run.level + ", " + run.discretize + ", " + run.device +
+                                            ", R = " + std::to_string(run.resolution));
+    cells[i].repeats.push_back(solveOnce(cells[i]));
+    return mediansOf({cells[i].repeats.back()}).total;
+  };
+  interleavedTimings(cells.size(), settings.repeats, secondsOf, settings.longTime);
   std::vector<PaperRun> runs;
   for (Cell& cell : cells) {
     cell.run.seconds = mediansOf(cell.repeats);

@@ -59,9 +59,9 @@ struct PaperSettings {
   double longTime = 5;  ///< a run that takes more seconds is not repeated
 };
 
-/// Every scene, device, method, level and resolution, in this order. All are repeated in turns, so that what else the
-/// machine does meets all alike, and times are medians: each shot's of its repeats, since every repeat shoots the same
-/// patches, and that of what is left of the total. One row is drawn before time is taken.
+/// Every scene, device, method, level and resolution, in this order, in interleaved repetitions (timing.h). Times are
+/// medians: of each shot, since every repetition shoots the same patches, and of what is left of the total. One row is
+/// drawn before the measurement.
 std::vector<PaperRun> measurePaperRuns(const std::vector<PaperScene>& scenes, const std::vector<PaperDevice>& devices,
                                        const PaperSettings& settings,
                                        const std::function<void(double fraction, const std::string& what)>& progress);

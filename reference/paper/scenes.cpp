@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "radiosity/discretization/discretize.h"
-#include "radiosity/discretization/grid_size.h"
 #include "radiosity/scene/load_scene.h"
+#include "reference/bench/scenes.h"
 
 namespace hemitex::reference {
 namespace {
@@ -16,49 +16,26 @@ void addLevel(PaperScene& scene, const std::string& name, const radiosity::Discr
   scene.levels.push_back({name, std::move(discretization), std::move(layout)});
 }
 
-/// Elements along a wall's side, along the side of a face of the box, and along a patch's.
-struct RoomLevel {
-  int wall = 0, boxFace = 0, patch = 0;
-};
-
-radiosity::DiscretizationSettings settingsOf(const RoomLevel& level) {
-  radiosity::DiscretizationSettings settings{
-      .texels = level.wall, .surfaceTexels = {{"light", 1}}, .patch = level.patch};
-  for (const char* face : {"bottom", "top", "front", "right", "back", "left"})
-    settings.surfaceTexels[std::string("box-") + face] = level.boxFace;
-  return settings;
-}
-
-PaperScene sceneOf(const std::filesystem::path& folder, const std::string& file, const std::string& name) {
-  return {.name = name, .scene = radiosity::loadScene(folder / file), .levels = {}};
-}
-
-/// Texels as small as eight packed pages of 64 x 64 allow, halved twice.
-PaperScene complexOf(const std::filesystem::path& folder) {
-  constexpr int pages = 8, side = 64, patch = 4;
-  PaperScene complex = sceneOf(folder, "gallery.obj", "complex");
-  radiosity::DiscretizationSettings settings = radiosity::settingsForPages(complex.scene, pages, side);
-  for (const char* level : {"coarse", "medium", "fine"}) {
-    settings.patch = patch * settings.subdivision;
-    addLevel(complex, level, settings,
-             {.indexMaps = radiosity::IndexMaps::Packed, .page = side * settings.subdivision});
-    settings.subdivision *= 2;
-  }
-  return complex;
-}
-
 }  // namespace
 
 std::vector<PaperScene> paperScenes(const std::filesystem::path& folder) {
-  PaperScene simple = sceneOf(folder, "paper-room.obj", "simple");
-  addLevel(simple, "coarse", settingsOf({6, 2, 2}));
-  addLevel(simple, "medium", settingsOf({12, 4, 4}));
-  addLevel(simple, "fine", settingsOf({24, 8, 8}));
-  PaperScene plant = sceneOf(folder, "plant.obj", "plant");
+  const auto sceneOf = [&folder](const std::string& file, const std::string& name) -> PaperScene {
+    return {.name = name, .scene = radiosity::loadScene(folder / file), .levels = {}};
+  };
+  PaperScene simple = sceneOf("paper-room.obj", "simple");
+  addLevel(simple, "coarse", roomElements(6, 2, 2));
+  addLevel(simple, "medium", roomElements(12, 4, 4));
+  addLevel(simple, "fine", roomElements(24, 8, 8));
+  PaperScene complex = sceneOf("gallery.obj", "complex");
+  for (const auto& [level, subdivision] : {std::pair{"coarse", 1}, {"medium", 2}, {"fine", 4}}) {
+    const BenchScene packed = packedScene(level, complex.scene, subdivision);
+    addLevel(complex, level, packed.elements, packed.ids);
+  }
+  PaperScene plant = sceneOf("plant.obj", "plant");
   addLevel(plant, "coarse", {.texelSize = 0.25, .patch = 4});
-  PaperScene fillLimited = sceneOf(folder, "paper-room.obj", "fill-limited");
-  addLevel(fillLimited, "coarse", settingsOf({2, 1, 2}));
-  return {simple, complexOf(folder), plant, fillLimited};
+  PaperScene fillLimited = sceneOf("paper-room.obj", "fill-limited");
+  addLevel(fillLimited, "coarse", roomElements(2, 1, 2));
+  return {simple, complex, plant, fillLimited};
 }
 
 }  // namespace hemitex::reference

@@ -1,7 +1,7 @@
 #include "reference/paper/tables.h"
 
-#include <algorithm>
 #include <array>
+#include <tuple>
 
 namespace hemitex::reference {
 namespace {
@@ -51,22 +51,27 @@ PublishedTimes publishedRatio(const PaperRun& a, const PaperRun& b) {
   return {ratio(of.total, over.total), ratio(of.formFactors, over.formFactors)};
 }
 
-/// Ratios of the times that a shot takes in two runs.
-PaperTimes ratioAShot(const PaperRun& a, const PaperRun& b) {
+PaperTimes ratioPerShot(const PaperRun& a, const PaperRun& b) {
   const double shots = static_cast<double>(b.shots) / a.shots;
   return {a.seconds.total / b.seconds.total * shots, a.seconds.formFactors / b.seconds.formFactors * shots,
           a.seconds.draw / b.seconds.draw * shots};
 }
 
-/// The run that differs from another by one member; nothing where there is none.
-const PaperRun* twinOf(const std::vector<PaperRun>& runs, PaperRun run, std::string PaperRun::*member,
-                       const std::string& value) {
-  run.*member = value;
-  const auto twin = std::find_if(runs.begin(), runs.end(), [&run](const PaperRun& other) {
-    return other.scene == run.scene && other.device == run.device && other.discretize == run.discretize &&
-           other.level == run.level && other.resolution == run.resolution;
-  });
-  return twin == runs.end() ? nullptr : &*twin;
+/// Runs whose `member` is `value` over those that differ from them by `base` in its place alone.
+std::vector<PaperRatio> ratios(const std::vector<PaperRun>& runs, std::string PaperRun::*member,
+                               const std::string& value, const std::string& base) {
+  const auto cell = [](const PaperRun& run) {
+    return std::tie(run.scene, run.device, run.discretize, run.level, run.resolution);
+  };
+  std::vector<PaperRatio> result;
+  for (const PaperRun& run : runs) {
+    if (run.*member != base) continue;
+    PaperRun wanted = run;
+    wanted.*member = value;
+    for (const PaperRun& other : runs)
+      if (cell(other) == cell(wanted)) result.push_back({run, ratioPerShot(other, run), publishedRatio(other, run)});
+  }
+  return result;
 }
 
 }  // namespace
@@ -80,52 +85,12 @@ std::optional<PublishedTimes> publishedTimes(const PaperRun& run) {
   return std::nullopt;
 }
 
-std::vector<SpeedUp> speedUps(const std::vector<PaperRun>& runs) {
-  std::vector<SpeedUp> result;
-  for (const PaperRun& run : runs) {
-    if (run.discretize != "texture") continue;
-    const PaperRun* mesh = twinOf(runs, run, &PaperRun::discretize, "mesh");
-    if (mesh == nullptr) continue;
-    const PaperTimes times = ratioAShot(*mesh, run);
-    result.push_back({run.scene, run.device, run.level, run.resolution, times.total, times.formFactors, times.draw,
-                      publishedRatio(*mesh, run)});
-  }
-  return result;
+std::vector<PaperRatio> speedUps(const std::vector<PaperRun>& runs) {
+  return ratios(runs, &PaperRun::discretize, "mesh", "texture");
 }
 
-std::vector<Growth> growths(const std::vector<PaperRun>& runs) {
-  std::vector<Growth> result;
-  for (const PaperRun& run : runs) {
-    if (run.level != "coarse") continue;
-    const PaperRun* fine = twinOf(runs, run, &PaperRun::level, "fine");
-    if (fine == nullptr) continue;
-    const PaperTimes times = ratioAShot(*fine, run);
-    result.push_back({run.scene, run.device, run.discretize, run.resolution, times.total, times.formFactors, times.draw,
-                      publishedRatio(*fine, run)});
-  }
-  return result;
-}
-
-std::vector<Promise> promises(const std::vector<PaperRun>& runs) {
-  std::vector<Promise> result;
-  for (const SpeedUp& speedUp : speedUps(runs)) {
-    if (speedUp.scene != complexScene || speedUp.device != "software" || speedUp.level != "fine" ||
-        speedUp.resolution != 128)
-      continue;
-    const auto promise = [&](const std::string& what, double measured) {
-      result.push_back({"mesh over texture, fine, R = 128: " + what, measured, 13.3, measured >= 13.3});
-    };
-    promise("total time", speedUp.total);
-    promise("form-factor time", speedUp.formFactors);
-  }
-  for (const Growth& growth : growths(runs)) {
-    if (growth.scene != complexScene || growth.device != "software" || growth.discretize != "texture") continue;
-    const std::string where = "texture, fine over coarse, R = " + std::to_string(growth.resolution) + ": ";
-    result.push_back({where + "drawing time", growth.draw, 1.05, growth.draw < 1.05});
-    const double limit = growth.resolution == 128 ? 1.18 : 1.05;
-    result.push_back({where + "form-factor time", growth.formFactors, limit, growth.formFactors <= limit});
-  }
-  return result;
+std::vector<PaperRatio> growths(const std::vector<PaperRun>& runs) {
+  return ratios(runs, &PaperRun::level, "fine", "coarse");
 }
 
 }  // namespace hemitex::reference

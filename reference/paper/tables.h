@@ -1,7 +1,5 @@
-/// What the runs of runs.h say, beside what Nielsen and Christensen (2002) say: their tables, how much faster
-/// textures are than regular meshing, and by how much time grows from the coarse to the fine level.
-///
-/// Times of two runs are compared shot by shot, since runs that take too long have fewer shots.
+/// Ratios of the runs of runs.h beside those of Nielsen and Christensen (2002): how much faster textures are than
+/// regular meshing, and by how much time grows from the coarse to the fine level.
 #pragma once
 
 #include <optional>
@@ -24,35 +22,15 @@ struct PublishedTimes {
 /// opengl its hardware; resolution 128 its lower and 512 its higher one. Nothing where the paper has no such run.
 std::optional<PublishedTimes> publishedTimes(const PaperRun& run);
 
-/// The time of regular meshing over that of textures.
-struct SpeedUp {
-  std::string scene, device, level;
-  int resolution = 0;
-  double total = 0, formFactors = 0, draw = 0;
-  PublishedTimes published;  ///< the same ratios of the paper's times
+/// How many times as long a shot takes in one run as in another: runs that take too long have fewer shots.
+struct PaperRatio {
+  PaperRun run;  ///< the other one, which is compared with
+  PaperTimes ratio;
+  PublishedTimes published;  ///< the same ratio of the paper's times
 };
-/// In the order of the runs by textures; a run that the other method lacks is left out.
-std::vector<SpeedUp> speedUps(const std::vector<PaperRun>& runs);
-
-/// The time at the fine level over that at the coarse one.
-struct Growth {
-  std::string scene, device, discretize;
-  int resolution = 0;
-  double total = 0, formFactors = 0, draw = 0;
-  PublishedTimes published;
-};
-/// In the order of the coarse runs; one that lacks a fine one is left out.
-std::vector<Growth> growths(const std::vector<PaperRun>& runs);
-
-/// Something that the method promises on the complex scene.
-struct Promise {
-  std::string what;
-  double measured = 0, limit = 0;
-  bool isKept = false;
-};
-/// On the reference renderer: textures are 13.3 times faster than meshing (193 / 14.5) at the fine level and the lower
-/// resolution; from coarse to fine their drawing takes less than 5 % more, and their form factors at most 18 % more at
-/// the lower and 5 % at the higher resolution. What was not run is left out.
-std::vector<Promise> promises(const std::vector<PaperRun>& runs);
+/// Regular meshing over textures, and the fine level over the coarse one. In the order of the runs that are compared
+/// with; where the one to compare is missing, there is no ratio.
+std::vector<PaperRatio> speedUps(const std::vector<PaperRun>& runs);
+std::vector<PaperRatio> growths(const std::vector<PaperRun>& runs);
 
 }  // namespace hemitex::reference

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "radiosity/discretization/discretize.h"
-#include "reference/bench/timing.h"
 #include "reference/tradeoff/pareto_front.h"
 
 namespace hemitex::reference {
@@ -65,7 +64,7 @@ std::size_t bytesOf(const Discretization& discretization) {
   return bytes;
 }
 
-/// All that is no time. The rows of patches that have not shot though there is light are asked for here.
+/// All results except times. The rows of patches that have not shot though there is light are asked for here.
 TradeMeasurement judge(const Discretization& fine, const TrueRadiosity& truth, const TradeMethod& method,
                        const TradeChoice& choice, TimedSolution& timed) {
   const Discretization& discretization = *timed.source.discretization;
@@ -92,7 +91,7 @@ TradeMeasurement judge(const Discretization& fine, const TrueRadiosity& truth, c
 void markFront(std::vector<TradeMeasurement>& measurements) {
   std::vector<double> times, errors;
   for (const TradeMeasurement& measurement : measurements) {
-    times.push_back(seconds(measurement));
+    times.push_back(measurement.seconds.median);
     errors.push_back(measurement.error.fluxWeighted);
   }
   const std::vector<bool> isOnFront = paretoFront(times, errors);
@@ -117,28 +116,20 @@ std::vector<TradeChoice> tradeChoices(const std::vector<TradeMethod>& methods, c
   return choices;
 }
 
-double seconds(const TradeMeasurement& measurement) {
-  std::vector<double> sorted = measurement.seconds;
-  std::sort(sorted.begin(), sorted.end());
-  const std::size_t half = sorted.size() / 2;
-  return sorted.size() % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
-}
-
 std::vector<TradeMeasurement> measureTradeoff(const Scene& scene, const Discretization& fine,
                                               const TrueRadiosity& truth, const std::vector<TradeMethod>& methods,
                                               const std::vector<TradeChoice>& choices,
                                               const std::function<void(std::size_t, std::size_t)>& progress) {
   std::vector<TradeMeasurement> measurements;
-  for (std::size_t done = 0; done < choices.size() * tradeRounds; ++done) {
-    if (progress) progress(done, choices.size() * tradeRounds);
-    const std::size_t i = done % choices.size();
+  const auto secondsOf = [&](std::size_t i, int round) {
+    if (progress) progress(static_cast<std::size_t>(round) * choices.size() + i, choices.size() * tradeRounds);
     const TradeMethod& method = methods[choices[i].method];
-    const bool isFirst = i == measurements.size();
-    if (!isFirst && measurements[i].seconds.front() > longTime) continue;
     TimedSolution timed = timedSolution(scene, method, choices[i]);
-    if (isFirst) measurements.push_back(judge(fine, truth, method, choices[i], timed));
-    measurements[i].seconds.push_back(timed.seconds);
-  }
+    if (round == 0) measurements.push_back(judge(fine, truth, method, choices[i], timed));
+    return timed.seconds;
+  };
+  const std::vector<Timing> timings = interleavedTimings(choices.size(), tradeRounds, secondsOf, longTime);
+  for (std::size_t i = 0; i < timings.size(); ++i) measurements[i].seconds = timings[i];
   markFront(measurements);
   return measurements;
 }

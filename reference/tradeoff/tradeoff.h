@@ -1,9 +1,8 @@
 /// What accuracy costs: methods at all their settings, on several grids, side by side in one run: how long each takes,
 /// how far its rows and its light are from the truth, how much memory it holds.
 ///
-/// All times are of a whole solution, from the discretized scene to the radiosity of every element. They are taken in
-/// rounds, every choice once a round, so that whatever disturbs the machine disturbs all alike; the median counts.
-/// Everything but times is the same for any number of threads.
+/// All times are of a whole solution, from the discretized scene to the radiosity of every element, in interleaved
+/// repetitions (timing.h): rounds. Everything but times is the same for any number of threads.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +13,7 @@
 
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene.h"
+#include "reference/bench/timing.h"
 #include "reference/solution/ground_truth.h"
 #include "reference/solution/radiosity_error.h"
 #include "reference/solution/row_error.h"
@@ -49,12 +49,9 @@ struct TradeMeasurement {
   std::size_t rowBytes = 0;           ///< of the rows that were kept
   std::size_t elementBytes = 0;       ///< of the discretization, and of the flux and unshot flux of every element
   std::vector<glm::dvec3> radiosity;  ///< one an element of its own grids
-  std::vector<double> seconds;        ///< one a round
+  Timing seconds;                     ///< one repetition per round
   bool isOnFront = false;             ///< no other choice has a smaller median time and a smaller error
 };
-
-/// The median time.
-double seconds(const TradeMeasurement& measurement);
 
 /// `fine` has the elements of the truth; the texels of choices divide its own. `progress` is called before every
 /// solution with the number of those that are done, out of all.

@@ -563,7 +563,9 @@ TEST_CASE("The trade is a table, an object and a page, and all but times are the
   }
   const std::string page = readAll(shell.file("one/report.html"));
   CHECK(page.find("{{") == std::string::npos);
-  CHECK(page.find(readAll(shell.file("one/tradeoff.json"))) != std::string::npos);
+  // The object of the page has pictures behind what the file has.
+  const std::string file = readAll(shell.file("one/tradeoff.json"));
+  CHECK(page.find(file.substr(0, file.rfind("\n}"))) != std::string::npos);
 }
 
 TEST_CASE("The form factors from a surface of a closed room sum to 1", "[cli]") {
@@ -1069,16 +1071,10 @@ TEST_CASE("The bench times everything that it promises, on the scene as it is an
     CHECK(result[key] == json::array());
   REQUIRE(result["crossover"].size() == 2);
   CHECK(result["crossover"][0]["scene"] == "room");
-  CHECK(result["requirements"].is_array());
-
-  const std::string picture = readAll(shell.file("out/triangles-room.svg"));
-  const auto count = [&picture](const std::string& what) {
-    std::size_t times = 0;
-    for (std::size_t at = picture.find(what); at != std::string::npos; at = picture.find(what, at + 1)) ++times;
-    return times;
-  };
-  const std::size_t curves = cut.size() - 1;  // but for drawing alone
-  CHECK(count("<polyline") == curves);
-  CHECK(count("<circle") == 2 * curves);
+  // All but the four hemicubes, and the shots and solutions of the scene as it is.
+  CHECK(result["ratios"].size() == result["runs"].size() - 4 - 2 * 2);
+  const std::string page = readAll(shell.file("out/report.html"));
+  CHECK(page.find("{{") == std::string::npos);
+  CHECK(page.find(out) != std::string::npos);
   CHECK(readAll(shell.file("out/tables.md")).find("| room | 12 | 384 | 16 | ") != std::string::npos);
 }

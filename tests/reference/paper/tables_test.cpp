@@ -1,5 +1,5 @@
-// The tables of `hemitex paper`: medians, ratios and promises of a table of runs made up here, the JSON that holds
-// them, and one small real run.
+// The tables of `hemitex paper`: medians and ratios of a table of runs made up here, the JSON that holds them, and one
+// small real run.
 #include "reference/paper/tables.h"
 
 #include <catch2/catch.hpp>
@@ -44,43 +44,25 @@ TEST_CASE("A solution's times are sums of its shots' medians", "[paper]") {
 }
 
 TEST_CASE("Speed-ups and growth are ratios of the times a shot takes, beside those of the paper", "[paper]") {
-  const std::vector<SpeedUp> speed = speedUps(table());
+  const std::vector<PaperRatio> speed = speedUps(table());
   REQUIRE(speed.size() == 2);
-  CHECK(speed[0].level == "coarse");
-  CHECK(speed[0].total == 4);
-  CHECK(speed[0].formFactors == 6);
-  CHECK(speed[0].draw == 10);
-  CHECK(speed[1].total == 25);  // 1 s a shot over 0.04 s
+  CHECK(speed[0].run.level == "coarse");
+  CHECK(speed[0].ratio.total == 4);
+  CHECK(speed[0].ratio.formFactors == 6);
+  CHECK(speed[0].ratio.draw == 10);
+  CHECK(speed[1].ratio.total == 25);  // 1 s a shot over 0.04 s
   CHECK(*speed[1].published.total == 193 / 14.5);
   CHECK(*speed[1].published.formFactors == 186 / 7.8);
 
-  const std::vector<Growth> growth = growths(table());
+  const std::vector<PaperRatio> growth = growths(table());
   REQUIRE(growth.size() == 3);  // the plant has no fine level
-  CHECK(growth[0].discretize == "texture");
-  CHECK(growth[0].total == 2);
-  CHECK(growth[0].formFactors == 1.1);
+  CHECK(growth[0].run.discretize == "texture");
+  CHECK(growth[0].ratio.total == 2);
+  CHECK(growth[0].ratio.formFactors == 1.1);
   CHECK(*growth[0].published.formFactors == 7.8 / 6.6);
-  CHECK(growth[1].discretize == "mesh");
-  CHECK(growth[1].total == 12.5);
+  CHECK(growth[1].run.discretize == "mesh");
+  CHECK(growth[1].ratio.total == 12.5);
   CHECK(*growth[2].published.formFactors == 1);
-}
-
-TEST_CASE("Promises are held against their limits", "[paper]") {
-  const std::vector<Promise> kept = promises(table());
-  REQUIRE(kept.size() == 6);
-  CHECK(kept[0].measured == 25);
-  CHECK(kept[0].limit == 13.3);
-  CHECK(kept[0].isKept);
-  CHECK(kept[1].isKept);                  // 0.9 s over 0.011 s
-  CHECK(kept[2].measured == 0.51 / 0.5);  // drawing at 128
-  CHECK(kept[2].isKept);
-  CHECK(kept[3].limit == 1.18);
-  CHECK(kept[3].isKept);
-  CHECK(kept[4].measured == 5.3 / 5);  // drawing at 512: 6 % more
-  CHECK_FALSE(kept[4].isKept);
-  CHECK(kept[5].limit == 1.05);
-  CHECK_FALSE(kept[5].isKept);
-  CHECK(promises({table()[0]}).empty());
 }
 
 TEST_CASE("Published times are those of the runs that the paper has", "[paper]") {
@@ -94,7 +76,7 @@ TEST_CASE("Published times are those of the runs that the paper has", "[paper]")
   CHECK_FALSE(publishedTimes(run("plant", "mesh", "coarse", 128, 100, {})));
 }
 
-TEST_CASE("paper.json holds runs, ratios and promises, and null where the paper has nothing", "[paper]") {
+TEST_CASE("paper.json holds runs and ratios, and null where the paper has nothing", "[paper]") {
   const nlohmann::ordered_json json = cli::paperJson(table());
   REQUIRE(json["runs"].size() == 7);
   std::vector<std::string> keys;
@@ -108,8 +90,6 @@ TEST_CASE("paper.json holds runs, ratios and promises, and null where the paper 
   REQUIRE(json["speed_ups"].size() == 2);
   CHECK(json["speed_ups"][1]["total"] == 25);
   CHECK(json["growth"].size() == 3);
-  REQUIRE(json["promises"].size() == 6);
-  CHECK(json["promises"][0]["kept"] == true);
 }
 
 TEST_CASE("The paper's simple scene has its elements and patches, and its runs every cell of the table", "[paper]") {

@@ -1,4 +1,8 @@
-#include "cli/bench/json_report.h"
+#include "cli/bench/report.h"
+
+#include <sstream>
+
+#include "cli/common/table.h"
 
 namespace hemitex::cli {
 namespace {
@@ -6,14 +10,6 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr double milliseconds = 1000;
-
-/// A list of what `make` makes of each.
-template <typename List, typename Make>
-ordered_json listOf(const List& list, const Make& make) {
-  ordered_json result = ordered_json::array();
-  for (const auto& item : list) result.push_back(make(item));
-  return result;
-}
 
 ordered_json runJson(const reference::BenchRun& run) {
   return {{"scene", run.scene},
@@ -23,8 +19,16 @@ ordered_json runJson(const reference::BenchRun& run) {
           {"threads", run.threads},
           {"what", run.what},
           {"median_ms", run.seconds.median * milliseconds},
-          {"min_ms", run.seconds.least * milliseconds},
-          {"repeats", run.seconds.turns.size()}};
+          {"min_ms", run.seconds.min * milliseconds},
+          {"repeats", run.seconds.repetitions.size()}};
+}
+
+ordered_json ratioJson(const reference::BenchRatio& ratio) {
+  return {{"scene", ratio.scene},
+          {"triangles", ratio.triangles},
+          {"resolution", ratio.resolution},
+          {"what", ratio.what},
+          {"over_hemicube", ratio.overHemicube}};
 }
 
 ordered_json coresJson(const reference::CoreGains& gains) {
@@ -88,11 +92,29 @@ ordered_json crossoverJson(const reference::Crossover& crossover) {
   return result;
 }
 
-ordered_json requirementJson(const reference::Requirement& requirement) {
-  return {{"what", requirement.what},
-          {"measured", requirement.measured},
-          {"limit", requirement.limit},
-          {"kept", requirement.isKept}};
+/// One row per scene, number of triangles and resolution, and one column per `what`.
+ordered_json byPlace(const ordered_json& list, const std::string& value) {
+  ordered_json rows = ordered_json::array();
+  ordered_json last;
+  for (const ordered_json& item : list) {
+    ordered_json place;
+    for (const char* key : {"scene", "triangles", "elements", "resolution"})
+      if (item.contains(key)) place[key] = item[key];
+    if (place != last) rows.push_back(last = place);
+    rows.back()[item["what"].get<std::string>()] = item[value];
+  }
+  return rows;
+}
+
+/// One row per point.
+ordered_json growthRows(const ordered_json& growth) {
+  ordered_json rows = ordered_json::array();
+  for (const ordered_json& of : growth)
+    for (const ordered_json& point : of["points"]) {
+      rows.push_back({{"scene", of["scene"]}, {"resolution", of["resolution"]}});
+      rows.back().update(point);
+    }
+  return rows;
 }
 
 }  // namespace
@@ -106,7 +128,22 @@ ordered_json toJson(const reference::BenchReport& report) {
           {"memory", report.memory ? memoryJson(*report.memory) : ordered_json::object()},
           {"equal_time_error", listOf(report.errors, errorJson)},
           {"crossover", listOf(reference::crossovers(report.runs), crossoverJson)},
-          {"requirements", listOf(report.requirements, requirementJson)}};
+          {"ratios", listOf(reference::benchRatios(report.runs), ratioJson)}};
+}
+
+std::string benchText(const ordered_json& result) {
+  std::ostringstream text;
+  const auto add = [&text](const std::string& title, const ordered_json& list) { writeMarkdown(text, title, list); };
+  add("Milliseconds:", byPlace(result["runs"], "median_ms"));
+  add("Times as long as a hemicube:", byPlace(result["ratios"], "over_hemicube"));
+  add("The number of triangles from which Embree is faster:", result["crossover"]);
+  add("Errors of the rows of hemicubes and of rays in the same time:", result["equal_time_error"]);
+  add("Hemicubes as the elements along the side of every surface become more:", growthRows(result["growth"]));
+  add("A wall whose texel borders lie on samples, and the same wall moved by a third of a pixel:", result["tied_wall"]);
+  add("Times faster on two threads:", result["two_cores"]);
+  add("Parts of a solution:", result["solution_parts"]);
+  add("Memory of a solution, without the scene:", result["memory"]);
+  return text.str();
 }
 
 }  // namespace hemitex::cli

@@ -1,5 +1,5 @@
-// What grows is measured on the same scene with more elements.
-#include "reference/bench/element_scaling.h"
+// Hemicubes of a scene with more and more elements.
+#include "reference/bench/render_times.h"
 
 #include <array>
 #include <catch2/catch.hpp>
@@ -8,14 +8,14 @@
 
 using namespace hemitex;
 
-TEST_CASE("growth is measured with as many elements a side as were asked for", "[bench]") {
+TEST_CASE("growthOf measures with as many elements along a side as it is asked for", "[bench]") {
   constexpr std::array<int, 3> sides{4, 8, 32};
   const auto points = reference::growthOf(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), sides, 16, 3);
   REQUIRE(points.size() == 3);
   for (std::size_t i = 0; i < sides.size(); ++i) {
     CHECK(points[i].side == sides[i]);
     CHECK(points[i].elements == static_cast<std::size_t>(6 * sides[i] * sides[i]));
-    CHECK(points[i].draw.turns.size() == 3);
-    CHECK(points[i].row.turns.size() == 3);
+    CHECK(points[i].draw.repetitions.size() == 3);
+    CHECK(points[i].row.repetitions.size() == 3);
   }
 }

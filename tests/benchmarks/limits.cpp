@@ -1,0 +1,98 @@
+/// Limits of what `hemitex bench` and `hemitex paper` measure. They depend on the machine and take minutes, so they are
+/// run by hand on a machine that does nothing else: `cmake --build build/release --target limits`.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "raster/base/file_io.h"
+#include "tests/support/temporary_folder.h"
+
+using nlohmann::json;
+
+namespace {
+
+/// What a command writes into its JSON file.
+json resultOf(const std::string& command) {
+  const hemitex::TemporaryFolder folder;
+  const std::string line = "'" HEMITEX_PROGRAM "' " + command + " -o '" + folder.path.string() + "' >/dev/null";
+  REQUIRE(std::system(line.c_str()) == 0);
+  return json::parse(hemitex::raster::readFile(folder.path / (command + ".json")));
+}
+
+double number(const json& value) { return value.get<double>(); }
+
+/// The number of triangles of each scene before it is cut: the fewest.
+std::map<std::string, int> ownTriangles(const json& runs) {
+  std::map<std::string, int> own;
+  for (const json& run : runs) {
+    const int triangles = run["triangles"];
+    const auto known = own.try_emplace(run["scene"], triangles).first;
+    known->second = std::min(known->second, triangles);
+  }
+  return own;
+}
+
+void checkRatio(const json& ratio, bool isOwn) {
+  const std::string scene = ratio["scene"], what = ratio["what"];
+  const int triangles = ratio["triangles"], resolution = ratio["resolution"];
+  const bool isRoom = isOwn && scene == "paper-room", isGallery = isOwn && scene == "gallery";
+  const double overHemicube = ratio["over_hemicube"];
+  INFO(ratio.dump());
+  if (what == "embree" && isRoom) CHECK(overHemicube >= 5);
+  if (what == "embree" && isGallery) CHECK(overHemicube >= 4);
+  if (what == "embree" && triangles >= 1000000 && resolution >= 512) CHECK(overHemicube >= 1);
+  if (what == "opengl") CHECK(overHemicube >= (triangles >= 8000 ? 8 : 5));
+  if (what == "floor" && isRoom && resolution == 1024) CHECK(overHemicube >= 1 / 2.5);
+  if (what == "hemicube-mesh" && isGallery && resolution == 128) CHECK(overHemicube >= 13.3);
+}
+
+}  // namespace
+
+TEST_CASE("hemitex bench keeps its limits", "[.limits]") {
+  const json result = resultOf("bench");
+  const std::map<std::string, int> own = ownTriangles(result["runs"]);
+  for (const json& ratio : result["ratios"]) checkRatio(ratio, ratio["triangles"] == own.at(ratio["scene"]));
+  for (const json& error : result["equal_time_error"]) {
+    INFO("hemicubes over rays in the same time: " << error.dump());
+    CHECK(number(error["ratio"]) <= 0.5);
+  }
+  for (const json& growth : result["growth"]) {
+    INFO("drawing the most elements over the fewest: " << growth.dump());
+    CHECK(number(growth["points"].back()["draw_ms"]) / number(growth["points"].front()["draw_ms"]) <= 1.05);
+  }
+  for (const json& wall : result["tied_wall"]) {
+    INFO("the wall that needs exact arithmetic: " << wall.dump());
+    CHECK(number(wall["ratio"]) <= 2);
+  }
+  for (const json& parts : result["solution_parts"]) {
+    INFO("what is not hemicubes: " << parts.dump());
+    CHECK(number(parts["beside_percent"]) <= 20);
+  }
+  CHECK(number(result["memory"]["bytes_per_element"]) <= 64);
+  CHECK(number(result["memory"]["bytes_per_pixel"]) <= 24);
+  if (result["two_cores"].empty()) return;  // on one core
+  CHECK(number(result["two_cores"]["hemicube_of_arithmetic"]) >= 0.93);
+  CHECK(number(result["two_cores"]["solution_of_arithmetic"]) >= 0.93);
+}
+
+// Textures are as much faster than meshing as Table 2 of the paper says (193 / 14.5), and finer elements cost little.
+TEST_CASE("hemitex paper keeps its limits on the complex scene", "[.limits]") {
+  const json result = resultOf("paper");
+  for (const json& speedUp : result["speed_ups"]) {
+    if (speedUp["scene"] != "complex" || speedUp["device"] != "software" || speedUp["level"] != "fine" ||
+        speedUp["resolution"] != 128)
+      continue;
+    INFO(speedUp.dump());
+    CHECK(number(speedUp["total"]) >= 13.3);
+    CHECK(number(speedUp["form_factor"]) >= 13.3);
+  }
+  for (const json& growth : result["growth"]) {
+    if (growth["scene"] != "complex" || growth["device"] != "software" || growth["discretize"] != "texture") continue;
+    INFO(growth.dump());
+    CHECK(number(growth["draw"]) < 1.05);
+    CHECK(number(growth["form_factor"]) <= (growth["resolution"] == 128 ? 1.18 : 1.05));
+  }
+}
