@@ -36,11 +36,9 @@ StagedDevice withOffsets(const IdChange& change) {
 }
 
 StagedDevice withIds(const IdChange& change) {
-  StagedDevice device;
-  device.readBack = [=](const raster::Face&, raster::ItemBuffer& buffer) {
+  return withReadBack([=](const raster::Face&, raster::ItemBuffer& buffer) {
     for (ItemId& id : buffer.ids) id = change(id);
-  };
-  return device;
+  });
 }
 
 /// One change wherever item IDs pass.
@@ -163,10 +161,9 @@ std::vector<Variant> paddings(const raster::IdFormat& format) {
     const Layout written = isWritten ? layout : tight, read = isWritten ? tight : layout;
     const std::string name = std::to_string(layout.alignment) + " bytes, pixels of " + std::to_string(layout.bytes) +
                              (isWritten ? ", written" : ", read");
-    StagedDevice ids, maps;
-    ids.readBack = [=](const raster::Face&, raster::ItemBuffer& buffer) {
-      reinterpret(buffer.ids, buffer.width, written, read);
-    };
+    const StagedDevice ids = withReadBack(
+        [=](const raster::Face&, raster::ItemBuffer& buffer) { reinterpret(buffer.ids, buffer.width, written, read); });
+    StagedDevice maps;
     maps.upload = [=](DrawList& list) {
       for (raster::IndexMap& map : list.indexMaps) reinterpret(map.ids, map.width, written, read);
     };
@@ -222,8 +219,7 @@ std::vector<Variant> ditherings(const raster::IdFormat& format) {
   std::vector<Variant> variants;
   for (const std::vector<int>& bits : {std::vector{8, 8, 8, 8}, {5, 6, 5, 8}, {5, 5, 5, 1}, {4, 4, 4, 4}}) {
     if (channels.size() > bits.size()) continue;
-    StagedDevice device;
-    device.readBack = [=](const raster::Face& face, raster::ItemBuffer& buffer) {
+    const StagedDevice device = withReadBack([=](const raster::Face& face, raster::ItemBuffer& buffer) {
       const auto width = static_cast<std::size_t>(buffer.width);
       for (std::size_t pixel = 0; pixel < buffer.ids.size(); ++pixel) {
         const std::size_t column = static_cast<std::size_t>(face.scissor.column) + pixel % width;
@@ -234,7 +230,7 @@ std::vector<Variant> ditherings(const raster::IdFormat& format) {
         buffer.ids[pixel] = idOf(
             channels, [&](const Channel& channel) { return dithered(channel, channel.of(id), bits[k++], threshold); });
       }
-    };
+    });
     std::string name;
     for (std::size_t k = 0; k < channels.size(); ++k) name += (k == 0 ? "" : "-") + std::to_string(bits[k]);
     variants.push_back({name, device, channels});

@@ -114,25 +114,21 @@ StagedDevice withFirstEye() {
 
 /// Rows or columns of the item IDs file in reverse.
 StagedDevice withPicture(bool reversedRows) {
-  StagedDevice device;
-  device.readBack = [=](const Face&, raster::ItemBuffer& buffer) {
+  return withReadBack([=](const Face&, raster::ItemBuffer& buffer) {
     std::vector<raster::ItemId>& ids = buffer.ids;
     // Reversing all item IDs turns both; reversing each row then gives back the columns.
     if (reversedRows) std::reverse(ids.begin(), ids.end());
     for (auto row = ids.begin(); row != ids.end(); row += buffer.width) std::reverse(row, row + buffer.width);
-  };
-  return device;
+  });
 }
 
 /// Item IDs files column by column.
 StagedDevice withColumnsFirst() {
-  StagedDevice device;
-  device.readBack = [](const Face&, raster::ItemBuffer& buffer) {
+  return withReadBack([](const Face&, raster::ItemBuffer& buffer) {
     const std::vector<raster::ItemId> rows = buffer.ids;
     const auto width = static_cast<std::size_t>(buffer.width), height = static_cast<std::size_t>(buffer.height);
     for (std::size_t k = 0; k < rows.size(); ++k) buffer.ids[k] = rows[k % height * width + k / height];
-  };
-  return device;
+  });
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "reference/vectors/vector_file.h"
+#include "reference/verdict/triangle_bounds.h"
 
 namespace hemitex::reference {
 
@@ -29,13 +30,16 @@ struct Lookup {
 /// The texel of the rules: clamp(floor(u N), 0, N - 1) and likewise for v.
 raster::ItemId nearestTexel(const raster::IndexMap& map, const glm::dvec2& at);
 
-struct StagedDevice {
-  /// Changes what was uploaded: vertices, index maps, offsets.
-  std::function<void(raster::DrawList&)> upload = [](raster::DrawList&) {};
+/// Changes the item IDs of a face on their way to its file.
+using ReadBack = std::function<void(const raster::Face&, raster::ItemBuffer&)>;
 
-  /// What face `f` is seen through; its resolution and scissor rectangle stay those of the face.
-  std::function<raster::Face(std::span<const raster::Face>, std::size_t)> camera =
-      [](std::span<const raster::Face> faces, std::size_t f) { return faces[f]; };
+/// `upload`, `camera` and `readBack` may be empty, and then change nothing.
+struct StagedDevice {
+  /// Changes the uploaded draws and index maps; vertices and indices stay.
+  std::function<void(raster::DrawList&)> upload;
+
+  /// The view of face `f`; its resolution and scissor rectangle stay those of the face.
+  std::function<raster::Face(std::span<const raster::Face>, std::size_t)> camera;
 
   /// What a triangle is taken for, in the view that it is seen through.
   std::function<Facing(Facing, const raster::Face&)> facing = [](Facing side, const raster::Face&) { return side; };
@@ -82,10 +86,28 @@ struct StagedDevice {
     return ids.front();
   };
 
-  /// Changes the item IDs of a face on their way to the item IDs file.
-  std::function<void(const raster::Face&, raster::ItemBuffer&)> readBack = [](const raster::Face&,
-                                                                              raster::ItemBuffer&) {};
+  ReadBack readBack;
+  bool isDrawnByRules = false;  ///< whether all stages but `readBack` are those of the rules
 };
+
+/// A device that draws by the rules and errs after that.
+StagedDevice withReadBack(const ReadBack& readBack);
+
+/// A vector as the staged device without faults draws it. Other devices reuse each stage that they do not replace. The
+/// vector outlives it.
+struct PlacedVector {
+  const raster::DrawList& list;
+  std::vector<raster::Face> faces;
+  std::vector<std::vector<DeviceTriangle>> triangles;  ///< of each face, placed by the rules
+  std::vector<raster::ItemBuffer> buffers;             ///< of each face
+};
+
+PlacedVector placeVector(const TestVector& vector);
+
+/// Draws the vector on a device. `wantsMore` gets the rows of each face from its first to its last, in the order of
+/// faces, some rows at a time; drawing ends where it returns false.
+void drawOn(const StagedDevice& device, const PlacedVector& placed,
+            const std::function<bool(const raster::ItemBuffer&)>& wantsMore);
 
 /// The item buffers of the vector's faces as the device draws them. A device whose stages are the rules gives the item
 /// IDs of the rules, but for samples that lie within rounding of a texel's border or of another depth.

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "raster/interface/draw_list.h"
 #include "raster/interface/face.h"
+#include "raster/setup/triangle_setup.h"
 
 namespace hemitex::reference {
 
@@ -38,8 +40,16 @@ struct DrawnTriangle {
 /// Every triangle of every draw, in draw order.
 std::vector<DrawnTriangle> drawnTriangles(const raster::DrawList& list);
 
+/// The triangles of all draws on the screen of a face, in draw order: what fragments at any number of pixels share. The
+/// list and the face are valid.
+std::vector<raster::ScreenTriangle> screenTriangles(const raster::DrawList& list, const raster::Face& face);
+
 /// The fragments at pixel (column, row) of the viewport, nearest first, ties in draw order; none where the background
-/// is. The list and the face are valid; the pixel lies in the scissor rectangle. The cost is that of every triangle.
+/// is. The pixel lies in the scissor rectangle.
+std::vector<Fragment> fragmentsAt(const raster::DrawList& list, std::span<const raster::ScreenTriangle> triangles,
+                                  int column, int row);
+
+/// The same for a single pixel: sets up all triangles of the face.
 std::vector<Fragment> fragmentsAt(const raster::DrawList& list, const raster::Face& face, int column, int row);
 
 /// The fragment of one triangle at a pixel, where it covers its sample; where its parts after clipping overlap, as

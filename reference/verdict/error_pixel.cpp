@@ -1,5 +1,6 @@
 #include "reference/verdict/error_pixel.h"
 
+#include <algorithm>
 #include <array>
 
 namespace hemitex::reference {
@@ -35,26 +36,33 @@ std::string toText(const ErrorPixel& error) {
   return text;
 }
 
-ErrorPixel errorAt(const raster::DrawList& list, const VectorFace& face, int column, int row, raster::ItemId found) {
-  const std::vector<Fragment> fragments = fragmentsAt(list, face.face, column, row);
+ErrorPixel errorAt(const raster::DrawList& list, const std::string& face,
+                   std::span<const raster::ScreenTriangle> triangles, int column, int row, raster::ItemId found) {
+  const std::vector<Fragment> fragments = fragmentsAt(list, triangles, column, row);
   const std::optional<Fragment> visible = fragments.empty() ? std::nullopt : std::optional(fragments.front());
   const raster::ItemId expected = visible ? visible->id : raster::backgroundId(list.format);
   const std::optional<std::uint32_t> draw = visible ? std::optional(visible->draw) : std::nullopt;
   const IdOrigin expectedOrigin = originOf(list, expected, draw), foundOrigin = originOf(list, found, draw);
   const ErrorKind kind = kindOf(list, visible, foundOrigin);
-  return {face.name, column, row, kind, expected, found, expectedOrigin, foundOrigin, visible};
+  return {face, column, row, kind, expected, found, expectedOrigin, foundOrigin, visible};
+}
+
+ErrorPixel errorAt(const raster::DrawList& list, const VectorFace& face, int column, int row, raster::ItemId found) {
+  return errorAt(list, face.name, screenTriangles(list, face.face), column, row, found);
 }
 
 std::vector<ErrorPixel> firstErrors(const TestVector& vector, const Verdict& verdict, std::size_t count) {
   std::vector<ErrorPixel> errors;
-  for (std::size_t f = 0; f < verdict.faces.size(); ++f) {
+  for (std::size_t f = 0; f < verdict.faces.size() && errors.size() < count; ++f) {
     const FaceVerdict& face = verdict.faces[f];
+    if (std::find(face.pixels.begin(), face.pixels.end(), PixelVerdict::Error) == face.pixels.end()) continue;
+    const std::vector<raster::ScreenTriangle> triangles = screenTriangles(vector.list, vector.faces[f].face);
     const auto width = static_cast<std::size_t>(face.scissor.width);
     for (std::size_t pixel = 0; pixel < face.pixels.size() && errors.size() < count; ++pixel) {
       if (face.pixels[pixel] != PixelVerdict::Error) continue;
       const int column = face.scissor.column + static_cast<int>(pixel % width);
       const int row = face.scissor.row + static_cast<int>(pixel / width);
-      errors.push_back(errorAt(vector.list, vector.faces[f], column, row, face.found.ids[pixel]));
+      errors.push_back(errorAt(vector.list, face.name, triangles, column, row, face.found.ids[pixel]));
     }
   }
   return errors;

@@ -40,7 +40,12 @@ struct ErrorPixel {
 /// One line, without the face's name.
 std::string toText(const ErrorPixel& error);
 
-/// The error at a pixel of a face's viewport where the device found another item ID than the rules.
+/// The error at a pixel of the viewport of a face, given its name and its screen triangles (fragments.h), where the
+/// device found another item ID than the rules.
+ErrorPixel errorAt(const raster::DrawList& list, const std::string& face,
+                   std::span<const raster::ScreenTriangle> triangles, int column, int row, raster::ItemId found);
+
+/// The same for a single pixel: sets up all triangles of the face.
 ErrorPixel errorAt(const raster::DrawList& list, const VectorFace& face, int column, int row, raster::ItemId found);
 
 /// The first errors, face by face and row by row, at most `count` of them.

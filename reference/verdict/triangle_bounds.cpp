@@ -249,6 +249,13 @@ std::vector<DeviceTriangle> placeTriangles(const raster::DrawList& list, const r
 std::optional<Region> regionAt(const DeviceTriangle& triangle, const glm::dvec2& sample, EdgeRule rule) {
   // The box of a triangle that cannot move is a point; what rounding does to its corners must not lose it.
   constexpr double pad = 0x1p-16;
+  const auto& [a, b, c] = triangle.vertices;
+  const glm::dvec2 low = glm::min(a.position, glm::min(b.position, c.position));
+  const glm::dvec2 high = glm::max(a.position, glm::max(b.position, c.position));
+  for (int axis = 0; axis < 2; ++axis) {
+    const double reach = triangle.reach[axis] + pad;
+    if (low[axis] > sample[axis] + reach || high[axis] < sample[axis] - reach) return {};
+  }
   if (isOutsideFixedEdge(triangle, sample, rule)) return {};
   Polygon polygon;
   for (const DeviceVertex& vertex : triangle.vertices) {
