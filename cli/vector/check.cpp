@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 
 struct CheckOptions {
   fs::path vector, candidate, profile, junit, picture, minimal;
+  bool isExact = false;
 };
 
 bool isVector(const fs::path& folder) { return fs::exists(folder / "vector.json"); }
@@ -78,6 +79,7 @@ void printVector(const reference::Report& report, bool asJson) {
   for (const reference::ErrorPixel& error : report.errors)
     std::cout << "error in " << error.face << ": " << toText(error) << '\n';
   if (!report.findings.empty()) std::cout << "diagnosis: " << toText(report.findings) << '\n';
+  if (report.reference) std::cout << "reference: " << toText(*report.reference) << '\n';
 }
 
 void printSuite(const std::vector<reference::Report>& reports, bool asJson) {
@@ -95,6 +97,7 @@ void printSuite(const std::vector<reference::Report>& reports, bool asJson) {
       std::cout << "error in " << report.verdict.vector << ", " << report.errors[0].face << ": "
                 << toText(report.errors[0]) << '\n';
   if (const auto common = reference::commonFault(reports)) std::cout << "diagnosis: " << toText(*common) << '\n';
+  if (reports.front().reference) std::cout << "reference: " << toText(checkReference(reports)) << '\n';
 }
 
 /// The smallest part of the vector that fails, and beside it the device's item ID, as a candidate.
@@ -118,19 +121,22 @@ void check(const CheckOptions& options, Context& context) {
   for (const fs::path& folder : folders) {
     vectors.push_back(reference::readVector(folder));
     const fs::path candidate = isSuite ? options.candidate / folder.filename() : options.candidate;
-    reports.push_back(reportOn(vectors.back(), reference::readCandidate(candidate, vectors.back()), profile));
+    const std::vector<raster::ItemBuffer> found = reference::readCandidate(candidate, vectors.back());
+    const auto report = options.isExact ? reference::reportExactly : reference::reportOn;
+    reports.push_back(report(vectors.back(), found, profile));
   }
   const auto failing = std::find_if(reports.begin(), reports.end(),
                                     [](const reference::Report& report) { return hasErrors(report.verdict); });
-  context.failed = failing != reports.end();
+  const bool isFailing = failing != reports.end();
+  context.failed = isFailing || checkReference(reports).differing > 0;
 
-  const std::size_t shown = context.failed ? static_cast<std::size_t>(failing - reports.begin()) : 0;
+  const std::size_t shown = isFailing ? static_cast<std::size_t>(failing - reports.begin()) : 0;
   const reference::TestVector& vector = vectors[shown];
   const reference::Verdict& verdict = reports[shown].verdict;
   if (!options.junit.empty()) raster::writeFile(options.junit, toJUnit(reports));
   if (!options.picture.empty())
     radiosity::writePng(options.picture, toPicture(verdict, raster::backgroundId(vector.list.format)));
-  if (context.failed && !options.minimal.empty()) writeMinimal(options.minimal, minimize(vector, verdict, profile));
+  if (isFailing && !options.minimal.empty()) writeMinimal(options.minimal, minimize(vector, verdict, profile));
   isSuite ? printSuite(reports, context.json) : printVector(reports.front(), context.json);
 }
 
@@ -146,6 +152,8 @@ void addVectorCheck(CLI::App& vector, Context& context) {
                    "folder with the device's item IDs; of a suite, a folder a vector")
       ->required();
   command->add_option("--profile", options->profile, "what the device may do, as JSON (default: a Vulkan device)");
+  command->add_flag("--exact", options->isExact,
+                    "evaluate the rules in rational arithmetic, independently of the reference (slow)");
   command->add_option("--junit", options->junit, "JUnit XML: a test suite a vector, a test case a face");
   command->add_option(
       "--diff", options->picture,

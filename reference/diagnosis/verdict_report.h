@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,15 +13,32 @@
 
 namespace hemitex::reference {
 
+/// The reference renderer compared with the independent evaluator (rational_rasterizer.h).
+struct ReferenceCheck {
+  std::uint64_t pixels = 0;     ///< of all faces
+  std::uint64_t differing = 0;  ///< of these, with different item IDs
+};
+
 /// A verdict, its first errors and the faults that they may come from.
 struct Report {
   Verdict verdict;
   std::vector<ErrorPixel> errors;
   std::vector<Finding> findings;
+  std::optional<ReferenceCheck> reference = {};  ///< only in an exact report
 };
 
 /// The report on what a device drew: judge, firstErrors and diagnose.
 Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile);
+
+/// The same, but the independent evaluator gives the expected item IDs, and is compared with the reference renderer.
+/// The cost is pixels times triangles.
+Report reportExactly(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile);
+
+/// Over all reports that compare the reference.
+ReferenceCheck checkReference(std::span<const Report> reports);
+
+/// "agrees with the independent evaluator at 768 pixels", or how many of them differ.
+std::string toText(const ReferenceCheck& check);
 
 /// Over all faces of all vectors.
 VerdictCounts countVerdicts(std::span<const Report> reports);
@@ -42,7 +60,8 @@ std::string toText(const CommonFault& common);
 /// A JSON object: `vector`, `pass`, `pixels` (a count for each verdict's name), `faces` (the same with `name`, `width`
 /// and `height`), `errors` with `face`, `column`, `row`, `kind`, `expected`, `found`, `expected_from`,
 /// `found_from`, `triangle` and `texel` (null where there is none), and `diagnosis`, a list with `fault`, `variant`,
-/// `agreement` and `advice`: empty where no fault is known, of several where they cannot be told apart.
+/// `agreement` and `advice`: empty where no fault is known, of several where they cannot be told apart. An exact report
+/// has `reference`, too: `pixels` and `differing`.
 std::string toJson(const Report& report);
 
 /// A JSON object for several vectors: `pass`, `pixels` of all, `vectors` (an object as above for each), and

@@ -1,6 +1,6 @@
-/// The raster rules, spelled out: an item buffer by brute force in rational arithmetic. Every pixel asks every
-/// triangle. It shares no code with the rasterizer that it judges but the types of the input, and takes other ways
-/// where there are other ways:
+/// The raster rules by brute force in rational arithmetic: an independent evaluator of item buffers, which tests every
+/// triangle at every pixel. `vector check --exact` judges the reference renderer and devices by it. Independence is its
+/// purpose: it shares only the input types with the reference renderer, and uses different methods where it can:
 ///
 /// - Coverage moves the sample by (epsilon, epsilon^2) instead of naming top and left edges. A sample on an edge that
 ///   is not horizontal moves inside exactly where the interior is at larger i, one on a horizontal edge exactly where

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "raster/base/parallel.h"
-#include "raster/software/software_renderer.h"
+#include "reference/vectors/vector_suite.h"
 #include "reference/verdict/pixel_judge.h"
 
 namespace hemitex::reference {
@@ -126,15 +126,17 @@ bool hasErrors(const Verdict& verdict) {
   return countVerdicts(verdict)[static_cast<std::size_t>(PixelVerdict::Error)] > 0;
 }
 
-Verdict judge(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile) {
-  assert(found.size() == vector.faces.size());
-  std::vector<raster::Face> views;
-  for (const VectorFace& face : vector.faces) views.push_back(face.face);
-  const std::vector<raster::ItemBuffer> expected = raster::SoftwareRenderer(vector.list).render(views, {});
+Verdict judge(const TestVector& vector, std::span<const raster::ItemBuffer> expected,
+              std::span<const raster::ItemBuffer> found, const DeviceProfile& profile) {
+  assert(found.size() == vector.faces.size() && expected.size() == vector.faces.size());
   Verdict verdict{vector.name, {}};
   for (std::size_t f = 0; f < found.size(); ++f)
     verdict.faces.push_back(judgeFace(vector.list, vector.faces[f], expected[f], found[f], profile));
   return verdict;
+}
+
+Verdict judge(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile) {
+  return judge(vector, render(vector), found, profile);
 }
 
 }  // namespace hemitex::reference

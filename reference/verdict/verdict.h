@@ -39,7 +39,11 @@ VerdictCounts countVerdicts(const FaceVerdict& face);
 VerdictCounts countVerdicts(const Verdict& verdict);
 bool hasErrors(const Verdict& verdict);
 
-/// Judges `found`, one item buffer a face in their order, each of the face's size. What the rules expect is drawn here.
+/// Judges `found` against `expected`: one item buffer per face each, in the order of faces and of the face's size.
+Verdict judge(const TestVector& vector, std::span<const raster::ItemBuffer> expected,
+              std::span<const raster::ItemBuffer> found, const DeviceProfile& profile);
+
+/// The same against what the reference renderer draws.
 Verdict judge(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile);
 
 }  // namespace hemitex::reference

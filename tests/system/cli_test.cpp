@@ -981,6 +981,33 @@ TEST_CASE("vector check judges a suite of vectors as one", "[cli]") {
   CHECK(shell.run("vector check empty --candidate device").exitCode == 2);
 }
 
+TEST_CASE("vector check --exact judges the reference and the candidate by the independent evaluator", "[cli]") {
+  const Shell shell;
+  for (const std::string height : {"0.01", "0.3"}) {
+    shell.output("vector export room.obj --eye 0.5,0.5," + height + " --normal 0,0,1 --resolution 8 -o suite/" +
+                 height);
+    shell.output("vector render suite/" + height + " -o device/" + height);
+  }
+  const std::string one = "vector check suite/0.3 --candidate device/0.3 --exact",
+                    all = "vector check suite --candidate device --exact";
+  const std::string agrees = "reference: agrees with the independent evaluator at all ";
+  CHECK(shell.output(one).find("\n" + agrees + "192 pixels\n") != std::string::npos);
+  CHECK(shell.output(all).find("\n" + agrees + "384 pixels\n") != std::string::npos);
+  CHECK(json::parse(shell.output(one + " --json"))["reference"] == json({{"pixels", 192}, {"differing", 0}}));
+  for (const json& vector : json::parse(shell.output(all + " --json"))["vectors"])
+    CHECK(vector["reference"]["differing"] == 0);
+
+  std::string ids = readAll(shell.file("device/0.3/top.u32"));
+  ids[3] = static_cast<char>(ids[3] ^ 64);
+  writeAll(shell.file("device/0.3/top.u32"), ids);
+  const Outcome wrong = shell.run(one + " --minimize small");
+  CHECK(wrong.exitCode == 1);
+  CHECK(wrong.out.find("error in top: pixel 0,0") != std::string::npos);
+  CHECK(wrong.out.find(agrees) != std::string::npos);
+  CHECK(shell.run("vector check small --candidate small/candidate --exact").exitCode == 1);
+  CHECK(shell.run("vector check suite/0.3 --candidate nowhere --exact").exitCode == 2);
+}
+
 TEST_CASE("vector check names the fault where errors are systematic", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0.5,0.5,0.01 --normal 0,0,1 --resolution 16 -o vector");
@@ -993,7 +1020,7 @@ TEST_CASE("vector check names the fault where errors are systematic", "[cli]") {
   }
   const Outcome wrong = shell.run("vector check vector --candidate device");
   CHECK(wrong.exitCode == 1);
-  CHECK(wrong.out.find("\ndiagnosis: byte order, in item IDs files (100.0 % agreement): ") != std::string::npos);
+  CHECK(wrong.out.find("\ndiagnosis: byte order, in words files (100.0 % agreement): ") != std::string::npos);
   const json report = json::parse(shell.run("vector check vector --candidate device --json").out);
   REQUIRE(report["diagnosis"].size() == 1);
   CHECK(report["diagnosis"][0]["fault"] == "byte order");

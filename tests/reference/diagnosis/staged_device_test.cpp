@@ -68,7 +68,8 @@ TEST_CASE("withReadBack changes the item IDs of the rules as a device does that 
   StagedDevice drawing;
   drawing.readBack = reversed;
   const TestVector vector = named("five-faces");
-  const Ids rules = idsOf(drawOn(StagedDevice{}, vector)), found = idsOf(drawOn(withReadBack(reversed), vector));
+  const Ids rules = idsOf(drawOn(StagedDevice{}, vector)),
+            found = idsOf(drawOn(reference::withReadBack(reversed), vector));
   CHECK(found == idsOf(drawOn(drawing, vector)));
   for (std::size_t f = 0; f < rules.size(); ++f)
     CHECK(std::equal(rules[f].begin(), rules[f].end(), found[f].rbegin(), found[f].rend()));

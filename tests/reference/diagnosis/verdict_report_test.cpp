@@ -111,3 +111,27 @@ TEST_CASE("of several vectors the report names the fault that most of those that
   CHECK(passed["pass"] == true);
   CHECK(passed["diagnosis"].is_null());
 }
+
+TEST_CASE("reportExactly judges by the independent evaluator and compares the reference with it", "[verdict]") {
+  JudgedWall judged;
+  judged.found[0].ids[9] = 0x555555;
+  const Report exact = reference::reportExactly(judged.vector, judged.found, {});
+  Report report = reference::reportOn(judged.vector, judged.found, {});
+  CHECK_FALSE(report.reference);
+  REQUIRE(exact.reference);
+  CHECK(exact.reference->pixels == 96);
+  CHECK(exact.reference->differing == 0);
+  const auto json = nlohmann::json::parse(toJson(exact));
+  CHECK(json["reference"] == nlohmann::json({{"pixels", 96}, {"differing", 0}}));
+  CHECK_FALSE(nlohmann::json::parse(toJson(report)).contains("reference"));
+  report.reference = exact.reference;
+  CHECK(toJson(report) == toJson(exact));
+}
+
+TEST_CASE("checkReference adds up the pixels at which the reference differs", "[verdict]") {
+  const std::vector<Report> reports{
+      {{}, {}, {}, reference::ReferenceCheck{96, 2}}, {{}, {}, {}, reference::ReferenceCheck{10, 1}}, {{}, {}, {}, {}}};
+  CHECK(toText(checkReference(reports)) == "differs from the independent evaluator at 3 of 106 pixels");
+  CHECK(toText(*reports[0].reference) == "differs from the independent evaluator at 2 of 96 pixels");
+  CHECK(toText(reference::ReferenceCheck{96, 0}) == "agrees with the independent evaluator at all 96 pixels");
+}

@@ -130,7 +130,7 @@ TEST_CASE("the runner-up is the next triangle behind, by the exact difference of
     CHECK(derivation->runnerUp->drawn.draw > derivation->drawn.draw);
   });
   CHECK(ties > 20);
-  // One pixel each: w and the next binary32 number (vector_suite_depth.cpp).
+  // One pixel each: w and the next binary32 number (suite_depth.cpp).
   const TestVector& steps = named(suite, "depth-steps");
   for (int pixel = 0; pixel < 256; ++pixel) {
     const double w = std::ldexp(1 + pixel % 16 / 16.0, pixel / 16), step = std::ldexp(0x1p-23, pixel / 16);

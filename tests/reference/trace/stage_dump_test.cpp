@@ -222,7 +222,7 @@ TEST_CASE("depth, coordinates and texel of every pixel follow from snapped corne
 }
 
 TEST_CASE("on a slope whose 1/w is known every pixel holds it", "[stages]") {
-  // 1/w is 1 - column/32, at pixel centres 1 - (2i + 1)/64 (vector_suite_depth.cpp).
+  // 1/w is 1 - column/32, at pixel centres 1 - (2i + 1)/64 (suite_depth.cpp).
   const TestVector vector = chosen({"coplanar-slope"}).front();
   const Stages stages = reference::stagesOf(vector.list, vector.faces.front().face);
   forEachPixel(vector.faces.front().face, [&](std::size_t pixel, int column, int) {

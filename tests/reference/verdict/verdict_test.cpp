@@ -7,6 +7,7 @@
 
 #include "reference/vectors/vector_suite.h"
 #include "reference/verdict/pixel_judge.h"
+#include "tests/support/judged_wall.h"
 #include "tests/support/simulated_device.h"
 #include "tests/support/triangle_families.h"
 
@@ -300,4 +301,14 @@ TEST_CASE("a triangle without an index map is never explained by a texel", "[ver
     CHECK(count(counts, PixelVerdict::Texel) == 0);
     CHECK(count(counts, PixelVerdict::Error) == 0);
   }
+}
+
+TEST_CASE("judge compares with the expected item buffers that it is given", "[verdict]") {
+  const tests::JudgedWall wall;
+  std::vector<raster::ItemBuffer> expected = wall.found;
+  CHECK(countVerdicts(judge(wall.vector, expected, wall.found, {}))[0] == 96);
+  expected[1].ids[3] ^= 1;
+  const reference::Verdict verdict = judge(wall.vector, expected, wall.found, {});
+  CHECK(countVerdicts(verdict)[0] == 95);
+  CHECK(verdict.faces[1].pixels[3] != PixelVerdict::Exact);
 }
