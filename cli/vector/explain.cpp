@@ -75,10 +75,10 @@ void explain(const std::filesystem::path& folder, const Pixel& pixel, const Cont
   const reference::TestVector vector = reference::readVector(folder);
   const raster::Face& face = faceOf(vector, pixel).face;
   requireInside(face.scissor, pixel);
-  const auto derivation = reference::derive(vector.list, face, pixel.column, pixel.row);
   const auto fragments = reference::fragmentsAt(vector.list, face, pixel.column, pixel.row);
-  const raster::ItemId id = derivation ? derivation->id : raster::backgroundId(vector.list.format);
-  const auto draw = derivation ? std::optional(fragments.front().draw) : std::nullopt;
+  const auto derivation = reference::derive(vector.list, face, fragments, pixel.column, pixel.row);
+  const raster::ItemId id = derivation ? derivation->visible.id : raster::backgroundId(vector.list.format);
+  const auto draw = derivation ? std::optional(derivation->visible.draw) : std::nullopt;
   const std::string origin = toText(reference::originOf(vector.list, id, draw));
   if (context.json) {
     std::cout << toText({{"face", pixel.face},
@@ -93,7 +93,8 @@ void explain(const std::filesystem::path& folder, const Pixel& pixel, const Cont
   std::cout << "pixel " << pixel.column << ',' << pixel.row << " of " << pixel.face << " holds " << id << ": " << origin
             << "\n";
   if (!derivation) return;
-  std::cout << toText(*derivation, vector.list, face) << "triangles that cover it, nearest first:\n";
+  std::cout << toLines({{"face", toJson(face)}}) << toLines(toJson(*derivation))
+            << "triangles that cover it, nearest first:\n";
   writeCsv(std::cout, tableOf(fragments));
 }
 

@@ -27,7 +27,8 @@ Fragment fragmentOf(const raster::DrawList& list, const ScreenTriangle& triangle
     u += weight * triangle.u[k];
     v += weight * triangle.v[k];
   }
-  Fragment fragment{triangle.number, triangle.draw, triangle.facesAway, inverse, u / inverse, v / inverse, {}, {}};
+  Fragment fragment{triangle.number, triangle.draw, triangle.facesAway, inverse, u / inverse, v / inverse, {}, {},
+                    triangle};
   if (triangle.facesAway && draw.back) {
     fragment.id = *draw.back;
   } else if (!draw.indexMap) {

@@ -29,6 +29,7 @@ struct Fragment {
   double u = 0, v = 0;
   std::optional<Texel> texel;  ///< none without an index map, or on a back
   raster::ItemId id = 0;
+  raster::ScreenTriangle screen = {};  ///< which part of the triangle, where clipping cuts it
 };
 
 /// A triangle of a draw.

@@ -38,10 +38,9 @@ struct DerivedEdge {
 };
 
 struct DerivedTexel {
-  int width, height;    ///< of the index map: N x M
-  glm::dvec2 position;  ///< u N and v M
-  Texel texel;
-  raster::ItemId index;  ///< what the map holds there
+  int width, height;     ///< of the index map: N x M
+  glm::dvec2 position;   ///< u N and v M
+  raster::ItemId index;  ///< of the fragment's texel
 };
 
 /// A sum of the blend: of one channel, or of whole item IDs.
@@ -58,28 +57,27 @@ struct RunnerUp {
   double difference;    ///< by how much the visible triangle's 1/w is larger; 0 if and only if they are equal
 };
 
-/// Real numbers are exact values, rounded to binary64 when they are stored.
+/// Real numbers are exact values, rounded to binary64 when they are stored; those of `visible` are rounded more often.
 struct Derivation {
-  DrawnTriangle drawn;
+  Fragment visible;
   std::array<DerivedVertex, 3> vertices;
   std::vector<raster::HalfSpace> cutBy;  ///< the half-spaces that do not hold all three vertices
   int piece = 0, pieces = 1;             ///< which triangle of the fan, counted from 0, and of how many
   std::array<DerivedCorner, 3> corners;
   glm::ivec2 sample;  ///< in 1/256 pixel
   std::int64_t area;  ///< doubled and signed
-  bool facesAway;
   std::array<DerivedEdge, 3> edges;
   std::array<double, 3> weights;      ///< barycentric
   double inverseDepth;                ///< 1/w
   glm::dvec2 coordinates;             ///< u, v
   std::optional<DerivedTexel> texel;  ///< none without an index map, or on a back
   std::vector<DerivedSum> sums;       ///< one a channel for clamped add, one of the item IDs for integer add, else none
-  raster::ItemId id;
   std::optional<RunnerUp> runnerUp;
 };
 
-/// How pixel (column, row) of the viewport gets its item ID; nothing where it holds the background. The list and the
-/// face are valid; the pixel lies in the scissor rectangle. The cost is that of every triangle.
-std::optional<Derivation> derive(const raster::DrawList& list, const raster::Face& face, int column, int row);
+/// How pixel (column, row) of the viewport gets its item ID; nothing where it holds the background. `fragments` are
+/// those at the pixel (fragmentsAt).
+std::optional<Derivation> derive(const raster::DrawList& list, const raster::Face& face,
+                                 const std::vector<Fragment>& fragments, int column, int row);
 
 }  // namespace hemitex::reference

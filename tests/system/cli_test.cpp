@@ -858,32 +858,35 @@ TEST_CASE("vector explain derives an item ID from the vertices to the blend", "[
   reference::writeVector(shell.file("vector"), vector, {});
 
   CHECK(shell.output("vector explain vector --pixel front,4,4") == R"(pixel 4,4 of front holds 5631: no draw
-vertices of triangle 0 of draw 0: d = P - E, then x = X.d, y = Y.d, w = W.d in binary32
-  E (0, 0, 0), X (1, 0, 0), Y (0, 1, 0), W (0, 0, 1)
-  vertex 0: P (2, -2, 2), d (2, -2, 2), (x, y, w) = (2, -2, 2), (u, v) = (1, 0)
-  vertex 1: P (-2, -2, 2), d (-2, -2, 2), (x, y, w) = (-2, -2, 2), (u, v) = (0, 0)
-  vertex 2: P (0, 2, 0), d (0, 2, 0), (x, y, w) = (0, 2, 0), (u, v) = (0.5, 1)
-clip to w >= n = 0.5 and |x|, |y| <= 8w: cut by w >= n, y <= 8w; triangle 1 of the 2 that are left
-  corner 0: (x, y, w) = (2, -2, 2), (u, v) = (1, 0)
-  corner 1: (x, y, w) = (-2, -2, 2), (u, v) = (0, 0)
-  corner 2: (x, y, w) = (-0.5, 1, 0.5), (u, v) = (0.375, 0.75)
-snap: q = (x/w, y/w), held to [-8, 8]; s = nearbyint((q + 1) 128 R) with R = 16
-  corner 0: q = (1, -1), s = (4096, 0)
-  corner 1: q = (-1, -1), s = (0, 0)
-  corner 2: q = (-1, 2), s = (0, 6144)
-cover: sample (1152, 1152), doubled area A = -25165824 and det(X, Y, W) > 0: it faces the eye
-  edge from corner 1 to 2: e0 = 7077888, inside
-  edge from corner 2 to 0: e1 = 13369344, inside
-  edge from corner 0 to 1: e2 = 4718592, inside
-interpolate: b = e / |A| = (0.28125, 0.53125, 0.1875)
-  1/w = sum of b/w = 0.78125
-  (u, v) = sum of b (u, v)/w over 1/w = (0.36, 0.36)
-depth: triangle 1 of draw 1 comes next with 1/w = 0.25, which is less by 0.53125
-texel: (u N, v M) = (1.44, 1.44) with N x M = 4 x 4; floor, held to the map: (1, 1) holds 1290
-blend: clamped add of offset 4346 and texel 1290
-  channel 0, 8 bits: 250 + 10 = 260, clamped to 255
-  channel 1, 8 bits: 16 + 5 = 21
-  word 5631
+face: eye (0, 0, 0), x (1, 0, 0), y (0, 1, 0), w (0, 0, 1), near 0.5, resolution 16
+triangle: 0
+draw: 0
+vertices (d = P - eye; x = X.d, y = Y.d, w = W.d in binary32):
+  index 0, position (2, -2, 2), from_eye (2, -2, 2), view (2, -2, 2), texcoord (1, 0)
+  index 1, position (-2, -2, 2), from_eye (-2, -2, 2), view (-2, -2, 2), texcoord (0, 0)
+  index 2, position (0, 2, 0), from_eye (0, 2, 0), view (0, 2, 0), texcoord (0.5, 1)
+clip (to w >= n and |x|, |y| <= 8w): cut_by (near, top), piece 0, pieces 2
+corners (q = (x/w, y/w), clamped to [-8, 8]; snapped = nearbyint((q + 1) 128 R)):
+  view (2, -2, 2), texcoord (1, 0), q (1, -1), snapped (4096, 0)
+  view (-2, -2, 2), texcoord (0, 0), q (-1, -1), snapped (0, 0)
+  view (-0.5, 1, 0.5), texcoord (0.375, 0.75), q (-1, 2), snapped (0, 6144)
+sample (in 1/256 pixel): (1152, 1152)
+area (doubled): -25165824
+faces_away (area and det(X, Y, W) have the same sign): false
+edges (opposite the corners; inside > 0, and = 0 on top and left edges):
+  value 7077888, kind left
+  value 13369344, kind other
+  value 4718592, kind top
+weights (b = edge / |area|): (0.28125, 0.53125, 0.1875)
+inverse_depth (sum of b/w): 0.78125
+u (sum of b u/w over 1/w): 0.36
+v (sum of b v/w over 1/w): 0.36
+texel (floor of position = (u N, v M), clamped to the map): width 4, height 4, position (1.44, 1.44), column 1, row 1, index 1290
+sums (offset + texel, clamped or modulo 2^bits):
+  bits 8, offset 250, texel 10, result 255
+  bits 8, offset 16, texel 5, result 21
+word (the item ID): 5631
+runner_up (the next triangle; difference of 1/w): triangle 1, draw 1, inverse_depth 0.25, difference 0.53125
 triangles that cover it, nearest first:
 triangle,draw,facing,w,u,v,column,row,word
 0,0,front,1.28,0.36,0.36,1,1,5631
