@@ -57,8 +57,7 @@ void requireAnswers(const std::vector<fs::path>& vectors, const fs::path& candid
 Table tableOf(const std::string& what, std::size_t size, const std::function<std::string(std::size_t)>& nameAt,
               const std::function<reference::VerdictCounts(std::size_t)>& countsAt) {
   std::vector<std::string> columns{what};
-  for (std::size_t k = 0; k < reference::pixelVerdicts; ++k)
-    columns.push_back(nameOf(static_cast<reference::PixelVerdict>(k)));
+  for (const auto& verdict : reference::pixelVerdictNames) columns.emplace_back(verdict.name);
   const auto row = [=](std::size_t index) {
     std::vector<Cell> cells{nameAt(index)};
     for (const std::uint64_t count : countsAt(index)) cells.emplace_back(static_cast<std::int64_t>(count));

@@ -4,21 +4,28 @@
 #include <map>
 
 #include "cli/common/numbers.h"
+#include "reference/vectors/enum_names.h"
 
 namespace hemitex::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using raster::HalfSpace;
 using reference::Derivation;
+using reference::EdgeKind;
 
 Json list(const glm::vec2& v) { return {v.x, v.y}; }
 Json list(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 Json list(const glm::dvec2& v) { return {v.x, v.y}; }
 Json list(const glm::ivec2& v) { return {v.x, v.y}; }
 
-/// By HalfSpace and by EdgeKind.
-constexpr std::array<const char*, 5> halfSpaceNames{"near", "right", "left", "top", "bottom"};
-constexpr std::array<const char*, 3> edgeKindNames{"top", "left", "other"};
+constexpr std::array<reference::Named<HalfSpace>, 5> halfSpaceNames{{{HalfSpace::Near, "near"},
+                                                                     {HalfSpace::Right, "right"},
+                                                                     {HalfSpace::Left, "left"},
+                                                                     {HalfSpace::Top, "top"},
+                                                                     {HalfSpace::Bottom, "bottom"}}};
+constexpr std::array<reference::Named<EdgeKind>, 3> edgeKindNames{
+    {{EdgeKind::Top, "top"}, {EdgeKind::Left, "left"}, {EdgeKind::Other, "other"}}};
 
 Json cornersOf(const Derivation& derivation) {
   Json corners;
@@ -84,11 +91,10 @@ std::string inLine(const Json& value) {
 Json toJson(const Derivation& derivation) {
   const reference::Fragment& visible = derivation.visible;
   Json cutBy = Json::array();
-  for (const raster::HalfSpace halfSpace : derivation.cutBy)
-    cutBy.push_back(halfSpaceNames[static_cast<std::size_t>(halfSpace)]);
+  for (const HalfSpace halfSpace : derivation.cutBy) cutBy.push_back(nameOf(halfSpaceNames, halfSpace));
   Json edges;
   for (const reference::DerivedEdge& edge : derivation.edges)
-    edges.push_back({{"value", edge.value}, {"kind", edgeKindNames[static_cast<std::size_t>(edge.kind)]}});
+    edges.push_back({{"value", edge.value}, {"kind", nameOf(edgeKindNames, edge.kind)}});
   Json sums = Json::array();
   for (const reference::DerivedSum& sum : derivation.sums)
     sums.push_back({{"bits", sum.bits}, {"offset", sum.offset}, {"texel", sum.texel}, {"result", sum.result}});

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 Json toJson(const VerdictCounts& counts) {
   Json json;
-  for (std::size_t k = 0; k < pixelVerdicts; ++k) json[nameOf(static_cast<PixelVerdict>(k))] = counts[k];
+  for (const auto& [verdict, name] : pixelVerdictNames) json[name] = counts[static_cast<std::size_t>(verdict)];
   return json;
 }
 
@@ -24,7 +24,7 @@ Json toJson(const ErrorPixel& error) {
   Json json{{"face", error.face},
             {"column", error.column},
             {"row", error.row},
-            {"kind", nameOf(error.kind)},
+            {"kind", nameOf(errorKindNames, error.kind)},
             {"expected", error.expected},
             {"found", error.found},
             {"expected_from", toText(error.expectedOrigin)},
@@ -155,7 +155,7 @@ VerdictCounts countVerdicts(std::span<const Report> reports) {
   VerdictCounts sums{};
   for (const Report& report : reports) {
     const VerdictCounts counts = countVerdicts(report.verdict);
-    for (std::size_t k = 0; k < pixelVerdicts; ++k) sums[k] += counts[k];
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += counts[k];
   }
   return sums;
 }

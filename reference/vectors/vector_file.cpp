@@ -1,5 +1,6 @@
 #include "reference/vectors/vector_file.h"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
@@ -11,6 +12,7 @@
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/vectors/array_file.h"
+#include "reference/vectors/enum_names.h"
 
 namespace hemitex::reference {
 namespace {
@@ -88,24 +90,9 @@ auto toOptional(const Json& object, const std::string& key, const Read& read)
   return read(object.at(key), key);
 }
 
-const std::vector<std::pair<std::string, raster::Blend>>& blendNames() {
-  static const std::vector<std::pair<std::string, raster::Blend>> names{{"clamped-add", raster::Blend::ClampedAdd},
-                                                                        {"integer-add", raster::Blend::IntegerAdd},
-                                                                        {"replace", raster::Blend::Replace}};
-  return names;
-}
-
-raster::Blend toBlend(const std::string& name) {
-  for (const auto& [known, blend] : blendNames())
-    if (known == name) return blend;
-  throw InputError("\"blend\" is \"" + name + "\"", "use clamped-add, integer-add or replace");
-}
-
-std::string nameOf(raster::Blend blend) {
-  for (const auto& [name, known] : blendNames())
-    if (known == blend) return name;
-  return {};
-}
+constexpr std::array<Named<raster::Blend>, 3> blendNames{{{raster::Blend::ClampedAdd, "clamped-add"},
+                                                          {raster::Blend::IntegerAdd, "integer-add"},
+                                                          {raster::Blend::Replace, "replace"}}};
 
 // --- reading ---
 
@@ -178,7 +165,7 @@ TestVector readJson(const filesystem::path& folder, const Json& json) {
   raster::DrawList& list = vector.list;
   for (const Json& bits : toList(at(json, "channels"), "channels"))
     list.format.channelBits.push_back(static_cast<int>(toInteger(bits, "channels", 1, 32)));
-  list.blend = toBlend(toText(at(json, "blend"), "blend"));
+  list.blend = valueOf(blendNames, toText(at(json, "blend"), "blend"), "blend");
 
   const auto file = [&](const std::string& key) { return toFileName(at(json, key), key); };
   list.positions = pairUp<glm::vec3>(readArray<float>(folder / file("positions")), 3, file("positions"));
@@ -282,7 +269,7 @@ void writeVector(const filesystem::path& folder, const TestVector& vector,
             {"near", number(first.nearDistance)},
             {"eye", toJson(first.eye)},
             {"channels", list.format.channelBits},
-            {"blend", nameOf(list.blend)},
+            {"blend", nameOf(blendNames, list.blend)},
             {"background", raster::backgroundId(list.format)},
             {"positions", "positions.f32"},
             {"texcoords", "texcoords.f32"},

@@ -1,7 +1,6 @@
 #include "reference/verdict/error_pixel.h"
 
 #include <algorithm>
-#include <array>
 
 namespace hemitex::reference {
 namespace {
@@ -21,15 +20,9 @@ ErrorKind kindOf(const raster::DrawList& list, const std::optional<Fragment>& vi
 
 }  // namespace
 
-std::string nameOf(ErrorKind kind) {
-  constexpr std::array<const char*, errorKinds> names{"missing",       "extra",      "wrong surface",
-                                                      "wrong element", "wrong side", "foreign word"};
-  return names[static_cast<std::size_t>(kind)];
-}
-
 std::string toText(const ErrorPixel& error) {
   std::string text = "pixel " + std::to_string(error.column) + "," + std::to_string(error.row) + ", " +
-                     nameOf(error.kind) + ": expected " + std::to_string(error.expected) + " (" +
+                     nameOf(errorKindNames, error.kind) + ": expected " + std::to_string(error.expected) + " (" +
                      toText(error.expectedOrigin) + "), found " + std::to_string(error.found) + " (" +
                      toText(error.foundOrigin) + ")";
   if (error.visible) text += "; triangle " + std::to_string(error.visible->triangle) + " is visible there";

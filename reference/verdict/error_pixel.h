@@ -1,12 +1,14 @@
 /// The errors of a verdict, each with what the rules show there and what the device's item ID stands for.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "reference/vectors/enum_names.h"
 #include "reference/verdict/id_origin.h"
 #include "reference/verdict/verdict.h"
 
@@ -22,10 +24,13 @@ enum class ErrorKind : std::uint8_t {
   ForeignId,     ///< an item ID that no draw gives
 };
 
-constexpr std::size_t errorKinds = 6;
-
-/// "missing", "extra", "wrong surface", "wrong element", "wrong side", "foreign word".
-std::string nameOf(ErrorKind kind);
+/// In the order of the enum.
+constexpr std::array<Named<ErrorKind>, 6> errorKindNames{{{ErrorKind::Missing, "missing"},
+                                                          {ErrorKind::Extra, "extra"},
+                                                          {ErrorKind::WrongSurface, "wrong surface"},
+                                                          {ErrorKind::WrongElement, "wrong element"},
+                                                          {ErrorKind::WrongSide, "wrong side"},
+                                                          {ErrorKind::ForeignId, "foreign word"}}};
 
 /// An error, with what the rules show there.
 struct ErrorPixel {

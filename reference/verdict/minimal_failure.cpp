@@ -103,7 +103,7 @@ std::vector<Failure> sampleOfFailures(const TestVector& vector, const Verdict& v
 }
 
 ErrorKind mostFrequentKind(const std::vector<Failure>& failures) {
-  std::array<std::size_t, errorKinds> counts{};
+  std::array<std::size_t, errorKindNames.size()> counts{};
   for (const Failure& failure : failures) ++counts[static_cast<std::size_t>(failure.kind)];
   return static_cast<ErrorKind>(std::max_element(counts.begin(), counts.end()) - counts.begin());
 }

@@ -175,12 +175,6 @@ const Candidate* expectedOf(const std::vector<Candidate>& candidates, const glm:
 
 }  // namespace
 
-std::string nameOf(PixelVerdict verdict) {
-  constexpr std::array<const char*, pixelVerdicts> names{"exact", "coverage",       "texel",
-                                                         "depth", "loose-clipping", "error"};
-  return names[static_cast<std::size_t>(verdict)];
-}
-
 Judge makeJudge(const raster::DrawList& list, const raster::Face& face, const DeviceProfile& profile) {
   // Two stored depths 1 - n/w are each off by the error, and differ by n times the difference of 1/w.
   const double nearDistance = face.nearDistance;

@@ -1,10 +1,11 @@
 /// One pixel judged: which item IDs may a device show there?
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
-#include <string>
 
+#include "reference/vectors/enum_names.h"
 #include "reference/verdict/device_profile.h"
 #include "reference/verdict/triangle_bounds.h"
 
@@ -18,10 +19,14 @@ enum class PixelVerdict : std::uint8_t {
   LooseClipping,  ///< explained only by triangles cut at other planes
   Error,
 };
-constexpr std::size_t pixelVerdicts = 6;
 
-/// "exact", "coverage", "texel", "depth", "loose-clipping", "error".
-std::string nameOf(PixelVerdict verdict);
+/// In the order of the enum.
+constexpr std::array<Named<PixelVerdict>, 6> pixelVerdictNames{{{PixelVerdict::Exact, "exact"},
+                                                                {PixelVerdict::Coverage, "coverage"},
+                                                                {PixelVerdict::Texel, "texel"},
+                                                                {PixelVerdict::Depth, "depth"},
+                                                                {PixelVerdict::LooseClipping, "loose-clipping"},
+                                                                {PixelVerdict::Error, "error"}}};
 
 /// What every pixel of a face is judged by.
 struct Judge {

@@ -117,7 +117,7 @@ VerdictCounts countVerdicts(const Verdict& verdict) {
   VerdictCounts sums{};
   for (const FaceVerdict& face : verdict.faces) {
     const VerdictCounts counts = countVerdicts(face);
-    for (std::size_t k = 0; k < pixelVerdicts; ++k) sums[k] += counts[k];
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += counts[k];
   }
   return sums;
 }

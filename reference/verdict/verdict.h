@@ -33,7 +33,7 @@ struct Verdict {
 };
 
 /// How many pixels have each verdict, by PixelVerdict.
-using VerdictCounts = std::array<std::uint64_t, pixelVerdicts>;
+using VerdictCounts = std::array<std::uint64_t, pixelVerdictNames.size()>;
 VerdictCounts countVerdicts(const FaceVerdict& face);
 /// Over all faces.
 VerdictCounts countVerdicts(const Verdict& verdict);
