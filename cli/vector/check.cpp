@@ -1,5 +1,5 @@
-/// `hemitex vector check`: the item buffers of a device against the raster rules, pixel by pixel, for one vector or for
-/// a whole suite.
+/// `hemitex vector check` compares the item buffers of a device with the raster rules, pixel by pixel, for one vector
+/// or for a whole suite.
 #include <algorithm>
 #include <functional>
 #include <iostream>
@@ -27,8 +27,7 @@ struct CheckOptions {
 
 bool isVector(const fs::path& folder) { return fs::exists(folder / "vector.json"); }
 
-/// The folders of a suite's vectors, in the order of their names; of a vector, or what should be one, the folder
-/// itself.
+/// The vector folders of a suite, in the order of their names. Any other folder stands for itself.
 std::vector<fs::path> vectorFolders(const fs::path& folder) {
   if (isVector(folder) || !fs::is_directory(folder)) return {folder};
   std::vector<fs::path> folders;
@@ -38,7 +37,7 @@ std::vector<fs::path> vectorFolders(const fs::path& folder) {
   return folders.empty() ? std::vector{folder} : folders;
 }
 
-/// Every vector of a suite needs its answer; a backend that is on its way sees at once which are missing.
+/// Throws InputError with all vectors of a suite that have no folder in `candidate`.
 void requireAnswers(const std::vector<fs::path>& vectors, const fs::path& candidate) {
   std::string missing;
   std::size_t count = 0;
@@ -50,10 +49,10 @@ void requireAnswers(const std::vector<fs::path>& vectors, const fs::path& candid
     throw raster::InputError(
         candidate.string(), 0,
         "has no folder for " + std::to_string(count) + " of " + std::to_string(vectors.size()) + " vectors: " + missing,
-        "a device answers a suite with a folder a vector; delete those vectors that it cannot draw");
+        "write one folder per vector; delete the vectors that the device cannot draw");
 }
 
-/// Counts by verdict, a row each of what is named.
+/// Counts by verdict, with `size` rows.
 Table tableOf(const std::string& what, std::size_t size, const std::function<std::string(std::size_t)>& nameAt,
               const std::function<reference::VerdictCounts(std::size_t)>& countsAt) {
   std::vector<std::string> columns{what};
@@ -99,7 +98,7 @@ void printSuite(const std::vector<reference::Report>& reports, bool asJson) {
   if (reports.front().reference) std::cout << "reference: " << toText(checkReference(reports)) << '\n';
 }
 
-/// The smallest part of the vector that fails, and beside it the device's item ID, as a candidate.
+/// Writes the smallest part of the vector that fails, and in `candidate` the device's item ID.
 void writeMinimal(const std::filesystem::path& folder, const reference::MinimalFailure& minimal) {
   Staging staging(folder);
   reference::writeVector(staging.folder(), minimal.vector, {&minimal.expected, 1});
@@ -148,17 +147,18 @@ void addVectorCheck(CLI::App& vector, Context& context) {
   command->add_option("DIR", options->vector, "folder of the vector, or of a suite of vectors")->required();
   command
       ->add_option("--candidate", options->candidate,
-                   "folder with the device's item IDs; of a suite, a folder a vector")
+                   "folder with the device's item IDs; for a suite, one folder per vector")
       ->required();
-  command->add_option("--profile", options->profile, "what the device may do, as JSON (default: a Vulkan device)");
+  command->add_option("--profile", options->profile,
+                      "allowed deviations of the device, as JSON (default: a Vulkan device)");
   command->add_flag("--exact", options->isExact,
                     "evaluate the rules in rational arithmetic, independently of the reference (slow)");
-  command->add_option("--junit", options->junit, "JUnit XML: a test suite a vector, a test case a face");
+  command->add_option("--junit", options->junit, "JUnit XML file: one test suite per vector, one test case per face");
+  command->add_option("--diff", options->picture,
+                      "PNG with expected, found and verdict side by side; for a suite, of its first failing vector");
   command->add_option(
-      "--diff", options->picture,
-      "PNG with expected, found and verdict beside each other; of a suite, its first vector that fails");
-  command->add_option("--minimize", options->minimal,
-                      "folder for the fewest triangles and the pixel that still fail; of a suite likewise");
+      "--minimize", options->minimal,
+      "folder for one failing pixel with the fewest triangles; for a suite, of its first failing vector");
   command->callback([options, &context] { context.command = [options, &context] { check(*options, context); }; });
 }
 

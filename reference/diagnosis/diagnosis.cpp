@@ -23,14 +23,14 @@ ItemIds idsOf(const std::vector<raster::ItemBuffer>& buffers) {
   return ids;
 }
 
-/// What is diagnosed. Pixels are those of all faces.
+/// Input of the diagnosis. Pixels are those of all faces.
 struct Case {
   PlacedVector placed;
-  ItemIds rules;  ///< by the staged device, whose rounding is then no footprint
+  ItemIds rules;  ///< by the staged device, so that its rounding is not part of footprints
   ItemIds found;
   std::vector<bool> isError;
 
-  /// Whether a fault may agree with the device here: elsewhere the device shows the item ID of the rules.
+  /// Whether a fault may agree with the device at a pixel. At all others the device shows the item ID of the rules.
   bool mayAgree(std::size_t pixel) const { return isError[pixel] || found[pixel] != rules[pixel]; }
 };
 
@@ -44,12 +44,12 @@ Case makeCase(const TestVector& vector, const Verdict& verdict) {
   return result;
 }
 
-/// How far a variant agrees on the pixels that were drawn so far.
+/// The agreement of a variant on the pixels drawn so far.
 struct Agreement {
-  std::uint64_t pixels = 0;     ///< that are errors or in the footprint
-  std::uint64_t agreeing = 0;   ///< of these, with the device's item ID
-  std::uint64_t exact = 0;      ///< of all, that hold the variant's item ID
-  std::uint64_t remaining = 0;  ///< not drawn yet that may agree
+  std::uint64_t pixels = 0;     ///< errors and footprint
+  std::uint64_t agreeing = 0;   ///< of these, equal to the device
+  std::uint64_t exact = 0;      ///< of all drawn pixels, equal to the device
+  std::uint64_t remaining = 0;  ///< undrawn pixels that may agree
 
   /// The agreement on the whole vector if all remaining pixels agree.
   double best() const { return static_cast<double>(agreeing + remaining) / static_cast<double>(pixels + remaining); }
@@ -62,22 +62,22 @@ void count(const Case& given, const Variant& variant, std::size_t pixel, ItemId 
   const ItemId rules = given.rules[pixel], found = given.found[pixel];
   agreement.remaining -= given.mayAgree(pixel);
   agreement.exact += id == found;
-  // A change that rounding may undo says nothing.
+  // A change within rounding is not evidence.
   if (!given.isError[pixel] && areLike(id, rules)) return;
   ++agreement.pixels;
   agreement.agreeing += id != rules && areLike(id, found);
 }
 
-/// A variant that agrees.
+/// A variant with enough agreement.
 struct Suspect {
   const Fault* fault;
   const Variant* variant;
   double agreement;
-  std::uint64_t exact;  ///< pixels of all that hold the variant's item ID
+  std::uint64_t exact;  ///< pixels of all faces that hold the variant's item ID
   ItemIds ids;
 };
 
-/// Draws a variant for as long as it may be named; most are out after a few rows.
+/// Draws a variant while it may still be named. Most variants are rejected after a few rows.
 std::optional<Suspect> compare(const Case& given, std::uint64_t mayAgree, const Fault& fault, const Variant& variant) {
   Agreement agreement{.remaining = mayAgree};
   ItemIds ids;
@@ -112,8 +112,8 @@ std::vector<Suspect> suspectsOf(const Case& given, const std::vector<Fault>& fau
   return suspects;
 }
 
-/// Whether `best` and `other` could be exchanged: of the pixels that hold the item ID of one of the two, those of
-/// `best` outnumber the others by no more than two standard deviations of a fair coin.
+/// Whether the vector cannot distinguish `best` and `other`. Of the pixels that hold the item ID of only one of them,
+/// those of `best` outnumber the others by at most two standard deviations of a fair coin.
 bool areIndistinct(const Case& given, const Suspect& best, const Suspect& other) {
   std::uint64_t onlyBest = 0, onlyOther = 0;
   for (std::size_t p = 0; p < given.found.size(); ++p) {

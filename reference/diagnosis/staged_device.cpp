@@ -10,7 +10,7 @@ namespace {
 
 using raster::ItemId;
 
-constexpr double subPixels = 256;  // units a pixel side
+constexpr double subPixels = 256;  // per pixel
 
 /// A linear function on the picture.
 struct Plane {
@@ -20,8 +20,8 @@ struct Plane {
   double at(const glm::dvec2& position) const { return slope.x * position.x + slope.y * position.y + atOrigin; }
 };
 
-/// Edges, opposite their vertices, are positive inside and exact; attributes are quotients of linear functions, each
-/// multiplied by the doubled area.
+/// The linear functions of a triangle. Edge k is opposite vertex k, positive inside and exact. Attributes are quotients
+/// of sums of edges times vertex values.
 struct Setup {
   std::array<Plane, 3> edges;
   std::array<bool, 3> ownsEdge;
@@ -73,8 +73,7 @@ Setup setUp(const StagedDevice& device, const DeviceTriangle& triangle) {
   return setup;
 }
 
-/// Coordinates that later stages can count with: extrapolated to a sample that the triangle does not cover, a quotient
-/// may have any size or no value.
+/// Clamps coordinates to finite values: extrapolation to a sample outside of the triangle may give any quotient or NaN.
 glm::dvec2 held(const glm::dvec2& coordinates) {
   constexpr double largest = 1e9;
   const auto hold = [=](double x) { return std::isnan(x) ? 0.0 : std::clamp(x, -largest, largest); };
@@ -155,7 +154,7 @@ class FaceDrawing {
   const StagedDevice& device_;
   const raster::DrawList& list_;
   const raster::Face& view_;
-  std::vector<Sample> samples_;  ///< device.samples.size() a pixel of the scissor rectangle
+  std::vector<Sample> samples_;  ///< device.samples.size() per pixel of the scissor rectangle
 };
 
 std::vector<DeviceTriangle> placeFace(const raster::DrawList& list, const raster::Face& view) {

@@ -182,7 +182,7 @@ std::optional<CommonFault> commonFault(std::span<const Report> reports) {
 
 std::string toText(const CommonFault& common) {
   return common.finding.fault + ", named by " + std::to_string(common.vectors) + " of " +
-         std::to_string(common.failures) + " vectors that fail: " + common.finding.advice;
+         std::to_string(common.failures) + " failing vectors: " + common.finding.advice;
 }
 
 std::string toJson(const Report& report) { return textOf(jsonOf(report)); }

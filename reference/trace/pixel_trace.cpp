@@ -78,7 +78,7 @@ DerivedCorner cornerOf(const ViewVertex& view, int resolution) {
   return {view, q, {raster::snap(q.x, resolution), raster::snap(q.y, resolution)}};
 }
 
-/// Finds the triangle of the fan that clipping leaves which is `screen`, and its corners.
+/// Finds `screen` in the fan that clipping leaves of the triangle, and stores its index and corners.
 void derivePiece(const raster::Face& face, const std::array<ViewVertex, 3>& vertices, const ScreenTriangle& screen,
                  Derivation& derivation) {
   const bool mirrored = raster::determinant(face) < 0;

@@ -23,14 +23,14 @@ namespace filesystem = std::filesystem;
 
 constexpr int rulesVersion = 1;
 
-// --- JSON to values; every fault names the key ---
+// --- JSON to values; every error names the key ---
 
 const Json& at(const Json& object, const std::string& key) {
   if (!object.is_object() || !object.contains(key)) throw InputError("\"" + key + "\" is missing");
   return object.at(key);
 }
 
-/// Binary64 to binary32; what was written from a binary32 reads back to the same bits.
+/// Binary64 to binary32; a number written from a binary32 reads back to the same bits.
 float toFloat(const Json& value, const std::string& key) {
   if (!value.is_number()) throw InputError("\"" + key + "\" is not a number");
   const auto number = static_cast<float>(value.get<double>());
@@ -47,11 +47,11 @@ std::int64_t toInteger(const Json& value, const std::string& key, std::int64_t l
 }
 
 std::string toText(const Json& value, const std::string& key) {
-  if (!value.is_string()) throw InputError("\"" + key + "\" is not a text");
+  if (!value.is_string()) throw InputError("\"" + key + "\" is not a string");
   return value.get<std::string>();
 }
 
-/// A file name inside the folder: no directories, so that a vector cannot reach out of it.
+/// A file name without directories, so that a vector cannot read files outside of its folder.
 std::string toFileName(const Json& value, const std::string& key) {
   const std::string name = toText(value, key);
   if (name.empty() || name == "." || name == ".." || name.find_first_of("/\\") != std::string::npos)
@@ -100,7 +100,7 @@ template <typename Value>
 std::vector<Value> pairUp(const std::vector<float>& numbers, std::size_t perValue, const std::string& file) {
   if (numbers.size() % perValue != 0)
     throw InputError(file + " holds " + std::to_string(numbers.size()) + " numbers",
-                     "it takes " + std::to_string(perValue) + " a vertex");
+                     "use " + std::to_string(perValue) + " per vertex");
   std::vector<Value> values(numbers.size() / perValue);
   for (std::size_t i = 0; i < numbers.size(); ++i) values[i / perValue][static_cast<int>(i % perValue)] = numbers[i];
   return values;
@@ -288,7 +288,7 @@ void writeVector(const filesystem::path& folder, const TestVector& vector,
   writeArray(folder / "indices.u32", list.indices);
   for (std::size_t m = 0; m < list.indexMaps.size(); ++m)
     writeArray(folder / mapFileName(list.indexMaps[m], m), list.indexMaps[m].ids);
-  // Names that are not UTF-8 are mended, not refused.
+  // Bytes of names that are not UTF-8 are replaced.
   raster::writeFile(folder / "vector.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 

@@ -53,7 +53,7 @@ void readField(const Json& value, const std::string& key, DeviceProfile& profile
   if (key == "depth_format") return readChoice(value, key, depthFormatNames, profile.depthFormat);
   if (key == "depth_tolerance") return readBound(value, key, profile.depthTolerance);
   if (key == "loose_clipping") return readFlag(value, key, profile.looseClipping);
-  throw InputError("\"" + key + "\" is no key of a device profile");
+  throw InputError("\"" + key + "\" is not a key of a device profile");
 }
 
 }  // namespace

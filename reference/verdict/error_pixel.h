@@ -1,4 +1,4 @@
-/// The errors of a verdict, each with what the rules show there and what the device's item ID stands for.
+/// The error pixels of a verdict, each with the expected fragment and the origins of both item IDs.
 #pragma once
 
 #include <array>
@@ -14,14 +14,14 @@
 
 namespace hemitex::reference {
 
-/// What a device shows in place of what.
+/// How the found item ID differs from the expected one.
 enum class ErrorKind : std::uint8_t {
   Missing,       ///< the background in place of a triangle
   Extra,         ///< a triangle in place of the background
   WrongSurface,  ///< another draw
   WrongElement,  ///< the right draw, another texel
-  WrongSide,     ///< the right draw, its back for its front or the other way
-  ForeignId,     ///< an item ID that no draw gives
+  WrongSide,     ///< the right draw, its back instead of its front or the reverse
+  ForeignId,     ///< an item ID that no draw produces
 };
 
 /// In the order of the enum.
@@ -30,23 +30,23 @@ constexpr std::array<Named<ErrorKind>, 6> errorKindNames{{{ErrorKind::Missing, "
                                                           {ErrorKind::WrongSurface, "wrong surface"},
                                                           {ErrorKind::WrongElement, "wrong element"},
                                                           {ErrorKind::WrongSide, "wrong side"},
-                                                          {ErrorKind::ForeignId, "foreign word"}}};
+                                                          {ErrorKind::ForeignId, "foreign item ID"}}};
 
-/// An error, with what the rules show there.
+/// An error pixel.
 struct ErrorPixel {
   std::string face;
   int column, row;  ///< in the viewport
   ErrorKind kind;
   raster::ItemId expected, found;
   IdOrigin expectedOrigin, foundOrigin;
-  std::optional<Fragment> visible;  ///< none where the rules show the background
+  std::optional<Fragment> visible;  ///< none where the rules give the background
 };
 
 /// One line, without the face's name.
 std::string toText(const ErrorPixel& error);
 
-/// The error at a pixel of the viewport of a face, given its name and its screen triangles (fragments.h), where the
-/// device found another item ID than the rules.
+/// The error at a pixel of the viewport of the face named `face`, where a device drew the item ID `found`. `triangles`
+/// are the screen triangles of that face (fragments.h).
 ErrorPixel errorAt(const raster::DrawList& list, const std::string& face,
                    std::span<const raster::ScreenTriangle> triangles, int column, int row, raster::ItemId found);
 

@@ -15,8 +15,8 @@ std::optional<Texel> findTexel(const raster::IndexMap& map, ItemId id) {
   return Texel{texel % map.width, texel / map.width};
 }
 
-/// The texel that gives `id` behind an offset where no channel clamps.
-ItemId texelBehind(const raster::DrawList& list, ItemId offset, ItemId id) {
+/// The texel that gives `id` with an offset if no channel clamps.
+ItemId texelUnder(const raster::DrawList& list, ItemId offset, ItemId id) {
   return list.blend == raster::Blend::Replace ? id : (id - offset) & raster::backgroundId(list.format);
 }
 
@@ -27,7 +27,7 @@ std::optional<IdOrigin> originIn(const raster::DrawList& list, std::uint32_t num
     if (draw.offset != id) return {};
     return IdOrigin{IdOrigin::Kind::Offset, number, {}};
   }
-  const ItemId behind = texelBehind(list, draw.offset, id);
+  const ItemId behind = texelUnder(list, draw.offset, id);
   if (raster::blend(list.format, list.blend, draw.offset, behind) != id) return {};
   const std::optional<Texel> texel = findTexel(list.indexMaps[static_cast<std::size_t>(*draw.indexMap)], behind);
   if (!texel) return {};

@@ -1,4 +1,4 @@
-/// One pixel judged: which item IDs may a device show there?
+/// Judges one pixel: which item IDs may a device show there?
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@ namespace hemitex::reference {
 enum class PixelVerdict : std::uint8_t {
   Exact,
   Coverage,       ///< explained: another triangle covers the sample, or none
-  Texel,          ///< explained: the rules' triangle, at a texel nearby
+  Texel,          ///< explained: the rules' triangle, at a nearby texel
   Depth,          ///< explained: another triangle that covers the sample passes the depth test
-  LooseClipping,  ///< explained only by triangles cut at other planes
+  LooseClipping,  ///< explained only by clipping at other planes
   Error,
 };
 
@@ -28,7 +28,7 @@ constexpr std::array<Named<PixelVerdict>, 6> pixelVerdictNames{{{PixelVerdict::E
                                                                 {PixelVerdict::LooseClipping, "loose-clipping"},
                                                                 {PixelVerdict::Error, "error"}}};
 
-/// What every pixel of a face is judged by.
+/// Input of the judgement that all pixels of a face share.
 struct Judge {
   const raster::DrawList& list;
   const DeviceProfile& profile;
@@ -38,8 +38,8 @@ struct Judge {
 
 Judge makeJudge(const raster::DrawList& list, const raster::Face& face, const DeviceProfile& profile);
 
-/// Coverage, Texel, Depth or Error for an item ID that is not the rules' at a sample. `triangles` holds all that may
-/// cover the sample, and may hold others.
+/// Coverage, Texel, Depth or Error for an item ID that differs from the rules' at a sample. `triangles` holds at least
+/// all triangles that may cover the sample.
 PixelVerdict judgeId(const Judge& judge, std::span<const DeviceTriangle* const> triangles, const glm::dvec2& sample,
                      raster::ItemId found);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int tileSide = 16;  // pixels
 
-/// The pixels of a scissor rectangle in square tiles, so that a pixel looks only at triangles nearby.
+/// The pixels of a scissor rectangle in square tiles, so that each pixel tests only nearby triangles.
 struct Tiles {
   raster::Scissor scissor;
   int columns, rows;
@@ -28,7 +28,7 @@ struct Tiles {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
   }
 
-  /// Calls visit(tile) for the tiles that hold a sample which the triangle may cover.
+  /// Calls visit(tile) for each tile with a sample that the triangle may cover, and perhaps others.
   template <typename Visit>
   void forEach(const DeviceTriangle& triangle, const Visit& visit) const {
     glm::dvec2 low = triangle.vertices[0].position, high = low;
@@ -36,7 +36,7 @@ struct Tiles {
       low = glm::min(low, vertex.position);
       high = glm::max(high, vertex.position);
     }
-    // A pixel more on either side: bounds need not be tight.
+    // One more pixel on either side: the bounds need not be tight.
     const glm::dvec2 corner(scissor.column, scissor.row);
     const auto tileOf = [&](const glm::dvec2& position) {
       return glm::floor((position / 256.0 - corner) / static_cast<double>(tileSide));
@@ -49,7 +49,7 @@ struct Tiles {
   }
 };
 
-/// The pixels still to be judged, by tile: indices into the item buffer.
+/// The pixels to judge, by tile: indices into the item buffer.
 using TilePixels = std::vector<std::vector<std::size_t>>;
 
 TilePixels pixelsWith(PixelVerdict verdict, const FaceVerdict& face, const Tiles& tiles) {
@@ -61,7 +61,7 @@ TilePixels pixelsWith(PixelVerdict verdict, const FaceVerdict& face, const Tiles
   return pixels;
 }
 
-/// Judges again every pixel that is an error so far; with `loose`, what is then explained is loose clipping.
+/// Judges again each pixel that is an error so far. With `loose`, loose clipping explains it.
 void judgeErrors(const raster::DrawList& list, const raster::Face& view, const DeviceProfile& profile, bool loose,
                  FaceVerdict& face) {
   const Tiles tiles(face.scissor);

@@ -782,7 +782,7 @@ TEST_CASE("The matrix of form factors is checked by what holds for all", "[cli]"
   }
 }
 
-TEST_CASE("A test vector is exported without item IDs and rendered in place", "[cli]") {
+TEST_CASE("vector export writes no item IDs, and vector render adds them in place", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0,0,0 --normal 0,0,1 --resolution 8 -o vector");
   CHECK(fs::exists(shell.file("vector/vector.json")));
@@ -796,7 +796,7 @@ TEST_CASE("A test vector is exported without item IDs and rendered in place", "[
   CHECK(readAll(shell.file("elsewhere/vector.json")) == readAll(shell.file("vector/vector.json")));
 }
 
-TEST_CASE("vector calibrate finds the profile of the reference renderer, and none of a device that fits none",
+TEST_CASE("vector calibrate finds the profile of the reference renderer, and none for a faulty device",
           "[cli]") {
   const Shell shell;
   const json vectors = json::parse(shell.output("vector calibrate --probes probes --json"))["vectors"];
@@ -902,7 +902,7 @@ triangle,draw,facing,w,u,v,column,row,word
   CHECK(derivation["word"] == 5631);
 }
 
-TEST_CASE("Stages lie beside an exported vector, and beside one whose item IDs were drawn", "[cli]") {
+TEST_CASE("vector export and vector render --stages write stages.json beside vector.json", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0,0,0 --normal 0,0,1 --resolution 8 --stages -o vector");
   const json faces = json::parse(readAll(shell.file("vector/stages.json")))["faces"];
@@ -916,7 +916,7 @@ TEST_CASE("Stages lie beside an exported vector, and beside one whose item IDs w
   CHECK_FALSE(fs::exists(shell.file("plain/stages.json")));
 }
 
-TEST_CASE("The vector suite is written as folders, and its table holds the pinned hashes", "[cli]") {
+TEST_CASE("vector suite writes a folder per vector and a table with the pinned hashes", "[cli]") {
   const Shell shell;
   const json vectors = json::parse(shell.output("vector suite -o suite --json"))["vectors"];
   const std::vector<std::string> pinned = linesOf(readAll(HEMITEX_SUITE_HASHES));
@@ -935,7 +935,7 @@ TEST_CASE("The vector suite is written as folders, and its table holds the pinne
   CHECK(table[0] == "name,catches,hash");
 }
 
-TEST_CASE("A test vector is drawn on another device where there is one", "[cli]") {
+TEST_CASE("vector render --device draws on another device where there is one", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0.5,0.5,0.01 --normal 0,0,1 --resolution 16 -o vector");
   CHECK(shell.run("vector render vector --device abacus -o device").exitCode == 2);
@@ -946,7 +946,7 @@ TEST_CASE("A test vector is drawn on another device where there is one", "[cli]"
     CHECK((drawn.exitCode == 2 && drawn.err.find("OpenGL") != std::string::npos));
 }
 
-TEST_CASE("vector check judges a suite of vectors as one", "[cli]") {
+TEST_CASE("vector check judges all vectors of a suite", "[cli]") {
   const Shell shell;
   for (const std::string name : {"near", "far"}) {
     shell.output("vector export room.obj --eye 0.5,0.5," + std::string(name == "near" ? "0.01" : "0.3") +
@@ -1023,13 +1023,13 @@ TEST_CASE("vector check names the fault where errors are systematic", "[cli]") {
   }
   const Outcome wrong = shell.run("vector check vector --candidate device");
   CHECK(wrong.exitCode == 1);
-  CHECK(wrong.out.find("\ndiagnosis: byte order, in words files (100.0 % agreement): ") != std::string::npos);
+  CHECK(wrong.out.find("\ndiagnosis: byte order, in item ID files (100.0 % agreement): ") != std::string::npos);
   const json report = json::parse(shell.run("vector check vector --candidate device --json").out);
   REQUIRE(report["diagnosis"].size() == 1);
   CHECK(report["diagnosis"][0]["fault"] == "byte order");
 }
 
-TEST_CASE("vector check passes what the rules draw, fails on one wrong item ID, and refuses a short file", "[cli]") {
+TEST_CASE("vector check passes the rules' item IDs, fails on one wrong item ID, and refuses a short file", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0.5,0.5,0.01 --normal 0,0,1 --resolution 16 -o vector");
   shell.output("vector render vector -o device");

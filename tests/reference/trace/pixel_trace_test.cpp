@@ -1,4 +1,4 @@
-// Derivations of item IDs: they end in the renderer's item ID, and their numbers are those of the stages.
+// A derivation ends in the item ID of the renderer, and its numbers equal those of the stages.
 #include "reference/trace/pixel_trace.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ void forSomePixels(const raster::DrawList& list, const raster::Face& face, int c
           deriveAt(list, face, triangles, face.scissor.column + pixel % width, face.scissor.row + pixel / width));
 }
 
-/// What kinds of pixels a test met.
+/// Number of pixels of each kind in a test.
 struct Met {
   int cut = 0, backs = 0, mirrored = 0, clamped = 0, added = 0, replaced = 0, background = 0, onEdges = 0;
 };
@@ -64,7 +64,7 @@ void count(const raster::DrawList& list, const raster::Face& face, const Derivat
 
 }  // namespace
 
-TEST_CASE("a derivation ends in the renderer's item ID, whatever was clipped, mirrored, turned away or blended",
+TEST_CASE("derive ends in the item ID of the renderer for clipped, mirrored, back-facing and blended pixels",
           "[derivation]") {
   Met met;
   for (const TestVector& vector : reference::vectorSuite()) {
@@ -87,7 +87,7 @@ TEST_CASE("a derivation ends in the renderer's item ID, whatever was clipped, mi
     CHECK(kind > 20);
 }
 
-TEST_CASE("the numbers of a derivation are those of the stages", "[derivation]") {
+TEST_CASE("derive gives the numbers of stagesOf", "[derivation]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   for (const char* name : {"five-faces", "perspective-clipped", "perspective-twist", "frustum-sheet", "needles"}) {
     const TestVector& vector = named(suite, name);
@@ -128,7 +128,7 @@ TEST_CASE("the numbers of a derivation are those of the stages", "[derivation]")
   }
 }
 
-TEST_CASE("the runner-up is the next triangle behind, by the exact difference of 1/w", "[derivation]") {
+TEST_CASE("derive finds the next triangle behind, by the exact difference of 1/w", "[derivation]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   // On the slope all triangles that cover a sample are equally near.
   const TestVector& slope = named(suite, "coplanar-slope");
