@@ -1,5 +1,5 @@
-/// `hemitex vector calibrate`: a device's profile, measured from its answers to probing vectors. The vectors are
-/// written first; when the device has drawn them, its answers give the profile that `vector check` judges it by.
+/// `hemitex vector calibrate` measures the profile of a device. It first writes probing vectors. From the item buffers
+/// that the device draws for them it computes the profile that `vector check` uses.
 #include <iostream>
 #include <memory>
 
@@ -19,8 +19,8 @@ namespace filesystem = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 struct CalibrateOptions {
-  filesystem::path probes;                      ///< where to write probing vectors
-  filesystem::path vectors, candidate, output;  ///< where they were drawn from, what the device drew, the profile
+  filesystem::path probes;                      ///< folder to write probing vectors into
+  filesystem::path vectors, candidate, output;  ///< probing vectors, item buffers of the device, profile
 };
 
 void writeProbes(const filesystem::path& folder, const Context& context) {
@@ -40,15 +40,15 @@ void writeProbes(const filesystem::path& folder, const Context& context) {
     writeCsv(std::cout, table);
 }
 
-/// Answers count for the probes that this program makes, and for no others.
+/// A profile follows only from item buffers for the probes of this program version.
 void requireSame(const filesystem::path& folder, const reference::TestVector& probe) {
   const reference::TestVector drawn = reference::readVector(folder);
   if (drawn.list.positions != probe.list.positions || drawn.list.texcoords != probe.list.texcoords)
-    throw raster::InputError(folder.string(), 0, "is not the probing vector that this program knows",
-                             "write them again with vector calibrate --probes, and draw them");
+    throw raster::InputError(folder.string(), 0, "differs from the probing vector of this program",
+                             "write the probing vectors again with vector calibrate --probes, and draw them");
 }
 
-/// The keys of the profile and their values, a row each.
+/// The keys of the profile and their values, one row each.
 Table tableOf(const Json& profile) {
   const auto row = [profile](std::size_t index) -> std::vector<Cell> {
     const auto entry = std::next(profile.begin(), static_cast<std::ptrdiff_t>(index));
@@ -81,7 +81,7 @@ void calibrateDevice(const CalibrateOptions& options, Context& context) {
 
 void addVectorCalibrate(CLI::App& vector, Context& context) {
   const auto options = std::make_shared<CalibrateOptions>();
-  CLI::App* command = vector.add_subcommand("calibrate", "Measure what a device does, for vector check --profile");
+  CLI::App* command = vector.add_subcommand("calibrate", "Measure the profile of a device, for vector check --profile");
   CLI::Option* probes = command->add_option("--probes", options->probes, "write the probing vectors into this folder");
   CLI::Option* folder = command->add_option("DIR", options->vectors, "folder of the probing vectors");
   CLI::Option* candidate = command->add_option("--candidate", options->candidate, "folder with the device's item IDs");

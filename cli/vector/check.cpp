@@ -1,5 +1,5 @@
-/// `hemitex vector check`: the item buffers of a device against the raster rules, pixel by pixel, for one vector or for
-/// a whole suite.
+/// `hemitex vector check` compares the item buffers of a device with the raster rules, pixel by pixel, for one vector
+/// or for a whole suite.
 #include <algorithm>
 #include <functional>
 #include <iostream>
@@ -22,12 +22,12 @@ namespace fs = std::filesystem;
 
 struct CheckOptions {
   fs::path vector, candidate, profile, junit, picture, minimal;
+  bool isExact = false;
 };
 
 bool isVector(const fs::path& folder) { return fs::exists(folder / "vector.json"); }
 
-/// The folders of a suite's vectors, in the order of their names; of a vector, or what should be one, the folder
-/// itself.
+/// The vector folders of a suite, in the order of their names. Any other folder stands for itself.
 std::vector<fs::path> vectorFolders(const fs::path& folder) {
   if (isVector(folder) || !fs::is_directory(folder)) return {folder};
   std::vector<fs::path> folders;
@@ -37,7 +37,7 @@ std::vector<fs::path> vectorFolders(const fs::path& folder) {
   return folders.empty() ? std::vector{folder} : folders;
 }
 
-/// Every vector of a suite needs its answer; a backend that is on its way sees at once which are missing.
+/// Throws InputError with all vectors of a suite that have no folder in `candidate`.
 void requireAnswers(const std::vector<fs::path>& vectors, const fs::path& candidate) {
   std::string missing;
   std::size_t count = 0;
@@ -49,15 +49,14 @@ void requireAnswers(const std::vector<fs::path>& vectors, const fs::path& candid
     throw raster::InputError(
         candidate.string(), 0,
         "has no folder for " + std::to_string(count) + " of " + std::to_string(vectors.size()) + " vectors: " + missing,
-        "a device answers a suite with a folder a vector; delete those vectors that it cannot draw");
+        "write one folder per vector; delete the vectors that the device cannot draw");
 }
 
-/// Counts by verdict, a row each of what is named.
+/// Counts by verdict, with `size` rows.
 Table tableOf(const std::string& what, std::size_t size, const std::function<std::string(std::size_t)>& nameAt,
               const std::function<reference::VerdictCounts(std::size_t)>& countsAt) {
   std::vector<std::string> columns{what};
-  for (std::size_t k = 0; k < reference::pixelVerdicts; ++k)
-    columns.push_back(nameOf(static_cast<reference::PixelVerdict>(k)));
+  for (const auto& verdict : reference::pixelVerdictNames) columns.emplace_back(verdict.name);
   const auto row = [=](std::size_t index) {
     std::vector<Cell> cells{nameAt(index)};
     for (const std::uint64_t count : countsAt(index)) cells.emplace_back(static_cast<std::int64_t>(count));
@@ -78,6 +77,7 @@ void printVector(const reference::Report& report, bool asJson) {
   for (const reference::ErrorPixel& error : report.errors)
     std::cout << "error in " << error.face << ": " << toText(error) << '\n';
   if (!report.findings.empty()) std::cout << "diagnosis: " << toText(report.findings) << '\n';
+  if (report.reference) std::cout << "reference: " << toText(*report.reference) << '\n';
 }
 
 void printSuite(const std::vector<reference::Report>& reports, bool asJson) {
@@ -95,9 +95,10 @@ void printSuite(const std::vector<reference::Report>& reports, bool asJson) {
       std::cout << "error in " << report.verdict.vector << ", " << report.errors[0].face << ": "
                 << toText(report.errors[0]) << '\n';
   if (const auto common = reference::commonFault(reports)) std::cout << "diagnosis: " << toText(*common) << '\n';
+  if (reports.front().reference) std::cout << "reference: " << toText(checkReference(reports)) << '\n';
 }
 
-/// The smallest part of the vector that fails, and beside it the device's item ID, as a candidate.
+/// Writes the smallest part of the vector that fails, and in `candidate` the device's item ID.
 void writeMinimal(const std::filesystem::path& folder, const reference::MinimalFailure& minimal) {
   Staging staging(folder);
   reference::writeVector(staging.folder(), minimal.vector, {&minimal.expected, 1});
@@ -118,19 +119,22 @@ void check(const CheckOptions& options, Context& context) {
   for (const fs::path& folder : folders) {
     vectors.push_back(reference::readVector(folder));
     const fs::path candidate = isSuite ? options.candidate / folder.filename() : options.candidate;
-    reports.push_back(reportOn(vectors.back(), reference::readCandidate(candidate, vectors.back()), profile));
+    const std::vector<raster::ItemBuffer> found = reference::readCandidate(candidate, vectors.back());
+    const auto report = options.isExact ? reference::reportExactly : reference::reportOn;
+    reports.push_back(report(vectors.back(), found, profile));
   }
   const auto failing = std::find_if(reports.begin(), reports.end(),
                                     [](const reference::Report& report) { return hasErrors(report.verdict); });
-  context.failed = failing != reports.end();
+  const bool isFailing = failing != reports.end();
+  context.failed = isFailing || checkReference(reports).differing > 0;
 
-  const std::size_t shown = context.failed ? static_cast<std::size_t>(failing - reports.begin()) : 0;
+  const std::size_t shown = isFailing ? static_cast<std::size_t>(failing - reports.begin()) : 0;
   const reference::TestVector& vector = vectors[shown];
   const reference::Verdict& verdict = reports[shown].verdict;
   if (!options.junit.empty()) raster::writeFile(options.junit, toJUnit(reports));
   if (!options.picture.empty())
     radiosity::writePng(options.picture, toPicture(verdict, raster::backgroundId(vector.list.format)));
-  if (context.failed && !options.minimal.empty()) writeMinimal(options.minimal, minimize(vector, verdict, profile));
+  if (isFailing && !options.minimal.empty()) writeMinimal(options.minimal, minimize(vector, verdict, profile));
   isSuite ? printSuite(reports, context.json) : printVector(reports.front(), context.json);
 }
 
@@ -143,15 +147,18 @@ void addVectorCheck(CLI::App& vector, Context& context) {
   command->add_option("DIR", options->vector, "folder of the vector, or of a suite of vectors")->required();
   command
       ->add_option("--candidate", options->candidate,
-                   "folder with the device's item IDs; of a suite, a folder a vector")
+                   "folder with the device's item IDs; for a suite, one folder per vector")
       ->required();
-  command->add_option("--profile", options->profile, "what the device may do, as JSON (default: a Vulkan device)");
-  command->add_option("--junit", options->junit, "JUnit XML: a test suite a vector, a test case a face");
+  command->add_option("--profile", options->profile,
+                      "allowed deviations of the device, as JSON (default: a Vulkan device)");
+  command->add_flag("--exact", options->isExact,
+                    "evaluate the rules in rational arithmetic, independently of the reference (slow)");
+  command->add_option("--junit", options->junit, "JUnit XML file: one test suite per vector, one test case per face");
+  command->add_option("--diff", options->picture,
+                      "PNG with expected, found and verdict side by side; for a suite, of its first failing vector");
   command->add_option(
-      "--diff", options->picture,
-      "PNG with expected, found and verdict beside each other; of a suite, its first vector that fails");
-  command->add_option("--minimize", options->minimal,
-                      "folder for the fewest triangles and the pixel that still fail; of a suite likewise");
+      "--minimize", options->minimal,
+      "folder for one failing pixel with the fewest triangles; for a suite, of its first failing vector");
   command->callback([options, &context] { context.command = [options, &context] { check(*options, context); }; });
 }
 

@@ -1,4 +1,5 @@
-/// `hemitex vector explain`: what the raster rules do at one pixel, from the triangles that cover it to the item ID.
+/// `hemitex vector explain` derives the item ID of one pixel by the raster rules, and lists the triangles that cover
+/// it.
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -19,7 +20,7 @@ struct Pixel {
   int column = 0, row = 0;
 };
 
-/// `FACE,I,J`; the name of a face may hold commas itself.
+/// `FACE,COLUMN,ROW`; the name of a face may contain commas.
 Pixel pixelOption(const std::string& text) {
   const std::size_t second = text.rfind(',');
   const std::size_t first =
@@ -75,10 +76,10 @@ void explain(const std::filesystem::path& folder, const Pixel& pixel, const Cont
   const reference::TestVector vector = reference::readVector(folder);
   const raster::Face& face = faceOf(vector, pixel).face;
   requireInside(face.scissor, pixel);
-  const auto derivation = reference::derive(vector.list, face, pixel.column, pixel.row);
   const auto fragments = reference::fragmentsAt(vector.list, face, pixel.column, pixel.row);
-  const raster::ItemId id = derivation ? derivation->id : raster::backgroundId(vector.list.format);
-  const auto draw = derivation ? std::optional(fragments.front().draw) : std::nullopt;
+  const auto derivation = reference::derive(vector.list, face, fragments, pixel.column, pixel.row);
+  const raster::ItemId id = derivation ? derivation->visible.id : raster::backgroundId(vector.list.format);
+  const auto draw = derivation ? std::optional(derivation->visible.draw) : std::nullopt;
   const std::string origin = toText(reference::originOf(vector.list, id, draw));
   if (context.json) {
     std::cout << toText({{"face", pixel.face},
@@ -93,7 +94,8 @@ void explain(const std::filesystem::path& folder, const Pixel& pixel, const Cont
   std::cout << "pixel " << pixel.column << ',' << pixel.row << " of " << pixel.face << " holds " << id << ": " << origin
             << "\n";
   if (!derivation) return;
-  std::cout << toText(*derivation, vector.list, face) << "triangles that cover it, nearest first:\n";
+  std::cout << toLines({{"face", toJson(face)}}) << toLines(toJson(*derivation))
+            << "triangles that cover it, nearest first:\n";
   writeCsv(std::cout, tableOf(fragments));
 }
 
@@ -105,10 +107,10 @@ void addVectorExplain(CLI::App& vector, Context& context) {
     Pixel pixel;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* command = vector.add_subcommand("explain", "Say what the rules do at one pixel");
+  CLI::App* command = vector.add_subcommand("explain", "Derive the item ID of one pixel by the rules");
   command->add_option("DIR", options->folder, "folder of the vector")->required();
   const auto read = [options](const std::string& text) { options->pixel = pixelOption(text); };
-  command->add_option_function<std::string>("--pixel", read, "which pixel of the viewport")
+  command->add_option_function<std::string>("--pixel", read, "pixel of the viewport")
       ->required()
       ->type_name("FACE,COLUMN,ROW");
   command->callback([options, &context] {

@@ -1,5 +1,5 @@
-/// `hemitex vector suite`: every test vector of the suite with its item IDs, a folder each, and what each of them
-/// catches.
+/// `hemitex vector suite` writes every test vector of the suite with its item IDs, one folder each, and prints the
+/// faults that each of them detects.
 #include <iostream>
 #include <memory>
 
@@ -40,7 +40,7 @@ void writeSuite(const filesystem::path& output, const Context& context) {
 
 void addVectorSuite(CLI::App& vector, Context& context) {
   const auto output = std::make_shared<filesystem::path>();
-  CLI::App* command = vector.add_subcommand("suite", "Write every test vector of the suite, a folder each");
+  CLI::App* command = vector.add_subcommand("suite", "Write every test vector of the suite, one folder each");
   addOutput(*command, *output, "folder for the vectors");
   command->callback([output, &context] { context.command = [output, &context] { writeSuite(*output, context); }; });
 }

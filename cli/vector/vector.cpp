@@ -1,6 +1,5 @@
 /// `hemitex vector`: test vectors for the authors of backends. `export` writes the draw list of a scene and the five
-/// faces of a hemicube; `render` adds the item buffers that the raster rules demand. The other commands have
-/// files of their own.
+/// faces of a hemicube; `render` adds the item buffers by the raster rules. Each other command has its own file.
 #include <array>
 #include <cmath>
 #include <iostream>
@@ -37,7 +36,7 @@ struct ExportOptions {
   bool stages = false;
 };
 
-/// Sides are named by where they look when the top face is seen with `up` upwards.
+/// Sides have the names of their directions in a view of the top face with `up` upwards.
 constexpr std::array<const char*, 5> faceNames = {"top", "side-right", "side-up", "side-left", "side-down"};
 
 reference::TestVector vectorOf(const ExportOptions& options, Console& console) {
@@ -109,20 +108,21 @@ void renderVector(const RenderOptions& options, const Context& context) {
 }
 
 void addStages(CLI::App& command, bool& stages) {
-  command.add_flag("--stages", stages, "write what lies between vertices and item IDs, too (stages.json)");
+  command.add_flag("--stages", stages,
+                   "also write the intermediate results between vertices and item IDs (stages.json)");
 }
 
 void addExport(CLI::App& parent, Context& context) {
   const auto options = std::make_shared<ExportOptions>();
   CLI::App* command = parent.add_subcommand("export", "Write a scene and the faces of a hemicube as a test vector");
   addSceneOptions(*command, options->scene);
-  addVectorOption(*command, "--eye", options->eye, "where the hemicube stands")->required();
-  addVectorOption(*command, "--normal", options->normal, "what its top face looks along")->required();
-  addVectorOption(*command, "--up", options->up, "turns it about the normal");
+  addVectorOption(*command, "--eye", options->eye, "eye of the hemicube")->required();
+  addVectorOption(*command, "--normal", options->normal, "direction of the top face")->required();
+  addVectorOption(*command, "--up", options->up, "up direction of the top face");
   addResolution(*command, options->resolution);
   addPositive(*command, "--near", options->nearDistance, std::numeric_limits<float>::max(),
-              "near distance (default: one that clips nothing open)");
-  command->add_option("--name", options->name, "of the vector (default: the scene's)");
+              "near distance (default: one that clips no triangle)");
+  command->add_option("--name", options->name, "name of the vector (default: that of the scene)");
   addDiscretizationOptions(*command, options->discretization);
   addIdOptions(*command, options->id);
   addStages(*command, options->stages);
@@ -139,7 +139,7 @@ void addRenderVector(CLI::App& parent, Context& context) {
                     {{"software", Device::Software},
                      {"opengl", Device::OpenGl},
                      {"opengl-fixed-function", Device::OpenGlFixedFunction}},
-                    "what draws it (default software, by the rules)");
+                    "renderer (default: software, which follows the rules)");
   addStages(*command, options->stages);
   addOutput(*command, options->output, "folder for the vector with its item IDs; may be the same");
   command->callback(

@@ -1,4 +1,4 @@
-/// Item IDs as colours: what hardware that knows no item IDs makes of them.
+/// Item IDs as colours, which is how hardware without integer formats treats them.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ inline std::vector<Channel> channelsOf(const raster::IdFormat& format) {
   return channels;
 }
 
-/// The channels of the colour that holds an item ID: an item ID of one channel of 32 bits may travel as four bytes.
+/// The channels of the colour that holds an item ID. A backend may pass an item ID of one 32-bit channel as four bytes.
 inline std::vector<Channel> colourChannelsOf(const raster::IdFormat& format) {
   return channelsOf(format.channelBits == std::vector<int>{32} ? raster::IdFormat{{8, 8, 8, 8}} : format);
 }

@@ -23,15 +23,20 @@ ItemIds idsOf(const std::vector<raster::ItemBuffer>& buffers) {
   return ids;
 }
 
-/// What is diagnosed.
+/// Input of the diagnosis. Pixels are those of all faces.
 struct Case {
-  ItemIds rules;  ///< by the staged device, whose rounding is then no footprint
+  PlacedVector placed;
+  ItemIds rules;  ///< by the staged device, so that its rounding is not part of footprints
   ItemIds found;
   std::vector<bool> isError;
+
+  /// Whether a fault may agree with the device at a pixel. At all others the device shows the item ID of the rules.
+  bool mayAgree(std::size_t pixel) const { return isError[pixel] || found[pixel] != rules[pixel]; }
 };
 
 Case makeCase(const TestVector& vector, const Verdict& verdict) {
-  Case result{idsOf(drawOn(StagedDevice{}, vector)), {}, {}};
+  Case result{placeVector(vector), {}, {}, {}};
+  result.rules = idsOf(result.placed.buffers);
   for (const FaceVerdict& face : verdict.faces) {
     result.found.insert(result.found.end(), face.found.ids.begin(), face.found.ids.end());
     for (const PixelVerdict pixel : face.pixels) result.isError.push_back(pixel == PixelVerdict::Error);
@@ -39,33 +44,55 @@ Case makeCase(const TestVector& vector, const Verdict& verdict) {
   return result;
 }
 
-/// A variant that agrees.
+/// The agreement of a variant on the pixels drawn so far.
+struct Agreement {
+  std::uint64_t pixels = 0;     ///< errors and footprint
+  std::uint64_t agreeing = 0;   ///< of these, equal to the device
+  std::uint64_t exact = 0;      ///< of all drawn pixels, equal to the device
+  std::uint64_t remaining = 0;  ///< undrawn pixels that may agree
+
+  /// The agreement on the whole vector if all remaining pixels agree.
+  double best() const { return static_cast<double>(agreeing + remaining) / static_cast<double>(pixels + remaining); }
+  bool mayBeNamed() const { return agreeing + remaining >= fewestPixels && best() >= minAgreement; }
+};
+
+void count(const Case& given, const Variant& variant, std::size_t pixel, ItemId id, Agreement& agreement) {
+  const std::vector<Channel>& rounded = variant.rounded;
+  const auto areLike = [&](ItemId a, ItemId b) { return a == b || (!rounded.empty() && isClose(rounded, a, b)); };
+  const ItemId rules = given.rules[pixel], found = given.found[pixel];
+  agreement.remaining -= given.mayAgree(pixel);
+  agreement.exact += id == found;
+  // A change within rounding is not evidence.
+  if (!given.isError[pixel] && areLike(id, rules)) return;
+  ++agreement.pixels;
+  agreement.agreeing += id != rules && areLike(id, found);
+}
+
+/// A variant with enough agreement.
 struct Suspect {
   const Fault* fault;
   const Variant* variant;
   double agreement;
-  std::uint64_t exact;  ///< pixels of all that hold the variant's item ID
+  std::uint64_t exact;  ///< pixels of all faces that hold the variant's item ID
   ItemIds ids;
 };
 
-std::optional<Suspect> compare(const Case& given, const Fault& fault, const Variant& variant, ItemIds ids) {
-  const std::vector<Channel>& rounded = variant.rounded;
-  const auto areLike = [&](ItemId a, ItemId b) { return a == b || (!rounded.empty() && isClose(rounded, a, b)); };
-  std::uint64_t pixels = 0, agreeing = 0, exact = 0;
-  for (std::size_t p = 0; p < ids.size(); ++p) {
-    const bool isChanged = ids[p] != given.rules[p];
-    exact += ids[p] == given.found[p];
-    // A change that rounding may undo says nothing.
-    if (!given.isError[p] && areLike(ids[p], given.rules[p])) continue;
-    ++pixels;
-    agreeing += isChanged && areLike(ids[p], given.found[p]);
-  }
-  const double agreement = static_cast<double>(agreeing) / static_cast<double>(pixels);
-  if (agreeing < fewestPixels || agreement < minAgreement) return {};
-  return Suspect{&fault, &variant, agreement, exact, std::move(ids)};
+/// Draws a variant while it may still be named. Most variants are rejected after a few rows.
+std::optional<Suspect> compare(const Case& given, std::uint64_t mayAgree, const Fault& fault, const Variant& variant) {
+  Agreement agreement{.remaining = mayAgree};
+  ItemIds ids;
+  drawOn(variant.device, given.placed, [&](const raster::ItemBuffer& part) {
+    for (const ItemId id : part.ids) {
+      count(given, variant, ids.size(), id, agreement);
+      ids.push_back(id);
+    }
+    return agreement.mayBeNamed();
+  });
+  if (!agreement.mayBeNamed()) return {};
+  return Suspect{&fault, &variant, agreement.best(), agreement.exact, std::move(ids)};
 }
 
-std::vector<Suspect> suspectsOf(const TestVector& vector, const Case& given, const std::vector<Fault>& faults) {
+std::vector<Suspect> suspectsOf(const Case& given, const std::vector<Fault>& faults) {
   struct Candidate {
     const Fault* fault;
     const Variant* variant;
@@ -73,10 +100,11 @@ std::vector<Suspect> suspectsOf(const TestVector& vector, const Case& given, con
   std::vector<Candidate> candidates;
   for (const Fault& fault : faults)
     for (const Variant& variant : fault.variants) candidates.push_back({&fault, &variant});
+  std::uint64_t mayAgree = 0;
+  for (std::size_t pixel = 0; pixel < given.found.size(); ++pixel) mayAgree += given.mayAgree(pixel);
   std::vector<std::optional<Suspect>> compared(candidates.size());
   raster::parallelFor(candidates.size(), [&](std::size_t k) {
-    const auto& [fault, variant] = candidates[k];
-    compared[k] = compare(given, *fault, *variant, idsOf(drawOn(variant->device, vector)));
+    compared[k] = compare(given, mayAgree, *candidates[k].fault, *candidates[k].variant);
   });
   std::vector<Suspect> suspects;
   for (std::optional<Suspect>& suspect : compared)
@@ -84,8 +112,8 @@ std::vector<Suspect> suspectsOf(const TestVector& vector, const Case& given, con
   return suspects;
 }
 
-/// Whether `best` and `other` could be exchanged: of the pixels that hold the item ID of one of the two, those of
-/// `best` outnumber the others by no more than two standard deviations of a fair coin.
+/// Whether the vector cannot distinguish `best` and `other`. Of the pixels that hold the item ID of only one of them,
+/// those of `best` outnumber the others by at most two standard deviations of a fair coin.
 bool areIndistinct(const Case& given, const Suspect& best, const Suspect& other) {
   std::uint64_t onlyBest = 0, onlyOther = 0;
   for (std::size_t p = 0; p < given.found.size(); ++p) {
@@ -103,7 +131,7 @@ std::vector<Finding> diagnose(const TestVector& vector, const Verdict& verdict) 
   if (!hasErrors(verdict)) return {};
   const std::vector<Fault> faults = knownFaults(vector);
   const Case given = makeCase(vector, verdict);
-  std::vector<Suspect> suspects = suspectsOf(vector, given, faults);
+  std::vector<Suspect> suspects = suspectsOf(given, faults);
   std::stable_sort(suspects.begin(), suspects.end(),
                    [](const Suspect& a, const Suspect& b) { return a.exact > b.exact; });
   std::vector<Finding> findings;

@@ -1,9 +1,9 @@
-/// The diagnosis of a device whose errors are systematic: the vector is drawn again with each known fault (fault.h),
-/// and the fault whose item IDs are the device's is named.
+/// Diagnoses systematic errors of a device: it draws the vector with each known fault (fault.h) and names the fault
+/// that gives the item IDs of the device.
 ///
-/// Let the footprint of a fault be the pixels where it changes the item IDs of the rules. A fault *agrees* with a
-/// device as far as, of the pixels that are errors or in the footprint, the device holds the fault's item ID: a device
-/// with the fault agrees but where its own small errors show, another one hardly ever.
+/// The footprint of a fault is the set of pixels where it changes the item IDs of the rules. The agreement of a fault
+/// is the fraction of the error pixels and the footprint where the device holds the item ID of the fault. A device with
+/// the fault agrees except for its own small errors; other devices hardly ever agree.
 #pragma once
 
 #include <string>
@@ -13,17 +13,17 @@
 
 namespace hemitex::reference {
 
-/// A fault that the errors come from.
+/// A fault that explains the errors.
 struct Finding {
   std::string fault;
-  std::string variant;  ///< which form of the fault agrees best; may be empty
+  std::string variant;  ///< the variant with the best agreement; may be empty
   double agreement;     ///< from 0.9 to 1
   std::string advice;   ///< where to look
 };
 
-/// The fault that agrees best, if any agrees on nine pixels of ten and on at least eight; with it those that the vector
-/// cannot tell from it: no more pixels than chance allows hold the item ID of the one and not of the other. Empty where
-/// nothing is an error.
+/// The fault with the best agreement, if it is at least 0.9 and covers at least eight pixels. With it come the faults
+/// that the vector cannot distinguish from it: the pixels where only one of the two gives the device's item ID are no
+/// more than chance allows. Empty without errors.
 std::vector<Finding> diagnose(const TestVector& vector, const Verdict& verdict);
 
 /// "linear filtering (99.8 % agreement): set both filters ..."; several are joined with "either" and "or".

@@ -1,8 +1,8 @@
-/// The faults that a diagnosis knows by name: what goes wrong in OpenGL and Vulkan backends of this method, each as a
-/// device (staged_device.h) in which one or two stages are wrong.
+/// The known faults of OpenGL and Vulkan backends of this method. Each is a device (staged_device.h) with one or two
+/// wrong stages.
 ///
-/// What a backend does under a fault depends on details that nobody knows from outside, such as the number of samples
-/// or the alignment of rows: a fault has a *variant* for each that is common.
+/// The effect of a fault depends on details of the backend, such as the number of samples or the alignment of rows. A
+/// fault has a *variant* for each common case.
 #pragma once
 
 #include <string>
@@ -16,12 +16,12 @@ namespace hemitex::reference {
 struct Variant {
   std::string name;  ///< may be empty
   StagedDevice device;
-  /// Where devices round differently: an item ID that is off by at most one in each of these channels is forgiven.
+  /// Channels that devices round differently: an item ID that is off by at most one in each of them counts as equal.
   std::vector<Channel> rounded = {};
 };
 
 struct Fault {
-  std::string name;    ///< in the field's item IDs
+  std::string name;    ///< in standard graphics terms
   std::string advice;  ///< one line: where to look
   std::vector<Variant> variants;
 };
@@ -29,11 +29,11 @@ struct Fault {
 /// All known faults, in a fixed order, with the variants that the vector's faces and item ID format allow.
 std::vector<Fault> knownFaults(const TestVector& vector);
 
-/// The known faults of each stage, a source file each.
-std::vector<Fault> viewFaults(const TestVector& vector);     ///< flipped, exchanged, turned, moved views and pictures
+/// The known faults by stage, one source file each.
+std::vector<Fault> viewFaults(const TestVector& vector);     ///< flipped, exchanged, rotated, moved views and pictures
 std::vector<Fault> sampleFaults(const TestVector& vector);   ///< facing, coverage and depth
-std::vector<Fault> textureFaults(const TestVector& vector);  ///< how index maps are looked up
-std::vector<Fault> blendFaults(const TestVector& vector);    ///< offsets, and how they meet texels and the target
+std::vector<Fault> textureFaults(const TestVector& vector);  ///< lookups in index maps
+std::vector<Fault> blendFaults(const TestVector& vector);    ///< offsets, and their blends with texels and the target
 std::vector<Fault> memoryFaults(
     const TestVector& vector);  ///< item IDs in memory: channels, bytes, bits, rows, colours
 

@@ -1,4 +1,4 @@
-/// Faults of offsets, and of how they meet texels and the target.
+/// Faults of offsets, and of their blends with texels and the target.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -15,7 +15,7 @@ using raster::ItemId;
 
 using ChannelSum = std::function<ItemId(const Channel&, std::uint64_t, std::uint64_t)>;
 
-/// A blend channel by channel.
+/// A blend per channel.
 StagedDevice withBlend(const std::vector<Channel>& channels, const ChannelSum& sum) {
   StagedDevice device;
   device.blend = [=](const DrawList&, ItemId offset, ItemId texel) {
@@ -45,34 +45,35 @@ ItemId clampedSum(const Channel& channel, std::uint64_t offset, std::uint64_t te
   return static_cast<ItemId>(std::min<std::uint64_t>(offset + texel, channel.largest()));
 }
 
-/// What else an adder may do at a channel's end.
+/// Wrong overflow of a channel.
 std::vector<Fault> additions(const DrawList& list) {
   if (list.blend == raster::Blend::IntegerAdd)
     return {{"clamp instead of integer add",
-             "whole words are added modulo 2^m: a colour blend unit clamps channels",
+             "add whole item IDs modulo 2^m: a colour blend unit clamps channels",
              {{"", withBlend(colourChannelsOf(list.format), clampedSum)}}}};
   if (list.blend != raster::Blend::ClampedAdd) return {};
   StagedDevice carrying;
   carrying.blend = [](const DrawList& drawn, ItemId offset, ItemId texel) {
     return (offset + texel) & raster::backgroundId(drawn.format);
   };
-  return {
-      {"wrap instead of clamp",
-       "a channel's sum stays at its maximum: look for integer formats, or shaders that add",
-       {{"", withBlend(channelsOf(list.format), wrappedSum)}}},
-      {"carry across channels", "channels are added apart: look for shaders that add whole words", {{"", carrying}}}};
+  return {{"wrap instead of clamp",
+           "clamp each channel's sum to its maximum: look for integer formats, or shaders that add",
+           {{"", withBlend(channelsOf(list.format), wrappedSum)}}},
+          {"carry across channels",
+           "add each channel separately: look for shaders that add whole item IDs",
+           {{"", carrying}}}};
 }
 
 // --- offsets ---
 
-/// How many elements a draw tells apart.
+/// The number of elements that a draw distinguishes.
 ItemId elementsOf(const DrawList& list, const raster::Draw& draw) {
   if (!draw.indexMap) return 1;
   const std::vector<ItemId>& ids = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)].ids;
   return *std::max_element(ids.begin(), ids.end()) + 1;
 }
 
-/// Surfaces in the order of their offsets, each right behind the elements of the one before.
+/// Packs offsets in their order: each surface starts right after the elements of the one before.
 void packOffsets(DrawList& list) {
   std::map<ItemId, ItemId> elements;
   for (const raster::Draw& draw : list.draws)
@@ -92,9 +93,9 @@ StagedDevice packedOffsets() {
   return device;
 }
 
-/// Offsets as flat colours in the vertex buffer: each vertex holds that of the triangle whose corner `written` it is
-/// (of the last such triangle; where there is none, of the last triangle that has it), and the device reads corner
-/// `read`. Every triangle becomes a draw of its own.
+/// Offsets as flat colours in the vertex buffer. The backend writes the offset of each triangle to its corner
+/// `written`, and the device reads corner `read`. A vertex keeps its last write; a vertex without one holds the offset
+/// of the last triangle that uses it. Each triangle becomes its own draw.
 void readOffsetsFrom(DrawList& list, std::size_t written, std::size_t read) {
   std::vector<ItemId> colours(list.positions.size());
   std::vector<raster::Draw> triangles;
@@ -126,8 +127,8 @@ std::vector<Variant> provokingVertices() {
 
 // --- fragment and target ---
 
-/// Colours that are blended into the target, which starts as the background; the fourth channel is alpha. Without one,
-/// or where colours are added, the picture is right or all background and says nothing of blending.
+/// Blends colours into the target, which starts as the background; the fourth channel is alpha. Without alpha, or with
+/// additive blending, the picture is correct or all background, which does not reveal blending.
 std::vector<Variant> targetBlends(const raster::IdFormat& format) {
   const std::vector<Channel> channels = colourChannelsOf(format);
   if (channels.size() < 4) return {};
@@ -156,12 +157,13 @@ std::vector<Fault> blendFaults(const TestVector& vector) {
                              modulations(list.format)}};
   for (Fault& fault : additions(list)) faults.push_back(std::move(fault));
   faults.push_back({"offset not aligned",
-                    "the offset of a surface is its number << k, whatever its elements count",
+                    "the offset of a surface is its number << k, for any number of elements",
                     {{"", packedOffsets()}}});
   faults.push_back({"colour from the wrong provoking vertex",
                     "flat attributes come from one corner: OpenGL takes the last by default, Vulkan the first",
                     provokingVertices()});
-  faults.push_back({"blending left on", "turn blending off for the item buffer: a fragment replaces what was there",
+  faults.push_back({"blending left on",
+                    "turn blending off for the item buffer: each fragment replaces the stored item ID",
                     targetBlends(list.format)});
   return faults;
 }

@@ -1,5 +1,5 @@
-/// Faults of item IDs in memory: the order of channels and bytes, lost bits, the length of rows, and colours that are
-/// no numbers.
+/// Faults of item IDs in memory: the order of channels and bytes, lost bits, the length of rows, and conversions of
+/// colours.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -23,7 +23,7 @@ StagedDevice withTexels(const IdChange& change) {
   return device;
 }
 
-/// Back item IDs are constants like offsets, and go the same way.
+/// Changes offsets and back item IDs, which backends pass in the same way.
 StagedDevice withOffsets(const IdChange& change) {
   StagedDevice device;
   device.upload = [=](DrawList& list) {
@@ -36,17 +36,16 @@ StagedDevice withOffsets(const IdChange& change) {
 }
 
 StagedDevice withIds(const IdChange& change) {
-  StagedDevice device;
-  device.readBack = [=](const raster::Face&, raster::ItemBuffer& buffer) {
+  return withReadBack([=](const raster::Face&, raster::ItemBuffer& buffer) {
     for (ItemId& id : buffer.ids) id = change(id);
-  };
-  return device;
+  });
 }
 
-/// One change wherever item IDs pass.
+/// The same change in each place that holds item IDs.
 std::vector<Variant> withAny(const IdChange& change) {
-  return {
-      {"in words files", withIds(change)}, {"in index maps", withTexels(change)}, {"in offsets", withOffsets(change)}};
+  return {{"in item ID files", withIds(change)},
+          {"in index maps", withTexels(change)},
+          {"in offsets", withOffsets(change)}};
 }
 
 // --- channels ---
@@ -54,7 +53,7 @@ std::vector<Variant> withAny(const IdChange& change) {
 using Order = std::vector<std::size_t>;
 
 /// Exchanges and rotations of the first three channels, and rotations of four, that keep the widths of channels. The
-/// first is BGRA for RGBA. Four channels in reverse are another byte order and not here.
+/// first is BGRA for RGBA. The reverse order of four channels is missing, because it is a byte order.
 std::vector<Order> channelOrders(const std::vector<Channel>& channels) {
   std::vector<Order> orders{{2, 1, 0}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}};
   if (channels.size() < 3) orders.clear();
@@ -89,20 +88,21 @@ std::vector<Variant> swaps(const raster::IdFormat& format, StagedDevice (*change
 
 std::vector<Variant> byteOrders(const raster::IdFormat& format) {
   const auto reversed = [](ItemId id) { return id << 24 | (id & 0xff00) << 8 | (id >> 8 & 0xff00) | id >> 24; };
-  // Where item IDs have fewer bits than their memory, hardware drops what does not fit.
+  // Hardware drops the bits beyond the size of an item ID.
   const ItemId all = raster::backgroundId(format);
   const auto cut = [=](ItemId id) { return reversed(id) & all; };
-  return {{"in words files", withIds(reversed)}, {"in index maps", withTexels(cut)}, {"in offsets", withOffsets(cut)}};
+  return {
+      {"in item ID files", withIds(reversed)}, {"in index maps", withTexels(cut)}, {"in offsets", withOffsets(cut)}};
 }
 
 // --- numbers and constants ---
 
-/// The nearest number of 24 significant bits; what rounds to 2^32 is held at 2^32 - 1.
+/// The nearest number of 24 significant bits, at most 2^32 - 1.
 ItemId throughBinary32(ItemId id) {
   return static_cast<ItemId>(std::min(static_cast<double>(static_cast<float>(id)), 4294967295.0));
 }
 
-/// The fourth channel all ones, or no item ID at all where there is none.
+/// The item ID whose fourth channel is all ones and the others zero; nothing without a fourth channel.
 std::optional<ItemId> opaqueBlack(const raster::IdFormat& format) {
   const std::vector<Channel> channels = colourChannelsOf(format);
   if (channels.size() < 4) return {};
@@ -127,7 +127,7 @@ std::vector<Variant> otherBackgrounds(const raster::IdFormat& format) {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// How item IDs lie in memory: a pixel has `bytes` bytes, and rows start at multiples of `alignment`.
+/// A memory layout: a pixel has `bytes` bytes, and rows start at multiples of `alignment`.
 struct Layout {
   std::size_t bytes, alignment;
 
@@ -137,7 +137,7 @@ struct Layout {
   }
 };
 
-/// Writes an image of `width` columns by one layout and reads it by the other; beyond the end lie zeros.
+/// Writes an image of `width` columns in one layout and reads it in the other, with zeros beyond the end.
 void reinterpret(std::vector<ItemId>& ids, int width, const Layout& written, const Layout& read) {
   const std::size_t columns = static_cast<std::size_t>(width), rows = ids.size() / columns;
   Bytes memory(rows * std::max(written.rowBytes(width), read.rowBytes(width)));
@@ -153,8 +153,8 @@ void reinterpret(std::vector<ItemId>& ids, int width, const Layout& written, con
   }
 }
 
-/// Rows of item IDs files or index maps written with padding that the reader does not know, or read with padding that
-/// is not there; pixels of four bytes, or of as few as hold an item ID.
+/// Rows of item ID files or index maps that only the writer or only the reader pads. Pixels have four bytes, or the
+/// minimum for an item ID.
 std::vector<Variant> paddings(const raster::IdFormat& format) {
   std::vector<Variant> variants;
   const auto fewest = static_cast<std::size_t>((raster::idBits(format) + 7) / 8);
@@ -163,14 +163,13 @@ std::vector<Variant> paddings(const raster::IdFormat& format) {
     const Layout written = isWritten ? layout : tight, read = isWritten ? tight : layout;
     const std::string name = std::to_string(layout.alignment) + " bytes, pixels of " + std::to_string(layout.bytes) +
                              (isWritten ? ", written" : ", read");
-    StagedDevice ids, maps;
-    ids.readBack = [=](const raster::Face&, raster::ItemBuffer& buffer) {
-      reinterpret(buffer.ids, buffer.width, written, read);
-    };
+    const StagedDevice ids = withReadBack(
+        [=](const raster::Face&, raster::ItemBuffer& buffer) { reinterpret(buffer.ids, buffer.width, written, read); });
+    StagedDevice maps;
     maps.upload = [=](DrawList& list) {
       for (raster::IndexMap& map : list.indexMaps) reinterpret(map.ids, map.width, written, read);
     };
-    variants.push_back({"words files to " + name, ids});
+    variants.push_back({"item ID files to " + name, ids});
     variants.push_back({"index maps to " + name, maps});
   };
   for (const std::size_t bytes : std::set{std::size_t{4}, fewest})
@@ -206,10 +205,10 @@ std::vector<Variant> colourEncodings(const raster::IdFormat& format) {
           {"target encoded", withIds(with(toEncoded)), channels}};
 }
 
-/// The order in which the pixels of a 4 x 4 block round up.
+/// The order in which the pixels of a 4 x 4 block round up (ordered dithering).
 constexpr std::array<int, 16> ditherMatrix{0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
 
-/// A channel that is dithered to `bits` bits and read back in its own; a channel of as many bits comes by 8 bits.
+/// A channel dithered to `bits` bits and read back at its own size. A channel of `bits` bits is converted from 8 bits.
 ItemId dithered(const Channel& channel, ItemId value, int bits, double threshold) {
   const double largest = channel.largest(), fewer = (1 << bits) - 1;
   if (channel.bits < bits || (channel.bits == bits && bits >= 8)) return value;
@@ -222,8 +221,7 @@ std::vector<Variant> ditherings(const raster::IdFormat& format) {
   std::vector<Variant> variants;
   for (const std::vector<int>& bits : {std::vector{8, 8, 8, 8}, {5, 6, 5, 8}, {5, 5, 5, 1}, {4, 4, 4, 4}}) {
     if (channels.size() > bits.size()) continue;
-    StagedDevice device;
-    device.readBack = [=](const raster::Face& face, raster::ItemBuffer& buffer) {
+    const StagedDevice device = withReadBack([=](const raster::Face& face, raster::ItemBuffer& buffer) {
       const auto width = static_cast<std::size_t>(buffer.width);
       for (std::size_t pixel = 0; pixel < buffer.ids.size(); ++pixel) {
         const std::size_t column = static_cast<std::size_t>(face.scissor.column) + pixel % width;
@@ -234,7 +232,7 @@ std::vector<Variant> ditherings(const raster::IdFormat& format) {
         buffer.ids[pixel] = idOf(
             channels, [&](const Channel& channel) { return dithered(channel, channel.of(id), bits[k++], threshold); });
       }
-    };
+    });
     std::string name;
     for (std::size_t k = 0; k < channels.size(); ++k) name += (k == 0 ? "" : "-") + std::to_string(bits[k]);
     variants.push_back({name, device, channels});
@@ -254,18 +252,17 @@ std::vector<Fault> memoryFaults(const TestVector& vector) {
       {"channels swapped in the target (BGRA)",
        "the least significant channel comes first: look at the format of the target and of reading back",
        swaps(format, withIds)},
-      {"byte order", "arrays are little-endian: write and read words with their least significant byte first",
+      {"byte order", "arrays are little-endian: write and read item IDs with their least significant byte first",
        byteOrders(format)},
-      {"words through binary32", "a binary32 holds 24 bits: pass larger words as integers or as channels",
+      {"item IDs through binary32", "a binary32 holds 24 bits: pass larger item IDs as integers or as channels",
        withAny(throughBinary32)},
-      {"alpha forced to opaque", "the fourth channel is a part of the word: ask for formats with alpha, and write it",
-       opaqueAlphas(format)},
-      {"background not cleared", "clear the target to all ones, the background word", otherBackgrounds(format)},
-      {"padded rows", "rows follow each other without a gap: set pack and unpack alignment to 1, or copy row by row",
-       paddings(format)},
+      {"alpha forced to opaque",
+       "the fourth channel is a part of the item ID: ask for formats with alpha, and write it", opaqueAlphas(format)},
+      {"background not cleared", "clear the target to all ones, the background's item ID", otherBackgrounds(format)},
+      {"padded rows", "rows have no padding: set pack and unpack alignment to 1, or copy row by row", paddings(format)},
       {"sRGB encoding", "ask for linear formats of textures and target, and turn framebuffer encoding off",
        colourEncodings(format)},
-      {"dithering", "turn dithering off, and ask for a target with the word's channels", ditherings(format)}};
+      {"dithering", "turn dithering off, and ask for a target with the item ID's channels", ditherings(format)}};
 }
 
 }  // namespace hemitex::reference

@@ -62,8 +62,8 @@ std::vector<glm::dvec2> standardSamples(int count) {
   }
 }
 
-/// Coverage and depth a sample, colour once at the centre, as OpenGL and Vulkan shade by default. Colours are averaged
-/// channel by channel; of integers the first sample is taken.
+/// Coverage and depth per sample, colour once at the centre, which is the default of OpenGL and Vulkan. The resolve
+/// averages colours per channel; for integer formats it takes the first sample.
 std::vector<Variant> multisamplings(const TestVector& vector) {
   std::vector<Variant> variants;
   for (const int count : {2, 4, 8}) {
@@ -113,21 +113,23 @@ std::vector<Fault> sampleFaults(const TestVector& vector) {
     return withFacing([=](Facing facing) { return facing == side ? Facing::Culled : facing; });
   };
   return {{"triangles missing",
-           "both facings are drawn: look at culling, the depth clear, blending onto the background",
+           "draw both facings: look at culling, the depth clear, blending onto the background",
            {{"all", withFacing([](Facing) { return Facing::Culled; })},
             {"those that face away", culled(Facing::Back)},
             {"those that face the eye", culled(Facing::Front)}}},
           {"front and back exchanged",
-           "a mirrored view, det(X, Y, W) < 0, turns windings over: look at the front face",
+           "a mirrored view, det(X, Y, W) < 0, reverses windings: look at the front face",
            {{"", withFacing(otherSide)},
             {"in mirrored views", withMirroredViewsTurnedOver()},
-            {"all taken for fronts", withFacing([](Facing) { return Facing::Front; })},
-            {"all taken for backs", withFacing([](Facing) { return Facing::Back; })}}},
+            {"all taken as fronts", withFacing([](Facing) { return Facing::Front; })},
+            {"all taken as backs", withFacing([](Facing) { return Facing::Back; })}}},
           {"wrong fill rule",
-           "a sample on an edge belongs to the triangle whose top or left edge it is, in memory's rows", fillRules()},
+           "a sample on an edge belongs to the triangle whose top or left edge it is; rows are those in memory",
+           fillRules()},
           {"sample at the pixel corner", "sample i is at i + 1/2: look for half a pixel in projection or viewport",
            cornerSamples()},
-          {"multisampling", "words cannot be averaged: ask for a target of one sample a pixel", multisamplings(vector)},
+          {"multisampling", "averages of item IDs are meaningless: ask for a target of one sample per pixel",
+           multisamplings(vector)},
           {"16-bit depth", "ask for a depth format of 32-bit floats, or 24 bits at least", sixteenBits()},
           {"depth test off",
            "turn the depth test and depth writes on, and attach a depth buffer",

@@ -1,4 +1,4 @@
-/// Faults of looking up index maps.
+/// Faults of lookups in index maps.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -55,14 +55,14 @@ std::vector<Variant> halfTexelShifts() {
   return variants;
 }
 
-/// Coordinates of the unit square in fixed point with 8 bits behind the point, as in 16.8 numbers.
+/// Coordinates of the unit square in fixed point with 8 fractional bits (16.8).
 ItemId truncatedTexel(const IndexMap& map, const Lookup& lookup) {
   return nearestTexel(map, glm::floor(lookup.at * 256.0) / 256.0);
 }
 
 // --- filters ---
 
-/// Weights of the four texels around a point; clamped at the map's sides.
+/// Linear filter of the four texels around a point, clamped to the map.
 ItemId linearTexel(const std::vector<Channel>& channels, const IndexMap& map, const glm::dvec2& at) {
   const glm::dvec2 position = at * sizeOf(map) - 0.5, first = glm::floor(position), part = position - first;
   const ItemId a = texelAt(map, first), b = texelAt(map, first + glm::dvec2(1, 0));
@@ -74,7 +74,7 @@ ItemId linearTexel(const std::vector<Channel>& channels, const IndexMap& map, co
   });
 }
 
-/// Half the size in each direction, rounded down but to 1 at least; each texel the mean of the four it covers.
+/// The next mipmap level: half the size, rounded down, at least 1. Each texel is the mean of four.
 IndexMap halved(const std::vector<Channel>& channels, const IndexMap& map) {
   IndexMap half{std::max(1, map.width / 2), std::max(1, map.height / 2), {}};
   for (int row = 0; row < half.height; ++row)
@@ -95,13 +95,13 @@ Levels levelsOf(const std::vector<Channel>& channels, const IndexMap& map) {
   return levels;
 }
 
-/// log2 of how many texels a pixel steps over, along the longer of its sides.
+/// log2 of the number of texels per pixel, along the longer side of its footprint.
 double levelOfDetail(const IndexMap& map, const Lookup& lookup) {
   const double columns = glm::length(lookup.perColumn * sizeOf(map)), rows = glm::length(lookup.perRow * sizeOf(map));
   return std::log2(std::max(columns, rows));
 }
 
-/// Magnified maps are looked up by the rules.
+/// The lookup with mipmaps; magnified maps follow the rules.
 ItemId mipmappedTexel(const std::vector<Channel>& channels, const Levels& levels, bool isLinear, bool betweenLevels,
                       const Lookup& lookup) {
   const double detail = levelOfDetail(levels.front(), lookup);
@@ -118,7 +118,7 @@ ItemId mipmappedTexel(const std::vector<Channel>& channels, const Levels& levels
   });
 }
 
-/// Channels as a filter sees them: those of the format, and the bytes of an item ID without channels.
+/// The channels that a filter may use: those of the format, and the bytes of an item ID of one 32-bit channel.
 std::vector<std::vector<Channel>> filteredChannels(const raster::IdFormat& format) {
   const std::vector<Channel> channels = channelsOf(format), colours = colourChannelsOf(format);
   if (channels.size() == colours.size()) return {channels};
@@ -159,7 +159,7 @@ StagedDevice affine() {
   return device;
 }
 
-/// Index maps as an image library may load them.
+/// Index maps with reordered texels, as image libraries may load them.
 Variant reordered(const std::string& name, const std::function<glm::dvec2(const IndexMap&, const glm::dvec2&)>& from) {
   StagedDevice device;
   device.upload = [=](raster::DrawList& list) {
@@ -174,7 +174,7 @@ Variant reordered(const std::string& name, const std::function<glm::dvec2(const 
   return {name, device};
 }
 
-/// Maps whose rows are cut at the wrong length.
+/// Index maps with exchanged width and height.
 StagedDevice withSizesExchanged() {
   StagedDevice device;
   device.upload = [](raster::DrawList& list) {
@@ -198,7 +198,7 @@ std::vector<Fault> textureFaults(const TestVector& vector) {
           {"half-texel shift", "texel i covers i/N to (i + 1)/N: leave out any half texel of a filter or of Direct3D 9",
            halfTexelShifts()},
           {"truncated texture coordinates (16.8)",
-           "texture coordinates need more than 8 bits behind the point",
+           "texture coordinates need more than 8 fractional bits",
            {{"", withFetch(truncatedTexel)}}},
           {"index map upside down",
            "row 0 is at v = 0 and comes first: image libraries may reverse rows",
@@ -211,7 +211,7 @@ std::vector<Fault> textureFaults(const TestVector& vector) {
                               const glm::dvec2& texel) { return glm::dvec2(map.width - 1 - texel.x, texel.y); })
                  .device}}},
           {"width and height of the index map exchanged",
-           "a map is `height` rows of `width` words: look at the size of the upload",
+           "a map has `height` rows of `width` item IDs: look at the size of the upload",
            {{"", withSizesExchanged()}}},
           {"index map not sampled",
            "texel 0 everywhere: an incomplete texture, or one that is not bound, reads as zero",

@@ -1,4 +1,4 @@
-/// Faults of views and pictures. Flipping the view is not flipping the picture: the scissor rectangle of a side face
+/// Faults of views and pictures. A flipped view differs from a flipped picture: the scissor rectangle of a side face
 /// keeps one half of the viewport, and a flipped view shows the other half of the scene in it.
 #include <algorithm>
 #include <utility>
@@ -10,7 +10,7 @@ namespace {
 
 using raster::Face;
 
-/// `change` applied to the view of face `which`, or of every face where `which` is negative.
+/// Applies `change` to the view of face `which`, or of every face if `which` is negative.
 template <typename Change>
 StagedDevice withViews(int which, const Change& change) {
   StagedDevice device;
@@ -22,7 +22,7 @@ StagedDevice withViews(int which, const Change& change) {
   return device;
 }
 
-/// A flip of the view turns windings over: a backend may or may not have told its front face so.
+/// A flip of the view reverses windings; a backend may or may not reverse its front face.
 template <typename Change>
 std::vector<Variant> flippedViews(const Change& change) {
   const StagedDevice device = withViews(-1, change);
@@ -38,7 +38,7 @@ Variant reordered(const std::string& name, const std::vector<std::size_t>& order
   return {name, device};
 }
 
-/// Every exchange of two faces, and every rotation of all and of all but the first, which are the sides of a hemicube.
+/// Every exchange of two faces, every rotation of all faces, and every rotation of the sides (all faces but the first).
 std::vector<Variant> reorderings(const std::vector<VectorFace>& faces) {
   std::vector<std::size_t> order(faces.size());
   for (std::size_t f = 0; f < order.size(); ++f) order[f] = f;
@@ -59,7 +59,7 @@ std::vector<Variant> reorderings(const std::vector<VectorFace>& faces) {
   return variants;
 }
 
-/// Views turned about their axes by quarters: one face, or all of several.
+/// Views rotated about their axes by quarter turns: each single face, or all of them.
 std::vector<Variant> turns(const std::vector<VectorFace>& faces) {
   std::vector<Variant> variants;
   for (int which = faces.size() > 1 ? -1 : 0; which < static_cast<int>(faces.size()); ++which)
@@ -73,7 +73,7 @@ std::vector<Variant> turns(const std::vector<VectorFace>& faces) {
   return variants;
 }
 
-/// A view through which position p of the viewport, in pixels, shows at stretch * p + shift.
+/// Changes the view so that position p of the viewport, in pixels, shows the scene at stretch * p + shift.
 void place(Face& face, const glm::vec2& stretch, const glm::vec2& shift) {
   const glm::vec2 middle = stretch + 2.0f * shift / static_cast<float>(face.resolution) - 1.0f;
   face.x = stretch.x * face.x + middle.x * face.w;
@@ -89,7 +89,8 @@ StagedDevice withScissorAsViewport() {
   });
 }
 
-/// The scissor rectangle's pixels from the viewport's first; with a scissor test those outside it are background.
+/// Reads the pixels from the first corner of the viewport instead of the scissor rectangle's. A scissor test leaves
+/// background outside of the rectangle.
 std::vector<Variant> readBackFromFirst(raster::ItemId background) {
   const StagedDevice untested = withViews(-1, [](Face& face) { place(face, {1, 1}, cornerOf(face)); });
   StagedDevice tested = untested;
@@ -112,27 +113,23 @@ StagedDevice withFirstEye() {
   return device;
 }
 
-/// Rows or columns of the item IDs file in reverse.
+/// Reverses the rows or the columns of the item ID file.
 StagedDevice withPicture(bool reversedRows) {
-  StagedDevice device;
-  device.readBack = [=](const Face&, raster::ItemBuffer& buffer) {
+  return withReadBack([=](const Face&, raster::ItemBuffer& buffer) {
     std::vector<raster::ItemId>& ids = buffer.ids;
-    // Reversing all item IDs turns both; reversing each row then gives back the columns.
+    // Reversing all item IDs reverses rows and columns; reversing each row then restores the columns.
     if (reversedRows) std::reverse(ids.begin(), ids.end());
     for (auto row = ids.begin(); row != ids.end(); row += buffer.width) std::reverse(row, row + buffer.width);
-  };
-  return device;
+  });
 }
 
-/// Item IDs files column by column.
+/// Writes the item ID file column by column.
 StagedDevice withColumnsFirst() {
-  StagedDevice device;
-  device.readBack = [](const Face&, raster::ItemBuffer& buffer) {
+  return withReadBack([](const Face&, raster::ItemBuffer& buffer) {
     const std::vector<raster::ItemId> rows = buffer.ids;
     const auto width = static_cast<std::size_t>(buffer.width), height = static_cast<std::size_t>(buffer.height);
     for (std::size_t k = 0; k < rows.size(); ++k) buffer.ids[k] = rows[k % height * width + k / height];
-  };
-  return device;
+  });
 }
 
 }  // namespace
@@ -150,11 +147,11 @@ std::vector<Fault> viewFaults(const TestVector& vector) {
            "write column 0 first in every row: look at how rows are read back",
            {{"", withPicture(false)}}},
           {"picture transposed",
-           "write row by row: look at the order of rows and columns where words are read back",
+           "write row by row: look at the order of rows and columns of the read-back",
            {{"", withColumnsFirst()}}},
-          {"faces swapped", "draw each face with its own rows X, Y, W and write it into its own words file",
+          {"faces swapped", "draw each face with its own rows X, Y, W and write it into its own item ID file",
            reorderings(vector.faces)},
-          {"faces turned", "take X as right and Y as the direction of rows for each face: no face shares them",
+          {"faces turned", "use X as right and Y as the direction of rows for each face: every face has its own",
            turns(vector.faces)},
           {"viewport set to the scissor rectangle",
            "the viewport is resolution x resolution pixels: a side face keeps a part of it, not scaled",
@@ -163,7 +160,7 @@ std::vector<Fault> viewFaults(const TestVector& vector) {
            "read from column and row of the scissor rectangle, not from (0, 0)",
            readBackFromFirst(raster::backgroundId(vector.list.format))},
           {"a face's own eye ignored",
-           "each face is seen from its own eye: look for one that is set once for all",
+           "use the eye of each face: look for an eye that is set once for all faces",
            {{"", withFirstEye()}}}};
 }
 

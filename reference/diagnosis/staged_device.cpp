@@ -10,7 +10,7 @@ namespace {
 
 using raster::ItemId;
 
-constexpr double subPixels = 256;  // units a pixel side
+constexpr double subPixels = 256;  // per pixel
 
 /// A linear function on the picture.
 struct Plane {
@@ -20,14 +20,13 @@ struct Plane {
   double at(const glm::dvec2& position) const { return slope.x * position.x + slope.y * position.y + atOrigin; }
 };
 
-/// Edges, opposite their vertices, are positive inside and exact; attributes are quotients of linear functions, each
-/// multiplied by the doubled area.
+/// The linear functions of a triangle. Edge k is opposite vertex k, positive inside and exact. Attributes are quotients
+/// of sums of edges times vertex values.
 struct Setup {
   std::array<Plane, 3> edges;
   std::array<bool, 3> ownsEdge;
   std::array<double, 3> inverseW;  ///< at the vertices, over the doubled area
   std::array<double, 3> weights, u, v;
-  glm::ivec2 first, end;  ///< pixels that may hold covered samples
 
   bool covers(const std::array<double, 3>& values) const {
     for (std::size_t k = 0; k < 3; ++k)
@@ -44,9 +43,22 @@ double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-Setup setUp(const StagedDevice& device, const DeviceTriangle& triangle, const raster::Scissor& scissor) {
+/// Pixels [first, end) of the scissor rectangle that may hold covered samples.
+struct PixelBox {
+  glm::ivec2 first, end;
+};
+
+PixelBox boxOf(const DeviceTriangle& triangle, const raster::Scissor& scissor) {
+  const auto& [a, b, c] = triangle.vertices;
+  const glm::dvec2 low = glm::min(a.position, glm::min(b.position, c.position));
+  const glm::dvec2 high = glm::max(a.position, glm::max(b.position, c.position));
+  return {glm::max(glm::ivec2(glm::floor(low / subPixels)) - 1, glm::ivec2(scissor.column, scissor.row)),
+          glm::min(glm::ivec2(glm::floor(high / subPixels)) + 1,
+                   glm::ivec2(scissor.column + scissor.width, scissor.row + scissor.height))};
+}
+
+Setup setUp(const StagedDevice& device, const DeviceTriangle& triangle) {
   Setup setup{};
-  glm::dvec2 low = triangle.vertices[0].position, high = low;
   for (std::size_t k = 0; k < 3; ++k) {
     const DeviceVertex& vertex = triangle.vertices[k];
     const glm::dvec2 &p = triangle.vertices[(k + 1) % 3].position, &q = triangle.vertices[(k + 2) % 3].position;
@@ -57,17 +69,11 @@ Setup setUp(const StagedDevice& device, const DeviceTriangle& triangle, const ra
     setup.weights[k] = device.weight(vertex.view.w);
     setup.u[k] = setup.weights[k] * vertex.view.u;
     setup.v[k] = setup.weights[k] * vertex.view.v;
-    low = glm::min(low, vertex.position);
-    high = glm::max(high, vertex.position);
   }
-  setup.first = glm::max(glm::ivec2(glm::floor(low / subPixels)) - 1, glm::ivec2(scissor.column, scissor.row));
-  setup.end = glm::min(glm::ivec2(glm::floor(high / subPixels)) + 1,
-                       glm::ivec2(scissor.column + scissor.width, scissor.row + scissor.height));
   return setup;
 }
 
-/// Coordinates that later stages can count with: extrapolated to a sample that the triangle does not cover, a quotient
-/// may have any size or no value.
+/// Clamps coordinates to finite values: extrapolation to a sample outside of the triangle may give any quotient or NaN.
 glm::dvec2 held(const glm::dvec2& coordinates) {
   constexpr double largest = 1e9;
   const auto hold = [=](double x) { return std::isnan(x) ? 0.0 : std::clamp(x, -largest, largest); };
@@ -92,7 +98,7 @@ struct Sample {
   ItemId id = 0;
 };
 
-/// Draws one face.
+/// Draws the pixels of one scissor rectangle.
 class FaceDrawing {
  public:
   FaceDrawing(const StagedDevice& device, const raster::DrawList& list, const raster::Face& view)
@@ -102,11 +108,13 @@ class FaceDrawing {
   }
 
   void draw(const DeviceTriangle& triangle) {
+    const PixelBox box = boxOf(triangle, view_.scissor);
+    if (box.first.x >= box.end.x || box.first.y >= box.end.y) return;
     const Facing facing = device_.facing(triangle.facesAway ? Facing::Back : Facing::Front, view_);
     if (facing == Facing::Culled) return;
-    const Setup setup = setUp(device_, triangle, view_.scissor);
-    for (int row = setup.first.y; row < setup.end.y; ++row)
-      for (int column = setup.first.x; column < setup.end.x; ++column)
+    const Setup setup = setUp(device_, triangle);
+    for (int row = box.first.y; row < box.end.y; ++row)
+      for (int column = box.first.x; column < box.end.x; ++column)
         drawPixel(setup, list_.draws[triangle.draw], facing, column, row);
   }
 
@@ -146,8 +154,40 @@ class FaceDrawing {
   const StagedDevice& device_;
   const raster::DrawList& list_;
   const raster::Face& view_;
-  std::vector<Sample> samples_;  ///< device.samples.size() a pixel of the scissor rectangle
+  std::vector<Sample> samples_;  ///< device.samples.size() per pixel of the scissor rectangle
 };
+
+std::vector<DeviceTriangle> placeFace(const raster::DrawList& list, const raster::Face& view) {
+  return placeTriangles(list, view, {}, false, [](const DeviceTriangle& triangle) { return triangle.area != 0; });
+}
+
+bool isSameView(const raster::Face& a, const raster::Face& b) {
+  return a.eye == b.eye && a.x == b.x && a.y == b.y && a.w == b.w && a.nearDistance == b.nearDistance &&
+         a.resolution == b.resolution;
+}
+
+/// Whether the draws take the same triangles from the same index buffer.
+bool haveSameTriangles(const raster::DrawList& a, const raster::DrawList& b) {
+  return std::equal(
+      a.draws.begin(), a.draws.end(), b.draws.begin(), b.draws.end(),
+      [](const raster::Draw& x, const raster::Draw& y) { return x.first == y.first && x.count == y.count; });
+}
+
+/// The view of face `f` through the device's camera.
+raster::Face viewOf(const StagedDevice& device, const std::vector<raster::Face>& faces, std::size_t f) {
+  if (!device.camera) return faces[f];
+  raster::Face view = device.camera(faces, f);
+  view.resolution = faces[f].resolution;
+  view.scissor = faces[f].scissor;
+  return view;
+}
+
+raster::ItemBuffer drawFace(const StagedDevice& device, const raster::DrawList& list, const raster::Face& view,
+                            const std::vector<DeviceTriangle>& triangles) {
+  FaceDrawing drawing(device, list, view);
+  for (const DeviceTriangle& triangle : triangles) drawing.draw(triangle);
+  return drawing.resolve();
+}
 
 }  // namespace
 
@@ -158,22 +198,60 @@ ItemId nearestTexel(const raster::IndexMap& map, const glm::dvec2& at) {
   return map.ids[texel(at.y, map.height) * static_cast<std::size_t>(map.width) + texel(at.x, map.width)];
 }
 
-std::vector<raster::ItemBuffer> drawOn(const StagedDevice& device, const TestVector& vector) {
-  raster::DrawList list = vector.list;
-  device.upload(list);
-  std::vector<raster::Face> faces;
-  for (const VectorFace& face : vector.faces) faces.push_back(face.face);
+StagedDevice withReadBack(const ReadBack& readBack) {
+  StagedDevice device;
+  device.readBack = readBack;
+  device.isDrawnByRules = true;
+  return device;
+}
 
+PlacedVector placeVector(const TestVector& vector) {
+  PlacedVector placed{vector.list, {}, {}, {}};
+  for (const VectorFace& face : vector.faces) {
+    placed.faces.push_back(face.face);
+    placed.triangles.push_back(placeFace(vector.list, face.face));
+    placed.buffers.push_back(drawFace(StagedDevice{}, vector.list, face.face, placed.triangles.back()));
+  }
+  return placed;
+}
+
+void drawOn(const StagedDevice& device, const PlacedVector& placed,
+            const std::function<bool(const raster::ItemBuffer&)>& wantsMore) {
+  constexpr int stripRows = 8;
+  raster::DrawList changed;
+  if (device.upload) device.upload(changed = placed.list);
+  const raster::DrawList& list = device.upload ? changed : placed.list;
+  const bool isSameMesh = haveSameTriangles(list, placed.list);
+  for (std::size_t f = 0; f < placed.faces.size(); ++f) {
+    raster::Face view = viewOf(device, placed.faces, f);
+    const bool isPlaced = isSameMesh && isSameView(view, placed.faces[f]);
+    const std::vector<DeviceTriangle> moved = isPlaced ? std::vector<DeviceTriangle>{} : placeFace(list, view);
+    const std::vector<DeviceTriangle>& triangles = isPlaced ? placed.triangles[f] : moved;
+    if (device.readBack) {
+      raster::ItemBuffer buffer = device.isDrawnByRules ? placed.buffers[f] : drawFace(device, list, view, triangles);
+      device.readBack(view, buffer);
+      if (!wantsMore(buffer)) return;
+      continue;
+    }
+    const int endRow = view.scissor.row + view.scissor.height;
+    for (; view.scissor.row < endRow; view.scissor.row += stripRows) {
+      view.scissor.height = std::min(stripRows, endRow - view.scissor.row);
+      if (!wantsMore(drawFace(device, list, view, triangles))) return;
+    }
+  }
+}
+
+std::vector<raster::ItemBuffer> drawOn(const StagedDevice& device, const TestVector& vector) {
+  std::vector<ItemId> ids;
+  drawOn(device, placeVector(vector), [&](const raster::ItemBuffer& part) {
+    ids.insert(ids.end(), part.ids.begin(), part.ids.end());
+    return true;
+  });
   std::vector<raster::ItemBuffer> buffers;
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    raster::Face view = device.camera(faces, f);
-    view.resolution = faces[f].resolution;
-    view.scissor = faces[f].scissor;
-    FaceDrawing drawing(device, list, view);
-    const auto hasArea = [](const DeviceTriangle& triangle) { return triangle.area != 0; };
-    for (const DeviceTriangle& triangle : placeTriangles(list, view, {}, false, hasArea)) drawing.draw(triangle);
-    buffers.push_back(drawing.resolve());
-    device.readBack(view, buffers.back());
+  auto next = ids.begin();
+  for (const VectorFace& face : vector.faces) {
+    buffers.emplace_back().resize(face.face.scissor);
+    for (ItemId& id : buffers.back().ids) id = *next++;
   }
   return buffers;
 }

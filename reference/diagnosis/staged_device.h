@@ -1,5 +1,5 @@
-/// A device in stages. It draws a test vector as the raster rules say, in binary64, and every stage is a function that
-/// may be replaced: a known fault (fault.h) replaces one or two and leaves the rules in all the others.
+/// A simulated device in stages. It draws a test vector by the raster rules in double precision. Each stage is a
+/// function that a known fault (fault.h) may replace.
 ///
 ///     upload -> camera -> clip, snap -> facing -> cover -> depth -> fetch -> blend -> store -> resolve -> read back
 ///
@@ -13,15 +13,16 @@
 #include <vector>
 
 #include "reference/vectors/vector_file.h"
+#include "reference/verdict/triangle_bounds.h"
 
 namespace hemitex::reference {
 
 enum class Facing { Front, Back, Culled };
 
-/// What a triangle is taken for whose winding is read the wrong way.
+/// The facing for the opposite winding.
 inline Facing otherSide(Facing facing) { return facing == Facing::Front ? Facing::Back : Facing::Front; }
 
-/// Where a fragment looks into its index map: (u, v), and how they change to the next column and to the next row.
+/// A lookup in an index map: (u, v), and their change per column and per row of pixels.
 struct Lookup {
   glm::dvec2 at, perColumn, perRow;
 };
@@ -29,15 +30,18 @@ struct Lookup {
 /// The texel of the rules: clamp(floor(u N), 0, N - 1) and likewise for v.
 raster::ItemId nearestTexel(const raster::IndexMap& map, const glm::dvec2& at);
 
+/// Changes the item IDs of a face on their way to its file.
+using ReadBack = std::function<void(const raster::Face&, raster::ItemBuffer&)>;
+
+/// `upload`, `camera` and `readBack` may be empty, and then change nothing.
 struct StagedDevice {
-  /// Changes what was uploaded: vertices, index maps, offsets.
-  std::function<void(raster::DrawList&)> upload = [](raster::DrawList&) {};
+  /// Changes the uploaded draws and index maps; vertices and indices stay.
+  std::function<void(raster::DrawList&)> upload;
 
-  /// What face `f` is seen through; its resolution and scissor rectangle stay those of the face.
-  std::function<raster::Face(std::span<const raster::Face>, std::size_t)> camera =
-      [](std::span<const raster::Face> faces, std::size_t f) { return faces[f]; };
+  /// The view of face `f`; its resolution and scissor rectangle stay those of the face.
+  std::function<raster::Face(std::span<const raster::Face>, std::size_t)> camera;
 
-  /// What a triangle is taken for, in the view that it is seen through.
+  /// The facing that the device assumes for a triangle, given its true facing and the view.
   std::function<Facing(Facing, const raster::Face&)> facing = [](Facing side, const raster::Face&) { return side; };
 
   /// Whether samples on an edge are covered. The edge runs along `direction` with the interior on its right where rows
@@ -46,12 +50,12 @@ struct StagedDevice {
     return direction.y < 0 || (direction.y == 0 && direction.x > 0);
   };
 
-  /// Where in a pixel coverage and depth are sampled, and where texture coordinates are.
+  /// Positions in a pixel: the samples of coverage and depth, and the sample of texture coordinates.
   std::vector<glm::dvec2> samples{{128, 128}};
   glm::dvec2 shadingSample{128, 128};
 
-  /// The number that is stored and compared, of 1/w and the near distance. The first fragment always passes, and what
-  /// rounding makes of equal depths does not decide.
+  /// The stored depth, from 1/w and the near distance, and the depth test. The first fragment always passes. The test
+  /// has a tolerance, so that rounding does not decide between equal depths.
   std::function<double(double, double)> depth = [](double inverseW, double) { return -inverseW; };
   std::function<bool(double, double)> passes = [](double incoming, double stored) {
     return incoming < stored - 0x1p-40 * std::abs(stored);
@@ -60,7 +64,7 @@ struct StagedDevice {
   /// The weight of a vertex at depth w in the interpolation of u and v.
   std::function<double(double)> weight = [](double w) { return 1 / w; };
 
-  /// The texel of index map `map`.
+  /// The texel of index map `map` at a lookup.
   std::function<raster::ItemId(const raster::DrawList&, std::size_t, const Lookup&)> fetch =
       [](const raster::DrawList& list, std::size_t map, const Lookup& lookup) {
         return nearestTexel(list.indexMaps[map], lookup.at);
@@ -72,23 +76,41 @@ struct StagedDevice {
         return raster::blend(list.format, list.blend, offset, texel);
       };
 
-  /// What a fragment leaves in a target that holds `stored`.
+  /// The item ID in the target, from the stored one and the fragment's.
   std::function<raster::ItemId(raster::ItemId, raster::ItemId)> store = [](raster::ItemId, raster::ItemId fragment) {
     return fragment;
   };
 
-  /// The item ID of a pixel, of its samples.
+  /// The item ID of a pixel, from those of its samples.
   std::function<raster::ItemId(std::span<const raster::ItemId>)> resolve = [](std::span<const raster::ItemId> ids) {
     return ids.front();
   };
 
-  /// Changes the item IDs of a face on their way to the item IDs file.
-  std::function<void(const raster::Face&, raster::ItemBuffer&)> readBack = [](const raster::Face&,
-                                                                              raster::ItemBuffer&) {};
+  ReadBack readBack;
+  bool isDrawnByRules = false;  ///< whether all stages but `readBack` are those of the rules
 };
 
-/// The item buffers of the vector's faces as the device draws them. A device whose stages are the rules gives the item
-/// IDs of the rules, but for samples that lie within rounding of a texel's border or of another depth.
+/// A device that draws by the rules and changes the item IDs afterwards.
+StagedDevice withReadBack(const ReadBack& readBack);
+
+/// A vector as the staged device without faults draws it. Devices share its results of all stages before the first one
+/// that they replace. It refers to the vector.
+struct PlacedVector {
+  const raster::DrawList& list;
+  std::vector<raster::Face> faces;
+  std::vector<std::vector<DeviceTriangle>> triangles;  ///< of each face, placed by the rules
+  std::vector<raster::ItemBuffer> buffers;             ///< of each face
+};
+
+PlacedVector placeVector(const TestVector& vector);
+
+/// Draws the vector on a device. `wantsMore` gets the rows of each face from its first to its last, in the order of
+/// faces, some rows at a time; drawing ends where it returns false.
+void drawOn(const StagedDevice& device, const PlacedVector& placed,
+            const std::function<bool(const raster::ItemBuffer&)>& wantsMore);
+
+/// The item buffers of the vector's faces as the device draws them. A device without faults gives the item IDs of the
+/// rules, except at samples within rounding of a texel border or of another depth.
 std::vector<raster::ItemBuffer> drawOn(const StagedDevice& device, const TestVector& vector);
 
 }  // namespace hemitex::reference

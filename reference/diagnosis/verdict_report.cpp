@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "raster/base/parallel.h"
 #include "reference/diagnosis/xml_text.h"
+#include "reference/trace/rational_rasterizer.h"
+#include "reference/vectors/vector_suite.h"
 
 namespace hemitex::reference {
 namespace {
@@ -12,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 Json toJson(const VerdictCounts& counts) {
   Json json;
-  for (std::size_t k = 0; k < pixelVerdicts; ++k) json[nameOf(static_cast<PixelVerdict>(k))] = counts[k];
+  for (const auto& [verdict, name] : pixelVerdictNames) json[name] = counts[static_cast<std::size_t>(verdict)];
   return json;
 }
 
@@ -20,7 +24,7 @@ Json toJson(const ErrorPixel& error) {
   Json json{{"face", error.face},
             {"column", error.column},
             {"row", error.row},
-            {"kind", nameOf(error.kind)},
+            {"kind", nameOf(errorKindNames, error.kind)},
             {"expected", error.expected},
             {"found", error.found},
             {"expected_from", toText(error.expectedOrigin)},
@@ -54,6 +58,8 @@ Json jsonOf(const Report& report) {
   for (const ErrorPixel& error : report.errors) json["errors"].push_back(toJson(error));
   json["diagnosis"] = Json::array();
   for (const Finding& finding : report.findings) json["diagnosis"].push_back(toJson(finding));
+  if (const auto& check = report.reference)
+    json["reference"] = {{"pixels", check->pixels}, {"differing", check->differing}};
   return json;
 }
 
@@ -82,20 +88,74 @@ std::string testSuite(const Report& report) {
          "\" failures=\"" + std::to_string(failures) + "\">\n" + cases + "  </testsuite>\n";
 }
 
-}  // namespace
+/// The item buffers of all faces by the independent evaluator. It evaluates each row by itself, on all threads.
+std::vector<raster::ItemBuffer> evaluateRows(const TestVector& vector) {
+  std::vector<raster::ItemBuffer> buffers;
+  for (const VectorFace& face : vector.faces) {
+    const raster::Scissor& scissor = face.face.scissor;
+    std::vector<raster::ItemBuffer> rows(static_cast<std::size_t>(scissor.height));
+    raster::parallelFor(rows.size(), [&](std::size_t row) {
+      raster::Face strip = face.face;
+      strip.scissor = {scissor.column, scissor.row + static_cast<int>(row), scissor.width, 1};
+      rows[row] = evaluateRules(vector.list, strip);
+    });
+    raster::ItemBuffer& buffer = buffers.emplace_back(raster::ItemBuffer{scissor.width, scissor.height, {}});
+    for (const raster::ItemBuffer& row : rows) buffer.ids.insert(buffer.ids.end(), row.ids.begin(), row.ids.end());
+  }
+  return buffers;
+}
 
-Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile) {
-  Report report{judge(vector, found, profile), {}, {}};
+ReferenceCheck compareReference(const TestVector& vector, std::span<const raster::ItemBuffer> expected) {
+  const std::vector<raster::ItemBuffer> drawn = render(vector);
+  ReferenceCheck check;
+  for (std::size_t f = 0; f < drawn.size(); ++f)
+    for (std::size_t pixel = 0; pixel < drawn[f].ids.size(); ++pixel, ++check.pixels)
+      check.differing += drawn[f].ids[pixel] != expected[f].ids[pixel];
+  return check;
+}
+
+Report reportOn(const TestVector& vector, Verdict verdict) {
+  Report report{std::move(verdict), {}, {}};
   report.errors = firstErrors(vector, report.verdict);
   report.findings = diagnose(vector, report.verdict);
   return report;
+}
+
+}  // namespace
+
+Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile) {
+  return reportOn(vector, judge(vector, found, profile));
+}
+
+Report reportExactly(const TestVector& vector, std::span<const raster::ItemBuffer> found,
+                     const DeviceProfile& profile) {
+  const std::vector<raster::ItemBuffer> expected = evaluateRows(vector);
+  Report report = reportOn(vector, judge(vector, expected, found, profile));
+  report.reference = compareReference(vector, expected);
+  return report;
+}
+
+ReferenceCheck checkReference(std::span<const Report> reports) {
+  ReferenceCheck sum;
+  for (const Report& report : reports) {
+    const ReferenceCheck check = report.reference.value_or(ReferenceCheck{});
+    sum.pixels += check.pixels;
+    sum.differing += check.differing;
+  }
+  return sum;
+}
+
+std::string toText(const ReferenceCheck& check) {
+  const std::string pixels = std::to_string(check.pixels) + " pixels";
+  if (check.differing == 0) return "agrees with the independent evaluator at all " + pixels;
+  return "differs from the independent evaluator at " + std::to_string(check.differing) + " of " + pixels;
 }
 
 VerdictCounts countVerdicts(std::span<const Report> reports) {
   VerdictCounts sums{};
   for (const Report& report : reports) {
     const VerdictCounts counts = countVerdicts(report.verdict);
-    for (std::size_t k = 0; k < pixelVerdicts; ++k) sums[k] += counts[k];
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += counts[k];
   }
   return sums;
 }
@@ -122,7 +182,7 @@ std::optional<CommonFault> commonFault(std::span<const Report> reports) {
 
 std::string toText(const CommonFault& common) {
   return common.finding.fault + ", named by " + std::to_string(common.vectors) + " of " +
-         std::to_string(common.failures) + " vectors that fail: " + common.finding.advice;
+         std::to_string(common.failures) + " failing vectors: " + common.finding.advice;
 }
 
 std::string toJson(const Report& report) { return textOf(jsonOf(report)); }

@@ -1,7 +1,8 @@
-/// What a verdict says, for people and for machines: JSON, and JUnit XML for build servers.
+/// Reports of verdicts: text, JSON, and JUnit XML for build servers.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,45 +13,62 @@
 
 namespace hemitex::reference {
 
-/// A verdict, its first errors and the faults that they may come from.
+/// The reference renderer compared with the independent evaluator (rational_rasterizer.h).
+struct ReferenceCheck {
+  std::uint64_t pixels = 0;     ///< of all faces
+  std::uint64_t differing = 0;  ///< of these, with different item IDs
+};
+
+/// A verdict, its first errors and the faults that may explain them.
 struct Report {
   Verdict verdict;
   std::vector<ErrorPixel> errors;
   std::vector<Finding> findings;
+  std::optional<ReferenceCheck> reference = {};  ///< only in an exact report
 };
 
 /// The report on what a device drew: judge, firstErrors and diagnose.
 Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile);
 
+/// The same, but the independent evaluator gives the expected item IDs. It is also compared with the reference
+/// renderer. The cost is pixels times triangles.
+Report reportExactly(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile);
+
+/// Over all reports that compare the reference.
+ReferenceCheck checkReference(std::span<const Report> reports);
+
+/// "agrees with the independent evaluator at 768 pixels", or how many of them differ.
+std::string toText(const ReferenceCheck& check);
+
 /// Over all faces of all vectors.
 VerdictCounts countVerdicts(std::span<const Report> reports);
 
-/// The fault that the most of several failing vectors name; one vector may not tell two faults apart, another does.
+/// The fault that most of the failing vectors name. It may be unique even if single vectors name several faults.
 struct CommonFault {
   Finding finding;           ///< of the first vector that names it
-  std::size_t vectors = 0;   ///< that name it
+  std::size_t vectors = 0;   ///< vectors that name it
   std::size_t failures = 0;  ///< vectors with errors
 };
 
-/// Of equals the first that is named. Nothing where fewer than one in twenty of the vectors that fail name one: a fault
-/// that is known by chance alone misleads.
+/// Of equals the first one. Nothing if fewer than one in twenty of the failing vectors name a fault: it may agree by
+/// chance.
 std::optional<CommonFault> commonFault(std::span<const Report> reports);
 
-/// "linear filtering, named by 3 of 4 vectors that fail: set both filters ...".
+/// "linear filtering, named by 3 of 4 failing vectors: set both filters ...".
 std::string toText(const CommonFault& common);
 
 /// A JSON object: `vector`, `pass`, `pixels` (a count for each verdict's name), `faces` (the same with `name`, `width`
 /// and `height`), `errors` with `face`, `column`, `row`, `kind`, `expected`, `found`, `expected_from`,
 /// `found_from`, `triangle` and `texel` (null where there is none), and `diagnosis`, a list with `fault`, `variant`,
-/// `agreement` and `advice`: empty where no fault is known, of several where they cannot be told apart.
+/// `agreement` and `advice`: empty without a known fault, several where they are indistinguishable. An exact report
+/// has `reference`, too: `pixels` and `differing`.
 std::string toJson(const Report& report);
 
 /// A JSON object for several vectors: `pass`, `pixels` of all, `vectors` (an object as above for each), and
 /// `diagnosis`: null, or `fault`, `variant`, `agreement`, `advice`, `vectors` and `failures` of the common fault.
 std::string toJson(std::span<const Report> reports);
 
-/// JUnit XML: each vector is a test suite, each face a test case that fails where it has errors and names the
-/// diagnosis.
+/// JUnit XML: each vector is a test suite, each face a test case. A face with errors fails and names the diagnosis.
 std::string toJUnit(std::span<const Report> reports);
 
 }  // namespace hemitex::reference

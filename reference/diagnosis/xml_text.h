@@ -1,11 +1,11 @@
-/// Text inside XML, as elements and as attributes hold it.
+/// Escapes text for XML elements and attributes.
 #pragma once
 
 #include <string>
 
 namespace hemitex::reference {
 
-/// With & < > and " escaped, and a space for each control character, for which XML 1.0 has no way.
+/// The text with & < > and " escaped, and a space for each control character, which XML 1.0 cannot represent.
 std::string xmlText(const std::string& text);
 
 }  // namespace hemitex::reference

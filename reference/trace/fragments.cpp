@@ -1,20 +1,14 @@
 #include "reference/trace/fragments.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "raster/setup/exact_interpolation.h"
-#include "raster/setup/triangle_setup.h"
 
 namespace hemitex::reference {
 namespace {
 
 using raster::ScreenTriangle;
-
-/// A screen triangle and the triangle that it is a part of.
-struct Part {
-  ScreenTriangle screen;
-  std::uint32_t triangle;
-};
 
 bool covers(const ScreenTriangle& triangle, int column, int row) {
   return std::all_of(triangle.edges.begin(), triangle.edges.end(), [=](const raster::Edge& edge) {
@@ -23,25 +17,8 @@ bool covers(const ScreenTriangle& triangle, int column, int row) {
   });
 }
 
-/// Appends the parts of a triangle that cover the sample.
-void appendParts(const raster::DrawList& list, const raster::Face& face, const DrawnTriangle& drawn, int column,
-                 int row, std::vector<Part>& parts) {
-  std::vector<ScreenTriangle> screen;
-  const raster::TriangleRun run{drawn.draw, drawn.triangle, drawn.triangle + 1};
-  raster::appendScreenTriangles(list, face, {&run, 1}, {}, screen);
-  for (const ScreenTriangle& triangle : screen)
-    if (covers(triangle, column, row)) parts.push_back({triangle, drawn.triangle});
-}
-
-void sortByDepth(std::vector<Part>& parts, int column, int row) {
-  std::stable_sort(parts.begin(), parts.end(), [=](const Part& a, const Part& b) {
-    return raster::isNearerExactly(a.screen, b.screen, column, row);
-  });
-}
-
-/// Depth, coordinates and item ID of a part (raster rules, 6 and 7).
-Fragment fragmentOf(const raster::DrawList& list, const Part& part, int column, int row) {
-  const ScreenTriangle& triangle = part.screen;
+/// Depth, coordinates and item ID of a triangle at a sample that it covers (raster rules, 6 and 7).
+Fragment fragmentOf(const raster::DrawList& list, const ScreenTriangle& triangle, int column, int row) {
   const raster::Draw& draw = list.draws[triangle.draw];
   double inverse = 0, u = 0, v = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -50,7 +27,8 @@ Fragment fragmentOf(const raster::DrawList& list, const Part& part, int column, 
     u += weight * triangle.u[k];
     v += weight * triangle.v[k];
   }
-  Fragment fragment{part.triangle, triangle.draw, triangle.facesAway, inverse, u / inverse, v / inverse, {}, {}};
+  Fragment fragment{triangle.number, triangle.draw, triangle.facesAway, inverse, u / inverse, v / inverse, {}, {},
+                    triangle};
   if (triangle.facesAway && draw.back) {
     fragment.id = *draw.back;
   } else if (!draw.indexMap) {
@@ -78,22 +56,41 @@ std::vector<DrawnTriangle> drawnTriangles(const raster::DrawList& list) {
   return drawn;
 }
 
-std::vector<Fragment> fragmentsAt(const raster::DrawList& list, const raster::Face& face, int column, int row) {
-  std::vector<Part> parts;
-  for (const DrawnTriangle& drawn : drawnTriangles(list)) appendParts(list, face, drawn, column, row, parts);
-  sortByDepth(parts, column, row);
+std::vector<ScreenTriangle> screenTriangles(const raster::DrawList& list, const raster::Face& face) {
+  std::vector<raster::TriangleRun> runs;
+  for (std::uint32_t draw = 0; draw < list.draws.size(); ++draw) {
+    const std::uint32_t first = list.draws[draw].first / 3;
+    runs.push_back({draw, first, first + list.draws[draw].count / 3});
+  }
+  std::vector<ScreenTriangle> triangles;
+  raster::appendScreenTriangles(list, face, runs, {}, triangles);
+  return triangles;
+}
+
+std::vector<Fragment> fragmentsAt(const raster::DrawList& list, std::span<const ScreenTriangle> triangles, int column,
+                                  int row) {
+  std::vector<ScreenTriangle> covering;
+  std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(covering),
+               [=](const ScreenTriangle& triangle) { return covers(triangle, column, row); });
+  std::stable_sort(covering.begin(), covering.end(), [=](const ScreenTriangle& a, const ScreenTriangle& b) {
+    return raster::isNearerExactly(a, b, column, row);
+  });
   std::vector<Fragment> fragments;
-  for (const Part& part : parts) fragments.push_back(fragmentOf(list, part, column, row));
+  for (const ScreenTriangle& triangle : covering) fragments.push_back(fragmentOf(list, triangle, column, row));
   return fragments;
+}
+
+std::vector<Fragment> fragmentsAt(const raster::DrawList& list, const raster::Face& face, int column, int row) {
+  return fragmentsAt(list, screenTriangles(list, face), column, row);
 }
 
 std::optional<Fragment> fragmentOf(const raster::DrawList& list, const raster::Face& face, const DrawnTriangle& drawn,
                                    int column, int row) {
-  std::vector<Part> parts;
-  appendParts(list, face, drawn, column, row, parts);
-  if (parts.empty()) return {};
-  sortByDepth(parts, column, row);
-  return fragmentOf(list, parts.front(), column, row);
+  std::vector<ScreenTriangle> triangles;
+  const raster::TriangleRun run{drawn.draw, drawn.triangle, drawn.triangle + 1};
+  raster::appendScreenTriangles(list, face, {&run, 1}, {}, triangles);
+  const std::vector<Fragment> fragments = fragmentsAt(list, triangles, column, row);
+  return fragments.empty() ? std::nullopt : std::optional(fragments.front());
 }
 
 }  // namespace hemitex::reference

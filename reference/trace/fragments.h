@@ -1,13 +1,15 @@
-/// What the raster rules demand at one pixel, spelled out: every triangle that covers its sample, from the visible one
-/// backwards. It explains an item ID; item buffers are drawn by raster::SoftwareRenderer.
+/// The fragments at one pixel by the raster rules: every triangle that covers its sample, from the visible one
+/// backwards. They explain an item ID; raster::SoftwareRenderer draws whole item buffers.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "raster/interface/draw_list.h"
 #include "raster/interface/face.h"
+#include "raster/setup/triangle_setup.h"
 
 namespace hemitex::reference {
 
@@ -17,8 +19,8 @@ struct Texel {
   bool operator==(const Texel&) const = default;
 };
 
-/// A triangle at the sample of a pixel. Order and texel are exact; of what is rounded to binary64, 1/w is off by less
-/// than 2^-49 of itself, u and v by less than 2^-49 of the largest coordinate among the triangle's vertices.
+/// A triangle at the sample of a pixel. Order and texel are exact. 1/w, u and v are rounded to binary64: the error of
+/// 1/w is less than 2^-49 of itself, that of u and v less than 2^-49 of the largest coordinate at the vertices.
 struct Fragment {
   std::uint32_t triangle = 0;  ///< indices 3t to 3t + 2
   std::uint32_t draw = 0;
@@ -27,6 +29,7 @@ struct Fragment {
   double u = 0, v = 0;
   std::optional<Texel> texel;  ///< none without an index map, or on a back
   raster::ItemId id = 0;
+  raster::ScreenTriangle screen = {};  ///< the covering part of the triangle after clipping
 };
 
 /// A triangle of a draw.
@@ -38,12 +41,20 @@ struct DrawnTriangle {
 /// Every triangle of every draw, in draw order.
 std::vector<DrawnTriangle> drawnTriangles(const raster::DrawList& list);
 
-/// The fragments at pixel (column, row) of the viewport, nearest first, ties in draw order; none where the background
-/// is. The list and the face are valid; the pixel lies in the scissor rectangle. The cost is that of every triangle.
+/// Sets up the triangles of all draws on the screen of a face, in draw order. The list and the face are valid. One
+/// setup serves any number of pixels.
+std::vector<raster::ScreenTriangle> screenTriangles(const raster::DrawList& list, const raster::Face& face);
+
+/// The fragments at pixel (column, row) of the viewport, nearest first, ties in draw order; none at a background pixel.
+/// The pixel lies in the scissor rectangle.
+std::vector<Fragment> fragmentsAt(const raster::DrawList& list, std::span<const raster::ScreenTriangle> triangles,
+                                  int column, int row);
+
+/// The same for a single pixel: sets up all triangles of the face.
 std::vector<Fragment> fragmentsAt(const raster::DrawList& list, const raster::Face& face, int column, int row);
 
-/// The fragment of one triangle at a pixel, where it covers its sample; where its parts after clipping overlap, as
-/// rounding may make them, the nearest.
+/// The fragment of one triangle at a pixel; none where the triangle does not cover the sample. Rounding may let parts
+/// of a clipped triangle overlap: then the nearest counts.
 std::optional<Fragment> fragmentOf(const raster::DrawList& list, const raster::Face& face, const DrawnTriangle& drawn,
                                    int column, int row);
 

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cassert>
-#include <cmath>
-
-#include "raster/setup/triangle_setup.h"
 
 namespace hemitex::reference {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
+using raster::ScreenTriangle;
 using raster::ViewVertex;
 
 // --- rules 2 and 3: vertices and clipping ---
@@ -46,59 +44,55 @@ std::vector<raster::HalfSpace> cutsOf(const std::array<ViewVertex, 3>& vertices,
   return cuts;
 }
 
-// --- rules 4 to 6: the piece of a triangle that shows at a sample ---
+// --- rules 4 to 6: the fragment of a triangle at a sample ---
 
-struct Piece {
-  int number = 0, count = 0;
-  std::array<ViewVertex, 3> corners;
-  raster::ScreenTriangle screen;
-  std::array<Rational, 3> weights;
-  Rational inverseDepth;
-};
+using Weights = std::array<Rational, 3>;
 
-bool covers(const raster::ScreenTriangle& triangle, int column, int row) {
-  return std::all_of(triangle.edges.begin(), triangle.edges.end(),
-                     [=](const raster::Edge& edge) { return edge.at(column, row) >= (edge.inclusive ? 0 : 1); });
-}
-
-void interpolate(Piece& piece, int column, int row) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    piece.weights[k] = Rational(piece.screen.edges[k].at(column, row)) / Rational(piece.screen.area);
-    piece.inverseDepth += piece.weights[k] / Rational(piece.corners[k].w);
-  }
-}
-
-/// The piece of a triangle with the largest 1/w of those that cover the sample; some do.
-Piece pieceAt(const raster::Face& face, const std::array<ViewVertex, 3>& vertices, int column, int row) {
-  const bool mirrored = raster::determinant(face) < 0;
-  const raster::ClippedPolygon polygon = raster::clip(vertices, face.nearDistance);
-  Piece nearest;
-  for (int k = 2; k < polygon.count; ++k) {
-    const auto corner = static_cast<std::size_t>(k);
-    Piece piece;
-    piece.number = k - 2;
-    piece.count = polygon.count - 2;
-    piece.corners = {polygon.vertices[0], polygon.vertices[corner - 1], polygon.vertices[corner]};
-    if (!raster::makeScreenTriangle(face, piece.corners, mirrored, piece.screen)) continue;
-    if (!covers(piece.screen, column, row)) continue;
-    interpolate(piece, column, row);
-    if (nearest.count == 0 || piece.inverseDepth > nearest.inverseDepth) nearest = piece;
-  }
-  assert(nearest.count > 0);
-  return nearest;
-}
-
-/// u or v at the sample.
-Rational coordinateAt(const Piece& piece, double ViewVertex::*coordinate) {
-  Rational sum;
+Weights weightsAt(const ScreenTriangle& triangle, int column, int row) {
+  Weights weights;
   for (std::size_t k = 0; k < 3; ++k)
-    sum += piece.weights[k] * Rational(piece.corners[k].*coordinate) / Rational(piece.corners[k].w);
-  return sum / piece.inverseDepth;
+    weights[k] = Rational(triangle.edges[k].at(column, row)) / Rational(triangle.area);
+  return weights;
+}
+
+/// The sum of b_k value_k / w_k.
+Rational sumOverDepth(const ScreenTriangle& triangle, const Weights& weights, const std::array<double, 3>& values) {
+  Rational sum;
+  for (std::size_t k = 0; k < 3; ++k) sum += weights[k] * Rational(values[k]) / Rational(triangle.w[k]);
+  return sum;
+}
+
+Rational inverseDepthOf(const ScreenTriangle& triangle, const Weights& weights) {
+  return sumOverDepth(triangle, weights, {1, 1, 1});
+}
+
+bool isSame(const ScreenTriangle& a, const ScreenTriangle& b) {
+  const auto isSameEdge = [](const raster::Edge& x, const raster::Edge& y) {
+    return x.a == y.a && x.b == y.b && x.c == y.c;
+  };
+  return std::equal(a.edges.begin(), a.edges.end(), b.edges.begin(), isSameEdge) && a.w == b.w;
 }
 
 DerivedCorner cornerOf(const ViewVertex& view, int resolution) {
   const glm::dvec2 q(view.x / view.w, view.y / view.w);
   return {view, q, {raster::snap(q.x, resolution), raster::snap(q.y, resolution)}};
+}
+
+/// Finds `screen` in the fan that clipping leaves of the triangle, and stores its index and corners.
+void derivePiece(const raster::Face& face, const std::array<ViewVertex, 3>& vertices, const ScreenTriangle& screen,
+                 Derivation& derivation) {
+  const bool mirrored = raster::determinant(face) < 0;
+  const raster::ClippedPolygon polygon = raster::clip(vertices, face.nearDistance);
+  derivation.pieces = polygon.count - 2;
+  for (derivation.piece = 0; derivation.piece < derivation.pieces; ++derivation.piece) {
+    const auto k = static_cast<std::size_t>(derivation.piece) + 1;
+    const std::array<ViewVertex, 3> corners{polygon.vertices[0], polygon.vertices[k], polygon.vertices[k + 1]};
+    ScreenTriangle candidate;
+    if (!raster::makeScreenTriangle(face, corners, mirrored, candidate) || !isSame(candidate, screen)) continue;
+    for (std::size_t c = 0; c < 3; ++c) derivation.corners[c] = cornerOf(corners[c], face.resolution);
+    return;
+  }
+  assert(false);
 }
 
 std::int64_t signedArea(const std::array<DerivedCorner, 3>& corners) {
@@ -112,20 +106,6 @@ DerivedEdge edgeAt(const raster::Edge& edge, int column, int row) {
 }
 
 // --- rules 6 and 7: texel and blend ---
-
-int floorWithin(const Rational& position, int size) {
-  if (position < 0) return 0;
-  const boost::multiprecision::cpp_int whole = numerator(position) / denominator(position);
-  return whole >= size ? size - 1 : whole.convert_to<int>();
-}
-
-DerivedTexel texelAt(const raster::IndexMap& map, const Rational& u, const Rational& v) {
-  const Rational column = u * map.width, row = v * map.height;
-  const Texel texel{floorWithin(column, map.width), floorWithin(row, map.height)};
-  const auto index = static_cast<std::size_t>(texel.row) * static_cast<std::size_t>(map.width) +
-                     static_cast<std::size_t>(texel.column);
-  return {map.width, map.height, {column.convert_to<double>(), row.convert_to<double>()}, texel, map.ids[index]};
-}
 
 std::vector<DerivedSum> sumsOf(const raster::DrawList& list, raster::ItemId offset, raster::ItemId texel) {
   std::vector<DerivedSum> sums;
@@ -142,68 +122,58 @@ std::vector<DerivedSum> sumsOf(const raster::DrawList& list, raster::ItemId offs
   return sums;
 }
 
-/// The results of the sums side by side, the first in the least significant bits.
-raster::ItemId joined(const std::vector<DerivedSum>& sums) {
-  std::uint64_t id = 0;
-  int shift = 0;
-  for (const DerivedSum& sum : sums) {
-    id |= sum.result << shift;
-    shift += sum.bits;
-  }
-  return static_cast<raster::ItemId>(id);
-}
-
 void deriveId(const raster::DrawList& list, const Rational& u, const Rational& v, Derivation& derivation) {
-  const raster::Draw& draw = list.draws[derivation.drawn.draw];
-  const bool isBack = derivation.facesAway && draw.back;
-  derivation.id = isBack ? *draw.back : draw.offset;
-  if (isBack || !draw.indexMap) return;
-  derivation.texel = texelAt(list.indexMaps[static_cast<std::size_t>(*draw.indexMap)], u, v);
-  derivation.sums = sumsOf(list, draw.offset, derivation.texel->index);
-  derivation.id = derivation.sums.empty() ? derivation.texel->index : joined(derivation.sums);
+  const Fragment& visible = derivation.visible;
+  if (!visible.texel) return;
+  const raster::Draw& draw = list.draws[visible.draw];
+  const raster::IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
+  const raster::ItemId index =
+      map.ids[static_cast<std::size_t>(visible.texel->row * map.width + visible.texel->column)];
+  const Rational column = u * map.width, row = v * map.height;
+  derivation.texel = {map.width, map.height, {column.convert_to<double>(), row.convert_to<double>()}, index};
+  derivation.sums = sumsOf(list, draw.offset, index);
 }
 
 /// The first fragment behind the visible one that is of another triangle.
-std::optional<RunnerUp> runnerUpOf(const raster::DrawList& list, const raster::Face& face,
-                                   const std::vector<Fragment>& fragments, const Piece& visible, int column, int row) {
+std::optional<RunnerUp> runnerUpOf(const std::vector<Fragment>& fragments, const Rational& inverseDepth, int column,
+                                   int row) {
   const Fragment& front = fragments.front();
   const auto other = std::find_if(fragments.begin(), fragments.end(), [&](const Fragment& fragment) {
     return fragment.triangle != front.triangle || fragment.draw != front.draw;
   });
   if (other == fragments.end()) return {};
-  const Piece piece = pieceAt(face, widened(verticesOf(list, face, other->triangle)), column, row);
-  const Rational difference = visible.inverseDepth - piece.inverseDepth;
-  return RunnerUp{
-      {other->draw, other->triangle}, piece.inverseDepth.convert_to<double>(), difference.convert_to<double>()};
+  const Rational behind = inverseDepthOf(other->screen, weightsAt(other->screen, column, row));
+  const Rational difference = inverseDepth - behind;
+  return RunnerUp{{other->draw, other->triangle}, behind.convert_to<double>(), difference.convert_to<double>()};
 }
 
 }  // namespace
 
-std::optional<Derivation> derive(const raster::DrawList& list, const raster::Face& face, int column, int row) {
-  const std::vector<Fragment> fragments = fragmentsAt(list, face, column, row);
+std::optional<Derivation> derive(const raster::DrawList& list, const raster::Face& face,
+                                 const std::vector<Fragment>& fragments, int column, int row) {
   if (fragments.empty()) return {};
   Derivation derivation;
-  derivation.drawn = {fragments.front().draw, fragments.front().triangle};
-  derivation.vertices = verticesOf(list, face, derivation.drawn.triangle);
+  derivation.visible = fragments.front();
+  const ScreenTriangle& screen = derivation.visible.screen;
+  derivation.vertices = verticesOf(list, face, derivation.visible.triangle);
   const std::array<ViewVertex, 3> views = widened(derivation.vertices);
   derivation.cutBy = cutsOf(views, face.nearDistance);
+  derivePiece(face, views, screen, derivation);
 
-  const Piece piece = pieceAt(face, views, column, row);
-  derivation.piece = piece.number;
-  derivation.pieces = piece.count;
   derivation.sample = {256 * column + 128, 256 * row + 128};
-  derivation.facesAway = piece.screen.facesAway;
-  for (std::size_t k = 0; k < 3; ++k) {
-    derivation.corners[k] = cornerOf(piece.corners[k], face.resolution);
-    derivation.edges[k] = edgeAt(piece.screen.edges[k], column, row);
-    derivation.weights[k] = piece.weights[k].convert_to<double>();
-  }
   derivation.area = signedArea(derivation.corners);
-  derivation.inverseDepth = piece.inverseDepth.convert_to<double>();
-  const Rational u = coordinateAt(piece, &ViewVertex::u), v = coordinateAt(piece, &ViewVertex::v);
+  const Weights weights = weightsAt(screen, column, row);
+  for (std::size_t k = 0; k < 3; ++k) {
+    derivation.edges[k] = edgeAt(screen.edges[k], column, row);
+    derivation.weights[k] = weights[k].convert_to<double>();
+  }
+  const Rational inverseDepth = inverseDepthOf(screen, weights);
+  const Rational u = sumOverDepth(screen, weights, screen.u) / inverseDepth;
+  const Rational v = sumOverDepth(screen, weights, screen.v) / inverseDepth;
+  derivation.inverseDepth = inverseDepth.convert_to<double>();
   derivation.coordinates = {u.convert_to<double>(), v.convert_to<double>()};
   deriveId(list, u, v, derivation);
-  derivation.runnerUp = runnerUpOf(list, face, fragments, piece, column, row);
+  derivation.runnerUp = runnerUpOf(fragments, inverseDepth, column, row);
   return derivation;
 }
 

@@ -1,5 +1,5 @@
-/// The item ID of one pixel derived by the raster rules, with every number on the way from the vertices to the blend,
-/// for whoever wants to follow it by hand.
+/// Derives the item ID of one pixel by the raster rules, with every number from the vertices to the blend, so that a
+/// reader can check it by hand.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ struct DerivedVertex {
   glm::vec2 texcoord;
 };
 
-/// A corner of what clipping left, projected and snapped.
+/// A corner of the clipped triangle, projected and snapped.
 struct DerivedCorner {
   raster::ViewVertex view;
   glm::dvec2 q;        ///< x/w and y/w
@@ -33,53 +33,51 @@ enum class EdgeKind { Top, Left, Other };
 
 /// The edge opposite a corner, at the sample.
 struct DerivedEdge {
-  std::int64_t value;  ///< twice the area that it spans with the sample, positive inside
-  EdgeKind kind;       ///< decides where the value is 0
+  std::int64_t value;  ///< doubled area of the edge and the sample, positive inside
+  EdgeKind kind;       ///< decides coverage where the value is 0
 };
 
 struct DerivedTexel {
-  int width, height;    ///< of the index map: N x M
-  glm::dvec2 position;  ///< u N and v M
-  Texel texel;
-  raster::ItemId index;  ///< what the map holds there
+  int width, height;     ///< of the index map: N x M
+  glm::dvec2 position;   ///< u N and v M
+  raster::ItemId index;  ///< of the fragment's texel
 };
 
-/// A sum of the blend: of one channel, or of whole item IDs.
+/// A sum of the blend, of one channel or of whole item IDs.
 struct DerivedSum {
   int bits;
   std::uint64_t offset, texel;
   std::uint64_t result;  ///< clamped, or modulo 2^bits
 };
 
-/// The triangle that would be seen if the visible one were not there.
+/// The next triangle behind the visible one.
 struct RunnerUp {
   DrawnTriangle drawn;
   double inverseDepth;  ///< 1/w
-  double difference;    ///< by how much the visible triangle's 1/w is larger; 0 if and only if they are equal
+  double difference;    ///< 1/w of the visible triangle minus this one; 0 exactly where they are equal
 };
 
-/// Real numbers are exact values, rounded to binary64 when they are stored.
+/// Real numbers are exact values rounded once to binary64. Those of `visible` are rounded more often.
 struct Derivation {
-  DrawnTriangle drawn;
+  Fragment visible;
   std::array<DerivedVertex, 3> vertices;
-  std::vector<raster::HalfSpace> cutBy;  ///< the half-spaces that do not hold all three vertices
-  int piece = 0, pieces = 1;             ///< which triangle of the fan, counted from 0, and of how many
+  std::vector<raster::HalfSpace> cutBy;  ///< half-spaces that cut off at least one vertex
+  int piece = 0, pieces = 1;             ///< index of the triangle in its fan, size of the fan
   std::array<DerivedCorner, 3> corners;
   glm::ivec2 sample;  ///< in 1/256 pixel
   std::int64_t area;  ///< doubled and signed
-  bool facesAway;
   std::array<DerivedEdge, 3> edges;
   std::array<double, 3> weights;      ///< barycentric
   double inverseDepth;                ///< 1/w
   glm::dvec2 coordinates;             ///< u, v
   std::optional<DerivedTexel> texel;  ///< none without an index map, or on a back
-  std::vector<DerivedSum> sums;       ///< one a channel for clamped add, one of the item IDs for integer add, else none
-  raster::ItemId id;
+  std::vector<DerivedSum> sums;       ///< clamped add: one per channel; integer add: one; replace: none
   std::optional<RunnerUp> runnerUp;
 };
 
-/// How pixel (column, row) of the viewport gets its item ID; nothing where it holds the background. The list and the
-/// face are valid; the pixel lies in the scissor rectangle. The cost is that of every triangle.
-std::optional<Derivation> derive(const raster::DrawList& list, const raster::Face& face, int column, int row);
+/// How pixel (column, row) of the viewport gets its item ID; nothing where it holds the background. `fragments` are
+/// those at the pixel (fragmentsAt).
+std::optional<Derivation> derive(const raster::DrawList& list, const raster::Face& face,
+                                 const std::vector<Fragment>& fragments, int column, int row);
 
 }  // namespace hemitex::reference

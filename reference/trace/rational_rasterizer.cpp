@@ -31,7 +31,7 @@ Attributes vertexStage(const raster::Face& face, const glm::vec3& position, cons
   return {product(face.x), product(face.y), product(face.w), texcoord.x, texcoord.y};
 }
 
-/// Rules, 3: one half-space, as the walk of the rules says it.
+/// Rules, 3: clips to the half-space f >= 0.
 std::vector<Attributes> clip(const std::vector<Attributes>& polygon, const std::function<double(const Attributes&)>& f,
                              bool isNear, double n) {
   std::vector<Attributes> result;
@@ -161,7 +161,7 @@ bool isFinite(const Attributes& p) {
   return std::all_of(p.begin(), p.end(), [](double value) { return std::isfinite(value); });
 }
 
-/// All that is left of the draws after clipping and snapping, in draw order.
+/// The triangles of all draws after clipping and snapping, in draw order.
 std::vector<Triangle> trianglesOf(const raster::DrawList& list, const raster::Face& face,
                                   std::span<const std::uint32_t> skipped) {
   std::vector<Triangle> triangles;

@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using raster::ViewVertex;
 
-// Corners are written as they lie in memory: x, y, w, u, v.
+// Corners are written as they are in memory: x, y, w, u, v.
 static_assert(sizeof(ViewVertex) == 5 * sizeof(double));
 
 // --- vertices ---
@@ -65,7 +65,8 @@ void addPieces(const raster::DrawList& list, const std::vector<ViewVertex>& vert
 
 // --- pixels ---
 
-/// For every pixel which of the triangles it shows: the renderer draws each of them with its number as its item ID.
+/// The index in `drawn` of the triangle that each pixel shows: the renderer draws each triangle with its index as item
+/// ID.
 raster::ItemBuffer drawNumbers(const raster::DrawList& list, const std::vector<DrawnTriangle>& drawn,
                                const raster::Face& face) {
   raster::DrawList numbered{list.positions, list.texcoords, list.indices, {}, {}, {{32}}};

@@ -1,5 +1,5 @@
-/// Files of nothing but numbers, binary and little-endian, as test vectors are made of. Both functions throw InputError
-/// with the file's name.
+/// Array files of test vectors: binary little-endian numbers without a header. Both functions throw InputError with the
+/// name of the file.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 
 namespace hemitex::reference {
 
-// So are all machines that this code is built for.
+// Arrays are read and written as they are in memory.
 static_assert(std::endian::native == std::endian::little);
 
-/// The numbers of a whole file.
+/// All numbers of a file.
 template <typename T>
 std::vector<T> readArray(const std::filesystem::path& file) {
   const std::string bytes = raster::readFile(file);

@@ -13,7 +13,7 @@ using raster::InputError;
 
 raster::ItemBuffer readIds(const filesystem::path& file, const raster::Scissor& scissor) {
   if (!filesystem::is_regular_file(file))
-    throw InputError(file.string(), 0, "is missing or not a file", "a candidate holds one item IDs file a face");
+    throw InputError(file.string(), 0, "is missing or not a file", "a candidate holds one item ID file per face");
   const std::uintmax_t size = filesystem::file_size(file);
   raster::ItemBuffer buffer{scissor.width, scissor.height, {}};
   buffer.ids.resize(static_cast<std::size_t>(scissor.width) * static_cast<std::size_t>(scissor.height));

@@ -1,4 +1,4 @@
-/// The answer of a device to a test vector: a folder with the item IDs files, and nothing else is needed.
+/// The item buffers of a device for a test vector: a folder with one item ID file per face.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,12 @@
 
 namespace hemitex::reference {
 
-/// One item buffer a face of the vector, in its order. Throws InputError where a item IDs file is missing, cannot be
-/// read, or does not hold exactly one item ID a pixel: a buffer of the wrong size never passes for a right one.
+/// Reads one item buffer per face of the vector, in its order. Throws InputError if an item ID file is missing, cannot
+/// be read, or does not hold exactly one item ID per pixel.
 std::vector<raster::ItemBuffer> readCandidate(const std::filesystem::path& folder, const TestVector& vector);
 
-/// Writes one item buffer a face of the vector, in its order, into `folder`, which exists. Throws InputError where a
-/// file cannot be written.
+/// Writes one item buffer per face of the vector, in its order, into `folder`, which exists. Throws InputError for a
+/// file that cannot be written.
 void writeCandidate(const std::filesystem::path& folder, const TestVector& vector,
                     std::span<const raster::ItemBuffer> buffers);
 

@@ -1,4 +1,4 @@
-/// Draw lists and faces made by hand: small pictures laid out in pixels, for test vectors and tests.
+/// Builds draw lists and faces from pictures laid out in pixels, for test vectors and tests.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ inline raster::IndexMap countingMap(int width, int height) {
   return map;
 }
 
-/// Starts a draw behind the others.
+/// Appends an empty draw.
 inline void addDraw(raster::DrawList& list, raster::ItemId offset, std::optional<raster::ItemId> back = {},
                     std::optional<int> indexMap = {}) {
   list.draws.push_back({static_cast<std::uint32_t>(list.indices.size()), 0, offset, back, indexMap});
@@ -98,8 +98,8 @@ inline void turnLastDraw(raster::DrawList& list) {
   for (std::size_t i = draw.first; i < list.indices.size(); i += 3) std::swap(list.indices[i], list.indices[i + 1]);
 }
 
-/// A number in [low, high) from the upper 24 bits of the generator: the same on every machine, unlike the library's
-/// distributions.
+/// A number in [low, high) from the upper 24 bits of the generator. It is the same on every machine; the distributions
+/// of the standard library are not.
 inline float uniform(std::mt19937& random, float low, float high) {
   return low + (high - low) * (static_cast<float>(random() >> 8) * 0x1p-24f);
 }

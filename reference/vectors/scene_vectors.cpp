@@ -15,7 +15,7 @@
 namespace hemitex::reference {
 namespace {
 
-/// A point that looks along `normal`, and the item IDs that the scene is drawn in.
+/// An eye that looks along `normal`, and the item ID format of the scene.
 struct View {
   std::string name;
   glm::dvec3 eye, normal, up;

@@ -47,7 +47,7 @@ TestVector snapping(const std::string& name, bool isRow) {
                     std::move(list), {frontFace(resolution, 0.5f)});
 }
 
-/// Triangles whose corners lie on samples, one over the other.
+/// Stacked triangles whose corners lie on samples.
 TestVector cornersOnSamples() {
   constexpr int resolution = 16;
   std::mt19937 random(16);
@@ -100,7 +100,7 @@ raster::DrawList sheet(int cells, const Point& point) {
   return list;
 }
 
-/// Every corner at a depth of its own, from 1 to 4, over the whole view.
+/// Covers the whole view, each corner at its own depth from 1 to 4.
 TestVector perspectiveSheet() {
   std::mt19937 random(4);
   const raster::DrawList list = sheet(8, [&](int i, int j) {

@@ -1,4 +1,4 @@
-/// Which of several triangles wins a sample: the larger 1/w, and on an exact tie the earlier triangle.
+/// Which of several triangles is visible at a sample: the one of larger 1/w, and on an exact tie the earlier one.
 #include <cmath>
 #include <random>
 
@@ -22,8 +22,8 @@ TestVector coplanarFlat(const std::string& name, bool lightFirst) {
                     std::move(list), {frontFace(resolution, 0.05f)});
 }
 
-/// Four triangles of one sloped plane in whose every overlap 1/w is exactly the same, whatever the triangle: w is 1, 2,
-/// 4, 8 at the columns 0, 16, 24, 28 of 32, where 1/w = 1 - column/32.
+/// Four overlapping triangles of one sloped plane with exactly the same 1/w: w is 1, 2, 4, 8 at the columns 0, 16, 24,
+/// 28 of 32, where 1/w = 1 - column/32.
 TestVector coplanarSloped(const std::string& name, bool reversed) {
   constexpr int resolution = 32;
   struct Corner {
@@ -47,7 +47,7 @@ TestVector coplanarSloped(const std::string& name, bool reversed) {
                     {frontFace(resolution, 0.5f)});
 }
 
-/// The same triangle drawn again and again, from every corner: the first one stays.
+/// The same triangle drawn several times, from every corner: the first one stays.
 TestVector sameTriangle() {
   constexpr int resolution = 32;
   raster::DrawList list = plainList();

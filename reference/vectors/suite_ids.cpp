@@ -1,4 +1,4 @@
-/// What item ID comes of offset and texel: channels and their clamping, whole item IDs, reserved item IDs.
+/// The item ID of an offset and a texel: channels and their clamping, whole item IDs, reserved item IDs.
 #include <algorithm>
 #include <set>
 
@@ -29,7 +29,7 @@ void addTable(raster::DrawList& list, int resolution, const std::vector<ItemId>&
   }
 }
 
-/// Turned away, with a back item ID, in one pixel.
+/// One pixel of a triangle that faces away, with a back item ID.
 void addBack(raster::DrawList& list, int resolution, int column, int row) {
   addDraw(list, 1, raster::backId(list.format));
   addPixel(list, resolution, column, row);
@@ -130,7 +130,7 @@ TestVector singleElements() {
                     {frontFace(resolution, nearDistance)});
 }
 
-/// Item IDs where binary32, signed integers or bytes change their mind, from 0 to the last that a draw can produce.
+/// Item IDs at the limits of binary32, signed integers and bytes, from 0 to the largest that a draw can produce.
 std::vector<ItemId> edgeIds(int bits) {
   const ItemId reserved = static_cast<ItemId>((std::uint64_t{1} << bits) - 2);
   std::set<ItemId> ids{0, 1, 2, reserved - 1, reserved / 2, reserved / 2 + 1, reserved / 2 + 2};
@@ -139,7 +139,7 @@ std::vector<ItemId> edgeIds(int bits) {
   return {ids.begin(), ids.end()};
 }
 
-/// The edge item IDs as plain offsets, a pixel each; then the back item ID, and the background around them.
+/// The edge item IDs as offsets without a texel, one pixel each; then the back item ID, surrounded by the background.
 TestVector edgeOffsets(const std::string& name, const raster::IdFormat& format) {
   constexpr int resolution = 16;
   raster::DrawList list = emptyList(format, raster::Blend::ClampedAdd);
@@ -154,7 +154,7 @@ TestVector edgeOffsets(const std::string& name, const raster::IdFormat& format) 
                     std::move(list), {frontFace(resolution, nearDistance)});
 }
 
-/// The edge item IDs as texels, a pixel each, in one channel of 32 bits: replacing, or added modulo 2^32 to an offset.
+/// The edge item IDs as texels, one pixel each, in one 32-bit channel: replaced, or added modulo 2^32 to an offset.
 TestVector edgeTexels(const std::string& name, raster::Blend operation, ItemId offset) {
   constexpr int resolution = 32;
   std::vector<ItemId> texels = edgeIds(32);
@@ -166,7 +166,7 @@ TestVector edgeTexels(const std::string& name, raster::Blend operation, ItemId o
                     {frontFace(resolution, nearDistance)});
 }
 
-/// Blocks with and without index map and back item ID, turned to the eye and away; seen straight and in a mirror.
+/// Blocks with and without index map and back item ID, front-facing and back-facing, in a plain and a mirrored view.
 TestVector backs() {
   constexpr int resolution = 32;
   raster::DrawList list = emptyList({{8, 8, 8}}, raster::Blend::ClampedAdd);

@@ -1,8 +1,8 @@
-/// Meshes whose triangles share edges, seen unclipped: every sample inside belongs to exactly one triangle.
+/// Unclipped meshes whose triangles share edges: each sample inside belongs to exactly one triangle.
 ///
-/// Each triangle has its own item ID and its own depth, so that both faults show. A hole shows the background. A sample
-/// that two triangles claim shows the nearer one; drawn once with later triangles nearer and once with earlier ones
-/// nearer, the wrong one is the nearer one in one of the two vectors.
+/// Each triangle has its own item ID and its own depth, so that both faults are visible. A hole shows the background. A
+/// sample that two triangles cover shows the nearer one. Later triangles are nearer in one vector and earlier ones in
+/// the other, so the wrong triangle is the nearer one in one of them.
 #include <algorithm>
 #include <random>
 
@@ -123,7 +123,7 @@ Mesh sampleGrid() {
   return mesh;
 }
 
-/// Cells of half a pixel, jittered: most triangles cover nothing, all together cover every sample once.
+/// Jittered cells of half a pixel: most triangles cover nothing, and together they cover every sample once.
 Mesh microGrid() {
   constexpr int cells = 32;
   std::mt19937 random(32);

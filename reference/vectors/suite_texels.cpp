@@ -1,4 +1,4 @@
-/// Which texel a sample shows: clamp(floor(u N), 0, N - 1), for u that perspective makes and for u beside borders.
+/// The texel of a sample, clamp(floor(u N), 0, N - 1): for u interpolated with perspective, and for u beside borders.
 #include <cmath>
 
 #include "reference/vectors/draw_list_builder.h"
@@ -54,7 +54,7 @@ TestVector perspectiveFloor() {
                     std::move(list), {frontFace(64, 0.5f)});
 }
 
-/// A triangle pair whose every corner has another depth, up to 40 times the least.
+/// A pair of triangles whose corners have different depths, up to 40 times the smallest.
 TestVector perspectiveTwist() {
   constexpr int resolution = 64;
   raster::DrawList list = mapped(countingMap(48, 80));

@@ -10,8 +10,8 @@ namespace {
 using raster::Face;
 using raster::Scissor;
 
-/// A room around the origin in which no two walls, corners or halves of a wall are alike: every wall has its own item
-/// ID, distance and size, index maps of 5 x 3 texels, and a gap to its neighbours that shows the background.
+/// A room around the origin without symmetries: each wall has its own item ID, distance and size, an index map of 5 x 3
+/// texels, and a gap to its neighbours that shows the background.
 raster::DrawList asymmetricRoom() {
   raster::DrawList list = plainList();
   list.indexMaps.push_back(countingMap(5, 3));
@@ -52,7 +52,7 @@ TestVector hemicube(const std::string& name, const std::string& catches, const g
   return vector;
 }
 
-/// The room from faces with eyes of their own, mirrored, turned, wider and narrower than ninety degrees.
+/// The room from faces with different eyes, mirrored, rotated, wider and narrower than ninety degrees.
 TestVector oddFaces() {
   Face mirrored = frontFace(32, 0.1f), turned = mirrored, wide = mirrored, narrow = mirrored, skewed = mirrored;
   mirrored.x = -mirrored.x;
@@ -88,7 +88,7 @@ TestVector smallestViewport() {
                     {frontFace(2, 0.1f)});
 }
 
-/// Random triangles of all sizes through the corners of the largest viewport, of which a few pixels are seen.
+/// Random triangles of all sizes at the corners of the largest viewport, with scissor rectangles of a few pixels.
 TestVector largestViewport() {
   constexpr int resolution = 4096;
   std::mt19937 random(4096);
@@ -117,8 +117,8 @@ TestVector largestViewport() {
                     std::move(list), {first, last});
 }
 
-/// A crumpled sheet, an item ID a triangle, through a view so narrow that the last bits of the vertex stage measure
-/// about a sub-pixel: whoever rounds otherwise there moves corners, and a few pixels with them.
+/// A crumpled sheet with one item ID per triangle, in a view so narrow that the last bit of the vertex stage is about a
+/// sub-pixel. A device that rounds differently moves corners, and with them a few pixels.
 TestVector narrowView() {
   constexpr int cells = 48;
   constexpr float scale = 2048, third = 1.0f / 3;

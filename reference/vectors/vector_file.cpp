@@ -1,5 +1,6 @@
 #include "reference/vectors/vector_file.h"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
@@ -11,6 +12,7 @@
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/vectors/array_file.h"
+#include "reference/vectors/enum_names.h"
 
 namespace hemitex::reference {
 namespace {
@@ -21,14 +23,14 @@ namespace filesystem = std::filesystem;
 
 constexpr int rulesVersion = 1;
 
-// --- JSON to values; every fault names the key ---
+// --- JSON to values; every error names the key ---
 
 const Json& at(const Json& object, const std::string& key) {
   if (!object.is_object() || !object.contains(key)) throw InputError("\"" + key + "\" is missing");
   return object.at(key);
 }
 
-/// Binary64 to binary32; what was written from a binary32 reads back to the same bits.
+/// Binary64 to binary32; a number written from a binary32 reads back to the same bits.
 float toFloat(const Json& value, const std::string& key) {
   if (!value.is_number()) throw InputError("\"" + key + "\" is not a number");
   const auto number = static_cast<float>(value.get<double>());
@@ -45,11 +47,11 @@ std::int64_t toInteger(const Json& value, const std::string& key, std::int64_t l
 }
 
 std::string toText(const Json& value, const std::string& key) {
-  if (!value.is_string()) throw InputError("\"" + key + "\" is not a text");
+  if (!value.is_string()) throw InputError("\"" + key + "\" is not a string");
   return value.get<std::string>();
 }
 
-/// A file name inside the folder: no directories, so that a vector cannot reach out of it.
+/// A file name without directories, so that a vector cannot read files outside of its folder.
 std::string toFileName(const Json& value, const std::string& key) {
   const std::string name = toText(value, key);
   if (name.empty() || name == "." || name == ".." || name.find_first_of("/\\") != std::string::npos)
@@ -88,24 +90,9 @@ auto toOptional(const Json& object, const std::string& key, const Read& read)
   return read(object.at(key), key);
 }
 
-const std::vector<std::pair<std::string, raster::Blend>>& blendNames() {
-  static const std::vector<std::pair<std::string, raster::Blend>> names{{"clamped-add", raster::Blend::ClampedAdd},
-                                                                        {"integer-add", raster::Blend::IntegerAdd},
-                                                                        {"replace", raster::Blend::Replace}};
-  return names;
-}
-
-raster::Blend toBlend(const std::string& name) {
-  for (const auto& [known, blend] : blendNames())
-    if (known == name) return blend;
-  throw InputError("\"blend\" is \"" + name + "\"", "use clamped-add, integer-add or replace");
-}
-
-std::string nameOf(raster::Blend blend) {
-  for (const auto& [name, known] : blendNames())
-    if (known == blend) return name;
-  return {};
-}
+constexpr std::array<Named<raster::Blend>, 3> blendNames{{{raster::Blend::ClampedAdd, "clamped-add"},
+                                                          {raster::Blend::IntegerAdd, "integer-add"},
+                                                          {raster::Blend::Replace, "replace"}}};
 
 // --- reading ---
 
@@ -113,7 +100,7 @@ template <typename Value>
 std::vector<Value> pairUp(const std::vector<float>& numbers, std::size_t perValue, const std::string& file) {
   if (numbers.size() % perValue != 0)
     throw InputError(file + " holds " + std::to_string(numbers.size()) + " numbers",
-                     "it takes " + std::to_string(perValue) + " a vertex");
+                     "use " + std::to_string(perValue) + " per vertex");
   std::vector<Value> values(numbers.size() / perValue);
   for (std::size_t i = 0; i < numbers.size(); ++i) values[i / perValue][static_cast<int>(i % perValue)] = numbers[i];
   return values;
@@ -178,7 +165,7 @@ TestVector readJson(const filesystem::path& folder, const Json& json) {
   raster::DrawList& list = vector.list;
   for (const Json& bits : toList(at(json, "channels"), "channels"))
     list.format.channelBits.push_back(static_cast<int>(toInteger(bits, "channels", 1, 32)));
-  list.blend = toBlend(toText(at(json, "blend"), "blend"));
+  list.blend = valueOf(blendNames, toText(at(json, "blend"), "blend"), "blend");
 
   const auto file = [&](const std::string& key) { return toFileName(at(json, key), key); };
   list.positions = pairUp<glm::vec3>(readArray<float>(folder / file("positions")), 3, file("positions"));
@@ -282,7 +269,7 @@ void writeVector(const filesystem::path& folder, const TestVector& vector,
             {"near", number(first.nearDistance)},
             {"eye", toJson(first.eye)},
             {"channels", list.format.channelBits},
-            {"blend", nameOf(list.blend)},
+            {"blend", nameOf(blendNames, list.blend)},
             {"background", raster::backgroundId(list.format)},
             {"positions", "positions.f32"},
             {"texcoords", "texcoords.f32"},
@@ -301,7 +288,7 @@ void writeVector(const filesystem::path& folder, const TestVector& vector,
   writeArray(folder / "indices.u32", list.indices);
   for (std::size_t m = 0; m < list.indexMaps.size(); ++m)
     writeArray(folder / mapFileName(list.indexMaps[m], m), list.indexMaps[m].ids);
-  // Names that are not UTF-8 are mended, not refused.
+  // Bytes of names that are not UTF-8 are replaced.
   raster::writeFile(folder / "vector.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 

@@ -1,5 +1,5 @@
-/// Test vectors, version 1 (raster rules): a draw list and its faces in a folder that any language can read, and the
-/// item buffers that the rules demand for them. The author of a backend draws the list and compares item IDs.
+/// Test vectors, version 1 (raster rules): a draw list, its faces and their item buffers by the rules, in a folder that
+/// any language can read. The author of a backend draws the list and compares item IDs.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +13,8 @@
 
 namespace hemitex::reference {
 
-/// A face of a vector: `ids` names the file that holds its item buffer, `hash` is idsHash of it, empty before
-/// the vector was rendered.
+/// A face of a vector. `ids` names the file of its item buffer. `hash` is the idsHash of the buffer, empty before
+/// rendering.
 struct VectorFace {
   std::string name;
   raster::Face face;
@@ -24,22 +24,23 @@ struct VectorFace {
 
 struct TestVector {
   std::string name;
-  std::string catches = {};  ///< one line: the faults that show in it; may be empty
-  glm::dvec3 origin{0.0};    ///< what was subtracted from the scene
+  std::string catches = {};  ///< one line: the faults that it detects; may be empty
+  glm::dvec3 origin{0.0};    ///< subtracted from the positions of the scene
   raster::DrawList list;
   std::vector<VectorFace> faces;
 };
 
-/// Reads `folder/vector.json` and the arrays it names. Throws InputError, naming the file, where anything is missing,
-/// short, oversized, of the wrong type or against the rules.
+/// Reads `folder/vector.json` and its arrays. Throws InputError with the name of the file if anything is missing, of
+/// the wrong size or type, or against the rules.
 TestVector readVector(const std::filesystem::path& folder);
 
-/// Writes the vector into `folder`, which exists. With one item buffer a face, their item IDs files are written and the
-/// hashes filled in; with none, hashes are left empty. Throws InputError where a file cannot be written.
+/// Writes the vector into `folder`, which exists. `buffers` holds one item buffer per face, or none. It writes the item
+/// ID files and hashes of given buffers; without buffers, hashes are empty. Throws InputError for a file that cannot be
+/// written.
 void writeVector(const std::filesystem::path& folder, const TestVector& vector,
                  std::span<const raster::ItemBuffer> buffers);
 
-/// FNV-1a, 64 bits, over the little-endian bytes of the item IDs: 16 hexadecimal digits.
+/// 64-bit FNV-1a over the little-endian bytes of the item IDs, as 16 hexadecimal digits.
 std::string idsHash(std::span<const raster::ItemId> ids);
 
 }  // namespace hemitex::reference

@@ -1,8 +1,8 @@
-/// The vector suite: small test vectors, made by this program, each aimed at faults that rasterizers and blend units
-/// have. Together they pin the raster rules: whoever answers all of them item ID for item ID has a backend; and one
-/// hash over their item IDs says whether a compiler, a level of optimization or a machine changed any answer.
+/// The vector suite: small generated test vectors, each aimed at faults of rasterizers and blend units. Together they
+/// specify the raster rules: a backend that draws all of them with equal item IDs is correct. One hash over their item
+/// IDs shows whether a compiler, an optimization level or a machine changes any of them.
 ///
-/// The scenes' vectors (scene_vectors.h) are the other part of the suite; what is here needs the rasterizer alone.
+/// The vectors of scenes (scene_vectors.h) are the other part of the suite. The vectors here need only the rasterizer.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace hemitex::reference {
 
-/// All vectors that are made by hand, in a fixed order, names unique. Every one has a line in `catches`.
+/// All vectors but those of scenes, in a fixed order, with unique names. Each has a line in `catches`.
 std::vector<TestVector> vectorSuite();
 
 /// The item buffers of a vector's faces, by the reference renderer.
@@ -22,19 +22,18 @@ std::vector<raster::ItemBuffer> render(const TestVector& vector);
 /// idsHash over the item IDs of all faces, in their order.
 std::string idsHash(std::span<const raster::ItemBuffer> buffers);
 
-/// What a run over a suite says: a line `hash name` a vector, in order, and a last line `hash suite` over the item IDs
-/// of all.
+/// A line `hash name` per vector, in order, and a last line `hash suite` over the item IDs of all vectors.
 std::string suiteHashes(std::span<const TestVector> suite);
 
-/// The vectors of each theme, a source file each.
+/// The vectors of each theme, one source file per theme.
 std::vector<TestVector> meshVectors();      ///< triangles that share edges: every sample once
 std::vector<TestVector> coverageVectors();  ///< snapping, needles, clipping: which samples a triangle covers
-std::vector<TestVector> depthVectors();     ///< which of several triangles wins a sample
+std::vector<TestVector> depthVectors();     ///< which of several triangles is visible at a sample
 std::vector<TestVector> texelVectors();     ///< which texel a sample shows
-std::vector<TestVector> idVectors();        ///< what item ID comes of offset and texel
+std::vector<TestVector> idVectors();        ///< the item ID of an offset and a texel
 std::vector<TestVector> viewVectors();      ///< faces, viewports, scissor rectangles
 
-/// A vector whose only face is called front, or whose faces are numbered.
+/// A vector. Its only face is named "front"; several faces are numbered.
 TestVector makeVector(std::string name, std::string catches, raster::DrawList list, std::vector<raster::Face> faces);
 
 }  // namespace hemitex::reference

@@ -1,14 +1,13 @@
 #include "reference/verdict/device_profile.h"
 
-#include <cassert>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "reference/vectors/enum_names.h"
 
 namespace hemitex::reference {
 namespace {
@@ -16,33 +15,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 using raster::InputError;
 
-template <typename Value>
-using Choices = std::vector<std::pair<std::string, Value>>;
+constexpr std::array<Named<SnapRounding>, 2> snapRoundingNames{
+    {{SnapRounding::Nearest, "nearest"}, {SnapRounding::Truncate, "truncate"}}};
+constexpr std::array<Named<EdgeRule>, 2> edgeRuleNames{{{EdgeRule::TopLeft, "top-left"}, {EdgeRule::Any, "any"}}};
+constexpr std::array<Named<DepthFormat>, 3> depthFormatNames{
+    {{DepthFormat::Float32, "float32"}, {DepthFormat::Unorm24, "unorm24"}, {DepthFormat::Unorm16, "unorm16"}}};
 
-const Choices<SnapRounding> roundings{{"nearest", SnapRounding::Nearest}, {"truncate", SnapRounding::Truncate}};
-const Choices<EdgeRule> edgeRules{{"top-left", EdgeRule::TopLeft}, {"any", EdgeRule::Any}};
-const Choices<DepthFormat> depthFormats{
-    {"float32", DepthFormat::Float32}, {"unorm24", DepthFormat::Unorm24}, {"unorm16", DepthFormat::Unorm16}};
-
-template <typename Value>
-std::string nameOf(Value value, const Choices<Value>& choices) {
-  for (const auto& [name, choice] : choices)
-    if (choice == value) return name;
-  assert(false);
-  return {};
-}
-
-template <typename Value>
-void readChoice(const Json& value, const std::string& key, const Choices<Value>& choices, Value& target) {
-  std::string names;
-  for (const auto& [name, choice] : choices) {
-    if (value == name) {
-      target = choice;
-      return;
-    }
-    names += (names.empty() ? "" : ", ") + name;
-  }
-  throw InputError("\"" + key + "\" is " + value.dump(), "use one of " + names);
+template <typename Value, std::size_t count>
+void readChoice(const Json& value, const std::string& key, const std::array<Named<Value>, count>& names,
+                Value& target) {
+  target = valueOf(names, value.is_string() ? value.get<std::string>() : value.dump(), key);
 }
 
 void readBound(const Json& value, const std::string& key, double& target) {
@@ -65,13 +47,13 @@ void readFlag(const Json& value, const std::string& key, bool& target) {
 void readField(const Json& value, const std::string& key, DeviceProfile& profile) {
   if (key == "vertex_error") return readBound(value, key, profile.vertexError);
   if (key == "subpixel_bits") return readSubpixelBits(value, key, profile.subpixelBits);
-  if (key == "snap_rounding") return readChoice(value, key, roundings, profile.snapRounding);
-  if (key == "edge_rule") return readChoice(value, key, edgeRules, profile.edgeRule);
+  if (key == "snap_rounding") return readChoice(value, key, snapRoundingNames, profile.snapRounding);
+  if (key == "edge_rule") return readChoice(value, key, edgeRuleNames, profile.edgeRule);
   if (key == "texel_precision") return readBound(value, key, profile.texelPrecision);
-  if (key == "depth_format") return readChoice(value, key, depthFormats, profile.depthFormat);
+  if (key == "depth_format") return readChoice(value, key, depthFormatNames, profile.depthFormat);
   if (key == "depth_tolerance") return readBound(value, key, profile.depthTolerance);
   if (key == "loose_clipping") return readFlag(value, key, profile.looseClipping);
-  throw InputError("\"" + key + "\" is no key of a device profile");
+  throw InputError("\"" + key + "\" is not a key of a device profile");
 }
 
 }  // namespace
@@ -91,10 +73,10 @@ double depthError(const DeviceProfile& profile) {
 std::string toJson(const DeviceProfile& profile) {
   const Json json{{"vertex_error", profile.vertexError},
                   {"subpixel_bits", profile.subpixelBits},
-                  {"snap_rounding", nameOf(profile.snapRounding, roundings)},
-                  {"edge_rule", nameOf(profile.edgeRule, edgeRules)},
+                  {"snap_rounding", nameOf(snapRoundingNames, profile.snapRounding)},
+                  {"edge_rule", nameOf(edgeRuleNames, profile.edgeRule)},
                   {"texel_precision", profile.texelPrecision},
-                  {"depth_format", nameOf(profile.depthFormat, depthFormats)},
+                  {"depth_format", nameOf(depthFormatNames, profile.depthFormat)},
                   {"depth_tolerance", profile.depthTolerance},
                   {"loose_clipping", profile.looseClipping}};
   return json.dump(2) + "\n";

@@ -1,5 +1,5 @@
-/// What a real device may do otherwise than the raster rules and still be right (raster rules, 8). Every bound is one
-/// that a graphics interface or a datasheet states; the verdict (verdict.h) takes them all as worst cases.
+/// Allowed deviations of a real device from the raster rules (raster rules, 8). A graphics API or a datasheet states
+/// each bound; the verdict (verdict.h) takes all of them as worst cases.
 #pragma once
 
 #include <filesystem>
@@ -21,8 +21,8 @@ enum class DepthFormat { Float32, Unorm24, Unorm16 };
 
 /// The default is a device of the Vulkan and Direct3D class.
 struct DeviceProfile {
-  /// Roundings of the vertex stage, each of 2^-24 of the sum of the sizes of what is added: 4 of ours, and 4 of a
-  /// device that multiplies by a 4x4 matrix, in any order, fused or not.
+  /// Number of roundings in the vertex stage, each 2^-24 of the sum of absolute values of its terms: 4 of the rules,
+  /// and 4 of a device that multiplies by a 4x4 matrix, in any order, fused or not.
   double vertexError = 8;
   int subpixelBits = 8;  ///< 4 to 12
   SnapRounding snapRounding = SnapRounding::Nearest;
@@ -30,19 +30,19 @@ struct DeviceProfile {
   double texelPrecision = 1.0 / 256;  ///< error of a texture coordinate, in texels
   DepthFormat depthFormat = DepthFormat::Float32;
   double depthTolerance = 4;  ///< error of a stored depth, in units in the last place of 1
-  /// Whether triangles that cross a clip plane may be cut at other planes, or in binary32.
+  /// Whether a device may clip triangles at other planes, or in binary32.
   bool looseClipping = true;
 
   bool operator==(const DeviceProfile&) const = default;
 };
 
-/// The error of a stored depth `1 - n/w`, in its own range from 0 to 1.
+/// The error of a stored depth 1 - n/w, which ranges from 0 to 1.
 double depthError(const DeviceProfile& profile);
 
 /// Reads a JSON object with any of the keys `vertex_error`, `subpixel_bits`, `snap_rounding` ("nearest", "truncate"),
 /// `edge_rule` ("top-left", "any"), `texel_precision`, `depth_format` ("float32", "unorm24", "unorm16"),
-/// `depth_tolerance`, `loose_clipping`; a key that is absent keeps its default. Throws InputError for another key, a
-/// value of the wrong type or out of range, and a file that cannot be read.
+/// `depth_tolerance`, `loose_clipping`; an absent key keeps its default. Throws InputError for an unknown key, a value
+/// of the wrong type or out of range, and a file that cannot be read.
 DeviceProfile readProfile(const std::filesystem::path& file);
 
 /// The profile as readProfile reads it, with all keys.

@@ -1,46 +1,56 @@
-/// The errors of a verdict, each with what the rules show there and what the device's item ID stands for.
+/// The error pixels of a verdict, each with the expected fragment and the origins of both item IDs.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "reference/vectors/enum_names.h"
 #include "reference/verdict/id_origin.h"
 #include "reference/verdict/verdict.h"
 
 namespace hemitex::reference {
 
-/// What a device shows in place of what.
+/// How the found item ID differs from the expected one.
 enum class ErrorKind : std::uint8_t {
   Missing,       ///< the background in place of a triangle
   Extra,         ///< a triangle in place of the background
   WrongSurface,  ///< another draw
   WrongElement,  ///< the right draw, another texel
-  WrongSide,     ///< the right draw, its back for its front or the other way
-  ForeignId,     ///< an item ID that no draw gives
+  WrongSide,     ///< the right draw, its back instead of its front or the reverse
+  ForeignId,     ///< an item ID that no draw produces
 };
 
-constexpr std::size_t errorKinds = 6;
+/// In the order of the enum.
+constexpr std::array<Named<ErrorKind>, 6> errorKindNames{{{ErrorKind::Missing, "missing"},
+                                                          {ErrorKind::Extra, "extra"},
+                                                          {ErrorKind::WrongSurface, "wrong surface"},
+                                                          {ErrorKind::WrongElement, "wrong element"},
+                                                          {ErrorKind::WrongSide, "wrong side"},
+                                                          {ErrorKind::ForeignId, "foreign item ID"}}};
 
-/// "missing", "extra", "wrong surface", "wrong element", "wrong side", "foreign word".
-std::string nameOf(ErrorKind kind);
-
-/// An error, with what the rules show there.
+/// An error pixel.
 struct ErrorPixel {
   std::string face;
   int column, row;  ///< in the viewport
   ErrorKind kind;
   raster::ItemId expected, found;
   IdOrigin expectedOrigin, foundOrigin;
-  std::optional<Fragment> visible;  ///< none where the rules show the background
+  std::optional<Fragment> visible;  ///< none where the rules give the background
 };
 
 /// One line, without the face's name.
 std::string toText(const ErrorPixel& error);
 
-/// The error at a pixel of a face's viewport where the device found another item ID than the rules.
+/// The error at a pixel of the viewport of the face named `face`, where a device drew the item ID `found`. `triangles`
+/// are the screen triangles of that face (fragments.h).
+ErrorPixel errorAt(const raster::DrawList& list, const std::string& face,
+                   std::span<const raster::ScreenTriangle> triangles, int column, int row, raster::ItemId found);
+
+/// The same for a single pixel: sets up all triangles of the face.
 ErrorPixel errorAt(const raster::DrawList& list, const VectorFace& face, int column, int row, raster::ItemId found);
 
 /// The first errors, face by face and row by row, at most `count` of them.

@@ -12,10 +12,10 @@
 namespace hemitex::reference {
 namespace {
 
-/// Draws may share indices, so a triangle alone is not enough.
+/// Draws may share indices, so a triangle number alone is ambiguous.
 using DrawnTriangles = std::vector<DrawnTriangle>;
 
-/// New numbers for the few of many that are still in use, in the order of their first use.
+/// Assigns new consecutive numbers in the order of first use.
 class Renumbering {
  public:
   /// The new number, and whether it is new.
@@ -28,7 +28,7 @@ class Renumbering {
   std::map<std::uint32_t, std::uint32_t> numbers_;
 };
 
-/// What is left of a list when only some of its triangles, in draw order, are drawn.
+/// The list reduced to some of its triangles, given in draw order.
 raster::DrawList listOf(const raster::DrawList& list, const DrawnTriangles& triangles) {
   raster::DrawList result;
   result.format = list.format;
@@ -60,7 +60,7 @@ raster::DrawList listOf(const raster::DrawList& list, const DrawnTriangles& tria
   return result;
 }
 
-/// A pixel of a face where a device is wrong.
+/// An error pixel of a face.
 struct Failure {
   VectorFace face;  ///< its scissor rectangle is the pixel
   raster::ItemBuffer found;
@@ -92,7 +92,7 @@ Failure failureAt(const TestVector& vector, const Verdict& verdict, const FacePi
   return failure;
 }
 
-/// Errors spread evenly over all, at most `count`.
+/// At most `count` errors, spread evenly over all.
 std::vector<Failure> sampleOfFailures(const TestVector& vector, const Verdict& verdict, std::size_t count) {
   const std::vector<FacePixel> errors = errorsOf(verdict);
   const std::size_t taken = std::min(count, errors.size());
@@ -103,7 +103,7 @@ std::vector<Failure> sampleOfFailures(const TestVector& vector, const Verdict& v
 }
 
 ErrorKind mostFrequentKind(const std::vector<Failure>& failures) {
-  std::array<std::size_t, errorKinds> counts{};
+  std::array<std::size_t, errorKindNames.size()> counts{};
   for (const Failure& failure : failures) ++counts[static_cast<std::size_t>(failure.kind)];
   return static_cast<ErrorKind>(std::max_element(counts.begin(), counts.end()) - counts.begin());
 }
@@ -122,7 +122,7 @@ bool stillFails(const Failure& failure, const raster::DrawList& list, const Devi
   return error.kind == failure.kind && error.expected == failure.expected;
 }
 
-/// Takes triangles away in runs of half of them, then of a quarter, and so on; single ones until none can go.
+/// Removes runs of half the triangles, then of a quarter, and so on, then single ones until each one is needed.
 DrawnTriangles fewestTriangles(DrawnTriangles kept, const std::function<bool(const DrawnTriangles&)>& fails) {
   std::size_t run = std::max<std::size_t>(kept.size() / 2, 1);
   for (bool removed = true; run > 1 || removed; run = std::max<std::size_t>(run / 2, 1)) {

@@ -1,10 +1,10 @@
-/// A failing test vector made small enough to step through: one pixel, and the fewest triangles that leave it the same
-/// kind of error.
+/// A failing test vector reduced to one pixel and the fewest triangles that keep its kind of error, small enough for a
+/// debugger.
 ///
-/// The device is not at hand, only what it drew: its item ID at a pixel stays, while triangles are taken from the draw
-/// list for as long as the rules still demand the item ID that they demanded, the judge still calls the device's item
-/// ID an error, and the error is of the same kind. Triangles go by halves, then quarters, down to single ones, until
-/// none can go (delta debugging: Zeller and Hildebrandt, Simplifying and Isolating Failure-Inducing Input, 2002).
+/// The device itself is not available, only its item buffers. So its item ID at a pixel is fixed, and minimize removes
+/// triangles from the draw list. A removal is valid while the expected item ID stays the same, the verdict stays an
+/// error, and the kind of the error stays the same. It removes halves of the list, then quarters, down to single
+/// triangles (delta debugging: Zeller and Hildebrandt, Simplifying and Isolating Failure-Inducing Input, 2002).
 #pragma once
 
 #include "reference/verdict/error_pixel.h"
@@ -12,15 +12,15 @@
 namespace hemitex::reference {
 
 struct MinimalFailure {
-  TestVector vector;  ///< one face, whose scissor rectangle is one pixel of the viewport it had
+  TestVector vector;  ///< one face whose scissor rectangle is one pixel of its viewport
   ErrorPixel error;   ///< in that vector
   raster::ItemBuffer expected, found;
 };
 
-/// The verdict has errors. Of 64 spread evenly over them the most frequent kind is kept (of equals, the first in
-/// ErrorKind); of the first eight of that kind the one that needs the fewest triangles wins. A pixel on the inner edges
-/// of a mesh may need all triangles that meet there; elsewhere two are enough: the one that is visible, and one whose
-/// draw gives the device's item ID.
+/// Requires a verdict with errors. It samples 64 errors evenly, takes the most frequent kind (of equals, the first in
+/// ErrorKind), and minimizes the first eight of that kind. The result with the fewest triangles wins. A pixel on the
+/// inner edges of a mesh may need all triangles that meet there. Elsewhere two are enough: the visible one, and one
+/// whose draw produces the item ID of the device.
 MinimalFailure minimize(const TestVector& vector, const Verdict& verdict, const DeviceProfile& profile);
 
 }  // namespace hemitex::reference

@@ -29,7 +29,7 @@ std::vector<Candidate> candidatesAt(const Judge& judge, std::span<const DeviceTr
   return candidates;
 }
 
-// --- what covers the sample for certain ---
+// --- guaranteed coverage of the sample ---
 
 using Corner = std::tuple<double, double, double>;
 
@@ -74,18 +74,18 @@ class Groups {
   std::vector<std::size_t> parent_;
 };
 
-/// What a group of candidates does at the sample.
+/// A group of candidates at the sample.
 struct Sheet {
-  int winding = 0;      ///< how often it winds around the sample
+  int winding = 0;      ///< winding number around the sample
   bool isOpen = false;  ///< an edge that may pass over the sample has no counterpart
   double farthest = HUGE_VAL;
 };
 
-/// The least 1/w that something shows at the sample for certain, 0 where the background may show.
+/// A lower bound of the visible 1/w at the sample, 0 where the background may show.
 ///
-/// Triangles joined along shared edges move as one mesh. Edges that occur as often in either direction cancel, and the
-/// rest is the mesh's boundary. While no boundary edge passes over the sample the mesh winds around it as often as
-/// before; where that is not zero some triangle of the mesh covers the sample, wherever its vertices went.
+/// Triangles joined along shared edges move as one mesh. Edges that occur equally often in both directions cancel, and
+/// the rest is the boundary of the mesh. While no boundary edge passes over the sample, the winding number of the mesh
+/// around it stays the same. Where it is not zero, some triangle of the mesh covers the sample.
 double certainDepth(const Judge& judge, const std::vector<Candidate>& candidates, const glm::dvec2& sample) {
   const std::vector<PassingEdge> edges = passingEdges(judge, candidates, sample);
   Groups groups(candidates.size());
@@ -102,7 +102,7 @@ double certainDepth(const Judge& judge, const std::vector<Candidate>& candidates
   for (std::size_t c = 0; c < candidates.size(); ++c) {
     Sheet& sheet = sheets[groups.of(c)];
     if (candidates[c].covers) sheet.winding += candidates[c].triangle->area > 0 ? 1 : -1;
-    // What may lie before the near plane may be cut away.
+    // The near plane may clip the part in front of it.
     sheet.isOpen |= isOpen[c] != 0 || candidates[c].nearest() > judge.nearest;
     sheet.farthest = std::min(sheet.farthest, candidates[c].farthest());
   }
@@ -112,7 +112,7 @@ double certainDepth(const Judge& judge, const std::vector<Candidate>& candidates
   return depth;
 }
 
-// --- which item IDs a triangle may give ---
+// --- possible item IDs of a triangle ---
 
 /// Texels [first, last] of a map's side.
 struct TexelRange {
@@ -123,9 +123,10 @@ TexelRange texelRange(const Judge& judge, const Candidate& candidate, int axis, 
   const std::array<DeviceVertex, 3>& vertices = candidate.triangle->vertices;
   const auto coordinate = [axis](const DeviceVertex& v) { return axis == 0 ? v.view.u : v.view.v; };
   const auto [low, high] = std::minmax({coordinate(vertices[0]), coordinate(vertices[1]), coordinate(vertices[2])});
-  // u is an average of the vertices' with weights b/w. Errors of w by a factor within 1 - e and 1 + e change the ratio
-  // of two weights by a factor up to r = (1 + e)/(1 - e), and with it a normalized weight p to p r / (p r + 1 - p) at
-  // most. That is at most (sqrt(r) - 1)/(sqrt(r) + 1) = e/(1 + sqrt(1 - e^2)) more, and so is u in terms of its spread.
+  // u is the average of the vertices' u with weights b/w. If w is off by a factor from 1 - e to 1 + e, the ratio of two
+  // weights changes by a factor of at most r = (1 + e)/(1 - e). A normalized weight p then becomes at most
+  // p r / (p r + 1 - p). The increase is at most (sqrt(r) - 1)/(sqrt(r) + 1) = e/(1 + sqrt(1 - e^2)), and u changes by
+  // at most this fraction of its range.
   const double slack = std::min(candidate.triangle->depthSlack, 1.0);
   const double drift = slack / (1 + std::sqrt(1 - slack * slack)) * (high - low);
   const auto texel = [size](double position) {
@@ -158,7 +159,7 @@ bool mayGive(const Judge& judge, const Candidate& candidate, ItemId id) {
                       id);
 }
 
-/// The candidate that the rules show, where there is one.
+/// The candidate that the rules show; null for the background.
 const Candidate* expectedOf(const std::vector<Candidate>& candidates, const glm::dvec2& sample) {
   const Candidate* expected = nullptr;
   double depth = 0;
@@ -174,12 +175,6 @@ const Candidate* expectedOf(const std::vector<Candidate>& candidates, const glm:
 }
 
 }  // namespace
-
-std::string nameOf(PixelVerdict verdict) {
-  constexpr std::array<const char*, pixelVerdicts> names{"exact", "coverage",       "texel",
-                                                         "depth", "loose-clipping", "error"};
-  return names[static_cast<std::size_t>(verdict)];
-}
 
 Judge makeJudge(const raster::DrawList& list, const raster::Face& face, const DeviceProfile& profile) {
   // Two stored depths 1 - n/w are each off by the error, and differ by n times the difference of 1/w.
@@ -199,7 +194,7 @@ PixelVerdict judgeId(const Judge& judge, std::span<const DeviceTriangle* const> 
   for (const Candidate& candidate : candidates) {
     const double nearest = candidate.nearest() + judge.depthTolerance;
     if (nearest < certain || !mayGive(judge, candidate, found)) continue;
-    // Of two triangles in one place, rounding may take the wrong one for the rules'; without a texel the other won.
+    // Rounding may exchange coplanar triangles in expectedOf. Without a texel to differ in, this one won by depth.
     const bool hasTexel = judge.list.draws[candidate.triangle->draw].indexMap.has_value();
     if (&candidate == expected) return hasTexel ? PixelVerdict::Texel : PixelVerdict::Depth;
     const bool passesExpected = candidate.covers && nearest >= expected->farthest();

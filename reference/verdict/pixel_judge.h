@@ -1,10 +1,11 @@
-/// One pixel judged: which item IDs may a device show there?
+/// Judges one pixel: which item IDs may a device show there?
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
-#include <string>
 
+#include "reference/vectors/enum_names.h"
 #include "reference/verdict/device_profile.h"
 #include "reference/verdict/triangle_bounds.h"
 
@@ -13,17 +14,21 @@ namespace hemitex::reference {
 enum class PixelVerdict : std::uint8_t {
   Exact,
   Coverage,       ///< explained: another triangle covers the sample, or none
-  Texel,          ///< explained: the rules' triangle, at a texel nearby
+  Texel,          ///< explained: the rules' triangle, at a nearby texel
   Depth,          ///< explained: another triangle that covers the sample passes the depth test
-  LooseClipping,  ///< explained only by triangles cut at other planes
+  LooseClipping,  ///< explained only by clipping at other planes
   Error,
 };
-constexpr std::size_t pixelVerdicts = 6;
 
-/// "exact", "coverage", "texel", "depth", "loose-clipping", "error".
-std::string nameOf(PixelVerdict verdict);
+/// In the order of the enum.
+constexpr std::array<Named<PixelVerdict>, 6> pixelVerdictNames{{{PixelVerdict::Exact, "exact"},
+                                                                {PixelVerdict::Coverage, "coverage"},
+                                                                {PixelVerdict::Texel, "texel"},
+                                                                {PixelVerdict::Depth, "depth"},
+                                                                {PixelVerdict::LooseClipping, "loose-clipping"},
+                                                                {PixelVerdict::Error, "error"}}};
 
-/// What every pixel of a face is judged by.
+/// Input of the judgement that all pixels of a face share.
 struct Judge {
   const raster::DrawList& list;
   const DeviceProfile& profile;
@@ -33,8 +38,8 @@ struct Judge {
 
 Judge makeJudge(const raster::DrawList& list, const raster::Face& face, const DeviceProfile& profile);
 
-/// Coverage, Texel, Depth or Error for an item ID that is not the rules' at a sample. `triangles` holds all that may
-/// cover the sample, and may hold others.
+/// Coverage, Texel, Depth or Error for an item ID that differs from the rules' at a sample. `triangles` holds at least
+/// all triangles that may cover the sample.
 PixelVerdict judgeId(const Judge& judge, std::span<const DeviceTriangle* const> triangles, const glm::dvec2& sample,
                      raster::ItemId found);
 

@@ -10,25 +10,25 @@ using raster::ViewVertex;
 
 constexpr double guardBand = 8;
 
-// --- how far a vertex may move ---
+// --- reach of a vertex ---
 
-/// The sizes of all that a vertex stage adds up: |X.x| (|P.x| + |E.x|) + ..., whatever the order, and whether the eye
-/// is subtracted first or folded into a 4x4 matrix. Roundings are relative to it.
+/// The sum of absolute values of the terms of a vertex stage: |X.x| (|P.x| + |E.x|) + ... Roundings are relative to it,
+/// for any order of the sum, and whether the eye is subtracted first or part of a 4x4 matrix.
 double sumOfSizes(const glm::vec3& row, const glm::vec3& position, const glm::vec3& eye) {
   const glm::dvec3 sizes = glm::abs(glm::dvec3(position)) + glm::abs(glm::dvec3(eye));
   return glm::dot(glm::abs(glm::dvec3(row)), sizes);
 }
 
-/// A vertex as `u` and `v` of which its sums of sizes travel through clipping: the picture's, then the depth's.
+/// A vertex with its sums of sizes in place of u (picture) and v (depth), so that clipping interpolates them.
 ViewVertex withSizes(const ViewVertex& vertex, const raster::Face& face, const glm::vec3& position) {
   const double picture = std::max(sumOfSizes(face.x, position, face.eye), sumOfSizes(face.y, position, face.eye));
   return {vertex.x, vertex.y, vertex.w, picture, sumOfSizes(face.w, position, face.eye)};
 }
 
-/// What one snapping unit of a device measures in sub-pixels of the rules.
+/// The snapping unit of a device in sub-pixels of the rules.
 double snapUnit(const DeviceProfile& profile) { return std::ldexp(256.0, -profile.subpixelBits); }
 
-/// The range of where a device snaps a position that it knows up to `error`, relative to `snapped`.
+/// The maximum distance from `snapped` at which a device snaps a position that it knows up to `error`.
 double reachOf(const DeviceProfile& profile, double position, double error, double snapped) {
   const double unit = snapUnit(profile);
   const double low = (position - error) / unit, high = (position + error) / unit;
@@ -38,7 +38,7 @@ double reachOf(const DeviceProfile& profile, double position, double error, doub
   return std::max(std::abs(lowest * unit - snapped), std::abs(highest * unit - snapped));
 }
 
-/// The same for a vertex that a device may have put elsewhere on the edge: its own snapping and ours, wherever.
+/// The same for a vertex anywhere on an edge: the maximum snapping error of the device and of the rules.
 double looseReachOf(const DeviceProfile& profile, double error) {
   const double ours = 0.5;
   return error + ours + snapUnit(profile) * (profile.snapRounding == SnapRounding::Nearest ? 0.5 : 1);
@@ -83,8 +83,8 @@ struct Placement {
 double cross(const glm::dvec2& p, const glm::dvec2& q) { return p.x * q.y - p.y * q.x; }
 
 /// The doubled area is cross(s0, s1) + cross(s1, s2) + cross(s2, s0). Moving s_k by e_k changes it by the sums of
-/// cross(e_k, s_{k+1} - s_{k-1}) and cross(e_k, e_{k+1}). The latter is the doubled area of a triangle in a box of the
-/// sides 2 reach: at most that of the box.
+/// cross(e_k, s_{k+1} - s_{k-1}) and cross(e_k, e_{k+1}). The second sum is the doubled area of a triangle in a box of
+/// sides 2 reach, so it is at most the area of the box.
 double largestChangeOfArea(const DeviceTriangle& triangle) {
   const glm::dvec2& reach = triangle.reach;
   double change = 4 * reach.x * reach.y;
@@ -95,7 +95,7 @@ double largestChangeOfArea(const DeviceTriangle& triangle) {
   return change;
 }
 
-/// Area and facing of a triangle whose vertices are placed; false where neither the rules nor a device can show it.
+/// Computes area and facing from the placed vertices; false where neither the rules nor a device can show the triangle.
 bool complete(DeviceTriangle& triangle, bool mirrored) {
   const auto& [a, b, c] = triangle.vertices;
   triangle.reach = glm::max(a.reach, glm::max(b.reach, c.reach));
@@ -106,8 +106,8 @@ bool complete(DeviceTriangle& triangle, bool mirrored) {
   return triangle.area != 0 || change > 0;
 }
 
-/// No device cuts what lies inside the view whatever its errors; what may leave it may be cut anywhere from there to
-/// the guard band.
+/// Whether the triangle is inside the view for all errors of its vertices. A device may clip any other triangle
+/// anywhere between the view and the guard band.
 bool staysInView(const std::array<ViewVertex, 3>& corners, const std::array<ViewVertex, 3>& sizes, double nearDistance,
                  double roundoff) {
   for (std::size_t k = 0; k < 3; ++k) {
@@ -123,10 +123,10 @@ bool staysInView(const std::array<ViewVertex, 3>& corners, const std::array<View
 struct Clipped {
   raster::ClippedPolygon polygon;
   raster::ClippedPolygon sizes;
-  bool isLoose;  ///< it leaves the view, and a device may have cut it elsewhere than the rules
+  bool isLoose;  ///< it leaves the view, and a device may clip it at other planes
 };
 
-/// Empty polygons where nothing is left, or where a value is not finite.
+/// Empty polygons if clipping leaves nothing, or if a value is not finite.
 Clipped clipTriangle(const raster::DrawList& list, const raster::Face& face, std::uint32_t t, bool loose,
                      double roundoff) {
   std::array<ViewVertex, 3> corners, sizes;
@@ -170,14 +170,14 @@ struct Point {
   glm::dvec3 overW;  ///< 1/w, u/w, v/w
 };
 
-/// A triangle cut by the four sides of a box. Each adds a corner; rounding can make the polygon a hair concave, and
-/// then a side multiplies the corners by at most 3/2: 3, 4, 6, 9, 13.
+/// A triangle cut by the four sides of a box. Each side adds a corner to a convex polygon. Rounding can make the
+/// polygon slightly non-convex; then a side multiplies the number of corners by at most 3/2: 3, 4, 6, 9, 13.
 struct Polygon {
   std::array<Point, 13> points;
   std::size_t count = 0;
 };
 
-/// What lies where sign * position[axis] <= sign * bound.
+/// Clips to sign * position[axis] <= sign * bound.
 Polygon cut(const Polygon& polygon, int axis, double sign, double bound) {
   Polygon result;
   const auto inside = [=](const Point& point) { return sign * (bound - point.position[axis]); };
@@ -212,7 +212,7 @@ glm::dvec2 edgeReach(const DeviceTriangle& triangle, std::size_t k) {
   return glm::max(triangle.vertices[k].reach, triangle.vertices[(k + 1) % 3].reach);
 }
 
-/// An edge that cannot move decides by the rule alone.
+/// Whether the sample is outside of an edge without reach.
 bool isOutsideFixedEdge(const DeviceTriangle& triangle, const glm::dvec2& sample, EdgeRule rule) {
   if (triangle.mayFlip) return false;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -247,8 +247,15 @@ std::vector<DeviceTriangle> placeTriangles(const raster::DrawList& list, const r
 }
 
 std::optional<Region> regionAt(const DeviceTriangle& triangle, const glm::dvec2& sample, EdgeRule rule) {
-  // The box of a triangle that cannot move is a point; what rounding does to its corners must not lose it.
+  // Without reach the box is a point; the pad keeps it when rounding moves corners of the polygon.
   constexpr double pad = 0x1p-16;
+  const auto& [a, b, c] = triangle.vertices;
+  const glm::dvec2 low = glm::min(a.position, glm::min(b.position, c.position));
+  const glm::dvec2 high = glm::max(a.position, glm::max(b.position, c.position));
+  for (int axis = 0; axis < 2; ++axis) {
+    const double reach = triangle.reach[axis] + pad;
+    if (low[axis] > sample[axis] + reach || high[axis] < sample[axis] - reach) return {};
+  }
   if (isOutsideFixedEdge(triangle, sample, rule)) return {};
   Polygon polygon;
   for (const DeviceVertex& vertex : triangle.vertices) {
@@ -297,7 +304,7 @@ bool edgeMayPass(const DeviceTriangle& triangle, std::size_t k, const glm::dvec2
     if (std::min(p[axis], q[axis]) > sample[axis] + reach[axis] ||
         std::max(p[axis], q[axis]) < sample[axis] - reach[axis])
       return false;
-  // Two triangles that share the edge must agree to the bit, so the value is the exact one, from either end.
+  // The value is exact from either end, so that two triangles that share the edge get equal results.
   const glm::dvec2 along = q - p;
   return std::abs(cross(along, sample - p)) <= std::abs(along.x) * reach.y + std::abs(along.y) * reach.x;
 }

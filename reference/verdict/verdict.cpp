@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "raster/base/parallel.h"
-#include "raster/software/software_renderer.h"
+#include "reference/vectors/vector_suite.h"
 #include "reference/verdict/pixel_judge.h"
 
 namespace hemitex::reference {
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int tileSide = 16;  // pixels
 
-/// The pixels of a scissor rectangle in square tiles, so that a pixel looks only at triangles nearby.
+/// The pixels of a scissor rectangle in square tiles, so that each pixel tests only nearby triangles.
 struct Tiles {
   raster::Scissor scissor;
   int columns, rows;
@@ -28,7 +28,7 @@ struct Tiles {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
   }
 
-  /// Calls visit(tile) for the tiles that hold a sample which the triangle may cover.
+  /// Calls visit(tile) for each tile with a sample that the triangle may cover, and perhaps others.
   template <typename Visit>
   void forEach(const DeviceTriangle& triangle, const Visit& visit) const {
     glm::dvec2 low = triangle.vertices[0].position, high = low;
@@ -36,7 +36,7 @@ struct Tiles {
       low = glm::min(low, vertex.position);
       high = glm::max(high, vertex.position);
     }
-    // A pixel more on either side: bounds need not be tight.
+    // One more pixel on either side: the bounds need not be tight.
     const glm::dvec2 corner(scissor.column, scissor.row);
     const auto tileOf = [&](const glm::dvec2& position) {
       return glm::floor((position / 256.0 - corner) / static_cast<double>(tileSide));
@@ -49,7 +49,7 @@ struct Tiles {
   }
 };
 
-/// The pixels still to be judged, by tile: indices into the item buffer.
+/// The pixels to judge, by tile: indices into the item buffer.
 using TilePixels = std::vector<std::vector<std::size_t>>;
 
 TilePixels pixelsWith(PixelVerdict verdict, const FaceVerdict& face, const Tiles& tiles) {
@@ -61,7 +61,7 @@ TilePixels pixelsWith(PixelVerdict verdict, const FaceVerdict& face, const Tiles
   return pixels;
 }
 
-/// Judges again every pixel that is an error so far; with `loose`, what is then explained is loose clipping.
+/// Judges again each pixel that is an error so far. With `loose`, loose clipping explains it.
 void judgeErrors(const raster::DrawList& list, const raster::Face& view, const DeviceProfile& profile, bool loose,
                  FaceVerdict& face) {
   const Tiles tiles(face.scissor);
@@ -117,7 +117,7 @@ VerdictCounts countVerdicts(const Verdict& verdict) {
   VerdictCounts sums{};
   for (const FaceVerdict& face : verdict.faces) {
     const VerdictCounts counts = countVerdicts(face);
-    for (std::size_t k = 0; k < pixelVerdicts; ++k) sums[k] += counts[k];
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += counts[k];
   }
   return sums;
 }
@@ -126,15 +126,17 @@ bool hasErrors(const Verdict& verdict) {
   return countVerdicts(verdict)[static_cast<std::size_t>(PixelVerdict::Error)] > 0;
 }
 
-Verdict judge(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile) {
-  assert(found.size() == vector.faces.size());
-  std::vector<raster::Face> views;
-  for (const VectorFace& face : vector.faces) views.push_back(face.face);
-  const std::vector<raster::ItemBuffer> expected = render(raster::SoftwareRenderer(vector.list), views, {});
+Verdict judge(const TestVector& vector, std::span<const raster::ItemBuffer> expected,
+              std::span<const raster::ItemBuffer> found, const DeviceProfile& profile) {
+  assert(found.size() == vector.faces.size() && expected.size() == vector.faces.size());
   Verdict verdict{vector.name, {}};
   for (std::size_t f = 0; f < found.size(); ++f)
     verdict.faces.push_back(judgeFace(vector.list, vector.faces[f], expected[f], found[f], profile));
   return verdict;
+}
+
+Verdict judge(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile) {
+  return judge(vector, render(vector), found, profile);
 }
 
 }  // namespace hemitex::reference

@@ -9,8 +9,7 @@ using raster::ItemId;
 
 constexpr int gap = 4;  // pixels between pictures
 
-/// A colour that differs from item ID to item ID: the item ID's bits, mixed by odd multipliers (any do) and cut in
-/// three.
+/// A colour per item ID: its bits, mixed by odd multipliers (any will do) and cut in three.
 glm::dvec3 falseColour(ItemId id) {
   std::uint32_t mixed = id * 2654435769u;
   mixed = (mixed ^ (mixed >> 15)) * 2246822519u;

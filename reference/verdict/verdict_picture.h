@@ -6,9 +6,9 @@
 
 namespace hemitex::reference {
 
-/// A row a face: what was expected, what was found (a colour for each item ID, black for `background`), and the
-/// verdict: grey where exact, blue for coverage, green for a texel, yellow for depth, violet for loose clipping, red
-/// for errors.
+/// One row of pictures per face: expected item IDs, found item IDs (a colour per item ID, black for `background`), and
+/// verdicts. Verdicts are grey (exact), blue (coverage), green (texel), yellow (depth), violet (loose clipping) and red
+/// (error).
 radiosity::Image toPicture(const Verdict& verdict, raster::ItemId background);
 
 }  // namespace hemitex::reference

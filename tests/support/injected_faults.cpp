@@ -343,7 +343,7 @@ std::vector<Injection> memoryInjections() {
           onIds("channels swapped in the target (BGRA)", layout, everyId(bgra)),
           onIds("byte order", layout,
                 everyId([](ItemId w) { return w >> 24 | (w >> 8 & 0xff00) | (w << 8 & 0xff0000) | w << 24; })),
-          onIds("words through binary32", layout, everyId(throughBinary32)),
+          onIds("item IDs through binary32", layout, everyId(throughBinary32)),
           onIds("alpha forced to opaque", layout, everyId([](ItemId w) { return w | 0xff000000; })),
           onIds("background not cleared", "five-faces", everyId([](ItemId w) { return w == 0xffffffff ? 0 : w; })),
           onIds("background not cleared", layout, everyId([](ItemId w) { return w == 0xffffffff ? 0xff000000 : w; })),

@@ -784,7 +784,7 @@ TEST_CASE("The matrix of form factors is checked by what holds for all", "[cli]"
   }
 }
 
-TEST_CASE("A test vector is exported without item IDs and rendered in place", "[cli]") {
+TEST_CASE("vector export writes no item IDs, and vector render adds them in place", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0,0,0 --normal 0,0,1 --resolution 8 -o vector");
   CHECK(fs::exists(shell.file("vector/vector.json")));
@@ -798,7 +798,7 @@ TEST_CASE("A test vector is exported without item IDs and rendered in place", "[
   CHECK(readAll(shell.file("elsewhere/vector.json")) == readAll(shell.file("vector/vector.json")));
 }
 
-TEST_CASE("vector calibrate finds the profile of the reference renderer, and none of a device that fits none",
+TEST_CASE("vector calibrate finds the profile of the reference renderer, and none for a faulty device",
           "[cli]") {
   const Shell shell;
   const json vectors = json::parse(shell.output("vector calibrate --probes probes --json"))["vectors"];
@@ -860,32 +860,35 @@ TEST_CASE("vector explain derives an item ID from the vertices to the blend", "[
   reference::writeVector(shell.file("vector"), vector, {});
 
   CHECK(shell.output("vector explain vector --pixel front,4,4") == R"(pixel 4,4 of front holds 5631: no draw
-vertices of triangle 0 of draw 0: d = P - E, then x = X.d, y = Y.d, w = W.d in binary32
-  E (0, 0, 0), X (1, 0, 0), Y (0, 1, 0), W (0, 0, 1)
-  vertex 0: P (2, -2, 2), d (2, -2, 2), (x, y, w) = (2, -2, 2), (u, v) = (1, 0)
-  vertex 1: P (-2, -2, 2), d (-2, -2, 2), (x, y, w) = (-2, -2, 2), (u, v) = (0, 0)
-  vertex 2: P (0, 2, 0), d (0, 2, 0), (x, y, w) = (0, 2, 0), (u, v) = (0.5, 1)
-clip to w >= n = 0.5 and |x|, |y| <= 8w: cut by w >= n, y <= 8w; triangle 1 of the 2 that are left
-  corner 0: (x, y, w) = (2, -2, 2), (u, v) = (1, 0)
-  corner 1: (x, y, w) = (-2, -2, 2), (u, v) = (0, 0)
-  corner 2: (x, y, w) = (-0.5, 1, 0.5), (u, v) = (0.375, 0.75)
-snap: q = (x/w, y/w), held to [-8, 8]; s = nearbyint((q + 1) 128 R) with R = 16
-  corner 0: q = (1, -1), s = (4096, 0)
-  corner 1: q = (-1, -1), s = (0, 0)
-  corner 2: q = (-1, 2), s = (0, 6144)
-cover: sample (1152, 1152), doubled area A = -25165824 and det(X, Y, W) > 0: it faces the eye
-  edge from corner 1 to 2: e0 = 7077888, inside
-  edge from corner 2 to 0: e1 = 13369344, inside
-  edge from corner 0 to 1: e2 = 4718592, inside
-interpolate: b = e / |A| = (0.28125, 0.53125, 0.1875)
-  1/w = sum of b/w = 0.78125
-  (u, v) = sum of b (u, v)/w over 1/w = (0.36, 0.36)
-depth: triangle 1 of draw 1 comes next with 1/w = 0.25, which is less by 0.53125
-texel: (u N, v M) = (1.44, 1.44) with N x M = 4 x 4; floor, held to the map: (1, 1) holds 1290
-blend: clamped add of offset 4346 and texel 1290
-  channel 0, 8 bits: 250 + 10 = 260, clamped to 255
-  channel 1, 8 bits: 16 + 5 = 21
-  word 5631
+face: eye (0, 0, 0), x (1, 0, 0), y (0, 1, 0), w (0, 0, 1), near 0.5, resolution 16
+triangle: 0
+draw: 0
+vertices (d = P - eye; x = X.d, y = Y.d, w = W.d in binary32):
+  index 0, position (2, -2, 2), from_eye (2, -2, 2), view (2, -2, 2), texcoord (1, 0)
+  index 1, position (-2, -2, 2), from_eye (-2, -2, 2), view (-2, -2, 2), texcoord (0, 0)
+  index 2, position (0, 2, 0), from_eye (0, 2, 0), view (0, 2, 0), texcoord (0.5, 1)
+clip (to w >= n and |x|, |y| <= 8w): cut_by (near, top), piece 0, pieces 2
+corners (q = (x/w, y/w), clamped to [-8, 8]; snapped = nearbyint((q + 1) 128 R)):
+  view (2, -2, 2), texcoord (1, 0), q (1, -1), snapped (4096, 0)
+  view (-2, -2, 2), texcoord (0, 0), q (-1, -1), snapped (0, 0)
+  view (-0.5, 1, 0.5), texcoord (0.375, 0.75), q (-1, 2), snapped (0, 6144)
+sample (in 1/256 pixel): (1152, 1152)
+area (doubled): -25165824
+faces_away (area and det(X, Y, W) have the same sign): false
+edges (opposite the corners; inside > 0, and = 0 on top and left edges):
+  value 7077888, kind left
+  value 13369344, kind other
+  value 4718592, kind top
+weights (b = edge / |area|): (0.28125, 0.53125, 0.1875)
+inverse_depth (sum of b/w): 0.78125
+u (sum of b u/w over 1/w): 0.36
+v (sum of b v/w over 1/w): 0.36
+texel (floor of position = (u N, v M), clamped to the map): width 4, height 4, position (1.44, 1.44), column 1, row 1, index 1290
+sums (offset + texel, clamped or modulo 2^bits):
+  bits 8, offset 250, texel 10, result 255
+  bits 8, offset 16, texel 5, result 21
+word (the item ID): 5631
+runner_up (the next triangle; difference of 1/w): triangle 1, draw 1, inverse_depth 0.25, difference 0.53125
 triangles that cover it, nearest first:
 triangle,draw,facing,w,u,v,column,row,word
 0,0,front,1.28,0.36,0.36,1,1,5631
@@ -901,7 +904,7 @@ triangle,draw,facing,w,u,v,column,row,word
   CHECK(derivation["word"] == 5631);
 }
 
-TEST_CASE("Stages lie beside an exported vector, and beside one whose item IDs were drawn", "[cli]") {
+TEST_CASE("vector export and vector render --stages write stages.json beside vector.json", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0,0,0 --normal 0,0,1 --resolution 8 --stages -o vector");
   const json faces = json::parse(readAll(shell.file("vector/stages.json")))["faces"];
@@ -915,7 +918,7 @@ TEST_CASE("Stages lie beside an exported vector, and beside one whose item IDs w
   CHECK_FALSE(fs::exists(shell.file("plain/stages.json")));
 }
 
-TEST_CASE("The vector suite is written as folders, and its table holds the pinned hashes", "[cli]") {
+TEST_CASE("vector suite writes a folder per vector and a table with the pinned hashes", "[cli]") {
   const Shell shell;
   const json vectors = json::parse(shell.output("vector suite -o suite --json"))["vectors"];
   const std::vector<std::string> pinned = linesOf(readAll(HEMITEX_SUITE_HASHES));
@@ -934,7 +937,7 @@ TEST_CASE("The vector suite is written as folders, and its table holds the pinne
   CHECK(table[0] == "name,catches,hash");
 }
 
-TEST_CASE("A test vector is drawn on another device where there is one", "[cli]") {
+TEST_CASE("vector render --device draws on another device where there is one", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0.5,0.5,0.01 --normal 0,0,1 --resolution 16 -o vector");
   CHECK(shell.run("vector render vector --device abacus -o device").exitCode == 2);
@@ -945,7 +948,7 @@ TEST_CASE("A test vector is drawn on another device where there is one", "[cli]"
     CHECK((drawn.exitCode == 2 && drawn.err.find("OpenGL") != std::string::npos));
 }
 
-TEST_CASE("vector check judges a suite of vectors as one", "[cli]") {
+TEST_CASE("vector check judges all vectors of a suite", "[cli]") {
   const Shell shell;
   for (const std::string name : {"near", "far"}) {
     shell.output("vector export room.obj --eye 0.5,0.5," + std::string(name == "near" ? "0.01" : "0.3") +
@@ -983,6 +986,33 @@ TEST_CASE("vector check judges a suite of vectors as one", "[cli]") {
   CHECK(shell.run("vector check empty --candidate device").exitCode == 2);
 }
 
+TEST_CASE("vector check --exact judges the reference and the candidate by the independent evaluator", "[cli]") {
+  const Shell shell;
+  for (const std::string height : {"0.01", "0.3"}) {
+    shell.output("vector export room.obj --eye 0.5,0.5," + height + " --normal 0,0,1 --resolution 8 -o suite/" +
+                 height);
+    shell.output("vector render suite/" + height + " -o device/" + height);
+  }
+  const std::string one = "vector check suite/0.3 --candidate device/0.3 --exact",
+                    all = "vector check suite --candidate device --exact";
+  const std::string agrees = "reference: agrees with the independent evaluator at all ";
+  CHECK(shell.output(one).find("\n" + agrees + "192 pixels\n") != std::string::npos);
+  CHECK(shell.output(all).find("\n" + agrees + "384 pixels\n") != std::string::npos);
+  CHECK(json::parse(shell.output(one + " --json"))["reference"] == json({{"pixels", 192}, {"differing", 0}}));
+  for (const json& vector : json::parse(shell.output(all + " --json"))["vectors"])
+    CHECK(vector["reference"]["differing"] == 0);
+
+  std::string ids = readAll(shell.file("device/0.3/top.u32"));
+  ids[3] = static_cast<char>(ids[3] ^ 64);
+  writeAll(shell.file("device/0.3/top.u32"), ids);
+  const Outcome wrong = shell.run(one + " --minimize small");
+  CHECK(wrong.exitCode == 1);
+  CHECK(wrong.out.find("error in top: pixel 0,0") != std::string::npos);
+  CHECK(wrong.out.find(agrees) != std::string::npos);
+  CHECK(shell.run("vector check small --candidate small/candidate --exact").exitCode == 1);
+  CHECK(shell.run("vector check suite/0.3 --candidate nowhere --exact").exitCode == 2);
+}
+
 TEST_CASE("vector check names the fault where errors are systematic", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0.5,0.5,0.01 --normal 0,0,1 --resolution 16 -o vector");
@@ -995,13 +1025,13 @@ TEST_CASE("vector check names the fault where errors are systematic", "[cli]") {
   }
   const Outcome wrong = shell.run("vector check vector --candidate device");
   CHECK(wrong.exitCode == 1);
-  CHECK(wrong.out.find("\ndiagnosis: byte order, in item IDs files (100.0 % agreement): ") != std::string::npos);
+  CHECK(wrong.out.find("\ndiagnosis: byte order, in item ID files (100.0 % agreement): ") != std::string::npos);
   const json report = json::parse(shell.run("vector check vector --candidate device --json").out);
   REQUIRE(report["diagnosis"].size() == 1);
   CHECK(report["diagnosis"][0]["fault"] == "byte order");
 }
 
-TEST_CASE("vector check passes what the rules draw, fails on one wrong item ID, and refuses a short file", "[cli]") {
+TEST_CASE("vector check passes the rules' item IDs, fails on one wrong item ID, and refuses a short file", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0.5,0.5,0.01 --normal 0,0,1 --resolution 16 -o vector");
   shell.output("vector render vector -o device");

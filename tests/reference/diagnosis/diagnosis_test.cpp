@@ -1,5 +1,4 @@
-// The diagnosis: a fault is named and no other, what cannot be told apart is said to be so, and no right device is
-// accused.
+// diagnose names the true fault, names indistinguishable faults together, and none for a correct device.
 #include "reference/diagnosis/diagnosis.h"
 
 #include <algorithm>
@@ -48,7 +47,7 @@ void disturb(Buffers& buffers, std::mt19937& random) {
 
 }  // namespace
 
-TEST_CASE("each fault is named, and no other", "[diagnosis]") {
+TEST_CASE("diagnose names each known fault and no other", "[diagnosis]") {
   const std::vector<TestVector> suite = wholeSuite();
   std::set<std::string> tested;
   for (const tests::Injection& injection : tests::injectedFaults())
@@ -71,7 +70,7 @@ TEST_CASE("each fault is named, and no other", "[diagnosis]") {
     }
 }
 
-TEST_CASE("whatever is named, the true fault is among it", "[diagnosis]") {
+TEST_CASE("diagnose names the true fault where it names any", "[diagnosis]") {
   const std::vector<TestVector> suite = wholeSuite();
   std::mt19937 random(5);
   for (const char* name : {"layout-r5g6b5", "minified", "magnified", "unique-maps", "shared-vertices", "scissors",
@@ -93,7 +92,7 @@ TEST_CASE("whatever is named, the true fault is among it", "[diagnosis]") {
   }
 }
 
-TEST_CASE("faults that a vector cannot tell apart are named together", "[diagnosis]") {
+TEST_CASE("diagnose names faults together that a vector cannot tell apart", "[diagnosis]") {
   // One map over the whole of a square view: turning over the view, the picture or the map is all the same.
   const std::vector<TestVector> suite = reference::vectorSuite();
   const TestVector& vector = named(suite, "minified");
@@ -103,7 +102,7 @@ TEST_CASE("faults that a vector cannot tell apart are named together", "[diagnos
         std::set<std::string>{"y of the view flipped", "picture upside down", "index map upside down"});
 }
 
-TEST_CASE("a device within its profile is accused of nothing on the whole suite", "[diagnosis]") {
+TEST_CASE("diagnose names no fault of a device within its profile", "[diagnosis]") {
   std::uint64_t explained = 0;
   for (const TestVector& vector : wholeSuite())
     for (const std::uint32_t seed : {1u, 2u, 3u}) {
@@ -117,7 +116,7 @@ TEST_CASE("a device within its profile is accused of nothing on the whole suite"
   CHECK(explained > 1000);  // the devices do err
 }
 
-TEST_CASE("what is no known fault is not named", "[diagnosis]") {
+TEST_CASE("diagnose names nothing for unknown faults", "[diagnosis]") {
   const std::vector<TestVector> suite = wholeSuite();
   for (const char* name : {"five-faces", "scene-cornell-box-light", "perspective-floor", "perspective-sheet",
                            "layout-r8g8b8a8", "magnified", "depth-stack", "crossing"}) {
@@ -147,13 +146,13 @@ TEST_CASE("what is no known fault is not named", "[diagnosis]") {
     }
     check("random bits", noisy);
     check("elements off by one, which rounding may not excuse", next);
-    check("words moved by a third", rolled);
+    check("item IDs moved by a third", rolled);
     check("a constant", constant);
     check("three pixels of four turned by half a turn", mixed);
   }
 }
 
-TEST_CASE("one wrong pixel is not systematic, even where a fault would give it", "[diagnosis]") {
+TEST_CASE("diagnose names nothing for one wrong pixel, even where a fault gives it", "[diagnosis]") {
   // The last pixel is the only one that shows a back; culling would leave the background there.
   const std::vector<TestVector> suite = reference::vectorSuite();
   const TestVector& vector = named(suite, "layout-r8g8b8a8");
@@ -164,7 +163,7 @@ TEST_CASE("one wrong pixel is not systematic, even where a fault would give it",
   CHECK(faultsNamed(vector, found).empty());
 }
 
-TEST_CASE("a staged device without faults draws the words of the rules", "[diagnosis]") {
+TEST_CASE("drawOn with a device without faults draws the item IDs of the rules", "[diagnosis]") {
   // Binary64 cannot decide every sample on a texel's border.
   std::uint64_t pixels = 0, different = 0;
   for (const TestVector& vector : wholeSuite()) {

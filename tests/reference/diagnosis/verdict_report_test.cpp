@@ -1,4 +1,4 @@
-// What a verdict says in JSON and JUnit XML.
+// Reports as JSON and JUnit XML.
 #include "reference/diagnosis/verdict_report.h"
 
 #include <catch2/catch.hpp>
@@ -11,7 +11,7 @@ using reference::Report;
 using reference::toText;
 using tests::JudgedWall;
 
-TEST_CASE("the report counts by face and names the first ten errors", "[verdict]") {
+TEST_CASE("firstErrors and toJson give counts per face and the first ten errors", "[verdict]") {
   JudgedWall judged;
   for (std::size_t pixel = 8; pixel < 24; ++pixel) judged.found[0].ids[pixel] ^= 1;
   judged.found[1].ids[0] = 0x555555;
@@ -42,7 +42,7 @@ TEST_CASE("the report counts by face and names the first ten errors", "[verdict]
   CHECK(last.row == 4);
 }
 
-TEST_CASE("the report names the diagnosis, and both where two cannot be told apart", "[verdict]") {
+TEST_CASE("toJson and toJUnit name the diagnosis, or both where two are indistinguishable", "[verdict]") {
   JudgedWall judged;
   judged.found[0].ids[0] = 0;
   const reference::Verdict verdict = judged.verdict();
@@ -66,7 +66,7 @@ TEST_CASE("the report names the diagnosis, and both where two cannot be told apa
   CHECK(reference::toJUnit({&unnamed, 1}).find("diagnosis") == std::string::npos);
 }
 
-TEST_CASE("in JUnit XML each face is a test case that fails where it has errors", "[verdict]") {
+TEST_CASE("toJUnit makes each face a test case that fails where it has errors", "[verdict]") {
   JudgedWall judged;
   judged.found[1].ids[5] = 0;
   const reference::Verdict verdict = judged.verdict();
@@ -75,11 +75,11 @@ TEST_CASE("in JUnit XML each face is a test case that fails where it has errors"
   CHECK(xml.find("<testsuite name=\"a &lt;wall&gt; &amp; &quot;more&quot;\" tests=\"2\" failures=\"1\">") !=
         std::string::npos);
   CHECK(xml.find("name=\"top\"/>") != std::string::npos);
-  CHECK(xml.find("<failure message=\"1 pixels are errors\">pixel 5,4, foreign word: expected 266 (draw 0 texel 2,2)") !=
+  CHECK(xml.find("<failure message=\"1 pixels are errors\">pixel 5,4, foreign item ID: expected 266 (draw 0 ") !=
         std::string::npos);
 }
 
-TEST_CASE("of several vectors the report names the fault that most of those that fail have in common", "[verdict]") {
+TEST_CASE("commonFault names the fault that most of the failing vectors share", "[verdict]") {
   JudgedWall right, wrong;
   wrong.found[0].ids[0] = 0;
   const reference::Finding dithering{"dithering", "", 0.95, "turn it off"},
@@ -90,7 +90,7 @@ TEST_CASE("of several vectors the report names the fault that most of those that
                                     {wrong.verdict(), {}, {}}};
   const std::optional<reference::CommonFault> common = reference::commonFault(reports);
   REQUIRE(common);
-  CHECK(toText(*common) == "linear filtering, named by 2 of 3 vectors that fail: nearest");
+  CHECK(toText(*common) == "linear filtering, named by 2 of 3 failing vectors: nearest");
   CHECK_FALSE(reference::commonFault({&reports[1], 1}));
   // One of twenty counts, one of twenty-one is chance.
   std::vector<Report> many(20, reports[3]);
@@ -110,4 +110,28 @@ TEST_CASE("of several vectors the report names the fault that most of those that
   const auto passed = nlohmann::json::parse(reference::toJson(std::span(&reports[1], 1)));
   CHECK(passed["pass"] == true);
   CHECK(passed["diagnosis"].is_null());
+}
+
+TEST_CASE("reportExactly judges by the independent evaluator and compares the reference with it", "[verdict]") {
+  JudgedWall judged;
+  judged.found[0].ids[9] = 0x555555;
+  const Report exact = reference::reportExactly(judged.vector, judged.found, {});
+  Report report = reference::reportOn(judged.vector, judged.found, {});
+  CHECK_FALSE(report.reference);
+  REQUIRE(exact.reference);
+  CHECK(exact.reference->pixels == 96);
+  CHECK(exact.reference->differing == 0);
+  const auto json = nlohmann::json::parse(toJson(exact));
+  CHECK(json["reference"] == nlohmann::json({{"pixels", 96}, {"differing", 0}}));
+  CHECK_FALSE(nlohmann::json::parse(toJson(report)).contains("reference"));
+  report.reference = exact.reference;
+  CHECK(toJson(report) == toJson(exact));
+}
+
+TEST_CASE("checkReference adds up the pixels at which the reference differs", "[verdict]") {
+  const std::vector<Report> reports{
+      {{}, {}, {}, reference::ReferenceCheck{96, 2}}, {{}, {}, {}, reference::ReferenceCheck{10, 1}}, {{}, {}, {}, {}}};
+  CHECK(toText(checkReference(reports)) == "differs from the independent evaluator at 3 of 106 pixels");
+  CHECK(toText(*reports[0].reference) == "differs from the independent evaluator at 2 of 96 pixels");
+  CHECK(toText(reference::ReferenceCheck{96, 0}) == "agrees with the independent evaluator at all 96 pixels");
 }

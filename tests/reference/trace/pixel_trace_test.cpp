@@ -1,4 +1,4 @@
-// Derivations of item IDs: they end in the renderer's item ID, and their numbers are those of the stages.
+// A derivation ends in the item ID of the renderer, and its numbers equal those of the stages.
 #include "reference/trace/pixel_trace.h"
 
 #include <algorithm>
@@ -23,25 +23,35 @@ const TestVector& named(const std::vector<TestVector>& suite, const std::string&
   return *found;
 }
 
+std::optional<Derivation> deriveAt(const raster::DrawList& list, const raster::Face& face,
+                                   std::span<const raster::ScreenTriangle> triangles, int column, int row) {
+  return reference::derive(list, face, reference::fragmentsAt(list, triangles, column, row), column, row);
+}
+
+std::optional<Derivation> deriveAt(const raster::DrawList& list, const raster::Face& face, int column, int row) {
+  return deriveAt(list, face, reference::screenTriangles(list, face), column, row);
+}
+
 /// Calls check(pixel, derivation) for about `count` pixels of a face, spread over it.
 template <typename Check>
 void forSomePixels(const raster::DrawList& list, const raster::Face& face, int count, const Check& check) {
+  const auto triangles = reference::screenTriangles(list, face);
   const int width = face.scissor.width, pixels = width * face.scissor.height;
   // Odd steps, so that columns differ from row to row.
   const int step = std::max(1, pixels / count) | 1;
   for (int pixel = step / 2; pixel < pixels; pixel += step)
     check(static_cast<std::size_t>(pixel),
-          reference::derive(list, face, face.scissor.column + pixel % width, face.scissor.row + pixel / width));
+          deriveAt(list, face, triangles, face.scissor.column + pixel % width, face.scissor.row + pixel / width));
 }
 
-/// What kinds of pixels a test met.
+/// Number of pixels of each kind in a test.
 struct Met {
   int cut = 0, backs = 0, mirrored = 0, clamped = 0, added = 0, replaced = 0, background = 0, onEdges = 0;
 };
 
 void count(const raster::DrawList& list, const raster::Face& face, const Derivation& derivation, Met& met) {
   met.cut += !derivation.cutBy.empty();
-  met.backs += derivation.facesAway && list.draws[derivation.drawn.draw].back;
+  met.backs += derivation.visible.facesAway && list.draws[derivation.visible.draw].back;
   met.mirrored += raster::determinant(face) < 0;
   if (derivation.texel) {
     met.clamped += list.blend == raster::Blend::ClampedAdd;
@@ -54,7 +64,7 @@ void count(const raster::DrawList& list, const raster::Face& face, const Derivat
 
 }  // namespace
 
-TEST_CASE("a derivation ends in the renderer's item ID, whatever was clipped, mirrored, turned away or blended",
+TEST_CASE("derive ends in the item ID of the renderer for clipped, mirrored, back-facing and blended pixels",
           "[derivation]") {
   Met met;
   for (const TestVector& vector : reference::vectorSuite()) {
@@ -65,7 +75,7 @@ TEST_CASE("a derivation ends in the renderer's item ID, whatever was clipped, mi
       int wrong = 0;
       forSomePixels(vector.list, face, 64, [&](std::size_t pixel, const std::optional<Derivation>& derivation) {
         const raster::ItemId background = raster::backgroundId(vector.list.format);
-        wrong += (derivation ? derivation->id : background) != expected[f].ids[pixel];
+        wrong += (derivation ? derivation->visible.id : background) != expected[f].ids[pixel];
         met.background += !derivation;
         if (derivation) count(vector.list, face, *derivation, met);
       });
@@ -77,7 +87,7 @@ TEST_CASE("a derivation ends in the renderer's item ID, whatever was clipped, mi
     CHECK(kind > 20);
 }
 
-TEST_CASE("the numbers of a derivation are those of the stages", "[derivation]") {
+TEST_CASE("derive gives the numbers of stagesOf", "[derivation]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   for (const char* name : {"five-faces", "perspective-clipped", "perspective-twist", "frustum-sheet", "needles"}) {
     const TestVector& vector = named(suite, name);
@@ -87,14 +97,14 @@ TEST_CASE("the numbers of a derivation are those of the stages", "[derivation]")
       forSomePixels(vector.list, face.face, 200, [&](std::size_t pixel, const std::optional<Derivation>& derivation) {
         REQUIRE(derivation.has_value() == (stages.triangles[pixel] >= 0));
         if (!derivation) return;
-        CHECK(static_cast<std::int32_t>(derivation->drawn.triangle) == stages.triangles[pixel]);
+        CHECK(static_cast<std::int32_t>(derivation->visible.triangle) == stages.triangles[pixel]);
         CHECK(std::abs(derivation->inverseDepth - stages.inverseDepths[pixel]) <= 0x1p-49 * derivation->inverseDepth);
         const glm::dvec2 off = glm::abs(derivation->coordinates - stages.coordinates[pixel]);
         CHECK(std::max(off.x, off.y) <= 0x1p-49);  // no coordinate here exceeds 1
         const glm::ivec2 none(-1), texel = stages.texels[pixel];
         CHECK(derivation->texel.has_value() == (texel != none));
         if (derivation->texel)
-          CHECK(glm::ivec2(derivation->texel->texel.column, derivation->texel->texel.row) == texel);
+          CHECK(glm::ivec2(derivation->visible.texel->column, derivation->visible.texel->row) == texel);
 
         std::int64_t edges = 0;
         for (const reference::DerivedEdge& edge : derivation->edges) edges += edge.value;
@@ -118,7 +128,7 @@ TEST_CASE("the numbers of a derivation are those of the stages", "[derivation]")
   }
 }
 
-TEST_CASE("the runner-up is the next triangle behind, by the exact difference of 1/w", "[derivation]") {
+TEST_CASE("derive finds the next triangle behind, by the exact difference of 1/w", "[derivation]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   // On the slope all triangles that cover a sample are equally near.
   const TestVector& slope = named(suite, "coplanar-slope");
@@ -127,14 +137,14 @@ TEST_CASE("the runner-up is the next triangle behind, by the exact difference of
     if (!derivation || !derivation->runnerUp) return;
     ++ties;
     CHECK(derivation->runnerUp->difference == 0);
-    CHECK(derivation->runnerUp->drawn.draw > derivation->drawn.draw);
+    CHECK(derivation->runnerUp->drawn.draw > derivation->visible.draw);
   });
   CHECK(ties > 20);
-  // One pixel each: w and the next binary32 number (vector_suite_depth.cpp).
+  // One pixel each: w and the next binary32 number (suite_depth.cpp).
   const TestVector& steps = named(suite, "depth-steps");
   for (int pixel = 0; pixel < 256; ++pixel) {
     const double w = std::ldexp(1 + pixel % 16 / 16.0, pixel / 16), step = std::ldexp(0x1p-23, pixel / 16);
-    const auto derivation = reference::derive(steps.list, steps.faces[0].face, pixel % 16, pixel / 16);
+    const auto derivation = deriveAt(steps.list, steps.faces[0].face, pixel % 16, pixel / 16);
     REQUIRE(derivation);
     REQUIRE(derivation->runnerUp);
     CHECK(derivation->runnerUp->difference == Approx(step / w / (w + step)).epsilon(1e-12));
@@ -144,8 +154,8 @@ TEST_CASE("the runner-up is the next triangle behind, by the exact difference of
   tests::addDraw(list, 1);
   reference::addPixel(list, 4, 1, 2);
   reference::addPixel(list, 4, 2, 2);
-  const auto derivation = reference::derive(list, tests::frontFace(4), 1, 2);
+  const auto derivation = deriveAt(list, tests::frontFace(4), 1, 2);
   REQUIRE(derivation);
   CHECK_FALSE(derivation->runnerUp);
-  CHECK_FALSE(reference::derive(list, tests::frontFace(4), 3, 2));
+  CHECK_FALSE(deriveAt(list, tests::frontFace(4), 3, 2));
 }

@@ -1,4 +1,4 @@
-// The rasterizer against the raster rules spelled out in rational numbers, pixel by pixel.
+// The reference renderer and evaluateRules give the same item IDs at every pixel.
 #include "reference/trace/rational_rasterizer.h"
 
 #include <catch2/catch.hpp>
@@ -30,11 +30,11 @@ void compareOnFamilies(int trianglesPerFamily) {
 
 }  // namespace
 
-TEST_CASE("the rasterizer equals the rules on every pixel of every family of triangles", "[rational]") {
+TEST_CASE("evaluateRules equals the renderer on every pixel of every family of triangles", "[rational]") {
   compareOnFamilies(2240);  // of nine families: 20,160
 }
 
-TEST_CASE("the rasterizer equals the rules where triangles are a few pixels wide", "[rational]") {
+TEST_CASE("evaluateRules equals the renderer where triangles are a few pixels wide", "[rational]") {
   const raster::DrawList list = tests::smallTriangles(100);
   raster::Face mirrored = tests::frontFace(64);
   mirrored.x = -mirrored.x;
@@ -44,6 +44,6 @@ TEST_CASE("the rasterizer equals the rules where triangles are a few pixels wide
 }
 
 // The target all_triangle_families runs it; the test above is a part of it.
-TEST_CASE("the rasterizer equals the rules on 200,000 triangles", "[.][all_triangle_families]") {
+TEST_CASE("evaluateRules equals the renderer on 200,000 triangles", "[.][all_triangle_families]") {
   compareOnFamilies(22400);
 }

@@ -1,5 +1,5 @@
-// The stages of a face: pixel by pixel they are the fragments found by asking every triangle, and each stage follows
-// from the one before it as the raster rules say.
+// The stages of a face equal the fragments at each pixel, and each stage follows from the one before by the raster
+// rules.
 #include "reference/trace/stage_dump.h"
 
 #include <algorithm>
@@ -48,13 +48,13 @@ const raster::Draw& firstDrawWith(const raster::DrawList& list, std::int32_t tri
   return *draw;
 }
 
-/// Three corners x, y, w, u, v and where they were snapped.
+/// Three corners x, y, w, u, v and their snapped positions.
 struct Corners {
   std::array<raster::ViewVertex, 3> view;
   std::array<glm::ivec2, 3> snapped;
 };
 
-/// Of what a triangle consists: itself, or the pieces that clipping left of it.
+/// The triangle itself, or the pieces that clipping leaves of it.
 std::vector<Corners> cornersOf(const raster::DrawList& list, const Stages& stages, std::int32_t triangle) {
   std::vector<Corners> pieces;
   for (std::size_t p = 0; p < stages.pieceTriangles.size(); ++p)
@@ -109,7 +109,7 @@ const Corners& shown(const std::vector<Corners>& pieces, const glm::dvec2& sampl
 
 }  // namespace
 
-TEST_CASE("stages are the first of all fragments at every pixel", "[stages]") {
+TEST_CASE("stagesOf holds the first fragment of every pixel", "[stages]") {
   for (const TestVector& vector :
        chosen({"five-faces", "perspective-clipped", "perspective-twist", "frustum-sheet", "behind-the-eye",
                "guard-band-sheet", "coplanar-slope", "same-triangle", "minified", "needles"}))
@@ -131,7 +131,7 @@ TEST_CASE("stages are the first of all fragments at every pixel", "[stages]") {
     }
 }
 
-TEST_CASE("every item ID of the suite is the blend of its stages' texel, a back or an offset", "[stages]") {
+TEST_CASE("stagesOf determines every item ID of the suite: a blended texel, a back or an offset", "[stages]") {
   std::size_t textured = 0, backs = 0;
   for (const TestVector& vector : reference::vectorSuite()) {
     const raster::DrawList& list = vector.list;
@@ -168,7 +168,7 @@ TEST_CASE("every item ID of the suite is the blend of its stages' texel, a back 
   CHECK(backs > 100);
 }
 
-TEST_CASE("vertices are snapped as the rule says, and what is clipped away is not", "[stages]") {
+TEST_CASE("stagesOf snaps vertices by the rule, except clipped ones", "[stages]") {
   for (const TestVector& vector : chosen({"five-faces", "frustum-sheet", "guard-band-sheet", "snapping-columns"}))
     for (const reference::VectorFace& face : vector.faces) {
       const raster::Face& view = face.face;
@@ -196,7 +196,7 @@ TEST_CASE("vertices are snapped as the rule says, and what is clipped away is no
   CHECK_FALSE(stages.pieceTriangles.empty());
 }
 
-TEST_CASE("depth, coordinates and texel of every pixel follow from snapped corners and pieces", "[stages]") {
+TEST_CASE("stagesOf gives depths, coordinates and texels that follow from snapped corners and pieces", "[stages]") {
   for (const TestVector& vector : chosen({"perspective-clipped", "perspective-floor", "five-faces", "behind-the-eye"}))
     for (const reference::VectorFace& face : vector.faces) {
       const Stages stages = reference::stagesOf(vector.list, face.face);
@@ -221,8 +221,8 @@ TEST_CASE("depth, coordinates and texel of every pixel follow from snapped corne
     }
 }
 
-TEST_CASE("on a slope whose 1/w is known every pixel holds it", "[stages]") {
-  // 1/w is 1 - column/32, at pixel centres 1 - (2i + 1)/64 (vector_suite_depth.cpp).
+TEST_CASE("stagesOf gives the known 1/w on a slope", "[stages]") {
+  // 1/w is 1 - column/32, at pixel centres 1 - (2i + 1)/64 (suite_depth.cpp).
   const TestVector vector = chosen({"coplanar-slope"}).front();
   const Stages stages = reference::stagesOf(vector.list, vector.faces.front().face);
   forEachPixel(vector.faces.front().face, [&](std::size_t pixel, int column, int) {
@@ -231,7 +231,7 @@ TEST_CASE("on a slope whose 1/w is known every pixel holds it", "[stages]") {
   });
 }
 
-TEST_CASE("stages on disk are the arrays that stages.json names, in the order of faces", "[stages]") {
+TEST_CASE("writeStages writes the arrays that stages.json names, in the order of faces", "[stages]") {
   const TestVector vector = chosen({"five-faces"}).front();
   const TemporaryFolder folder;
   reference::writeVector(folder.path, vector, reference::render(vector));

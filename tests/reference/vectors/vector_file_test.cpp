@@ -1,4 +1,4 @@
-// Test vectors on disk: what is written is what is read, and what breaks the format is refused.
+// Test vectors on disk: they read back as written, and readVector refuses files that break the format.
 #include "reference/vectors/vector_file.h"
 
 #include <catch2/catch.hpp>
@@ -43,7 +43,7 @@ std::string contents(const std::filesystem::path& file) {
 
 }  // namespace
 
-TEST_CASE("a vector reads back to the same bits", "[vector]") {
+TEST_CASE("readVector reads back the bits that writeVector wrote", "[vector]") {
   const TemporaryFolder folder;
   const TestVector written = sample();
   writeVector(folder.path, written, {});
@@ -69,7 +69,7 @@ TEST_CASE("a vector reads back to the same bits", "[vector]") {
   CHECK(read.faces[1].hash.empty());
 }
 
-TEST_CASE("rendering a vector writes one item ID a pixel and the hash of the file's bytes", "[vector]") {
+TEST_CASE("writeVector writes one item ID per pixel and the hash of the bytes", "[vector]") {
   const TemporaryFolder folder;
   const TestVector vector = sample();
   raster::SoftwareRenderer renderer(vector.list);
@@ -89,7 +89,7 @@ TEST_CASE("rendering a vector writes one item ID a pixel and the hash of the fil
   CHECK(reference::idsHash({}) == "cbf29ce484222325");  // the offset basis of FNV-1a
 }
 
-TEST_CASE("a vector that breaks the format is an input error that names the file", "[vector]") {
+TEST_CASE("readVector throws with the name of the file that breaks the format", "[vector]") {
   struct Case {
     std::string from, to;  // a replacement in vector.json
   };
@@ -133,7 +133,7 @@ TEST_CASE("a vector that breaks the format is an input error that names the file
   }
 }
 
-TEST_CASE("truncated arrays and missing vectors are input errors", "[vector]") {
+TEST_CASE("readVector throws for truncated arrays and missing vectors", "[vector]") {
   const TemporaryFolder folder;
   CHECK_THROWS_AS(reference::readVector(folder.path), raster::InputError);
   writeVector(folder.path, sample(), {});
@@ -143,7 +143,7 @@ TEST_CASE("truncated arrays and missing vectors are input errors", "[vector]") {
   CHECK_THROWS_AS(reference::readVector(folder.path), raster::InputError);
 }
 
-TEST_CASE("a folder in the place of a vector's file is an input error", "[vector]") {
+TEST_CASE("readVector throws for a folder in place of a file", "[vector]") {
   for (const char* file : {"vector.json", "positions.f32", "texcoords.f32", "indices.u32", "map-0-4x2.u32"}) {
     const TemporaryFolder folder;
     writeVector(folder.path, sample(), {});

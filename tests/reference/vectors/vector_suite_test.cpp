@@ -1,4 +1,4 @@
-// The vector suite: that it is what it says, that the rasterizer answers it by the rules, and that the answer is one.
+// The vector suite: its vectors are as described, the renderer follows the rules on them, and its hashes are pinned.
 #include "reference/vectors/vector_suite.h"
 
 #include <algorithm>
@@ -54,8 +54,7 @@ bool hasSameIds(const std::vector<raster::ItemBuffer>& a, const std::vector<rast
 
 }  // namespace
 
-TEST_CASE("the suite has forty vectors or more, each with a name of its own and one line on what it catches",
-          "[suite]") {
+TEST_CASE("vectorSuite has at least forty vectors with unique names and one line in catches each", "[suite]") {
   std::set<std::string> names;
   for (const TestVector& vector : wholeSuite()) {
     INFO(vector.name);
@@ -68,7 +67,7 @@ TEST_CASE("the suite has forty vectors or more, each with a name of its own and 
   CHECK(names.size() >= 40);
 }
 
-TEST_CASE("every vector of the suite reads back from disk to the same bits and draws the same words", "[suite]") {
+TEST_CASE("readVector reads every vector of the suite back to the same bits and item IDs", "[suite]") {
   for (const TestVector& vector : wholeSuite()) {
     INFO(vector.name);
     const TemporaryFolder folder;
@@ -90,7 +89,7 @@ TEST_CASE("every vector of the suite reads back from disk to the same bits and d
   }
 }
 
-TEST_CASE("the rasterizer equals the rules on every pixel of the suite", "[suite]") {
+TEST_CASE("evaluateRules equals the renderer on every pixel of the suite", "[suite]") {
   for (const TestVector& vector : wholeSuite()) {
     const std::vector<raster::ItemBuffer> found = reference::render(vector);
     for (std::size_t f = 0; f < found.size(); ++f) {
@@ -100,7 +99,7 @@ TEST_CASE("the rasterizer equals the rules on every pixel of the suite", "[suite
   }
 }
 
-TEST_CASE("the words of the suite have the pinned hashes, for 1, 2 and 7 threads", "[suite]") {
+TEST_CASE("suiteHashes gives the pinned hashes with 1, 2 and 7 threads", "[suite]") {
   // `hemitex_suite_hashes` prints this file anew where the suite grows.
   std::stringstream pinned;
   pinned << std::ifstream(HEMITEX_SUITE_HASHES).rdbuf();
@@ -111,13 +110,13 @@ TEST_CASE("the words of the suite have the pinned hashes, for 1, 2 and 7 threads
   }
 }
 
-TEST_CASE("eight sub-pixel triangles around each sample cover it exactly once", "[suite]") {
+TEST_CASE("vectorSuite: eight sub-pixel triangles around each sample cover it exactly once", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   for (const char* order : {"centre-fans-later-nearer", "centre-fans-earlier-nearer"})
     CHECK(countOf(coverCounts(named(suite, order)), 1) == 256);
 }
 
-TEST_CASE("meshes cover what is inside of them exactly once and nothing else, in every order of corners", "[suite]") {
+TEST_CASE("vectorSuite: meshes cover exactly their interior, once, in every order of corners", "[suite]") {
   // The nine fans fill squares of 14 x 14 pixels, the nine grids squares with the sides (12, 9) and (-9, 12). Samples
   // on the left and top borders count, those on the others do not; such a half-open square between two vectors of
   // whole numbers holds as many samples as its area, wherever it lies: its copies tile the plane.
@@ -137,7 +136,7 @@ TEST_CASE("meshes cover what is inside of them exactly once and nothing else, in
     }
 }
 
-TEST_CASE("strips share vertices between draws, each the first and the last of one triangle at most", "[suite]") {
+TEST_CASE("vectorSuite: strips share vertices, each the first and last of at most one triangle", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   const TestVector& vector = named(suite, "shared-vertices");
   const raster::DrawList& list = vector.list;
@@ -150,7 +149,7 @@ TEST_CASE("strips share vertices between draws, each the first and the last of o
   CHECK(countOf(coverCounts(vector), 1) == 4 * 240);
 }
 
-TEST_CASE("a double hit in a mesh shows in the one or the other order of depths", "[suite]") {
+TEST_CASE("vectorSuite: a double hit in a mesh shows in one of the two orders of depths", "[suite]") {
   // Move one triangle so that it claims samples of others: in one of the two vectors its number shows there.
   const std::vector<TestVector> suite = reference::vectorSuite();
   for (const std::size_t moved : {std::size_t{0}, std::size_t{7}, std::size_t{15}}) {
@@ -167,7 +166,7 @@ TEST_CASE("a double hit in a mesh shows in the one or the other order of depths"
   }
 }
 
-TEST_CASE("half sub-pixels snap to the even one, and any other rounding shows", "[suite]") {
+TEST_CASE("vectorSuite: half sub-pixels snap to the even one, and any other rounding shows", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   for (const bool isRow : {false, true}) {
     const TestVector& vector = named(suite, isRow ? "snapping-rows" : "snapping-columns");
@@ -190,7 +189,7 @@ TEST_CASE("half sub-pixels snap to the even one, and any other rounding shows", 
   }
 }
 
-TEST_CASE("sheets that are cut at the near plane and the guard band have no holes", "[suite]") {
+TEST_CASE("vectorSuite: sheets cut at the near plane and the guard band have no holes", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   const auto hasNoHole = [](const std::vector<ItemId>& ids) {
     return std::find(ids.begin(), ids.end(), 0xffffffff) == ids.end();
@@ -211,7 +210,7 @@ TEST_CASE("sheets that are cut at the near plane and the guard band have no hole
   }
 }
 
-TEST_CASE("the frustum sheet is whole where its plane lies before the near plane", "[suite]") {
+TEST_CASE("vectorSuite: the frustum sheet is complete where its plane lies beyond the near plane", "[suite]") {
   // The plane y = 0.04 + 0.01 x - 0.2 z meets the ray (x, y, 1) w at w = 0.04 / (y - 0.01 x + 0.2). The sheet ends
   // behind w = 0.8, and there is wider than the view.
   const std::vector<TestVector> suite = reference::vectorSuite();
@@ -229,7 +228,7 @@ TEST_CASE("the frustum sheet is whole where its plane lies before the near plane
   CHECK(checked > 1400);
 }
 
-TEST_CASE("texels beside k/N are those of the binary64 quotient", "[suite]") {
+TEST_CASE("vectorSuite: texels beside k/N are those of the binary64 quotient", "[suite]") {
   // u is binary32 and N below 2^11, so u N is exact in binary64: floor(u N) is what the rules say.
   const std::vector<TestVector> suite = reference::vectorSuite();
   for (const int texels : {1, 3, 7, 100, 255, 256, 257, 1000, 1024}) {
@@ -249,7 +248,7 @@ TEST_CASE("texels beside k/N are those of the binary64 quotient", "[suite]") {
   }
 }
 
-TEST_CASE("every pair of bytes is added and clamped in every channel", "[suite]") {
+TEST_CASE("vectorSuite: every pair of bytes is added and clamped in every channel", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   const std::vector<ItemId> ids = idsOf(named(suite, "byte-pairs"));
   bool holds = true;
@@ -265,7 +264,7 @@ TEST_CASE("every pair of bytes is added and clamped in every channel", "[suite]"
   CHECK(holds);
 }
 
-TEST_CASE("the edge words and both reserved words come out as they went in", "[suite]") {
+TEST_CASE("vectorSuite: the edge item IDs and both reserved item IDs come out unchanged", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   for (const char* name :
        {"edge-offsets-r32ui", "edge-offsets-r8g8b8a8", "edge-texels-replaced", "edge-texels-added"}) {
@@ -276,7 +275,7 @@ TEST_CASE("the edge words and both reserved words come out as they went in", "[s
   }
 }
 
-TEST_CASE("coplanar surfaces show the one that was drawn first", "[suite]") {
+TEST_CASE("vectorSuite: of coplanar surfaces the first one drawn is visible", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   const std::vector<ItemId> lightFirst = idsOf(named(suite, "coplanar-light-first"));
   const std::vector<ItemId> ceilingFirst = idsOf(named(suite, "coplanar-ceiling-first"));
@@ -301,7 +300,7 @@ TEST_CASE("coplanar surfaces show the one that was drawn first", "[suite]") {
   }
 }
 
-TEST_CASE("of two depths one binary32 number apart the smaller is seen", "[suite]") {
+TEST_CASE("vectorSuite: of two adjacent binary32 depths the smaller is visible", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   for (const char* name : {"depth-steps", "depth-range"}) {
     const std::vector<ItemId> ids = idsOf(named(suite, name));
@@ -312,7 +311,7 @@ TEST_CASE("of two depths one binary32 number apart the smaller is seen", "[suite
   }
 }
 
-TEST_CASE("unaligned words survive an integer add and not a clamped one", "[suite]") {
+TEST_CASE("vectorSuite: unaligned item IDs survive an integer add and not a clamped one", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   const std::vector<ItemId> sums = idsOf(named(suite, "unaligned-integer-add"));
   const std::vector<ItemId> clamped = idsOf(named(suite, "unaligned-clamped-add"));
@@ -320,7 +319,7 @@ TEST_CASE("unaligned words survive an integer add and not a clamped one", "[suit
   CHECK(std::set<ItemId>(clamped.begin(), clamped.end()).size() < 9 * 256);
 }
 
-TEST_CASE("every word of the unique maps is seen, and no offset", "[suite]") {
+TEST_CASE("vectorSuite: every item ID of the unique maps is visible, and no offset", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   std::vector<ItemId> ids = idsOf(named(suite, "unique-maps"));
   std::sort(ids.begin(), ids.end());
@@ -329,7 +328,7 @@ TEST_CASE("every word of the unique maps is seen, and no offset", "[suite]") {
   CHECK(holds);
 }
 
-TEST_CASE("the five faces show every wall and the background, and no two faces are alike", "[suite]") {
+TEST_CASE("vectorSuite: the five faces show every wall and the background, and no two faces are equal", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   const TestVector& vector = named(suite, "five-faces");
   const std::vector<raster::ItemBuffer> buffers = reference::render(vector);
@@ -345,7 +344,7 @@ TEST_CASE("the five faces show every wall and the background, and no two faces a
   CHECK(std::count(buffers[0].ids.begin(), buffers[0].ids.end(), 0xfffffffe) > 0);
 }
 
-TEST_CASE("the narrow view tells how the vertex stage rounds", "[suite]") {
+TEST_CASE("vectorSuite: the narrow view shows how the vertex stage rounds", "[suite]") {
   // With the vertices already transformed, and a face that leaves them as they are, another stage can stand in.
   const std::vector<TestVector> suite = reference::vectorSuite();
   const TestVector& vector = named(suite, "narrow-view");

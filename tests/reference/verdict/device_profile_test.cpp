@@ -1,4 +1,4 @@
-// Profiles and candidates on disk: what is read, and what is refused.
+// Profiles and candidates on disk: valid ones are read, others refused.
 #include "reference/verdict/device_profile.h"
 
 #include <catch2/catch.hpp>
@@ -12,7 +12,7 @@
 using namespace hemitex;
 using raster::InputError;
 
-TEST_CASE("a profile keeps the defaults of the keys it does not name", "[verdict]") {
+TEST_CASE("readProfile keeps the default of each absent key", "[verdict]") {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path / "profile.json";
   std::ofstream(file) << R"({"subpixel_bits": 4, "snap_rounding": "truncate", "edge_rule": "any", "vertex_error": 2.5,
@@ -28,7 +28,7 @@ TEST_CASE("a profile keeps the defaults of the keys it does not name", "[verdict
   CHECK(reference::depthError(profile) == 4.0 / 65535);
 }
 
-TEST_CASE("a depth's error is in units in the last place of 1 of its format", "[verdict]") {
+TEST_CASE("depthError is in units in the last place of 1 of the depth format", "[verdict]") {
   using reference::DepthFormat;
   for (const auto& [format, unit] :
        {std::pair(DepthFormat::Float32, 1 / 8388608.0), std::pair(DepthFormat::Unorm24, 1 / 16777215.0),
@@ -40,7 +40,7 @@ TEST_CASE("a depth's error is in units in the last place of 1 of its format", "[
   }
 }
 
-TEST_CASE("a profile that was written reads back the same", "[verdict]") {
+TEST_CASE("readProfile reads back what toJson writes", "[verdict]") {
   using namespace reference;
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path / "profile.json";
@@ -53,7 +53,7 @@ TEST_CASE("a profile that was written reads back the same", "[verdict]") {
   }
 }
 
-TEST_CASE("a profile with an unknown key or a wrong value is an input error", "[verdict]") {
+TEST_CASE("readProfile throws for an unknown key or a wrong value", "[verdict]") {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path / "profile.json";
   for (const char* json :
@@ -69,7 +69,7 @@ TEST_CASE("a profile with an unknown key or a wrong value is an input error", "[
   CHECK_THROWS_AS(reference::readProfile(folder.path), InputError);
 }
 
-TEST_CASE("a candidate's buffers are read, and refused where they do not hold one item ID a pixel", "[verdict]") {
+TEST_CASE("readCandidate reads item buffers and refuses sizes other than one item ID per pixel", "[verdict]") {
   reference::TestVector vector;
   raster::Face face = tests::frontFace(4);
   face.scissor = {0, 2, 4, 2};

@@ -1,4 +1,4 @@
-// What a wrong item ID stands for in place of the right one.
+// The kinds of wrong item IDs.
 #include "reference/verdict/error_pixel.h"
 
 #include <catch2/catch.hpp>
@@ -9,7 +9,7 @@ using namespace hemitex;
 using reference::ErrorKind;
 using tests::JudgedWall;
 
-TEST_CASE("an error is named by what the device shows in place of what", "[verdict]") {
+TEST_CASE("errorAt classifies what the device shows in place of the expected item ID", "[verdict]") {
   JudgedWall wall;
   raster::DrawList& list = wall.vector.list;
   tests::addDraw(list, 0x200);
@@ -27,7 +27,7 @@ TEST_CASE("an error is named by what the device shows in place of what", "[verdi
   CHECK(kindAt(7, 1, 0x110) == ErrorKind::ForeignId);
 }
 
-TEST_CASE("where several draws give a word, the one that is visible there is meant", "[verdict]") {
+TEST_CASE("errorAt prefers the visible draw where several draws give an item ID", "[verdict]") {
   // Draw 1 gives the item IDs of draw 0, and lies before it.
   JudgedWall wall;
   raster::DrawList& list = wall.vector.list;

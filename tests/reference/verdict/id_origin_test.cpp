@@ -10,7 +10,7 @@ using reference::originOf;
 using reference::toText;
 using tests::JudgedWall;
 
-TEST_CASE("an item ID is traced back to its draw and texel", "[verdict]") {
+TEST_CASE("originOf finds the draw and texel of an item ID", "[verdict]") {
   raster::DrawList list = JudgedWall().vector.list;
   tests::addDraw(list, 0x200);
   tests::addDraw(list, 0xff00fe, {}, 0);  // clamps with texels above 1

@@ -1,4 +1,4 @@
-// A failing vector made small: the same kind of error at one pixel, and no triangle could go.
+// A minimal failure keeps the kind of error at one pixel, and needs each of its triangles.
 #include "reference/verdict/minimal_failure.h"
 
 #include <catch2/catch.hpp>
@@ -18,7 +18,7 @@ reference::Verdict verdictOf(const MinimalFailure& minimal) { return judge(minim
 
 std::size_t trianglesOf(const TestVector& vector) { return vector.list.indices.size() / 3; }
 
-/// What a device is judged by that shows `id` at one pixel, and is right elsewhere.
+/// The verdict on a device that shows `id` at one pixel and is right elsewhere.
 reference::Verdict withOneId(const TestVector& vector, std::size_t face, std::size_t pixel, raster::ItemId id) {
   std::vector<raster::ItemBuffer> found = reference::render(vector);
   found[face].ids[pixel] = id;
@@ -27,7 +27,7 @@ reference::Verdict withOneId(const TestVector& vector, std::size_t face, std::si
 
 }  // namespace
 
-TEST_CASE("one wrong pixel of a scene leaves one pixel and at most two triangles", "[verdict]") {
+TEST_CASE("minimize leaves one pixel and at most two triangles of a scene with one wrong pixel", "[verdict]") {
   for (const TestVector& vector : reference::sceneVectors(HEMITEX_DATA)) {
     INFO(vector.name);
     const raster::Scissor& scissor = vector.faces[0].face.scissor;
@@ -53,7 +53,7 @@ TEST_CASE("one wrong pixel of a scene leaves one pixel and at most two triangles
   }
 }
 
-TEST_CASE("what is left of a missing triangle is that triangle, of an extra one the one that should not show",
+TEST_CASE("minimize leaves the missing triangle, or the extra one",
           "[verdict]") {
   tests::JudgedWall wall;
   raster::DrawList& list = wall.vector.list;
@@ -79,7 +79,7 @@ TEST_CASE("what is left of a missing triangle is that triangle, of an extra one 
   CHECK(trianglesOf(behind.vector) == 2);
 }
 
-TEST_CASE("the most frequent kind of error is kept", "[verdict]") {
+TEST_CASE("minimize keeps the most frequent kind of error", "[verdict]") {
   tests::JudgedWall wall;
   wall.found[0].ids[0] = 0xffffff;
   wall.found[1].ids[3] = 0x300;
@@ -91,7 +91,7 @@ TEST_CASE("the most frequent kind of error is kept", "[verdict]") {
   CHECK(minimal.error.row == 4);
 }
 
-TEST_CASE("a hole on the inner edge of a mesh needs the triangles on both sides", "[verdict]") {
+TEST_CASE("minimize keeps the triangles on both sides of a hole on an inner edge", "[verdict]") {
   // The wall's diagonal passes through the samples (k, k). Either triangle alone has its boundary there, where a device
   // may show the background.
   const tests::JudgedWall wall;

@@ -1,4 +1,4 @@
-// One pixel judged: closed forms of what a device may show, tried just inside and just outside of each bound.
+// judgeId against closed forms, tested just inside and just outside of each bound.
 #include "reference/verdict/pixel_judge.h"
 
 #include <catch2/catch.hpp>
@@ -53,7 +53,7 @@ void addBackdrop(raster::DrawList& list, ItemId id, double w) {
 
 }  // namespace
 
-TEST_CASE("the next texel is explained up to the texel precision from its border", "[verdict]") {
+TEST_CASE("judgeId explains the next texel up to the texel precision from its border", "[verdict]") {
   // Texels of 4 x 2 pixels: samples lie an eighth or three of a texel from borders of columns, a quarter from those of
   // rows.
   raster::DrawList list = tests::plainList();
@@ -79,7 +79,7 @@ TEST_CASE("the next texel is explained up to the texel precision from its border
   }
 }
 
-TEST_CASE("errors of the depth move texture coordinates by half of them", "[verdict]") {
+TEST_CASE("judgeId moves texture coordinates by half of the depth errors", "[verdict]") {
   // A wall that fills the view, u or v from 0 to 1 along it. With w off by a factor within 1 - e and 1 + e its
   // corners, at 1, move by e: half an e of the spread. The weights of the interpolation move u by another half of it,
   // where 1 - e on one side meets 1 + e on the other. Two texels, and their border at e (1 +- 0.1) from the sample.
@@ -109,7 +109,7 @@ TEST_CASE("errors of the depth move texture coordinates by half of them", "[verd
       }
 }
 
-TEST_CASE("what is behind shows within the error of both depths", "[verdict]") {
+TEST_CASE("judgeId explains the triangle behind within the error of both depths", "[verdict]") {
   // Depths 1 and 1 + e whose 1/w are off by factors within 1/(1 + r) and 1/(1 - r): the order may change where
   // 1 + e <= (1 + r)/(1 - r), at e = 2 r/(1 - r).
   const double roundoff = 0x1p-10;
@@ -135,7 +135,7 @@ TEST_CASE("what is behind shows within the error of both depths", "[verdict]") {
     }
 }
 
-TEST_CASE("what is far behind a boundary shows by coverage, not by depth", "[verdict]") {
+TEST_CASE("judgeId explains a triangle far behind a boundary by coverage, not by depth", "[verdict]") {
   raster::DrawList list = tests::plainList();
   tests::addDraw(list, 1);
   reference::addQuad(list, {at(0, 0), at(8.5 + tie, 0), at(8.5 + tie, 16), at(0, 16)});
@@ -146,7 +146,7 @@ TEST_CASE("what is far behind a boundary shows by coverage, not by depth", "[ver
   CHECK(verdictAt(list, face, strictProfile(), 8, 5, 2) == PixelVerdict::Error);
 }
 
-TEST_CASE("of two triangles at one depth the first is the rules'", "[verdict]") {
+TEST_CASE("judgeId expects the first of two triangles at one depth", "[verdict]") {
   raster::DrawList list = tests::plainList();
   list.indexMaps.push_back(tests::countingMap(4, 4));
   for (const ItemId offset : {0x100u, 0x200u}) {
@@ -162,7 +162,7 @@ TEST_CASE("of two triangles at one depth the first is the rules'", "[verdict]") 
   CHECK(verdictAt(list, face, profile, 4, 6, 0x106) == PixelVerdict::Error);
 }
 
-TEST_CASE("a back item ID is shown by what faces away, or may", "[verdict]") {
+TEST_CASE("judgeId explains a back item ID where the triangle faces away, or may", "[verdict]") {
   constexpr ItemId front = 1, back = 2;
   const auto listOf = [&](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     raster::DrawList list = tests::plainList();
@@ -191,7 +191,7 @@ TEST_CASE("a back item ID is shown by what faces away, or may", "[verdict]") {
   }
 }
 
-TEST_CASE("a fold may slip off a sample, a sheet across it may not", "[verdict]") {
+TEST_CASE("judgeId lets a fold move off a sample, and no sheet across it", "[verdict]") {
   // Two triangles that share an edge which may move to the sample: on one side of it, or on both.
   const glm::vec3 top = at(8.5 + tie, 0), bottom = at(8.5 + tie, 16);
   for (const bool isFolded : {true, false}) {
@@ -208,7 +208,7 @@ TEST_CASE("a fold may slip off a sample, a sheet across it may not", "[verdict]"
   }
 }
 
-TEST_CASE("triangles share an edge only where its ends are equal to the bit", "[verdict]") {
+TEST_CASE("judgeId joins triangles only at edges with bit-equal ends", "[verdict]") {
   const auto face = tests::frontFace(resolution);
   for (const int moved : {-1, 0, 1, 2}) {
     const glm::vec3 top = at(8.5 + tie, 1), bottom = at(8.5 + tie, 15);
@@ -224,7 +224,7 @@ TEST_CASE("triangles share an edge only where its ends are equal to the bit", "[
   }
 }
 
-TEST_CASE("a sheet hides what is behind its deepest point within the reach", "[verdict]") {
+TEST_CASE("judgeId hides what lies behind the deepest point of a sheet within the reach", "[verdict]") {
   // A roof whose ridge, at 1/w = 1, lies 8 sub-pixels beside the sample; on the sample's side 1/w falls to 1/4 over the
   // 2048 sub-pixels to its end. The reach of 8 takes the sample to 16 sub-pixels from the ridge.
   const double deepest = 1 - 16.0 / 2048 * 0.75;
@@ -241,7 +241,7 @@ TEST_CASE("a sheet hides what is behind its deepest point within the reach", "[v
   }
 }
 
-TEST_CASE("a triangle that turns over may cover the other side of an edge that cannot move", "[verdict]") {
+TEST_CASE("judgeId lets a flipping triangle cover the other side of a fixed edge", "[verdict]") {
   // The eye lies far behind, so that the near corner, at depth 1, is off by a hundred times what the far edge, at depth
   // 1000, is off by: it may move by some 12 sub-pixels from 2 below the edge, which stays.
   raster::Face face = tests::frontFace(resolution);

@@ -1,4 +1,4 @@
-// How far a device may move a triangle: closed forms of every bound, tried just inside and just outside of it.
+// The bounds of device triangles against closed forms, tested just inside and just outside of each bound.
 #include "reference/verdict/triangle_bounds.h"
 
 #include <catch2/catch.hpp>
@@ -38,7 +38,7 @@ DeviceProfile withRoundoff(double roundoff, int subpixelBits = 8) {
 
 }  // namespace
 
-TEST_CASE("a vertex reaches as far as its device may snap it", "[verdict]") {
+TEST_CASE("placeTriangles lets a vertex reach as far as its device may snap it", "[verdict]") {
   struct Case {
     int bits;
     SnapRounding rounding;
@@ -72,7 +72,7 @@ TEST_CASE("a vertex reaches as far as its device may snap it", "[verdict]") {
     }
 }
 
-TEST_CASE("a vertex reaches as far as the roundings of its sums", "[verdict]") {
+TEST_CASE("placeTriangles lets a vertex reach as far as the roundings of its sums", "[verdict]") {
   // All vertices are seen at q = (1, 0). With the sums of sizes s of the picture and t of the depth, relative to w, and
   // a roundoff of r: x and y are off by r s, w by a factor within 1 - r t and 1 + r t, hence x/w by
   // (r s + r t |x/w|) / (1 - r t); the division and the viewport add r (|x/w| + 1).
@@ -103,7 +103,7 @@ TEST_CASE("a vertex reaches as far as the roundings of its sums", "[verdict]") {
   }
 }
 
-TEST_CASE("the reach and the depth error of a triangle are the largest of its vertices", "[verdict]") {
+TEST_CASE("placeTriangles gives a triangle the largest reach and depth error of its vertices", "[verdict]") {
   // Sums of sizes 3, 4 and 6 at depths 1, 2 and 4: relative to the depth the first is the largest. Of the positions the
   // one on a tie may move.
   raster::Face face = tests::frontFace(resolution);
@@ -119,7 +119,7 @@ TEST_CASE("the reach and the depth error of a triangle are the largest of its ve
   }
 }
 
-TEST_CASE("a triangle may turn over when its legs are short for its reach", "[verdict]") {
+TEST_CASE("placeTriangles lets a triangle flip when its legs are short for its reach", "[verdict]") {
   // Legs of a and h along the axes whose corners move by d and e along x and y: the doubled area is a h, and changes by
   // at most 2 (a e + h d) + 4 d e.
   struct Case {
@@ -150,7 +150,7 @@ TEST_CASE("a triangle may turn over when its legs are short for its reach", "[ve
     }
 }
 
-TEST_CASE("a view that mirrors shows the same side", "[verdict]") {
+TEST_CASE("placeTriangles finds the same facing in a mirrored view", "[verdict]") {
   raster::Face mirrored = tests::frontFace(resolution);
   mirrored.x = -mirrored.x;
   const std::vector<glm::vec3> front{{-1, -1, 1}, {1, 1, 1}, {1, -1, 1}}, away{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}};
@@ -160,7 +160,7 @@ TEST_CASE("a view that mirrors shows the same side", "[verdict]") {
   }
 }
 
-TEST_CASE("a triangle may be cut elsewhere only where its errors take it out of the view", "[verdict]") {
+TEST_CASE("placeTriangles cuts a triangle loosely only where its errors take it out of the view", "[verdict]") {
   // A corner at (x, 0, 1) may be off by r x along x and by r along w. It may leave the view where x + r x > 1 - r: from
   // 255/257 up, with r = 1/256. At depth w it may cross the near plane at n where w - r w < n.
   struct Case {
@@ -181,7 +181,7 @@ TEST_CASE("a triangle may be cut elsewhere only where its errors take it out of 
   }
 }
 
-TEST_CASE("a vertex of a triangle that is cut elsewhere takes the largest error and any snapping", "[verdict]") {
+TEST_CASE("placeTriangles gives vertices of a loosely cut triangle the largest error and any snapping", "[verdict]") {
   // A corner leaves the view; the sums of sizes of the others are 1 and 1, its own 1.5 and 1. In the middle of the view
   // the error is that of the picture and the viewport, r (1.5 / (1 - r) + 1).
   const double roundoff = 1.0 / 256;
@@ -197,7 +197,7 @@ TEST_CASE("a vertex of a triangle that is cut elsewhere takes the largest error 
   }
 }
 
-TEST_CASE("loose clipping reaches before the near plane by the error of the depth, down to a half", "[verdict]") {
+TEST_CASE("placeTriangles moves the loose near plane by the error of the depth, down to a half", "[verdict]") {
   // Depths from 0.25 to 3, of which the largest counts for all.
   const std::vector<glm::vec3> corners{{0, 0, 0.25f}, {0.5f, 0.25f, 1}, {0.5f, -0.5f, 3}};
   for (const double roundoff : {1.0 / 256, 1.0 / 4}) {
@@ -209,7 +209,7 @@ TEST_CASE("loose clipping reaches before the near plane by the error of the dept
   }
 }
 
-TEST_CASE("the region of a sample is the triangle within the reach", "[verdict]") {
+TEST_CASE("regionAt bounds the triangle within its reach of a sample", "[verdict]") {
   // Over the legs of 1024 sub-pixels u runs along x and v along y from 0 to 1, at constant depth; with 1/w from 1 to
   // 1/2 along x, u/w runs from 0 to 1/2, and u = (t/2) / (1 - t/2) at t of the leg.
   for (const double x : {0.0, -0.25}) {
@@ -239,7 +239,7 @@ TEST_CASE("the region of a sample is the triangle within the reach", "[verdict]"
   }
 }
 
-TEST_CASE("a sample belongs to one triangle of a fan around it, and each knows its depth", "[verdict]") {
+TEST_CASE("coversByRule gives a sample to one triangle of a fan, and inverseDepthAt finds its depth", "[verdict]") {
   // Eight triangles whose edges leave the sample along the axes and the diagonals. Corners at depths 1, 2 and 4.
   const std::vector<glm::dvec2> ring{{64, 0}, {64, 64}, {0, 64}, {-64, 64}, {-64, 0}, {-64, -64}, {0, -64}, {64, -64}};
   const glm::dvec2 middle(128, 128);
@@ -261,7 +261,7 @@ TEST_CASE("a sample belongs to one triangle of a fan around it, and each knows i
   CHECK(inverseDepthAt(triangle, glm::dvec2(halfView) + glm::dvec2(128, 128)) == 0.25 + 0.125 + 0.125);
 }
 
-TEST_CASE("an edge passes over what its reach touches, and over nothing beyond its ends", "[verdict]") {
+TEST_CASE("edgeMayPass is true within the reach of an edge, and false beyond its ends", "[verdict]") {
   // An edge along y = x / 2 from (0, 0) to (512, 256) whose ends move by one along x: the band |x - 2y| <= 1.
   DeviceProfile profile = withRoundoff(0);
   profile.snapRounding = SnapRounding::Truncate;

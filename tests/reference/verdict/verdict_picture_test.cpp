@@ -8,7 +8,7 @@
 using namespace hemitex;
 using tests::JudgedWall;
 
-TEST_CASE("the picture shows expected, found and verdict beside each other, a row a face", "[verdict]") {
+TEST_CASE("toPicture shows expected, found and verdict side by side, one row per face", "[verdict]") {
   JudgedWall judged;
   judged.found[0].ids[0] = 0xffffff;
   const radiosity::Image picture = toPicture(judged.verdict(), 0xffffff);

@@ -1,4 +1,4 @@
-// The verdicts on a device: a right one is never accused, a wrong one is, and one wrong item ID is enough.
+// The verdicts on a device: a device within its profile has no errors, and one wrong item ID is an error.
 #include "reference/verdict/verdict.h"
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 
 #include "reference/vectors/vector_suite.h"
 #include "reference/verdict/pixel_judge.h"
+#include "tests/support/judged_wall.h"
 #include "tests/support/simulated_device.h"
 #include "tests/support/triangle_families.h"
 
@@ -68,7 +69,7 @@ std::vector<DeviceProfile> profiles() {
 
 }  // namespace
 
-TEST_CASE("what the rules draw is exact, pixel by pixel", "[verdict]") {
+TEST_CASE("judge finds every pixel exact that the rules draw", "[verdict]") {
   std::mt19937 random(1);
   for (const tests::TriangleFamily& family : tests::triangleFamilies()) {
     const tests::DrawnCase drawn = family.make(random);
@@ -78,7 +79,7 @@ TEST_CASE("what the rules draw is exact, pixel by pixel", "[verdict]") {
   }
 }
 
-TEST_CASE("a device within its profile is never accused", "[verdict]") {
+TEST_CASE("judge finds no error in a device within its profile", "[verdict]") {
   std::mt19937 random(2);
   std::uint64_t explained = 0;
   for (const DeviceProfile& profile : profiles())
@@ -96,7 +97,7 @@ TEST_CASE("a device within its profile is never accused", "[verdict]") {
   CHECK(explained > 1000);
 }
 
-TEST_CASE("a device three sub-pixels beyond its profile is accused", "[verdict]") {
+TEST_CASE("judge finds errors in a device three sub-pixels beyond its profile", "[verdict]") {
   std::mt19937 random(3);
   std::uint64_t right = 0, wrong = 0;
   for (int draw = 0; draw < 200; ++draw) {
@@ -108,7 +109,7 @@ TEST_CASE("a device three sub-pixels beyond its profile is accused", "[verdict]"
   CHECK(wrong > 0);
 }
 
-TEST_CASE("a texture that is half a texel off is accused where a quarter of a texel is explained", "[verdict]") {
+TEST_CASE("judge explains a shift of a quarter texel and finds errors in one of half a texel", "[verdict]") {
   const Wall wall;
   DeviceProfile quarter;
   quarter.texelPrecision = 0.25;
@@ -119,7 +120,7 @@ TEST_CASE("a texture that is half a texel off is accused where a quarter of a te
   CHECK(count(counts, PixelVerdict::Texel) > 0);
 }
 
-TEST_CASE("one wrong element is an error, even the next one", "[verdict]") {
+TEST_CASE("judge finds an error in one wrong element, even the next one", "[verdict]") {
   const Wall wall;
   const raster::ItemBuffer right = tests::drawOne(wall.list, wall.face);
   for (std::size_t pixel = 0; pixel < right.ids.size(); pixel += 7)
@@ -133,7 +134,7 @@ TEST_CASE("one wrong element is an error, even the next one", "[verdict]") {
     }
 }
 
-TEST_CASE("two item IDs that changed places are two errors", "[verdict]") {
+TEST_CASE("judge finds two errors in two exchanged item IDs", "[verdict]") {
   const Wall wall;
   raster::ItemBuffer found = tests::drawOne(wall.list, wall.face);
   REQUIRE(found.ids[3] != found.ids[4]);
@@ -141,7 +142,7 @@ TEST_CASE("two item IDs that changed places are two errors", "[verdict]") {
   CHECK(count(countsOf(wall.list, wall.face, found), PixelVerdict::Error) == 2);
 }
 
-TEST_CASE("a hole where triangles share an edge is an error, at the mesh's boundary it is not", "[verdict]") {
+TEST_CASE("judge finds an error in a hole at a shared edge, and none at the boundary of the mesh", "[verdict]") {
   // Moved to (-13/16, -13/16), the wall's first corner lies on the sample of pixel (1, 1): its left and its top side
   // run through the samples of column 1 and row 1, and the diagonal that its two triangles share through those of all
   // pixels (i, i). The vertex error moves corners by a sub-pixel or so; the triangles move together.
@@ -169,7 +170,7 @@ TEST_CASE("a hole where triangles share an edge is an error, at the mesh's bound
     }
 }
 
-TEST_CASE("a wrong fill rule is an error where no vertex can move, and explained where the profile names no rule",
+TEST_CASE("judge finds errors of the fill rule where no vertex can move, and none with the edge rule any",
           "[verdict]") {
   // Corners on samples: exact in binary32, and no error of the vertex stage reaches the next sub-pixel.
   raster::DrawList list = tests::plainList();
@@ -185,7 +186,7 @@ TEST_CASE("a wrong fill rule is an error where no vertex can move, and explained
   CHECK(count(countsOf(list, face, found, anyRule), PixelVerdict::Error) == 0);
 }
 
-TEST_CASE("the surface behind is explained by depth within the tolerance, an error beyond it", "[verdict]") {
+TEST_CASE("judge explains the surface behind within the depth tolerance, and no further", "[verdict]") {
   // Two walls at w and w (1 + e): their depths 1 - n/w differ by n e / w, here 2^-6 e. The tolerance of two stored
   // depths is 8 units of 2^-23, reached at e = 2^-14.
   for (const float e : {0x1p-15f, 0x1p-13f}) {
@@ -205,7 +206,7 @@ TEST_CASE("the surface behind is explained by depth within the tolerance, an err
   }
 }
 
-TEST_CASE("a pixel's verdict depends on no tile, neighbour or scissor rectangle", "[verdict]") {
+TEST_CASE("judge decides each pixel independently of tiles, neighbours and scissor rectangles", "[verdict]") {
   // Triangles all over a view of five by five tiles, and through a rectangle that begins and ends inside tiles; every
   // item ID is a neighbour's. Brute force judges each pixel alone, by all triangles.
   std::mt19937 random(4);
@@ -252,7 +253,7 @@ TEST_CASE("a pixel's verdict depends on no tile, neighbour or scissor rectangle"
   }
 }
 
-TEST_CASE("what only loose clipping explains is an error where a profile forbids it", "[verdict]") {
+TEST_CASE("judge finds an error where only loose clipping explains and the profile forbids it", "[verdict]") {
   std::mt19937 random(5);
   std::uint64_t loose = 0;
   for (std::uint32_t draw = 0; draw < 200; ++draw) {
@@ -271,7 +272,7 @@ TEST_CASE("what only loose clipping explains is an error where a profile forbids
   CHECK(loose > 0);
 }
 
-TEST_CASE("one error in the last face of many fails the whole", "[verdict]") {
+TEST_CASE("judge and hasErrors find one error in the last face of many", "[verdict]") {
   const Wall wall;
   reference::TestVector vector = vectorOf(wall.list, wall.face);
   vector.faces.push_back(vector.faces[0]);
@@ -286,7 +287,7 @@ TEST_CASE("one error in the last face of many fails the whole", "[verdict]") {
   CHECK(count(countVerdicts(verdict), PixelVerdict::Exact) == 511);
 }
 
-TEST_CASE("a triangle without an index map is never explained by a texel", "[verdict]") {
+TEST_CASE("judge never explains a triangle without an index map by a texel", "[verdict]") {
   // Every triangle lies on others, their corners in another order. A device that lets the later ones win shows item IDs
   // of equal depth, whichever of them rounding takes for the rules' own.
   for (const reference::TestVector& vector : reference::vectorSuite()) {
@@ -300,4 +301,14 @@ TEST_CASE("a triangle without an index map is never explained by a texel", "[ver
     CHECK(count(counts, PixelVerdict::Texel) == 0);
     CHECK(count(counts, PixelVerdict::Error) == 0);
   }
+}
+
+TEST_CASE("judge compares with the expected item buffers that it is given", "[verdict]") {
+  const tests::JudgedWall wall;
+  std::vector<raster::ItemBuffer> expected = wall.found;
+  CHECK(countVerdicts(judge(wall.vector, expected, wall.found, {}))[0] == 96);
+  expected[1].ids[3] ^= 1;
+  const reference::Verdict verdict = judge(wall.vector, expected, wall.found, {});
+  CHECK(countVerdicts(verdict)[0] == 95);
+  CHECK(verdict.faces[1].pixels[3] != PixelVerdict::Exact);
 }
