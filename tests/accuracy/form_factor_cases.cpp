@@ -147,8 +147,8 @@ FormFactorTheme coincident() {
   return {
       "Coincident and interpenetrating surfaces",
       R"(Of surfaces at the same distance, hemicubes and rays see the first in the file, even if it is a back: see the last of
-the limits. Where two squares cross, the half behind the other square sees only a back. It counts as the inside of a solid.
-The remaining halves are rectangles that share an edge.)",
+the limits. Where two squares cross, the half behind the other square sees only a back. It counts as the inside of a
+solid. The remaining halves are rectangles that share an edge.)",
       {{"two squares in one place: to the first in the file", "Howell C-11", {under, over, over}, c, true},
        {"to the second", order, {under, over, over}, 0, true, 2},
        {"two that are back to back: to the one that faces, first in the file",

@@ -110,8 +110,8 @@ std::string section(const std::vector<FurnaceCase>& cases, const std::vector<Fur
   return sectionOf(
       "Reflectance",
       R"(A closed cube emits 1 everywhere and reflects r. It is solved to the default residual of 0.001. Its mean radiosity is
-(1 - r residual) / (1 - r) for any form factors, because rows sum to exactly 1 and no flux is gained or lost. In a
-closed scene the number of shots grows with 1 / (1 - r).)",
+(1 - r residual) / (1 - r) for any form factors: rows sum to exactly 1, and no flux is gained or lost. In a closed scene
+the number of shots grows with 1 / (1 - r).)",
       table({"r", "shots", "mean radiosity", "absorbed + unshot + lost = emitted", "unshot flux ever grew"}, rows));
 }
 
