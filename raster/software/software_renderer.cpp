@@ -36,7 +36,7 @@ void SoftwareRenderer::drawFace(const Face& face, std::span<const std::uint32_t>
                        static_cast<std::size_t>(part.scissor.column - face.scissor.column);
     dropped[i] = drawTile(draws_, kernels_, part, skipped, memory_.mine(), buffer.ids.data() + pixel, pitch);
   });
-  // Every tile meets what is not finite: the first one speaks for the face.
+  // All tiles count the same triangles that are not finite; only the first tile of a face is added.
   if (!dropped.empty()) dropped_ += dropped.front();
 }
 
