@@ -17,16 +17,16 @@ namespace {
 
 constexpr std::uint64_t maxPixels = std::uint64_t{1} << 28;
 
-/// a^(1/5) for a in [0.001, 1], the real root of y^5 = a, by Newton's iteration y <- (4 y + a / y^4) / 5. From y = 1
-/// it falls towards the root by at most a fifth a step, then doubles its digits: y is below 0.26 after no more than
-/// six steps, and has all 53 bits after five more.
+/// a^(1/5) for a in [0.001, 1], the real root of y^5 = a, by Newton's iteration y <- (4 y + a / y^4) / 5. From y = 1 it
+/// decreases by at most a fifth per step, then doubles its digits. So y is below 0.26 after at most six steps, and has
+/// all 53 bits after five more.
 double fifthRoot(double a) {
   double y = 1;
   for (int step = 0; step < 14; ++step) y = (4 * y + a / (y * y * y * y)) / 5;
   return y;
 }
 
-/// Threshold k, counted from 1, is the linear value from which on code k is nearer to it than code k - 1 is.
+/// Threshold k, counted from 1: linear values from there on are nearer to code k than to code k - 1.
 std::array<double, 255> codeThresholds() {
   std::array<double, 255> thresholds;
   for (int k = 1; k <= 255; ++k) thresholds[static_cast<std::size_t>(k - 1)] = decodeSrgb((k - 0.5) / 255);
@@ -39,7 +39,7 @@ std::array<double, 256> decodedCodes() {
   return values;
 }
 
-/// Reads samples of one type, decodes them, and makes three channels of them; no pixels where the reader fails.
+/// Reads samples of one type, decodes them, and converts them to three channels. Returns no pixels if the reader fails.
 template <typename Sample, typename Decode>
 std::vector<glm::dvec3> readPixels(OIIO::ImageInput& input, OIIO::TypeDesc type, const Decode& decode) {
   const OIIO::ImageSpec& spec = input.spec();
@@ -65,12 +65,12 @@ std::vector<glm::dvec3> readLinearPixels(OIIO::ImageInput& input) {
 OIIO::ImageSpec rgbSpec(const Image& image, OIIO::TypeDesc format, const std::string& colourSpace) {
   OIIO::ImageSpec spec(image.width, image.height, 3, format);
   spec.attribute("oiio:ColorSpace", colourSpace);
-  // Without a date of its own a file takes the time of writing, and equal pixels would not give equal files.
+  // The default is the time of writing, which would make files with equal pixels differ.
   spec.attribute("DateTime", "2000:01:01 00:00:00");
   return spec;
 }
 
-/// Encodes in memory, so that a disk that is full is noticed when the bytes are written, whatever the encoder does.
+/// Encodes in memory, so that a full disk is detected when the bytes are written, whatever the encoder does.
 void writeEncoded(const std::filesystem::path& file, const std::string& format, const OIIO::ImageSpec& spec,
                   const void* samples) {
   std::vector<unsigned char> bytes;
@@ -100,7 +100,7 @@ std::uint8_t encodeSrgb(double linear) {
 
 Image readImage(const std::filesystem::path& file) {
   OIIO::ImageSpec config;
-  config.attribute("oiio:UnassociatedAlpha", 1);  // alpha is dropped, so colours must not be multiplied by it
+  config.attribute("oiio:UnassociatedAlpha", 1);  // alpha is dropped, so that colours must not be multiplied by it
   const auto input = OIIO::ImageInput::open(file.string(), &config);
   if (!input) throw raster::InputError(file.string(), 0, "cannot be read as an image: " + OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();
