@@ -1,4 +1,4 @@
-/// The lit scene as files: OBJ and MTL with radiosity textures, so that any viewer of OBJ files shows the light.
+/// Writes the lit scene: OBJ and MTL with radiosity textures, which any OBJ viewer shows.
 #pragma once
 
 #include <filesystem>
@@ -11,15 +11,17 @@
 
 namespace hemitex::radiosity {
 
-/// Writes into `folder`, which exists: scene.obj, scene.mtl and, for every texture of the layout (layOutTextures),
-/// NAME.png, the display texture (filtered and magnified as `textures` says, with the ambient estimate, times exposure,
-/// in sRGB), and NAME.exr, one linear radiosity a texel in W/m^2 (unfiltered, without ambient estimate and exposure).
-/// Triangles are grouped by surface, in the order and winding of the scene. A surface of one texel whose corners differ
-/// is Gouraud shaded: it has colours at its vertices, `v x y z r g b` with the sRGB-encoded display values, and a
-/// material without a map. Throws InputError where a file cannot be written.
+/// Writes to the existing `folder`: scene.obj, scene.mtl, and two files for each texture of the layout
+/// (layOutTextures). NAME.png is the display texture: filtered and magnified by `textures`, with the ambient estimate,
+/// times exposure, in sRGB. NAME.exr has one linear radiosity per texel in W/m^2, unfiltered, without ambient estimate
+/// and exposure.
 ///
-/// loadScene reads the folder back, and unlitPicture shows it: render.png is made that way, from the 8-bit textures
-/// that everyone else sees.
+/// Triangles are grouped by surface, in the order and winding of the scene. A surface of one texel with different
+/// corner values is Gouraud shaded. It has vertex colours, `v x y z r g b` with sRGB-encoded display values, and a
+/// material without a map. Throws InputError if a file cannot be written.
+///
+/// loadScene reads the folder again, and unlitPicture draws it. render.png is made in this way from the 8-bit textures,
+/// so that it equals the view in other programs.
 void writeLitScene(const std::filesystem::path& folder, const Scene& scene, const Discretization& discretization,
                    const Solution& solution, double exposure, const TextureSettings& textures = {});
 
