@@ -116,7 +116,7 @@ RowMethod rayMethod(const radiosity::Scene& scene, const radiosity::Discretizati
                     const Receivers& receivers, const RayOptions& options) {
   const auto rays = std::make_shared<Rays>(scene, discretization, receivers);
   return [&discretization, rays, options](const Source& source) {
-    const reference::RaySource shooter = reference::areaShooter(rays->shooting, elementsOf(discretization, source));
+    const reference::RaySource shooter = reference::areaRaySource(rays->shooting, elementsOf(discretization, source));
     const auto measure = options.aimed ? &reference::RayFormFactors::aimed : &reference::RayFormFactors::overHemisphere;
     const reference::MeasuredRow measured =
         (rays->formFactors.*measure)(shooter, rays->receivers, {.samples = options.samples});

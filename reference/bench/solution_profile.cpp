@@ -54,7 +54,7 @@ SolutionParts solveOnce(const radiosity::Scene& scene, radiosity::SceneFormFacto
     part += watch.seconds();
     return result;
   };
-  const auto refinement =
+  const auto state =
       timed(parts.start, [&] { return std::make_unique<radiosity::ShootingState>(scene, drawn.discretization()); });
   for (int shot = 0; shot < shots; ++shot) {
     const std::uint32_t patch = timed(parts.picking, [&] { return state->brightestPatch(); });
