@@ -18,13 +18,13 @@ DiscretizationSettings followingScene(const Scene& scene, DiscretizationSettings
 ///
 /// Let S be the texel size, and L the length of a chart axis on the surface: |dP/du| or |dP/dv|, averaged by area. The
 /// axis takes n = ceil(L / S) texels, up to the maximum. So a texel is at most S long. If L is at least S, the texel is
-/// longer than S/2, because L > (n - 1) S and n - 1 >= n / 2. A shorter axis has one texel. With powers of two, n is
-/// the one nearest to L / S; then texels differ from S by a factor of at most sqrt(2).
+/// also longer than S/2. (Proof: L > (n - 1) S, and n - 1 >= n / 2.) A shorter axis has one texel. With powers of two,
+/// n is the one nearest to L / S; then texels differ from S by a factor of at most sqrt(2).
 GridSize gridSizeOf(const Surface& surface, const DiscretizationSettings& settings);
 
-/// Returns `settings` with the smallest texel size, to a thousandth, with which the grids of all surfaces fit `pages`
-/// packed pages of side x side texels (a power of two; see IndexMaps::Packed). No grid is longer than a page. For a
-/// finer level with the same pages, set `subdivision` to 2 and double `side`. Throws InputError if even one texel per
+/// Returns `settings` with the smallest texel size, to a thousandth, for which all grids fit `pages` packed pages (see
+/// IndexMaps::Packed). Pages have side x side texels, and `side` is a power of two. No grid is longer than a page. For
+/// a finer level with the same pages, set `subdivision` to 2 and double `side`. Throws InputError if even one texel per
 /// surface does not fit.
 DiscretizationSettings settingsForPages(const Scene& scene, int pages, int side, DiscretizationSettings settings = {});
 

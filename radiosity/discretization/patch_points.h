@@ -25,7 +25,7 @@ SurfacePoint patchCentre(const Scene& scene, const Discretization& discretizatio
 
 /// The centre of an element: the point of the surface at the middle of its own texel or leaf. If the chart does not
 /// cover that, the centroid of the largest piece of the surface inside. If the texel or leaf is partly buried, the
-/// centroid of the exposed part or, if that is not exposed, a point of the nearest exposed piece. Always on the
+/// centroid of the exposed part. If that centroid is not exposed, a point of the nearest exposed piece. Always on the
 /// surface.
 SurfacePoint elementCentre(const Scene& scene, const Discretization& discretization, std::uint32_t element);
 

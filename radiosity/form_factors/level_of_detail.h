@@ -1,11 +1,11 @@
 /// Levels of detail: coarser index maps for surfaces that cover few pixels (Nielsen and Christensen 2002, section 3,
 /// expect less aliasing from them).
 ///
-/// If a surface has more elements than pixels, each pixel gives all its light to the element that its sample selects,
-/// and none to the elements around. So it is random which elements are lit. The index map of level l has one index for
-/// 2^l x 2^l texels of the grid. Maps are nested, and the texel of a sample does not depend on the map. So drawing with
-/// the coarser map gives the item IDs of blocks that contain the finer ones. Therefore a level can be chosen after
-/// drawing, per surface and per shot, when its pixels are counted.
+/// If a surface has more elements than pixels, each pixel gives all its light to one element, the one that its sample
+/// selects. So it is random which elements are lit. The index map of level l has one index for 2^l x 2^l texels of the
+/// grid. Maps are nested, and the texel of a sample does not depend on the map. So drawing with the coarser map gives
+/// the item IDs of blocks that contain the finer ones. Therefore a level can be chosen after drawing, per surface and
+/// per shot, when its pixels are counted.
 ///
 /// The light of a block is distributed over its elements by area, as if it were uniform. Invisible elements of the
 /// block also receive light, so that shadows become as soft as a block is wide.

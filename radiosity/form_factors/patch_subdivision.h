@@ -1,8 +1,8 @@
 /// Splits patches for which shooting from one point is too inaccurate.
 ///
 /// A hemicube samples one point and shoots for the whole patch from there. That is accurate if the patch is small
-/// compared with its distance. Between two parallel squares one side apart the form factor is 20 % too large, at half a
-/// side 33 % (the cases of Baum, Rushmeier and Winget 1989). So a patch is quartered while too much of its light is
+/// compared with its distance. Between two parallel squares one side apart the form factor is 20 % too large. At half a
+/// side it is 33 % too large (Baum, Rushmeier and Winget 1989). So a patch is quartered while too much of its light is
 /// misdirected.
 ///
 /// The patch's own row gives an estimate. Let A be areas. By reciprocity, F_ij A_i / A_j is F_ji, the share of the
@@ -11,10 +11,10 @@
 ///     sum_j F_ij min(1, F_ij A_i / A_j)
 ///
 /// is the share of the patch's light that white surroundings would reflect straight back to patch i. It measures the
-/// size of the patch as seen by its receivers, weighted by the light they receive, and so does the error of shooting
-/// from one point. Light absorbed by backs also counts. It shows that the point is close to back faces, which other
-/// points of the patch may not see. One hemicube of low resolution is enough for both. For a patch across a fold, the
-/// share by which its normals cancel is added.
+/// size of the patch as seen by its receivers, weighted by the light they receive. The error of shooting from one point
+/// depends on the same quantity. Light absorbed by backs also counts. It shows that the point is close to back faces,
+/// which other points of the patch may not see. One hemicube of low resolution is enough for both. For a patch across a
+/// fold, the share by which its normals cancel is added.
 ///
 /// A patch is tested when it is about to shoot for the first time. Its weight is its flux at that time over a 256th of
 /// all emitted flux. The error is flux times misdirected share, and quartering the patch divides both by 4. So work is

@@ -17,8 +17,8 @@
 
 namespace hemitex::radiosity {
 
-/// 1.9e-6. A corner and the edge that it should lie on may each be off by half a unit of the sixth decimal in u and v,
-/// together sqrt(2) 1e-6. Rounding adds less than 1e-7.
+/// 1.9e-6. A corner and its edge may each be off by half a unit of the sixth decimal in u and v. Together that is
+/// sqrt(2) 1e-6. Rounding adds less than 1e-7.
 inline constexpr double chartTolerance = 0x1p-19;
 
 using ChartTriangle = std::array<glm::dvec2, 3>;

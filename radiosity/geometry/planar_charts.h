@@ -6,8 +6,8 @@
 /// equally long up to rounding, the first. v = normal x u, and both are scaled to [0,1]. So charts are never mirrored.
 /// A boundary edge is an edge of one triangle of the part only.
 ///
-/// Triangles that would overlap in the chart (a face that is twice in the file), or that are too thin to have area in
-/// it, get a part of their own.
+/// Some triangles get a part of their own: those that would overlap in the chart (repeated faces) and those too thin to
+/// have area in it.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 /// Triangulates polygons: a fan from the first corner if the polygon is convex, else ear clipping.
 ///
-/// A polygon is projected along its Newell normal, the sum of the cross products of its edges, which is defined for
-/// polygons that are not quite planar too. An *ear* is a convex corner whose triangle with the corners before and
+/// A polygon is projected along its Newell normal, the sum of the cross products of its edges. This normal also exists
+/// for polygons that are not quite planar. An *ear* is a convex corner whose triangle with the corners before and
 /// behind it contains no other corner. Each simple polygon has two ears (Meisters 1975), so that they can be cut off
 /// one by one. The next ear is the first one after the last, which makes the result unique. A hole may be connected to
 /// the outline by a double edge: corners at the same place do not prevent an ear.

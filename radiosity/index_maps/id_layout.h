@@ -61,10 +61,10 @@ struct IdLayout {
 
 inline constexpr std::uint32_t noElement = 0xffffffff;
 
-/// Throws InputError for an unknown format name, an invalid page side, a grid that does not fit its page, and a scene
-/// that does not fit the item ID (pages x 2^k above the range of the format, two item IDs reserved). The advice says
-/// which format or which number of texels would fit. Each offset plus index is below the reserved item IDs, also after
-/// a clamped add, because clamping only lowers a sum.
+/// Throws InputError for an unknown format name, an invalid page side, and a grid that does not fit its page. Also
+/// throws it if the scene needs more item IDs than the format has, with two item IDs reserved. The advice says which
+/// format or which number of texels would fit. Each offset plus index is below the reserved item IDs, also after a
+/// clamped add, because clamping only lowers a sum.
 IdLayout layOut(const Discretization& discretization, const IdSettings& settings = {});
 
 inline constexpr int largestPage = 4096;

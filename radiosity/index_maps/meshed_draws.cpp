@@ -35,8 +35,9 @@ bool turnsLeftEverywhere(const std::array<glm::dvec2, 4>& corner) {
   return true;
 }
 
-/// The convex quad, with corners in texels, of two triangles of a fan in one plane with one affine chart, within the
-/// rounding of binary32 positions and 24-bit chart coordinates. Its weights are those of the first triangle.
+/// The convex quad of two triangles of a fan, with corners in texels; nothing if they are not in one plane with one
+/// affine chart. The test allows for binary32 positions and 24-bit chart coordinates. Its weights are those of the
+/// first triangle.
 std::optional<Piece> quadOf(const Triangle& first, const Triangle& second, const Grid& grid, double extent) {
   if (first.polygon != second.polygon || first.position[0] != second.position[0] ||
       first.position[2] != second.position[1] || first.chart[0] != second.chart[0] || first.chart[2] != second.chart[1])

@@ -23,8 +23,8 @@ struct MeshedDraws {
   /// to its first triangle, and the second has none.
   ///
   /// Corners at the same place have one position, also across surfaces. They are rounded to a power of two between
-  /// 2^-31 and 2^-30 extents of the scene, far above the rounding of doubles, and then to binary32. Where surfaces with
-  /// different grids share an edge, corners of one lie on edges of the other (T-junctions).
+  /// 2^-31 and 2^-30 extents of the scene, and then to binary32. The first step is far above the rounding of doubles.
+  /// Where surfaces with different grids share an edge, corners of one lie on edges of the other (T-junctions).
   raster::DrawList list;
   /// One per triangle of the scene and one at the end: its pieces are the triangles [firstPiece[t], firstPiece[t + 1])
   /// of the list.

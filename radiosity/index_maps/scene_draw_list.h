@@ -11,7 +11,7 @@ namespace hemitex::radiosity {
 /// Makes one draw per surface, with the reserved back item ID. Its chart is moved to its place in its page, and its
 /// index map is the shared one of the page's size or its own. Triangle t of the list is triangle t of the scene.
 ///
-/// A chart that does not fill its page lies strictly inside its place, by at least one binary32 step, so that no sample
+/// A chart that does not fill its page lies strictly inside its place, by at least one binary32 step. So no sample
 /// selects a texel of another surface. This is sufficient for three reasons. The side of a page is a power of two, so
 /// that the borders of the place are binary32 numbers. The coordinates of a sample are exact means of those of the
 /// corners (docs/item-buffers.md, "texel"). New corners from clipping are rounded to 53 bits, which is less than that

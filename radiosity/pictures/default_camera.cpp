@@ -212,8 +212,7 @@ class Judge {
   ///
   /// A pixel of area a on the plane w = 1, seen at v = P - eye, covers a w^3 / |n . v| of a surface with unit normal n
   /// at P. Here w is the depth of v; the factor w^2 is for the distance, and w / |n . v| for the slant. The sum over
-  /// the pixels of one triangle is limited to the triangle's area, so that a wall at a grazing angle does not count
-  /// more.
+  /// the pixels of one triangle is at most the triangle's area, which limits walls at grazing angles.
   View operator()(const Camera& camera) {
     const double pixelSide = 2 * tangentOfDegrees(camera.fov / 2) / viewHeight;
     const glm::dvec3 forward = glm::normalize(camera.lookAt - camera.eye);

@@ -8,7 +8,7 @@ namespace hemitex::radiosity {
 
 /// The default view: upright, with a field of view of 60 degrees. It is the candidate with the largest score, the first
 /// of equals. The score is the sum, over surfaces, of the square roots of the visible areas of fronts (in 64 x 48
-/// samples), reduced where backs or near objects fill the picture.
+/// samples). It is lower where backs or near objects fill the picture.
 /// - If the scene has a floor (fronts that face up, at one height in its lower half, on a quarter of its plan): views
 ///   at eye height, from 16 places along the floor's border towards its middle.
 /// - If the best of these has no wall behind it, or there is no floor: also views from outside, through the four sides

@@ -1,8 +1,8 @@
 /// Pictures of a scene in item IDs: those of Figure 2 in Nielsen and Christensen (2002).
 ///
-/// They use the draw list of the hemicube, from a camera instead of a patch, so that they show offsets and index maps
-/// after the blend. An index map shows as grey levels, an offset as a hue, and an item ID as the sum of both. So image
-/// (c) is (a) + (b), also in the 8-bit codes of the files.
+/// They draw the draw list of the hemicube from a camera. So they show offsets and index maps after the blend. An index
+/// map shows as grey levels, an offset as a hue, and an item ID as the sum of both. So image (c) is (a) + (b), also in
+/// the 8-bit codes of the files.
 #pragma once
 
 #include <cstddef>

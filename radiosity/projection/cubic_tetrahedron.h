@@ -1,11 +1,11 @@
 /// The cubic tetrahedron (Beran-Koehn and Pavicic 1991): a corner of a cube that stands over a point so that the cube's
 /// diagonal is the normal. Its three faces see the whole half space; a hemicube needs five.
 ///
-/// In the coordinates of a face at distance 1, the corner is at (1, 1), the common edges with the other faces are x = 1
-/// and y = 1, and the horizon is the line x + y = -1. The part above the horizon is a right isosceles triangle from the
-/// corner to (1, -2) and (-2, 1). Pixels count from the corner. Their width, 6 / (2R + 1), puts the horizon halfway
-/// between two diagonals of samples, so that no sample lies on the horizon or on a common edge. Samples below the
-/// horizon have no weight.
+/// Coordinates of a face are those at distance 1. The corner is at (1, 1); the common edges with the other faces are x
+/// = 1 and y = 1; the horizon is x + y = -1. The part above the horizon is a right isosceles triangle from the corner
+/// to (1, -2) and (-2, 1). Pixels count from the corner. Their width, 6 / (2R + 1), puts the horizon halfway between
+/// two diagonals of samples. So no sample lies on the horizon or on a common edge. Samples below the horizon have no
+/// weight.
 ///
 /// A pixel that the horizon cuts has the weight of the part above it. Some pixels have corners above the horizon but
 /// their sample below it. Those corners count for the two adjacent pixels, half for each, so that the sum of all shares

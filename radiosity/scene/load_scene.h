@@ -10,9 +10,10 @@ namespace hemitex::radiosity {
 
 /// Reads an OBJ file and the MTL files and images that it names.
 ///
-/// Throws InputError, with file and line, for a malformed or non-finite number, an index out of range, a negative
-/// reflectance or emission, a scene without faces, or a scene too small or too large for binary32. Repairs other faults
-/// and reports them in `warnings`: degenerate faces, missing materials or textures, reflectances of 1.
+/// Throws InputError, with file and line, for a malformed or non-finite number, an index out of range, or a negative
+/// reflectance or emission. Also throws it for a scene without faces, or one too small or too large for binary32.
+/// Repairs other faults and reports them in `warnings`: degenerate faces, missing materials or textures, reflectances
+/// of 1.
 ///
 /// A face is degenerate if none of its triangles has area (see hasArea). Triangles without area of other faces are
 /// dropped without a warning. A scene without emission is no error here; callers that need light call requireEmission.

@@ -31,9 +31,9 @@ struct MaterialStatement {
   std::optional<MapStatement> emissionMap = {};
 };
 
-/// Parses the text of `file`; returns the materials in its order. Throws InputError with the line for a malformed,
-/// non-finite or negative Kd or Ke, one that has neither one number (grey) nor three, and a Ke above 1e30 after
-/// conversion from `unit` to radiosity.
+/// Parses the text of `file`; returns the materials in its order. Throws InputError with the line for a Kd or Ke that
+/// is malformed, non-finite, negative, or has neither one number (grey) nor three. Also throws it for a Ke above 1e30
+/// after conversion from `unit` to radiosity.
 std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::filesystem::path& file,
                                               EmissionUnit unit = EmissionUnit::Radiosity);
 

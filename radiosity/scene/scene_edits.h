@@ -64,8 +64,8 @@ struct EditedScene {
 inline constexpr double farthestEdit = 16;
 
 /// Applies edits in their order; `removed` holds the surfaces that former edits removed. Throws InputError if a name
-/// matches no surface (with spelling suggestions) or no removed one, a number is out of range, the scene becomes empty,
-/// or a vertex exceeds farthestEdit.
+/// matches no surface (with spelling suggestions) or no removed one. Also throws it if a number is out of range, the
+/// scene becomes empty, or a vertex exceeds farthestEdit.
 EditedScene edited(Scene scene, std::vector<Surface> removed, std::span<const Edit> edits);
 
 }  // namespace hemitex::radiosity

@@ -6,10 +6,10 @@
 /// multiplies the work by about 1.6 and the error by about two thirds.
 ///
 /// The error is estimated from solutions at consecutive efforts. Hemicubes of different resolutions over different
-/// parts of patches have mostly independent errors. So two solutions with errors e and e' < e differ by D with D^2 =
-/// e^2 + e'^2, and e' is below D / sqrt(2). A share of the bound is reserved for the errors that both have in common.
-/// The result is the first solution whose expected error is within the bound. It is an estimate, not a proof for every
-/// scene.
+/// parts of patches have mostly independent errors. Let two solutions have errors e and e' < e, and let D be their
+/// difference. Then D^2 = e^2 + e'^2, and e' is below D / sqrt(2). A share of the bound is reserved for the errors that
+/// both have in common. The result is the first solution whose expected error is within the bound. It is an estimate,
+/// not a proof for every scene.
 #pragma once
 
 #include <functional>

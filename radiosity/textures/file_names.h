@@ -8,7 +8,7 @@ namespace hemitex::radiosity {
 
 /// One file name (without extension) per name. Letters, digits, `.`, `_` and `-` are kept; other characters become `_`.
 /// All are different, ignoring case, and none is in `reserved` (lower case); duplicates get the suffix `-2`, `-3`, ...
-/// At most 100 characters of a name are kept.
+/// Names are cut to 100 characters.
 std::vector<std::string> uniqueFileNames(const std::vector<std::string>& names,
                                          const std::vector<std::string>& reserved = {});
 

@@ -16,8 +16,8 @@
 namespace hemitex::radiosity {
 
 /// See filteredTexels. A texel of the texture shows the radiosity at its centre. If the chart does not cover the
-/// centre, it shows the mean of the corners of the last polygon in its grid texel, or the element that the grid texel
-/// maps to.
+/// centre, it shows the mean of the corners of the last polygon in its grid texel. Without a polygon it shows the
+/// element that the grid texel maps to.
 std::vector<glm::dvec3> gouraudTexels(const Surface& surface, const Grid& grid,
                                       const std::vector<glm::dvec3>& radiosity, int magnification);
 

@@ -1,9 +1,9 @@
 /// Radiosity textures (Nielsen and Christensen 2002, section 3.3): writes a solution to images, with one texel per
 /// element or filtered. Any viewer shows the lit scene by texture mapping with bilinear filtering.
 ///
-/// Each chart has a border of one texel copied from its edge, and texels without area copy their nearest element, so
-/// that bilinear filtering adds no black. Above 64 surfaces the charts are packed into shared textures. A texture may
-/// be magnified by an integer factor, including the border; texture coordinates stay the same.
+/// Each chart has a border of one texel copied from its edge, and texels without area copy their nearest element. So
+/// bilinear filtering adds no black. Above 64 surfaces the charts are packed into shared textures. A texture may be
+/// magnified by an integer factor, including the border; texture coordinates stay the same.
 #pragma once
 
 #include <array>

@@ -2,7 +2,7 @@
 /// by an integer factor (Nielsen and Christensen 2002, section 3.3; Bastos, Goslin and Zhang 1997).
 ///
 /// Let the centres of grid texels be integers. Then a texel of the texture lies at x = (i + 1/2) / magnification - 1/2.
-/// Its value is the sum of w(x - k) w(y - l) b(k, l) over the grid texels with area, over the sum of their weights.
+/// Its value is the sum of w(x - k) w(y - l) b(k, l) over the grid texels with area, divided by the sum of weights.
 /// Texels without area or beyond the chart are ignored. Weights are not negative, so that values stay within the range
 /// of their neighbours and constants are reproduced. Away from edges all filters except one-to-one also reproduce
 /// linear fields.

@@ -7,8 +7,8 @@
 namespace hemitex::raster {
 namespace {
 
-/// The five binary32 roundings of the vertex stage change the product of a row and a distance by less than 2^-21 times
-/// the product of their lengths. This bound is larger.
+/// Relative to the product of the lengths of a row and a distance: the five binary32 roundings of the vertex stage are
+/// below 2^-21. This bound is larger.
 constexpr double vertexRounding = 0x1p-19;
 /// Below the smallest normal binary32 number, each of the three products of a row has an error of up to 2^-150. A side
 /// of the view takes one row and at most twice another.

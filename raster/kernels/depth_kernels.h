@@ -24,8 +24,8 @@ struct DepthKernels {
   /// not resolved in double precision. Returns whether any pixel took the triangle.
   bool (*offer)(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided);
 
-  /// Whether 1/w of all pixels in a part of the buffer's scissor rectangle is larger than `inverseDepth`, which the
-  /// caller has enlarged by the rounding error.
+  /// Whether 1/w of all pixels in a part of the buffer's scissor rectangle is larger than `inverseDepth`. The caller
+  /// adds the rounding error to inverseDepth.
   bool (*isHidden)(const DepthBuffer& buffer, const Scissor& part, double inverseDepth);
 
   /// The end of the run of pixels from `first` that show the same triangle; at most `end`.

@@ -125,9 +125,8 @@ Outcome offerNarrow(const Offer& offered) {
 /// The covered columns [first, end) of several rows, one row per lane. Coverage is convex, so that each edge gives one
 /// bound.
 ///
-/// A quotient that is not an integer differs from one by at least 1/|a| > 2^-32, because an edge changes by less than
-/// 2^32 per pixel. Quotients are below 2^13, where division rounds by less than that. So no quotient rounds to an
-/// integer.
+/// An edge changes by less than 2^32 per pixel. So a quotient that is not an integer differs from one by at least 1/|a|
+/// > 2^-32. Quotients are below 2^13, where division rounds by less than that. So no quotient rounds to an integer.
 struct Spans {
   HWY_ALIGN std::int32_t first[maxLanes], end[maxLanes];
 

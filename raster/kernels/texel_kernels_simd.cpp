@@ -128,10 +128,10 @@ struct LineInBinary32 {
 /// A run in binary32, which has twice as many lanes as binary64 and resolves nearly all texels. A resolved position is
 /// farther from borders than both error bounds.
 ///
-/// 1/w differs from its value in the middle by at most a factor of two. Values up to m = 1 + half the count * |step|
-/// have thirteen roundings up to the quotient, which is at most twice as large. That gives 26 m units of 2^-24. For the
-/// same reason the binary64 error of the coefficients in the middle counts twice. The border times the error of 1/w,
-/// four units of depthError, counts twice as well.
+/// 1/w differs from its value in the middle by at most a factor of two. Let m = 1 + half the count * |step|. Values up
+/// to m have thirteen roundings up to the quotient, which is at most twice as large. That gives 26 m units of 2^-24.
+/// For the same reason the binary64 error of the coefficients in the middle counts twice. The border times the error of
+/// 1/w, four units of depthError, counts twice as well.
 ///
 /// Binary32 represents integers up to 2^24. Texel numbers stay below half of that. A border may be larger; then all
 /// nearby positions lie on one side of the map.

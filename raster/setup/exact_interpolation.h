@@ -5,8 +5,8 @@
 ///
 ///   1/w = sum(e_k / w_k) / A,    u = sum(e_k u_k / w_k) / sum(e_k / w_k).
 ///
-/// Multiplying by w_0 w_1 w_2 removes the quotients. With W_0 = w_1 w_2 and so on, D = sum(e_k W_k) and U = sum(e_k u_k
-/// W_k) give 1/w = D / (A w_0 w_1 w_2) and u = U / D. Each double is an integer times a power of two. So D and U are
+/// Multiplying by w_0 w_1 w_2 removes the quotients. Let W_0 = w_1 w_2 and so on, D = sum(e_k W_k), and U = sum(e_k u_k
+/// W_k). Then 1/w = D / (A w_0 w_1 w_2) and u = U / D. Each double is an integer times a power of two. So D and U are
 /// integers once the three w and the three u have a common exponent. If all w are equal they cancel: W_k = 1.
 ///
 /// The general case needs big integers. A frequent special case does not: a wall seen straight on with round
