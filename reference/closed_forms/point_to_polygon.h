@@ -1,7 +1,7 @@
 /// The form factor from a point to a polygon: Lambert's contour integral.
 ///
-/// Let r_i be the vectors from the point to the corners, counter-clockwise as seen from the point (the polygon faces
-/// it), and n the normal at the point. Then
+/// Let n be the normal at the point. Let r_i be the vectors from the point to the corners, counter-clockwise as seen
+/// from the point, which the polygon faces. Then
 ///
 ///   F = 1/(2 pi) sum_i theta_i n . (r_i+1 x r_i) / |r_i+1 x r_i|,
 ///
@@ -24,8 +24,8 @@ namespace hemitex::reference {
 /// `absoluteError` is above 0, an error below it is accepted too, so that 50 digits are seldom needed.
 ///
 /// Returns 0 in three cases: the polygon shows its back, the point lies in its plane (even if it touches the polygon),
-/// or the polygon is too low. The limit for the last case is a height above the horizon of 1e-15 of the distance of its
-/// farthest corner, which is the rounding error of a unit normal.
+/// or the polygon is too low. The limit for the last case is a height of 1e-15 of the distance of its farthest corner,
+/// the rounding error of a unit normal.
 ///
 /// Source: Lambert, Photometria (1760); Baum, Rushmeier and Winget, Improving radiosity solutions through the use of
 /// analytically determined form-factors (1989).

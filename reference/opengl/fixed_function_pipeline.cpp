@@ -40,9 +40,9 @@ void sortCorners(TexelTriangle& corners, bool isTwoSided) {
   }
 }
 
-/// A sample on the border of two texels shows the upper one. Interpolation of a coordinate that is not constant has
-/// errors of some units in its last place, which must not move the sample below the border. So coordinates move up by
-/// 16 such units, at most 2^-10 texel.
+/// A sample on the border of two texels shows the upper one. Interpolation has errors of some units in the last place
+/// unless the coordinate is constant. They must not move the sample below the border. So coordinates move up by 16 such
+/// units, at most 2^-10 texel.
 void liftTexels(TexelTriangle& corners) {
   for (int axis = 0; axis < 2; ++axis) {
     const auto [low, high] = std::minmax({corners[0].texel[axis], corners[1].texel[axis], corners[2].texel[axis]});

@@ -1,7 +1,7 @@
 /// The pipeline of Nielsen and Christensen (2002), for hardware without shaders.
 ///
-/// An item ID is a colour of four bytes. An index map is a texture with such colours, the offset of a draw is the flat
-/// colour of its triangles, and the texture environment adds the two per byte with clamping. The vertex stage runs on
+/// An item ID is a colour of four bytes. An index map is a texture with such colours, and the offset of a draw is the
+/// flat colour of its triangles. The texture environment adds the two per byte with clamping. The vertex stage runs on
 /// the CPU for each view. It puts corners on the sub-pixels of the rules before the device snaps them. The depth is
 /// n/w, whose steps are finest far away, where it changes least; greater is nearer.
 #pragma once

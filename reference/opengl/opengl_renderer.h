@@ -1,8 +1,8 @@
 /// A renderer on a real device: OpenGL through EGL, without a window. It is an example of a backend for this method,
 /// and it provides a device for verdicts (verdict.h).
 ///
-/// This file holds textures, framebuffer and viewport. The context is in context.h, triangles in the form for the
-/// device in vertices.h, joined draws in batches.h, and the differences of the two pipelines in pipeline.h.
+/// This file holds textures, framebuffer and viewport. The context is in context.h, vertex data in vertices.h, joined
+/// draws in batches.h, and the interface of the two pipelines in pipeline.h.
 ///
 /// By default a device differs from docs/item-buffers.md in four ways. Each has a remedy here:
 /// - It clips triangles at the sides of its view. The view is as wide as the guard band of the rules, and the
@@ -25,8 +25,8 @@
 namespace hemitex::reference {
 
 enum class OpenGlPath {
-  /// As in Nielsen and Christensen (2002), without shaders. An index map is a texture with 8 bits per channel, an
-  /// offset is the flat colour of its triangles, and the texture environment adds the two. The vertex stage runs on the
+  /// As in Nielsen and Christensen (2002), without shaders. An index map is a texture with 8 bits per channel, and an
+  /// offset is the flat colour of its triangles. The texture environment adds the two. The vertex stage runs on the
   /// CPU. The depth is n/w, whose steps are finest far away, where it changes least.
   FixedFunction,
   /// Index maps are textures of 32-bit integers, and shaders do the rest: the vertex stage by the rules, depth and
@@ -36,9 +36,9 @@ enum class OpenGlPath {
 
 class OpenGlRenderer final : public raster::ItemBufferRenderer {
  public:
-  /// Throws InputError if the list breaks the rules, there is no device (see openGlDevice), an index map exceeds the
-  /// device's textures, or the path cannot draw the list. Fixed-function hardware adds only channels of 8 bits with
-  /// clamping and, in any format, item IDs that share no bits.
+  /// Throws InputError if the list breaks the rules, there is no device (see openGlDevice), or an index map exceeds the
+  /// device's textures. Also throws it if the path cannot draw the list. Fixed-function hardware adds only channels of
+  /// 8 bits with clamping and, in any format, item IDs that share no bits.
   OpenGlRenderer(const raster::DrawList& list, OpenGlPath path);
   ~OpenGlRenderer() override;
 

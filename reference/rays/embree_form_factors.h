@@ -4,8 +4,8 @@
 ///
 /// Directions are a low-discrepancy sequence in projected solid angle, so that each ray carries the same share of the
 /// light. For a power of two that is an integer in units of 2^-60, and a row sums to exactly one. For the 4,000
-/// elements of the Cornell box the sum of |F - truth| is 2 % with 2^16 rays, and 2.7 times less with four times as
-/// many. Each patch rotates the directions about its normal by its own angle, so that the next patch meets what one
+/// elements of the Cornell box the sum of |F - truth| is 2 % with 2^16 rays. With four times as many it is 2.7 times
+/// less. Each patch rotates the directions about its normal by its own angle, so that the next patch meets what one
 /// patch misses.
 ///
 /// The start of a ray is moved into its triangle by `eyeMove` and lifted off it by `eyeLift`, as the eye of a hemicube

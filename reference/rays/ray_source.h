@@ -28,7 +28,7 @@ struct RaySource {
 };
 
 /// A single point. It is projected to the plane of its triangle and moved towards the triangle's middle by 2^-30
-/// extents, so that rounding cannot put it behind a surface that touches it.
+/// extents. So rounding cannot put it behind a surface that touches it.
 RaySource pointRaySource(const radiosity::Scene& scene, std::uint32_t surface, const radiosity::SurfacePoint& point);
 
 /// The area of one or more elements.

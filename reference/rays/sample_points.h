@@ -1,7 +1,7 @@
 /// Randomized low-discrepancy points: the Sobol sequence of Boost.Random (direction numbers of Joe and Kuo 2008) with a
 /// random digital shift: a bitwise exclusive or per coordinate. Each randomization, which is one shift, gives an
-/// unbiased estimate. Their mean is unbiased too, and their spread gives a standard error, which a single
-/// low-discrepancy sequence cannot give (Owen, Monte Carlo theory, methods and examples, chapter 17).
+/// unbiased estimate. Their mean is unbiased too. Their spread gives a standard error, which a single sequence cannot
+/// give (Owen, Monte Carlo theory, methods and examples, chapter 17).
 #pragma once
 
 #include <array>

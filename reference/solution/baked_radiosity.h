@@ -9,10 +9,11 @@
 /// each element.
 ///
 /// Points distributed uniformly over an element measure its exposed area. A point is *buried* if a face of opposite
-/// direction lies on it. It is also buried if none of 32 random walks, reflected by all fronts for up to 64 bounces,
-/// sees a light, and some meet a back or leave the scene. Such points lie inside a solid, in the space that a solid
-/// without bottom or back encloses with the floor and the walls, or outside a room. In a narrow gap walks meet nothing
-/// else and stay, so that its faces are exposed. Faces of emitters that see only background are exposed too.
+/// direction lies on it. A second test uses 32 random walks, which all fronts reflect for up to 64 bounces. The point
+/// is buried if no walk sees a light, and some meet a back or leave the scene. Such points lie inside a solid or
+/// outside a room. They also lie in the space that a solid without bottom or back encloses with the floor and the
+/// walls. In a narrow gap walks meet nothing else and stay, so that its faces are exposed. Faces of emitters that see
+/// only background are exposed too.
 #pragma once
 
 #include <cstdint>

@@ -4,8 +4,8 @@
 /// A quarter of the rays is distributed uniformly over the elements. The others are distributed by the flux that leaves
 /// each element, estimated with a few bounces and a coarse matrix. So most rays carry similar flux, and errors are half
 /// of those with the same number of rays from each element. Errors fall with the root of the number of samples. For
-/// cornell-box with 16 texels (4088 elements), 2^12 samples leave 0.5 % and take 7 s on two cores, and the equations
-/// take another 20 s.
+/// cornell-box with 16 texels (4088 elements), 2^12 samples leave 0.5 % and take 7 s on two cores. The equations take
+/// another 20 s.
 #pragma once
 
 #include <cstddef>

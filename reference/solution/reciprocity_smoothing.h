@@ -8,8 +8,8 @@
 ///   S_ij = M_ij (1 + x_i + x_j),   sum_j M_ij (x_i + x_j) = sum_j (A_i F_ij - M_ij),
 ///
 /// which is one linear equation per row. For inaccurate measurements S_ij may be negative. Such values are set to 0 and
-/// the others are solved again, until none is negative. There is no solution if only two surfaces see each other,
-/// because one number cannot satisfy two sums, or if a row needs more than the others have. Then the sums are as near
+/// the others are solved again, until none is negative. There is no solution in two cases: only two surfaces see each
+/// other, so that one number must satisfy two sums; or a row needs more than the others have. Then the sums are as near
 /// as possible, each error divided by the root of the row's exchange.
 ///
 /// Source of the idea: van Leersum, A method for determining a consistent set of radiation view factors from a set

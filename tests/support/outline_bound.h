@@ -11,9 +11,9 @@
 namespace hemitex::tests {
 
 /// A bound on the difference between the shares of samples and the integral over a visible convex polygon, seen from a
-/// point. A closed convex curve of length L in a grid of unit width contains as many grid points as its area, up to L/2
-/// + 1 (Jarnik). So half a pixel, times the density of the form factor, is integrated along the polygon's outline on
-/// the hemicube.
+/// point. For a closed convex curve of length L in a grid of unit width, the number of grid points differs from the
+/// area by at most L/2 + 1 (Jarnik). So half a pixel, times the density of the form factor, is integrated along the
+/// polygon's outline on the hemicube.
 inline double outlineBound(const radiosity::SurfacePoint& point, const std::vector<glm::dvec3>& polygon, int pixels) {
   const auto faces =
       radiosity::facesOver(radiosity::hemicubeFaces(pixels), point.position, point.normal, glm::dvec3(0), 1);

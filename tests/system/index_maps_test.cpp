@@ -183,9 +183,9 @@ TEST_CASE("rows with unaligned offsets and integer add equal those with aligned 
 }
 
 TEST_CASE("makeDrawList keeps samples on the borders of charts inside their surface in a packed page", "[index maps]") {
-  // A wall of 8 x 8 tiles fills a view of 64 x 64 pixels, shifted by half a pixel so that all borders of tiles pass
-  // through samples. The charts are rotated and mirrored in all eight ways. So on some tile the border that covers the
-  // sample lies at u = 1 or v = 1, where the next texel of the page belongs to another surface.
+  // A wall of 8 x 8 tiles fills a view of 64 x 64 pixels. It is shifted by half a pixel, so that all borders of tiles
+  // pass through samples. The charts are rotated and mirrored in all eight ways. So on some tile the border that covers
+  // the sample lies at u = 1 or v = 1. There the next texel of the page belongs to another surface.
   constexpr int resolution = 64, tiles = 8;
   const auto at = [](int i) { return -1 + (2 * i * (resolution / tiles) + 1.0) / resolution; };
   std::vector<Surface> surfaces;

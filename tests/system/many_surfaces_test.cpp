@@ -41,8 +41,8 @@ bool fits(std::uint64_t count, int columns, int rows, const std::string& format)
   }
 }
 
-/// A wall of side x side squares with one index map of texels x texels, each a draw with its own offset, that fills a
-/// view along z from the origin. The last draw is left out if its last item IDs are reserved.
+/// A wall of side x side squares that fills a view along z from the origin. Each square is a draw with its own offset;
+/// all share one index map of texels x texels. The last draw is left out if its last item IDs are reserved.
 raster::DrawList wallOf(int side, int texels, const std::string& format) {
   raster::DrawList list;
   list.format = *raster::formatNamed(format);

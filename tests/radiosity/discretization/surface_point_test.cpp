@@ -108,8 +108,8 @@ TEST_CASE("patchCentre is the centroid of the surface or, if that is in a hole, 
   CHECK(glm::length(patchCentre(scene, discretization, discretization.patches[0]).position -
                     glm::dvec3(5 / 12.0, 5 / 12.0, 0)) < 1e-15);
   // The ring's triangles have two corners on one of its circles, of radii 0.2 and 0.5, and one on the other. Those with
-  // two on the inner circle are nearest. Their centres are at a third of 0.2 + 0.2 + 0.5, except for the angle between
-  // corners of 1/64 of a circle, whose cosine is above 0.995.
+  // two on the inner circle are nearest. Their centres are at a third of 0.2 + 0.2 + 0.5, up to the cosine of 1/64 of a
+  // circle, which is above 0.995.
   const glm::dvec3 centre = patchCentre(scene, discretization, discretization.patches[1]).position;
   const double radius = glm::length(glm::dvec2(centre) - 0.5);
   CHECK(radius <= 0.3);

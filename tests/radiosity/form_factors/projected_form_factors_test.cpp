@@ -84,8 +84,8 @@ TEST_CASE("ProjectedFormFactors of unit squares agree with closed forms", "[rows
 }
 
 TEST_CASE("ProjectedFormFactors from a point on the edge of a concave fold see no back of the other side", "[rows]") {
-  // Two squares that meet at a right angle along z, rotated about z by many angles, so that rounding to binary32 puts
-  // the common edge on either side. The eye lies on the edge and belongs to the first square.
+  // Two squares that meet at a right angle along z. They are rotated about z by many angles, so that rounding to
+  // binary32 puts the common edge on either side. The eye lies on the edge and belongs to the first square.
   for (int turn = 0; turn < 64; ++turn) {
     const double angle = 0.1 * turn;
     const glm::dvec3 x(std::cos(angle), std::sin(angle), 0), y(-std::sin(angle), std::cos(angle), 0), z(0, 0, 1);

@@ -104,8 +104,8 @@ TEST_CASE("triangleSlices finds the slices that a search through all pairs finds
         const Triangle& other = scene.surfaces[j].triangles[0];
         if (i == j) continue;
         const double expected = commonLength(scene, one, other);
-        // A slice was moved along the other triangle by a lift over the sine of the angle between both, so that it may
-        // leave the triangle by that much. If the sine is below 1/256, it stays a lift above.
+        // A slice was moved along the other triangle by a lift over the sine of the angle between both. So it may leave
+        // the triangle by that much. If the sine is below 1/256, it stays a lift above.
         const double lift = eyeLift * scene.extent;
         const auto liesOnOther = [&](const Slice& slice) {
           for (const glm::dvec2& end : {slice.from, slice.to}) {

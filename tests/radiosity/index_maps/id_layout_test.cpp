@@ -63,8 +63,8 @@ std::vector<ItemId> offsetsOf(const IdLayout& layout) {
   return offsets;
 }
 
-/// Whether each texel's item ID is blended to offset + texel, is not reserved, and decodes to its texel, and no other
-/// item ID of the format decodes.
+/// Whether each texel's item ID is blended to offset + texel, is not reserved, and decodes to its texel. Also tests
+/// that no other item ID of the format decodes.
 bool isOneToOne(const Discretization& discretization, const IdLayout& layout) {
   const ItemId background = raster::backgroundId(layout.format);
   std::vector<bool> taken(std::size_t{background} + 1);

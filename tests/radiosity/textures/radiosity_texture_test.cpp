@@ -309,8 +309,8 @@ TEST_CASE("cornerRadiosity averages over smooth neighbours of the same material 
 
   const auto corners = cornerRadiosity(scene, discretization, values);
   REQUIRE(corners.size() == 12);
-  // At (1,0,0) meet one triangle of a (area 1/2, value 1), both of b (area 1 each, value 2), and the upper one of d
-  // (area sqrt(1.04)/2, value 8).
+  // At (1,0,0) meet: one triangle of a (area 1/2, value 1); both of b (area 1 each, value 2); the upper one of d (area
+  // sqrt(1.04)/2, value 8).
   const double slope = std::sqrt(1.04) / 2;
   const double expected = (0.5 * 1 + 2 * 2 + slope * 8) / (0.5 + 2 + slope);
   CHECK(corners[0][1].x == Approx(expected).epsilon(1e-14));

@@ -123,9 +123,9 @@ TEST_CASE("TexelKernels::findTexels finds a single texel everywhere, however lar
 TEST_CASE(
     "TexelKernels::findTexels beside a border gives the exact texel or an undecided one, with each instruction set",
     "[kernels]") {
-  // Walls as above. Coordinates are shifted so that a pixel of a run lies 2^-6 to 2^-25 texels from a border, well
-  // outside and close to the rounding error. The pixel is often the first or the last, where 1/w differs most from the
-  // middle.
+  // Walls as above. Coordinates are shifted so that a pixel of a run lies 2^-6 to 2^-25 texels from a border. That is
+  // from well above to close to the rounding error. The pixel is often the first or the last, where 1/w differs most
+  // from the middle.
   raster::Face face = frontFace(256);
   face.scissor.height = 4;
   std::mt19937 random(4);

@@ -17,8 +17,8 @@ using namespace hemitex::reference;
 using namespace hemitex::radiosity;
 
 TEST_CASE("shootingPoint gives equal areas equal numbers of points", "[raySource]") {
-  // A net of 2^12 points on the triangles of a warped quad and of a patch of it. The number of points of a triangle
-  // differs from its share of the area by less than two, because a triangle is an interval of one coordinate.
+  // A net of 2^12 points on the triangles of a warped quad and of a patch of it. A triangle is an interval of one
+  // coordinate, so its number of points differs from its share of the area by less than two.
   const Scene scene = tests::sceneOf({tests::quad("warped", {{{0, 0, 0}, {2, 0, 1}, {2, 3, -1}, {0, 1, 2}}})});
   const Discretization discretization = discretize(scene, {.texels = 4, .patch = 2});
   const SurfacePieces pieces = surfacePieces(scene, discretization);

@@ -47,7 +47,7 @@ Enclosure anyEnclosure(std::size_t size) {
 }  // namespace
 
 TEST_CASE("solveDirectly of two elements that face each other equals the closed form", "[algebra]") {
-  // flux_1 = e_1 + r_1 F_21 flux_2, and the same with 1 and 2 exchanged, so flux_1 = (e_1 + r_1 F_21 e_2) / (1 - r_1
+  // flux_1 = e_1 + r_1 F_21 flux_2, and the same with 1 and 2 exchanged. So flux_1 = (e_1 + r_1 F_21 e_2) / (1 - r_1
   // r_2 F_12 F_21).
   const double f12 = 0.25, f21 = 0.125;
   const std::vector<glm::dvec3> emitted{{1, 0, 2}, {0, 3, 5}}, reflectance{{0.5, 0.25, 0}, {0.75, 0.5, 0.9999}};
