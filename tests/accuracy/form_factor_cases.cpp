@@ -139,8 +139,8 @@ FormFactorTheme coincident() {
   const Surface under = facingUp(unitSquare), over = facingDown(unitSquare, 1);
   const Surface turned = tests::parallelogram("turned", {0, 0, 1}, {1, 0, 0}, {0, 1, 0});
   const double c = reference::parallelRectangles(unitSquare, unitSquare, 1);
-  // A floor that goes on behind the wall, a wall that goes on below the floor: half of each is behind the other. It
-  // sees nothing but a back, and counts as the inside of a solid: what is left of both are unit squares that share an
+  // A floor that continues behind the wall, and a wall that continues below the floor: half of each is behind the
+  // other. These halves see only backs and count as the inside of a solid. The rest are unit squares that share an
   // edge.
   const AxisRectangle both{{0, 1}, {-1, 1}};
   const std::string order = "the first in the file is seen";
@@ -177,8 +177,9 @@ centre of the scene. At 1e8 coordinates are multiples of 1.5e-8, which causes th
     for (Surface& surface : extreme.surfaces)
       for (radiosity::Triangle& triangle : surface.triangles)
         for (glm::dvec3& corner : triangle.position) corner = scale * corner + by;
-    // Half a unit in the last place of every coordinate: two of them are the gap, on whose logarithm that of the form
-    // factor depends by 1 at most, and eight the rectangles' edges, by 1 at most to the same length or so.
+    // Half a unit in the last place of each coordinate. Two of them define the gap; the logarithm of the form factor
+    // depends on that of the gap by at most 1. Eight define the edges of the rectangles, with a dependence of about 1
+    // as well.
     extreme.inputRounding = 10 * 0x1p-53 * (1 + by / scale) / gap;
     theme.cases.push_back(extreme);
   };

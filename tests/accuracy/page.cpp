@@ -8,7 +8,7 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-/// Of a closed form whose last bit happens to be right, too.
+/// Also for a closed form whose last bit happens to be right.
 constexpr double rounding = 1e-16;
 
 std::string line(const Row& cells) {

@@ -1,4 +1,4 @@
-/// Draws one triangle with the installed library and looks at what it gives: 0 where all is as it should be.
+/// Draws one triangle with the installed library and checks the result; returns 0 if it is right.
 #include <iostream>
 
 #include "raster/software/software_renderer.h"
@@ -22,8 +22,8 @@ int main() {
 
   raster::SoftwareRenderer renderer(list);
   const raster::ItemBuffer buffer = renderer.render({&face, 1}, {}).front();
-  // The triangle's vertices lie at (-1/2, -1/2), (3/2, -1/2) and (-1/2, 3/2) of the picture plane, so that it covers
-  // the pixel at (1/4, 1/4) and not the one at (-3/4, -3/4).
+  // The triangle's vertices lie at (-1/2, -1/2), (3/2, -1/2) and (-1/2, 3/2) of the picture plane. So it covers the
+  // pixel at (1/4, 1/4) and not the one at (-3/4, -3/4).
   const bool right = buffer.ids[2 * 4 + 2] == 7 && buffer.ids[0] == raster::backgroundId(list.format);
   std::cout << "item buffer " << reference::idsHash(buffer.ids) << (right ? " is right\n" : " is wrong\n");
   return right ? 0 : 1;

@@ -1,6 +1,8 @@
-/// A page of `hemitex paper` without its minutes of work, for paper_page_check.cmake: made-up runs, in which meshing
-/// takes as long as it has elements and textures always the same, and pictures of a pixel.
-///   hemitex_paper_page DIR
+/// Writes a page of `hemitex paper` with invented data, for paper_page_check.cmake, because the real runs take minutes.
+/// The time of meshing is proportional to the number of elements, that of textures is constant, and pictures have one
+/// pixel. Usage:
+///
+///     hemitex_paper_page DIR
 #include <fstream>
 
 #include "cli/paper/page.h"
