@@ -1,5 +1,5 @@
-# Opens the page of `hemitex paper`, made of runs that never were, in headless Chromium, without a network: its script
-# has to run without a fault, every plot has to show its points and every picture has to be there.
+# Opens the page of `hemitex paper`, with invented data, in headless Chromium without a network. Its script must run
+# without a fault, all plots must show their points and all pictures must exist.
 #   cmake -DPROGRAM=hemitex_paper_page -DWORK=folder -DCHROMIUM=chromium -P paper_page_check.cmake
 if(NOT CHROMIUM)
   message("skipped: Chromium is not installed")
@@ -26,7 +26,7 @@ string(JSON pictures GET ${told} pictures)
 if(NOT pictures EQUAL 3)
   message(FATAL_ERROR "the page shows ${pictures} pictures of 3")
 endif()
-# Of the paper's table of the complex scene, and of the one run that misses what it promises.
+# From the paper's table of the complex scene, and from the one run that misses its expected value.
 foreach(text IN ITEMS "paper: 193 (186)" "paper: lost (294)" "not met")
   string(FIND "${document}" "${text}" place)
   if(place EQUAL -1)
