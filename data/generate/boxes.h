@@ -1,4 +1,4 @@
-/// Boxes: what furniture is built of, whole or without the faces on which they stand or hang.
+/// Boxes, the parts of furniture, complete or without the faces on which they stand or hang.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,7 +9,7 @@
 
 namespace hemitex::data {
 
-/// A box with sides along the axes; `low` is below `high` in every coordinate.
+/// An axis-parallel box; `low` is below `high` in each coordinate.
 struct Box {
   glm::dvec3 low{0.0}, high{0.0};
 };
@@ -17,15 +17,15 @@ struct Box {
 /// The faces of a box: front is +z, right +x, top +y.
 enum class Side { Front, Right, Back, Left, Top, Bottom };
 
-/// One face; it faces outwards.
+/// One face, facing outwards.
 Polygon face(const Box& box, Side side);
 
-/// The faces in the order of Side, without those named; they face outwards.
+/// The faces in the order of Side, without those in `without`, facing outwards.
 std::vector<Polygon> faces(const Box& box, const std::vector<Side>& without = {});
 
-/// Gives four to six quads one chart that they fill, each a cell of its own: the first four are columns of a quarter
-/// width, in the lower half of the chart where there are more; those share the upper half. Grids whose columns and rows
-/// are multiples of 4 have no texel in two cells.
+/// Gives four to six quads one common chart, each in a cell of its own. The first four are columns of a quarter of the
+/// width, in the lower half of the chart if there are more; the others share the upper half. If the number of columns
+/// and of rows are multiples of 4, no texel lies in two cells.
 std::vector<Polygon> charted(std::vector<Polygon> quads);
 
 /// A box as one group with one chart.

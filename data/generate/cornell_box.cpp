@@ -1,9 +1,10 @@
-/// The Cornell box: a box with two blocks that was built, measured and photographed at Cornell University, and whose
-/// measurements are public (Cornell University Program of Computer Graphics, "Cornell Box Data",
+/// The Cornell box: a box with two blocks that was built, measured and photographed at Cornell University, with
+/// published measurements (Cornell University Program of Computer Graphics, "Cornell Box Data",
 /// www.graphics.cornell.edu/online/box/data.html). Lengths are in millimetres.
 ///
-/// Kept as measured: the red wall, whose corners miss a common plane by 3.2 mm, and the front, which is open. Changed:
-/// the light lies in the plane of the ceiling, so it is cut out of it. The blocks stand on the floor without bottoms.
+/// Kept as measured: the red wall, whose corners are up to 3.2 mm off a common plane, and the open front. Changed: the
+/// light lies in the plane of the ceiling, so the ceiling has a hole for it. The blocks stand on the floor without
+/// bottoms.
 #include <cmath>
 
 #include "data/generate/models.h"
@@ -94,7 +95,7 @@ Model cornellBox() {
       block("tall-block", {{{423, 330, 247}, {265, 330, 296}, {314, 330, 456}, {472, 330, 406}}}),
       {"light", "light", {light}},
   };
-  // The film measures 0.025 behind a focal length of 0.035: the field of view is 2 atan(0.0125 / 0.035).
+  // The film measures 0.025 behind a focal length of 0.035, so that the field of view is 2 atan(0.0125 / 0.035).
   model.view = {{278, 273, -800}, {278, 273, 0}, {0, 1, 0}, 39.30764811610662};
   return model;
 }

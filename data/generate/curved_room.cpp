@@ -1,5 +1,5 @@
-/// A closed room with a curved surface. The camera stands outside and looks through the front wall, whose back a
-/// picture leaves out.
+/// A closed room with a curved surface. The camera stands outside and looks through the front wall, whose back pictures
+/// leave out.
 #include <array>
 #include <cmath>
 
@@ -11,10 +11,10 @@ namespace {
 
 constexpr int waveCells = 50;
 
-/// The wave at (i, j) / 50 of its chart. With b(t) = 4 t (1 - t), which is 0 at the ends of [0, 1] and 1 in the middle,
-/// it is 1.5 b(u)^2 b(v) high. Then it leans over by 0.7 times its height squared, so far that the crest overhangs; as
-/// this only shifts each height as a whole, the wave never meets itself. Coordinates are rounded to a micrometre, which
-/// keeps the file short.
+/// The wave at (i, j) / 50 of its chart. Let b(t) = 4 t (1 - t), which is 0 at the ends of [0, 1] and 1 in the middle.
+/// The height is 1.5 b(u)^2 b(v). The wave is then shifted sideways by 0.7 times its squared height, so that the crest
+/// overhangs. Each height is shifted as a whole, so that the wave never meets itself. Coordinates are rounded to a
+/// micrometre, which keeps the file short.
 glm::dvec3 wavePoint(int i, int j) {
   const auto bump = [](double t) { return 4 * t * (1 - t); };
   const auto round = [](double x) { return std::nearbyint(x * 1e6) / 1e6; };
@@ -24,7 +24,7 @@ glm::dvec3 wavePoint(int i, int j) {
   return {round(-2 + 3 * u + 0.7 * (height * height)), round(height), round(1.5 - 3 * v)};
 }
 
-/// Two triangles a cell. The chart is the grid itself: [0, 1]^2 without overlap.
+/// Two triangles per cell. The chart is the grid itself: [0, 1]^2 without overlap.
 std::vector<Polygon> wave() {
   std::vector<Polygon> triangles;
   const auto addTriangle = [&](const std::array<std::array<int, 2>, 3>& nodes) {
@@ -44,7 +44,7 @@ std::vector<Polygon> wave() {
   return triangles;
 }
 
-/// The square in the floor that the wave rises from, with a vertex wherever the wave has one.
+/// The square in the floor under the wave, with a vertex at each vertex of the wave.
 Polygon waveBorder() {
   Polygon border;
   for (int i = 0; i < waveCells; ++i) border.corners.push_back(wavePoint(i, 0));

@@ -1,5 +1,5 @@
-/// A closed room with furniture that stands, hangs and touches, of boxes. Some boxes have no face where they stand on
-/// something. The camera stands outside and looks through the front wall, whose back a picture leaves out.
+/// A closed room with furniture made of boxes that stand, hang and touch each other. Some boxes have no face where they
+/// stand on something. The camera stands outside and looks through the front wall, whose back pictures leave out.
 #include "data/generate/boxes.h"
 #include "data/generate/models.h"
 #include "data/generate/seams.h"
@@ -20,14 +20,14 @@ std::vector<Group> shell() {
   return groups;
 }
 
-/// A slab in three groups: its two large faces, which are named, and the four narrow ones between them.
+/// A slab in three groups: its two large faces, with names, and the four narrow faces between them.
 std::vector<Group> slab(const std::string& name, const std::string& material, const Box& box, Side first, Side second) {
   return {faceGroup(name, material, box, first),
           faceGroup(name, material, box, second),
           {name + "-edges", material, charted(faces(box, {first, second}))}};
 }
 
-/// On the rug: two legs are closed, two have sides only.
+/// On the rug: two legs are closed, two have only sides.
 std::vector<Group> table() {
   const Box top{{-0.4, 0.71, -0.35}, {1.2, 0.74, 0.55}};
   std::vector<Group> groups = slab("table-top", "oak", top, Side::Top, Side::Bottom);
@@ -98,8 +98,8 @@ std::vector<Group> shelf() {
   return groups;
 }
 
-/// A crate in the corner of two walls, closed, one on it without bottom, and a block that stands free, turned by the
-/// angle of the triangle 7, 24, 25.
+/// A closed crate in the corner of two walls, one on it without bottom, and a free-standing block rotated by the angle
+/// of the triangle 7, 24, 25.
 std::vector<Group> crates() {
   std::vector<Group> groups = faceGroups("crate", "pine", {{1.3, 0, -2.5}, {2, 0.6, -1.8}});
   append(groups, faceGroups("upper-crate", "red", {{1.45, 0.6, -2.4}, {1.95, 1, -1.95}}, {Side::Bottom}));
@@ -111,7 +111,7 @@ std::vector<Group> crates() {
   return groups;
 }
 
-/// A foot, a pole, a bar on it that carries the shade, and a bulb on the bar.
+/// A foot, a pole, a bar on it that holds the shade, and a bulb on the bar.
 std::vector<Group> lamp() {
   const glm::dvec3 foot{0.6, 0, -1.9};
   const auto box = [&](const glm::dvec3& half, double bottom, double top) {
@@ -131,7 +131,7 @@ std::vector<Group> lamp() {
           {"lamp-shade-lower-rim", "cream", charted(frame(face(outside, Side::Bottom), face(inside, Side::Bottom)))}};
 }
 
-/// What is flat: the rug lies on the floor, the picture hangs on the wall, the light below the ceiling. The picture has
+/// Flat objects: the rug lies on the floor, the picture hangs on the wall, the light below the ceiling. The picture has
 /// a back.
 std::vector<Group> flatThings() {
   const Box rug{{-0.8, 0, -0.7}, {1.5, 0.01, 1}}, light{{-0.5, 2.56, -0.2}, {0.9, 2.6, 0.3}};

@@ -27,7 +27,7 @@ void addLegs(std::vector<Group>& groups, const std::string& material, double x, 
           {"leg-" + std::to_string(++number), material, band(squareAt(side * x, depth * z, halfSide, top), 0)});
 }
 
-/// A lamp: a turned foot, a bulb on it and a shade around that, which is open above and below.
+/// A lamp: a foot (a surface of revolution), a bulb on it, and a shade around the bulb that is open above and below.
 void addLamp(std::vector<Group>& groups, const glm::dvec3& foot) {
   groups.push_back({"lamp-foot", "brass", revolved({{0.1, 0}, {0.085, 0.03}, {0.016, 0.07}, {0.016, 0.36}}, 8, foot)});
   groups.push_back({"lamp-bulb", "light-bulb",
@@ -57,7 +57,8 @@ std::vector<Group> chair(const std::string& material) {
   groups.push_back({"seat", material, {seat}});
   addSlab(groups, "seat", material, seat, 0.43);
   addLegs(groups, material, 0.195, 0.195, 0.018, 0.43);
-  // The back rest is bent: its outline, seen from above, runs along the front from left to right and back behind.
+  // The back rest is bent. Seen from above, its outline runs along the front from left to right and returns along the
+  // back.
   const Polygon left{{{-0.21, 0.9, -0.18}, {-0.07, 0.9, -0.2}, {-0.07, 0.9, -0.23}, {-0.21, 0.9, -0.21}}};
   const Polygon middle{{{-0.07, 0.9, -0.2}, {0.07, 0.9, -0.2}, {0.07, 0.9, -0.23}, {-0.07, 0.9, -0.23}}};
   const Polygon right{{{0.07, 0.9, -0.2}, {0.21, 0.9, -0.18}, {0.21, 0.9, -0.21}, {0.07, 0.9, -0.23}}};
@@ -154,15 +155,16 @@ std::vector<ProfilePoint> bowl(double height) {
 
 namespace {
 
-/// A book as a net: the spine in the middle, the top folded up over it, what shows of the covers to both sides.
+/// A book as a net: the spine in the middle, the top folded up above it, and the visible parts of the covers on both
+/// sides.
 Group bookGroup(const Wall& wall, const std::string& name, const Book& book, const glm::dvec2& corner,
                 double leftHeight, double rightHeight, double front, double back) {
   const double depth = back - front, width = book.width, height = book.height;
-  // Shorter neighbours let the covers show.
+  // Covers are visible beside shorter neighbours.
   const double leftSide = leftHeight < height ? depth : 0, rightSide = rightHeight < height ? depth : 0;
   const glm::dvec2 netSize{leftSide + width + rightSide, height + depth};
   Group group{name, book.material, {}};
-  // A point of a face, by where it is in the net, in metres from the foot of the spine's left edge.
+  // A point of a face by its position in the net, in metres from the foot of the spine's left edge.
   const auto addFace = [&](const std::vector<glm::dvec3>& points, const std::vector<glm::dvec2>& net) {
     Polygon face;
     for (std::size_t i = 0; i < points.size(); ++i) {

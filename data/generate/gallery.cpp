@@ -1,7 +1,8 @@
 /// The complex scene: a vaulted hall between a library and a picture gallery, with an apse and a domed round room.
 ///
-/// Every part is built for itself, and closeSeams puts the vertices of neighbours into each other's edges, so the rooms
-/// are closed to the last pixel. x points to the gallery's side and -z to the apse; lengths are metres, made up.
+/// All parts are built independently. Then closeSeams inserts the vertices of neighbours into each other's edges, so
+/// that the rooms are closed to the last pixel. x points to the gallery's side and -z to the apse; lengths are in
+/// metres and invented.
 #include <algorithm>
 #include <cstdint>
 
@@ -15,7 +16,7 @@
 namespace hemitex::data {
 namespace {
 
-/// The floor inside `area`, (x, z) from left to right and from back to front, without what stands on it.
+/// The floor inside `area`, (x, z) from left to right and from back to front, without the holes for objects on it.
 void addFloor(std::vector<Group>& groups, const std::string& name, const std::string& material, const Rectangle& area,
               const std::vector<Rectangle>& holes) {
   std::vector<Rectangle> inside;
@@ -69,7 +70,7 @@ Rectangle footprint(const Pedestal& pedestal) {
           pedestal.foot.z + pedestal.halfSide};
 }
 
-/// The closed rooms, with everything that is cut into them.
+/// The closed rooms, with all parts that are cut into them.
 std::vector<Group> rooms() {
   std::vector<Group> groups;
   std::vector<Rectangle> floorHoles{{-landingHalf, landingHalf, -halfLength, landingEnd + 2 * tread}}, landingHoles;
@@ -106,7 +107,7 @@ std::vector<Group> rooms() {
 /// Rows of books of many sizes and colours, always the same.
 void addBooks(std::vector<Group>& groups) {
   const std::vector<std::string> colours{"pompeian", "bottle", "cobalt", "ivory", "gilt", "walnut", "terracotta"};
-  std::uint32_t state = 110;  // one of those that make the model 8088 triangles
+  std::uint32_t state = 110;  // a value for which the model has 8088 triangles
   const auto next = [&](std::uint32_t below) { return (state = state * 1664525u + 1013904223u) / 65536u % below; };
   int shelf = 0;
   for (const Rectangle& niche : bookNiches()) {
@@ -137,7 +138,7 @@ void addFurniture(std::vector<Group>& groups) {
     addChair(table + "-chair-1", -0.62, z - 0.5, {0, 1});
     addChair(table + "-chair-2", 0.64, z + 0.5, {0, -1});
   }
-  // Of these one was pulled out.
+  // One of these is pulled out.
   addChair("table-1-chair-3", -0.66, 2.7, {0, 1});
   addChair("table-1-chair-4", 1.05, 1.6, {0.28, -0.96});
   append(groups, placed(bench("oak", "stone"), "gallery-bench-1", {4.7, 0, -3.6}, {0, 1}));

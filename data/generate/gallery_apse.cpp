@@ -8,7 +8,7 @@
 namespace hemitex::data {
 namespace {
 
-/// Points of the apse's wall, from the left to the right as seen from the hall, at a radius about (x, z) = (0, end).
+/// Points of the apse's wall, from left to right as seen from the hall, at a radius about (x, z) = (0, end).
 std::vector<glm::dvec3> apseRow(double radius, double y) {
   std::vector<glm::dvec3> row;
   for (const glm::dvec2& point : halfCircle(archSegments))

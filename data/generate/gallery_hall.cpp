@@ -46,7 +46,7 @@ std::vector<glm::dvec3> acrossHall(double radius, double z) {
   return points;
 }
 
-/// What fills the end of the vault: a ring, and half a disc, which is glass at the door's end.
+/// The end of the vault: a ring, and half a disc, which is glass at the door's end.
 void addTympanum(std::vector<Group>& groups, const std::string& name, const Wall& wall,
                  const std::string& discMaterial) {
   constexpr double inner = 2;

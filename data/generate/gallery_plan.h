@@ -1,5 +1,5 @@
-/// The plan of the gallery (gallery.cpp): its measures, and the parts that its rooms are put together from. x points to
-/// the gallery's side, the right one, and -z to the apse; lengths are metres, made up. Every function adds groups.
+/// The plan of the gallery (gallery.cpp): its measures, and the functions that add its parts. x points to the gallery's
+/// side, the right one, and -z to the apse; lengths are in metres and invented. Each function adds groups.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -46,7 +46,7 @@ double sideSign(const std::string& side);
 /// The walls at some x or z.
 Wall wallAtX(double x, bool facesRight);
 Wall wallAtZ(double z, bool facesViewer);
-/// A span along a wall, whichever way its s runs.
+/// A span along a wall, for either direction of its s.
 Rectangle span(const Wall& wall, double from, double to, double bottom, double top);
 
 void append(std::vector<Group>& groups, const std::vector<Group>& more);
@@ -57,7 +57,7 @@ void append(std::vector<Group>& groups, const std::vector<Group>& more);
 void addArcade(std::vector<Group>& groups, const std::string& side);
 /// A column on a square plinth, with a swelling shaft, under an abacus that the arcade's wall stands on.
 void addColumn(std::vector<Group>& groups, const std::string& name, double x, double z);
-/// The vault of every bay between the ribs, the ledges that it springs from, and what fills its ends.
+/// The vault of each bay between the ribs, the ledges below it, and its ends.
 void addVault(std::vector<Group>& groups);
 /// A beam from wall to wall with a globe hanging from it.
 void addTieBeam(std::vector<Group>& groups, const std::string& name, double z);
@@ -68,12 +68,12 @@ void addDoor(std::vector<Group>& groups);
 
 /// The end wall with the arch, and the apse with three windows of coloured glass.
 void addApse(std::vector<Group>& groups);
-/// Three risers up to the landing, which has holes for what stands on it.
+/// Three risers up to the landing, which has holes for the objects on it.
 void addSteps(std::vector<Group>& groups, const std::vector<Rectangle>& holes);
 
 // The round room (gallery_rotunda.cpp).
 
-/// The room with its dome, its vase and the portal that leads to it.
+/// The room with its dome, its vase and the portal to it.
 void addRotunda(std::vector<Group>& groups);
 double portalHalfWidth();
 

@@ -1,4 +1,4 @@
-/// Writes scenes into a folder: those of data/, or rooms drawn at random.
+/// Writes scenes into a folder: those of data/, or random rooms.
 
 #include <charconv>
 #include <cstring>
@@ -24,7 +24,7 @@ void write(const std::string& folder, const Model& model) {
   for (const File& file : files(model)) write(folder + '/' + file.name, file.text);
 }
 
-/// The number of rooms that the arguments ask for; 0 for the scenes of data/, below 0 where they are wrong.
+/// The number of random rooms in the arguments; 0 for the scenes of data/, negative for wrong arguments.
 int roomsOf(int argc, char** argv) {
   if (argc == 2) return 0;
   int rooms = -1;

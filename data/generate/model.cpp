@@ -7,8 +7,7 @@
 namespace hemitex::data {
 namespace {
 
-/// The shortest decimal form that reads back to the same number, never in scientific notation; a negative zero loses
-/// its sign.
+/// The shortest decimal form that parses to the same number, never in scientific notation; -0 becomes 0.
 std::string number(double value) {
   std::array<char, 400> digits;
   const auto [end, error] =
@@ -23,13 +22,13 @@ std::string numbers(const glm::vec<Length, double>& vector, const std::string& s
   return text;
 }
 
-/// The lines of an OBJ statement (`v` or `vt`), one for each different vector, in the order of first use.
+/// The lines of an OBJ statement (`v` or `vt`), one per distinct vector, in the order of first use.
 template <glm::length_t Length>
 class Numbered {
  public:
   explicit Numbered(std::string statement) : statement_(std::move(statement)) {}
 
-  /// The vector's number, counted from 1 as OBJ does.
+  /// The vector's number, counted from 1 as in OBJ.
   std::size_t operator()(const glm::vec<Length, double>& vector) {
     const std::string line = statement_ + ' ' + numbers(vector, " ") + '\n';
     const auto [entry, isNew] = numberOf_.try_emplace(line, numberOf_.size() + 1);

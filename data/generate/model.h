@@ -1,7 +1,7 @@
-/// A model: polygons in named groups, their materials and a view, and the text of the files that hold them.
+/// A model: polygons in named groups, their materials and a view, and the text of their files.
 ///
-/// Numbers are written in the shortest decimal form that reads back to the same binary64, so a file's bytes depend on
-/// nothing but the model.
+/// Numbers have the shortest decimal form that parses to the same double, so that the bytes of a file depend only on
+/// the model.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -16,13 +16,13 @@ struct Material {
   glm::dvec3 emission{0.0};  ///< emitted radiosity
 };
 
-/// A polygon, counter-clockwise as seen from the side that reflects.
+/// A polygon, counter-clockwise as seen from its reflecting side.
 struct Polygon {
   std::vector<glm::dvec3> corners;
-  std::vector<glm::dvec2> texcoords = {};  ///< one a corner, or none
+  std::vector<glm::dvec2> texcoords = {};  ///< one per corner, or none
 };
 
-/// What becomes a surface, or several where its parts lie in different planes.
+/// A group becomes one surface, or several if its parts lie in different planes.
 struct Group {
   std::string name;
   std::string material;
@@ -38,8 +38,8 @@ struct View {
 };
 
 struct Model {
-  std::string name;                ///< of the files, without ending
-  std::vector<std::string> about;  ///< lines: what it is and where its numbers come from
+  std::string name;                ///< of the files, without extension
+  std::vector<std::string> about;  ///< lines about the content and the source of its numbers
   std::vector<std::string> aboutMaterials;
   std::vector<Material> materials;
   std::vector<Group> groups;

@@ -10,7 +10,7 @@ namespace hemitex::data {
 /// The scene of Nielsen and Christensen 2002, figure 2: a room, a box and a light, 13 quads, each a surface.
 Model paperRoom();
 
-/// The Cornell box as it was measured.
+/// The Cornell box as measured.
 Model cornellBox();
 
 /// A closed room with a pyramid: surfaces that are not rectangles (figure 3 b).

@@ -1,5 +1,5 @@
 /// The simple scene of Nielsen and Christensen 2002. The camera stands outside and looks through the front wall, whose
-/// back a picture leaves out.
+/// back pictures leave out.
 #include "data/generate/models.h"
 #include "data/generate/shapes.h"
 
@@ -30,7 +30,7 @@ Model paperRoom() {
   model.groups.push_back({"floor", "plain", {atHeight(ceiling, 0)}});
   model.groups.push_back({"ceiling", "plain", {reversed(ceiling)}});
 
-  // A box of 1.2 m by 1.2 m, turned by the angle of the triangle 7, 24, 25 about its middle, (0.3, -0.3).
+  // A box of 1.2 m by 1.2 m, rotated about its middle, (0.3, -0.3), by the angle of the triangle 7, 24, 25.
   const Polygon top{{{-0.108, 1.4, 0.444}, {1.044, 1.4, 0.108}, {0.708, 1.4, -1.044}, {-0.444, 1.4, -0.708}}};
   const std::vector<Polygon> around = sides(top, 0.4);
   model.groups.push_back({"box-bottom", "wood", {reversed(atHeight(top, 0.4))}});
@@ -40,8 +40,8 @@ Model paperRoom() {
   model.groups.push_back({"box-back", "wood", {around[2]}});
   model.groups.push_back({"box-left", "wood", {around[3]}});
 
-  // Light and ceiling share no plane, so which of them is seen depends on no rounding. Where the ceiling has 3 x 3 or
-  // 4 x 4 patches, no patch's centre lies behind the light: from there a hemicube would see little but its back.
+  // Light and ceiling are not coplanar, so that rounding does not decide which is visible. With 3 x 3 or 4 x 4 patches
+  // on the ceiling, no patch's centre lies behind the light; a hemicube there would see little except the light's back.
   model.groups.push_back({"light", "light", {reversed(rectangle(-0.45, 0.45, 0.2, 1.1, 2.99))}});
   model.view = {{0, 1.5, 6}, {0, 1.5, 0}, {0, 1, 0}, 41};
   return model;

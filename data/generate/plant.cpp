@@ -1,5 +1,5 @@
-/// A closed room with plants: thousands of triangles in leaves that touch nothing, each a surface of its own. There is
-/// nothing for an index map to save. The camera stands outside and looks through the front wall.
+/// A closed room with plants: thousands of triangles in leaves that touch nothing, each a surface of its own. It is a
+/// scene without benefit from index maps. The camera stands outside and looks through the front wall.
 #include <cmath>
 #include <cstdint>
 
@@ -16,12 +16,12 @@ struct Plant {
   std::string name, material;
   glm::dvec3 foot{0.0};
   double potRadius = 0, potHeight = 0;
-  double crownHeight = 0, crownRadius = 0;  ///< the middle of the leaves over the foot, and how far out they are
+  double crownHeight = 0, crownRadius = 0;  ///< middle of the leaves above the foot, and their distance from it
   int leaves = 0;
   double leafLength = 0;
 };
 
-/// Fractions in [0, 1), always the same.
+/// Pseudo-random fractions in [0, 1), always the same.
 class Fractions {
  public:
   double next() { return (state_ = state_ * 1664525u + 1013904223u) / 4294967296.0; }
@@ -41,7 +41,7 @@ void addLeaf(std::vector<Group>& groups, const std::string& name, const std::str
   groups.push_back({name + "-under", material, {{{foot, tip, right}, {a, c, b}}, {{tip, foot, left}, {c, a, d}}}});
 }
 
-/// Leaves around a crown's middle, by turns of the golden angle, so that none stands over another.
+/// Leaves around a crown's middle, in steps of the golden angle, so that none is above another.
 void addLeaves(std::vector<Group>& groups, const Plant& plant, Fractions& fractions) {
   // The cosine and the sine of the golden angle, pi (3 - sqrt(5)).
   const glm::dvec2 golden{-0.7373688780783197, 0.6754902942615238};

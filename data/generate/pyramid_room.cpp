@@ -1,5 +1,5 @@
-/// A closed room with a pyramid. The camera stands outside and looks through the front wall, whose back a picture
-/// leaves out.
+/// A closed room with a pyramid. The camera stands outside and looks through the front wall, whose back pictures leave
+/// out.
 #include "data/generate/models.h"
 #include "data/generate/shapes.h"
 
@@ -25,7 +25,7 @@ Model pyramidRoom() {
 
   const Polygon ceiling = rectangle(-2.5, 2.5, -2.5, 2.5, 3.2);
   const Polygon light = rectangle(-2, -1, -1, 0, 3.2);
-  // A square of 2 m by 2 m, turned by the angle of the triangle 7, 24, 25.
+  // A square of 2 m by 2 m, rotated by the angle of the triangle 7, 24, 25.
   const Polygon base{{{-0.68, 0, 1.24}, {1.24, 0, 0.68}, {0.68, 0, -1.24}, {-1.24, 0, -0.68}}};
   const glm::dvec3 apex{0, 1.7, 0};
   Group pyramid{"pyramid", "sandstone", {}};

@@ -26,7 +26,7 @@ class Draws {
   double fraction() { return static_cast<double>(random_()) * 0x1p-32; }
   /// In [low, high].
   double between(double low, double high) { return low + (high - low) * fraction(); }
-  /// The same in whole millimetres.
+  /// As between, in whole millimetres.
   double length(double low, double high) { return toMillimetres(between(low, high)); }
   /// In [0, count).
   int below(int count) { return static_cast<int>(fraction() * count); }
@@ -43,9 +43,9 @@ glm::dvec2 onCircle(double t) { return glm::dvec2(1 - t * t, 2 * t) / (1 + t * t
 glm::dmat3 aboutY(const glm::dvec2& turn) { return {{turn.x, 0, -turn.y}, {0, 1, 0}, {turn.y, 0, turn.x}}; }
 glm::dmat3 aboutZ(const glm::dvec2& turn) { return {{turn.x, turn.y, 0}, {-turn.y, turn.x, 0}, {0, 0, 1}}; }
 
-/// A box, turned about the origin, then moved.
+/// A box, rotated about the origin, then moved.
 struct Solid {
-  glm::dvec3 size{1.0};  ///< before, it reaches from -size/2 to size/2 in x and z, and from 0 to size.y
+  glm::dvec3 size{1.0};  ///< before rotation it reaches from -size/2 to size/2 in x and z, and from 0 to size.y
   glm::dmat3 rotation{1.0};
   glm::dvec3 foot{0.0};
   std::vector<Side> without = {};
@@ -54,7 +54,8 @@ struct Solid {
   glm::dvec3 placed(const glm::dvec3& point) const { return rotation * point + foot; }
 };
 
-/// Without rotation, to the micrometre, so that what touches does so exactly; rounding would bend turned faces.
+/// Without rotation, coordinates are rounded to the micrometre, so that contacts are exact; rounding would bend rotated
+/// faces.
 Group placed(Group group, const Solid& solid) {
   const bool isTurned = solid.rotation != glm::dmat3(1);
   for (Polygon& polygon : group.polygons)
@@ -83,7 +84,7 @@ bool overlap(const Box& a, const Box& b) {
 
 Box grown(const Box& box, double by) { return {box.low - by, box.high + by}; }
 
-/// What is drawn and placed as one.
+/// Boxes that are drawn and placed together.
 using Piece = std::vector<Solid>;
 
 /// The room reaches from -half to half in x and z, and from 0 to `height`.
@@ -100,7 +101,7 @@ std::vector<Side> perhapsWithout(Draws& draw, Side side) {
   return draw.coin() ? std::vector{side} : std::vector<Side>{};
 }
 
-/// Somewhere in the room at a height, with the solid's middle this far from the walls at least.
+/// A random place in the room at a height, with the solid's middle at least `distance` from the walls.
 glm::dvec3 placeIn(Draws& draw, const Room& room, double distance, double y) {
   const double x = draw.length(-room.half.x + distance, room.half.x - distance);
   const double z = draw.length(-room.half.y + distance, room.half.y - distance);
@@ -134,7 +135,7 @@ Piece alongWall(Draws& draw, const Room& room) {
   return {solid};
 }
 
-/// The upper box stands wholly or in part on the lower one.
+/// The upper box stands on the lower one, completely or partly.
 Piece stack(Draws& draw, const Room& room) {
   Solid lower = standing(draw, room, 0);
   lower.without = perhapsWithout(draw, Side::Bottom);
@@ -163,7 +164,7 @@ Piece onWall(Draws& draw, const Room& room) {
   return {solid};
 }
 
-/// From 1 mm to 30 cm above the floor, mostly near it.
+/// From 1 mm to 30 cm above the floor, with a higher density near it.
 Piece hovering(Draws& draw, const Room& room) {
   const double share = draw.fraction();
   return {standing(draw, room, toMillimetres(0.001 + 0.299 * (share * share * share)))};
@@ -194,7 +195,7 @@ Piece leaning(Draws& draw, const Room& room) {
 /// A box that is sunk into the floor.
 Piece sunk(Draws& draw, const Room& room) { return {standing(draw, room, -draw.length(0.005, 0.1))}; }
 
-/// The second box goes through the first one from side to side, turned.
+/// The second box passes through the first one from side to side, rotated.
 Piece crossing(Draws& draw, const Room& room) {
   Solid first = standing(draw, room, 0);
   first.without = perhapsWithout(draw, Side::Bottom);
@@ -209,8 +210,8 @@ Piece drawPiece(Draws& draw, const Room& room) {
   return kinds[static_cast<std::size_t>(draw.below(kinds.size()))](draw, room);
 }
 
-/// A light is a thin box below the ceiling or on the back wall, one face of which emits, or a hovering box of which all
-/// do.
+/// A light is a thin box below the ceiling or on the back wall with one emitting face, or a hovering box that emits on
+/// all faces.
 struct Light {
   Solid solid;
   std::optional<Side> emits;
@@ -231,7 +232,7 @@ Light drawLight(Draws& draw, const Room& room) {
   return {solid, std::nullopt};
 }
 
-/// Whether a box is in the room but for what is sunk, and away from others.
+/// Whether a box is in the room, except for sunk parts, and away from others.
 bool fits(const Box& box, const Room& room, const std::vector<Box>& taken) {
   constexpr double maxSunk = 0.101;
   const Box inside{{-room.half.x - maxSunk, -maxSunk, -room.half.y - 1e-9},
@@ -240,7 +241,7 @@ bool fits(const Box& box, const Room& room, const std::vector<Box>& taken) {
   return isInside && std::none_of(taken.begin(), taken.end(), [&](const Box& other) { return overlap(box, other); });
 }
 
-/// Whether it leaves the room no further than it is meant to be sunk: only boards that lean on a wall do so.
+/// Whether the box leaves the room by at most the intended depth; only boards that lean on a wall do.
 bool isSunkInWall(const Box& box, const Room& room) {
   const double out = std::max(box.high.x, -box.low.x) - room.half.x;
   return out > 1e-9 && out < 0.011;
@@ -296,7 +297,7 @@ class RoomBuilder {
     model_.groups.push_back({"ceiling", addMaterial("ceiling"), {reversed(ceiling)}});
   }
 
-  /// Room around a light stays free. Where no place is found, there is one light less, but never none.
+  /// The space around a light stays free. If no place is found, there is one light less, but at least one.
   void addLight() {
     for (int attempt = 0; attempt < maxAttempts; ++attempt) {
       const Light light = drawLight(draw_, room_);
@@ -318,7 +319,7 @@ class RoomBuilder {
     }
   }
 
-  /// `reserved` surfaces are left for the pieces to come.
+  /// `reserved` is the number of surfaces to leave for later pieces.
   void addPiece(std::size_t reserved) {
     for (int attempt = 0; attempt < maxAttempts; ++attempt) {
       const Piece piece = drawPiece(draw_, room_);
@@ -329,7 +330,7 @@ class RoomBuilder {
     }
   }
 
-  /// Every other box has a group per face, as long as the surfaces suffice.
+  /// Every other box has one group per face, as long as there are enough surfaces left.
   void addSolid(const Solid& solid, std::size_t reserved) {
     const std::string name = "box-" + std::to_string(++boxes_), material = addMaterial(name);
     const bool isInFaces = boxes_ % 2 == 0 && model_.groups.size() + 6 + reserved <= maxSurfaces;

@@ -1,4 +1,4 @@
-/// Closed rooms of boxes drawn at random: furniture that stands, hangs, hovers, leans and crosses other furniture.
+/// Random closed rooms of boxes: furniture that stands, hangs, hovers, leans and intersects other furniture.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,14 @@
 
 namespace hemitex::data {
 
-/// Room `seed`, always the same: at most 40 surfaces, 4 to 12 pieces of furniture, one to three lights. All faces of
-/// the furniture face outwards. Boxes have all six faces or lack the one that stands on the floor, on another box, or
-/// hangs on a wall or the ceiling. Only furniture of one piece crosses: two boxes through each other, and boxes that
-/// are sunk a little into the floor or a wall. Nothing comes near the lights. Lengths are in metres.
+/// Room number `seed`, always the same: at most 40 surfaces, 4 to 12 pieces of furniture, one to three lights. All
+/// faces of the furniture face outwards. Boxes have all six faces, or lack the face that stands on the floor or on
+/// another box, or hangs on a wall or the ceiling. Intersections are only within one piece (two boxes through each
+/// other), or of boxes that are sunk a little into the floor or a wall. No furniture is near the lights. Lengths are in
+/// metres.
 ///
-/// No distributions of the standard library and no trigonometric functions are used: both may differ between machines.
+/// The function uses neither distributions of the standard library nor trigonometric functions, because both may differ
+/// between machines.
 Model randomRoom(std::uint32_t seed);
 
 }  // namespace hemitex::data

@@ -7,7 +7,7 @@
 namespace hemitex::data {
 namespace {
 
-/// In steps: positions lie a step apart or in one place, but for the rounding of decimals.
+/// In steps: two positions are at least a step apart or equal, up to the rounding of decimals.
 constexpr double nearby = 1e-5;
 
 bool before(const glm::dvec3& a, const glm::dvec3& b) {
@@ -26,13 +26,13 @@ std::vector<glm::dvec3> verticesOf(const std::vector<Group>& groups) {
   return vertices;
 }
 
-/// A vertex inside an edge, and how far along the edge it is, in (0, 1).
+/// A vertex inside an edge, and its position along the edge, in (0, 1).
 struct Between {
   double share = 0;
   glm::dvec3 position{0.0};
 };
 
-/// The vertices inside the edge from a to b, on the way from a to b.
+/// The vertices inside the edge from a to b, ordered from a to b.
 std::vector<Between> insideEdge(const std::vector<glm::dvec3>& vertices, const glm::dvec3& a, const glm::dvec3& b,
                                 double tolerance) {
   const auto leftOf = [](const glm::dvec3& vertex, double x) { return vertex.x < x; };
@@ -94,7 +94,7 @@ Polygon without(Polygon polygon, std::size_t corner) {
   return polygon;
 }
 
-/// Twice the area of a triangle over its longest edge squared: 0 for corners in a line, at most 0.87.
+/// Twice the area of a triangle over its longest edge squared: 0 for collinear corners, at most 0.87.
 double fatness(const Polygon& triangle) {
   double longest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -104,8 +104,8 @@ double fatness(const Polygon& triangle) {
   return glm::length(twiceArea(triangle)) / longest;
 }
 
-/// A convex polygon, some of whose corners may lie in a line, as triangles with area: again and again the fattest ear
-/// goes whose loss leaves a polygon with area.
+/// Triangulates a convex polygon, which may have collinear corners, into triangles with area. Repeatedly cuts the
+/// fattest ear that leaves a polygon with area.
 std::vector<Polygon> triangulated(Polygon polygon) {
   std::vector<Polygon> triangles;
   while (polygon.corners.size() > 3) {

@@ -1,5 +1,5 @@
-/// Seams: where faces touch along an edge, the vertices of one have to be vertices of the other, or rounding would tear
-/// a gap between them. Whoever builds of parts need not think of it: the seams are closed afterwards.
+/// Closes T-junctions: where faces share an edge, the vertices of one must be vertices of the other, or rounding would
+/// open a gap between them. Models may be built from independent parts and closed afterwards.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace hemitex::data {
 
-/// Each coordinate as the nearest multiple of 1 / `steps`.
+/// Rounds each coordinate to the nearest multiple of 1 / `steps`.
 glm::dvec3 roundedPosition(const glm::dvec3& position, double steps);
 
-/// Rounds every position to multiples of 1 / `steps`, so that parts that meet do so exactly, puts each vertex that lies
-/// inside an edge of another face into that edge, and cuts the faces that got such vertices into triangles: polygons
-/// are convex and stay so, but none has three corners in a line. Texture coordinates follow.
+/// Rounds all positions to multiples of 1 / `steps`, so that adjacent parts meet exactly. Inserts each vertex that lies
+/// inside an edge of another face into that edge, and triangulates the faces with inserted vertices. So polygons stay
+/// convex, and none has three collinear corners. Texture coordinates are interpolated.
 void closeSeams(std::vector<Group>& groups, double steps);
 
 }  // namespace hemitex::data

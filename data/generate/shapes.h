@@ -1,5 +1,5 @@
-/// Shapes that the models are built of. Lengths are in the model's units and y points up; "from above" means from
-/// +y, with x to the right and z towards the viewer.
+/// Shapes for models. Lengths are in the model's units and y points up; "from above" means from +y, with x to the right
+/// and z towards the viewer.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,7 +12,7 @@ namespace hemitex::data {
 /// A horizontal rectangle that faces up: (x0, z1), (x1, z1), (x1, z0), (x0, z0).
 Polygon rectangle(double x0, double x1, double z0, double z1, double y);
 
-/// The same polygon, facing the other way.
+/// The polygon with opposite winding.
 Polygon reversed(const Polygon& polygon);
 
 /// The same polygon, moved along y to the given height.
@@ -22,9 +22,9 @@ Polygon atHeight(const Polygon& polygon, double y);
 /// outwards and follow the edges of `top`: of a rectangle front (+z), right (+x), back (-z), left (-x).
 std::vector<Polygon> sides(const Polygon& top, double y);
 
-/// What is left of a quad when a hole is cut out of it: both wind the same way in one plane. The hole has s edges along
-/// each edge of the quad, beginning at corresponding corners. Every vertex of the hole is a vertex of the faces that
-/// touch it, so nothing shows between the frame and what fills the hole or rises from it.
+/// The rest of a quad after cutting out a hole; both have the same winding in one plane. The hole has s edges along
+/// each edge of the quad, beginning at corresponding corners. Each vertex of the hole is a vertex of the adjacent
+/// faces, so that there are no gaps between the frame and the content of the hole.
 std::vector<Polygon> frame(const Polygon& quad, const Polygon& hole);
 
 /// The groups wall-front, wall-right, wall-back and wall-left from the floor at y = 0 up to `ceiling`, a rectangle

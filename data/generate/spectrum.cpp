@@ -11,8 +11,8 @@ struct Observer {
 };
 
 /// Every fourth row of the 1 nm table of the CIE 1931 2-degree colour matching functions (ISO/CIE 11664-1; as published
-/// by the Colour and Vision Research Laboratory, cvrl.org, file ciexyz31_1). Against all rows, the trapezoid rule over
-/// these changes the band values of the Cornell box by less than 4e-4.
+/// by the Colour and Vision Research Laboratory, cvrl.org, file ciexyz31_1). Compared with all rows, the trapezoid rule
+/// over these changes the band values of the Cornell box by less than 4e-4.
 constexpr std::array<Observer, 76> observer{{
     {400, 0.01431, 0.000396, 0.06785001},
     {404, 0.02074801, 0.0005722187, 0.09854048},
@@ -92,7 +92,7 @@ constexpr std::array<Observer, 76> observer{{
     {700, 0.01135916, 0.004102, 0},
 }};
 
-/// The integral from 400 to 700 nm over 4 nm by the trapezoid rule: the end samples count half.
+/// The integral from 400 to 700 nm in steps of 4 nm by the trapezoid rule: the end samples have half the weight.
 glm::dvec3 integral(const Spectrum& spectrum) {
   glm::dvec3 sum{0.0};
   for (std::size_t i = 0; i < spectrum.size(); ++i) {
@@ -102,7 +102,7 @@ glm::dvec3 integral(const Spectrum& spectrum) {
   return sum;
 }
 
-/// The colour of chromaticity (x, y) whose Y is 1.
+/// The colour of chromaticity (x, y) with Y = 1.
 glm::dvec3 xyzOfChromaticity(double x, double y) { return {x / y, 1.0, (1.0 - x - y) / y}; }
 
 }  // namespace
@@ -135,8 +135,8 @@ glm::dvec3 tristimulus(const Spectrum& spectrum) {
 }
 
 /// IEC 61966-2-1 gives the chromaticities of the primaries and of the white point, D65. The columns of the matrix from
-/// RGB to XYZ are the primaries, scaled so that (1, 1, 1) is white with Y = 1: with P the matrix of the unscaled
-/// primaries and W the white, the scales are s = P^-1 W, and XYZ = P diag(s) RGB.
+/// RGB to XYZ are the primaries, scaled so that (1, 1, 1) is white with Y = 1. Let P be the matrix of the unscaled
+/// primaries and W the white. Then the scales are s = P^-1 W, and XYZ = P diag(s) RGB.
 glm::dmat3 linearSrgbFromXyz() {
   const glm::dmat3 primaries{xyzOfChromaticity(0.64, 0.33), xyzOfChromaticity(0.30, 0.60),
                              xyzOfChromaticity(0.15, 0.06)};

@@ -7,7 +7,7 @@
 namespace hemitex::data {
 namespace {
 
-/// The lines that bound cells, in order; two that only rounding parts are one.
+/// The lines that bound cells, sorted; lines that differ only by rounding are merged.
 std::vector<double> lines(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const auto same = [](double a, double b) { return b - a < 1e-9; };
@@ -67,7 +67,7 @@ Outline outline(const Rectangle& rectangle) {
 }
 
 std::vector<Polygon> aroundArch(const Wall& wall, const Rectangle& rectangle, const Arch& arch) {
-  Outline points = outline(arch);  // counter-clockwise round the opening, so clockwise round the wall
+  Outline points = outline(arch);  // counter-clockwise around the opening, which is clockwise around the wall
   points.insert(points.begin(), {rectangle.right, rectangle.bottom});
   points.emplace_back(rectangle.left, rectangle.bottom);
   const std::size_t crown = points.size() / 2;

@@ -14,7 +14,7 @@ namespace {
 
 double bandSum(const glm::dvec3& value) { return value.x + value.y + value.z; }
 
-/// The element of every leaf, at its lowest texel; nothing for leaves without area.
+/// The element of each leaf, at its lowest texel; nothing for leaves without area.
 std::vector<std::optional<std::uint32_t>> elementsOfLeaves(const Discretization& discretization, const Grid& grid) {
   std::vector<std::optional<std::uint32_t>> elements(grid.spill.size());
   for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e) {
@@ -24,7 +24,7 @@ std::vector<std::optional<std::uint32_t>> elementsOfLeaves(const Discretization&
   return elements;
 }
 
-/// The change of radiosity across a leaf on the way to a neighbour.
+/// The change of radiosity across a leaf in the direction of a neighbour.
 double changeTo(const Leaf& leaf, const glm::dvec3& own, const Leaf& neighbour, const glm::dvec3& other) {
   return bandSum(glm::abs(other - own)) * leaf.side / ((leaf.side + neighbour.side) / 2.0);
 }

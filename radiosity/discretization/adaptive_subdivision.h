@@ -1,10 +1,11 @@
-/// Adaptive subdivision (Cohen, Greenberg, Immel and Brock 1986): elements are split where radiosity changes fast.
+/// Adaptive subdivision (Cohen, Greenberg, Immel and Brock 1986): splits elements where radiosity changes fast.
 ///
-/// A coarse solution tells where. Across an element of side s the radiosity changes by about |b - b'| s / d, where b'
-/// is that of a neighbour whose centre lies d further on. Constant over the element, radiosity is wrong by a share of
-/// that change on all of its area; so an element is split while its area times its change, against all light of the
-/// scene (the sum of area times radiosity), is above a tolerance. Small elements on the border of a shadow and large
-/// ones under a slow change then carry alike to the error. The quarters are solved for again, level by level.
+/// The estimate uses a coarse solution. Across an element of side s the radiosity changes by about |b - b'| s / d. Here
+/// b' is the radiosity of a neighbour whose centre is at distance d. An element has constant radiosity, so its error is
+/// a share of that change, on its whole area. An element is split while area times change, relative to all light of the
+/// scene (the sum of area times radiosity), is above a tolerance. So small elements at shadow borders and large
+/// elements with slow changes contribute equally to the error. The scene is solved again with the smaller elements,
+/// level by level.
 #pragma once
 
 #include <functional>
@@ -17,20 +18,19 @@
 
 namespace hemitex::radiosity {
 
-/// The radiosity of every element of a discretization.
+/// Computes the radiosity of each element of a discretization.
 using SolveElements = std::function<std::vector<glm::dvec3>(const Discretization&)>;
 
-/// The first round has this many elements along a surface's side, or one a texel where it has fewer.
+/// Elements along the side of a surface in the first round; fewer if the surface has fewer texels.
 inline constexpr int coarsestElements = 4;
 
-/// The quadtrees of a discretization that has them, leaves split where area times change is above `tolerance` of all
-/// light, bands summed, and then balanced.
+/// The quadtrees of the discretization after splitting and balancing. A leaf is split if its area times change is above
+/// `tolerance` of all light, summed over bands. The discretization must have quadtrees.
 std::vector<Quadtree> refined(const Discretization& discretization, std::span<const glm::dvec3> radiosity,
                               double tolerance);
 
-/// Starts with quadtrees of `coarsestElements` along a side and solves and refines until nothing is split any more, at
-/// the latest after the texels of the settings. Each surface has 2^n x 2^n of them; throws InputError where one has
-/// not, and as discretize does.
+/// Solves and refines from quadtrees of `coarsestElements` along a side until no element is split, at the latest at the
+/// texels of the settings. Throws InputError if a grid has not 2^n x 2^n texels, and as discretize.
 Discretization adaptiveDiscretization(const Scene& scene, const DiscretizationSettings& settings, double tolerance,
                                       const SolveElements& solveElements);
 

@@ -16,9 +16,9 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// Neighbours of a surface belong together up to this fold: the cosine of the angle between their normals.
+/// Cosine of the largest angle between the normals of neighbours that belong to one region.
 constexpr double minCosine = 0.7;
-/// Relative to the area of its triangle; a smaller piece is rounding noise.
+/// Relative to the area of the triangle; smaller pieces are rounding noise.
 constexpr double smallestShare = 1e-14;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
@@ -28,7 +28,7 @@ struct Range {
   double low = 0, high = 0;
 };
 
-/// What of a range other ranges leave uncovered.
+/// The length of the part of a range that other ranges do not cover.
 double uncovered(const Range& range, std::vector<Range>& covers) {
   std::sort(covers.begin(), covers.end(), [](const Range& a, const Range& b) { return a.low < b.low; });
   double left = 0, end = range.low;
@@ -39,8 +39,8 @@ double uncovered(const Range& range, std::vector<Range>& covers) {
   return left + range.high - end;
 }
 
-/// What of a range along a line a segment covers that lies along it. The segment's ends are given as the place along
-/// the line and the distance from it.
+/// The part of a range along a line that a segment on this line covers. The ends of the segment are given as place
+/// along the line and distance from it.
 std::optional<Range> coverOf(const Range& range, glm::dvec2 from, glm::dvec2 to, double distance) {
   if (from.x > to.x) std::swap(from, to);
   const double low = std::max(range.low, from.x), high = std::min(range.high, to.x);
@@ -60,10 +60,10 @@ BoostBox boxAround(const glm::dvec2& a, const glm::dvec2& b, double margin) {
   return {{low.x, low.y}, {high.x, high.y}};
 }
 
-/// Segments in the plane of a triangle, found by where they are.
+/// Segments in the plane of a triangle, in a tree for box queries.
 class SegmentTree {
  public:
-  /// Segments so near to a box are found.
+  /// Queries find segments within `margin` of a box.
   SegmentTree(const std::vector<Slice>& segments, double margin) : margin_(margin) {
     std::vector<std::pair<BoostBox, std::uint32_t>> boxes;
     boxes.reserve(segments.size());
@@ -72,7 +72,7 @@ class SegmentTree {
     tree_ = Tree(boxes);
   }
 
-  /// The numbers of those near the box around two points, ascending.
+  /// The numbers of the segments near the box around two points, ascending.
   const std::vector<std::uint32_t>& near(const glm::dvec2& low, const glm::dvec2& high) {
     found_.clear();
     for (auto it = tree_.qbegin(index::intersects(boxAround(low, high, margin_))); it != tree_.qend(); ++it)
@@ -89,9 +89,9 @@ class SegmentTree {
   std::vector<std::uint32_t> found_;
 };
 
-/// The plane of a triangle, in lengths.
+/// The plane of a triangle, in units of length.
 struct TrianglePlane {
-  glm::dmat2 axes;  ///< what weights are multiplied with
+  glm::dmat2 axes;  ///< maps weights to positions
 
   explicit TrianglePlane(const Triangle& triangle) {
     const glm::dvec3 along1 = triangle.position[1] - triangle.position[0],
@@ -103,7 +103,7 @@ struct TrianglePlane {
   glm::dvec2 place(const glm::dvec2& weights) const { return axes * weights; }
 };
 
-/// Both parts of a piece where a slice goes through it, the piece alone otherwise. The slice is given in the plane.
+/// Splits a piece if a slice goes through it, else returns the piece. The slice is given in the plane.
 std::vector<Piece> splitBy(const Piece& piece, const TrianglePlane& plane, const Slice& slice, double tolerance) {
   const glm::dvec2 along = slice.to - slice.from;
   const double length = glm::length(along);
@@ -117,7 +117,7 @@ std::vector<Piece> splitBy(const Piece& piece, const TrianglePlane& plane, const
   }
   if (low == 0 || high == 0) return {piece};
   const Halves halves = split(piece, distances);
-  // The chord of the line through the piece, and what of it the slice covers.
+  // The chord of the line through the piece, and the part of it that the slice covers.
   for (std::size_t i = 0; i < halves.below.size; ++i) {
     const PieceCorner& corner = halves.below.corners[i];
     const glm::dvec2 offset = plane.place(corner.weight) - slice.from;
@@ -145,7 +145,7 @@ std::vector<Piece> splitBy(const Piece& piece, const TrianglePlane& plane, const
   return result;
 }
 
-/// Whether two segments share a part of a line that no slice lies along.
+/// Whether two segments share a part of a line that no slice covers.
 bool areJoined(const Slice& one, const Slice& other, const std::vector<Slice>& slices, SegmentTree& tree,
                double tolerance) {
   const bool isOneLonger = glm::length(one.to - one.from) >= glm::length(other.to - other.from);
@@ -174,7 +174,7 @@ bool contains(const Piece& piece, const glm::dvec2& weights) {
   return true;
 }
 
-/// What of a triangle's edge belongs to which cutting, in lengths from the edge's first corner.
+/// The part of a triangle's edge that belongs to a cutting, in lengths from the first corner of the edge.
 struct EdgePart {
   Range range;
   std::uint32_t cutting = 0;
@@ -203,7 +203,7 @@ class SurfaceCutter {
   }
 
  private:
-  /// The cuttings of each region, the largest first.
+  /// Fills the cuttings of each region, largest first.
   void findRegions() {
     std::map<std::uint32_t, std::vector<std::uint32_t>> byRoot;
     for (std::uint32_t i = 0; i < cuttings_.size(); ++i) byRoot[rootOf(i)].push_back(i);
@@ -225,7 +225,7 @@ class SurfaceCutter {
     cuttings_.push_back({texel, triangle, nullptr, centroid(piece), share(piece) * wholeArea});
   }
 
-  /// A triangle without slices is of one region.
+  /// A triangle without slices belongs to one region.
   void cutWhole(std::uint32_t triangle) {
     const double wholeArea = area(surface_.triangles[triangle]);
     forEachCell(inTexels(surface_.triangles[triangle], grid_.columns, grid_.rows),
@@ -263,7 +263,7 @@ class SurfaceCutter {
     edges_[triangle] = edgesOf(triangle, borders, owners);
   }
 
-  /// What the slices cut a piece into.
+  /// The pieces into which slices cut a piece.
   std::vector<Piece> piecesOf(const Piece& whole, const TrianglePlane& plane, const std::vector<Slice>& slices,
                               SegmentTree& tree) const {
     glm::dvec2 low = plane.place(whole.corners[0].weight), high = low;
@@ -273,7 +273,7 @@ class SurfaceCutter {
     }
     std::vector<Piece> pieces{whole};
     for (const std::uint32_t slice : tree.near(low, high)) {
-      // Parts replace the piece or go to the end, where this slice does not come to them.
+      // One part replaces the piece, and the other goes to the end, so that this slice does not visit it.
       const std::size_t count = pieces.size();
       for (std::size_t i = 0; i < count; ++i) {
         if (!mayCut(slices[slice], plane, pieces[i])) continue;
@@ -287,7 +287,7 @@ class SurfaceCutter {
     return pieces;
   }
 
-  /// Whether the boxes around both meet.
+  /// Whether the two bounding boxes intersect.
   static bool mayCut(const Slice& slice, const TrianglePlane& plane, const Piece& piece) {
     bool isLeft = true, isRight = true, isBelow = true, isAbove = true;
     const glm::dvec2 low = glm::min(slice.from, slice.to), high = glm::max(slice.from, slice.to);
@@ -325,7 +325,7 @@ class SurfaceCutter {
           join(owners[i], owners[j]);
   }
 
-  /// Lengths that a point's barycentric weights stand for: along an edge, and over it.
+  /// Lengths that barycentric weights of a point correspond to: along an edge, and above it.
   struct EdgeFrame {
     std::size_t opposite;
     double length, height;
@@ -365,7 +365,7 @@ class SurfaceCutter {
     return {{{0, frame.length}, first_[triangle]}};
   }
 
-  /// Slices that lie along a part of an edge; `isReversed` where places count from its other end.
+  /// Adds the slices along a part of an edge. `isReversed` means that places count from the other end of the edge.
   void addCovers(std::uint32_t triangle, const EdgeFrame& frame, bool isReversed, const Range& range,
                  std::vector<Range>& covers) const {
     for (const Slice& slice : slices_[triangle]) {
@@ -378,7 +378,7 @@ class SurfaceCutter {
     }
   }
 
-  /// Joins cuttings across the edges that triangles share, but where the surface folds sharply.
+  /// Joins cuttings across common edges of triangles, except where the surface folds sharply.
   void joinTriangles() {
     const auto across = neighbours(surface_);
     std::vector<glm::dvec3> normals;
@@ -416,13 +416,13 @@ class SurfaceCutter {
 
   const Surface& surface_;
   const Grid& grid_;
-  std::span<const std::vector<Slice>> slices_;  ///< one entry a triangle
+  std::span<const std::vector<Slice>> slices_;  ///< one entry per triangle
   double tolerance_;
   std::vector<Cutting> cuttings_;      ///< by triangle
-  std::vector<std::uint32_t> parent_;  ///< of each cutting, in the union-find forest over all of them
+  std::vector<std::uint32_t> parent_;  ///< of each cutting, in the union-find forest of all cuttings
   std::vector<std::vector<std::uint32_t>> regions_;
-  std::vector<std::uint32_t> first_;      ///< of each triangle's cuttings, and behind the last
-  std::map<std::uint32_t, Edges> edges_;  ///< of the triangles that have slices
+  std::vector<std::uint32_t> first_;      ///< first cutting of each triangle; one more at the end
+  std::map<std::uint32_t, Edges> edges_;  ///< of the triangles with slices
 };
 
 }  // namespace

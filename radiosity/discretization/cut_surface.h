@@ -1,4 +1,5 @@
-/// Cuts the triangles of a surface along their slices, and finds the regions that the cuttings form.
+/// Cuts the triangles of a surface along their slices (triangle_slices.h), and finds the connected regions of the
+/// pieces.
 #pragma once
 
 #include <cstddef>
@@ -15,28 +16,28 @@
 
 namespace hemitex::radiosity {
 
-/// The part of a triangle in a texel, or one of the pieces that slices cut it into.
+/// The part of a triangle in a texel, or one of the pieces into which slices cut that part.
 struct Cutting {
   std::uint32_t texel = 0, triangle = 0;
-  std::shared_ptr<const Piece> piece = {};  ///< where there are several in the texel
+  std::shared_ptr<const Piece> piece = {};  ///< if the texel has several pieces of the triangle
   glm::dvec2 centre{0.0};                   ///< barycentric weights, of the triangle's corners 1 and 2
   double area = 0;
 };
 
-/// A surface cut by its slices. Cuttings that share a part of their borders that no slice lies along are one region:
-/// they are exposed or buried together.
+/// A surface cut by its slices. Cuttings whose common border is not completely covered by slices belong to one region.
+/// A region is exposed or buried as a whole.
 struct CutSurface {
   std::vector<Cutting> cuttings;                    ///< by triangle
-  std::vector<std::uint32_t> first;                 ///< of each triangle's cuttings, and behind the last
-  std::vector<bool> isCut;                          ///< one a triangle: whether it has slices
-  std::vector<std::vector<std::uint32_t>> regions;  ///< the cuttings of each, the largest first
+  std::vector<std::uint32_t> first;                 ///< first cutting of each triangle; one more at the end
+  std::vector<bool> isCut;                          ///< one per triangle: whether it has slices
+  std::vector<std::vector<std::uint32_t>> regions;  ///< the cuttings of each region, largest first
 };
 
-/// `slices` has an entry a triangle of the surface; `tolerance` is a length, far above what rounding does to a slice.
+/// `slices` has one entry per triangle of the surface. `tolerance` is a length far above the rounding errors of slices.
 CutSurface cutSurface(const Surface& surface, const Grid& grid, std::span<const std::vector<Slice>> slices,
                       double tolerance);
 
-/// The cutting that a point of a triangle lies in; the triangle's first where rounding puts it in none.
+/// The cutting that contains a point of a triangle; the triangle's first one if rounding puts the point in none.
 std::uint32_t cuttingAt(const CutSurface& cut, const Surface& surface, const Grid& grid, std::uint32_t triangle,
                         const glm::dvec2& weights);
 

@@ -1,20 +1,22 @@
 /// The discretization: surfaces become texel grids, texels become elements, blocks of texels become patches. No
-/// geometry is cut; all that is stored is how much of the surface lies in each texel (Nielsen and Christensen 2002,
+/// geometry is cut; the discretization stores the area of the surface in each texel (Nielsen and Christensen 2002,
 /// section 3).
 ///
 /// Texel (column, row) of a columns x rows grid is the square [column, column+1]/columns x [row, row+1]/rows of the
-/// chart. Its area is the exact area of the surface inside it. A texel without area is a *phantom*. A texel whose
-/// square is covered for less than a quarter merges into its largest neighbour of the same surface: a sliver element
-/// would glow, because the few pixels it is seen in are quantized while its area is tiny. One spill table, from
-/// texels to elements, says where every texel's light goes: to its own element, to the one it merged into, or, for a
-/// phantom (a sample can fall on one at a chart's border), to the nearest element.
+/// chart. Its area is the exact area of the surface inside it. A texel without area is a *phantom*. A texel covered by
+/// less than a quarter is a sliver and merges into its largest neighbour of the same surface. Otherwise its radiosity
+/// would be too large, because few quantized pixels would be divided by a tiny area.
 ///
-/// What lies inside a solid is not exposed (see exposure.h): it has no part in areas and centres, so that it neither
-/// receives nor sends. A texel that is wholly buried is a phantom, and one of which less than a quarter is exposed
-/// merges.
+/// One table, the texel-to-element map (`spill`), maps each texel to the element that receives its light. That is its
+/// own element, the element it merged into, or the nearest element for a phantom. (A sample at a chart's border can
+/// select a phantom.)
 ///
-/// Under a quadtree elements are not texels but its leaves: all texels of a leaf spill to one element. A texel is still
-/// what slivers are measured by: where one merges with a neighbour, its light goes to that neighbour's leaf.
+/// A part of a surface inside a solid is not exposed (see exposure.h). It does not count in areas and centres, so that
+/// it neither receives nor sends light. A completely buried texel is a phantom; a texel of which less than a quarter is
+/// exposed merges.
+///
+/// With a quadtree the elements are its leaves, and all texels of a leaf map to one element. Slivers are still merged
+/// per texel: a sliver maps to the leaf of the neighbour that it merged with.
 #pragma once
 
 #include <cstdint>
@@ -31,22 +33,23 @@
 namespace hemitex::radiosity {
 
 struct Element {
-  double area = 0;  ///< of the exposed surface inside its texels, in the scene's units squared; above 0
+  double area = 0;  ///< of the exposed surface inside its texels, in squared units of the scene; above 0
   std::uint32_t surface = 0;
-  std::uint32_t texel = 0;  ///< row * columns + column of its own texel, the one the others merged into; of a leaf of
-                            ///< several texels the first that is one's own
+  std::uint32_t texel = 0;  ///< row * columns + column of its own texel, which others may have merged into; for a leaf,
+                            ///< the first own texel
 };
 
-/// A block of texels of one surface that shoots as one. A leaf of a quadtree that is larger is a patch of its own.
+/// A block of texels of one surface that shoots as one. A quadtree leaf that is larger is a patch of its own.
 struct Patch {
   std::uint32_t surface = 0;
-  int column = 0, row = 0, width = 0, height = 0;    ///< in texels; at the grid's end a block may be smaller
+  int column = 0, row = 0, width = 0, height = 0;    ///< in texels; the last block of a row or a column may be smaller
   std::uint32_t firstElement = 0, elementCount = 0;  ///< in Discretization::patchElements
-  int halvings = 0;  ///< of the resolution that it is drawn at, for it shoots little (see patch_subdivision.h)
-  int points = 1;    ///< along its side: it shoots from points x points of them; more than 1 only for a single element
-  bool isSettled = false;  ///< whether to split it has been decided
-  /// Instead of its number, what a turned projection over it is turned by (see turnOf): patches that were renumbered
-  /// look as they did.
+  int halvings =
+      0;  ///< halvings of the resolution that it is drawn at, because it shoots little (see patch_subdivision.h)
+  int points = 1;  ///< along its side: it shoots from points x points points; more than 1 only for a single element
+  bool isSettled = false;  ///< whether its splitting has been decided
+  /// Number for the rotation of a projection that is rotated per patch (see turnOf), instead of the patch number. So
+  /// patches with new numbers keep their rotation.
   std::optional<std::uint32_t> turn = {};
 };
 
@@ -55,35 +58,35 @@ struct Grid {
   int columns = 1;
   int rows = 1;
   std::uint32_t firstElement = 0, elementCount = 0;  ///< its elements, ordered by texel
-  std::uint32_t firstPatch = 0, patchCount = 0;      ///< its patches as they were made, in a row
-  std::vector<std::uint32_t> laterPatches = {};      ///< those that parts of them became when they were split
-  std::vector<std::uint32_t> spill;                  ///< columns * rows: the element each texel gives its light to
-  std::vector<bool> covered;                         ///< columns * rows: whether the texel has area
-  std::uint32_t phantoms = 0;                        ///< texels without area
-  std::uint32_t buried = 0;                          ///< those of them that have area, but inside solids alone
-  std::vector<CutTexel> cutTexels = {};              ///< texels that are buried in part or wholly, ascending
-  std::optional<Quadtree> quadtree = {};  ///< whose leaves are the elements; without one every texel is a leaf
+  std::uint32_t firstPatch = 0, patchCount = 0;      ///< its original patches, consecutive
+  std::vector<std::uint32_t> laterPatches = {};      ///< patches that were split from the original ones
+  std::vector<std::uint32_t> spill;       ///< columns * rows: the element that receives the light of each texel
+  std::vector<bool> covered;              ///< columns * rows: whether the texel has area
+  std::uint32_t phantoms = 0;             ///< number of texels without area
+  std::uint32_t buried = 0;               ///< number of those that have area only inside solids
+  std::vector<CutTexel> cutTexels = {};   ///< texels that are partly or completely buried, ascending
+  std::optional<Quadtree> quadtree = {};  ///< its leaves are the elements; without quadtree each texel is a leaf
 };
 
-/// The leaf that holds a texel: what an element with this own texel consists of, but for slivers.
+/// The leaf that contains a texel. An element with this own texel consists of the leaf, except for slivers.
 Leaf leafOf(const Grid& grid, std::uint32_t texel);
 
 struct Discretization {
-  std::vector<Grid> grids;             ///< one a surface
-  std::vector<Element> elements;       ///< surface by surface, by texel within one
-  std::vector<std::uint32_t> patchOf;  ///< one an element; by itself, for shots ask for nothing else
-  /// One an element, in Surface::triangles: the first that covers the middle of its own texel or leaf, else the one
-  /// with the largest piece there.
+  std::vector<Grid> grids;             ///< one per surface
+  std::vector<Element> elements;       ///< surface by surface, by texel within a surface
+  std::vector<std::uint32_t> patchOf;  ///< one per element; a separate array, because shots read nothing else
+  /// One per element, in Surface::triangles: the first triangle that covers the middle of the own texel or leaf, else
+  /// the triangle with the largest piece there.
   std::vector<std::uint32_t> triangleOf;
-  /// Surface by surface, row by row, and behind them those that others were split into; none without elements.
+  /// Surface by surface, row by row, then the patches that others were split into. No patch is without elements.
   std::vector<Patch> patches;
   std::vector<std::uint32_t> patchElements;  ///< the elements of each patch, ascending
-  /// One an element, maps averaged over it and multiplied with the material's values; empty where no surface has a map
-  /// of that kind.
+  /// One per element: the average of the map times the value of the material. Empty if no surface has a map of that
+  /// kind.
   std::vector<glm::dvec3> mappedReflectance, mappedEmission;
 };
 
-/// The texels of a surface's grid.
+/// The number of texels of a surface's grid.
 struct GridSize {
   int columns = 1, rows = 1;
 
@@ -94,37 +97,37 @@ struct GridSize {
 };
 
 struct DiscretizationSettings {
-  std::optional<int> texels = {};  ///< columns and rows of every surface; 1 to 4096
-  /// Instead: the wanted side of a texel in the scene's units, above 0 (see gridSizeOf). With neither, texels have a
-  /// size that follows the scene (see followingScene).
+  std::optional<int> texels = {};  ///< columns and rows of all surfaces; 1 to 4096
+  /// Alternatively the side of a texel in units of the scene, above 0 (see gridSizeOf). With neither, the texel size is
+  /// derived from the scene (see followingScene).
   std::optional<double> texelSize = {};
-  bool powersOfTwo = false;  ///< with a texel size: grids have 1, 2, 4, ... columns and rows, so that many are alike
-  int maxTexels = 4096;      ///< columns and rows that a texel size may ask for; 1 to 4096
-  /// Every texel that this asks for is cut into so many along each side, as far as 4096 columns and rows allow: levels
-  /// of detail whose texels nest. At least 1. What is named below keeps its number.
+  bool powersOfTwo = false;  ///< with a texel size: grids have 1, 2, 4, ... columns and rows, so that many are equal
+  int maxTexels = 4096;      ///< maximum of columns and rows with a texel size; 1 to 4096
+  /// Divides each texel from the settings above into this number along each side, up to 4096 columns and rows: nested
+  /// levels of detail. At least 1. Does not change surfaceTexels.
   int subdivision = 1;
-  /// By surface name or, less binding, family; 1 = not discretized.
+  /// By surface name or, with lower priority, family; 1 = not discretized.
   std::map<std::string, GridSize> surfaceTexels = {};
-  /// As if all of every surface were exposed, inside solids as well: where solids move, what they bury changes.
+  /// Treats all surfaces as completely exposed, also inside solids. For moving solids, whose buried areas change.
   bool isUnburied = false;
-  int patch = 4;                    ///< texels along a patch's side; at least 1
-  std::optional<int> patches = {};  ///< instead: patches along the longer side of every surface's grid; at least 1
+  int patch = 4;                    ///< texels along the side of a patch; at least 1
+  std::optional<int> patches = {};  ///< alternatively: patches along the longer side of each grid; at least 1
 };
 
-/// A surface of one texel: it takes one item ID and no index map, and is Gouraud shaded.
+/// A surface of one texel takes one item ID without an index map, and is Gouraud shaded.
 inline bool isDiscretized(const Grid& grid) { return grid.columns > 1 || grid.rows > 1; }
 
-/// A value that the elements of one surface have: of its material, or of each element where maps say it. Refers to the
-/// scene or the discretization.
+/// A value of the elements of one surface: that of the material, or one value per element if there are maps. Keeps
+/// references to the scene or the discretization.
 class SurfaceValues {
  public:
   SurfaceValues(const glm::dvec3& ofMaterial, const std::vector<glm::dvec3>& mapped)
       : ofMaterial_(ofMaterial), mapped_(mapped.empty() ? nullptr : mapped.data()) {}
 
   const glm::dvec3& of(std::uint32_t element) const { return areEqual() ? ofMaterial_ : mapped_[element]; }
-  /// Every element has the same for sure.
+  /// True only if all elements have the same value.
   bool areEqual() const { return mapped_ == nullptr; }
-  /// That of every element is 0 for sure.
+  /// True only if all elements have the value 0.
   bool areZero() const { return areEqual() && ofMaterial_ == glm::dvec3(0); }
 
  private:
@@ -132,15 +135,15 @@ class SurfaceValues {
   const glm::dvec3* mapped_;
 };
 
-/// Diffuse reflectances and emitted radiosities of a surface's elements, maps averaged over each.
+/// Diffuse reflectances and emitted radiosities of the elements of a surface; maps are averaged over each element.
 SurfaceValues reflectances(const Scene& scene, const Discretization& discretization, std::uint32_t surface);
 SurfaceValues emissions(const Scene& scene, const Discretization& discretization, std::uint32_t surface);
 
-/// The same of one element.
+/// As above, for one element.
 glm::dvec3 reflectance(const Scene& scene, const Discretization& discretization, std::uint32_t element);
 glm::dvec3 emission(const Scene& scene, const Discretization& discretization, std::uint32_t element);
 
-/// The texels of a grid, and what of them is exposed. Refers to the grid.
+/// The texels of a grid and its cut texels. Keeps a reference to the grid.
 inline TexelGrid texelGrid(const Grid& grid) { return {grid.columns, grid.rows, grid.cutTexels}; }
 
 /// The numbers of a surface's patches, ascending.

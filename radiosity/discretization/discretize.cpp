@@ -22,7 +22,7 @@ namespace {
 
 using raster::InputError;
 
-/// A mapped reflectance of 1 or more is lowered to this: white would reflect for ever.
+/// A mapped reflectance of 1 or more is lowered to this value, so that light is absorbed eventually.
 constexpr double maxReflectance = 0.9999;
 
 bool isNamed(const Surface& surface, const std::string& name) { return surface.name == name || surface.family == name; }
@@ -67,7 +67,7 @@ void validate(const Scene& scene, const DiscretizationSettings& settings) {
   }
 }
 
-/// Texels and elements are numbered in 32 bits, and so is whatever has an item ID of its own.
+/// Texels, elements and item IDs are 32-bit numbers.
 void validateSizes(const Scene& scene, const DiscretizationSettings& settings) {
   std::uint64_t texels = 0;
   for (const Surface& surface : scene.surfaces) {
@@ -79,7 +79,7 @@ void validateSizes(const Scene& scene, const DiscretizationSettings& settings) {
                      "use fewer texels a surface");
 }
 
-/// Where every triangle's chart collapses to nothing, the texel with the most area stands for all.
+/// If the charts of all triangles have no area, the texel with the largest surface area represents the surface.
 void coverOneAtLeast(TexelAreas& texels) {
   if (std::any_of(texels.coverage.begin(), texels.coverage.end(), [](double c) { return c > coverageNoise; })) return;
   const auto largest = std::max_element(texels.area.begin(), texels.area.end()) - texels.area.begin();
@@ -91,7 +91,7 @@ std::uint32_t lowestTexel(const Grid& grid, const Leaf& leaf) {
   return static_cast<std::uint32_t>(leaf.row * grid.columns + leaf.column);
 }
 
-/// The triangles that stand for the leaves: a leaf is a texel of a grid that is so much coarser.
+/// The representative triangles of leaves: a leaf is a texel of a coarser grid.
 class LeafTriangles {
  public:
   LeafTriangles(const Surface& surface, const Grid& grid) : surface_(surface), grid_(grid) {}
@@ -109,7 +109,7 @@ class LeafTriangles {
   std::map<int, std::vector<std::uint32_t>> bySide_;
 };
 
-/// Turns texels into elements, ordered by their own texels, and gives every texel's area to the element it spills to.
+/// Makes elements of texels, ordered by their own texels, and adds the area of each texel to the element it maps to.
 void makeElements(const Surface& surface, std::uint32_t number, Discretization& part) {
   constexpr std::uint32_t none = ~0u;
   Grid& grid = part.grids.front();
@@ -138,15 +138,15 @@ void makeElements(const Surface& surface, std::uint32_t number, Discretization& 
   grid.elementCount = static_cast<std::uint32_t>(part.elements.size());
 }
 
-/// The texels along the side of a surface's patches.
+/// The number of texels along the side of a surface's patches.
 int patchSide(const GridSize& size, const DiscretizationSettings& settings) {
   if (!settings.patches) return std::min(settings.patch, largestGrid);
   const int longer = std::max(size.columns, size.rows);
   return std::max(1, longer / *settings.patches);
 }
 
-/// Groups the elements by the block of texels that holds their own texel, or the lowest one of their leaf. A leaf
-/// larger than a block is the only one in it, and stretches it.
+/// Groups the elements by the block of texels that contains their own texel, or the lowest texel of their leaf. A leaf
+/// larger than a block is the only element in it and enlarges it.
 void makePatches(std::uint32_t surface, int side, Discretization& part) {
   Grid& grid = part.grids.front();
   const int blockColumns = (grid.columns + side - 1) / side;
@@ -191,7 +191,7 @@ void makePatches(std::uint32_t surface, int side, Discretization& part) {
   grid.patchCount = static_cast<std::uint32_t>(part.patches.size());
 }
 
-/// Leaves and blocks of texels nest where both are powers of two.
+/// Leaves and blocks of texels nest if the sides of both are powers of two.
 void validateNesting(const Surface& surface, const GridSize& size, const Quadtree& quadtree, int side) {
   assert(quadtree.texels == size.columns && quadtree.texels == size.rows);
   if (!std::has_single_bit(static_cast<unsigned>(side)))
@@ -205,7 +205,7 @@ bool hasMap(const Scene& scene, std::optional<int> Material::*map) {
   });
 }
 
-/// One value an element: the material's, times the mean of its map where it has one.
+/// One value per element: that of the material times the average of its map, if any.
 std::vector<glm::dvec3> mappedValues(const Scene& scene, const Surface& surface, const Grid& grid,
                                      const glm::dvec3& value, const std::optional<int>& map) {
   if (!map) return std::vector<glm::dvec3>(grid.elementCount, value);
@@ -214,8 +214,8 @@ std::vector<glm::dvec3> mappedValues(const Scene& scene, const Surface& surface,
   return values;
 }
 
-/// The discretization of one surface alone, without a quadtree where that is null: elements and patches are numbered
-/// from 0. `cut` are the texels that are not wholly exposed.
+/// The discretization of one surface; elements and patches are numbered from 0. `quadtree` may be null. `cut` are the
+/// texels that are not completely exposed.
 Discretization discretizeSurface(const Scene& scene, std::uint32_t number, const DiscretizationSettings& settings,
                                  const Quadtree* quadtree, const std::vector<CutTexel>& cut) {
   const Surface& surface = scene.surfaces[number];
@@ -251,7 +251,7 @@ void append(Discretization& whole, Discretization part) {
   moveTo(whole.patchElements, part.patchElements);
 }
 
-/// All surfaces by themselves, one after the other. One quadtree a surface, or none at all; cut texels of each.
+/// Discretizes all surfaces one after the other. One quadtree per surface or none at all; cut texels of each surface.
 Discretization assembled(const Scene& scene, const DiscretizationSettings& settings,
                          const std::vector<Quadtree>& quadtrees, const std::vector<std::vector<CutTexel>>& cut) {
   std::vector<Discretization> parts(scene.surfaces.size());
@@ -274,7 +274,7 @@ Discretization assembled(const Scene& scene, const DiscretizationSettings& setti
   return whole;
 }
 
-/// One quadtree a surface, or none at all.
+/// One quadtree per surface, or none at all.
 Discretization discretized(const Scene& scene, const DiscretizationSettings& asked,
                            const std::vector<Quadtree>& quadtrees) {
   validate(scene, asked);

@@ -11,7 +11,7 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// The settings without those for surfaces that a scene does not have.
+/// The settings without entries for surfaces that the scene does not have.
 DiscretizationSettings settingsFor(const Scene& scene, DiscretizationSettings settings) {
   std::erase_if(settings.surfaceTexels, [&](const auto& named) {
     return std::none_of(scene.surfaces.begin(), scene.surfaces.end(), [&](const Surface& surface) {
@@ -21,7 +21,7 @@ DiscretizationSettings settingsFor(const Scene& scene, DiscretizationSettings se
   return settings;
 }
 
-/// The surfaces of a scene that were not there before, discretized by themselves: what they are buried in is not there.
+/// Discretizes the new surfaces of a scene alone, without the solids that could bury them.
 Discretization discretizeNew(const EditedScene& edit, const DiscretizationSettings& settings) {
   Scene scene;
   scene.materials = edit.scene.materials;
@@ -36,7 +36,7 @@ Discretization discretizeNew(const EditedScene& edit, const DiscretizationSettin
 void append(Discretization& whole, const Discretization& from, std::uint32_t number) {
   Grid grid = from.grids[number];
   const auto surface = static_cast<std::uint32_t>(whole.grids.size());
-  // A difference that wraps around: unsigned numbers take it as well.
+  // The difference may be negative; unsigned arithmetic wraps around to the right result.
   const std::uint32_t elementShift = static_cast<std::uint32_t>(whole.elements.size()) - grid.firstElement;
   for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e) {
     Element element = from.elements[e];

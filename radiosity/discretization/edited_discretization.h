@@ -1,5 +1,5 @@
-/// The discretization of an edited scene: what was there keeps its grids, elements and patches, whatever was made of
-/// them since (split patches, quadtrees), and what is new is discretized by itself.
+/// The discretization of an edited scene. Kept surfaces keep their grids, elements and patches, including split patches
+/// and quadtrees. New surfaces are discretized from scratch.
 #pragma once
 
 #include "radiosity/discretization/discretization.h"
@@ -7,9 +7,9 @@
 
 namespace hemitex::radiosity {
 
-/// `before` is the discretization of the scene that the edit was made to. Patches are not split anew: those of what was
-/// there stay, moved or not, and those of what is new are whole. What is new is exposed as a whole, and what
-/// stays is exposed as it was: let the settings be unburied. A turned projection stands over a patch as it did.
+/// `before` is the discretization of the scene before the edit. Kept patches, moved or not, are not split again; new
+/// patches are not split. New surfaces are completely exposed and kept ones are exposed as before, so that the settings
+/// should be unburied. Projections that are rotated per patch keep their rotation.
 Discretization carried(const Discretization& before, const EditedScene& edit, const DiscretizationSettings& settings);
 
 }  // namespace hemitex::radiosity

@@ -12,12 +12,12 @@ bool mayMeet(const std::array<glm::dvec2, 3>& corners, const glm::dvec2& low, co
   return least.x < high.x && least.y < high.y && most.x > low.x && most.y > low.y;
 }
 
-/// A piece of a triangle inside a cell, as far as it is exposed.
+/// Visits the exposed parts of a piece of a triangle inside a cell.
 void visitCell(std::uint32_t triangle, std::size_t texel, const Piece& piece, const TexelGrid& grid,
                const TexelPieceVisitor& visit) {
   const CutTexel* const cut = findCut(grid.cut, texel);
   if (cut == nullptr) return visit(texel, triangle, piece);
-  if (share(piece) == 0) return;  // cells that a chart only touches count as the texel beside them
+  if (share(piece) == 0) return;  // a cell that the chart only touches maps to the next texel
   for (const TexelPiece& exposed : cut->exposed)
     if (exposed.triangle == triangle) visit(texel, triangle, exposed.piece);
 }

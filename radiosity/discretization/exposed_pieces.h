@@ -1,5 +1,5 @@
-/// What of a surface is exposed: the pieces that its triangles leave in the texels of its grid, but for those inside
-/// solids. A solid that stands on a surface buries a part of it, which neither receives nor sends.
+/// The exposed pieces of a surface: the pieces of its triangles in the texels of its grid, without those inside solids.
+/// A solid that stands on a surface buries a part of it, which neither receives nor sends light.
 #pragma once
 
 #include <array>
@@ -14,43 +14,44 @@
 
 namespace hemitex::radiosity {
 
-/// A part of a triangle inside one texel; of at most eight corners.
+/// A part of a triangle inside one texel, with at most eight corners.
 struct TexelPiece {
   std::uint32_t triangle = 0;  ///< in Surface::triangles
   Piece piece;                 ///< corners in texels
 };
 
-/// A texel that is buried in part or wholly, and what of it is exposed.
+/// A texel that is partly or completely buried, with its exposed pieces.
 struct CutTexel {
   std::uint32_t texel = 0;               ///< row * columns + column
   std::vector<TexelPiece> exposed = {};  ///< by triangle
 };
 
-/// The texels of a surface's grid, and those of them that are cut, ascending.
+/// The texels of a surface's grid, and the cut ones among them, ascending.
 struct TexelGrid {
   int columns = 1, rows = 1;
   std::span<const CutTexel> cut;
 };
 
-/// The entry of a texel; null where all of it is exposed.
+/// The entry of a texel; null if the texel is completely exposed.
 const CutTexel* findCut(std::span<const CutTexel> cut, std::size_t texel);
 
-/// Whether a cut texel meets the inside of the rectangle [low, high], in texels.
+/// Whether a cut texel intersects the interior of the rectangle [low, high], in texels.
 bool hasCutTexel(const TexelGrid& grid, const glm::dvec2& low, const glm::dvec2& high);
 
-/// The chart of a triangle in texels. Exact: a coordinate has 24 bits and a grid at most 4096 columns and rows.
+/// The chart of a triangle in texels. Exact, because a coordinate has 24 bits and a grid at most 4096 columns and rows.
 std::array<glm::dvec2, 3> inTexels(const Triangle& triangle, int columns, int rows);
 
-/// The texel that a cell of the grid is: at u = 1 or v = 1 a chart touches cells beyond the last texels.
+/// The texel of a grid cell. At u = 1 or v = 1 a chart touches cells beyond the last texels, which map to the last
+/// texels.
 std::size_t texelOfCell(std::int64_t column, std::int64_t row, int columns, int rows);
 
-/// Called with the texel, the triangle and the piece of the triangle inside the texel.
+/// Called with the texel, the triangle, and the piece of the triangle inside the texel.
 using TexelPieceVisitor = std::function<void(std::size_t texel, std::uint32_t triangle, const Piece&)>;
 
-/// Visits the exposed pieces of all triangles, in their order. Pieces may be without area.
+/// Visits the exposed pieces of all triangles in their order. Pieces may have no area.
 void forEachExposedPiece(const Surface& surface, const TexelGrid& grid, const TexelPieceVisitor& visit);
 
-/// The same inside the rectangle [low, high], in texels. Looks at every triangle of the surface.
+/// As above, inside the rectangle [low, high], in texels. Visits every triangle of the surface.
 void forEachExposedPiece(const Surface& surface, const TexelGrid& grid, const glm::dvec2& low, const glm::dvec2& high,
                          const TexelPieceVisitor& visit);
 

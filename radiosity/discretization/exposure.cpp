@@ -23,39 +23,39 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// Pixels along the side of the hemicubes that say what a region sees, one ray each.
+/// Pixels along the side of the hemicubes that define the rays from a point, one ray per pixel.
 constexpr int resolution = 6;
-/// Points of a region that look.
+/// Number of points of a region from which rays start.
 constexpr int pointsOfRegion = 4;
-/// A region is exposed where exposed fronts are at least this share of all exposed fronts and backs that it sees.
+/// A region is exposed if exposed fronts are at least this share of all exposed fronts and backs that it sees.
 constexpr double minExposed = 0.1;
-/// It also is where lights are at least this share of what it sees: light gets there, whatever stands around.
+/// It is also exposed if lights are at least this share of its view, whatever surrounds it.
 constexpr double minLights = 0.005;
-/// Faces touch that face each other, to this cosine of the angle between them.
+/// Opposite faces at the same place touch if the cosine of the angle between them is at least this.
 constexpr double touchingCosine = 0.999;
 
 /// Cuttings of a surface that are exposed or buried together.
 struct Region {
   std::uint32_t surface = 0;
-  std::vector<std::uint32_t> cuttings = {};  ///< the largest first
+  std::vector<std::uint32_t> cuttings = {};  ///< largest first
   bool isBuried = false;
 };
 
-/// What is seen from a region, as form factors.
+/// The view from a region, as sums of form factors.
 struct Seen {
   double backs = 0, exposedFronts = 0;
-  double lights = 0;                             ///< of the exposed fronts those that emit
-  std::size_t points = 0;                        ///< that it is seen from; shares are their sums
+  double lights = 0;                             ///< the part of the exposed fronts that emits
+  std::size_t points = 0;                        ///< number of points, over which all shares are summed
   std::map<std::uint32_t, double> regions = {};  ///< fronts, by region
 };
 
-/// A direction over a surface, z along its normal, and the form factor that it stands for.
+/// A direction relative to a surface, z along its normal, with its form factor.
 struct LookDirection {
   glm::dvec3 direction;
   double share;
 };
 
-/// The pixels' centres of a hemicube.
+/// Directions to the pixel centres of a hemicube.
 std::vector<LookDirection> lookDirections() {
   std::vector<LookDirection> directions;
   double sum = 0;
@@ -78,10 +78,10 @@ std::vector<LookDirection> lookDirections() {
   return directions;
 }
 
-/// Finds which regions are buried.
+/// Finds the buried regions.
 class BuriedRegions {
  public:
-  /// `slices` has an entry a triangle of the scene.
+  /// `slices` has one entry per triangle of the scene.
   BuriedRegions(const Scene& scene, const Discretization& unburied, const std::vector<std::vector<Slice>>& slices,
                 const RayTree& rays)
       : scene_(scene), unburied_(unburied), cut_(scene.surfaces.size()), regionOf_(scene.surfaces.size()), rays_(rays) {
@@ -131,8 +131,8 @@ class BuriedRegions {
     }
   }
 
-  /// The mean of what is seen from some points of a region; nothing where no back is, or where the region emits and
-  /// sees anything else.
+  /// The sum of the views from some points of a region. Nothing if a point sees no back, or if the region emits and
+  /// sees anything else; then the region is exposed.
   std::optional<Seen> seenFrom(const Region& region) const {
     Seen seen;
     for (const std::uint32_t number : somePoints(region)) {
@@ -145,7 +145,8 @@ class BuriedRegions {
     return seen;
   }
 
-  /// The largest cutting of a region and some more, evenly by area: slivers lie too near to outlines to look from.
+  /// The largest cutting of a region and some others, evenly by area. Slivers are too near to outlines for a reliable
+  /// view.
   std::vector<std::uint32_t> somePoints(const Region& region) const {
     const std::vector<Cutting>& cuttings = cut_[region.surface]->cuttings;
     double whole = 0, before = 0;
@@ -161,7 +162,7 @@ class BuriedRegions {
   void look(std::uint32_t surface, const SurfacePoint& point, Seen& seen) const {
     const glm::dvec3 eye = eyeOver(scene_, surface, point);
     ++seen.points;
-    // A face that touches another looks into the solid behind that one, or out of the scene.
+    // A face that touches another sees the inside of the solid behind that face, or the outside of the scene.
     const double lift = eyeLift * scene_.extent;
     if (rays_.meetsBack(eye, -point.normal, 2 * lift, touchingCosine)) seen.backs += 1;
     const glm::dvec3 x = tangentAlong(point.normal, glm::dvec3(0)), y = glm::cross(point.normal, x);
@@ -188,7 +189,7 @@ class BuriedRegions {
     if (!emissions(scene_, unburied_, surface).areZero()) seen.lights += share;
   }
 
-  /// Takes out regions that see exposed fronts until none is left that does.
+  /// Marks regions that see enough exposed fronts as exposed, until nothing changes.
   void settle(const std::vector<std::optional<Seen>>& seen) {
     const auto seesExposed = [&](const Seen& view) {
       Seen all = view;
@@ -224,7 +225,7 @@ class BuriedRegions {
 
   const Scene& scene_;
   const Discretization& unburied_;
-  std::vector<std::optional<CutSurface>> cut_;        ///< of surfaces that have slices
+  std::vector<std::optional<CutSurface>> cut_;        ///< of surfaces with slices
   std::vector<std::vector<std::uint32_t>> regionOf_;  ///< of each cutting, by surface
   const RayTree& rays_;
   std::vector<LookDirection> directions_ = lookDirections();

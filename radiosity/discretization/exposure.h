@@ -1,10 +1,10 @@
-/// Exposure: which parts of surfaces lie inside solids, where they neither receive nor send light.
+/// Exposure: finds the parts of surfaces inside solids, which neither receive nor send light.
 ///
-/// Where a solid meets a surface its outline cuts the surface's texels into pieces (triangle_slices.h), exactly. Pieces
-/// that no outline separates are one region, and what is seen from a few of its points says where the region lies:
-/// inside a solid only the backs of faces are in view, whether or not the solid has a face where it stands. Solids that
-/// overlap show each other's fronts inside, but those are fronts of buried regions as well. So a region is buried where
-/// what it sees of backs outweighs what it sees of exposed fronts, other buried regions not counted.
+/// The outline of a solid on a surface cuts the surface's texels into pieces (triangle_slices.h), exactly. Pieces that
+/// no outline separates form one region. The view from a few points of a region decides whether it is buried. Inside a
+/// solid only the backs of faces are visible, whether or not the solid has a face where it stands. Inside overlapping
+/// solids fronts are visible too, but those belong to buried regions. So a region is buried if the backs that it sees
+/// outweigh the fronts of exposed regions that it sees.
 #pragma once
 
 #include <vector>
@@ -14,9 +14,9 @@
 
 namespace hemitex::radiosity {
 
-/// The cut texels of every surface, one list a surface. `unburied` is the discretization of the scene as if all of it
-/// were exposed. A surface of which nothing would be left, and every surface of a two-sided scene, where backs are in
-/// no view, has none.
+/// The cut texels of each surface, one list per surface. `unburied` is the discretization of the scene with all
+/// surfaces exposed. The list is empty for a completely buried surface and for all surfaces of a two-sided scene, where
+/// no backs are visible.
 std::vector<std::vector<CutTexel>> cutTexels(const Scene& scene, const Discretization& unburied);
 
 }  // namespace hemitex::radiosity

@@ -11,7 +11,7 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// The lengths of the chart's two axes on the surface: |dP/du| and |dP/dv|, averaged by area.
+/// The lengths of the two chart axes on the surface, |dP/du| and |dP/dv|, averaged by area.
 glm::dvec2 chartLengths(const Surface& surface) {
   glm::dvec2 sum(0);
   double totalArea = 0;
@@ -28,18 +28,18 @@ glm::dvec2 chartLengths(const Surface& surface) {
   return totalArea > 0 ? sum / totalArea : sum;
 }
 
-/// Columns and rows at least of a surface that is not flat, where texels follow the scene: its faces look different
-/// ways.
+/// Minimum of columns and rows of a surface that is not flat, if texels follow the scene, because its faces have
+/// different orientations.
 constexpr int fewestOfCurved = 4;
 
-/// The power of two nearest to a number, by their ratio.
+/// The power of two nearest to a number by ratio.
 double nearestPowerOfTwo(double number) {
   double power = 1;
   while (2 * power * power < number * number) power *= 2;
   return power;
 }
 
-/// Whether all triangles face the same way, to within the tolerance of planar parts.
+/// Whether all triangles have the same normal within the tolerance of planar parts.
 bool isFlat(const Surface& surface) {
   const glm::dvec3 first = normal(surface.triangles.front());
   return std::all_of(surface.triangles.begin(), surface.triangles.end(), [&](const Triangle& triangle) {
@@ -47,7 +47,8 @@ bool isFlat(const Surface& surface) {
   });
 }
 
-/// Texels of at most the wanted size along an axis. Charts are binary32: a millionth more is not one texel more.
+/// The number of texels of at most the texel size along an axis. The factor allows for the rounding of charts to
+/// binary32.
 int texelsAlong(double length, const DiscretizationSettings& settings) {
   if (settings.powersOfTwo)
     return std::min(static_cast<int>(nearestPowerOfTwo(std::min(length / *settings.texelSize, 0x1p12))),
@@ -119,7 +120,7 @@ DiscretizationSettings settingsForPages(const Scene& scene, int pages, int side,
     throw raster::InputError(std::to_string(scene.surfaces.size()) + " surfaces do not fit " + std::to_string(pages) +
                                  " pages of " + std::to_string(side) + " x " + std::to_string(side) + " texels",
                              "use more or larger pages");
-  // Where all surfaces at their largest fit, no size is too small.
+  // If all surfaces fit with their largest grids, no texel size is too small.
   double tooSmall = 0;
   while (enough > tooSmall * 1.001 && enough > 1e-9 * scene.extent) {
     const double middle = tooSmall == 0 ? enough / 2 : (tooSmall + enough) / 2;

@@ -9,16 +9,16 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// Pixels of an image that are cut out for one surface at most.
+/// Maximum number of pixels that are clipped for one surface.
 constexpr double maxPixels = 0x1p24;
 
-/// The texture coordinates of a triangle, moved by whole tiles so that no digits are lost far from zero.
+/// The texture coordinates of a triangle, moved by whole tiles, so that no digits are lost far from zero.
 std::array<glm::dvec2, 3> nearTexcoords(const Triangle& triangle) {
   const glm::dvec2 tile = glm::floor(triangle.texcoord[0]);
   return {triangle.texcoord[0] - tile, triangle.texcoord[1] - tile, triangle.texcoord[2] - tile};
 }
 
-/// About how many pixels must be cut out: those in the triangles' bounds, and those that only border on them.
+/// Estimate of the number of pixels to clip: those in the bounds of the triangles and those at their border.
 double pixelsShown(const Image& image, const Surface& surface) {
   const glm::dvec2 size(image.width, image.height);
   double pixels = 0;
@@ -32,20 +32,20 @@ double pixelsShown(const Image& image, const Surface& surface) {
 
 bool isOnePixel(const Image& image) { return image.width == 1 && image.height == 1; }
 
-/// The image halved until the surface shows few enough pixels.
+/// The image, halved until the surface shows few enough pixels.
 Image sizedFor(const Surface& surface, Image image) {
   while (!isOnePixel(image) && pixelsShown(image, surface) > maxPixels) image = halved(image);
   return image;
 }
 
-/// The pixel at a cell of the endlessly repeated image; rows count from v = 0, at the bottom of the picture.
+/// The pixel at a cell of the repeated image; rows count from v = 0, the bottom of the picture.
 const glm::dvec3& wrappedPixel(const Image& image, std::int64_t column, std::int64_t row) {
   const std::int64_t i = (column % image.width + image.width) % image.width;
   const std::int64_t j = (row % image.height + image.height) % image.height;
   return image.pixels[static_cast<std::size_t>((image.height - 1 - j) * image.width + i)];
 }
 
-/// The mean of the image over a piece of a triangle. The piece is cut into triangles, and those into pixels.
+/// The mean of the image over a piece of a triangle, which is cut into triangles and these into pixels.
 glm::dvec3 meanOver(const Piece& piece, const std::array<glm::dvec2, 3>& texcoord, const Image& image) {
   const glm::dvec2 size(image.width, image.height);
   const auto inPixels = [&](const PieceCorner& corner) {
@@ -88,8 +88,8 @@ std::vector<glm::dvec3> averageOverElements(const Image& image, const Surface& s
 }
 
 Image halved(const Image& image) {
-  // Along one axis of n pixels, pixel i of the m = ceil(n/2) new ones covers [i, i+1] * n/m: two old ones or parts of
-  // three. In units of 1/m old pixels all borders are integers, so the weights are exact.
+  // Along one axis of n pixels, pixel i of the m = ceil(n/2) new ones covers [i, i+1] * n/m: two old pixels or parts of
+  // three. In units of 1/m old pixels all borders are integers, so that the weights are exact.
   Image half{(image.width + 1) / 2, (image.height + 1) / 2, {}};
   const auto overlap = [](int i, int n, int m, int old) {
     return std::max(0, std::min((i + 1) * n, (old + 1) * m) - std::max(i * n, old * m));

@@ -1,5 +1,5 @@
-/// Material maps averaged over elements: the exact integral of an image, taken as constant over each of its pixels,
-/// over the surface inside an element. So a light painted into a few pixels keeps its flux at every discretization.
+/// Averages material maps over elements: the exact integral of an image with constant pixels over the surface inside
+/// each element. So a light painted into a few pixels keeps its flux in all discretizations.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,13 +11,12 @@
 
 namespace hemitex::radiosity {
 
-/// The mean of `image` over each of the grid's elements, weighted by area; texture coordinates wrap. Where the surface
-/// shows more than 2^24 pixels, as tiled images do, the image is first halved until it does not: the integral over
-/// whole tiles stays what it was, and what lies within one reduced pixel of an element's border may count for its
-/// neighbour.
+/// The mean of `image` over each element of the grid, weighted by area; texture coordinates repeat. If the surface
+/// shows more than 2^24 pixels, as with tiled images, the image is halved until it does not. Halving keeps the integral
+/// over whole tiles. Light within one reduced pixel of an element's border may count for the neighbour.
 std::vector<glm::dvec3> averageOverElements(const Image& image, const Surface& surface, const Grid& grid);
 
-/// The image at half its width and height, rounded up: each pixel is the mean of what it covers.
+/// The image at half its width and height, rounded up; each pixel is the mean of the pixels that it covers.
 Image halved(const Image& image);
 
 }  // namespace hemitex::radiosity

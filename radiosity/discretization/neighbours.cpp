@@ -9,7 +9,7 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// Numbers of the positions of all corners, three a triangle: equal positions have equal numbers.
+/// Numbers for the positions of all corners, three per triangle; equal positions have equal numbers.
 std::vector<std::uint32_t> numberedPositions(const Surface& surface) {
   const auto at = [&](std::uint32_t corner) { return surface.triangles[corner / 3].position[corner % 3]; };
   const auto key = [&](std::uint32_t corner) {

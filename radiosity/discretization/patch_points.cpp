@@ -16,11 +16,11 @@ SurfacePoint pointOn(const Surface& surface, std::uint32_t number, const glm::dv
 SurfacePoint patchCentre(const Scene& scene, const Discretization& discretization, const Patch& patch) {
   const auto block = shootingBlock(scene.surfaces[patch.surface], discretization.grids[patch.surface],
                                    glm::dvec2(patch.column, patch.row), glm::dvec2(patch.width, patch.height));
-  // Where a chart has next to no area in the block it may have none left, to within rounding.
+  // If the chart has almost no area in the block, rounding may leave none.
   return block ? block->centre : elementCentre(scene, discretization, discretization.patchElements[patch.firstElement]);
 }
 
-/// A leaf of a quadtree is a texel of a grid that is so much coarser.
+/// A leaf of a quadtree is a texel of a coarser grid.
 SurfacePoint elementCentre(const Scene& scene, const Discretization& discretization, std::uint32_t number) {
   const Element& element = discretization.elements[number];
   const std::uint32_t triangle = discretization.triangleOf[number];
@@ -49,7 +49,7 @@ struct BlockPiece {
   glm::dvec2 centre{0.0};  ///< in texels
 };
 
-/// The polygon has the point inside or on its border; polygons of a chart may wind either way.
+/// Whether the point lies inside the polygon or on its border; polygons of a chart may have either winding.
 bool contains(const Piece& piece, const glm::dvec2& point) {
   bool isLeft = true, isRight = true;
   for (std::size_t i = 0; i < piece.size; ++i) {

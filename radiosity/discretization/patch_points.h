@@ -1,4 +1,4 @@
-/// The points that a patch shoots from where its centre alone will not do: the middles of blocks that it is cut into.
+/// The points that a patch shoots from: its centre, or the centres of the blocks that it is divided into.
 #pragma once
 
 #include <optional>
@@ -9,39 +9,39 @@
 
 namespace hemitex::radiosity {
 
-/// A point on a surface with the normal there, and the triangle of the surface that it lies on.
+/// A point on a surface, its normal, and the triangle that contains it.
 struct SurfacePoint {
-  glm::dvec3 position;         ///< in the file's units
+  glm::dvec3 position;         ///< in units of the file
   glm::dvec3 normal;           ///< unit
   std::uint32_t triangle = 0;  ///< in Surface::triangles
 };
 
-/// The point of a triangle of a surface with these barycentric weights, of its corners 1 and 2.
+/// The point of a triangle with these barycentric weights of its corners 1 and 2.
 SurfacePoint pointOn(const Surface& surface, std::uint32_t triangle, const glm::dvec2& weights);
 
-/// The centre of a patch: the centroid in the chart of what is exposed in its block or, where that is not exposed
-/// itself, a point of the exposed piece nearest to it. Always on the surface.
+/// The centre of a patch: the centroid, in the chart, of the exposed part of its block. If that point is not exposed, a
+/// point of the nearest exposed piece. Always on the surface.
 SurfacePoint patchCentre(const Scene& scene, const Discretization& discretization, const Patch& patch);
 
-/// The centre of an element: the surface's point at the middle of its own texel or leaf or, where the chart does not
-/// cover that, at the centroid of the largest piece of the surface inside. Where the texel or leaf is buried in part it
-/// is the centroid of what is exposed or, where that is not exposed itself, a point of the exposed piece nearest to it.
-/// Always on the surface.
+/// The centre of an element: the point of the surface at the middle of its own texel or leaf. If the chart does not
+/// cover that, the centroid of the largest piece of the surface inside. If the texel or leaf is partly buried, the
+/// centroid of the exposed part. If that centroid is not exposed, a point of the nearest exposed piece. Always on the
+/// surface.
 SurfacePoint elementCentre(const Scene& scene, const Discretization& discretization, std::uint32_t element);
 
-/// A point of a surface that a part of its area shoots from.
+/// A point that a part of the area of a surface shoots from.
 struct ShootingBlock {
-  SurfacePoint centre;  ///< the centroid, in the chart, of what is exposed in the block or, where that is not exposed
-                        ///< itself, the centroid of the exposed piece nearest to it
+  SurfacePoint centre;  ///< the centroid, in the chart, of the exposed part of the block, or the centroid of the
+                        ///< nearest exposed piece
   double area = 0;      ///< of the exposed surface inside the block, above 0
 };
 
-/// A rectangle of a surface's chart, in the texels of its grid; nothing where the surface has no exposed area there.
-/// Looks at every triangle of the surface.
+/// The block of a rectangle of a surface's chart, in texels of its grid; nothing if there is no exposed area. Visits
+/// all triangles of the surface.
 std::optional<ShootingBlock> shootingBlock(const Surface& surface, const Grid& grid, const glm::dvec2& corner,
                                            const glm::dvec2& size);
 
-/// The blocks of a patch, points x points of them, row by row, those without area left out.
+/// The points x points blocks of a patch, row by row, without blocks that have no area.
 std::vector<ShootingBlock> shootingBlocks(const Scene& scene, const Discretization& discretization, const Patch& patch);
 
 }  // namespace hemitex::radiosity

@@ -11,7 +11,7 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// Groups of texels that have merged: a union-find forest.
+/// Groups of merged texels: a union-find forest.
 class TexelGroups {
  public:
   explicit TexelGroups(const std::vector<double>& coverage) : parent_(coverage.size()), coverage_(coverage) {
@@ -36,18 +36,18 @@ class TexelGroups {
 
  private:
   std::vector<std::uint32_t> parent_;
-  std::vector<double> coverage_;  ///< at a group's root, of the whole group
+  std::vector<double> coverage_;  ///< at the root of a group, for the whole group
 };
 
 struct Step {
   int column, row;
 };
 
-// In ascending order of the texel that they lead to.
+// In ascending order of the texel number.
 constexpr std::array<Step, 4> acrossEdges{{{0, -1}, {-1, 0}, {1, 0}, {0, 1}}};
 constexpr std::array<Step, 4> acrossCorners{{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
 
-/// A grid of texels that merges its slivers.
+/// A grid of texels whose slivers merge.
 class SliverMerging {
  public:
   SliverMerging(int columns, int rows, const std::vector<double>& coverage)
@@ -58,8 +58,8 @@ class SliverMerging {
                      [&](std::uint32_t a, std::uint32_t b) { return coverage[a] < coverage[b]; });
   }
 
-  /// A sliver may find all its neighbours in its own small group while another member still has some outside, so the
-  /// slivers take their turns again until none merges. Each turn at least halves the groups that can still merge.
+  /// A sliver may have only neighbours of its own small group while another member has others. So the loop visits the
+  /// slivers until none merges. Each round at least halves the number of groups that can still merge.
   void run() {
     bool hasMerged = true;
     while (hasMerged) {
@@ -73,7 +73,7 @@ class SliverMerging {
     }
   }
 
-  /// For each texel the texel of largest coverage in its group.
+  /// For each texel the texel with the largest coverage in its group.
   std::vector<std::uint32_t> ownTexels() {
     const auto count = static_cast<std::uint32_t>(coverage_.size());
     std::vector<std::uint32_t> largest(count), own(count);

@@ -1,5 +1,5 @@
-/// The spill: where each texel's light goes. Texels of which the chart covers too little merge with neighbours, and
-/// texels without area give their light to the nearest element.
+/// Sliver merging: computes the texel-to-element map. Texels that the chart covers too little merge with neighbours,
+/// and texels without area map to the nearest element.
 #pragma once
 
 #include <cstdint>
@@ -7,20 +7,20 @@
 
 namespace hemitex::radiosity {
 
-/// A covered share of a texel at or below this is rounding noise: such a texel has no area, and what was counted into
-/// it goes where it spills to.
+/// A covered share of a texel up to this value is rounding noise: the texel has no area, and its light goes to the
+/// element that it maps to.
 inline constexpr double coverageNoise = 1e-12;
 
 /// A texel whose covered share is below this is a sliver.
 inline constexpr double sliverCoverage = 0.25;
 
-/// For each of columns x rows texels the own texel of the element that takes its light; `coverage` is the covered
-/// share of each texel, above coverageNoise for one at least.
+/// For each of columns x rows texels, the own texel of the element that receives its light. `coverage` is the covered
+/// share of each texel, above coverageNoise for at least one.
 ///
-/// In ascending order of coverage, each sliver merges with its largest neighbour: of the four that share an edge with
-/// it, or, where none of them has area, of the four at its corners. Neighbours count as large as the group they have
-/// merged into, and a group that has reached a quarter merges no further. In the end no group is below a quarter but
-/// where no neighbour has area. A group's own texel is the one of largest coverage. The lowest texel of equals wins.
+/// In ascending order of coverage, each sliver merges with its largest neighbour: one of the four at its edges or, if
+/// none of those has area, one of the four at its corners. The size of a neighbour is that of the group it has merged
+/// into. A group that covers a quarter or more merges no further. In the end each group covers at least a quarter,
+/// unless no neighbour has area. A group's own texel is the one with the largest coverage; of equals, the lowest.
 std::vector<std::uint32_t> spillTexels(int columns, int rows, const std::vector<double>& coverage);
 
 }  // namespace hemitex::radiosity

@@ -19,7 +19,7 @@ struct MeasuredTriangle {
   double area, chartArea;             ///< on the surface, and in texels
 };
 
-/// What was found so far of the triangle that stands for each texel.
+/// The candidates so far for the representative triangle of each texel.
 struct TexelTriangles {
   std::vector<bool> hasMiddle;
   std::vector<double> largestPiece;

@@ -1,4 +1,4 @@
-/// How much of a surface is exposed in each texel of its grid: the exact areas that a discretization stores instead of
+/// The exposed area of a surface in each texel of its grid: the exact areas that a discretization stores instead of
 /// geometry.
 #pragma once
 
@@ -12,11 +12,12 @@
 
 namespace hemitex::radiosity {
 
-/// One entry a texel, columns * rows of them, row-major from row 0 at v = 0.
+/// One entry per texel, columns * rows in total, row-major from row 0 at v = 0.
 struct TexelAreas {
-  std::vector<double> area;      ///< of the exposed surface inside the texel; they sum to its area
-  std::vector<double> coverage;  ///< the exposed share of the texel's square, in [0, 1] but for rounding
-  /// In Surface::triangles: the first that covers the texel's middle, else the one with the largest piece inside.
+  std::vector<double> area;      ///< of the exposed surface inside the texel; their sum is its exposed area
+  std::vector<double> coverage;  ///< exposed share of the texel's square, in [0, 1] except for rounding
+  /// In Surface::triangles: the first triangle that covers the middle of the texel, else the one with the largest
+  /// piece.
   std::vector<std::uint32_t> triangle;
 };
 

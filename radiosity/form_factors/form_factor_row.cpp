@@ -9,14 +9,14 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// A row whose shares are not whole yet.
+/// A row whose shares are not yet rounded to integers.
 struct Sums {
   std::vector<std::uint32_t> elements;  ///< ascending
   std::vector<double> shares;
   double background = 0, back = 0;
 };
 
-/// Both lists of elements ascend, so one walk along both adds them.
+/// Adds sparse rows by merging their ascending lists of elements.
 Sums sum(const Sums& sums, const FormFactorRow& row, double weight) {
   Sums result{{},
               {},
@@ -43,7 +43,7 @@ std::uint64_t totalOf(const FormFactorRow& row) {
   return std::accumulate(row.shares.begin(), row.shares.end(), row.background + row.back);
 }
 
-/// Gives the largest share what is missing to the total, which is far less than that share.
+/// Adds the difference to `total` to the largest share, which is far larger than the difference.
 void close(FormFactorRow& row, std::uint64_t total) {
   std::uint64_t* largest = row.background > row.back ? &row.background : &row.back;
   for (std::uint64_t& share : row.shares)

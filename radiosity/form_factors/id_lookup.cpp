@@ -10,7 +10,7 @@ std::uint32_t texelCount(const Page& page) {
   return static_cast<std::uint32_t>(page.columns) * static_cast<std::uint32_t>(page.rows);
 }
 
-/// Whether texel i is element firstElement + i.
+/// Whether texel i is element firstElement + i for all texels.
 bool isPlain(const Grid& grid) {
   for (std::uint32_t texel = 0; texel < grid.spill.size(); ++texel)
     if (grid.spill[texel] != grid.firstElement + texel) return false;
@@ -26,7 +26,7 @@ std::vector<std::uint32_t> elementsOf(const Discretization& discretization, cons
   return elements;
 }
 
-/// The end of the last page's item IDs.
+/// The number of item IDs up to the end of the last page.
 std::uint32_t idCount(const IdLayout& layout) {
   std::uint32_t count = 0;
   for (const Page& page : layout.pages) count = std::max(count, page.offset + texelCount(page));
@@ -42,7 +42,7 @@ IdLookup::IdLookup(const Discretization& discretization, const IdLayout& layout)
   } else if (layout.indexMaps == IndexMaps::Packed) {
     addBlocks(layout.packedElements.size(), layout.packedElements.data());
   } else if (!layout.aligned) {
-    // Item IDs follow each other without a gap.
+    // Item IDs of packed pages have no gaps.
     tables_.push_back(elementsOf(discretization, layout, 0, idCount(layout)));
     addBlocks(tables_.back().size(), tables_.back().data());
   } else {
@@ -52,7 +52,7 @@ IdLookup::IdLookup(const Discretization& discretization, const IdLayout& layout)
   }
 }
 
-/// Blocks for item IDs that follow each other; the slots as well, from 0 on, where they are null.
+/// Adds blocks for consecutive item IDs. If `slots` is null, the slots are consecutive from 0 on.
 void IdLookup::addBlocks(std::size_t ids, const std::uint32_t* slots) {
   const std::size_t size = std::size_t{1} << bits_;
   for (std::size_t begin = 0; begin < ids; begin += size)
@@ -61,14 +61,14 @@ void IdLookup::addBlocks(std::size_t ids, const std::uint32_t* slots) {
                        .slots = slots == nullptr ? nullptr : slots + begin});
 }
 
-/// A block for each page of more than a texel.
+/// Adds one block per page of more than one texel.
 void IdLookup::addPages(const Discretization& discretization, const IdLayout& layout) {
   for (std::uint32_t number = 0; number < layout.textured; ++number) {
     const Page& page = layout.pages[layout.byOffset[number]];
     const Grid& grid = discretization.grids[layout.byOffset[number]];
     Block block{.count = texelCount(page), .first = grid.firstElement};
     if (page.columns != grid.columns || page.rows != grid.rows) {
-      // Behind the grid's last row nothing has a slot.
+      // Texels behind the grid's last row have no slot.
       block.count = static_cast<std::uint32_t>(page.columns) * static_cast<std::uint32_t>(grid.rows);
       tables_.push_back(elementsOf(discretization, layout, page.offset, block.count));
       block.slots = tables_.back().data();
@@ -79,7 +79,7 @@ void IdLookup::addPages(const Discretization& discretization, const IdLayout& la
   }
 }
 
-/// Pages of a texel have the item IDs behind.
+/// Adds the pages of one texel, whose item IDs follow.
 void IdLookup::addSinglePages(const Discretization& discretization, const IdLayout& layout) {
   const auto singles = static_cast<std::uint32_t>(layout.pages.size()) - layout.textured;
   const auto first = static_cast<raster::ItemId>(blocks_.size() << bits_);

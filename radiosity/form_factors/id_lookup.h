@@ -1,7 +1,6 @@
-/// From item IDs to slots, where rows are summed: a slot an element, and behind them one for the backs of surfaces and
-/// one for the background. An item ID tells its page by a shift; in a page whose every texel is an element of its own
-/// the slot is the item ID plus a constant, so that no table is read, and where texels share elements (slivers, packed
-/// pages) one of its texels is.
+/// Maps item IDs to slots for summing rows: one slot per element, then one for backs and one for the background. A
+/// shift of the item ID gives its page. If each texel of a page is an element of its own, the slot is the item ID plus
+/// a constant, without a table. If texels share elements (slivers, packed pages), the page has a table.
 #pragma once
 
 #include <algorithm>
@@ -17,14 +16,14 @@ namespace hemitex::radiosity {
 
 class IdLookup {
  public:
-  /// Both must outlive this.
+  /// Both must outlive this object.
   IdLookup(const Discretization& discretization, const IdLayout& layout);
 
   std::uint32_t back() const { return back_; }
   std::uint32_t background() const { return back_ + 1; }
   std::size_t count() const { return std::size_t{back_} + 2; }
 
-  /// What it takes beside the discretization and the layout.
+  /// Memory in addition to the discretization and the layout.
   std::size_t bytes() const;
 
  private:
@@ -33,8 +32,8 @@ class IdLookup {
   /// The item IDs number * 2^bits_ + [0, count).
   struct Block {
     std::uint32_t count = 0;
-    std::uint32_t first = 0;               ///< of the slots, which follow each other; or else
-    const std::uint32_t* slots = nullptr;  ///< one an item ID, noElement where there is none
+    std::uint32_t first = 0;               ///< first of consecutive slots, if `slots` is null
+    const std::uint32_t* slots = nullptr;  ///< one per item ID; noElement for none
   };
 
   void addBlocks(std::size_t ids, const std::uint32_t* slots);
@@ -43,18 +42,18 @@ class IdLookup {
 
   std::uint32_t back_;
   raster::ItemId backId_;
-  int bits_ = 20;  ///< of a page; where pages do not matter, any number
+  int bits_ = 20;  ///< bits of a page; any number if there is one block for all pages
   std::vector<Block> blocks_;
-  std::vector<std::vector<std::uint32_t>> tables_;  ///< of blocks that no table elsewhere serves
+  std::vector<std::vector<std::uint32_t>> tables_;  ///< tables of blocks that no other structure provides
 };
 
-/// Looks up item IDs one after the other, most of which lie in the same page as the one before.
+/// Looks up item IDs one after the other; consecutive item IDs usually lie in the same page.
 class SlotFinder {
  public:
-  /// The slots must outlive this.
+  /// The slots must outlive this object.
   explicit SlotFinder(const IdLookup& slots) : slots_(slots) {}
 
-  /// The slot of elementOf; of an item ID that no element has, the background's.
+  /// The slot of elementOf(id); the background's slot if no element has the item ID.
   std::uint32_t of(raster::ItemId id) {
     if (id - first_ >= block_.count) [[unlikely]]
       enter(id);

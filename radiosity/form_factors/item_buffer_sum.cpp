@@ -15,8 +15,7 @@ namespace {
 
 using raster::ItemId;
 
-/// Adds pixels that lie side by side, run by run of one item ID. `before` holds the running sum of shares before each
-/// of them, and after the last.
+/// Adds adjacent pixels, run by run. `before` holds the running sum of shares before each pixel, and after the last.
 void addPixels(const IdLookup& slots, const ItemId* ids, const std::uint64_t* before, std::size_t count,
                SparseSums& sums) {
   assert(count > 0);
@@ -53,14 +52,14 @@ void addRows(const IdLookup& slots, const Projection& projection, const Window& 
               before + first + (some.column - whole.column), count, sums);
   };
   const auto width = static_cast<std::size_t>(some.width);
-  // Where nothing lies between the rows, runs go on from one to the next.
+  // If the window has the full width, rows are contiguous, and a run may continue in the next row.
   if (some.width == whole.width) return add(firstRow, width * static_cast<std::size_t>(endRow - firstRow));
   for (int row = firstRow; row < endRow; ++row) add(row, width);
 }
 
 using AllSums = std::span<SparseSums* const>;
 
-/// Calls body(number) for the blocks of a group that any of the sums have, in ascending order.
+/// Calls body(number) for the blocks of a group that any of the sums has, in ascending order.
 template <typename Body>
 void forEachBlock(AllSums all, std::size_t group, const Body& body) {
   std::uint64_t blocks = 0;
@@ -81,7 +80,7 @@ std::size_t elementsIn(AllSums all, std::size_t group) {
   return elements;
 }
 
-/// Moves the shares of a group into a row, from a place on.
+/// Moves the shares of a group into a row, from `place` on.
 void moveGroup(AllSums all, std::size_t group, std::size_t place, FormFactorRow& row) {
   std::vector<SparseSums::Block*> blocks;
   forEachBlock(all, group, [&](std::uint32_t number) {
@@ -102,7 +101,7 @@ void moveGroup(AllSums all, std::size_t group, std::size_t place, FormFactorRow&
   });
 }
 
-/// Takes the last slot out of a row, if that is it: what it has.
+/// Removes `slot` from the end of a row if it is there, and returns its share.
 std::uint64_t takeLast(FormFactorRow& row, std::uint32_t slot) {
   if (row.elements.empty() || row.elements.back() != slot) return 0;
   const std::uint64_t share = row.shares.back();
@@ -115,7 +114,7 @@ std::uint64_t takeLast(FormFactorRow& row, std::uint32_t slot) {
 
 ItemBufferSum::ItemBufferSum(const Discretization& discretization, const IdLayout& layout)
     : slots_(discretization, layout) {
-  sums_.mine(slots_.count());  // there is always one
+  sums_.mine(slots_.count());  // so that takeRow always finds one
 }
 
 void ItemBufferSum::add(const Projection& projection, const Window& window, const raster::ItemBuffer& buffer) {

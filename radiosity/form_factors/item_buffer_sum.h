@@ -1,9 +1,9 @@
-/// Sums item buffers into rows: item IDs become elements, runs of pixels shares. What it costs is bounded by the
-/// pixels, not by the elements of the scene.
+/// Sums item buffers to form-factor rows: maps item IDs to elements and runs of pixels to shares. Time and memory are
+/// bounded by the number of pixels, not by the number of elements.
 ///
-/// Pixels that lie side by side and show one item ID are a run, which takes the difference of two running sums of delta
-/// form factors: long runs cost next to nothing. Threads sum parts of the buffers, each for itself; shares are
-/// integers, so that it does not matter which of them got which part.
+/// A run is a sequence of adjacent pixels with the same item ID. Its share is the difference of two running sums of
+/// delta form factors, so that long runs are cheap. Each thread sums parts of the buffers separately. Shares are
+/// integers, so that the distribution over threads does not change the result.
 #pragma once
 
 #include <cstddef>
@@ -27,17 +27,18 @@ class ItemBufferSum {
   /// Both referenced objects must outlive this one.
   ItemBufferSum(const Discretization& discretization, const IdLayout& layout);
 
-  /// Adds what a window of a projection's face shows; drawing a face with a smaller scissor rectangle gives the same
-  /// item IDs there. Windows may be added by several threads at a time.
+  /// Adds a window of a projection's face. Item IDs in a window do not depend on the scissor rectangle that was drawn.
+  /// May be called by several threads at a time.
   void add(const Projection& projection, const Window& window, const raster::ItemBuffer& buffer);
-  /// What the windows that were added since the last row add up to: the whole row, where they are wholeFaces.
+  /// Returns the sum of the windows added since the last call and resets it. If these are wholeFaces, that is the
+  /// complete row.
   FormFactorRow takeRow();
 
-  /// The row of these windows, a buffer each.
+  /// The row of these windows, with one buffer per window.
   FormFactorRow rowOf(const Projection& projection, std::span<const Window> windows,
                       std::span<const raster::ItemBuffer> buffers);
 
-  /// What it takes beside the discretization and the layout.
+  /// Memory in addition to the discretization and the layout.
   std::size_t bytes() const;
 
  private:

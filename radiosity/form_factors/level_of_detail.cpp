@@ -10,7 +10,7 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// The elements of a row that are of one surface: [first, end) in it.
+/// The elements [first, end) of a row that belong to one surface.
 struct Run {
   std::size_t first = 0, end = 0;
 };
@@ -25,7 +25,7 @@ std::vector<Run> runsBySurface(const Discretization& discretization, const FormF
   return runs;
 }
 
-/// The block of a level that holds an element's own texel, by its row and column among the blocks.
+/// The block of a level that contains an element's own texel, by row and column of blocks.
 using Block = std::pair<int, int>;
 
 Block blockOf(const Grid& grid, const Element& element, int level) {
@@ -47,7 +47,7 @@ std::vector<std::uint32_t> elementsIn(const Discretization& discretization, cons
   return elements;
 }
 
-/// What a surface's part of a row becomes.
+/// Distributes a surface's part of a row over blocks.
 class Spreader {
  public:
   Spreader(const Discretization& discretization, const FormFactorRow& row, const Run& run)
@@ -55,7 +55,7 @@ class Spreader {
     grid_ = &discretization.grids[elementAt(run.first).surface];
   }
 
-  /// The lowest level with enough pixels a block in view.
+  /// The lowest level with enough pixels per visible block.
   int levelFor(std::uint64_t pixels, double pixelsPerElement) const {
     int level = 0;
     for (std::size_t blocks = run_.end - run_.first;
@@ -77,7 +77,7 @@ class Spreader {
       const std::vector<std::uint32_t> elements = elementsIn(discretization_, *grid_, block, level);
       double area = 0;
       for (const std::uint32_t element : elements) area += discretization_.elements[element].area;
-      // What the elements so far have together is rounded, so that all of them have the block's share.
+      // Rounds the running total, not each share, so that the shares sum to that of the block.
       double areaSoFar = 0;
       std::uint64_t given = 0;
       for (const std::uint32_t element : elements) {

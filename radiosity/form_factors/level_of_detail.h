@@ -1,19 +1,20 @@
-/// Levels of detail: coarser index maps where a surface covers few pixels (Nielsen and Christensen 2002, section 3,
+/// Levels of detail: coarser index maps for surfaces that cover few pixels (Nielsen and Christensen 2002, section 3,
 /// expect less aliasing from them).
 ///
-/// A hemicube that sees a surface in fewer pixels than it has elements gives all of a pixel's light to the one element
-/// that its sample meets, and none to those around it: which of them glow is chance. The index map of level l has one
-/// index for 2^l x 2^l texels of the grid. Maps are nested, and a sample's texel does not depend on them, so drawing
-/// with the coarser map gives the very item IDs that its blocks make of the finer one's: a level may be chosen after
-/// drawing, for each surface and each shot, when its pixels are counted.
+/// If a surface has more elements than pixels, each pixel gives all its light to one element, the one that its sample
+/// selects. So it is random which elements are lit. The index map of level l has one index for 2^l x 2^l texels of the
+/// grid. Maps are nested, and the texel of a sample does not depend on the map. So drawing with the coarser map gives
+/// the item IDs of blocks that contain the finer ones. Therefore a level can be chosen after drawing, per surface and
+/// per shot, when its pixels are counted.
 ///
-/// The light of a block is spread over its elements by their areas, as if it fell evenly: also over those that the eye
-/// does not see, which makes shadows as soft as a block is wide.
+/// The light of a block is distributed over its elements by area, as if it were uniform. Invisible elements of the
+/// block also receive light, so that shadows become as soft as a block is wide.
 ///
-/// What that is worth, with 4 pixels for each element in view and without it: grids of 32 and 64 texels with 256 and
-/// 164 patches, turned hemicubes; the truth has the same patches and R = 1024 or 512. `row` is the sum of a row's
-/// errors, `flux` the sum of all errors of radiosity over all light, `rough` the root mean square of an element's error
-/// less the mean of its neighbours', over the mean radiosity: what aliasing does to pictures.
+/// The tables show errors without and with levels of detail at 4 pixels per visible element. Grids have 32 and 64
+/// texels with 256 and 164 patches, and hemicubes are rotated per patch. The reference has the same patches and R =
+/// 1024 or 512. `row` is the sum of the errors of a row, and `flux` the sum of all errors of radiosity over all light.
+/// `rough` is the root mean square of an element's error minus the mean error of its neighbours, over the mean
+/// radiosity; it measures visible aliasing.
 ///
 ///     cornell-box    row             flux              rough
 ///     32, R =  32    0.50  -> 0.16   0.107  -> 0.047   0.37  -> 0.038
@@ -33,9 +34,9 @@
 ///     64, R =  64    0.71  -> 0.17   0.076  -> 0.022   0.16  -> 0.023
 ///     64, R = 128    0.28  -> 0.14   0.030  -> 0.015   0.069 -> 0.021
 ///
-/// Fewer pixels (2) leave more aliasing, more (8) blur more: with 32 texels and R = 32 the fluxes' errors on the
-/// Cornell box are 0.038 and 0.052 there, the roughness 0.044 and 0.039. A level for each block instead of each surface
-/// would gain little more (row 0.14, flux 0.045, rough 0.037).
+/// Fewer pixels per element (2) leave more aliasing; more (8) blur more. With 32 texels and R = 32 on the Cornell box,
+/// the flux errors are 0.038 and 0.052, and the roughness 0.044 and 0.039. A level per block instead of per surface
+/// would improve little (row 0.14, flux 0.045, rough 0.037).
 #pragma once
 
 #include <cstdint>
@@ -46,12 +47,13 @@
 
 namespace hemitex::radiosity {
 
-/// What was worth most where it was measured.
+/// The best value in these measurements.
 inline constexpr double suggestedPixelsPerElement = 4;
 
-/// The row with the light of each surface spread over the blocks of a level of its own: the lowest at which the blocks
-/// in view have on average at least `pixelsPerElement` pixels each, or all of the surface as one. `pixels` are those in
-/// which each of the row's elements is seen. The sum of every block is what it was, to the last bit.
+/// Distributes the light of each surface over the blocks of a level, which is chosen per surface. It is the lowest
+/// level at which visible blocks have on average at least `pixelsPerElement` pixels; the highest level is the whole
+/// surface. `pixels` holds the number of pixels of each element of the row. The sum of each block stays exactly the
+/// same.
 FormFactorRow withCoarserMaps(const Discretization& discretization, const FormFactorRow& row,
                               std::span<const std::uint32_t> pixels, double pixelsPerElement);
 

@@ -10,12 +10,11 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// Of the hemicubes that say how near a patch is.
+/// Resolution of the hemicubes for the estimate.
 constexpr int scoutResolution = 32;
-/// Parts of at least this weight are drawn at the whole resolution, and at half of it those with less than a
-/// `weightOfHalving`-th of that, and so on. The error of a row falls with the 1.5th power of the resolution and its
-/// cost grows with the square: least error for all cost takes resolutions in proportion to the weight to the power of 1
-/// / 2.5.
+/// Parts of at least `weightOfWhole` are drawn at full resolution, those below 1 / `weightOfHalving` of it at half the
+/// resolution, and so on. The error of a row falls with the 1.5th power of the resolution, and its time grows with the
+/// square. The smallest error for a given time needs resolutions proportional to the weight to the power of 1 / 2.5.
 constexpr double weightOfWhole = 2, weightOfHalving = 5.656854249492381;
 
 int halvingsFor(double weight) {
@@ -30,7 +29,7 @@ int halvingsFor(double weight) {
 struct PatchSubdivision::Part {
   Patch block;
   std::vector<std::uint32_t> elements;  ///< ascending
-  int depth = 0;                        ///< how often its side was halved, its points' distance included
+  int depth = 0;                        ///< number of halvings of its side, including the distance of its points
 };
 
 PatchSubdivision::PatchSubdivision(const Scene& scene, Discretization& discretization, const IdLayout& layout,
@@ -53,11 +52,11 @@ std::vector<std::uint32_t> PatchSubdivision::split(std::uint32_t number, double 
   return replace(number, parts);
 }
 
-/// Appends what becomes of a part.
+/// Splits a part and appends the results.
 void PatchSubdivision::split(Part part, double weight, std::vector<Part>& parts) {
   part.block.halvings = halvingsFor(weight);
   const double limit = maxMisdirected_ / std::sqrt(weight);
-  // Not even all of its light would be too much.
+  // Even misdirecting all its light would be within the limit.
   const bool isFaint = limit >= 1;
   double misdirected = isFaint || part.depth == maxSplits ? 0 : misdirectedShareOf(part);
   if (misdirected <= limit) {
@@ -69,7 +68,8 @@ void PatchSubdivision::split(Part part, double weight, std::vector<Part>& parts)
     for (const Part& quarter : quarters(part)) split(quarter, weight * areaOf(quarter) / area, parts);
     return;
   }
-  // Each doubling of the points leaves a quarter of the area to each, and so of its flux and of what goes astray of it.
+  // Doubling the points per side leaves each point a quarter of the area, and so a quarter of the flux and of the
+  // misdirected share.
   for (; misdirected > maxMisdirected_ / std::sqrt(weight) && part.depth < maxSplits; misdirected /= 4, weight /= 4) {
     part.block.points *= 2;
     ++part.depth;
@@ -84,7 +84,7 @@ double PatchSubdivision::areaOf(const Part& part) const {
   return area;
 }
 
-/// Of its first element: a part is cut down to single elements.
+/// The leaf side of its first element: parts are split down to single elements.
 int PatchSubdivision::leafSideOf(const Part& part) const {
   const Element& element = discretization_.elements[part.elements.front()];
   return leafOf(discretization_.grids[element.surface], element.texel).side;
@@ -99,7 +99,7 @@ double PatchSubdivision::misdirectedShareOf(const Part& part) {
   return returningShareOf(rows_.from(block.surface, centre), areaOf(part)) + foldOf(part);
 }
 
-/// By how much the sum of its elements' normals falls short of their number, both weighted by area.
+/// The number of elements minus the length of the sum of their normals, relative, both weighted by area.
 double PatchSubdivision::foldOf(const Part& part) const {
   glm::dvec3 sum(0);
   for (const std::uint32_t element : part.elements)
@@ -108,7 +108,7 @@ double PatchSubdivision::foldOf(const Part& part) const {
   return std::max(0.0, 1 - glm::length(sum) / areaOf(part));
 }
 
-/// Of what has this row and this area, all patches being white.
+/// The share that returns to a patch with this row and this area if all patches are white.
 double PatchSubdivision::returningShareOf(const FormFactorRow& row, double area) {
   std::vector<std::uint32_t> seen;
   for (std::size_t i = 0; i < row.elements.size(); ++i) {
@@ -124,7 +124,7 @@ double PatchSubdivision::returningShareOf(const FormFactorRow& row, double area)
   return returning;
 }
 
-/// The quarters that have elements, row by row; halves where the block is one texel wide or high.
+/// The quarters that have elements, row by row; halves if the block is one texel wide or high.
 std::vector<PatchSubdivision::Part> PatchSubdivision::quarters(const Part& part) const {
   const Patch& block = part.block;
   const int width = (block.width + 1) / 2, height = (block.height + 1) / 2;
@@ -151,8 +151,8 @@ std::vector<PatchSubdivision::Part> PatchSubdivision::quarters(const Part& part)
   return parts;
 }
 
-/// Puts parts in the place of a patch: the first takes its number, the others are appended. Their elements lie where
-/// those of the patch did.
+/// Replaces a patch by parts: the first keeps its number, the others are appended. Their elements take the place of the
+/// patch's elements in patchElements.
 std::vector<std::uint32_t> PatchSubdivision::replace(std::uint32_t patch, const std::vector<Part>& parts) {
   std::uint32_t place = discretization_.patches[patch].firstElement;
   std::vector<std::uint32_t> added;

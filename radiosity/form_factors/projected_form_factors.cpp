@@ -66,7 +66,7 @@ std::vector<View> ProjectedFormFactors::viewsOfPatch(std::uint32_t number) {
   };
   if (patch.points > 1)
     for (const ShootingBlock& block : shootingBlocks(scene_, discretization_, patch)) add(block.centre, block.area);
-  // A texel with next to no area may have none left in any block, to within rounding.
+  // For a texel with almost no area, rounding may leave no block with area.
   if (views.empty()) add(patchCentre(scene_, discretization_, patch), patchArea(discretization_, patch));
   return views;
 }

@@ -1,5 +1,4 @@
-/// Rows of form factors by projection: the scene is drawn on the faces over a point, and what their pixels show is
-/// counted.
+/// Form-factor rows by projection: draws the scene on the faces over a point and sums the pixels.
 #pragma once
 
 #include <cstdint>
@@ -20,24 +19,23 @@
 
 namespace hemitex::radiosity {
 
-/// Halving stops here: below, a hemicube's pixels are as wide as what it is to tell apart.
+/// Lower limit for halving; below it, pixels of a hemicube are too wide.
 inline constexpr int smallestResolution = 32;
 
 struct ViewSettings {
   int resolution = 256;  ///< pixels along the side of a face; even, 2 to 4096
   Orientation orientation = Orientation::Aligned;
   ProjectionKind projection = ProjectionKind::Hemicube;
-  /// Where a surface covers fewer pixels than this for each of its elements in view, coarser index maps are used (see
-  /// level_of_detail.h); 0: nowhere.
+  /// Surfaces with fewer pixels per visible element than this use coarser index maps (see level_of_detail.h); 0: none.
   double pixelsPerElement = 0;
 };
 
 /// All that is drawn for the row from one point.
 struct View {
-  const Projection* projection = nullptr;  ///< of the ProjectedFormFactors that it came from
-  std::vector<raster::Face> faces;         ///< one a face of the projection, with the same scissor rectangles
+  const Projection* projection = nullptr;  ///< of the ProjectedFormFactors that made the view
+  std::vector<raster::Face> faces;         ///< one per face of the projection, with the same scissor rectangles
   std::vector<std::uint32_t> skipped;      ///< see skippedTriangles
-  double area = 0;                         ///< of the surface that shoots from there
+  double area = 0;                         ///< of the surface part that shoots from this point
 };
 
 class ProjectedFormFactors {
@@ -46,24 +44,24 @@ class ProjectedFormFactors {
   ProjectedFormFactors(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
                        raster::ItemBufferRenderer& renderer, const ViewSettings& settings);
 
-  /// What stands over patches that are not split.
+  /// The projection over patches that are not split.
   const Projection& projection() { return projectionAfter(0); }
 
-  /// The row of form factors from a point of a surface. What the projection does not capture counts as background.
+  /// The row of form factors from a point of a surface. Light that the projection does not capture counts as
+  /// background.
   FormFactorRow from(std::uint32_t surface, const SurfacePoint& point);
-  /// The row of a patch: of its only view, or the mean over its views.
+  /// The row of a patch: that of its only view, or the mean over its views.
   FormFactorRow ofPatch(std::uint32_t patch);
 
-  /// The views that the row of a patch is found from: of its centre or, where it shoots from several points, of each
-  /// of them. Where little light is shot from a point a coarser projection does: the resolution is halved as often
-  /// as the patch says, down to smallestResolution.
+  /// The views for the row of a patch: from its centre, or from each of its points. Patches that shoot little light use
+  /// a coarser projection. The resolution is halved as often as the patch says, down to smallestResolution.
   std::vector<View> viewsOfPatch(std::uint32_t patch);
   /// The row of one view.
   FormFactorRow ofView(const View& view);
-  /// What windows of a view add to its row, as long as isSumOfWindows.
+  /// The contribution of windows of a view to its row. Requires isSumOfWindows.
   FormFactorRow ofWindows(const View& view, std::span<const Window> windows);
 
-  /// Whether the windows of a view add up to its row: the level of coarser maps is chosen for whole views.
+  /// Whether the row of a view is the sum of its windows. It is not with coarser maps, whose level is chosen per view.
   bool isSumOfWindows() const { return settings_.pixelsPerElement == 0; }
 
  private:
@@ -79,9 +77,9 @@ class ProjectedFormFactors {
   raster::ItemBufferRenderer& renderer_;
   ViewSettings settings_;
   std::vector<TriangleBox> boxes_;
-  std::map<int, Projection> projections_;  ///< by resolution, made when first asked for
+  std::map<int, Projection> projections_;  ///< by resolution, made on demand
   ItemBufferSum counter_;
-  std::vector<raster::ItemBuffer> buffers_;  ///< their memory is reused from view to view
+  std::vector<raster::ItemBuffer> buffers_;  ///< of the last view; the allocations are reused
 };
 
 }  // namespace hemitex::radiosity

@@ -1,5 +1,5 @@
-/// Rows of form factors within a budget of memory; the row used longest ago goes first. No answer depends on it: a row
-/// that was dropped is computed again, to the same bits.
+/// A cache of form-factor rows with a memory budget; drops the least recently used row. Results do not depend on it,
+/// because a dropped row is computed again with the same bits.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,20 @@
 
 namespace hemitex::radiosity {
 
-/// Where a patch's row comes from: the hemicube, or any other method.
+/// Computes the row of a patch: with the hemicube or any other method.
 using RowSource = std::function<FormFactorRow(std::uint32_t patch)>;
 
 class RowCache {
  public:
-  /// `budget` in bytes; the row used last is kept whatever it takes.
+  /// `budget` in bytes. The most recent row is always kept.
   explicit RowCache(std::size_t budget) : budget_(budget) {}
 
-  /// The row of a number (a patch's, say), made where it is not kept. Valid until the next call.
+  /// The row of a number (that of a patch, for example); calls `make` if it is not in the cache. Valid until the next
+  /// call.
   const FormFactorRow& row(std::uint64_t number, const std::function<FormFactorRow()>& make);
-  /// Keeps a row that was found elsewhere, in place of what was kept for its number.
+  /// Stores a row, replacing that of the same number.
   void keep(std::uint64_t number, FormFactorRow row);
-  /// The row kept for a number; none: null. Valid until the next call of `row` or `keep`.
+  /// The row of a number, or null. Valid until the next call of `row` or `keep`.
   const FormFactorRow* find(std::uint64_t number) const;
 
  private:
@@ -34,7 +35,7 @@ class RowCache {
 
   std::size_t budget_;
   std::size_t used_ = 0;
-  std::list<Entry> recent_;  ///< the one used last first
+  std::list<Entry> recent_;  ///< most recently used first
   std::map<std::uint64_t, std::list<Entry>::iterator> byNumber_;
 };
 

@@ -1,6 +1,5 @@
-/// Rows found by drawing, from a discretized scene on: its item IDs laid out, its draw list handed to a renderer,
-/// patches split that are too near to what they light when they are about to shoot, and every patch's row counted from
-/// what is drawn.
+/// Form-factor rows of a discretized scene by drawing. It lays out item IDs and gives the draw list to a renderer. It
+/// splits patches that are too near to their receivers before they shoot, and computes the row of each patch.
 #pragma once
 
 #include <cstdint>
@@ -20,17 +19,17 @@
 
 namespace hemitex::radiosity {
 
-/// What elements are drawn by.
+/// How elements are drawn.
 enum class ElementsBy {
-  Texture,  ///< an index map over each surface (makeDrawList)
-  Mesh,     ///< a polygon each (makeMeshedDraws)
+  Texture,  ///< with an index map over each surface (makeDrawList)
+  Mesh,     ///< with one polygon each (makeMeshedDraws)
 };
 
-/// How patches look at the scene.
+/// Settings of the views of patches.
 struct DrawingSettings {
   int resolution = 256;  ///< pixels along the side of a face; even, 2 to 4096
   Orientation orientation = Orientation::Turned;
-  double split = defaultMaxMisdirected;  ///< see splitPatches; 1 or more splits none
+  double split = defaultMaxMisdirected;  ///< see splitPatches; with 1 or more no patch is split
   ElementsBy elementsBy = ElementsBy::Texture;
   ProjectionKind projection = ProjectionKind::Hemicube;
   double pixelsPerElement = 0;  ///< see ViewSettings
@@ -42,26 +41,26 @@ using RendererFactory = std::function<std::unique_ptr<raster::ItemBufferRenderer
 /// The reference renderer (raster/software/software_renderer.h).
 std::unique_ptr<raster::ItemBufferRenderer> softwareRenderer(raster::DrawList list);
 
-/// A renderer of the scene, whose triangles it leaves out by their numbers in the scene.
+/// A renderer of the scene; skipped triangles are numbers in the scene.
 std::unique_ptr<raster::ItemBufferRenderer> sceneRenderer(const Scene& scene, const Discretization& discretization,
                                                           const IdLayout& layout, ElementsBy elementsBy,
                                                           const RendererFactory& makeRenderer = softwareRenderer);
 
 class SceneFormFactors {
  public:
-  /// `layout` is that of the discretization. The scene must outlive this. Which patches are split, textures say,
-  /// also where meshes are drawn, so that the patches do not depend on it.
+  /// `layout` is that of the discretization. The scene must outlive this object. Splitting always uses textures, also
+  /// if meshes are drawn, so that patches do not depend on `elementsBy`.
   SceneFormFactors(const Scene& scene, Discretization unsplit, IdLayout layout, const DrawingSettings& settings,
                    const RendererFactory& makeRenderer = softwareRenderer);
   SceneFormFactors(const SceneFormFactors&) = delete;
   SceneFormFactors& operator=(const SceneFormFactors&) = delete;
 
-  /// Patches that were split are replaced by their parts; elements are what they were.
+  /// The discretization with split patches; elements are unchanged.
   const Discretization& discretization() const { return discretization_; }
-  /// Splits all patches as if they had weight 1.
+  /// Splits all patches with weight 1.
   void splitAll();
-  /// What splits patches of `discretization()` on the way to a solution; nothing where none is to be split. Refers to
-  /// this.
+  /// The function that splits patches of `discretization()` during a solution; empty if no patch is to be split. Keeps
+  /// a reference to this object.
   PatchSplit splits();
   const IdLayout& layout() const { return layout_; }
   ProjectedFormFactors& rows() { return rows_; }
@@ -71,7 +70,8 @@ class SceneFormFactors {
   Discretization discretization_;
   std::unique_ptr<raster::ItemBufferRenderer> renderer_;
   ProjectedFormFactors rows_;
-  std::unique_ptr<raster::ItemBufferRenderer> textures_;  ///< what splits are judged by, where rows are drawn otherwise
+  std::unique_ptr<raster::ItemBufferRenderer>
+      textures_;  ///< renderer for split tests, if rows are drawn in another way
   std::optional<PatchSubdivision> splitter_;
 };
 

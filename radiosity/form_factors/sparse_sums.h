@@ -1,6 +1,5 @@
-/// Sums of shares in many slots, of which few have any: blocks of 64 slots are there where one of them got a share. So
-/// neither time nor memory goes into what a point does not see, but for a look at one bit in 4096 slots and a number
-/// for every 64.
+/// Sparse sums of shares by slot. Blocks of 64 slots are allocated when one of their slots receives a share. So
+/// invisible slots take almost no time or memory: one bit per 4096 slots to test, and one number per 64 slots.
 #pragma once
 
 #include <array>
@@ -20,11 +19,11 @@ class SparseSums {
     std::uint64_t touched = 0;  ///< bit i: slot i has a share
     std::array<std::uint64_t, slotsInBlock> shares = {};
 
-    /// The share of a slot, which has none afterwards.
+    /// Returns the share of a slot and resets it.
     std::uint64_t take(std::uint32_t slot) { return std::exchange(shares[slot], 0); }
   };
 
-  /// Slots are below `slots`.
+  /// `slots` is the number of slots.
   explicit SparseSums(std::size_t slots);
 
   void add(std::uint32_t slot, std::uint64_t share) {
@@ -36,14 +35,14 @@ class SparseSums {
   }
 
   std::size_t groups() const { return groups_.size(); }
-  /// Bit i: block group * 64 + i is there.
+  /// Bit i: block group * 64 + i is allocated.
   std::uint64_t blocksIn(std::size_t group) const { return groups_[group]; }
-  /// A block; null where it is not there.
+  /// A block, or null.
   Block* find(std::uint32_t number) { return placeOf_[number] == none ? nullptr : &blocks_[placeOf_[number]]; }
 
-  /// Forgets the blocks of a group, all of whose shares were taken; groups may be cleared at the same time.
+  /// Removes the blocks of a group whose shares are all taken. Different groups may be cleared at the same time.
   void clear(std::size_t group);
-  /// To be called when all groups are clear: their blocks' memory serves others.
+  /// Makes the memory of removed blocks available. Call it after all groups are cleared.
   void reuse();
   std::size_t bytes() const;
 
@@ -53,7 +52,7 @@ class SparseSums {
 
   std::vector<std::uint64_t> groups_;
   std::vector<std::uint32_t> placeOf_;  ///< of each block in `blocks_`, or none
-  std::vector<Block> blocks_;           ///< in the order in which they came; those from `used_` on are all 0
+  std::vector<Block> blocks_;           ///< in order of allocation; those from `used_` on are all 0
   std::uint32_t used_ = 0;
 };
 

@@ -21,13 +21,13 @@ struct Interval {
   double low = 0, high = 0;
 };
 
-/// The heights of a triangle over the line from `a` to `b`, times its length.
+/// The heights of a triangle over the line from `a` to `b`, times the length of the line.
 Interval heights(const ChartTriangle& t, const glm::dvec2& a, const glm::dvec2& b) {
   const std::array<double, 3> h{cross(b - a, t[0] - a), cross(b - a, t[1] - a), cross(b - a, t[2] - a)};
   return {std::min({h[0], h[1], h[2]}), std::max({h[0], h[1], h[2]})};
 }
 
-/// Whether a line along an edge of `s` parts the two, up to the tolerance.
+/// Whether a line along an edge of `s` separates the two, up to the tolerance.
 bool partedByEdge(const ChartTriangle& s, const ChartTriangle& t) {
   for (std::size_t i = 0; i < 3; ++i) {
     const glm::dvec2 a = s[i], b = s[(i + 1) % 3];
@@ -52,8 +52,8 @@ bool boxesOverlap(const Box& a, const Box& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
-/// The triangles that stay, in a uniform grid over the square with about as many cells as triangles, shaped like the
-/// average triangle's box.
+/// The triangles that stay, in a uniform grid over the square. The grid has about as many cells as triangles; cells
+/// have the shape of the average bounding box.
 class ChartGrid {
  public:
   explicit ChartGrid(std::span<const ChartTriangle> triangles) : triangles_(triangles), seenBy_(triangles.size()) {
@@ -74,13 +74,13 @@ class ChartGrid {
     });
   }
 
-  /// An inserted triangle that `triangle` overlaps; the first one found.
+  /// The first inserted triangle found that overlaps `triangle`.
   std::optional<std::uint32_t> overlapped(std::uint32_t triangle) {
     const Box box = boxOf(triangles_[triangle]);
     std::optional<std::uint32_t> found;
     forCells(triangles_[triangle], [&](const std::vector<std::uint32_t>& cell) {
       for (const std::uint32_t other : cell) {
-        if (seenBy_[other] == triangle) continue;  // triangle 0 meets an empty grid
+        if (seenBy_[other] == triangle) continue;  // the grid is empty for triangle 0
         seenBy_[other] = triangle;
         if (!boxesOverlap(box, boxOf(triangles_[other]))) continue;
         if (overlap(triangles_[triangle], triangles_[other])) found = other;
@@ -92,7 +92,7 @@ class ChartGrid {
   }
 
  private:
-  /// Calls visit(cell) for the cells that a triangle may touch, row by row, until one returns true.
+  /// Calls visit(cell) for the cells that a triangle may touch, row by row, until one call returns true.
   template <typename Visit>
   void forCells(const ChartTriangle& t, Visit visit) {
     const Box box = boxOf(t);
@@ -108,8 +108,8 @@ class ChartGrid {
     return static_cast<std::size_t>(std::clamp(std::floor(coordinate * cells), 0.0, cells - 1));
   }
 
-  /// What a triangle covers in u of a row, a tolerance wider: its corners there and where its edges cross the row's
-  /// ends.
+  /// The range of u that a triangle covers in a row, enlarged by the tolerance. Its ends are corners in the row or
+  /// crossings of edges with the row's ends.
   Interval extentInRow(const ChartTriangle& t, std::size_t row) const {
     const double bottom = static_cast<double>(row) / rows_ - chartTolerance;
     const double top = static_cast<double>(row + 1) / rows_ + chartTolerance;
@@ -127,7 +127,7 @@ class ChartGrid {
 
   std::span<const ChartTriangle> triangles_;
   std::vector<std::uint32_t> seenBy_;  ///< for each triangle the last one that it was compared with
-  double columns_ = 1, rows_ = 1;      ///< whole numbers
+  double columns_ = 1, rows_ = 1;      ///< integers
   std::vector<std::vector<std::uint32_t>> cells_;
 };
 

@@ -7,14 +7,14 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// Distances are compared as squared distance * scale + index of the texel, so that no two texels are ever equally
-/// near. The scale is above every index, and the largest key, 2 * 4096^2 * scale, below 2^50.
+/// Distances are compared as squared distance * scale + index of the texel, so that no two texels are equally near. The
+/// scale is above all indices. The largest key, 2 * 4096^2 * scale, is below 2^50.
 constexpr std::int64_t scale = std::int64_t{1} << 24;
 
 std::int64_t square(std::int64_t x) { return x * x; }
 
-/// A texel that is the nearest of its column, seen along a row: its key at column c is
-/// scale * (c - column)^2 + offset. It is the least of all from column `start` on, up to the next one's start.
+/// The nearest covered texel of a column, as a function along a row: its key at column c is scale * (c - column)^2 +
+/// offset. It is the smallest of all keys from column `start` up to the start of the next candidate.
 struct Candidate {
   std::int64_t column = 0;
   std::int64_t offset = 0;
@@ -22,8 +22,8 @@ struct Candidate {
   std::uint32_t texel = 0;
 };
 
-/// The first column at which `right` has a lower key than `left`, which lies further left: keys as functions of c
-/// differ by a linear one.
+/// The first column at which `right` has a smaller key than `left`; `left.column` is smaller. The difference of the two
+/// keys is linear in c.
 std::int64_t takesOverAt(const Candidate& left, const Candidate& right) {
   const std::int64_t slope = 2 * scale * (right.column - left.column);
   const std::int64_t lead = right.offset - left.offset + scale * (square(right.column) - square(left.column));
@@ -42,7 +42,7 @@ void addCandidate(std::vector<Candidate>& envelope, Candidate candidate, int col
   if (candidate.start < columns) envelope.push_back(candidate);
 }
 
-/// For each texel the row of the nearest covered texel in its column, the lower of equals; -1 where there is none.
+/// For each texel the row of the nearest covered texel in its column; of equals, the lower. -1 if there is none.
 std::vector<int> nearestRows(int columns, int rows, const std::vector<bool>& covered) {
   const auto width = static_cast<std::size_t>(columns);
   std::vector<int> nearest(covered.size(), -1);

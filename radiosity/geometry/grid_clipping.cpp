@@ -18,8 +18,8 @@ void append(Piece& piece, const PieceCorner& corner) {
   piece.corners[piece.size++] = corner;
 }
 
-/// Where the edge from `a` to `b` crosses a line. The new corner lies exactly on the line, and between the ends in the
-/// other coordinate: a convex polygon keeps crossing every further line twice at most, whatever the rounding.
+/// The point where the edge from `a` to `b` crosses a line. It lies exactly on the line, and between the ends in the
+/// other coordinate. So a convex polygon crosses each further line at most twice, whatever the rounding.
 PieceCorner crossing(const PieceCorner& a, const PieceCorner& b, int axis, double line) {
   const double t = (line - a.grid[axis]) / (b.grid[axis] - a.grid[axis]);
   PieceCorner corner{a.grid + t * (b.grid - a.grid), a.weight + t * (b.weight - a.weight)};
@@ -28,7 +28,7 @@ PieceCorner crossing(const PieceCorner& a, const PieceCorner& b, int axis, doubl
   return corner;
 }
 
-/// The parts of a piece on both sides of a line of the grid, which belongs to both.
+/// Splits a piece along a line of the grid; points on the line belong to both parts.
 Halves split(const Piece& piece, int axis, double line) {
   Halves halves;
   for (std::size_t i = 0; i < piece.size; ++i) {
@@ -69,7 +69,7 @@ void forEachStrip(const Piece& piece, int axis, const Visit& visit) {
   visit(index, rest);
 }
 
-/// Twice the signed area of (a, b, point). Both directions of an edge give the same number but for its sign.
+/// Twice the signed area of (a, b, point). The two directions of an edge give exactly opposite values.
 double edgeArea(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& point) {
   const bool isForward = std::pair(a.x, a.y) <= std::pair(b.x, b.y);
   return isForward ? cross(b - a, point - a) : -cross(a - b, point - b);
@@ -125,7 +125,7 @@ Piece clippedToCell(const std::array<glm::dvec2, 3>& grid, std::int64_t column, 
   return clippedTo(wholeTriangle(grid), low, low + 1.0);
 }
 
-// In the plane of the two weights the triangle is half the unit square, so twice a piece's area there is its share.
+// In the plane of the two weights the triangle is half the unit square, so that twice the area of a piece is its share.
 double share(const Piece& piece) {
   double doubled = 0;
   for (std::size_t i = 2; i < piece.size; ++i)

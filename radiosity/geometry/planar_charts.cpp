@@ -8,20 +8,20 @@ namespace hemitex::radiosity {
 namespace {
 
 constexpr double angleTolerance = 1e-4;
-/// Edges whose squared lengths differ by no more, relative, are equally long: a scene far from zero rounds them so.
+/// Relative difference up to which squared lengths of edges are equal; a scene far from zero has such rounding errors.
 constexpr double lengthTolerance = 1e-6;
 constexpr std::uint32_t none = UINT32_MAX;
 
 using Indices = std::vector<std::uint32_t>;
 
-/// Half-edge 3t + k runs from corner k of triangle t to the next one.
+/// Half-edge 3t + k runs from corner k of triangle t to the next corner.
 std::uint32_t nextCorner(std::uint32_t halfEdge) { return halfEdge % 3 == 2 ? halfEdge - 2 : halfEdge + 1; }
 
-/// Things with the keys that they are to be told apart by.
+/// Indices with keys.
 template <typename Key>
 using Keyed = std::vector<std::pair<Key, std::uint32_t>>;
 
-/// Sorts by key, equal ones by index, and gives every thing a number, the same for equal keys.
+/// Sorts by key, then by index, and gives equal keys the same number and different keys different numbers.
 template <typename Key>
 Indices sortAndNumber(Keyed<Key>& things) {
   std::sort(things.begin(), things.end());
@@ -45,10 +45,10 @@ Indices weld(std::span<const TrianglePositions> triangles) {
   return sortAndNumber(corners);
 }
 
-/// The half-edges of each edge, whatever their direction.
+/// The half-edges of each edge, of both directions.
 struct Edges {
   Indices edge;       ///< of each half-edge
-  Indices first;      ///< of each edge, in halfEdges, and one behind the last
+  Indices first;      ///< of each edge, in halfEdges; one more at the end
   Indices halfEdges;  ///< edge by edge, ascending
 
   std::span<const std::uint32_t> around(std::uint32_t e) const {
@@ -104,7 +104,7 @@ class Splitter {
   }
 
  private:
-  /// A part of triangles that are still free, about `seed`. What finds no place in its chart stays free, the seed too.
+  /// Makes a part of free triangles around `seed`. Triangles that conflict in its chart stay free, perhaps `seed` too.
   PlanarPart cutPart(std::uint32_t seed, std::uint32_t number) {
     PlanarPart part{grow(seed, number), {}};
     while (!part.triangles.empty()) {
@@ -149,7 +149,7 @@ class Splitter {
            glm::dot(normals_[a], normals_[b]) > 0;
   }
 
-  /// A triangle so thin that its rectangle is lost to rounding: any chart with area will do.
+  /// A part of one triangle so thin that rounding collapses its rectangle: any chart with area will do.
   PlanarPart alone(std::uint32_t triangle, std::uint32_t number) {
     part_[triangle] = number;
     return {{triangle}, {ChartTriangle{glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)}}};
@@ -180,7 +180,7 @@ class Splitter {
     return charts;
   }
 
-  /// The first of the longest boundary edges of a part; any edge where a part that covers itself has none.
+  /// The first of the longest boundary edges of a part; any edge if overlapping triangles leave no boundary edge.
   glm::dvec3 longestEdge(const Indices& part) {
     countUses(part, 1);
     glm::dvec3 longest(0.0);
@@ -204,9 +204,9 @@ class Splitter {
   std::span<const TrianglePositions> triangles_;
   Edges edges_;
   std::vector<glm::dvec3> normals_;
-  Indices part_;           ///< the number of each triangle's part; none while it is free
+  Indices part_;           ///< number of each triangle's part; `none` if free
   Indices crossedBy_;      ///< for each edge the last part that grew over it
-  std::vector<int> uses_;  ///< for each edge how many triangles of the part at hand have it
+  std::vector<int> uses_;  ///< for each edge the number of triangles of the current part that have it
 };
 
 }  // namespace

@@ -1,12 +1,13 @@
-/// Planar parts: the charts of a surface that brings none along.
+/// Planar parts: charts for surfaces without texture coordinates.
 ///
-/// A part grows from its first triangle over edges whose two ends are equal positions, as long as the normals stay
-/// within 1e-4 rad of the first one's (the cross product of unit normals is at most 1e-4 long). Its chart is its
-/// bounding rectangle in the plane of the first triangle, with u along the longest boundary edge (the first of those
-/// that are as long to within rounding), v = normal x u, and both stretched to [0,1]: never mirrored. A boundary edge
-/// belongs to one triangle of the part only.
-/// Triangles that would claim a place of the chart twice (a face that stands in the file twice), or that are too thin
-/// to have area in it, go into a part of their own.
+/// A part grows from its first triangle over edges whose two ends have equal positions, while normals stay within 1e-4
+/// rad of the first normal. (The cross product of the unit normals is at most 1e-4 long.) The chart of a part is its
+/// bounding rectangle in the plane of the first triangle. The u axis follows the longest boundary edge; of edges
+/// equally long up to rounding, the first. v = normal x u, and both are scaled to [0,1]. So charts are never mirrored.
+/// A boundary edge is an edge of one triangle of the part only.
+///
+/// Some triangles get a part of their own: those that would overlap in the chart (repeated faces) and those too thin to
+/// have area in it.
 #pragma once
 
 #include <array>
@@ -23,10 +24,10 @@ using TrianglePositions = std::array<glm::dvec3, 3>;
 
 struct PlanarPart {
   std::vector<std::uint32_t> triangles;  ///< ascending
-  std::vector<ChartTriangle> charts;     ///< one a triangle, rounded (see roundedChart); none is without area
+  std::vector<ChartTriangle> charts;     ///< one per triangle, rounded (see roundedChart), each with area
 };
 
-/// Splits triangles, all with area, into planar parts, ordered by their first triangles.
+/// Splits triangles into planar parts, ordered by their first triangles. All triangles must have area.
 std::vector<PlanarPart> planarParts(std::span<const TrianglePositions> triangles);
 
 }  // namespace hemitex::radiosity

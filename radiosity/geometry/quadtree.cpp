@@ -68,7 +68,7 @@ void split(Quadtree& tree, const Leaf& leaf) {
 }
 
 void balance(Quadtree& tree) {
-  // A split leaf may be too small for its own neighbours in turn, which are larger: those are looked at again.
+  // Splitting a leaf can make it too small for its larger neighbours, so that those are tested again.
   std::vector<Leaf> pending = leavesOf(tree);
   while (!pending.empty()) {
     const Leaf leaf = pending.back();

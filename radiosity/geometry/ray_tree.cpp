@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::uint32_t trianglesOfLeaf = 4;
 
-/// Where a ray enters a box; infinity where it misses it or enters it behind `end`. `inverse` is 1 over the direction.
+/// The distance at which a ray enters a box; infinity if it misses the box or enters it beyond `end`. `inverse` is 1
+/// over the direction.
 double entry(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& origin, const glm::dvec3& inverse,
              double end) {
   const glm::dvec3 a = (low - origin) * inverse, b = (high - origin) * inverse;
@@ -17,7 +18,7 @@ double entry(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& or
   return first <= last ? first : std::numeric_limits<double>::infinity();
 }
 
-/// 1 over a direction; of 0 a large number instead, so that 0 times it is 0.
+/// 1 over a direction; for 0 a large number instead of infinity, so that 0 times it is 0.
 glm::dvec3 inverseOf(const glm::dvec3& direction) {
   const auto inverse = [](double x) { return x == 0 ? 1e300 : 1 / x; };
   return {inverse(direction.x), inverse(direction.y), inverse(direction.z)};
@@ -82,7 +83,7 @@ void RayTree::trace(const glm::dvec3& origin, const glm::dvec3& direction, doubl
     if (v >= 0 && u + v <= 1 && t > 0 && t < end)
       meet(TriangleHit{leaf.surface, leaf.triangle, {u, v}, t, determinant > 0}, leaf, end);
   };
-  // Halving at every level, so it is never deeper than the bits of a number of triangles.
+  // The tree halves at each level, so its depth is at most the number of bits of a triangle count.
   std::array<std::uint32_t, 64> waiting;
   std::size_t count = 0;
   waiting[count++] = 0;

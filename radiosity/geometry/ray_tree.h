@@ -1,6 +1,6 @@
-/// A hierarchy of boxes around a scene's triangles: which triangle a ray meets first, and which are near a box. For the
-/// few rays that say what is seen from a point; in binary64, so that it sees gaps and solids that are far smaller than
-/// an item buffer's depths tell apart.
+/// A bounding volume hierarchy over the triangles of a scene: the first hit of a ray, and the triangles near a box. It
+/// is used for the few rays that test visibility from a point. It computes in double precision, which resolves gaps and
+/// solids far smaller than the depths of an item buffer do.
 #pragma once
 
 #include <cstdint>
@@ -13,26 +13,26 @@
 
 namespace hemitex::radiosity {
 
-/// Where a ray meets a triangle.
+/// The intersection of a ray and a triangle.
 struct TriangleHit {
   std::uint32_t surface = 0, triangle = 0;  ///< in Scene::surfaces, in Surface::triangles
   glm::dvec2 weights{0.0};                  ///< barycentric, of the triangle's corners 1 and 2
   double distance = 0;                      ///< in lengths of the ray's direction
-  bool isFront = false;                     ///< whether the ray comes from the triangle's front
+  bool isFront = false;                     ///< whether the ray meets the front of the triangle
 };
 
 class RayTree {
  public:
-  /// Keeps copies of all corners. Takes n log n for n triangles.
+  /// Copies all corners. Takes O(n log n) time for n triangles.
   explicit RayTree(const Scene& scene);
 
-  /// The triangle that a ray meets first. Where faces touch, to within 2^-30 extents of the scene, it is one whose back
-  /// the ray meets, if there is one: nothing is seen of the front of a face that touches another.
+  /// The first triangle that a ray meets. If faces touch within 2^-30 extents of the scene, a hit of a back comes
+  /// first. The reason: the front of a face that touches another is invisible.
   std::optional<TriangleHit> firstHit(const glm::dvec3& origin, const glm::dvec3& direction) const;
-  /// Whether the ray meets a triangle from its back up to a distance, in lengths of its direction, that faces along it:
-  /// whose normal's angle with it has at least this cosine.
+  /// Whether the ray meets the back of a triangle that faces along it, up to a distance in lengths of its direction.
+  /// "Along" means that the cosine of the angle between the normal and the ray is at least `cosine`.
   bool meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine) const;
-  /// Appends the numbers in the scene of the triangles whose boxes meet the box [low, high], in any order.
+  /// Appends the numbers of the triangles whose boxes intersect the box [low, high], in any order.
   void appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vector<std::uint32_t>& numbers) const;
 
  private:
@@ -40,15 +40,15 @@ class RayTree {
     glm::dvec3 corner, along1, along2;
     std::uint32_t surface, triangle, number;
   };
-  /// The first child of an inner node is the next node. A node of the tree's bottom has triangles instead.
+  /// The first child of an inner node is the next node. A leaf node has triangles instead.
   struct Node {
     glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-    std::uint32_t second = 0;     ///< the other child, or the first triangle
-    std::uint32_t triangles = 0;  ///< 0 of an inner node
+    std::uint32_t second = 0;     ///< the second child, or the first triangle
+    std::uint32_t triangles = 0;  ///< 0 for an inner node
   };
 
-  /// Calls meet(hit, end) for triangles in the ray's way, the nearer ones first as far as boxes tell, up to `end`,
-  /// which meet may bring nearer.
+  /// Calls meet(hit, end) for triangles along the ray up to `end`, approximately in order of distance. The callback may
+  /// reduce `end`.
   template <typename Meet>
   void trace(const glm::dvec3& origin, const glm::dvec3& direction, double end, const Meet& meet) const;
   void build(std::uint32_t begin, std::uint32_t end);

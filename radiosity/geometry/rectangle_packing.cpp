@@ -13,9 +13,9 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// The packer sorts its input by size with a sort that may leave equal rectangles in any order. They are
-/// interchangeable, so the places they take together are the same in each: handing these out in a fixed order, lower
-/// ones to earlier rectangles, makes the answer one.
+/// The packer sorts its input by size with an unstable sort. Rectangles of equal size are interchangeable, so that the
+/// set of their places is the same for any order. Assigning these places in a fixed order, lower places to earlier
+/// rectangles, makes the result deterministic.
 void handOutPlaces(std::vector<stbrp_rect>& rectangles) {
   std::vector<std::size_t> bySize(rectangles.size());
   std::iota(bySize.begin(), bySize.end(), std::size_t{0});
@@ -38,7 +38,7 @@ void handOutPlaces(std::vector<stbrp_rect>& rectangles) {
   }
 }
 
-/// Packs what it can of the rectangles `members` (numbers in `sizes`) into a square; `id` is the number.
+/// Packs the rectangles `members` (numbers in `sizes`) into a square, as far as they fit; `id` is the number.
 std::vector<stbrp_rect> packSquare(const std::vector<RectangleSize>& sizes, const std::vector<int>& members, int side) {
   std::vector<stbrp_rect> rectangles;
   for (int member : members) {
@@ -53,7 +53,7 @@ std::vector<stbrp_rect> packSquare(const std::vector<RectangleSize>& sizes, cons
   return rectangles;
 }
 
-/// Whether area and sides leave hope that all members fit: spares attempts that must fail.
+/// Whether all members can fit by area and sides: avoids packing attempts that must fail.
 bool mayHold(const std::vector<RectangleSize>& sizes, const std::vector<int>& members, int side) {
   std::int64_t area = 0;
   for (int member : members) {
@@ -64,7 +64,7 @@ bool mayHold(const std::vector<RectangleSize>& sizes, const std::vector<int>& me
   return area <= std::int64_t{side} * side;
 }
 
-/// Adds one page with as many of the members as it holds, and leaves the others in `members`.
+/// Adds one page with as many members as fit, and leaves the others in `members`.
 void addPage(const std::vector<RectangleSize>& sizes, int largestSide, std::vector<int>& members, Packing& packing) {
   int side = 1;
   std::vector<stbrp_rect> rectangles;

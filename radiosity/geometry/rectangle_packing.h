@@ -1,5 +1,5 @@
-/// Packing rectangles into as few square pages as a skyline can: what lies where is a function of the sizes and their
-/// order alone, the same on every machine.
+/// Packs rectangles into few square pages with the skyline method. The result depends only on the sizes and their
+/// order, the same on all machines.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ struct RectangleSize {
   int height = 0;
 };
 
-/// The lower left corner of a rectangle; a rectangle is never rotated.
+/// The lower left corner of a rectangle; rectangles are never rotated.
 struct RectanglePlace {
   int page = 0;
   int column = 0;
@@ -20,11 +20,12 @@ struct RectanglePlace {
 
 struct Packing {
   std::vector<RectangleSize> pages;
-  std::vector<RectanglePlace> places;  ///< one a rectangle
+  std::vector<RectanglePlace> places;  ///< one per rectangle
 };
 
-/// No two rectangles overlap. Pages are squares of `largestSide`, a power of two; the last is the smallest power of
-/// two that holds what is left. A rectangle wider or higher than that has a page of its own size, after the others.
+/// Packs rectangles without overlap. Pages are squares of `largestSide`, a power of two. The last page is the smallest
+/// power of two that holds the rest. A rectangle wider or higher than `largestSide` gets a page of its own size behind
+/// the others.
 Packing packRectangles(const std::vector<RectangleSize>& sizes, int largestSide);
 
 }  // namespace hemitex::radiosity

@@ -15,10 +15,10 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// Of the tolerance: far above what rounding does to a slice.
+/// Share of the tolerance; far above the rounding errors of slices.
 constexpr double roundingShare = 0x1p-10;
 
-/// A triangle with what its barycentric weights are found with.
+/// A triangle with the constants for barycentric weights.
 class WeightedTriangle {
  public:
   WeightedTriangle(const Triangle& triangle, double lift, double tolerance)
@@ -29,24 +29,24 @@ class WeightedTriangle {
         lift_(lift),
         tolerance_(tolerance) {
     const double doubledArea = glm::length(normal_);
-    // Of the corners over the opposite edges.
+    // heights of the corners above the opposite edges
     heights_ = {doubledArea / glm::length(along2_ - along1_), doubledArea / glm::length(along2_),
                 doubledArea / glm::length(along1_)};
   }
 
-  /// Over the plane of the slices.
+  /// Height above the plane of the slices.
   double heightOf(const glm::dvec3& point) const {
     return glm::dot(point - corner_, normal_) / glm::length(normal_) - lift_;
   }
 
   glm::dvec2 weightsOf(const glm::dvec3& point) const { return weightsOfStep(point - corner_); }
 
-  /// How far the weights change from where a triangle crosses the plane of the slices to where its plane meets that of
-  /// this one; not at all where both are parallel, to within a lift in some hundred.
+  /// The change of weights from the crossing of a triangle with the plane of the slices to its crossing with the plane
+  /// of this triangle. Zero if the two planes are parallel to within minSine.
   glm::dvec2 stepToSurface(const Triangle& triangle) const {
     constexpr double minSine = 1 / 256.0;
     const glm::dvec3 n = normal_ / glm::length(normal_), m = normal(triangle);
-    // Along the triangle, as long as the sine of the angle between both.
+    // A direction in the triangle; its length is the sine of the angle between the planes.
     const glm::dvec3 down = glm::dot(m, n) * m - n;
     const double squaredSine = glm::dot(down, down);
     if (squaredSine < minSine * minSine) return glm::dvec2(0);
@@ -58,8 +58,8 @@ class WeightedTriangle {
     return glm::length(step.x * along1_ + step.y * along2_);
   }
 
-  /// The part of a slice inside the triangle, whose edges are first moved outwards by `margin`, a length; nothing where
-  /// less than the tolerance is left.
+  /// The part of a slice inside the triangle with edges moved outwards by `margin`, a length; nothing if it is shorter
+  /// than the tolerance.
   std::optional<Slice> clipped(const Slice& slice, double margin) const {
     double first = 0, last = 1;
     const std::array<double, 3> from = allWeights(slice.from), to = allWeights(slice.to);
@@ -99,7 +99,7 @@ class WeightedTriangle {
   std::array<double, 3> heights_;
 };
 
-/// Where a triangle crosses the plane of another's slices.
+/// The segment in which a triangle crosses the slicing plane of another.
 std::optional<Slice> sliceOf(const Triangle& triangle, const WeightedTriangle& plane) {
   std::array<double, 3> height;
   for (std::size_t k = 0; k < 3; ++k) height[k] = plane.heightOf(triangle.position[k]);
@@ -109,7 +109,7 @@ std::optional<Slice> sliceOf(const Triangle& triangle, const WeightedTriangle& p
     const std::size_t next = (k + 1) % 3;
     if ((height[k] >= 0) == (height[next] >= 0)) continue;
     const double t = height[k] / (height[k] - height[next]);
-    // Not of a point between: where a scene lies does not matter then.
+    // Weights of both corners, not of a point between them: so the result is independent of the position of the scene.
     const glm::dvec2 from = plane.weightsOf(triangle.position[k]), to = plane.weightsOf(triangle.position[next]);
     ends[count++] = from + t * (to - from);
   }
@@ -122,7 +122,7 @@ bool isBefore(const Slice& a, const Slice& b) {
   return std::tie(a.from.x, a.from.y, a.to.x, a.to.y) < std::tie(b.from.x, b.from.y, b.to.x, b.to.y);
 }
 
-/// Slices of a triangle by what else the scene has.
+/// The slices of triangles by all other triangles of the scene.
 class Slicer {
  public:
   Slicer(const Scene& scene, const RayTree& tree)
@@ -131,12 +131,12 @@ class Slicer {
       for (const Triangle& triangle : surface.triangles) triangles_.push_back(&triangle);
   }
 
-  /// A slice along an edge of a triangle, and the triangle that makes it, by its number in the scene.
+  /// A slice along an edge of a triangle, and the number of the triangle that makes it.
   struct EdgeSlice {
     Slice slice;
     std::uint32_t other = 0;
   };
-  /// Those inside the triangle, and those along its edges.
+  /// The slices inside the triangle, and those along its edges.
   struct Found {
     std::vector<Slice> inside;
     std::vector<EdgeSlice> along;
@@ -150,7 +150,7 @@ class Slicer {
     for (const std::uint32_t other : others) {
       if (other == number) continue;
       const std::optional<Slice> slice = sliceOf(*triangles_[other], plane);
-      // Moved outwards the edges meet far from an acute corner: what only passes there is not in the triangle.
+      // Edges moved outwards meet far beyond an acute corner; a slice that only passes there is outside the triangle.
       if (!slice || !plane.clipped(*slice, roundingShare * tolerance_)) continue;
       const Slice part = *plane.clipped(*slice, tolerance_);
       if (plane.clipped(part, -tolerance_))
@@ -158,16 +158,16 @@ class Slicer {
       else
         found.along.push_back({part, other});
     }
-    // By where they are: the order of surfaces does not matter.
+    // Sorted by position, so that the order of surfaces does not matter.
     std::sort(found.inside.begin(), found.inside.end(), isBefore);
     std::sort(found.along.begin(), found.along.end(),
               [](const EdgeSlice& one, const EdgeSlice& two) { return isBefore(one.slice, two.slice); });
     return found;
   }
 
-  /// Of the slices along the edges of a triangle, those along edges that it shares with a neighbour in its surface, but
-  /// for those by neighbours themselves: where a surface folds, its triangles slice each other along the edge.
-  /// `first` is the number in the scene of the surface's first triangle.
+  /// The slices along inner edges of the surface, those that the triangle shares with a neighbour. Slices by that
+  /// neighbour are left out: where a surface folds, its triangles slice each other along the edge. `first` is the
+  /// number of the surface's first triangle in the scene.
   std::vector<Slice> alongInnerEdges(const Triangle& triangle, const std::array<std::uint32_t, 3>& neighbours,
                                      std::size_t first, const std::vector<EdgeSlice>& along) const {
     const WeightedTriangle plane(triangle, 0, tolerance_);
@@ -204,7 +204,7 @@ std::vector<std::vector<Slice>> triangleSlices(const Scene& scene, const RayTree
   for (const Surface& surface : scene.surfaces) first.push_back(std::exchange(count, count + surface.triangles.size()));
   raster::parallelFor(scene.surfaces.size(), [&](std::size_t s) {
     const Surface& surface = scene.surfaces[s];
-    // A triangle alone has no inner edge.
+    // A single triangle has no inner edge.
     if (surface.triangles.size() == 1) return;
     const auto hasSlices = [](const std::vector<Slicer::EdgeSlice>& some) { return !some.empty(); };
     const auto begin = along.begin() + static_cast<std::ptrdiff_t>(first[s]);

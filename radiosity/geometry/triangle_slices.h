@@ -1,5 +1,5 @@
-/// Where triangles cut through each other: for each triangle the segments in which others cross the plane just above
-/// its front. What stands on a surface, or sinks into it, crosses this plane in its outline; what hovers does not.
+/// Intersections of triangles: for each triangle, the segments in which others cross the plane just above its front. An
+/// object that stands on a surface or sinks into it crosses this plane in its outline. A hovering object does not.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -15,12 +15,13 @@ struct Slice {
   glm::dvec2 from, to;
 };
 
-/// The slices of every triangle of the scene, by the triangle's number in the scene. The plane lies `eyeLift` extents
-/// above the triangle, as the eyes of its patches do; from there they are moved along what crosses it, onto the
-/// triangle. Slices along the border of a surface are left out: they separate nothing. So are those along an edge by
-/// the triangle's own neighbour there. Takes n log n for n triangles of about equal size, beside the slices themselves.
+/// The slices of each triangle of the scene, by its number in the scene. The plane lies `eyeLift` extents above the
+/// triangle, like the eyes of its patches. The slices are then moved along the crossing triangles down to the triangle.
+///
+/// Slices along the border of a surface are left out, because they separate nothing; so are slices along an edge by the
+/// neighbour at that edge. Takes O(n log n) time for n triangles of about equal size, plus the slices.
 std::vector<std::vector<Slice>> triangleSlices(const Scene& scene);
-/// The same with a tree of the scene at hand.
+/// As above, with an existing tree of the scene.
 std::vector<std::vector<Slice>> triangleSlices(const Scene& scene, const RayTree& tree);
 
 }  // namespace hemitex::radiosity

@@ -19,7 +19,7 @@ double largestCoordinate(std::span<const glm::dvec3> points) {
   return largest;
 }
 
-/// What a height may be by rounding alone.
+/// The largest height that rounding alone can cause.
 double heightNoise(std::span<const glm::dvec3> points) {
   return 4 * std::numeric_limits<double>::epsilon() * largestCoordinate(points);
 }
@@ -30,7 +30,7 @@ struct Outline {
   double noise = 0;
 };
 
-/// 1 for a turn to the left at `b`, -1 to the right, 0 where the three lie on a line.
+/// 1 for a left turn at `b`, -1 for a right turn, 0 if the three points are collinear.
 int turn(const Outline& outline, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   const glm::dvec2 ab = outline.points[b] - outline.points[a];
   const glm::dvec2 ac = outline.points[c] - outline.points[a];
@@ -49,7 +49,7 @@ glm::dvec3 newellNormal(std::span<const glm::dvec3> polygon) {
   return sum;
 }
 
-/// The polygon as seen along `normal`, which is not zero.
+/// The polygon projected along `normal`, which is not zero.
 Outline projected(std::span<const glm::dvec3> polygon, const glm::dvec3& normal) {
   const glm::dvec3 n = normal / glm::length(normal);
   const glm::dvec3 size = glm::abs(n);
@@ -65,7 +65,7 @@ Outline projected(std::span<const glm::dvec3> polygon, const glm::dvec3& normal)
   return outline;
 }
 
-/// It never turns right, and goes round once: no triangle of its fan turns right either.
+/// It has no right turn and winds around once, so that no triangle of its fan turns right.
 bool isConvex(const Outline& outline) {
   const auto n = static_cast<std::uint32_t>(outline.points.size());
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -81,7 +81,7 @@ std::vector<std::array<std::uint32_t, 3>> fan(std::uint32_t corners) {
   return triangles;
 }
 
-/// The corner at `at` of the ring with its neighbours.
+/// The corner at `at` of the ring with its two neighbours.
 std::array<std::uint32_t, 3> cornerTriangle(const Ring& ring, std::size_t at) {
   return {ring[(at + ring.size() - 1) % ring.size()], ring[at], ring[(at + 1) % ring.size()]};
 }
@@ -98,8 +98,8 @@ bool holdsCorner(const Outline& outline, const Ring& ring, const std::array<std:
   return false;
 }
 
-/// Cuts ears off. After a round without one, a corner on a straight line will do; after another, which takes a polygon
-/// that crosses itself, any corner.
+/// Cuts off ears. After a round without an ear, collinear corners are accepted. After another such round, which happens
+/// only for a polygon that crosses itself, any corner is accepted.
 Triangulation clipEars(const Outline& outline) {
   Triangulation result;
   Ring ring(outline.points.size());
@@ -142,7 +142,7 @@ Triangulation triangulate(std::span<const glm::dvec3> polygon) {
   const auto corners = static_cast<std::uint32_t>(polygon.size());
   const glm::dvec3 normal = newellNormal(polygon);
   if (corners == 3) return {fan(corners)};
-  if (!(glm::length(normal) > 0)) return {fan(corners), true};  // its loops cancel, or nothing of it has area
+  if (!(glm::length(normal) > 0)) return {fan(corners), true};  // its loops cancel, or it has no area
   const Outline outline = projected(polygon, normal);
   if (isConvex(outline)) return {fan(corners)};
   return clipEars(outline);

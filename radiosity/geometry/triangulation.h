@@ -1,10 +1,10 @@
-/// Polygons become triangles: a fan from the first corner where the polygon is convex, ear clipping otherwise.
+/// Triangulates polygons: a fan from the first corner if the polygon is convex, else ear clipping.
 ///
-/// A polygon is looked at along its Newell normal, the sum of the cross products of its edges, which a polygon that is
-/// not quite planar has too. An *ear* is a corner where the polygon turns left and whose triangle, with the corners
-/// before and behind it, holds no other corner; every simple polygon has two (Meisters 1975), so they can be cut off
-/// one by one. The next ear is the first one found going round from the last one, which makes the result unique.
-/// A hole that is tied to the outline by an edge there and back is fine: corners at the same place do not stop an ear.
+/// A polygon is projected along its Newell normal, the sum of the cross products of its edges. This normal also exists
+/// for polygons that are not quite planar. An *ear* is a convex corner whose triangle with the corners before and
+/// behind it contains no other corner. Each simple polygon has two ears (Meisters 1975), so that they can be cut off
+/// one by one. The next ear is the first one after the last, which makes the result unique. A hole may be connected to
+/// the outline by a double edge: corners at the same place do not prevent an ear.
 #pragma once
 
 #include <array>
@@ -15,17 +15,17 @@
 
 namespace hemitex::radiosity {
 
-/// Whether a triangle has area: its height over the longest edge is above the rounding noise of its coordinates, four
-/// epsilons (2^-50 in all) of the largest one in size.
+/// Whether a triangle has area: its height over the longest edge is above the rounding noise of its coordinates. The
+/// noise is four epsilons (2^-50 in total) of the largest absolute coordinate.
 bool hasArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
 struct Triangulation {
-  /// Corners of the polygon, counted from 0; two triangles less than corners. Some may have no area.
+  /// Corners of the polygon, counted from 0; two triangles less than corners. Some triangles may have no area.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  bool crossing = false;  ///< the polygon crosses itself, and the triangles are a guess
+  bool crossing = false;  ///< the polygon crosses itself, so that the triangles are a guess
 };
 
-/// `polygon` has at least 3 corners. Ear clipping takes time quadratic in them.
+/// Triangulates `polygon`, which has at least 3 corners. Ear clipping takes quadratic time.
 Triangulation triangulate(std::span<const glm::dvec3> polygon);
 
 }  // namespace hemitex::radiosity

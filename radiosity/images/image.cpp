@@ -18,16 +18,16 @@ using namespace std::string_literals;
 
 constexpr std::uint64_t maxPixels = std::uint64_t{1} << 28;
 
-/// a^(1/5) for a in [0.001, 1], the real root of y^5 = a, by Newton's iteration y <- (4 y + a / y^4) / 5. From y = 1
-/// it falls towards the root by at most a fifth a step, then doubles its digits: y is below 0.26 after no more than
-/// six steps, and has all 53 bits after five more.
+/// a^(1/5) for a in [0.001, 1], the real root of y^5 = a, by Newton's iteration y <- (4 y + a / y^4) / 5. From y = 1 it
+/// decreases by at most a fifth per step, then doubles its digits. So y is below 0.26 after at most six steps, and has
+/// all 53 bits after five more.
 double fifthRoot(double a) {
   double y = 1;
   for (int step = 0; step < 14; ++step) y = (4 * y + a / (y * y * y * y)) / 5;
   return y;
 }
 
-/// Threshold k, counted from 1, is the linear value from which on code k is nearer to it than code k - 1 is.
+/// Threshold k, counted from 1: linear values from there on are nearer to code k than to code k - 1.
 std::array<double, 255> codeThresholds() {
   std::array<double, 255> thresholds;
   for (int k = 1; k <= 255; ++k) thresholds[static_cast<std::size_t>(k - 1)] = decodeSrgb((k - 0.5) / 255);
@@ -71,7 +71,7 @@ std::vector<glm::dvec3> linearPixels(const ImageSamples& samples) {
   return linearPixels(samples.codes, samples.channels, [&](std::uint8_t code) { return decoded[code]; });
 }
 
-/// Encodes in memory, so that a disk that is full is noticed when the bytes are written, whatever the encoder does.
+/// Encodes in memory, so that a full disk is detected when the bytes are written, whatever the encoder does.
 void writeEncoded(const std::filesystem::path& file, const std::string& format, const std::string& colourSpace,
                   const ImageSamples& samples) {
   std::vector<unsigned char> bytes;

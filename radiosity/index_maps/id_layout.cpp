@@ -23,7 +23,7 @@ std::uint64_t texelCount(const Rectangle& rectangle) {
 
 bool isTextured(const Page& page) { return texelCount(page) > 1; }
 
-/// The item IDs that draws may produce: all but the two reserved ones.
+/// The number of item IDs that draws may produce: all except the two reserved ones.
 std::uint64_t capacity(const IdFormat& format) { return std::uint64_t{raster::backId(format)}; }
 
 std::string listedNames() {
@@ -41,7 +41,7 @@ void validatePage(const Discretization& discretization, int page) {
                      "use a page of " + std::to_string(least) + " texels, or fewer texels a surface");
 }
 
-/// A page a surface, of its grid's size or of `side`.
+/// One page per surface, of the size of its grid or of `side`.
 void makeOwnPages(const Discretization& discretization, std::optional<int> side, IdLayout& layout) {
   for (const Grid& grid : discretization.grids) {
     layout.places.push_back({static_cast<int>(layout.pages.size()), 0, 0});
@@ -57,7 +57,7 @@ void makePackedPages(const Discretization& discretization, int side, IdLayout& l
   layout.pages.assign(packing.pages.size(), Page{side, side});
 }
 
-/// A page a surface, its elements in a row: their numbers are the item IDs.
+/// One page per surface, with its elements in order: the item IDs are the element numbers.
 void makeElementPages(const Discretization& discretization, IdLayout& layout) {
   for (const Grid& grid : discretization.grids) {
     layout.places.push_back({static_cast<int>(layout.pages.size()), 0, 0});
@@ -72,9 +72,9 @@ void makePages(const Discretization& discretization, const IdSettings& settings,
   makePackedPages(discretization, settings.page.value_or(defaultPage(discretization)), layout);
 }
 
-/// Offsets in 64 bits, so that they can be told to be too large.
+/// 64-bit offsets, so that an overflow of 32 bits is detected.
 struct Offsets {
-  std::vector<std::uint64_t> offset;  ///< one a page
+  std::vector<std::uint64_t> offset;  ///< one per page
   std::uint64_t ids = 0;              ///< the end of the last page
 };
 
@@ -90,7 +90,7 @@ Offsets offsetsOf(const IdLayout& layout) {
   return offsets;
 }
 
-/// The item IDs that `textured` surfaces of texels x texels and `singles` of one take.
+/// The number of item IDs for `textured` surfaces of texels x texels and `singles` of one texel.
 std::uint64_t idsNeeded(std::uint64_t textured, std::uint64_t singles, std::uint64_t texels, bool aligned) {
   const std::uint64_t indices = texels * texels;
   if (!aligned || textured == 0 || indices == 1) return textured * indices + singles;
@@ -98,14 +98,14 @@ std::uint64_t idsNeeded(std::uint64_t textured, std::uint64_t singles, std::uint
   return singles > 0 ? textured * block + singles : (textured - 1) * block + indices;
 }
 
-/// The narrowest format with so many item IDs; empty where there is none.
+/// The narrowest format with enough item IDs; empty if there is none.
 std::string formatAdvice(std::uint64_t ids) {
   for (const std::string& name : raster::formatNames())
     if (ids <= capacity(*raster::formatNamed(name))) return "use the format " + name;
   return {};
 }
 
-/// The number of texels along a side that would fit; empty where not even one does, or where pages are packed.
+/// The number of texels along a side that would fit; empty if not even one does, or if pages are packed.
 std::string texelAdvice(const IdLayout& layout) {
   if (layout.indexMaps == IndexMaps::Packed) return {};
   const std::uint64_t singles = layout.pages.size() - layout.textured;
@@ -126,7 +126,7 @@ std::string texelAdvice(const IdLayout& layout) {
                    advice.empty() ? "no format has as many: use fewer surfaces" : advice);
 }
 
-/// Gives the pages their offsets.
+/// Assigns offsets to the pages.
 void layOutPages(IdLayout& layout, const std::string& formatName) {
   for (const Page& page : layout.pages) {
     layout.textured += isTextured(page) ? 1 : 0;
@@ -150,7 +150,7 @@ ItemId idOfTexel(const IdLayout& layout, std::size_t surface, std::uint32_t colu
          static_cast<ItemId>(place.column) + column;
 }
 
-/// Packed pages are squares of one size, whose offsets leave no gaps: their item IDs are numbered from 0.
+/// Packed pages are squares of one size without gaps between offsets, so that item IDs count from 0.
 std::vector<std::uint32_t> packedElements(const Discretization& discretization, const IdLayout& layout) {
   std::vector<std::uint32_t> elements(layout.pages.size() * texelCount(layout.pages.front()), noElement);
   for (std::size_t surface = 0; surface < discretization.grids.size(); ++surface) {

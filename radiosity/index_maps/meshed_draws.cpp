@@ -16,7 +16,7 @@ namespace {
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-/// The weights, of the triangle's corners 1 and 2, of the point of its plane that is nearest to a point.
+/// The weights, of the triangle's corners 1 and 2, of the projection of a point onto the plane of the triangle.
 glm::dvec2 weightsInPlane(const Triangle& triangle, const glm::dvec3& point) {
   const glm::dvec3 a = triangle.position[1] - triangle.position[0], b = triangle.position[2] - triangle.position[0],
                    p = point - triangle.position[0];
@@ -35,8 +35,9 @@ bool turnsLeftEverywhere(const std::array<glm::dvec2, 4>& corner) {
   return true;
 }
 
-/// The convex quad, cornered in texels, that two triangles of a fan make in one plane and under one affine chart: as
-/// far as binary32 positions, and chart coordinates of 24 bits, can tell. Its weights are those of the first triangle.
+/// The convex quad of two triangles of a fan, with corners in texels; nothing if they are not in one plane with one
+/// affine chart. The test allows for binary32 positions and 24-bit chart coordinates. Its weights are those of the
+/// first triangle.
 std::optional<Piece> quadOf(const Triangle& first, const Triangle& second, const Grid& grid, double extent) {
   if (first.polygon != second.polygon || first.position[0] != second.position[0] ||
       first.position[2] != second.position[1] || first.chart[0] != second.chart[0] || first.chart[2] != second.chart[1])
@@ -54,12 +55,12 @@ std::optional<Piece> quadOf(const Triangle& first, const Triangle& second, const
   return isConvex ? std::optional(quad) : std::nullopt;
 }
 
-/// Positions by their places on a grid of 2^-30 extents or finer.
+/// Merges positions on a grid of 2^-30 extents or finer.
 class Corners {
  public:
   Corners(const glm::dvec3& origin, double extent) : origin_(origin), unit_(std::ldexp(1.0, std::ilogb(extent) - 30)) {}
 
-  /// The number of a position, the same for all that fall on one place of the grid; new ones are appended.
+  /// The number of a position, the same for all positions at one place of the grid. Appends new positions.
   std::uint32_t numberOf(const glm::dvec3& position, std::vector<glm::vec3>& positions) {
     std::array<std::int64_t, 3> place;
     glm::vec3 rounded;
@@ -79,7 +80,7 @@ class Corners {
   std::unordered_map<std::array<std::int64_t, 3>, std::uint32_t, boost::hash<std::array<std::int64_t, 3>>> numbers_;
 };
 
-/// Takes a surface at a time and appends its pieces.
+/// Appends the pieces of the surfaces, one surface at a time.
 class Mesher {
  public:
   Mesher(const Scene& scene, const Discretization& discretization, const IdLayout& layout)
@@ -120,7 +121,7 @@ class Mesher {
     });
   }
 
-  /// A fan; corners that fall together are one.
+  /// Appends a piece as a fan; corners at the same place are merged.
   void appendPiece(const Triangle& triangle, const Piece& piece, raster::ItemId id) {
     std::vector<std::uint32_t> outline;
     for (std::size_t i = 0; i < piece.size; ++i) {

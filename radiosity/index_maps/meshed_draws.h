@@ -1,7 +1,7 @@
-/// Regular meshing, the method that textures replace (Nielsen and Christensen 2002, section 2): surfaces are cut along
-/// the lines of their texel grids, and every element is drawn as polygons of its own with one item ID, without an index
-/// map. Elements, areas and patches stay what the discretization says, and so do item IDs: an element's is that of its
-/// own texel. So a mesh differs from textures by who draws the borders of elements, and by what that costs.
+/// Regular meshing, the method that index maps replace (Nielsen and Christensen 2002, section 2). Surfaces are cut
+/// along the lines of their texel grids, and each element is drawn as polygons with one item ID, without an index map.
+/// Elements, areas, patches and item IDs are those of the discretization. So a mesh differs from textures only in how
+/// the borders of elements are drawn, and in the time that takes.
 #pragma once
 
 #include <cstdint>
@@ -18,22 +18,22 @@
 namespace hemitex::radiosity {
 
 struct MeshedDraws {
-  /// Pieces of triangles in the order of the scene's triangles, and by texel within one; pieces of one element that
-  /// follow each other are one draw. A quad whose two triangles lie in one plane, under one affine chart, is cut as a
-  /// whole: its pieces are those of its first triangle, and the second has none.
+  /// Pieces of triangles in the order of the scene's triangles, then by texel. Consecutive pieces of one element are
+  /// one draw. A quad whose two triangles lie in one plane with one affine chart is cut as a whole: its pieces belong
+  /// to its first triangle, and the second has none.
   ///
-  /// Corners that meet are one position, whichever surfaces they are of: they are rounded to a power of two between
-  /// 2^-31 and 2^-30 extents of the scene, far above what binary64 rounds off, before they are rounded to binary32.
-  /// Where surfaces with different grids share an edge, corners of one lie on sides of the other.
+  /// Corners at the same place have one position, also across surfaces. They are rounded to a power of two between
+  /// 2^-31 and 2^-30 extents of the scene, and then to binary32. The first step is far above the rounding of doubles.
+  /// Where surfaces with different grids share an edge, corners of one lie on edges of the other (T-junctions).
   raster::DrawList list;
-  /// One a triangle of the scene, and the end: its pieces are the triangles [firstPiece[t], firstPiece[t + 1]) of the
-  /// list.
+  /// One per triangle of the scene and one at the end: its pieces are the triangles [firstPiece[t], firstPiece[t + 1])
+  /// of the list.
   std::vector<std::uint32_t> firstPiece;
 };
 
 MeshedDraws makeMeshedDraws(const Scene& scene, const Discretization& discretization, const IdLayout& layout);
 
-/// The renderer of a mesh: a caller that leaves out a triangle of the scene leaves out all its pieces.
+/// Renders a mesh. Skipping a triangle of the scene skips all its pieces.
 class MeshedRenderer final : public raster::ItemBufferRenderer {
  public:
   /// `pieces` draws the list of MeshedDraws, and `firstPiece` is theirs.

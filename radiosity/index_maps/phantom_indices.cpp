@@ -22,7 +22,7 @@ IndexMapUse useOf(const std::string& name, const Discretization& discretization,
   return {name, layout.pages.size(), ids, countPhantoms(discretization, layout)};
 }
 
-/// Longer pages than one that holds everything leave more.
+/// Pages longer than one that holds everything have more phantoms.
 IndexMapUse fewestPhantoms(const Discretization& discretization) {
   std::optional<IndexMapUse> best;
   for (int page = minPage(discretization); page <= largestPage; page *= 2) {

@@ -17,12 +17,12 @@ raster::IndexMap countingMap(const Page& page) {
   return map;
 }
 
-/// The index maps that draws have asked for.
+/// The index maps of the draws so far.
 class IndexMapPool {
  public:
   IndexMapPool(IndexMaps way, std::vector<raster::IndexMap>& maps) : way_(way), maps_(maps) {}
 
-  /// The number of a surface's map; none where the offset alone is its item ID.
+  /// The number of a surface's map; none if the offset alone is its item ID.
   std::optional<int> mapOf(const Grid& grid, const Page& page) {
     if (way_ == IndexMaps::Unique)
       return grid.elementCount == 1 ? std::nullopt : std::optional(add({grid.columns, grid.rows, grid.spill}));
@@ -42,7 +42,7 @@ class IndexMapPool {
   std::map<std::pair<int, int>, int> bySize_;
 };
 
-/// A chart coordinate as one of a page `side` texels long, strictly between the borders of the surface's texels there.
+/// Converts a chart coordinate to a page of `side` texels, strictly between the borders of the surface's texels.
 float inPage(double chart, int start, int texels, int side) {
   const float low = static_cast<float>(start) / static_cast<float>(side);
   const float high = static_cast<float>(start + texels) / static_cast<float>(side);
@@ -50,7 +50,7 @@ float inPage(double chart, int start, int texels, int side) {
   return std::clamp(moved, std::nextafter(low, 2.0f), std::nextafter(high, 0.0f));
 }
 
-/// Where a surface's texels lie in the index map that it is drawn under.
+/// The place of a surface's texels in its index map.
 struct TexelPlace {
   const Grid& grid;
   RectanglePlace place;

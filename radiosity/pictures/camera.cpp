@@ -12,7 +12,7 @@ namespace hemitex::radiosity {
 namespace {
 
 constexpr int largestSide = 4096;
-/// In degrees: less would stretch what is seen beyond binary32.
+/// In degrees; with smaller angles, magnified coordinates would exceed binary32.
 constexpr double smallestFieldOfView = 1e-6;
 
 /// Orthonormal, right = forward x up.
@@ -33,15 +33,15 @@ Axes cameraAxes(const Camera& camera) {
   return {right, glm::cross(right, forward), forward};
 }
 
-/// How far the middle of a scissor rectangle lies from the viewport's, in units of x/w.
+/// The distance of the middle of a scissor rectangle from that of the viewport, in units of x/w.
 double offCentre(int first, int size, int resolution) { return (2.0 * first + size) / resolution - 1; }
 
 }  // namespace
 
-/// On the plane w = 1 the picture is 2 tan(fov/2) high, so a pixel's side there is 2 tan(fov/2) / height; the
-/// viewport's side of 2 counts `resolution` pixels. Hence the rows' scale. The picture lies in the viewport's middle;
-/// where their sizes differ by an odd number it cannot, and half a pixel is made good by shearing: X + s W moves x/w by
-/// s everywhere.
+/// On the plane w = 1 the picture is 2 tan(fov/2) high, so that the side of a pixel is 2 tan(fov/2) / height. The
+/// viewport's side of 2 has `resolution` pixels. This gives the scale of the rows. The picture lies in the middle of
+/// the viewport. If the difference of their sizes is odd, shearing corrects the half pixel: X + s W moves x/w by s
+/// everywhere.
 raster::Face cameraFace(const Scene& scene, const Camera& camera, int width, int height) {
   if (std::min(width, height) < 1 || std::max(width, height) > largestSide)
     throw raster::InputError("a picture of " + std::to_string(width) + " x " + std::to_string(height) + " samples",

@@ -1,4 +1,4 @@
-/// The camera of pictures, and the face that draws what it sees.
+/// The camera of pictures, and the face that draws its view.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,13 +12,13 @@ struct Camera {
   glm::dvec3 eye{0.0};
   glm::dvec3 lookAt{0.0, 0.0, -1.0};
   glm::dvec3 up{0.0, 1.0, 0.0};
-  double fov = 50;  ///< degrees, vertical, in (0, 180)
+  double fov = 50;  ///< vertical, in degrees, in (0, 180)
 };
 
-/// The face that draws `camera` at width x height pixels (a viewport may be larger than the picture; the scissor is
-/// the picture). The largest side is at most 4096. Throws InputError where the camera has no direction, `up` lies
-/// along it, or the field of view is out of range. Row 0 of the face is the BOTTOM of the picture. What is nearer than
-/// 1e-5 of the scene's extent is clipped.
+/// The face that draws the view of `camera` at width x height pixels, each at most 4096. The viewport may be larger
+/// than the picture, which is the scissor rectangle. Row 0 is the BOTTOM of the picture. Surfaces nearer than 1e-5 of
+/// the scene's extent are clipped. Throws InputError if the camera has no direction, `up` is parallel to it, or the
+/// field of view is out of range.
 raster::Face cameraFace(const Scene& scene, const Camera& camera, int width, int height);
 
 }  // namespace hemitex::radiosity

@@ -43,7 +43,7 @@ Bounds boundsOf(const Scene& scene) {
   return bounds;
 }
 
-/// The two axes that are not `up`.
+/// The two axes other than `up`.
 std::array<int, 2> levelAxes(int up) { return {0, 3 - up}; }
 
 double crossSection(const Bounds& bounds, int up) {
@@ -51,7 +51,7 @@ double crossSection(const Bounds& bounds, int up) {
   return size[0] * size[3 - up];
 }
 
-/// Length: the area of the triangle; components: areas of its projections along the axes.
+/// Its length is the area of the triangle; its components are the areas of the projections along the axes.
 glm::dvec3 areaVector(const Triangle& triangle) {
   const auto& [a, b, c] = triangle.position;
   return 0.5 * glm::cross(b - a, c - a);
@@ -66,7 +66,7 @@ struct Floor {
   int up = 1;              ///< axis
   double area = 0;         ///< projected along `up`
   glm::dvec3 middle{0.0};  ///< mean over the area
-  Bounds bounds;           ///< meaningless where the area is 0
+  Bounds bounds;           ///< undefined if the area is 0
 };
 
 Floor floorAlong(const Scene& scene, const Bounds& bounds, int up) {
@@ -83,7 +83,7 @@ Floor floorAlong(const Scene& scene, const Bounds& bounds, int up) {
 
   std::array<double, levels> areas{};
   forEachTriangle(scene, [&](const Triangle& t) { areas[static_cast<std::size_t>(levelOf(t))] += upwardArea(t); });
-  // Two levels at a time: a floor that is not flat may lie in both.
+  // Sums two levels at a time, because a floor that is not flat may lie in both.
   int best = 0;
   const auto areaAt = [&](int level) {
     return areas[static_cast<std::size_t>(level)] + areas[static_cast<std::size_t>(level) + 1];
@@ -112,8 +112,8 @@ Floor floorOf(const Scene& scene, const Bounds& bounds) {
   return !isFlat && z.area > 0.5 * sectionZ && z.area / sectionZ > 2 * y.area / sectionY ? z : y;
 }
 
-/// The height of the free space above the floor: up to where half of the floor lies below fronts that face down, or to
-/// the top of the scene. What is low above the floor is furniture.
+/// The height of the free space above the floor: up to the height at which half of the floor lies below fronts that
+/// face down, or up to the top of the scene. Lower objects count as furniture.
 double freeHeight(const Scene& scene, const Bounds& bounds, const Floor& floor) {
   const double top = bounds.high[floor.up] - floor.middle[floor.up];
   std::vector<std::pair<double, double>> ceilings;  // height above the floor, area
@@ -135,7 +135,7 @@ glm::dvec3 axisVector(int axis) {
   return vector;
 }
 
-/// Views at eye height: from places along the border of the floor towards its middle, slightly downwards.
+/// Views at eye height, from places along the border of the floor towards its middle, slightly downwards.
 std::vector<Camera> standingCameras(const Floor& floor, double height) {
   constexpr std::array<double, 5> places{0.1, 0.3, 0.5, 0.7, 0.9};
   const auto [u, v] = levelAxes(floor.up);
@@ -157,7 +157,7 @@ std::vector<Camera> standingCameras(const Floor& floor, double height) {
   return cameras;
 }
 
-/// From outside towards the middle of the bounds, which lies against `direction`; as near as all of them are seen.
+/// A view from outside against `direction` towards the middle of the bounds, as near as all of them are visible.
 Camera outsideCamera(const Bounds& bounds, const glm::dvec3& direction, int up) {
   const glm::dvec3 middle = 0.5 * (bounds.low + bounds.high), half = 0.5 * (bounds.high - bounds.low);
   const glm::dvec3 backward = glm::normalize(direction);
@@ -173,7 +173,7 @@ Camera outsideCamera(const Bounds& bounds, const glm::dvec3& direction, int up) 
   return {middle + distance * backward, middle, axisVector(up), viewFov};
 }
 
-/// Through each of the four sides.
+/// Views through each of the four sides.
 std::vector<Camera> sideCameras(const Bounds& bounds, int up) {
   std::vector<Camera> cameras;
   for (const int axis : levelAxes(up))
@@ -181,7 +181,7 @@ std::vector<Camera> sideCameras(const Bounds& bounds, int up) {
   return cameras;
 }
 
-/// From four corners of a cube, above (`side` 1) or below (-1).
+/// Views from four corners of a cube, above (`side` 1) or below (-1).
 std::vector<Camera> cornerCameras(const Bounds& bounds, int up, double side) {
   const auto [u, v] = levelAxes(up);
   std::vector<Camera> cameras;
@@ -191,7 +191,7 @@ std::vector<Camera> cornerCameras(const Bounds& bounds, int up, double side) {
   return cameras;
 }
 
-/// Judges views of one scene.
+/// Scores views of one scene.
 class Judge {
  public:
   Judge(const Scene& scene, const Floor& floor, double height) : scene_(scene), view_(scene), up_(floor.up) {
@@ -203,16 +203,16 @@ class Judge {
   }
 
   struct View {
-    double score = 0;  ///< how much is seen, less where backs or near objects fill the picture
-    double sky = 0;    ///< share of the picture that shows nothing
+    double score = 0;  ///< visible area, reduced where backs or near objects fill the picture
+    double sky = 0;    ///< share of the picture without surfaces
   };
 
-  /// The score is the sum, over surfaces, of the square root of the area that is seen: of views of equal areas the one
-  /// that shows more surfaces is better.
+  /// The score is the sum, over surfaces, of the square root of the visible area. Of views with equal areas, the one
+  /// that shows more surfaces has a larger score.
+  ///
   /// A pixel of area a on the plane w = 1, seen at v = P - eye, covers a w^3 / |n . v| of a surface with unit normal n
-  /// at P, where w is the depth of v: w^2 for the distance, and w / |n . v| for the slant. The sum over the pixels of
-  /// one triangle is taken for at most the triangle's area, so that a wall that is seen at a grazing angle counts no
-  /// more than it is.
+  /// at P. Here w is the depth of v; the factor w^2 is for the distance, and w / |n . v| for the slant. The sum over
+  /// the pixels of one triangle is at most the triangle's area, which limits walls at grazing angles.
   View operator()(const Camera& camera) {
     const double pixelSide = 2 * tangentOfDegrees(camera.fov / 2) / viewHeight;
     const glm::dvec3 forward = glm::normalize(camera.lookAt - camera.eye);
@@ -267,8 +267,9 @@ class Judge {
   const Scene& scene_;
   TriangleView view_;
   int up_;
-  double near_ = 0;            ///< what is nearer than this is too near
-  double obstacleHeight_ = 0;  ///< of the lowest points that may be too near: the floor is none
+  double near_ = 0;  ///< minimum distance of objects
+  double obstacleHeight_ =
+      0;  ///< height above the lowest points below which near objects, such as the floor, are ignored
 };
 
 struct Choice {
@@ -283,7 +284,7 @@ void chooseBest(Judge& judge, const std::vector<Camera>& cameras, Choice& best) 
   }
 }
 
-/// Looks the other way, as much downwards.
+/// The opposite view with the same downward angle.
 Camera turnedRound(const Camera& camera) {
   Camera turned = camera;
   turned.lookAt = 2.0 * camera.eye - camera.lookAt;
@@ -301,7 +302,7 @@ Camera defaultCamera(const Scene& scene) {
   Choice best;
   if (floor.area > 0.25 * crossSection(bounds, floor.up) && height > 0) {
     chooseBest(judge, standingCameras(floor, height), best);
-    // In a room there is a wall behind the eye. In an open scene views from farther away compete.
+    // In a room there is a wall behind the eye. In an open scene, views from farther away are candidates too.
     if (best.score > 0 && judge(turnedRound(best.camera)).sky <= 0.25) return best.camera;
     chooseBest(judge, sideCameras(bounds, floor.up), best);
   }

@@ -1,4 +1,4 @@
-/// The view of a scene that is shown where none is given.
+/// The default view of a scene.
 #pragma once
 
 #include "radiosity/pictures/camera.h"
@@ -6,15 +6,14 @@
 
 namespace hemitex::radiosity {
 
-/// The view that is shown where none is given: upright, with a field of view of 60 degrees. Of the candidates it is the
-/// one with the largest sum, over surfaces, of the square roots of the areas of fronts seen (in 64 x 48 samples),
-/// reduced where backs or near objects fill the picture; the first of equals.
-/// - Where the scene has a floor (fronts that face up, at one height in its lower half, on a quarter of its plan): at
-///   eye height, from 16 places along the floor's border towards its middle.
-/// - Where that one has no wall behind, or there is no floor: also from outside, through the four sides and from four
-///   corners above; from below only where nothing else shows a front.
-/// Up is +y, or +z where a floor fills the scene along z and hardly anything faces +y. Costs at most 29 small pictures
-/// of the scene.
+/// The default view: upright, with a field of view of 60 degrees. It is the candidate with the largest score, the first
+/// of equals. The score is the sum, over surfaces, of the square roots of the visible areas of fronts (in 64 x 48
+/// samples). It is lower where backs or near objects fill the picture.
+/// - If the scene has a floor (fronts that face up, at one height in its lower half, on a quarter of its plan): views
+///   at eye height, from 16 places along the floor's border towards its middle.
+/// - If the best of these has no wall behind it, or there is no floor: also views from outside, through the four sides
+///   and from four corners above. Views from below only if no other view shows a front. Up is +y, or +z if a floor
+///   fills the scene along z and almost nothing faces +y. Draws at most 29 small pictures of the scene.
 Camera defaultCamera(const Scene& scene);
 
 }  // namespace hemitex::radiosity

@@ -21,8 +21,8 @@ glm::dvec3 linear(const Codes& codes) {
   return {decodeSrgb(codes.x / 255.0), decodeSrgb(codes.y / 255.0), decodeSrgb(codes.z / 255.0)};
 }
 
-/// From 15 to 127: a ramp of 48 codes over the map, and 64 codes more on every other square of a chessboard, so that
-/// texels that touch differ by 31 codes at the least. Black where there is no map.
+/// From 15 to 127: a ramp of 48 codes over the map, plus 64 codes on every other square of a chessboard. So adjacent
+/// texels differ by at least 31 codes. Black without a map.
 Codes texelLevel(int columns, int rows, int texel) {
   if (columns * rows == 1) return black;
   const int ramp = 48 * texel / (columns * rows - 1);
@@ -30,15 +30,15 @@ Codes texelLevel(int columns, int rows, int texel) {
   return Codes(15 + ramp + 64 * chessboard);
 }
 
-/// From 0 to 128. The golden ratio's steps around the circle of hues keep surfaces that follow each other far apart:
-/// in units of 2^-32 of the circle they are sums modulo 2^32.
+/// From 0 to 128. Steps of the golden ratio around the circle of hues keep consecutive surfaces far apart. In units of
+/// 2^-32 of the circle they are sums modulo 2^32.
 Codes surfaceHue(std::uint32_t surface) {
   const double sixths = 6 * (static_cast<std::uint32_t>(surface * 2654435769u) / 4294967296.0);
   const auto level = [](double value) { return static_cast<int>(128 * std::clamp(value, 0.0, 1.0)); };
   return {level(std::fabs(sixths - 3) - 1), level(2 - std::fabs(sixths - 2)), level(2 - std::fabs(sixths - 4))};
 }
 
-/// From 15 to 127, by steps of the golden ratio: elements of any shape know no chessboard.
+/// From 15 to 127, in steps of the golden ratio, because elements of any shape have no chessboard.
 Codes elementLevel(std::uint32_t number) {
   return Codes(15 + static_cast<int>(static_cast<std::uint32_t>(number * 2654435769u) / 4294967296.0 * 113));
 }
@@ -62,14 +62,14 @@ CodesOf sumOfBoth(const IdLayout& layout) {
   return [&](const PageIndex& place) { return indexLevel(layout, place) + surfaceHue(place.page); };
 }
 
-/// A draw list from a camera, a sample a pixel.
+/// Draws a list from a camera, with one sample per pixel.
 raster::ItemBuffer drawBuffer(raster::DrawList list, const Scene& scene, const Camera& camera, int width, int height) {
   const raster::Face face = cameraFace(scene, camera, width, height);
   raster::SoftwareRenderer renderer(std::move(list));
   return render(renderer, {&face, 1}, trianglesFacingAway(scene, camera.eye)).front();
 }
 
-/// A picture from a colour a pixel of an item buffer, whose rows go upwards.
+/// A picture from one colour per pixel of an item buffer, whose rows go upwards.
 template <typename CodesAt>
 Image pictureOf(int width, int height, const CodesAt& codesAt) {
   Image image{width, height, {}};
@@ -89,7 +89,7 @@ Image drawIds(const Scene& scene, const Discretization& discretization, const Id
   return pictureOf(width, height, [&](std::size_t pixel) { return idCodes(layout, buffer.ids[pixel], codesOf); });
 }
 
-/// The pixel of a face that shows a direction in front of it.
+/// The pixel of a face in a direction in front of it.
 std::size_t pixelTowards(const raster::Face& face, const glm::dvec3& direction) {
   const double depth = glm::dot(glm::dvec3(face.w), direction);
   const auto place = [&](const glm::vec3& axis, int first, int size) {
@@ -101,8 +101,8 @@ std::size_t pixelTowards(const raster::Face& face, const glm::dvec3& direction) 
          place(face.x, face.scissor.column, face.scissor.width);
 }
 
-/// The direction that a point of the unfolded hemicube stands for, in the top face's x, y, w: the middle square
-/// [-1,1]^2 is the top face, and beyond an edge of it depth falls from 1 to 0 on the side below that edge.
+/// The direction of a point of the unfolded hemicube, in the top face's x, y, w. The middle square [-1,1]^2 is the top
+/// face. Beyond an edge of it, depth falls from 1 to 0 on the side below that edge.
 glm::dvec3 unfoldedDirection(double x, double y) {
   const double overhang = std::max({std::fabs(x) - 1, std::fabs(y) - 1, 0.0});
   return {std::clamp(x, -1.0, 1.0), std::clamp(y, -1.0, 1.0), 1 - overhang};
@@ -158,7 +158,7 @@ Image hemicubePicture(const IdLayout& layout, std::span<const raster::Face> face
                       std::span<const raster::ItemBuffer> buffers) {
   assert(!faces.empty() && faces.size() == buffers.size());
   const raster::Face& top = faces.front();
-  // Whoever looks along the normal with `up` upwards has normal x up on the right; of some faces that is -x.
+  // A viewer along the normal with `up` upwards has normal x up on the right; for some faces that is -x.
   const glm::dvec3 right = glm::dvec3(top.x) * (raster::determinant(top) < 0 ? 1.0 : -1.0);
   const glm::dvec3 up(top.y), normal(top.w);
   const int side = 2 * top.resolution;
@@ -193,7 +193,7 @@ Image facesPicture(const IdLayout& layout, const Projection& projection, std::sp
     for (std::size_t face = 0; face < faces.size(); ++face)
       for (int i = 0; i < width; ++i) {
         assert(buffers[face].width == width && buffers[face].height == height);
-        // Whoever looks along the face's w with y upwards has y x w on the right; of some faces that is -x.
+        // A viewer along the face's w with y upwards has y x w on the right; for some faces that is -x.
         const int column = raster::determinant(faces[face]) < 0 ? i : width - 1 - i;
         const raster::Scissor& scissor = faces[face].scissor;
         const bool counts = shareOf(projection, face, scissor.column + column, scissor.row + row) > 0;

@@ -15,7 +15,7 @@ constexpr int largestPicture = 2048;
 
 using Samples = std::vector<std::optional<Visible>>;
 
-/// Two samples a pixel along each side.
+/// Two samples per pixel along each side.
 Samples seeTwice(const Scene& scene, const Camera& camera, int width, int height) {
   if (std::max(width, height) > largestPicture)
     throw raster::InputError("a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels",
@@ -47,9 +47,9 @@ Value interpolate(const std::array<Value, 3>& corners, const glm::dvec3& weights
   return weights.x * corners[0] + weights.y * corners[1] + weights.z * corners[2];
 }
 
-/// The image at (u, v), bilinear between pixel centres and wrapping around; v = 0 is the bottom.
+/// The image at (u, v), bilinear between pixel centres and repeating; v = 0 is the bottom.
 glm::dvec3 bilinear(const Image& image, const glm::dvec2& uv) {
-  const glm::dvec2 wrapped = uv - glm::floor(uv);  // first of all: what follows stays small
+  const glm::dvec2 wrapped = uv - glm::floor(uv);  // first, so that the following values are small
   const double x = wrapped.x * image.width - 0.5, y = (1 - wrapped.y) * image.height - 0.5;
   const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
   const auto at = [&](int c, int r) {
@@ -66,7 +66,7 @@ glm::dvec3 decodedColour(const glm::dvec3& encoded) {
   return {decodeSrgb(clamped.x), decodeSrgb(clamped.y), decodeSrgb(clamped.z)};
 }
 
-/// The element that a sample's point belongs to.
+/// The element that contains the visible point of a sample.
 std::uint32_t elementAt(const Scene& scene, const Discretization& discretization, const Visible& visible) {
   const Grid& grid = discretization.grids[visible.surface];
   const glm::dvec2 chart = interpolate(triangleOf(scene, visible).chart, visible.weights);
@@ -76,7 +76,7 @@ std::uint32_t elementAt(const Scene& scene, const Discretization& discretization
       .spill[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(column)];
 }
 
-/// What must differ between two samples for a line to run between them.
+/// A line runs between two samples if these differ.
 struct ShownPiece {
   std::uint32_t surface = 0, polygon = 0, element = 0;
   bool operator==(const ShownPiece&) const = default;
@@ -101,7 +101,7 @@ Image borderPicture(const std::vector<std::optional<ShownPiece>>& pieces, int wi
   return halved(samples, width, height);
 }
 
-/// The pieces that samples show, where `pieceOf` says which one a sample belongs to.
+/// The pieces that samples show; `pieceOf` returns the piece of a sample.
 std::vector<std::optional<ShownPiece>> piecesOf(const Samples& samples,
                                                 const std::function<ShownPiece(const Visible&)>& pieceOf) {
   std::vector<std::optional<ShownPiece>> pieces;

@@ -1,4 +1,4 @@
-/// Pictures of a scene as a viewer of OBJ files shows it, unlit, and of the borders of its polygons and elements.
+/// Pictures of a scene, unlit as in an OBJ viewer, and of the borders of its polygons and elements.
 #pragma once
 
 #include <functional>
@@ -13,27 +13,27 @@
 
 namespace hemitex::radiosity {
 
-/// The linear colour of what a sample sees.
+/// The linear colour of the visible point of a sample.
 using ColourOf = std::function<glm::dvec3(const Visible&)>;
 
-/// A picture of 2 x 2 samples a pixel, averaged in linear light, on black. Sides are at most 2048 pixels. Throws
+/// A picture with 2 x 2 samples per pixel, averaged in linear light, on black. Sides are at most 2048 pixels. Throws
 /// InputError as cameraFace.
 Image drawPicture(const Scene& scene, const Camera& camera, int width, int height, const ColourOf& colourOf);
 
-/// What a viewer shows without lights: Kd times map_Kd, bilinear between texel centres and wrapping around, times the
-/// interpolated colours of the corners where the file has any (`v x y z r g b`, sRGB-encoded).
+/// The colour in a viewer without lights: Kd times map_Kd, bilinear between texel centres and repeating. It is
+/// multiplied by the interpolated corner colours if the file has them (`v x y z r g b`, sRGB-encoded).
 glm::dvec3 unlitColour(const Scene& scene, const Visible& visible);
 
-/// The scene in its unlit colours: a solved scene (see writeLitScene) shows its light.
+/// The scene in its unlit colours; for a solved scene (see writeLitScene) that is its light.
 Image unlitPicture(const Scene& scene, const Camera& camera, int width, int height);
 
-/// One value an element, without filtering: a solution as it appears after a one-to-one mapping (Figure 3).
+/// One value per element, without filtering: a solution after a one-to-one mapping (Figure 3).
 Image elementPicture(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& values,
                      const Camera& camera, int width, int height);
 
 /// Figure 2 (d): the borders of the file's polygons, hidden lines removed, black on white.
 Image wireframePicture(const Scene& scene, const Camera& camera, int width, int height);
-/// Figure 2 (e): the same with the borders of elements, where regular meshing would cut the polygons.
+/// Figure 2 (e): as above with the borders of elements, where regular meshing would cut the polygons.
 Image meshPicture(const Scene& scene, const Discretization& discretization, const Camera& camera, int width,
                   int height);
 

@@ -6,8 +6,8 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// Lambert's continued fraction, tan x = x / (1 - x^2 / (3 - x^2 / (5 - ...))), for x in [0, pi/4]. What lies below
-/// the k-th level counts about (x/2)^(2k) / k!^2: nothing for k = 10.
+/// Lambert's continued fraction, tan x = x / (1 - x^2 / (3 - x^2 / (5 - ...))), for x in [0, pi/4]. The error of
+/// stopping at level k is about (x/2)^(2k) / k!^2, which is negligible for k = 10.
 double tangentOfSmall(double x) {
   double denominator = 21;
   for (int odd = 19; odd >= 1; odd -= 2) denominator = odd - x * x / denominator;

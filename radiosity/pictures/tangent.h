@@ -3,7 +3,7 @@
 
 namespace hemitex::radiosity {
 
-/// The tangent of an angle in degrees, in [0, 90), to 1e-14 of its value.
+/// The tangent of an angle in degrees, in [0, 90), with a relative error of at most 1e-14.
 double tangentOfDegrees(double degrees);
 
 }  // namespace hemitex::radiosity

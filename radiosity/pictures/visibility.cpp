@@ -34,12 +34,12 @@ std::vector<raster::ItemId> firstTriangles(const Scene& scene) {
   return first;
 }
 
-/// The rays of a face's samples, in the numbers that the face was drawn with.
+/// The rays of a face's samples, with the numbers that the face was drawn with.
 class Rays {
  public:
-  /// The direction d of a point (x, y) of the picture plane solves X . d = x, Y . d = y, W . d = 1: by Cramer's rule
-  /// d = (x (Y x W) + y (W x X) + X x Y) / det(X, Y, W). Only the direction counts; the sign of the determinant does
-  /// too, for d must point forward.
+  /// The direction d of a point (x, y) of the picture plane solves X . d = x, Y . d = y, W . d = 1. By Cramer's rule d
+  /// = (x (Y x W) + y (W x X) + X x Y) / det(X, Y, W). The length of d does not matter, but the sign of the determinant
+  /// does, because d must point forward.
   explicit Rays(const raster::Face& face) : face_(face) {
     const glm::dvec3 x(face.x), y(face.y), w(face.w);
     const double determinant = raster::determinant(face);
@@ -62,10 +62,10 @@ class Rays {
   glm::dvec3 alongX_, alongY_, forward_;
 };
 
-/// Barycentric weights of the point where a ray meets a triangle's plane. With a, b, c the corners seen from the eye,
-/// the point divides the triangle as the ray divides the volumes d . (b x c), d . (c x a), d . (a x b). A sample that
-/// the rasterizer's rounding lets fall beside the triangle is moved to its border; where the triangle is seen edge-on
-/// all of it is equally near.
+/// Barycentric weights of the intersection of a ray and a triangle's plane. Let a, b, c be the corners relative to the
+/// eye. Then the weights are in the ratio of the volumes d . (b x c), d . (c x a), d . (a x b). If rounding in the
+/// rasterizer puts a sample beside the triangle, the point is moved to its border. If the triangle is seen edge-on, all
+/// its points are equally near.
 glm::dvec3 weightsOf(const std::array<glm::dvec3, 3>& corner, const glm::dvec3& eye, const glm::dvec3& direction) {
   const glm::dvec3 a = corner[0] - eye, b = corner[1] - eye, c = corner[2] - eye;
   const glm::dvec3 volumes(glm::dot(direction, glm::cross(b, c)), glm::dot(direction, glm::cross(c, a)),

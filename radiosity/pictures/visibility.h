@@ -1,6 +1,6 @@
-/// Which triangle of the scene each sample of a picture sees, and where: an item buffer whose item IDs are the numbers
-/// of the triangles. The item buffer decides what is seen, exactly; the point on the triangle is then where the
-/// sample's ray meets the triangle's plane.
+/// The visible triangle and point of each sample of a picture, from an item buffer whose item IDs are the numbers of
+/// triangles. The item buffer decides visibility exactly. The point is the intersection of the sample's ray and the
+/// triangle's plane.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,19 @@
 
 namespace hemitex::radiosity {
 
-/// The triangles whose backs the eye sees, ascending: pictures leave them out, so that one can look into a closed room.
+/// The triangles whose backs face the eye, ascending. Pictures leave them out, so that closed rooms can be seen from
+/// outside.
 std::vector<std::uint32_t> trianglesFacingAway(const Scene& scene, const glm::dvec3& eye);
 
-/// What one sample of a picture sees.
+/// The visible point of one sample.
 struct Visible {
   std::uint32_t surface = 0;
   std::uint32_t triangle = 0;  ///< in Surface::triangles
-  glm::dvec3 weights{0.0};     ///< barycentric, of the point on the triangle
+  glm::dvec3 weights{0.0};     ///< barycentric weights of the point, of the triangle's corners 1 and 2
 };
 
-/// What the samples of a picture see, width x height, row 0 at the TOP; nothing where the background is. Triangles that
-/// face away are looked through.
+/// The visible points of all samples, width x height, row 0 at the TOP; nothing for the background. Triangles that face
+/// away are invisible.
 std::vector<std::optional<Visible>> visibleSamples(const Scene& scene, const Camera& camera, int width, int height);
 
 /// For several pictures of one scene, which must outlive it.
@@ -35,7 +36,7 @@ class TriangleView {
 
   /// As visibleSamples.
   std::vector<std::optional<Visible>> see(const Camera& camera, int width, int height);
-  /// The same, but triangles that face away are seen like others.
+  /// As visibleSamples, but triangles that face away are visible.
   std::vector<std::optional<Visible>> seeBothSides(const Camera& camera, int width, int height);
 
  private:
@@ -44,7 +45,7 @@ class TriangleView {
   Visible locate(raster::ItemId triangle) const;
 
   const Scene& scene_;
-  std::vector<raster::ItemId> firstTriangle_;  ///< one a surface: the number of its first triangle in the scene
+  std::vector<raster::ItemId> firstTriangle_;  ///< one per surface: the number of its first triangle in the scene
   raster::SoftwareRenderer renderer_;
 };
 

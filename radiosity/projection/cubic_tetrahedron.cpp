@@ -15,16 +15,16 @@ constexpr double squaredReach = 1 + 1 + 4;
 
 double pixelWidth(int resolution) { return 6.0 / (2 * resolution + 1); }
 
-/// cos(theta) / pi per area of a face, a and b from its corner along the seams: at (x, y, 1) = (1 - a, 1 - b, 1), and
-/// with s its length, cos(theta) is (x + y + 1) / (sqrt(3) s), the foreshortening is 1/s, and solid angle falls with
-/// 1/s^2.
+/// cos(theta) / pi per area of a face; a and b count from its corner along the common edges. At (x, y, 1) = (1 - a, 1 -
+/// b, 1) let s be the distance. Then cos(theta) is (x + y + 1) / (sqrt(3) s), the foreshortening is 1/s, and solid
+/// angle falls with 1/s^2.
 double density(double a, double b) {
   const double x = 1 - a, y = 1 - b;
   const double s2 = x * x + y * y + 1;
   return (x + y + 1) / (std::sqrt(3.0) * pi * s2 * s2);
 }
 
-/// The integral over what a pixel along the horizon stands for.
+/// The integral over the area that a pixel at the horizon represents.
 double horizonIntegral(const PixelGrid& grid, int a, int b) {
   const double pixel = grid.parts * grid.width;
   const auto triangle = [pixel](const glm::dvec2& p, const glm::dvec2& q, const glm::dvec2& r) {
@@ -33,13 +33,13 @@ double horizonIntegral(const PixelGrid& grid, int a, int b) {
   const glm::dvec2 low(a, b), half(0.5, 0), up(0, 0.5);
   const glm::dvec2 high = low + glm::dvec2(1), right = low + glm::dvec2(1, 0), top = low + glm::dvec2(0, 1);
   const double below = triangle(high, high - half, high - up);
-  // The corner beyond the pixel's side; half of it, unless it is the last one at a seam.
+  // The corner of the next pixel beyond the side: half of it, or all of it at a common edge of two faces.
   const double beside = triangle(right, right + up, b == 0 ? right + half : right + (half + up) / 2.0);
   const double above = triangle(top, top + half, a == 0 ? top + up : top + (half + up) / 2.0);
   return pixelIntegral(grid, a, b, density) - below + beside + above;
 }
 
-/// The shares of a face by (a, b), only of a < b and of a = b: those across the diagonal are the same.
+/// The shares of a face by (a, b), only for a < b and a = b; those across the diagonal are equal.
 struct HalfFace {
   std::vector<std::uint64_t> beside, diagonal;
 };
@@ -55,7 +55,7 @@ HalfFace halfFace(int resolution) {
   return half;
 }
 
-/// Lets a face sum to a third of what can be divided by three.
+/// Makes a face sum to a third of the largest multiple of three.
 void closeSum(HalfFace& half) {
   std::uint64_t sum = 0;
   for (const std::uint64_t share : half.beside) sum += 2 * share;
@@ -66,7 +66,7 @@ void closeSum(HalfFace& half) {
   spread(half.beside, (missing - odd) / 2);
 }
 
-/// Row-major by column and row, which run towards the corner.
+/// Row-major by column and row, which grow towards the corner.
 std::vector<std::uint64_t> wholeFace(const HalfFace& half, int resolution) {
   const auto side = static_cast<std::size_t>(resolution);
   std::vector<std::uint64_t> shares(side * side, 0);
@@ -83,11 +83,11 @@ std::vector<std::uint64_t> wholeFace(const HalfFace& half, int resolution) {
 
 std::vector<ProjectionFace> cubicTetrahedronFaces(int resolution) {
   assert(resolution >= 2 && resolution <= 4096 && resolution % 2 == 0);
-  // The cube's edges, orthogonal, each a third of a turn on from the last and at the same angle to the normal.
+  // The edges of the cube: orthogonal, each rotated by a third of a turn, at the same angle to the normal.
   const double height = std::sqrt(1.0 / 3), side = std::sqrt(1.0 / 2), back = std::sqrt(1.0 / 6);
   const std::array<glm::dvec3, 3> edge{
       {{0, std::sqrt(2.0 / 3), height}, {-side, -back, height}, {side, -back, height}}};
-  // The view is `width` wide and ends at the seams: (x - 1) is -width at one side and 0 at the other.
+  // The view is `width` wide and ends at the common edges: x - 1 is -width at one side and 0 at the other.
   const double halfWidth = resolution * pixelWidth(resolution) / 2;
   std::vector<ProjectionFace> faces;
   for (std::size_t k = 0; k < 3; ++k) {

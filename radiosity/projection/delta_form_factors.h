@@ -1,4 +1,4 @@
-/// Integrals of a smooth density over pixels, to rounding accuracy: the delta form factors of projections.
+/// Integrals of a smooth density over pixels, accurate to rounding: the delta form factors of projections.
 #pragma once
 
 #include <array>
@@ -20,16 +20,16 @@ struct GaussRule {
 };
 const GaussRule& gaussRule();
 
-/// What is wider is cut into parts: the densities of projections vary over lengths of 1 and more, and on parts no wider
-/// than this four by four points reach rounding accuracy.
+/// Wider pixels are divided into parts. The densities of projections vary over lengths of 1 and more, so that four by
+/// four points on such a part reach rounding accuracy.
 inline constexpr double widestPart = 1.0 / 16;
 
-/// In units of 2^-60, to the nearest.
+/// The form factor in units of 2^-60, rounded to nearest.
 std::uint64_t toShare(double formFactor);
 
-/// Pixels that [0, extent] is cut into, and the parts that each of them is cut into.
+/// Pixels that divide [0, extent], and the parts of each pixel.
 struct PixelGrid {
-  int parts;     ///< along a pixel's side
+  int parts;     ///< along the side of a pixel
   double width;  ///< of a part
 
   PixelGrid(int pixels, double extent)
@@ -60,7 +60,7 @@ double triangleIntegral(const glm::dvec2& a, const glm::dvec2& b, const glm::dve
     return triangleIntegral(a, p, r, density) + triangleIntegral(p, b, q, density) +
            triangleIntegral(r, q, c, density) + triangleIntegral(q, r, p, density);
   }
-  // Points a + s (ab + t bc) with s and t from 0 to 1 fill the triangle, s times as densely as its doubled area.
+  // Points a + s (ab + t bc) with s and t from 0 to 1 fill the triangle with a density of s times its doubled area.
   const GaussRule& rule = gaussRule();
   double sum = 0;
   for (std::size_t i = 0; i < 4; ++i)
@@ -71,7 +71,7 @@ double triangleIntegral(const glm::dvec2& a, const glm::dvec2& b, const glm::dve
   return sum * std::abs(ab.x * bc.y - ab.y * bc.x);
 }
 
-/// The shares of the pixels x pixels squares that [0, extent]^2 is cut into, row-major.
+/// The shares of the pixels x pixels squares of [0, extent]^2, row-major.
 template <typename Density>
 std::vector<std::uint64_t> pixelShares(int pixels, double extent, const Density& density) {
   const PixelGrid grid(pixels, extent);
@@ -83,11 +83,10 @@ std::vector<std::uint64_t> pixelShares(int pixels, double extent, const Density&
   return shares;
 }
 
-/// A square table whose quadrants mirror one another, from the quadrant at its end: row-major from the middle outwards.
+/// A square table of four mirrored quadrants, from the quadrant at its end, row-major from the middle outwards.
 std::vector<std::uint64_t> mirroredQuadrant(const std::vector<std::uint64_t>& quadrant, int half);
 
-/// Adds `missing` units to shares, as many to each, and one more to the first of them where that does not come out
-/// even.
+/// Adds `missing` units evenly to the shares; the first shares receive the remainder, one unit each.
 void spread(std::vector<std::uint64_t>& shares, std::int64_t missing);
 
 }  // namespace hemitex::radiosity

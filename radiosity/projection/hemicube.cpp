@@ -8,8 +8,8 @@
 namespace hemitex::radiosity {
 namespace {
 
-// cos(theta) / pi per area of the cube (Cohen and Greenberg 1985). With s the distance to the cube's point, cos(theta)
-// is 1/s on the top face and z/s on a side, the foreshortening is 1/s, and solid angle falls with 1/s^2.
+// cos(theta) / pi per area of the cube (Cohen and Greenberg 1985). With s the distance to the point on the cube,
+// cos(theta) is 1/s on the top face and z/s on a side. The foreshortening is 1/s, and solid angle falls with 1/s^2.
 double topDensity(double x, double y) {
   const double s2 = x * x + y * y + 1;
   return 1 / (pi * s2 * s2);
@@ -19,7 +19,7 @@ double sideDensity(double x, double z) {
   return z / (pi * s2 * s2);
 }
 
-/// What four quadrants of the top and eight halves of sides miss of a whole, spread over the quadrant.
+/// Adds the rounding error of the sum (four quadrants of the top and eight halves of sides) to the quadrant, evenly.
 void closeSum(std::vector<std::uint64_t>& top, const std::vector<std::uint64_t>& side) {
   const std::uint64_t sum = std::accumulate(top.begin(), top.end(), std::uint64_t{0}) +
                             2 * std::accumulate(side.begin(), side.end(), std::uint64_t{0});
@@ -45,7 +45,7 @@ Projection hemicube(int resolution) {
   std::vector<std::uint64_t> quadrant = pixelShares(half, 1, topDensity);
   const std::vector<std::uint64_t> halfSide = pixelShares(half, 1, sideDensity);
   closeSum(quadrant, halfSide);
-  // By symmetry they say all: a side is the second half of a square, from the horizon on.
+  // By symmetry these are enough: a side is the second half of a square, from the horizon on.
   std::vector<std::uint64_t> side = mirroredQuadrant(halfSide, half);
   side.erase(side.begin(), side.begin() + static_cast<std::ptrdiff_t>(side.size() / 2));
   return {hemicubeFaces(resolution),

@@ -12,15 +12,14 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// The direction at right angles to a normal that lies a share of a quarter turn from the first axis there: of a
-/// circle's rational points, which need no sine that would differ between machines. Not quite even, which does not
-/// matter.
+/// The direction at right angles to a normal at a share of a quarter turn from the first axis. It uses rational points
+/// of the circle, because a sine would differ between machines. The spacing is not quite uniform, which is sufficient.
 glm::dvec3 quarterTurn(const glm::dvec3& normal, double share) {
   const glm::dvec3 x = tangentAlong(normal, glm::dvec3(0)), y = glm::cross(normal, x);
   return (1 - share * share) * x + 2 * share * y;
 }
 
-/// The squared distance from a point to a triangle: to the plane where the point projects inside, else to an edge.
+/// The squared distance from a point to a triangle: to the plane if the point projects inside, else to an edge.
 double squaredDistance(const glm::dvec3& point, const std::array<glm::dvec3, 3>& corner) {
   const glm::dvec3 n = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
   bool inside = true;
@@ -37,7 +36,7 @@ double squaredDistance(const glm::dvec3& point, const std::array<glm::dvec3, 3>&
   return inside ? height * height / glm::dot(n, n) : nearest;
 }
 
-/// The squared distance from a point to the box around a triangle: a lower bound that is cheap.
+/// The squared distance from a point to the box around a triangle: a cheap lower bound.
 double squaredDistanceToBounds(const glm::dvec3& point, const std::array<glm::dvec3, 3>& corner) {
   const glm::dvec3 low = glm::min(glm::min(corner[0], corner[1]), corner[2]);
   const glm::dvec3 high = glm::max(glm::max(corner[0], corner[1]), corner[2]);
@@ -45,13 +44,13 @@ double squaredDistanceToBounds(const glm::dvec3& point, const std::array<glm::dv
   return glm::dot(offset, offset);
 }
 
-/// Over the tangent plane.
+/// Height above the tangent plane.
 double heightOf(const glm::dvec3& position, const SurfacePoint& point) {
   return glm::dot(position - point.position, point.normal);
 }
 
-/// The lowest and the highest that anything in a box can lie, in binary64: every operation of heightOf is monotonic,
-/// also where it rounds.
+/// The lowest and the highest value of heightOf in a box. The bounds hold in double precision, because all operations
+/// of heightOf are monotonic, including their rounding.
 std::pair<double, double> heightsOf(const TriangleBox& box, const SurfacePoint& point) {
   const auto isUp = glm::greaterThan(point.normal, glm::dvec3(0));
   return {heightOf(glm::mix(box.high, box.low, isUp), point), heightOf(glm::mix(box.low, box.high, isUp), point)};

@@ -1,5 +1,5 @@
-/// Where a projection stands over a point of a surface: the eye, which way it is turned, and what is left out, so that
-/// a surface does not see itself and rounding puts nothing between.
+/// The view of a projection over a point of a surface: eye position, rotation, near distance and skipped triangles.
+/// They prevent that a surface sees itself and that rounding puts surfaces in front of the eye.
 #pragma once
 
 #include <cstdint>
@@ -14,49 +14,48 @@
 
 namespace hemitex::radiosity {
 
-/// Triangles of the shooting surface whose corners lie this close to the tangent plane, in extents of the scene, lie
-/// in it: a few units of binary32's roundoff, which is all that drawing them could show.
+/// In extents of the scene: triangles of the shooting surface lie in the tangent plane if their corners are this close
+/// to it. A few units of binary32 roundoff, which is the limit of what drawing can resolve.
 inline constexpr double tangentPlaneTolerance = 0x1p-20;
-/// Where surfaces meet at the shooting point, the rounding of positions to binary32 must not put the eye behind one of
-/// them: it is moved into its triangle and lifted off it, by so many extents of the scene. The lift clears shallow
-/// concave folds, the move all but the sharpest ones.
+/// In extents of the scene. Where surfaces meet at the shooting point, rounding of positions to binary32 must not put
+/// the eye behind one of them. So the eye is moved into its triangle and lifted off it. The lift is enough for shallow
+/// concave folds, the move for all but the sharpest folds.
 inline constexpr double eyeMove = 0x1p-19;
 inline constexpr double eyeLift = 0x1p-21;
-/// A near distance is never below this many extents of the scene: binary32 positions have no detail there.
+/// Minimum near distance in extents of the scene; binary32 positions have no detail below it.
 inline constexpr double smallestNearDistance = 0x1p-24;
 
-/// The triangles that a view from a point of a surface leaves out, ascending: those of the surface that lie in the
-/// tangent plane, and in two-sided scenes whichever of two coincident sides faces away from the point.
+/// The triangles that a view from a point of a surface skips, ascending: those of the surface in the tangent plane and,
+/// in two-sided scenes, the coincident side that faces away from the point.
 std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::uint32_t surface, const SurfacePoint& point);
-/// The same with the scene's triangleBoxes at hand, for who asks often.
+/// As above, with the scene's triangleBoxes, for repeated calls.
 std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::span<const TriangleBox> boxes,
                                             std::uint32_t surface, const SurfacePoint& point);
 
-/// A near distance that clips no triangle open: the distance to the nearest triangle that is not skipped, over the
-/// projection's reach (see Projection::squaredReach). Where a triangle touches the point it is smallestNearDistance,
-/// where nothing is near the scene's extent.
+/// A near distance that clips no visible triangle: the distance to the nearest triangle that is not skipped, divided by
+/// the projection's reach (see Projection::squaredReach). It is smallestNearDistance if a triangle touches the point,
+/// and the scene's extent if no triangle is near.
 double nearDistance(const Scene& scene, const glm::dvec3& point, const std::vector<std::uint32_t>& skipped,
                     double squaredReach);
-/// Likewise with the boxes at hand.
+/// As above, with the scene's triangleBoxes.
 double nearDistance(const Scene& scene, std::span<const TriangleBox> boxes, const glm::dvec3& point,
                     const std::vector<std::uint32_t>& skipped, double squaredReach);
 
-/// The eye of a view from a point of a surface, in the file's units (see eyeMove).
+/// The eye of a view from a point of a surface, in units of the file (see eyeMove).
 glm::dvec3 eyeOver(const Scene& scene, std::uint32_t surface, const SurfacePoint& point);
 
-/// How projections stand over patches.
+/// The rotation of projections over patches.
 enum class Orientation {
-  Aligned,  ///< all alike
-  Turned,   ///< each turned about its normal by an angle of its own: what falls between the pixels of one patch meets
-            ///< those of the next, instead of being missed by all that see it from along the same axis
+  Aligned,  ///< the same for all patches
+  Turned,  ///< rotated per patch about the normal, so that a surface between the pixels of one patch is hit by those of
+           ///< the next; with equal rotations, patches along an axis could all miss it
 };
 
-/// Where along a quarter turn the projection over a point of a patch stands, in [0, 1): multiples of the golden
-/// section, which leave no large gap however many of them there are (Weyl 1916; a hemicube's faces repeat after a
-/// quarter).
+/// The rotation of the projection over a point of a patch, as a share of a quarter turn in [0, 1). Multiples of the
+/// golden section leave no large gap for any count (Weyl 1916); the faces of a hemicube repeat after a quarter turn.
 double turnOf(std::uint32_t patch, int point);
 
-/// The direction that the projection over a point of a patch has up; zero where all stand alike.
+/// The up direction of the projection over a point of a patch; zero if all have the same rotation.
 glm::dvec3 upOf(Orientation orientation, const glm::dvec3& normal, std::uint32_t patch, int point);
 
 }  // namespace hemitex::radiosity

@@ -8,7 +8,7 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// cos(theta) / pi per area of a plane at distance 1, as on a hemicube's top.
+/// cos(theta) / pi per area of a plane at distance 1, as on the top of a hemicube.
 double density(double x, double y) {
   const double s2 = x * x + y * y + 1;
   return 1 / (pi * s2 * s2);

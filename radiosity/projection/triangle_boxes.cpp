@@ -6,7 +6,7 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// Triangles in a box: more make wide boxes, fewer make many.
+/// Maximum number of triangles per box. Larger runs have large boxes; smaller runs are too many.
 constexpr std::uint32_t maxTriangles = 32;
 
 TriangleBox boxAround(const std::vector<Triangle>& triangles, std::uint32_t first, std::uint32_t end) {

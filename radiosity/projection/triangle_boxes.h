@@ -1,4 +1,4 @@
-/// Boxes around runs of triangles: who looks for the nearest triangle of a scene leaves out most of them unseen.
+/// Boxes around runs of triangles, which speed up the search for the nearest triangle of a scene.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct TriangleBox {
   glm::dvec3 low, high;
   std::uint32_t surface = 0;
   std::uint32_t first = 0, end = 0;  ///< in the surface
-  std::uint32_t number = 0;          ///< of the first, in the scene
+  std::uint32_t number = 0;          ///< of the first triangle, in the scene
 };
 
 /// All triangles of a scene, in their order.

@@ -17,13 +17,13 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// The square of a smaller length would leave the range of binary32, in which everything is drawn.
+/// The square of a smaller length would leave the range of binary32, which drawing uses.
 constexpr double smallestExtent = 1e-18;
 
-/// Of the brightest light: what surfaces receive of less would leave the range of binary32, which images hold.
+/// Lower bound for the brightest light. The light of weaker ones would leave the range of binary32, which images use.
 constexpr double smallestEmission = 1e-30;
 
-/// What `mtllib` says is one file whose name may have blanks, where there is one; else a file a word.
+/// The argument of `mtllib` is one file name with blanks if such a file exists, else one file name per word.
 std::vector<std::filesystem::path> materialFiles(const ObjFile& obj, const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   for (const std::string& library : obj.materialLibraries) {
@@ -38,7 +38,7 @@ std::vector<std::filesystem::path> materialFiles(const ObjFile& obj, const std::
   return files;
 }
 
-/// The names of materials, each once, and which one each section has.
+/// The distinct names of materials, and the material of each section.
 struct MaterialChoice {
   std::vector<std::string> names;
   std::vector<int> ofSection;
@@ -67,7 +67,7 @@ void turnOver(std::array<T, 3>& corners) {
   std::swap(corners[1], corners[2]);
 }
 
-/// The other side: the same triangles the other way round, each corner with its own coordinates.
+/// The other side: the same triangles in reverse order, each corner with its own coordinates.
 Surface backOf(const Surface& front) {
   Surface back = front;
   back.name += "/back";
@@ -95,7 +95,7 @@ void makeNamesUnique(std::vector<Surface>& surfaces) {
   for (Surface& surface : surfaces) surface.name = uniqueName(taken, surface.name);
 }
 
-/// What a material emits at most in any band.
+/// The largest emission of a material in any band.
 double brightestEmission(const Scene& scene, const Material& material) {
   glm::dvec3 largest(1.0);
   if (material.emissionMap) {

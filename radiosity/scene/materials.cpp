@@ -13,10 +13,10 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// Stands for every reflectance that is not known.
+/// The reflectance of unknown materials.
 constexpr double grey = 0.5;
 
-/// A statement and the folder that its images are relative to.
+/// A statement and the folder that its image paths are relative to.
 struct Definition {
   MaterialStatement statement;
   std::filesystem::path folder;
@@ -45,12 +45,12 @@ bool anyValue(const Image& image, Predicate predicate) {
   });
 }
 
-/// The images of maps, each file read once.
+/// The images of maps; each file is read once.
 class MapImages {
  public:
   explicit MapImages(MaterialSet& set) : set_(set) {}
 
-  /// The image of a map, or nothing, with a warning, where there is none to be had.
+  /// The image of a map; nothing, with a warning, if it cannot be read.
   std::optional<int> emission(const MapStatement& map, const Definition& definition) {
     const std::string owner = "material '" + definition.statement.name + "': ";
     if (map.image.empty()) {
@@ -64,7 +64,7 @@ class MapImages {
     return known->second;
   }
 
-  /// The same with values of at most 1.
+  /// As emission, with values of at most 1.
   std::optional<int> reflectance(const MapStatement& map, const Definition& definition) {
     const std::optional<int> image = emission(map, definition);
     if (!image || !anyValue(imageAt(*image), [](double value) { return value > 1; })) return image;
@@ -100,7 +100,7 @@ class MapImages {
   std::map<int, int> lowered_;  ///< from images to their copies without values above 1
 };
 
-/// Lowers what reflects all light or more to `maxReflectance`; says whether there was any.
+/// Lowers components of 1 or more to `maxReflectance`; returns whether there were any.
 bool lower(glm::dvec3& reflectance, double maxReflectance) {
   bool lowered = false;
   for (int band = 0; band < 3; ++band) {

@@ -1,5 +1,5 @@
-/// The materials of a scene: what its faces name, looked up in its MTL files, made physical, with the images of its
-/// maps. What is missing becomes grey 0.5 and is told.
+/// The materials of a scene: looks up the names that faces use in the MTL files, makes the values physically valid, and
+/// reads the images of maps. Missing values become grey 0.5, with a warning.
 #pragma once
 
 #include <filesystem>
@@ -13,21 +13,20 @@
 namespace hemitex::radiosity {
 
 struct MaterialSet {
-  std::vector<Material> materials;  ///< one a name asked for
+  std::vector<Material> materials;  ///< one per requested name
   std::vector<Image> images;
   std::vector<std::string> warnings;
 };
 
-/// Materials for `names` (an empty name asks for the material of faces that have none), looked up in `files`, where
-/// the first definition of a name counts. Throws InputError as parseMaterials, and where a map holds a negative value.
-/// - A file or a name that is missing: a warning, and reflectance 0.5 for the names that are in no file.
-/// - A material without Kd: a warning and 0.5, or, where it has a map_Kd, the map alone. Without Ke it does not emit,
-///   or emits what its map_Ke says.
+/// Finds the materials for `names` in `files`; the first definition of a name counts. An empty name stands for faces
+/// without a material. Throws InputError as parseMaterials, and if a map contains a negative value.
+/// - A missing file or name: a warning, and reflectance 0.5 for names that are in no file.
+/// - A material without Kd: a warning and 0.5, or, with a map_Kd, the map alone. Without Ke it does not emit, or emits
+///   its map_Ke.
 /// - Emissions are converted from `settings.emission` to radiosity.
-/// - A reflectance of 1 or more is lowered to `settings.maxReflectance`, with a warning for each material; the values
-/// of a
+/// - A reflectance of 1 or more is lowered to `settings.maxReflectance`, with a warning per material. The values of a
 ///   map_Kd are lowered to 1.
-/// - A map that is missing or cannot be read: a warning, and reflectance 0.5, or half the emission.
+/// - A missing or unreadable map: a warning, and reflectance 0.5 or half the emission.
 MaterialSet findMaterials(const std::vector<std::string>& names, const std::vector<std::filesystem::path>& files,
                           const SceneSettings& settings);
 

@@ -51,7 +51,7 @@ std::vector<glm::dvec3> positionsOf(const ObjFile& obj, const ObjPolygon& polygo
   return positions;
 }
 
-/// A section for each one of the file, some empty.
+/// One section per section of the file; some may be empty.
 std::vector<Section> cutPolygons(const ObjFile& obj, std::vector<std::string>& warnings) {
   std::vector<Section> sections(obj.sections.size());
   FaceCount degenerate, crossing;

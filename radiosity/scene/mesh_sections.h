@@ -1,5 +1,5 @@
-/// Sections: the polygons of an OBJ file cut into triangles, by group and material. From a section come one surface or,
-/// where it needs several charts, more.
+/// Sections: the polygons of an OBJ file, triangulated and divided by group and material. A section becomes one
+/// surface, or several if it needs several charts.
 #pragma once
 
 #include <set>
@@ -12,18 +12,18 @@
 namespace hemitex::radiosity {
 
 struct Section {
-  std::string family;    ///< unique: the group's name, `/material` behind it where the group has several sections
-  std::string material;  ///< as `usemtl` says it; empty where no material is said
-  /// In file order, all with area. Texture coordinates are the file's, or zero; the chart is still to come, but where
-  /// the polygon is a quad it maps the quad's corners to those of the unit square.
+  std::string family;    ///< unique: the group's name, with `/material` if the group has several sections
+  std::string material;  ///< as in `usemtl`; empty for none
+  /// In file order, all with area. Texture coordinates are those of the file, or zero. Charts are not set yet, except
+  /// for quads, whose corners map to those of the unit square.
   std::vector<Triangle> triangles;
 };
 
-/// Cuts polygons into triangles. Polygons without area are dropped and counted in a warning, and polygons that cross
-/// themselves are counted in another; sections that end up empty are left out.
+/// Triangulates polygons. Polygons without area are dropped and counted in a warning; self-intersecting polygons are
+/// counted in another. Empty sections are left out.
 std::vector<Section> cutIntoSections(const ObjFile& obj, std::vector<std::string>& warnings);
 
-/// `wanted`, or the first of `wanted~2`, `wanted~3`, ... that is not taken; takes it.
+/// Returns `wanted`, or the first of `wanted~2`, `wanted~3`, ... that is not in `taken`, and inserts it there.
 std::string uniqueName(std::set<std::string>& taken, const std::string& wanted);
 
 }  // namespace hemitex::radiosity

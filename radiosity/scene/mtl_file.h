@@ -1,5 +1,5 @@
-/// An MTL file as it is written: what radiosity takes of it, the diffuse reflectance and the emission of materials.
-/// Numbers are read and checked here; the options of maps are tinyobjloader's to understand.
+/// Parses the parts of an MTL file that radiosity uses: the diffuse reflectance and the emission of materials. Numbers
+/// are read and checked here; tinyobjloader parses the options of maps.
 #pragma once
 
 #include <filesystem>
@@ -13,17 +13,16 @@
 
 namespace hemitex::radiosity {
 
-/// W/m^2 of radiosity. What surfaces make of more, reflecting it for ever, would leave the range of binary32, which
-/// images hold.
+/// W/m^2 of radiosity. With larger values, interreflection could overflow binary32, which images use.
 inline constexpr double largestEmission = 1e30;
 
-/// A `map_Kd` or `map_Ke`.
+/// A `map_Kd` or `map_Ke` line.
 struct MapStatement {
-  std::filesystem::path image;  ///< relative to the material file's folder; empty where the line names none
+  std::filesystem::path image;  ///< relative to the folder of the material file; empty if the line names none
   bool hasOptions = false;      ///< such as `-s 2 2`
 };
 
-/// A material, as far as the file says something about it.
+/// A material, with the values that the file states.
 struct MaterialStatement {
   std::string name;
   std::optional<glm::dvec3> reflectance = {};  ///< Kd, finite and not negative
@@ -32,9 +31,9 @@ struct MaterialStatement {
   std::optional<MapStatement> emissionMap = {};
 };
 
-/// Reads the text of `file`, materials in its order. Throws InputError with the line on a malformed, non-finite or
-/// negative Kd or Ke, on one that has neither one number (grey) nor three, and on a Ke that is a radiosity above
-/// 1e30 where its unit is `unit`.
+/// Parses the text of `file`; returns the materials in its order. Throws InputError with the line for a Kd or Ke that
+/// is malformed, non-finite, negative, or has neither one number (grey) nor three. Also throws it for a Ke above 1e30
+/// after conversion from `unit` to radiosity.
 std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::filesystem::path& file,
                                               EmissionUnit unit = EmissionUnit::Radiosity);
 

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t mostSuggestions = 3;
 
-/// How many letters have to be put in, taken out or changed to turn one word into the other (Levenshtein 1966), row by
-/// row of the table of all pairs of prefixes.
+/// The number of letters to insert, delete or change (Levenshtein 1966), row by row of the table of all pairs of
+/// prefixes.
 std::size_t editDistance(const std::string& from, const std::string& to) {
   std::vector<std::size_t> row(to.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

@@ -1,4 +1,4 @@
-/// What somebody may have meant: the names that come nearest to a wrong one.
+/// Spelling suggestions: the known names nearest to a wrong one.
 #pragma once
 
 #include <set>
@@ -6,7 +6,7 @@
 
 namespace hemitex::radiosity {
 
-/// The three names with the fewest letters to put in, take out or change (Levenshtein 1966), quoted, nearest first.
+/// The three names with the smallest edit distance (Levenshtein 1966), quoted, nearest first.
 std::string nearestNames(const std::set<std::string>& names, const std::string& wrong);
 
 }  // namespace hemitex::radiosity

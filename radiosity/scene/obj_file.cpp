@@ -18,11 +18,11 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// The square of a larger coordinate would leave the range of binary32, in which everything is drawn. A larger texture
-/// coordinate has no place between texels.
+/// The square of a larger coordinate would leave the range of binary32, which drawing uses. A larger texture coordinate
+/// could not be located between texels.
 constexpr double largestCoordinate = 1e18;
 
-/// What the lines of numbers say.
+/// Parses the lines that hold numbers.
 class NumberReader {
  public:
   NumberReader(const std::filesystem::path& file, ObjFile& obj) : file_(file), obj_(obj) {}
@@ -35,7 +35,7 @@ class NumberReader {
     if (line.keyword == "f") readPolygon(line.rest, place);
   }
 
-  /// An index may point forward, so the upper end of the range is known only when all is read.
+  /// An index may point forward, so that the upper end of the range is known only after the last line.
   void checkRanges() const {
     for (const ObjPolygon& polygon : obj_.polygons) {
       const Place place{file_, polygon.line};
@@ -49,7 +49,7 @@ class NumberReader {
   }
 
  private:
-  /// `v x y z`, with a weight `w`, with a colour `r g b`, or with a colour and its alpha.
+  /// `v x y z`, with an optional weight `w`, colour `r g b`, or colour and alpha.
   void readPosition(std::string_view rest, const Place& place) {
     std::array<double, 7> n{};
     const std::size_t count = readNumbers(rest, n, place);
@@ -71,7 +71,7 @@ class NumberReader {
     obj_.texcoords.emplace_back(n[0], n[1]);
   }
 
-  /// Normals are not used, but a file that is broken is broken.
+  /// Normals are not used, but a malformed line is an error.
   void readNormal(std::string_view rest, const Place& place) {
     std::array<double, 3> n{};
     if (readNumbers(rest, n, place) != 3) fail(place, "a normal has 3 numbers");
@@ -105,7 +105,8 @@ class NumberReader {
     return corner;
   }
 
-  /// The index of a word, counted from 0: positive ones count from 1, negative ones back from the last so far.
+  /// The index of a word, counted from 0. Positive numbers count from 1, negative numbers back from the last vertex so
+  /// far.
   static std::uint32_t resolve(std::string_view word, std::size_t count, const char* what, const Place& place) {
     int index = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
@@ -141,13 +142,13 @@ class NumberReader {
   int largestNormalLine_ = 0;  ///< 0: no face has a normal
 };
 
-/// What tinyobjloader calls back about: which polygon belongs to which section.
+/// The state of the tinyobjloader callbacks, which assign polygons to sections.
 struct StructureReader {
   ObjFile& obj;
-  std::size_t polygon = 0;  ///< the next one
+  std::size_t polygon = 0;  ///< the next polygon
   ObjSection current{"default", ""};
   std::map<std::pair<std::string, std::string>, std::uint32_t> sections = {};
-  std::optional<std::uint32_t> section = {};  ///< of `current`, once a face has asked for it
+  std::optional<std::uint32_t> section = {};  ///< of `current`, once a face uses it
 
   void addPolygon() {
     if (!section) {
@@ -184,7 +185,7 @@ tinyobj::callback_t structureCallbacks() {
   return callbacks;
 }
 
-/// The lines that make the structure; of a face, whose numbers are read already, only that it is there.
+/// The lines that define the structure. Faces are reduced to dummy faces, because their numbers are already parsed.
 std::string structureText(const std::vector<TextLine>& lines) {
   std::string text;
   for (const TextLine& line : lines) {

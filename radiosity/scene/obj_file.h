@@ -1,9 +1,9 @@
-/// An OBJ file as it is written: positions, texture coordinates and polygons, each polygon in a section, which is a
-/// group (or object) with a material name.
+/// Parses an OBJ file: positions, texture coordinates and polygons. Each polygon belongs to a section, which is a group
+/// (or object) with a material name.
 ///
-/// The work is shared. Numbers (`v`, `vt`, `vn` and the indices of `f`) are read here, as binary64 and checked, because
-/// the packaged tinyobjloader rounds them, reads `x` and `nan` as 0 and lets indices leave their range. The structure
-/// (`g`, `o`, `usemtl`) is read by tinyobjloader.
+/// Numbers (`v`, `vt`, `vn` and the indices of `f`) are parsed here as doubles and checked. The packaged tinyobjloader
+/// rounds them, reads `x` and `nan` as 0 and accepts indices out of range. It parses only the structure (`g`, `o`,
+/// `usemtl`).
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@
 
 namespace hemitex::radiosity {
 
-/// The part of a file that shares a group and a material, wherever its faces stand.
+/// All faces of a file that share a group and a material, wherever they are.
 struct ObjSection {
   std::string group;     ///< `default` before any group; several names of one `g` are joined by a blank
-  std::string material;  ///< as `usemtl` says it; empty before any
+  std::string material;  ///< as in `usemtl`; empty before any
 };
 
 struct ObjPolygon {
@@ -36,20 +36,21 @@ struct ObjCorner {
 };
 
 struct ObjFile {
-  std::vector<glm::dvec3> positions;              ///< finite, each coordinate at most 1e18 in size
-  std::vector<std::optional<glm::dvec3>> colors;  ///< one a position: the r g b of `v x y z r g b`
-  std::vector<glm::dvec2> texcoords;              ///< the same
+  std::vector<glm::dvec3> positions;              ///< finite; absolute coordinates at most 1e18
+  std::vector<std::optional<glm::dvec3>> colors;  ///< one per position: the r g b of `v x y z r g b`
+  std::vector<glm::dvec2> texcoords;              ///< finite; absolute coordinates at most 1e18
   std::vector<ObjCorner> corners;
-  std::vector<ObjPolygon> polygons;            ///< in file order
-  std::vector<ObjSection> sections;            ///< in the order of their first faces
-  std::vector<std::string> materialLibraries;  ///< what each `mtllib` says: a file, or several between blanks
+  std::vector<ObjPolygon> polygons;  ///< in file order
+  std::vector<ObjSection> sections;  ///< in the order of their first faces
+  std::vector<std::string>
+      materialLibraries;  ///< the argument of each `mtllib`: a file, or several separated by blanks
 };
 
-/// Reads a file. Throws InputError where it cannot be read, and as parseObj.
+/// Reads a file. Throws InputError if it cannot be read, and as parseObj.
 ObjFile readObj(const std::filesystem::path& file);
 
-/// Reads the text of `file`. Throws InputError with the line on a malformed or non-finite number, a coordinate of a
-/// vertex or of a texture above 1e18 in size, a vertex that has too few numbers, an index that is malformed or out of
+/// Parses the text of `file`. Throws InputError with the line for a malformed or non-finite number, an absolute
+/// coordinate above 1e18, and a vertex with too few numbers. Also throws it for an index that is malformed or out of
 /// range, and a face with fewer than three corners.
 ObjFile parseObj(std::string_view text, const std::filesystem::path& file);
 

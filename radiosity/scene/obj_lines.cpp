@@ -29,7 +29,7 @@ std::string_view withoutComment(std::string_view line) {
   return line;
 }
 
-/// Takes the first line off `text`, and its end.
+/// Removes the first line from `text`, with its line end, and returns it.
 std::string_view takeLine(std::string_view& text) {
   const std::size_t length = std::min(text.find_first_of("\r\n"), text.size());
   const std::string_view line = text.substr(0, length);
@@ -40,14 +40,14 @@ std::string_view takeLine(std::string_view& text) {
 
 double readNumber(std::string_view word, const Place& place) {
   std::string_view digits = word;
-  if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);  // from_chars takes no plus
+  if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);  // from_chars accepts no plus sign
   double number = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   const auto refuse = [&](const char* why) { fail(place, "'" + std::string(word) + "' " + why); };
   if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) refuse("is not a number");
   if (error == std::errc::result_out_of_range) refuse("is outside the range of binary64");
   if (!std::isfinite(number)) refuse("is not a finite number");
-  return number + 0.0;  // no negative zero: equal numbers are equal bits
+  return number + 0.0;  // turns -0 into 0, so that equal numbers have equal bits
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-/// Lines of the text formats OBJ and MTL: a keyword, then words between blanks. Numbers are read here and nowhere
-/// else, correctly rounded to binary64, and what is no finite number is an error with its file and line.
+/// Lines of the text formats OBJ and MTL: a keyword, then words separated by blanks. All numbers are parsed here,
+/// correctly rounded to double. A word that is no finite number is an error with file and line.
 #pragma once
 
 #include <filesystem>
@@ -11,27 +11,28 @@
 
 namespace hemitex::radiosity {
 
-/// A line that says something: no blank line, no comment.
+/// A line that is neither blank nor a comment.
 struct TextLine {
   int number = 0;  ///< counted from 1
   std::string_view keyword;
-  std::string_view rest;  ///< what follows it, without blanks at its ends and without a comment
+  std::string_view rest;  ///< the text behind the keyword, without blanks at its ends and without a comment
 };
 
-/// Where a message points to.
+/// The place that an error message names.
 struct Place {
   const std::filesystem::path& file;
   int line = 0;
 };
 
-/// Cuts a text at LF, CR LF or CR. A comment begins at a `#` that starts the line or stands alone as a word, so that
-/// names such as `wall#1` and `Material #25` stay whole. The views point into `text`.
+/// Splits a text at LF, CR LF or CR. A comment begins at a `#` at the start of the line or at a `#` that is a word of
+/// its own. So names such as `wall#1` and `Material #25` stay whole. The views point into `text`.
 std::vector<TextLine> splitLines(std::string_view text);
 
-/// Takes the next word off `rest`; nothing at its end or before a word that begins with `#`. For lines of numbers.
+/// Removes the next word from `rest` and returns it; nothing at the end or before a word that begins with `#`. For
+/// lines of numbers.
 std::optional<std::string_view> nextWord(std::string_view& rest);
 
-/// Reads all numbers of `rest` into `numbers` and says how many there are. Throws InputError where a word is no finite
+/// Parses all numbers of `rest` into `numbers` and returns how many there are. Throws InputError if a word is no finite
 /// number or there are more than `numbers` can hold.
 std::size_t readNumbers(std::string_view rest, std::span<double> numbers, const Place& place);
 

@@ -41,7 +41,7 @@ std::vector<std::uint32_t> findOrFail(const std::vector<Surface>& surfaces, cons
       families.empty() ? "nothing was removed so far" : "names that come near: " + nearestNames(families, name));
 }
 
-/// With the other sides of what has them, ascending.
+/// The numbers with those of their twins, ascending.
 std::vector<std::uint32_t> withTwins(const std::vector<Surface>& surfaces, std::vector<std::uint32_t> numbers) {
   std::set<std::uint32_t> all(numbers.begin(), numbers.end());
   for (const std::uint32_t s : numbers)
@@ -142,7 +142,7 @@ class Editor {
     if (!holds(value.x) || !holds(value.y) || !holds(value.z)) throw InputError(message);
   }
 
-  /// Moves surfaces to the end of another list; those of each list that are twins name each other by their new numbers.
+  /// Moves surfaces to the end of another list, and updates the twin indices within each list.
   static void take(std::vector<Surface>& from, const std::vector<bool>& goes, std::vector<Surface>& to) {
     std::vector<int> number(from.size());
     int kept = 0, taken = static_cast<int>(to.size());
@@ -155,7 +155,7 @@ class Editor {
     from = std::move(stay);
   }
 
-  /// Gives added surfaces names and families that neither the scene nor what was removed has.
+  /// Gives added surfaces names and families that neither the scene nor `removed` has.
   void rename(std::vector<Surface>& added) const {
     std::set<std::string> taken;
     for (const std::vector<Surface>* surfaces : {&scene_.surfaces, &removed_})
@@ -170,7 +170,7 @@ class Editor {
     }
   }
 
-  /// A changed copy of the material of each surface, one for all that shared one.
+  /// Gives each surface a changed copy of its material; surfaces that shared a material share the copy.
   template <typename Change>
   void setMaterial(const std::string& name, const Change& change) {
     std::map<int, int> changed;

@@ -1,5 +1,5 @@
-/// Edits of a scene: objects move, come and go, lights are switched, reflectances change. What an edit does not name
-/// stays what it was to the last bit, for the origin and the extent stay too: so a solution can be updated where the
+/// Edits of a scene: objects move, are removed, restored and added; emissions and reflectances change. All that an edit
+/// does not name keeps its bits, because origin and extent stay the same. So a solution can be updated only where the
 /// edit changed it (dynamic_solution.h).
 #pragma once
 
@@ -17,26 +17,26 @@
 
 namespace hemitex::radiosity {
 
-// Surfaces are named by their names or by their families, which means all parts; a name that ends with `*` means all
-// families that begin so. In two-sided scenes both sides move, come and go as one.
+// A name is that of a surface, or of a family, which means all its parts. A name that ends with `*` means all families
+// with that prefix. In two-sided scenes edits change both sides.
 struct Move {
   std::string name;
-  glm::dvec3 by;  ///< in the file's units
+  glm::dvec3 by;  ///< in units of the file
 };
 struct Remove {
   std::string name;
 };
-/// Puts back what was removed, where it was.
+/// Restores a removed surface at its old place.
 struct Restore {
   std::string name;
 };
-/// Adds the objects of an OBJ file. Names that are taken get `~2`, `~3`, ...
+/// Adds the objects of an OBJ file. Names that exist get `~2`, `~3`, ...
 struct Add {
   std::filesystem::path file;
   SceneSettings settings = {};
-  glm::dvec3 by{0.0};  ///< in the file's units
+  glm::dvec3 by{0.0};  ///< in units of the file
 };
-/// Gives surfaces an emission or a reflectance of their own; a material's map scales it as before.
+/// Sets the emission or the reflectance of surfaces; a map of the material scales it as before.
 struct SetEmission {
   std::string name;
   glm::dvec3 to;  ///< radiosity, W/m^2 per band, 0 to largestEmission (mtl_file.h)
@@ -47,25 +47,25 @@ struct SetReflectance {
 };
 using Edit = std::variant<Move, Remove, Restore, Add, SetEmission, SetReflectance>;
 
-/// How a surface came about.
+/// The former number of a surface.
 struct Origin {
-  std::optional<std::uint32_t> former = {};  ///< the surface of the former scene that it was; none: it was not there
+  std::optional<std::uint32_t> former = {};  ///< its number in the former scene; none: it is new
   bool isMoved = false;
 };
 
 struct EditedScene {
-  Scene scene;                   ///< kept surfaces in their order, then what was put back or added
-  std::vector<Origin> origins;   ///< one a surface
-  std::vector<Surface> removed;  ///< all that was removed and can be put back
+  Scene scene;                   ///< kept surfaces in their order, then restored or added ones
+  std::vector<Origin> origins;   ///< one per surface
+  std::vector<Surface> removed;  ///< all removed surfaces, which can be restored
 };
 
-/// The farthest from the origin that an edit puts a vertex, in extents: positions are binary32, and what keeps rounding
-/// out of a picture (patch_view.h) is measured in extents.
+/// The largest distance of an edited vertex from the origin, in extents. Positions are binary32, and the margins for
+/// their rounding (patch_view.h) are measured in extents.
 inline constexpr double farthestEdit = 16;
 
-/// Applies edits in their order. `removed` holds what former edits removed. Throws InputError where a name means no
-/// surface (with names that come near) or nothing that was removed, where a number is out of range, nothing is left of
-/// the scene, or an object goes farther than farthestEdit.
+/// Applies edits in their order; `removed` holds the surfaces that former edits removed. Throws InputError if a name
+/// matches no surface (with spelling suggestions) or no removed one. Also throws it if a number is out of range, the
+/// scene becomes empty, or a vertex exceeds farthestEdit.
 EditedScene edited(Scene scene, std::vector<Surface> removed, std::span<const Edit> edits);
 
 }  // namespace hemitex::radiosity

@@ -1,30 +1,30 @@
-/// How an OBJ file and its materials are read.
+/// Settings for reading an OBJ file and its materials.
 #pragma once
 
 #include <numbers>
 
 namespace hemitex::radiosity {
 
-/// Which texture coordinates become charts.
+/// The source of charts.
 enum class Charts {
-  Auto,    ///< the file's where they form a chart, a lone quad by its corners, else planar parts
-  File,    ///< the file's; an InputError where they do not form a chart
-  Planar,  ///< planar parts, whatever the file has
+  Auto,    ///< the file's coordinates if they form a chart; the corners of a single quad; else planar parts
+  File,    ///< the file's coordinates; an InputError if they do not form a chart
+  Planar,  ///< always planar parts
 };
 
-/// What `Ke` is a number of. The scene holds radiosity, whatever the file has.
+/// The unit of `Ke`. Scenes hold radiosity in either case.
 enum class EmissionUnit {
   Radiosity,  ///< emitted power per area, W/m^2
   Radiance,   ///< of a diffuse emitter, W/(m^2 sr): its radiosity over pi
 };
 
-/// The radiosity that one unit of emission stands for: 1 or pi.
+/// The radiosity of one unit of emission: 1 or pi.
 constexpr double radiosityPerUnit(EmissionUnit unit) { return unit == EmissionUnit::Radiance ? std::numbers::pi : 1.0; }
 
 struct SceneSettings {
   Charts charts = Charts::Auto;
   double maxReflectance = 0.9999;  ///< a reflectance of 1 or more is lowered to this, with a warning; in [0, 1)
-  bool twoSided = false;           ///< gives each side of every surface a surface of its own
+  bool twoSided = false;           ///< makes one surface per side of each surface
   EmissionUnit emission = EmissionUnit::Radiosity;  ///< unit of Ke
 };
 

@@ -28,7 +28,7 @@ std::string describe(const ChartConflict& conflict, const Triangles& triangles, 
   return face(conflict.triangle) + " overlaps " + face(conflict.other);
 }
 
-/// Takes the file's coordinates where they form a chart; else changes nothing and says why they do not.
+/// Uses the file's coordinates if they form a chart. Otherwise changes nothing and returns the reason.
 std::optional<std::string> layFromFile(Triangles& triangles, const ObjFile& obj) {
   std::vector<ChartTriangle> charts;
   for (const Triangle& triangle : triangles) {
@@ -68,7 +68,7 @@ std::vector<Triangles> lay(Section section, const ObjFile& obj, const std::files
     fail({file}, "the texture coordinates of surface '" + section.family + "' form no chart: " + *fault,
          "choose other charts, or mend the coordinates");
   }
-  // The corners of a quad are its chart from the start.
+  // Quads have the chart of their corners already.
   if (!fault || isLoneQuad(section.triangles, obj)) return {std::move(section.triangles)};
   return layPlanar(section.triangles);
 }

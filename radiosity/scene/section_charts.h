@@ -1,4 +1,4 @@
-/// Charts for sections: the file's coordinates, a quad's corners, or planar parts.
+/// Charts for sections: the file's coordinates, the corners of a quad, or planar parts.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +11,9 @@
 
 namespace hemitex::radiosity {
 
-/// The triangles of a section with their charts, a vector for each surface that it becomes. Where the file has no
-/// texture coordinates the chart's take their place. Throws InputError, naming `file`, where `charts` asks for
-/// coordinates that form no chart.
+/// Returns the triangles of a section with charts, one vector per surface. Without texture coordinates in the file,
+/// those of the chart are used. Throws InputError naming `file` if `charts` demands the file's coordinates and they
+/// form no chart.
 std::vector<std::vector<Triangle>> layCharts(Section section, const ObjFile& obj, const std::filesystem::path& file,
                                              Charts charts);
 

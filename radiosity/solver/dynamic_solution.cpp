@@ -18,7 +18,7 @@ std::uint32_t viewCount(const Patch& patch) {
   return patch.points > 1 ? static_cast<std::uint32_t>(patch.points * patch.points) : 0;
 }
 
-/// The number under which the row of a view is kept: no patch has more than 2^8 of them.
+/// The cache key of a view: no patch has more than 2^8 views.
 std::uint64_t viewNumber(std::uint32_t patch, std::uint32_t view) {
   static_assert(maxSplits <= 4);
   return (std::uint64_t{patch} << 8) + view;
@@ -26,7 +26,7 @@ std::uint64_t viewNumber(std::uint32_t patch, std::uint32_t view) {
 
 }  // namespace
 
-/// A scene with all that its rows are drawn with.
+/// A scene and what draws its rows.
 struct DynamicSolution::World {
   World(Scene edited, Discretization shooting, const LayoutFactory& layOut, const DrawingSettings& settings,
         const RendererFactory& makeRenderer)
@@ -38,17 +38,19 @@ struct DynamicSolution::World {
 
 namespace {
 
-/// Of what the residual still allows, an update leaves this share astray at most. It stays so for all frames to come.
+/// The largest stale light that one update may leave, as a share of what the residual still allows. It remains in all
+/// later frames.
 constexpr double shareLeftAstray = 0.1;
-/// More than this share of what the residual allows is not dragged along: some ten frames later a solution starts over.
+/// The solution starts again when stale light exceeds this share of what the residual allows: after about ten frames.
 constexpr double maxAstray = 0.7;
 
-/// The numbers that surfaces, patches and elements have after an edit. What is gone has no patch any more; its elements
-/// share one number behind all others.
+/// The numbers of surfaces, patches and elements after an edit. Removed patches have none; removed elements share one
+/// number behind all others.
 struct Renumbering {
-  std::vector<std::optional<std::uint32_t>> patch;  ///< one a former patch; none where its surface moved or went
-  std::vector<std::uint32_t> element;               ///< one a former element
-  std::vector<bool> isGone, isCome;  ///< one a former surface, one a new one: not there or not at the same place
+  std::vector<std::optional<std::uint32_t>> patch;  ///< one per former patch; none if its surface was moved or removed
+  std::vector<std::uint32_t> element;               ///< one per former element
+  std::vector<bool> isGone,
+      isCome;  ///< one per former surface, and one per new surface: absent in the other scene, or moved
 };
 
 Renumbering renumber(const Discretization& before, const Discretization& after, const std::vector<Origin>& origins) {
@@ -70,7 +72,7 @@ Renumbering renumber(const Discretization& before, const Discretization& after, 
   return numbers;
 }
 
-/// A row of a former scene, by the new numbers; they ascend as the old ones do, but for those of what is gone.
+/// A row of a former scene in new numbers. They ascend like the old ones, except those of removed elements.
 FormFactorRow inNewNumbers(const FormFactorRow& row, const Renumbering& numbers, std::uint32_t gone) {
   FormFactorRow result{{}, {}, row.background, row.back};
   std::uint64_t atGone = 0;
@@ -90,7 +92,7 @@ FormFactorRow inNewNumbers(const FormFactorRow& row, const Renumbering& numbers,
   return result;
 }
 
-/// Adds flux along a row to what was received; below zero it is taken back.
+/// Adds flux along a row to the received flux; negative flux retracts.
 void receive(ShotLight& light, const FormFactorRow& row, const glm::dvec3& flux) {
   for (std::size_t i = 0; i < row.elements.size(); ++i)
     light.received[row.elements[i]] += flux * formFactor(row.shares[i]);
@@ -98,9 +100,9 @@ void receive(ShotLight& light, const FormFactorRow& row, const glm::dvec3& flux)
   light.lostToBacks += flux * formFactor(row.back);
 }
 
-/// Patches keep their old rows where the bounds of what may lie astray for it are smallest, as many as fit.
+/// The patches that keep their old rows: those with the smallest bounds of stale light, as many as allowed.
 struct LeftRows {
-  std::vector<bool> isLeft;  ///< one a former patch
+  std::vector<bool> isLeft;  ///< one per former patch
   double astray = 0;
 };
 
@@ -118,7 +120,7 @@ LeftRows leaveRows(const std::vector<double>& bounds, double allowed) {
   return left;
 }
 
-/// What an edit makes of what was shot, and of the rows that are kept.
+/// Updates the shot light and the cached rows for an edit.
 class LightUpdate {
  public:
   LightUpdate(const Scene& sceneBefore, SceneFormFactors& before, const Scene& sceneAfter, SceneFormFactors& after,
@@ -133,7 +135,7 @@ class LightUpdate {
         kept_(kept),
         rows_(rowCacheBytes) {}
 
-  /// `mayLeave` is the flux that may be left astray.
+  /// `mayLeave` is the flux that may become stale.
   void update(const ShotLight& light, double mayLeave) {
     carry(light);
     const std::vector<double> shares = largestShares();
@@ -151,12 +153,12 @@ class LightUpdate {
       else if (bounds[p] > 0)
         redirect(p, light.shot[p]);
     }
-    // What rows that were left sent to what is gone is nowhere in the scene.
+    // Stale rows may have sent light to removed elements: it counts as lost.
     light_.lost += light_.received.back();
     light_.received.pop_back();
   }
 
-  /// Keeps the rows that are what they were; nothing of what was shot.
+  /// Keeps the unchanged rows, but nothing of the shot light.
   void keepRows() {
     const std::vector<double> shares = largestShares();
     for (std::uint32_t p = 0; p < shares.size(); ++p)
@@ -180,13 +182,13 @@ class LightUpdate {
     for (std::size_t e = 0; e < light.received.size(); ++e) light_.received[numbers_.element[e]] += light.received[e];
   }
 
-  /// Of a patch's light, the most that goes through pixels that can change; one a former patch.
+  /// Bounds of the share of each former patch's light through pixels that can change.
   std::vector<double> largestShares() const {
     const Discretization& before = before_.discretization();
     std::vector<double> shares(before.patches.size());
     if (change_.gone.empty() && change_.come.empty()) return shares;
     for (std::size_t p = 0; p < shares.size(); ++p) {
-      if (!numbers_.patch[p]) continue;  // what it shot is taken back wholly
+      if (!numbers_.patch[p]) continue;  // all its shots are retracted
       const Patch& patch = before.patches[p];
       const double pixel = pixelAngle(change_.rowsAfter.projection()) * (1 << patch.halvings);
       for (const SurfacePoint& point : pointsOf(patch))
@@ -196,7 +198,7 @@ class LightUpdate {
     return shares;
   }
 
-  /// Where the patch shoots from.
+  /// The points that the patch shoots from.
   std::vector<SurfacePoint> pointsOf(const Patch& patch) const {
     std::vector<SurfacePoint> points;
     if (patch.points > 1)
@@ -208,7 +210,7 @@ class LightUpdate {
 
   FormFactorRow renumbered(const FormFactorRow& row) const { return inNewNumbers(row, numbers_, gone_); }
 
-  /// The row is what it was, and so are those that it may be the mean of.
+  /// The row is unchanged, and so are the rows of its views.
   void keep(std::uint32_t patch) {
     const std::uint32_t number = *numbers_.patch[patch];
     if (const FormFactorRow* known = kept_.ofPatches.find(patch)) rows_.ofPatches.keep(number, renumbered(*known));
@@ -227,7 +229,7 @@ class LightUpdate {
       rows_.ofViews.keep(number, exchanged(renumbered(*known), renumbered(change.before), change.after));
   }
 
-  /// The patch has moved or is gone: it has shot nothing.
+  /// Retracts the shots of a patch that was moved or removed.
   void takeBack(std::uint32_t patch, const glm::dvec3& shot) {
     if (shot == glm::dvec3(0)) return;
     const FormFactorRow* known = kept_.ofPatches.find(patch);
@@ -235,7 +237,7 @@ class LightUpdate {
     ++cost_.rowsTakenBack;
   }
 
-  /// Where the row has changed, what was shot along it goes elsewhere.
+  /// Redirects the shot light of a patch along the change of its row.
   void redirect(std::uint32_t patch, const glm::dvec3& shot) {
     const std::uint32_t number = *numbers_.patch[patch];
     const FormFactorRow* known = kept_.ofPatches.find(patch);
@@ -256,7 +258,7 @@ class LightUpdate {
   SceneFormFactors& before_;
   SceneFormFactors& after_;
   Renumbering numbers_;
-  std::uint32_t gone_;  ///< the number of all elements that are gone
+  std::uint32_t gone_;  ///< the number of all removed elements
   SceneChange change_;
   const KeptRows& kept_;
   KeptRows rows_;
@@ -285,7 +287,7 @@ const IdLayout& DynamicSolution::layout() const { return world_->drawn.layout();
 
 std::uint64_t DynamicSolution::captured() const { return world_->drawn.rows().projection().captured; }
 
-/// As ProjectedFormFactors::ofPatch, but that views are drawn only where their rows are not kept.
+/// As ProjectedFormFactors::ofPatch, but draws only the views whose rows are not in the cache.
 FormFactorRow DynamicSolution::rowOf(std::uint32_t patch) {
   ProjectedFormFactors& rows = world_->drawn.rows();
   const std::vector<View> views = rows.viewsOfPatch(patch);

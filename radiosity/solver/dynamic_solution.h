@@ -1,15 +1,15 @@
-/// Dynamic scenes: a solution that follows the edits of its scene instead of starting over (Chen 1990; George, Sillion
-/// and Greenberg 1990).
+/// Dynamic scenes: updates a solution after edits of its scene instead of solving again (Chen 1990; George, Sillion and
+/// Greenberg 1990).
 ///
-/// What was shot says what changes (shooting_state.h). A new emission or reflectance is there at once, for each element
-/// keeps what it received. Where objects came, went or moved, the light that patches have shot goes elsewhere: for each
-/// patch the light times what of its row changed (row_update.h), below zero where it no longer arrives. What moved
-/// patches themselves have shot is taken back, and unshot again. What is unshot then, of either sign, is shot until no
-/// more than the residual is left.
+/// The stored shots define the changes (shooting_state.h). A new emission or reflectance takes effect immediately,
+/// because each element stores what it received. If objects were added, removed or moved, light that was shot reaches
+/// other elements. For each patch, the change is its shot light times the change of its row (row_update.h); it is
+/// negative where light no longer arrives. Shots of moved patches are retracted, and their light is unshot again. Then
+/// unshot flux of either sign is shot until the residual is reached.
 ///
-/// Patches whose light through the pixels in question cannot amount to much keep their old rows: what may lie astray
-/// for it is bounded and part of the residual, so that this holds its promise: what elements absorb differs from a
-/// fresh solution of the edited scene, with the same patches, by no more than both residuals.
+/// Patches keep their old rows if little of their light can pass through the changed pixels. A bound of this stale
+/// light is part of the residual. So the residual keeps its meaning: the absorbed flux differs from a new solution of
+/// the edited scene with the same patches by at most the sum of both residuals.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@
 
 namespace hemitex::radiosity {
 
-/// Lays out the item IDs of a discretization; throws InputError where they do not fit.
+/// Lays out the item IDs of a discretization; throws InputError if they do not fit.
 using LayoutFactory = std::function<IdLayout(const Discretization&)>;
 
 struct DynamicSettings {
@@ -39,37 +39,37 @@ struct DynamicSettings {
   SolverSettings solver = {};
 };
 
-/// What an update took, beside its shots.
+/// The work of an update, except for its shots.
 struct UpdateCost {
   int rowsInWindows = 0;     ///< rows of which only windows were drawn
-  int rowsWhole = 0;         ///< rows that were drawn whole before and after
-  int rowsTakenBack = 0;     ///< rows of patches that moved or went
-  int rowsLeft = 0;          ///< rows that are not brought up to date: what they amount to is part of the residual
-  bool startedOver = false;  ///< too much of the light lay astray, or too little is emitted now to allow for it
+  int rowsWhole = 0;         ///< rows that were drawn completely, before and after the edit
+  int rowsTakenBack = 0;     ///< retracted rows, of patches that moved or were removed
+  int rowsLeft = 0;          ///< stale rows, whose bound is part of the residual
+  bool startedOver = false;  ///< solved again: too much stale light, or too little emission to allow for it
 };
 
-/// Rows of patches, and those of the views that means are over: windows change these exactly, and the means of what
-/// they are then are the means that drawing all anew would give.
+/// Rows of patches, and of the views that they are means of. Windows update rows of views exactly, so that their means
+/// equal those of a complete drawing.
 struct KeptRows {
-  /// Each takes half of `budget`, in bytes.
+  /// Each cache takes half of `budget`, in bytes.
   explicit KeptRows(std::size_t budget) : ofPatches(budget / 2), ofViews(budget / 2) {}
 
   RowCache ofPatches;
-  RowCache ofViews;  ///< by the numbers of views
+  RowCache ofViews;  ///< by view number
 };
 
 class DynamicSolution {
  public:
-  /// Solves the scene. `unsplit` is its discretization by the settings, which are to be unburied: what solids bury
-  /// would be as dark as before where they have moved away.
+  /// Solves the scene. `unsplit` is its discretization with the settings, which should be unburied; otherwise surfaces
+  /// under moved solids would stay dark.
   DynamicSolution(Scene scene, Discretization unsplit, DynamicSettings settings, LayoutFactory layOut,
                   const Progress& progress = {}, RendererFactory makeRenderer = softwareRenderer);
   ~DynamicSolution();
   DynamicSolution(const DynamicSolution&) = delete;
   DynamicSolution& operator=(const DynamicSolution&) = delete;
 
-  /// Edits the scene and updates the solution, whose shots are counted from here. Throws InputError as `edited` and the
-  /// layout do; nothing has changed then.
+  /// Edits the scene and updates the solution; counts shots from here. Throws InputError as `edited` and the layout,
+  /// and then changes nothing.
   UpdateCost update(std::span<const Edit> edits, const Progress& progress = {});
 
   const Scene& scene() const;
@@ -78,7 +78,7 @@ class DynamicSolution {
   /// The share of a patch's light that the projection captures, in units of 2^-60.
   std::uint64_t captured() const;
   const Solution& solution() const { return solution_; }
-  /// What was shot, and where it arrived.
+  /// The flux that was shot, and where it arrived.
   const ShotLight& light() const { return light_; }
 
  private:

@@ -24,7 +24,7 @@ constexpr std::array<Effort, 10> ladder{{{0.05, 64},
                                          {0.0002, 1024},
                                          {0.0001, 1536}}};
 
-/// Of the bound: what is left for errors that two solutions have in common, which their difference does not show.
+/// Share of the bound that is reserved for errors common to two solutions, which their difference does not show.
 constexpr double commonShare = 0.25;
 
 /// The flux by which the elements of two solutions differ, over that of the second.

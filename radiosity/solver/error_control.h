@@ -1,15 +1,15 @@
-/// Settings for a bound on the error: as much work as the scene asks for.
+/// Chooses solver settings for a bound on the error.
 ///
-/// The error of a solution is the flux by which its elements differ from the true radiosity, as a share of all flux.
-/// Two things cause it, and each has its setting: points that shoot for too large patches (the limit of splits) and
-/// directions between pixels (the resolution of hemicubes). A ladder of efforts refines both together. From step to
-/// step work grows by about 1.6, and the error falls to about two thirds.
+/// The error of a solution is the flux by which its elements differ from the true radiosity, as a share of all flux. It
+/// has two causes with one setting each: shooting from one point for too large a patch (the limit of splits), and
+/// directions between pixels (the resolution of hemicubes). A ladder of efforts refines both together. Each step
+/// multiplies the work by about 1.6 and the error by about two thirds.
 ///
-/// How large the error is, the scene itself says: it is solved at one effort after the other. Hemicubes of different
-/// resolutions over different parts of patches err independently for the most part, so that two solutions of errors e
-/// and e' < e differ by D with D^2 = e^2 + e'^2, and e' is below D / sqrt(2). A share of the bound is left for what
-/// both have in common. The first solution of which so much is expected is the answer. It is an estimate, and no proof
-/// for every scene.
+/// The error is estimated from solutions at consecutive efforts. Hemicubes of different resolutions over different
+/// parts of patches have mostly independent errors. Let two solutions have errors e and e' < e, and let D be their
+/// difference. Then D^2 = e^2 + e'^2, and e' is below D / sqrt(2). A share of the bound is reserved for the errors that
+/// both have in common. The result is the first solution whose expected error is within the bound. It is an estimate,
+/// not a proof for every scene.
 #pragma once
 
 #include <functional>
@@ -20,25 +20,25 @@
 
 namespace hemitex::radiosity {
 
-/// How hard a solution tries.
+/// The effort of a solution.
 struct Effort {
   double split = 0.003;  ///< see PatchSubdivision
   int resolution = 256;  ///< of hemicubes
 };
 
 struct ErrorBoundChoice {
-  Effort effort;             ///< of the last solution that was asked for
-  double expectedError = 0;  ///< its error
+  Effort effort;             ///< of the last solution
+  double expectedError = 0;  ///< its expected error
 };
 
-/// Solves at an effort; the radiosity of every element.
+/// Solves at an effort; returns the radiosity of each element.
 using SolveWith = std::function<std::vector<glm::dvec3>(const Effort&)>;
 
 /// The share of all emitted flux that may stay unshot for a bound on the error: a tenth of the bound.
 double residualFor(double bound);
 
-/// Solves at growing efforts until the expected error is within `bound`, above 0. Throws InputError where no effort of
-/// the ladder is enough; the advice says which bound is in reach.
+/// Solves at growing efforts until the expected error is within `bound`, above 0. Throws InputError if no effort of the
+/// ladder is enough; the advice says which bound can be reached.
 ErrorBoundChoice chooseEffort(const Discretization& discretization, const SolveWith& solveWith, double bound);
 
 }  // namespace hemitex::radiosity

@@ -1,4 +1,4 @@
-/// Sums of flux, per band.
+/// Sums of flux per band.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -7,7 +7,8 @@ namespace hemitex::radiosity {
 
 inline double bandSum(const glm::dvec3& flux) { return flux.x + flux.y + flux.z; }
 
-/// A sum of fluxes to the last digit however many there are (Kahan 1965): `rest_` holds what rounding cut off so far.
+/// A compensated sum (Kahan 1965), accurate to the last digit for any number of terms; `rest_` holds the rounding error
+/// so far.
 class KahanSum {
  public:
   void add(const glm::dvec3& flux) {

@@ -8,8 +8,8 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// The radiosity that the unshot flux will add on average, per band, before the reflectance of who receives it:
-/// spread over all surfaces and reflected for ever at the mean reflectance (Cohen et al. 1988).
+/// Estimate of the radiosity that the unshot flux will add on average, per band, before the receiver's reflectance. The
+/// flux is distributed over all surfaces and reflected infinitely often with the mean reflectance (Cohen et al. 1988).
 glm::dvec3 ambientEstimate(const Scene& scene, const Discretization& discretization, const Energy& energy) {
   double area = 0;
   glm::dvec3 reflecting(0);
@@ -24,7 +24,7 @@ glm::dvec3 ambientEstimate(const Scene& scene, const Discretization& discretizat
   return energy.unshot / (area - reflecting);
 }
 
-/// More than this share of the emitted flux is not lost to backs by the few pixels that look through a crack.
+/// Limit for a warning, as a share of the emitted flux. The few pixels that see backs through cracks lose less.
 constexpr double maxLostToBacks = 0.01;
 
 std::vector<std::string> warningsOf(const Energy& energy) {
@@ -38,10 +38,10 @@ std::vector<std::string> warningsOf(const Energy& energy) {
           "which --two-sided lights on both"};
 }
 
-/// All emitted flux, in units of what a patch of weight 1 shoots.
+/// All emitted flux over the flux of a patch of weight 1.
 constexpr double unitsOfFlux = 256;
 
-/// Shoots until the settings say stop.
+/// Shoots until a limit of the settings is reached.
 Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, const SolverSettings& settings,
                const Progress& progress, const PatchSplit& split) {
   Solution solution;
@@ -58,7 +58,7 @@ Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, con
   };
   while (!isDone()) {
     const std::uint32_t patch = state.brightestPatch();
-    if (hasBeenSplit(patch)) continue;  // another may be brighter than its parts
+    if (hasBeenSplit(patch)) continue;  // another patch may be brighter than the parts
     state.shoot(patch, rows.row(patch, [&] { return rowOf(patch); }));
     ++solution.shots;
     solution.residual = state.residual();
@@ -67,7 +67,7 @@ Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, con
   return solution;
 }
 
-/// Accounts for a solution. A refinement that is moved gives its memory to the radiosity.
+/// Completes a solution with its account of flux. A temporary state gives its memory to the radiosity.
 template <typename AnyShootingState>
 Solution finished(Solution solution, const Scene& scene, const Discretization& discretization,
                   AnyShootingState&& state) {

@@ -19,7 +19,7 @@ bool areSameViews(const View& a, const View& b) {
 
 bool isEmpty(const raster::Scissor& scissor) { return scissor.width == 0 || scissor.height == 0; }
 
-/// The smallest rectangle around two.
+/// The smallest rectangle around two others.
 raster::Scissor around(const raster::Scissor& a, const raster::Scissor& b) {
   if (isEmpty(a)) return b;
   if (isEmpty(b)) return a;
@@ -38,7 +38,7 @@ std::vector<Window> windowsOf(const SceneChange& change, const View& view) {
   return windows;
 }
 
-/// `known` is the row of the view before, where it is known.
+/// `known` is the row of the view before, if known.
 RowChange changeOfView(SceneChange& change, const View& before, const View& after, const FormFactorRow* known) {
   const std::vector<Window> windows = windowsOf(change, after);
   const bool sameViews = areSameViews(before, after);
@@ -86,7 +86,7 @@ raster::Scissor ChangedSurfaces::windowOf(const raster::Face& face) const {
 double pixelAngle(const Projection& projection) {
   double largest = 0;
   for (const ProjectionFace& face : projection.faces) {
-    // The sides of a pixel on the picture plane, which is no nearer than 1 / |w|.
+    // The sides of a pixel on the picture plane; its distance is at least 1 / |w|.
     const double size = 2 * glm::length(face.w) / face.resolution;
     largest = std::max(largest, size * (1 / glm::length(face.x) + 1 / glm::length(face.y)));
   }

@@ -1,6 +1,6 @@
-/// What of a row changes where objects of a scene come, go or move. From a point that stays where it was, only pixels
-/// of the objects' old and new places can show something else. So windows of the faces, which bound these places, are
-/// drawn in the scene before and in the scene after; the rest of the row is what it was, to the last unit of 2^-60.
+/// The change of a form-factor row when objects are added, removed or moved. From a point that stays at its place, only
+/// pixels of the old and new places of the objects can change. So windows of the faces that bound these places are
+/// drawn in the scenes before and after. The rest of the row is unchanged, to the last unit of 2^-60.
 #pragma once
 
 #include <cstdint>
@@ -16,48 +16,47 @@
 
 namespace hemitex::radiosity {
 
-/// Some surfaces of a scene, at the places where they come, or are gone from.
+/// The changed surfaces of a scene: those that appear or disappear in it, including moved ones.
 class ChangedSurfaces {
  public:
-  /// `isChanged` is one a surface.
+  /// `isChanged` has one entry per surface.
   ChangedSurfaces(const Scene& scene, const std::vector<bool>& isChanged);
 
   bool empty() const { return clusters_.empty(); }
-  /// An upper bound of the share of a point's light that goes through pixels which the surfaces can cover: of the cone
-  /// around a sphere that holds them, wider by a pixel (a sphere seen under the half angle a takes sin^2 a at most).
-  /// 0 where they lie behind the point.
+  /// An upper bound of the share of a point's light through pixels that the surfaces can cover. It is the share of the
+  /// cone around their bounding sphere, enlarged by one pixel. (A sphere seen under the half angle a takes at most
+  /// sin^2 a.) 0 if the surfaces lie behind the point.
   double largestShare(const SurfacePoint& point, double pixelAngle) const;
-  /// The window of a face that they can cover; without width and height where there is none.
+  /// The window of a face that they can cover; its width and height are 0 if there is none.
   raster::Scissor windowOf(const raster::Face& face) const;
 
  private:
   raster::DrawList list_;
   std::vector<raster::Cluster> clusters_;
-  glm::dvec3 low_, high_;  ///< their bounds, in the file's units
+  glm::dvec3 low_, high_;  ///< their bounds, in units of the file
 };
 
-/// No pixel of a projection is seen under a larger angle from corner to corner, in radians.
+/// The largest angle between two corners of a pixel of a projection, in radians.
 double pixelAngle(const Projection& projection);
 
-/// The parts of a row that differ: what it had there before, and what it has there now. Outside of them the row before
-/// and the row after are alike.
+/// The parts of a row that differ, before and after. Elsewhere both rows are equal.
 struct RowChange {
   FormFactorRow before, after;
-  bool isWhole = false;    ///< they are whole rows
-  bool isRounded = false;  ///< they are parts of means, which are rounded as a whole: to a few units of 2^-60
-  std::vector<RowChange> views = {};  ///< then: of each view that the mean is over
+  bool isWhole = false;    ///< both are complete rows
+  bool isRounded = false;  ///< both are parts of means, which are rounded as a whole: accurate to a few units of 2^-60
+  std::vector<RowChange> views = {};  ///< of each view of the mean, if isRounded
   bool isNothing() const { return before.elements.empty() && before.background == 0 && before.back == 0; }
 };
 
-/// The scene before an edit and the scene after it, and the surfaces that are not in both or not at the same place.
+/// The scenes before and after an edit, and the surfaces that exist, or lie, only in one of them.
 struct SceneChange {
   ProjectedFormFactors& rowsBefore;
   ProjectedFormFactors& rowsAfter;
   ChangedSurfaces gone, come;
 };
 
-/// Of a patch that is in both scenes, at the same place. A view is drawn whole where the near distance differs, which
-/// moves vertices where triangles cross the near plane; `known` is the row before, where it is known.
+/// The change for a patch that is at the same place in both scenes. A view is drawn completely if its near distance
+/// differs, because that moves vertices where triangles cross the near plane. `known` is the row before, if known.
 RowChange changeOf(SceneChange& change, std::uint32_t patchBefore, std::uint32_t patchAfter,
                    const FormFactorRow* known = nullptr);
 

@@ -16,7 +16,7 @@ ShotLight nothingShot(const Discretization& discretization) {
           std::vector<glm::dvec3>(discretization.elements.size())};
 }
 
-/// Behind the last element of a surface.
+/// One past the last element of a surface.
 std::uint32_t endOf(const Grid& grid) { return grid.firstElement + grid.elementCount; }
 
 /// Calls body(element) for the elements of a surface, in ascending order.
@@ -25,7 +25,7 @@ void forEachElement(const Grid& grid, const Body& body) {
   for (std::uint32_t e = grid.firstElement; e < endOf(grid); ++e) body(e);
 }
 
-/// What the elements of each patch emit.
+/// The flux that the elements of each patch emit.
 std::vector<glm::dvec3> emittedByPatches(const Scene& scene, const Discretization& discretization) {
   std::vector<glm::dvec3> emitted(discretization.patches.size());
   raster::parallelFor(emitted.size(), [&](std::size_t p) {
@@ -47,8 +47,8 @@ struct Part {
   std::size_t first = 0, end = 0;
 };
 
-/// Parts of a row for a thread each: some thousand entries, and on to the end of a surface; elements ascend surface by
-/// surface. They depend on the row alone, and so does the order of sums.
+/// Divides a row into parts, one per task: some thousand entries each, ending at the end of a surface. The parts depend
+/// only on the row, so that the order of sums does too.
 std::vector<Part> partsOf(const FormFactorRow& row, const Discretization& discretization) {
   constexpr std::size_t entries = 2048;
   std::vector<Part> parts;
@@ -63,10 +63,10 @@ std::vector<Part> partsOf(const FormFactorRow& row, const Discretization& discre
   return parts;
 }
 
-/// Elements that a row names so far ahead are fetched while others receive: they lie far apart, and memory is slow.
+/// Number of elements to prefetch, because the elements of a row are far apart in memory.
 constexpr std::size_t fetchedAhead = 32;
 
-/// Entries of a row that name elements of one surface, and what is shot along it.
+/// Entries of a row in one surface, and the flux shot along the row.
 struct Arrival {
   std::uint32_t surface;
   std::span<const std::uint32_t> elements;
@@ -74,7 +74,7 @@ struct Arrival {
   glm::dvec3 shot;
 };
 
-/// The unshot flux of patches that receive, and their blocks.
+/// The unshot flux of receiving patches, and their tree blocks.
 class ReceivingPatches {
  public:
   ReceivingPatches(UnshotTree& unshot, std::vector<std::uint32_t>& blocks) : unshot_(unshot), blocks_(blocks) {}
@@ -91,7 +91,7 @@ class ReceivingPatches {
   std::uint32_t last_ = std::numeric_limits<std::uint32_t>::max();
 };
 
-/// Lets elements receive, and calls reflect(i, light) for what arrives at the i-th.
+/// Adds the arriving flux to elements, and calls reflect(i, light) for that of the i-th entry.
 template <typename Reflect>
 void receive(const Arrival& arrival, std::span<glm::dvec3> received, const Reflect& reflect) {
   const std::span elements = arrival.elements;
@@ -103,7 +103,7 @@ void receive(const Arrival& arrival, std::span<glm::dvec3> received, const Refle
   }
 }
 
-/// What elements reflect is unshot in their patches, element by element.
+/// Adds the reflected flux of each element to its patch.
 void receiveByElements(const Arrival& arrival, const SurfaceValues& reflectance, const Discretization& discretization,
                        std::span<glm::dvec3> received, ReceivingPatches patches) {
   const std::span patchOf(discretization.patchOf);
@@ -112,8 +112,8 @@ void receiveByElements(const Arrival& arrival, const SurfaceValues& reflectance,
   });
 }
 
-/// The same where all elements reflect alike and patches have several that receive: their shares are summed first, but
-/// for patches that others were split into.
+/// As above for a uniform reflectance and patches with several receiving elements: sums the shares per patch first,
+/// except for patches made by splits.
 void receiveByPatches(const Arrival& arrival, const glm::dvec3& reflectance, const Discretization& discretization,
                       std::span<glm::dvec3> received, ReceivingPatches patches) {
   const Grid& grid = discretization.grids[arrival.surface];
@@ -132,13 +132,13 @@ void receiveByPatches(const Arrival& arrival, const glm::dvec3& reflectance, con
     if (shareOf[p] != 0) patches.add(grid.firstPatch + p, reflected * formFactor(shareOf[p]));
 }
 
-/// What a part of a row touched.
+/// The effects of a part of a row.
 struct Receipt {
-  std::vector<std::uint32_t> blocks;  ///< of patches that received
-  std::size_t visits = 0;             ///< elements and patches that it looked at
+  std::vector<std::uint32_t> blocks;  ///< of receiving patches
+  std::size_t visits = 0;             ///< number of elements and patches visited
 };
 
-/// What a shot does to all entries of a part, surface by surface.
+/// Applies a shot to all entries of a part, surface by surface.
 Receipt receive(const Part& part, const glm::dvec3& shot, const FormFactorRow& row, const Scene& scene,
                 const Discretization& discretization, std::span<glm::dvec3> received, UnshotTree& unshot) {
   Receipt receipt{.blocks = {}, .visits = part.end - part.first};
@@ -153,7 +153,8 @@ Receipt receive(const Part& part, const glm::dvec3& shot, const FormFactorRow& r
                           std::span(row.shares).subspan(first, count), shot};
     const SurfaceValues reflectance = reflectances(scene, discretization, surface);
     const ReceivingPatches patches(unshot, receipt.blocks);
-    // No pass over more patches than that: a row may name few elements of a large surface.
+    // The pass over patches must not be longer than that over entries: a row may contain few elements of a large
+    // surface.
     if (reflectance.areEqual() && grid.patchCount <= count / 2) {
       receiveByPatches(arrival, reflectance.of(grid.firstElement), discretization, received, patches);
       receipt.visits += grid.patchCount;
@@ -204,7 +205,7 @@ std::size_t ShootingState::shoot(std::uint32_t patch, const FormFactorRow& row) 
   unshot_.clear(patch);
   const std::vector<Part> parts = partsOf(row, discretization_);
   std::vector<Receipt> receipts(parts.size());
-  // Patches belong to surfaces, so that no two threads change the same one.
+  // Patches belong to one surface, so that no two threads change the same patch.
   raster::parallelFor(parts.size(), [&](std::size_t i) {
     receipts[i] = receive(parts[i], shot, row, scene_, discretization_, light_.received, unshot_);
   });
@@ -227,8 +228,8 @@ Energy ShootingState::energy() const {
   return {emitted_, absorbed(), unshot.value(), lost_.value(), lostToBacks_.value()};
 }
 
-/// What the elements received and do not send on. Few are summed plainly, which is four times as fast and costs no more
-/// than a digit.
+/// The flux that the elements received and do not reflect. Short sums are plain sums, which are four times as fast and
+/// lose at most one digit.
 glm::dvec3 ShootingState::absorbed() const {
   constexpr std::uint32_t summedPlainly = 64;
   std::vector<glm::dvec3> ofSurfaces(discretization_.grids.size());
@@ -268,7 +269,7 @@ std::size_t ShootingState::bytes() const {
   return (light_.shot.capacity() + light_.received.capacity()) * sizeof(glm::dvec3) + unshot_.bytes();
 }
 
-/// From what elements received to their radiosity: what they send out over their area.
+/// Converts the received flux of elements to radiosity: outgoing flux over area.
 void ShootingState::makeRadiosity(std::vector<glm::dvec3>& received) const {
   raster::parallelFor(discretization_.grids.size(), [&](std::size_t s) {
     const auto surface = static_cast<std::uint32_t>(s);
@@ -281,7 +282,7 @@ void ShootingState::makeRadiosity(std::vector<glm::dvec3>& received) const {
   });
 }
 
-/// What the elements of a patch send out and the patch has not shot yet.
+/// The outgoing flux of a patch's elements minus what the patch has shot.
 glm::dvec3 ShootingState::unshotOf(std::uint32_t number) const {
   const Patch& patch = discretization_.patches[number];
   const SurfaceValues emission = emissions(scene_, discretization_, patch.surface),

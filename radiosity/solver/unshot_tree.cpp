@@ -37,7 +37,7 @@ void UnshotTree::grow(std::size_t patches) {
   }
 }
 
-/// Makes a node from its children; returns how many they are.
+/// Computes a node from its children; returns their number.
 std::size_t UnshotTree::make(std::size_t level, std::uint32_t number) {
   const std::size_t below = level == 0 ? flux_.size() : levels_[level - 1].size();
   const std::size_t first = number * children, end = std::min(first + children, below);

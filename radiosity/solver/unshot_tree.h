@@ -1,7 +1,7 @@
-/// The unshot flux of all patches: the brightest one, and what all of them amount to, without a look at each. A tree
-/// with 64 children a node holds of what is below it the largest size and the sum of the sizes; where patches change,
-/// the nodes above them are made anew from their children. So both are what they would be if the tree were built
-/// afresh, whatever was shot before, and no rounding piles up.
+/// The unshot flux of all patches, with the brightest patch and the total available without a pass over all patches.
+/// Each tree node has 64 children and stores the largest absolute value and the sum of absolute values below it. When
+/// patches change, their ancestors are recomputed from their children. So both values equal those of a new tree, and
+/// rounding errors do not accumulate.
 #pragma once
 
 #include <cmath>
@@ -15,25 +15,26 @@ namespace hemitex::radiosity {
 
 class UnshotTree {
  public:
-  /// Patches that share a lowest node.
+  /// Patches per lowest node.
   static constexpr std::uint32_t patchesInBlock = 64;
 
-  /// One a patch; at least one.
+  /// One entry per patch; at least one.
   explicit UnshotTree(std::vector<glm::dvec3> flux);
 
   const std::vector<glm::dvec3>& flux() const { return flux_; }
-  /// Adds to a patch. Blocks of different patches may be changed at the same time; `update` is to follow.
+  /// Adds to a patch; call `update` afterwards. Blocks of different patches may be changed at the same time.
   void add(std::uint32_t patch, const glm::dvec3& flux) { flux_[patch] += flux; }
   void clear(std::uint32_t patch) { flux_[patch] = glm::dvec3(0); }
 
-  /// Appends patches without unshot flux until there are so many; `update` is to follow with their blocks.
+  /// Appends patches without unshot flux up to this number; call `update` with their blocks afterwards.
   void grow(std::size_t patches);
-  /// After changes in these blocks, which may be named more than once. Returns how many patches and nodes it looked at.
+  /// Updates the tree after changes in these blocks; duplicates are allowed. Returns the number of patches and nodes
+  /// visited.
   std::size_t update(std::span<const std::uint32_t> blocks);
 
-  /// The patch of the largest size, bands summed; the first of equals.
+  /// The patch with the largest absolute flux, bands summed; the first of equals.
   std::uint32_t brightest() const { return levels_.back().front().brightest; }
-  /// The sum of the patches' sizes, per band.
+  /// The sum of the absolute fluxes of the patches, per band.
   const glm::dvec3& sizes() const { return levels_.back().front().sizes; }
 
   std::size_t bytes() const;
@@ -43,7 +44,7 @@ class UnshotTree {
     glm::dvec3 sizes{0.0};
     double largest = -1;
     std::uint32_t brightest = 0;
-    std::uint32_t update = 0;  ///< the last that it was made in
+    std::uint32_t update = 0;  ///< number of the update that last computed the node
 
     void add(const glm::dvec3& size, double bands, std::uint32_t patch) {
       sizes += size;
@@ -56,7 +57,7 @@ class UnshotTree {
   std::size_t make(std::size_t level, std::uint32_t number);
 
   std::vector<glm::dvec3> flux_;
-  std::vector<std::vector<Node>> levels_;  ///< the lowest first; the last has one node
+  std::vector<std::vector<Node>> levels_;  ///< lowest first; the last has one node
   std::uint32_t updates_ = 0;
 };
 

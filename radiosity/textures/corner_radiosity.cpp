@@ -52,7 +52,7 @@ std::vector<Corner> sortedCorners(const std::vector<Facet>& facets) {
   return corners;
 }
 
-/// Whether light is smooth across the two: one material, and normals closer than 30 degrees.
+/// Whether light is smooth across both: the same material, and normals less than 30 degrees apart.
 bool areSmooth(const Facet& a, const Facet& b) {
   return a.material == b.material && glm::dot(a.normal, b.normal) > std::sqrt(3.0) / 2;
 }

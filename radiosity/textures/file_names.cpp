@@ -8,7 +8,7 @@ namespace {
 
 bool isLetterOrDigit(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); }
 
-/// Without regard to the locale. A leading point would hide the file.
+/// Independent of the locale. Replaces a leading point, which would hide the file.
 std::string fileName(const std::string& name) {
   std::string result = name.substr(0, 100);
   for (char& c : result)
@@ -27,7 +27,7 @@ std::string lowerCase(std::string text) {
 
 std::vector<std::string> uniqueFileNames(const std::vector<std::string>& names,
                                          const std::vector<std::string>& reserved) {
-  std::unordered_map<std::string, int> taken;  // with the number that was last put behind the name
+  std::unordered_map<std::string, int> taken;  // with the last suffix of each name
   for (const std::string& name : reserved) taken.emplace(name, 1);
   std::vector<std::string> result;
   for (const std::string& name : names) {

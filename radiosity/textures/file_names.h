@@ -1,4 +1,4 @@
-/// Names of surfaces as names of files.
+/// Converts names of surfaces to file names.
 #pragma once
 
 #include <string>
@@ -6,9 +6,9 @@
 
 namespace hemitex::radiosity {
 
-/// One file name (without its ending) a name: letters, digits, `.`, `_` and `-` are kept, anything else becomes `_`.
-/// No two are equal, upper and lower case taken as equal, and none is in `reserved` (lower case); a name that is
-/// taken gets `-2`, `-3`, ... behind it. At most 100 characters of a name are kept.
+/// One file name (without extension) per name. Letters, digits, `.`, `_` and `-` are kept; other characters become `_`.
+/// All are different, ignoring case, and none is in `reserved` (lower case); duplicates get the suffix `-2`, `-3`, ...
+/// Names are cut to 100 characters.
 std::vector<std::string> uniqueFileNames(const std::vector<std::string>& names,
                                          const std::vector<std::string>& reserved = {});
 

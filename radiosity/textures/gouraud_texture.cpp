@@ -15,7 +15,7 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// A polygon of the chart that belongs to an element, corners in texels.
+/// A polygon of the chart that belongs to an element; corners in texels.
 struct Polygon {
   std::size_t texel = 0;
   std::uint32_t element = 0;
@@ -36,12 +36,12 @@ std::vector<Polygon> polygonsOf(const Surface& surface, const Grid& grid) {
   return polygons;
 }
 
-/// Corners that are one but for rounding: in units of 2^-16 texels.
+/// Corners that are equal up to rounding, in units of 2^-16 texels.
 using CornerKey = std::pair<std::int64_t, std::int64_t>;
 
 CornerKey keyOf(const glm::dvec2& corner) { return {std::llround(corner.x * 0x1p16), std::llround(corner.y * 0x1p16)}; }
 
-/// The mean over the elements that meet at each corner, every element once.
+/// The mean over the elements adjacent to each corner, each element once.
 std::map<CornerKey, glm::dvec3> cornerValues(const std::vector<Polygon>& polygons,
                                              const std::vector<glm::dvec3>& radiosity) {
   std::map<CornerKey, std::vector<std::uint32_t>> elements;
@@ -81,7 +81,7 @@ std::vector<glm::dvec3> gouraudTexels(const Surface& surface, const Grid& grid,
   const std::map<CornerKey, glm::dvec3> valueAt = cornerValues(polygons, radiosity);
   const auto columns = static_cast<std::size_t>(grid.columns), times = static_cast<std::size_t>(magnification);
   std::vector<std::optional<glm::dvec3>> drawn(grid.spill.size() * times * times);
-  std::vector<glm::dvec3> elsewhere;  // by the grid's texel
+  std::vector<glm::dvec3> elsewhere;  // by texel of the grid
   for (const std::uint32_t element : grid.spill) elsewhere.push_back(radiosity[element]);
   for (const Polygon& polygon : polygons) {
     std::vector<glm::dvec3> values;

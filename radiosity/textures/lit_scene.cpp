@@ -14,7 +14,7 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// A blank and the shortest decimal number that reads back to the same bits.
+/// Appends a blank and the shortest decimal number that parses to the same bits.
 void appendNumber(std::string& text, double value) {
   char digits[32];
   const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
@@ -29,10 +29,10 @@ std::string lineOf(const char* keyword, const Vector& vector) {
   return line;
 }
 
-/// Lines of one kind that faces refer to by number: equal ones are written once.
+/// Lines that faces refer to by number; equal lines are written once.
 class Lines {
  public:
-  /// The number of a line, counted from 1; appends it to `text` where it is new.
+  /// The number of a line, counted from 1. Appends new lines to `text`.
   std::size_t number(std::string& text, const std::string& line) {
     const auto [place, isNew] = numbers_.try_emplace(line, numbers_.size() + 1);
     if (isNew) text += line + "\n";
@@ -45,8 +45,8 @@ class Lines {
 
 using Corners = std::array<glm::dvec3, 3>;
 
-/// Exposed radiosity at the corners of the scene's triangles, and whether a surface needs them: its texture shows one
-/// colour.
+/// Exposed radiosity at the corners of the scene's triangles, and whether a surface needs them because its texture has
+/// only one colour.
 class GouraudCorners {
  public:
   GouraudCorners(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& exposed)
@@ -75,12 +75,12 @@ class GouraudCorners {
   std::vector<bool> isNeeded_;
 };
 
-/// The colour of a vertex line, sRGB-encoded and rounded to the codes of an 8-bit display.
+/// The colour of a vertex line, sRGB-encoded and rounded to 8-bit codes.
 glm::dvec3 encodedColour(const glm::dvec3& linear) {
   return glm::dvec3(encodeSrgb(linear.x), encodeSrgb(linear.y), encodeSrgb(linear.z)) / 255.0;
 }
 
-/// The material without a map: a name that no texture has.
+/// The name of the material without a map; no texture has this name.
 std::string gouraudMaterial(const TextureLayout& layout) {
   std::vector<std::string> names = layout.names;
   names.push_back("gouraud");

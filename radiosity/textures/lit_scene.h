@@ -1,5 +1,4 @@
-/// The lit scene: the surfaces of a scene with radiosity textures instead of materials, in memory and as OBJ and MTL
-/// files that any viewer shows.
+/// Writes the lit scene: OBJ and MTL with radiosity textures, which any OBJ viewer shows.
 #pragma once
 
 #include <filesystem>

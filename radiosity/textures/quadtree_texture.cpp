@@ -9,17 +9,17 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// A leaf beside a vertex, and its element's radiosity where it has area.
+/// A leaf at a vertex, and the radiosity of its element if it has area.
 struct Quadrant {
   Leaf leaf;
   const glm::dvec3* radiosity = nullptr;
 };
 
-/// The mean of the leaves that meet at a vertex, and what it is the mean of.
+/// The weighted mean of the leaves at a vertex.
 struct VertexMean {
   glm::dvec3 value{0.0};
   double inverseSides = 0;  ///< the sum of 1 / side
-  int leaves = 0;           ///< that have area
+  int leaves = 0;           ///< number of leaves with area
   int largestSide = 0;
 };
 
@@ -35,7 +35,7 @@ class CornerValues {
 
   bool hasArea(const Leaf& leaf) const { return leafRadiosity_[lowestTexel(leaf)] != nullptr; }
 
-  /// At a corner of a leaf that has area.
+  /// The value at a corner of a leaf that has area.
   glm::dvec3 at(int column, int row) {
     std::optional<glm::dvec3>& value = values_[static_cast<std::size_t>(row * (grid_.columns + 1) + column)];
     if (!value) value = found(column, row);
@@ -71,8 +71,8 @@ class CornerValues {
     return onEdge ? carriedToEdge(mean, quadrants.size(), column, row) : mean.value;
   }
 
-  /// The mean of the ends of the leaf's edge that the vertex is in the middle of; nothing where it is a corner, or
-  /// where the leaf has no area.
+  /// The mean of the ends of the leaf's edge if the vertex is in the middle of that edge. Nothing if it is a corner, or
+  /// if the leaf has no area.
   std::optional<glm::dvec3> constrained(const Quadrant& quadrant, int column, int row) {
     const Leaf& leaf = quadrant.leaf;
     if (quadrant.radiosity == nullptr) return std::nullopt;
@@ -97,8 +97,8 @@ class CornerValues {
     return mean;
   }
 
-  /// The mean lies `within` the chart, the vertex on the other side of the largest leaf at its side: the line through
-  /// both, at the edge. Where leaves have no area or the chart is one leaf wide, the mean.
+  /// Extrapolates the mean, which lies inside the chart, to the edge. The second point of the line is the vertex on the
+  /// other side of the largest adjacent leaf. Returns the mean if leaves have no area or the chart is one leaf wide.
   glm::dvec3 carriedToEdge(const VertexMean& mean, std::size_t quadrants, int column, int row) {
     const int side = mean.largestSide;
     const auto inwards = [side](int place, int end) { return place == 0 ? side : place == end ? place - side : place; };

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int border = 1;
 constexpr int largestTexture = 4096;
-constexpr std::int64_t maxTexels = std::int64_t{1} << 28;  ///< as many pixels as are read back
+constexpr std::int64_t maxTexels = std::int64_t{1} << 28;  ///< the limit of readImage
 
 TextureLayout packTextures(const std::vector<RectangleSize>& sizes) {
   const Packing packing = packRectangles(sizes, largestTexture);
@@ -34,7 +34,7 @@ TextureLayout separateTextures(const Scene& scene, const std::vector<RectangleSi
     layout.names.push_back(scene.surfaces[surface].name);
     layout.places.push_back({static_cast<int>(surface), border, border});
   }
-  layout.names = uniqueFileNames(layout.names, {"render"});  // the picture that stands beside them
+  layout.names = uniqueFileNames(layout.names, {"render"});  // render.png is in the same folder
   return layout;
 }
 
@@ -49,7 +49,7 @@ Image emptyTexture(const TextureLayout::Size& size, int magnification) {
           std::vector<glm::dvec3>(static_cast<std::size_t>(width * height))};
 }
 
-/// Writes a surface's values, row by row, into its place and its border, all magnified.
+/// Writes a surface's values, row by row, to its place and border, all magnified.
 void fillPlace(const Grid& grid, const TexturePlace& place, const std::vector<glm::dvec3>& texels, int magnification,
                Image& texture) {
   const int columns = grid.columns * magnification, rows = grid.rows * magnification, around = border * magnification;
@@ -88,7 +88,7 @@ std::vector<glm::dvec3> unfilteredTexels(const Grid& grid, const std::vector<glm
 
 bool isZero(const glm::dvec3& value) { return value == glm::dvec3(0.0); }
 
-/// The mean over all elements, or over those alone that do not emit.
+/// The mean over all elements, or only over those that do not emit.
 std::optional<double> meanRadiosity(const Scene& scene, const Discretization& discretization,
                                     const std::vector<glm::dvec3>& radiosity, bool withEmitters) {
   double flux = 0, totalArea = 0;

@@ -12,7 +12,7 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// The texels of the grid, of which the centres of texels are the whole numbers, around a place along one axis.
+/// The grid texels around a position along one axis, with weights; texel centres are integers.
 struct Taps {
   int first = 0;
   std::array<double, 5> weight{};
@@ -25,7 +25,7 @@ Taps tapsAt(TextureFilter filter, double place) {
   return taps;
 }
 
-/// Over the texels that have area; there is one at least.
+/// The weighted mean over the texels with area; there must be at least one.
 glm::dvec3 weighted(const Grid& grid, const std::vector<glm::dvec3>& radiosity, const Taps& columns, const Taps& rows) {
   glm::dvec3 sum(0.0);
   double weights = 0;

@@ -1,10 +1,11 @@
-/// Reconstruction filters: from one radiosity an element to the texels of a radiosity texture, which may be finer by a
-/// whole factor (Nielsen and Christensen 2002, section 3.3; Bastos, Goslin and Zhang 1997).
+/// Reconstruction filters: from one radiosity per element to the texels of a radiosity texture, which may be magnified
+/// by an integer factor (Nielsen and Christensen 2002, section 3.3; Bastos, Goslin and Zhang 1997).
 ///
-/// A texel of the texture lies at x = (i + 1/2) / magnification - 1/2 in the texels of the grid, whose centres are the
-/// whole numbers. Its value is the sum of w(x - k) w(y - l) b(k, l) over the texels that have area, over the sum of
-/// their weights: what has no area and what lies beyond the chart take no part. No weight is below 0, so no value is
-/// beyond those around it, and constants stay. Away from edges linear fields stay too, but for one-to-one.
+/// Let the centres of grid texels be integers. Then a texel of the texture lies at x = (i + 1/2) / magnification - 1/2.
+/// Its value is the sum of w(x - k) w(y - l) b(k, l) over the grid texels with area, divided by the sum of weights.
+/// Texels without area or beyond the chart are ignored. Weights are not negative, so that values stay within the range
+/// of their neighbours and constants are reproduced. Away from edges all filters except one-to-one also reproduce
+/// linear fields.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -19,23 +20,23 @@ enum class TextureFilter {
   OneToOne,  ///< w(t) = 1 for |t| < 1/2: the element of the texel
   Triangle,  ///< w(t) = (2 - |t|) / 4 for |t| < 2: (1 2 1) / 4 on texels
   Bilinear,  ///< w(t) = 1 - |t| for |t| < 1: between the centres of texels
-  Bicubic,   ///< the cubic B-spline (Hou and Andrews 1978): smooth to the second derivative, (1 4 1) / 6 on texels
-  Quadtree,  ///< corner values of leaves, see quadtree_texture.h; without a quadtree every texel is a leaf
+  Bicubic,   ///< the cubic B-spline (Hou and Andrews 1978): twice continuously differentiable, (1 4 1) / 6 on texels
+  Quadtree,  ///< corner values of leaves, see quadtree_texture.h; without a quadtree each texel is a leaf
   Gouraud,   ///< elements as Gouraud shaded polygons, see gouraud_texture.h
 };
 
 struct TextureSettings {
   TextureFilter filter = TextureFilter::Triangle;
-  int magnification = 1;  ///< texels of the texture along the side of one of the grid; 1 to 16
+  int magnification = 1;  ///< texels of the texture along the side of a grid texel; 1 to 16
 };
 
 inline constexpr int maxMagnification = 16;
 
-/// The weight of a texel at a distance, for the filters that have a kernel: all but Quadtree and Gouraud.
+/// The weight of a texel at a distance, for all filters except Quadtree and Gouraud.
 double kernelWeight(TextureFilter filter, double distance);
 
-/// A value a texel of the texture of one surface, row by row, (columns * magnification) x (rows * magnification) of
-/// them, from one value an element. A texel of the grid without area shows its element as that one's own texel does.
+/// One value per texel of a surface's texture, row by row, (columns * magnification) x (rows * magnification) values,
+/// from one value per element. A grid texel without area has the value of its element's own texel.
 std::vector<glm::dvec3> filteredTexels(const Scene& scene, const Discretization& discretization, std::uint32_t surface,
                                        const std::vector<glm::dvec3>& radiosity, const TextureSettings& settings);
 

@@ -10,7 +10,7 @@
 namespace hemitex::raster {
 namespace {
 
-/// Only what we began to write is removed: never a folder or a device that happens to have the name.
+/// Removes only regular files, which this program began to write, never a folder or a device of that name.
 void removeBroken(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_regular_file(file, ignored)) std::filesystem::remove(file, ignored);

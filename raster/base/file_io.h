@@ -1,4 +1,4 @@
-/// Whole files, read and written.
+/// Reads and writes whole files.
 #pragma once
 
 #include <filesystem>
@@ -8,14 +8,14 @@
 
 namespace hemitex::raster {
 
-/// The bytes of a file; nothing where they cannot be read: there is no file, it is a folder, the disk fails.
+/// Returns the bytes of a file, or nothing if they cannot be read: no such file, a folder, an I/O error.
 std::optional<std::string> tryReadFile(const std::filesystem::path& file);
 
-/// The same. Throws InputError, with the file's name and `advice`, where they cannot be read.
+/// As tryReadFile, but throws InputError with the file's name and `advice` if the file cannot be read.
 std::string readFile(const std::filesystem::path& file, const std::string& advice = {});
 
-/// Writes `bytes` as `file`, over what was there. Throws InputError where that fails, and leaves no file with a part
-/// of the bytes.
+/// Writes `bytes` to `file` and replaces its content. Throws InputError on failure, and then leaves no partly written
+/// file.
 void writeFile(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace hemitex::raster

@@ -1,6 +1,6 @@
-/// The one exception that means "the user's input is wrong": a file, a line where there is one, what is wrong and
-/// what to do about it. It is thrown by every room of the library and caught once, by the program, which prints
-/// what() and exits with 2. Our own faults are assertions, never an InputError.
+/// The exception for wrong user input. It holds the file, the line, the problem and an advice. All parts of the library
+/// throw it; only the program catches it, prints what() and exits with 2. Internal faults are assertions, never an
+/// InputError.
 #pragma once
 
 #include <stdexcept>
@@ -10,9 +10,9 @@ namespace hemitex::raster {
 
 class InputError : public std::runtime_error {
  public:
-  /// `what` says what is wrong, `advice` what to do (may be empty).
+  /// `what` states the problem; `advice` states what to do and may be empty.
   explicit InputError(const std::string& what, const std::string& advice = {});
-  /// The same for a place in a file; `line` counts from 1, 0 where there is none.
+  /// As above, for a place in a file. `line` counts from 1; 0 means no line.
   InputError(const std::string& file, int line, const std::string& what, const std::string& advice = {});
 
   const std::string& file() const { return file_; }

@@ -1,5 +1,5 @@
-/// Threads: a loop whose iterations are independent, on oneTBB where it is there and in order where it is not.
-/// Nothing that is computed may depend on how the iterations are spread.
+/// A parallel loop with independent iterations. It runs on oneTBB, or in order in a build without oneTBB. Results must
+/// not depend on how the iterations are distributed over threads.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 
 namespace hemitex::raster {
 
-/// Calls body(0) ... body(count - 1), each once, in any order and on any thread; returns when all are done.
+/// Calls body(0) to body(count - 1) once each, in any order and on any thread. Returns when all calls have returned.
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body);
 
-/// While it lives, parallelFor uses at most this many threads; 0 means as many as the machine has.
+/// During its lifetime, parallelFor uses at most this number of threads; 0 means all threads of the machine.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);

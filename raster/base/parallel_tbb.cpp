@@ -9,8 +9,8 @@ namespace hemitex::raster {
 
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body) {
   using Range = tbb::blocked_range<std::size_t>;
-  // So few iterations go together, one where they are long and therefore few, that a thread that runs out of them
-  // waits for next to nothing.
+  // Small chunks balance the load: a thread without work waits at most for one chunk. Long loops have short iterations,
+  // so that their chunks may hold more of them.
   constexpr std::size_t pieces = 512;
   tbb::parallel_for(
       Range(0, count, 1 + count / pieces),

@@ -1,6 +1,5 @@
-/// A value for each thread that asks for one, which it finds again and no other thread has: memory that stays in its
-/// cache, and is given back with this and not when the thread ends. Nothing that is computed may depend on which thread
-/// computed it.
+/// One value per thread that asks for one, for example scratch memory that stays in the cache of its core. The values
+/// are destroyed with this object, not at the end of the thread. Results must not depend on which thread computed them.
 #pragma once
 
 #include <map>
@@ -12,14 +11,14 @@ namespace hemitex::raster {
 template <typename Value>
 class PerThread {
  public:
-  /// Of the calling thread; made of the arguments when it asks for the first time.
+  /// Returns the value of the calling thread. The first call of a thread constructs it from the arguments.
   template <typename... Arguments>
   Value& mine(const Arguments&... arguments) {
     const std::lock_guard lock(mutex_);
     return values_.try_emplace(std::this_thread::get_id(), arguments...).first->second;
   }
 
-  /// Of all threads that asked; none may be asking now.
+  /// The values of all threads. No other thread may call mine() at the same time.
   std::map<std::thread::id, Value>& all() { return values_; }
   const std::map<std::thread::id, Value>& all() const { return values_; }
 

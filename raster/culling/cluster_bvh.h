@@ -1,5 +1,5 @@
-/// A tree over clusters: groups of eight that follow each other in draw order, boxes around eight groups, and so on. A
-/// face, or a part of one, looks only at groups that it may show.
+/// A bounding volume hierarchy over clusters: groups of eight clusters in draw order, boxes around eight groups, and so
+/// on. A face, or a part of one, visits only groups that it may show.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace hemitex::raster {
 
-/// Clusters that follow each other: [first, end).
+/// The clusters [first, end).
 struct ClusterGroup {
   std::uint32_t first = 0, end = 0;
-  Box box;  ///< around theirs
+  Box box;  ///< around all of them
 };
 
 class ClusterBvh {
@@ -30,7 +30,8 @@ class ClusterBvh {
   void visit(std::size_t level, std::size_t node, const ViewBounds& view, std::vector<std::uint32_t>& found) const;
 
   std::vector<ClusterGroup> groups_;
-  std::vector<std::vector<Box>> levels_;  ///< the groups', then boxes of boxes; the last has one; none without groups
+  std::vector<std::vector<Box>>
+      levels_;  ///< boxes of the groups, then boxes around eight boxes, up to one box; empty without groups
 };
 
 }  // namespace hemitex::raster

@@ -5,7 +5,7 @@
 namespace hemitex::raster {
 namespace {
 
-/// Lists may have a vertex for every corner; those that are alike in all are one here.
+/// Draw lists may have one vertex per corner; vertices that are equal in all values are merged.
 bool areAlike(const DrawList& list, std::uint32_t a, std::uint32_t b) {
   return a == b || (list.positions[a] == list.positions[b] && list.texcoords[a] == list.texcoords[b]);
 }
@@ -13,7 +13,7 @@ bool areAlike(const DrawList& list, std::uint32_t a, std::uint32_t b) {
 void append(const DrawList& list, const Cluster& cluster, ClusterMesh& mesh) {
   const auto firstVertex = static_cast<std::uint32_t>(mesh.positions[0].size());
   const auto firstTriangle = static_cast<std::uint32_t>(mesh.corners[0].size());
-  std::vector<std::uint32_t> vertices;  // of the cluster, as in the list
+  std::vector<std::uint32_t> vertices;  // indices of the draw list
   for (const TriangleRun& run : cluster.runs)
     for (std::size_t i = 3 * std::size_t{run.first}; i < 3 * std::size_t{run.end}; ++i) {
       const std::uint32_t index = list.indices[i];

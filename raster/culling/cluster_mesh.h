@@ -1,5 +1,5 @@
-/// Cluster meshes: the triangles of each cluster over vertices of its own, each vertex once. So a face places a vertex
-/// once, not once a triangle, and many at a time (vertex_kernels.h).
+/// Cluster meshes: the triangles of each cluster with the cluster's own vertices, each vertex once. So a face
+/// transforms a vertex once, not once per triangle, and several vertices at a time (vertex_kernels.h).
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace hemitex::raster {
 
-/// Kernels work on up to so many vertices or triangles at a time.
+/// Kernels process up to this number of vertices or triangles at a time.
 inline constexpr std::size_t maxVertexLanes = 8;
 
 /// One cluster of a mesh.
@@ -22,14 +22,14 @@ struct ClusterPart {
 };
 
 struct ClusterMesh {
-  std::vector<ClusterPart> parts;               ///< one a cluster
+  std::vector<ClusterPart> parts;               ///< one per cluster
   std::array<std::vector<float>, 3> positions;  ///< x, y and z of the vertices, part by part
   std::vector<glm::vec2> texcoords;             ///< of the vertices
-  /// Of the triangles: their vertices, counted from the part's first.
+  /// Per triangle: its vertices, counted from the first vertex of the part.
   std::array<std::vector<std::uint8_t>, 3> corners;
 };
 
-/// The arrays have room behind their ends for kernels that read many values at a time.
+/// Makes the mesh. Its arrays are padded at the end, because kernels read several values at a time.
 ClusterMesh meshOf(const DrawList& list, std::span<const Cluster> clusters);
 
 }  // namespace hemitex::raster

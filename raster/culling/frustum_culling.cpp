@@ -7,17 +7,17 @@
 namespace hemitex::raster {
 namespace {
 
-/// The vertex stage's five roundings of binary32 change the product of a row and a distance by less than 2^-21 of their
-/// lengths' product; this leaves room for more.
+/// Relative to the product of the lengths of a row and a distance: the five binary32 roundings of the vertex stage are
+/// below 2^-21. This bound is larger.
 constexpr double vertexRounding = 0x1p-19;
-/// Below binary32's least normal number, each of a row's three products is off by up to 2^-150, whatever its size; a
-/// side of the view takes one row and at most twice another.
+/// Below the smallest normal binary32 number, each of the three products of a row has an error of up to 2^-150. A side
+/// of the view takes one row and at most twice another.
 constexpr double vertexUnderflow = 0x1p-146;
 
-/// A box as seen from an eye.
+/// A box relative to an eye.
 struct SeenBox {
   glm::dvec3 centre, half;
-  double reach;  ///< no corner is farther from the eye
+  double reach;  ///< upper bound of the distance of its corners from the eye
 
   SeenBox(const Box& box, const glm::dvec3& eye)
       : centre(0.5 * (box.low + box.high) - eye), half(0.5 * (box.high - box.low)) {
@@ -30,8 +30,8 @@ struct Range {
   double low, high;
 };
 
-/// Pixels of [first, first + count) whose samples may lie between two points of the picture plane. Snapping moves a
-/// vertex by half a sub-pixel; a whole one leaves room for what is rounded besides.
+/// Reduces [first, first + count) to the pixels whose samples may lie between two points of the picture plane. Snapping
+/// moves a vertex by half a sub-pixel; the whole sub-pixel used here also covers other rounding.
 void narrow(double low, double high, int resolution, int& first, int& count) {
   constexpr double subPixel = 1.0 / 256;
   const auto position = [=](double q) { return (std::clamp(q, -1.5, 1.5) + 1) * 0.5 * resolution - 0.5; };
@@ -59,7 +59,8 @@ ViewBounds::ViewBounds(const Face& face)
       scissor_(face.scissor) {
   const glm::dvec3 w(face.w);
   const double width = glm::length(w);
-  // The sides of the scissor rectangle on the picture plane, one pixel out, which is more than snapping moves a vertex.
+  // The sides of the scissor rectangle on the picture plane, moved out by one pixel, which is more than snapping moves
+  // a vertex.
   const double pixel = 2.0 / face.resolution;
   const auto before = [&](const glm::dvec3& axis, int first) {
     const double low = (first - 1) * pixel - 1;
@@ -76,7 +77,7 @@ ViewBounds::ViewBounds(const Face& face)
 
 bool ViewBounds::mayShow(const Box& box) const {
   const SeenBox seen(box, eye_);
-  // With the NaN of an infinite box, none of them.
+  // An infinite box gives NaN here, so that no plane culls it.
   return std::none_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
     const double least = glm::dot(plane.row.row, seen.centre) - glm::dot(plane.row.absolute, seen.half);
     return least - plane.offset > plane.row.offAt(seen.reach);
@@ -95,8 +96,8 @@ BoxPlace ViewBounds::placeOf(const Box& box) const {
     if (!mayShow(box)) return {{scissor_.column, scissor_.row, 0, 0}, 0};
     return {scissor_, std::numeric_limits<double>::infinity()};
   }
-  // Where numerator and denominator range independently of each other, a quotient is largest at one of their ends. What
-  // clipping cuts off a triangle leaves it inside of what it was. 1/w at a sample is a mean of the vertices' own.
+  // Numerator and denominator range independently, so that the quotient is largest at an end of their ranges. Clipping
+  // leaves a triangle inside its former bounds, and 1/w at a sample is a mean of the values at the vertices.
   const auto least = [&](const Range& range) { return range.low / (range.low < 0 ? w.low : w.high); };
   const auto largest = [&](const Range& range) { return range.high / (range.high > 0 ? w.low : w.high); };
   BoxPlace place{scissor_, 1 / w.low};

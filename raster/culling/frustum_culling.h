@@ -1,6 +1,5 @@
-/// View bounds: what the scissor rectangle of a face shows of the scene, as half-spaces that boxes are held against.
-/// Everything leaves room for what the vertex stage, clipping and snapping round, so that no pixel can tell what was
-/// left out.
+/// View bounds: conservative frustum culling of boxes against the scissor rectangle of a face. All bounds include the
+/// rounding of the vertex stage, clipping and snapping, so that culling changes no pixel.
 #pragma once
 
 #include <array>
@@ -10,16 +9,17 @@
 
 namespace hemitex::raster {
 
-/// An axis-parallel box around positions; infinite where a position is not finite or may become so on the way.
+/// An axis-parallel box around positions. It is infinite if a position is not finite or may become so in the vertex
+/// stage.
 struct Box {
   glm::dvec3 low, high;
 };
 
-/// Where a box stands in a view.
+/// The place of a box in a view.
 struct BoxPlace {
-  /// The part of the scissor rectangle outside of which no triangle inside the box covers a sample; it may be empty.
+  /// Triangles inside the box cover no sample outside this part of the scissor rectangle; it may be empty.
   Scissor part;
-  /// 1/w of no triangle inside the box is larger; infinite where it may be seen and touch the near plane.
+  /// Upper bound of 1/w of the triangles inside the box; infinite if the box may be visible and touch the near plane.
   double inverseDepth;
 };
 
@@ -27,21 +27,21 @@ class ViewBounds {
  public:
   explicit ViewBounds(const Face& face);
 
-  /// False only where no triangle inside the box covers a sample of the scissor rectangle.
+  /// Returns false only if no triangle inside the box covers a sample of the scissor rectangle.
   bool mayShow(const Box& box) const;
 
   BoxPlace placeOf(const Box& box) const;
 
  private:
-  /// A product row . d with positions d from the eye.
+  /// A product row . d of positions d relative to the eye.
   struct Row {
-    glm::dvec3 row, absolute;  ///< and its coordinates' sizes
-    double rounding;           ///< what the vertex stage may be off, for each unit of distance from the eye
+    glm::dvec3 row, absolute;  ///< `absolute` holds the absolute values of `row`
+    double rounding;           ///< rounding error of the vertex stage per unit of distance from the eye
 
-    /// What the vertex stage may be off for a position that is no farther from the eye than `reach`.
+    /// The rounding error of the vertex stage for positions within the distance `reach` of the eye.
     double offAt(double reach) const;
   };
-  /// Points with row . d > offset are not shown.
+  /// Points with row . d > offset are outside the view.
   struct Plane {
     Row row;
     double offset;

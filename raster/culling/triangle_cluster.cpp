@@ -16,7 +16,6 @@ bool isPlain(const glm::vec3& position, const glm::vec2& texcoord) {
          std::abs(position.z) <= largestPosition && std::isfinite(texcoord.x) && std::isfinite(texcoord.y);
 }
 
-/// Adds a run to a cluster.
 void append(const DrawList& list, const TriangleRun& run, Cluster& cluster) {
   const double infinity = std::numeric_limits<double>::infinity();
   cluster.runs.push_back(run);
@@ -45,7 +44,7 @@ TriangleRun triangleOf(const Cluster& cluster, std::uint32_t t) {
 std::vector<Cluster> clustersOf(const DrawList& list) {
   const double infinity = std::numeric_limits<double>::infinity();
   std::vector<Cluster> clusters;
-  std::uint32_t room = 0;  // in the last cluster
+  std::uint32_t room = 0;  // triangles that the last cluster can still take
   for (std::uint32_t draw = 0; draw < list.draws.size(); ++draw) {
     const std::uint32_t end = (list.draws[draw].first + list.draws[draw].count) / 3;
     std::uint32_t first = list.draws[draw].first / 3;

@@ -1,5 +1,5 @@
-/// Clusters: short runs of triangles and the boxes around them. Where a box lies outside of what a face shows, its
-/// triangles need no vertex stage; no pixel can tell (raster rules, 3). So a narrow scissor rectangle costs little.
+/// Clusters: short runs of triangles with a bounding box. If the box is outside the view of a face, its triangles need
+/// no vertex stage, and no pixel changes. So drawing a narrow scissor rectangle is cheap.
 #pragma once
 
 #include <span>
@@ -12,25 +12,25 @@
 
 namespace hemitex::raster {
 
-/// Triangles of one cluster, at most: boxes of more are wide, of fewer many.
+/// Maximum number of triangles per cluster. Larger clusters have large boxes; smaller ones are too many.
 inline constexpr std::uint32_t largestCluster = 32;
 
 struct Cluster {
-  /// Of one draw, or of several that follow each other and have no index map: pieces of a mesh, mostly neighbours.
+  /// Runs of one draw, or of consecutive draws without an index map, which usually are neighbours in a mesh.
   std::vector<TriangleRun> runs;
-  Box box;  ///< around its vertices; infinite also where a texture coordinate is not finite
+  Box box;  ///< around its vertices; infinite also if a texture coordinate is not finite
 };
 
 std::uint32_t triangleCount(const Cluster& cluster);
 
-/// The `t`th triangle of a cluster, alone.
+/// The `t`th triangle of a cluster, as a run.
 TriangleRun triangleOf(const Cluster& cluster, std::uint32_t t);
 
-/// The draws cut into clusters, in draw order. The list is valid.
+/// Divides the draws into clusters, in draw order. The list must be valid.
 std::vector<Cluster> clustersOf(const DrawList& list);
 
-/// The smallest rectangle inside the face's scissor rectangle that holds all samples that triangles of the clusters may
-/// cover; without width and height where there are none.
+/// The smallest rectangle inside the scissor rectangle of the face that holds all samples that the clusters may cover.
+/// Its width and height are 0 if there are none.
 Scissor coveredBounds(const DrawList& list, std::span<const Cluster> clusters, const Face& face);
 
 }  // namespace hemitex::raster

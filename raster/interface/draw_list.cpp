@@ -15,7 +15,7 @@ void validateFormat(const IdFormat& format) {
     throw InputError("the channels of an item ID format must be 1 to 32 bits wide, 2 to 32 bits in all");
 }
 
-/// Kernels number texels by 32-bit integers with a sign.
+/// Kernels store texel numbers as signed 32-bit integers.
 constexpr std::int64_t maxTexels = std::int64_t{1} << 31;
 
 void validateIndexMap(const IndexMap& map, ItemId largest) {
@@ -28,8 +28,8 @@ void validateIndexMap(const IndexMap& map, ItemId largest) {
     throw InputError("an index map holds an item ID wider than the format");
 }
 
-/// Whether `offset` blended with some item ID of the map gives the background. The largest texel, channel by channel,
-/// answers for most offsets, so that a million draws with one map do not look at every texel of it.
+/// Whether `offset` blended with some item ID of the map gives the background. For most offsets the test of the largest
+/// texel per channel is enough; otherwise a million draws would each read all texels of a shared map.
 bool reachesBackground(const DrawList& list, ItemId offset, const IndexMap& map, ItemId largestTexel) {
   const ItemId background = backgroundId(list.format);
   const bool mayReach = list.blend == Blend::IntegerAdd
@@ -40,7 +40,7 @@ bool reachesBackground(const DrawList& list, ItemId offset, const IndexMap& map,
          });
 }
 
-/// The bits set in any texel: no texel exceeds this item ID, as a whole or in any channel.
+/// The bits set in any texel. No texel exceeds this item ID, neither as a whole nor in any channel.
 ItemId upperBound(const IndexMap& map) {
   ItemId bits = 0;
   for (const ItemId id : map.ids) bits |= id;

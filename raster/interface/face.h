@@ -1,4 +1,5 @@
-/// A face: one view of the scene (raster rules, 1), and the item buffer that drawing it gives.
+/// A face, which is one view of the scene (docs/item-buffers.md, "input"), and the item buffer that drawing it
+/// produces.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,7 @@
 
 namespace hemitex::raster {
 
-/// The pixels of a viewport that exist: columns [column, column + width), rows [row, row + height).
+/// The pixels of a viewport that are drawn: columns [column, column + width), rows [row, row + height).
 struct Scissor {
   int column = 0;
   int row = 0;
@@ -17,22 +18,23 @@ struct Scissor {
   int height = 0;
 };
 
-/// A view through the rows of a matrix: x = X . d, y = Y . d, w = W . d with d = P - eye. The picture plane is w = 1,
-/// and the viewport of resolution x resolution pixels shows x/w and y/w from -1 to 1; y/w = -1 is row 0.
+/// A view given by the rows of a matrix: x = X . d, y = Y . d, w = W . d with d = P - eye. The picture plane is w = 1.
+/// The viewport of resolution x resolution pixels shows x/w and y/w from -1 to 1; row 0 is at y/w = -1.
 struct Face {
   glm::vec3 eye;
   glm::vec3 x;             ///< right
-  glm::vec3 y;             ///< in row order
+  glm::vec3 y;             ///< towards larger rows
   glm::vec3 w;             ///< forward
-  float nearDistance = 0;  ///< in w; above 0
+  float nearDistance = 0;  ///< smallest w that is drawn; above 0
   int resolution = 0;      ///< even, 2 to 4096
   Scissor scissor;         ///< inside the viewport
 };
 
-/// det(x, y, w) in binary64: its sign says which winding faces the eye (raster rules, 5).
+/// det(x, y, w) in double precision. Its sign determines which winding is front-facing (docs/item-buffers.md,
+/// "facing").
 double determinant(const Face& face);
 
-/// Throws InputError where a face breaks the rules above or det(x, y, w) is zero or not finite.
+/// Throws InputError if a member is out of its range, or if det(x, y, w) is zero or not finite.
 void validate(const Face& face);
 
 /// The item IDs of a face's scissor rectangle, row-major, row 0 first.
@@ -41,7 +43,7 @@ struct ItemBuffer {
   int height = 0;
   std::vector<ItemId> ids;
 
-  /// As large as a scissor rectangle; which item IDs it holds is open.
+  /// Sets the size to that of a scissor rectangle. The item IDs are unspecified afterwards.
   void resize(const Scissor& scissor) {
     width = scissor.width;
     height = scissor.height;

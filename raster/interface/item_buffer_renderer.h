@@ -1,5 +1,5 @@
-/// The interface that a rasterizer backend implements: faces in, item buffers out. The solver does not know whether a
-/// CPU or a GPU draws. SoftwareRenderer (software_renderer.h) is the reference.
+/// Interface that a rasterizer backend implements: faces in, item buffers out. SoftwareRenderer (software_renderer.h)
+/// is the reference implementation on the CPU. A GPU backend derives from this class.
 #pragma once
 
 #include <cstddef>

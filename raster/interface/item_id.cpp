@@ -22,7 +22,7 @@ std::vector<NamedFormat> namedFormats() {
 }
 
 ItemId clampedAdd(const IdFormat& format, ItemId offset, ItemId texel) {
-  // Bits that no two summands share make no carry anywhere: all that an aligned offset ever asks for.
+  // Without common bits there are no carries. Aligned offsets always take this path.
   if ((offset & texel) == 0) return offset | texel;
   ItemId sum = 0;
   int shift = 0;

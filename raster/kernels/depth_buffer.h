@@ -1,4 +1,5 @@
-/// The depth buffer of a part of a face, and lists of pixels whose depth or texel binary64 does not decide.
+/// The depth buffer of a part of a face, and the lists of pixels whose depth or texel is not resolved in double
+/// precision.
 #pragma once
 
 #include <cstddef>
@@ -9,19 +10,19 @@
 
 namespace hemitex::raster {
 
-/// Kernels work on up to so many pixels at a time, and may touch as many behind the end of a row.
+/// Kernels process up to this number of pixels at a time, and may access as many pixels behind the end of a row.
 inline constexpr int maxLanes = 16;
 
-/// What the pixels of a part of a face show so far, row-major; no triangle where the background is.
+/// The nearest triangle and depth per pixel of a part of a face, row-major; noTriangle for the background.
 struct DepthBuffer {
-  Scissor scissor;        ///< the part
-  std::size_t pitch = 0;  ///< pixels from row to row: the width and maxLanes
+  Scissor scissor;        ///< the part of the face
+  std::size_t pitch = 0;  ///< pixels from row to row: the width + maxLanes
   std::vector<double> inverseDepth;
   std::vector<std::uint32_t> triangle;
 
-  /// The background of a part, in the memory that is there.
+  /// Sets the size and clears all pixels to the background; reuses the allocation.
   void clear(const Scissor& part);
-  /// Where the pixels of a row of the face begin.
+  /// The index of the first pixel of a row of the face.
   std::size_t rowAt(int row) const { return static_cast<std::size_t>(row - scissor.row) * pitch; }
   std::size_t pixelAt(int column, int row) const {
     return rowAt(row) + static_cast<std::size_t>(column - scissor.column);
@@ -34,11 +35,11 @@ struct Pixel {
   int column, row;
 };
 
-/// Pixels that binary64 leaves undecided.
+/// Pixels that are not resolved in double precision.
 struct UndecidedPixels {
   std::vector<Pixel> pixels;
 
-  void add(int column, int row);  // not inline: kernels are compiled for other instruction sets than the rest
+  void add(int column, int row);  // not inline, because kernels are compiled for other instruction sets than the rest
 };
 
 }  // namespace hemitex::raster

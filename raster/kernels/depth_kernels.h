@@ -1,9 +1,9 @@
-/// Depth kernels: the depth test of a triangle's samples, and what depth buffers are asked. There is a plain version,
-/// which says what they compute, and one for each SIMD instruction set that the processor has; all give the same
-/// numbers, bit for bit.
+/// Depth kernels: the depth test of the samples of a triangle, and queries of depth buffers. The scalar version is the
+/// specification. There is one more version per SIMD instruction set of the processor, with the same results, bit for
+/// bit.
 ///
-/// The kernels decide in binary64 where its error bound (interpolation_bounds.h) allows. What it does not decide, they
-/// leave as it was and list as undecided; the caller decides it exactly (exact_interpolation.h).
+/// The kernels decide in double precision where its error bound (interpolation_bounds.h) allows. They leave other
+/// pixels unchanged and list them as undecided; the caller decides those exactly (exact_interpolation.h).
 #pragma once
 
 #include <cstdint>
@@ -17,30 +17,30 @@
 namespace hemitex::raster {
 
 struct DepthKernels {
-  std::string name;  ///< plain, or that of an instruction set
+  std::string name;  ///< "plain" for scalar, or the name of an instruction set
 
-  /// Offers the covered samples of a triangle to a buffer whose scissor rectangle its rows and columns lie in: the
-  /// larger 1/w wins. Appends samples where binary64 cannot tell which. Returns whether any pixel took the triangle,
-  /// whose number is not in the buffer before.
+  /// Depth test of the covered samples of a triangle: the larger 1/w wins. Rows and columns of the triangle must lie in
+  /// the scissor rectangle of the buffer, and the buffer must not contain `number` before. Appends the samples that are
+  /// not resolved in double precision. Returns whether any pixel took the triangle.
   bool (*offer)(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided);
 
-  /// Whether all pixels of a part of the buffer's scissor rectangle show something nearer than 1/w = inverseDepth,
-  /// which is more than rounding beyond what it stands for.
+  /// Whether 1/w of all pixels in a part of the buffer's scissor rectangle is larger than `inverseDepth`. The caller
+  /// adds the rounding error to inverseDepth.
   bool (*isHidden)(const DepthBuffer& buffer, const Scissor& part, double inverseDepth);
 
-  /// The pixel behind the last that shows the same triangle as pixel `first`, at most `end`.
+  /// The end of the run of pixels from `first` that show the same triangle; at most `end`.
   int (*endOfRun)(const std::uint32_t* triangles, int first, int end);
 };
 
-/// The specification of the others.
+/// The scalar kernels, the specification of the others.
 const DepthKernels& plainDepthKernels();
-/// Those of every instruction set that this processor has, best first; none where hemitex was built without SIMD.
+/// The kernels for all instruction sets of this processor, fastest first; empty in a build without SIMD.
 const std::vector<DepthKernels>& simdDepthKernels();
-/// The first of simdDepthKernels(), else the plain ones.
+/// The first of simdDepthKernels(), or the scalar kernels.
 const DepthKernels& bestDepthKernels();
 
-/// Appends the samples of a triangle, by its number, that a buffer to which it was offered leaves undecided. No other
-/// triangle in the buffer has that number.
+/// Appends the samples of a triangle whose depth test against the buffer is not resolved in double precision. No other
+/// triangle in the buffer may have its number.
 void listUndecidedSamples(const ScreenTriangle& triangle, std::uint32_t number, const DepthBuffer& buffer,
                           UndecidedPixels& undecided);
 

@@ -1,4 +1,4 @@
-// The depth kernels on vectors, written once for Highway, which compiles this file anew for each instruction set.
+// SIMD depth kernels, written with Highway, which compiles this file once per instruction set.
 #include <algorithm>
 #include <optional>
 
@@ -20,13 +20,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Doubles = hn::CappedTag<double, 8>;
 using Double = hn::Vec<Doubles>;
 using Mask = hn::Mask<Doubles>;
-/// Vectors of as many integers.
+/// Integer vectors with the same number of lanes.
 using Integers = hn::Rebind<std::int32_t, Doubles>;
 using Numbers = hn::Rebind<std::uint32_t, Doubles>;
 
 constexpr Doubles doubles;
 
-/// One value for each vertex of a triangle, in all lanes.
+/// One value per vertex of a triangle, each in all lanes.
 struct Corners {
   Double a, b, c;
 
@@ -34,7 +34,7 @@ struct Corners {
       : a(hn::Set(doubles, of[0])), b(hn::Set(doubles, of[1])), c(hn::Set(doubles, of[2])) {}
 };
 
-/// The values of a triangle's edges at samples side by side: integers, all exact.
+/// The values of the edges of a triangle at adjacent samples: exact integers.
 struct Edges {
   Double a, b, c;
 
@@ -51,12 +51,12 @@ struct Edges {
   }
 };
 
-/// The sum of products, added in the order of the vertices.
+/// The sum of products, added in the order of the vertices, as in the scalar version.
 Double dot(const Edges& edges, const Corners& weights) {
   return hn::Add(hn::Add(hn::Mul(edges.a, weights.a), hn::Mul(edges.b, weights.b)), hn::Mul(edges.c, weights.c));
 }
 
-/// The same lanes of vectors of numbers.
+/// Converts a mask to lanes of 32-bit numbers.
 hn::Mask<Numbers> forNumbers(const Mask mask) {
   HWY_ALIGN std::uint8_t bits[8] = {};
   hn::StoreMaskBits(doubles, mask, bits);
@@ -65,12 +65,12 @@ hn::Mask<Numbers> forNumbers(const Mask mask) {
 
 Mask firstLanes(int count) { return hn::FirstN(doubles, static_cast<std::size_t>(count)); }
 
-/// Which lanes took a triangle somewhere, and which were undecided.
+/// Lanes that took a triangle, and lanes that are undecided.
 struct Outcome {
   Mask taken = firstLanes(0), open = firstLanes(0);
 };
 
-/// A triangle that is offered to a buffer.
+/// A triangle in its depth test against a buffer.
 struct Offer {
   const ScreenTriangle& triangle;
   const DepthBuffer& buffer;
@@ -85,7 +85,7 @@ struct Offer {
         triangles(to.triangle.data()),
         number(hn::Set(Numbers(), itsNumber)) {}
 
-  /// The depth test of samples side by side that are `covered`.
+  /// The depth test of adjacent samples, limited to the lanes of `covered`.
   void test(Double offered, std::size_t pixel, Mask covered, Outcome& outcome) const {
     const Double difference = hn::Sub(offered, hn::LoadU(doubles, depths + pixel));
     const Double margin = hn::Mul(hn::Set(doubles, depthMargin), offered);
@@ -97,7 +97,7 @@ struct Offer {
   }
 };
 
-/// The samples of a triangle from a column on, as many as a vector has lanes: those of a row are covered or not.
+/// Tests the samples of a triangle in one vector of columns, row by row.
 void offerStrip(const Offer& offered, int column, Outcome& outcome) {
   const ScreenTriangle& triangle = offered.triangle;
   const Mask inside = firstLanes(triangle.endColumn - column);
@@ -113,7 +113,7 @@ void offerStrip(const Offer& offered, int column, Outcome& outcome) {
   }
 }
 
-/// A triangle of few columns.
+/// For narrow triangles: tests all samples of the bounding box.
 Outcome offerNarrow(const Offer& offered) {
   Outcome outcome;
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
@@ -122,9 +122,11 @@ Outcome offerNarrow(const Offer& offered) {
   return outcome;
 }
 
-/// The columns that are covered of as many rows as a vector has lanes, [first, end) each: coverage is convex, so each
-/// edge gives one bound. A quotient that is not an integer differs from one by at least 1/|a| > 2^-32, since a pixel's
-/// step along an edge is below 2^32; below 2^13 that is more than a division rounds, so it never rounds to one.
+/// The covered columns [first, end) of several rows, one row per lane. Coverage is convex, so that each edge gives one
+/// bound.
+///
+/// An edge changes by less than 2^32 per pixel. So a quotient that is not an integer differs from one by at least 1/|a|
+/// > 2^-32. Quotients are below 2^13, where division rounds by less than that. So no quotient rounds to an integer.
 struct Spans {
   HWY_ALIGN std::int32_t first[maxLanes], end[maxLanes];
 
@@ -147,7 +149,7 @@ struct Spans {
   }
 };
 
-/// The samples of a row from `column` to `end`, all covered, with 1/w from a plane.
+/// Tests the samples of a row from `column` to `end`, all covered, with 1/w from a plane.
 void offerSpan(const Offer& offered, const DepthPlane& plane, int row, int column, int end, Outcome& outcome) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
   const Double at = hn::Set(doubles, plane.at + plane.down * row), right = hn::Set(doubles, plane.right);
@@ -159,7 +161,7 @@ void offerSpan(const Offer& offered, const DepthPlane& plane, int row, int colum
   }
 }
 
-/// The same from the edges.
+/// As above, with 1/w from the edges.
 void offerSpan(const Offer& offered, int row, int column, int end, Outcome& outcome) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
   const EdgeValues steps = edgeSteps(offered.triangle);

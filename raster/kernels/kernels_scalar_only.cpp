@@ -1,4 +1,4 @@
-// In place of all kernels on vectors where hemitex is built without SIMD: there are none.
+// Replaces all SIMD kernels in a build without SIMD: the lists are empty.
 #include "raster/kernels/depth_kernels.h"
 #include "raster/kernels/run_kernels.h"
 #include "raster/kernels/small_triangle_kernels.h"

@@ -1,5 +1,5 @@
-/// Item ID kernels: where runs of equal item IDs end. There is a plain version, which says what they compute, and one
-/// for each SIMD instruction set that the processor has; all give the same bits.
+/// Run kernels: find where runs of equal item IDs end. The scalar version is the specification. There is one more
+/// version per SIMD instruction set of the processor, with the same results.
 #pragma once
 
 #include <cstddef>
@@ -11,22 +11,22 @@
 
 namespace hemitex::raster {
 
-/// Bits of changes that are kept in one number.
+/// Number of changes per element of the bit array.
 inline constexpr std::size_t changesAtOnce = 64;
 
 struct RunKernels {
-  std::string name;  ///< plain, or that of an instruction set
+  std::string name;  ///< "plain" for scalar, or the name of an instruction set
 
-  /// Sets bit i % 64 of changes[i / 64] where item IDs[i] differs from item IDs[i - 1], which is there for i = 0 as
-  /// well, and clears it elsewhere; bits from `count` on are clear.
+  /// Sets bit i % 64 of changes[i / 64] if ids[i] differs from ids[i - 1], else clears it. ids[-1] must be readable.
+  /// Bits from `count` on are cleared.
   void (*findChanges)(const ItemId* ids, std::size_t count, std::uint64_t* changes);
 };
 
-/// The specification of the others.
+/// The scalar kernels, the specification of the others.
 const RunKernels& plainRunKernels();
-/// Those of every instruction set that this processor has, best first; none where hemitex was built without SIMD.
+/// The kernels for all instruction sets of this processor, fastest first; empty in a build without SIMD.
 const std::vector<RunKernels>& simdRunKernels();
-/// The first of simdRunKernels(), else the plain ones.
+/// The first of simdRunKernels(), or the scalar kernels.
 const RunKernels& bestRunKernels();
 
 }  // namespace hemitex::raster

@@ -1,4 +1,4 @@
-// The item ID kernels on vectors, written once for Highway, which compiles this file anew for each instruction set.
+// SIMD run kernels, written with Highway, which compiles this file once per instruction set.
 #include "raster/kernels/run_kernels.h"
 #include "raster/kernels/simd_targets.h"
 
@@ -17,7 +17,7 @@ using ItemIds = hn::CappedTag<std::uint32_t, 16>;
 
 constexpr ItemIds idLanes;
 
-/// Which item IDs of a vector differ from those before them, from bit 0 on.
+/// One bit per item ID of a vector, from bit 0 on: set if it differs from the item ID before it.
 std::uint64_t changesOfVector(const ItemId* ids) {
   const auto differ = hn::Ne(hn::LoadU(idLanes, ids), hn::LoadU(idLanes, ids - 1));
   std::uint8_t bits[8] = {};

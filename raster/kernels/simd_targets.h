@@ -1,5 +1,5 @@
-/// The instruction sets that kernels were compiled for and this processor has: for files that Highway compiles anew for
-/// each of them.
+/// The instruction sets that kernels were compiled for and that this processor has. For files that Highway compiles
+/// once per instruction set.
 #pragma once
 
 #include <hwy/targets.h>
@@ -11,8 +11,8 @@
 
 namespace hemitex::raster {
 
-/// Calls `action` while Highway chooses each of them, the best first. It has one choice for the whole program, which is
-/// free again afterwards.
+/// Calls `action` once per instruction set, fastest first, while Highway dispatches to it. Highway has one dispatch
+/// setting per program, hence the lock; it is reset afterwards.
 inline void forEveryInstructionSet(const std::function<void()>& action) {
   static std::mutex choice;
   const std::lock_guard lock(choice);
@@ -23,7 +23,7 @@ inline void forEveryInstructionSet(const std::function<void()>& action) {
   hwy::SetSupportedTargetsForTest(0);
 }
 
-/// What `chosen` gives with each of them, the best first.
+/// The results of `chosen` for each instruction set, fastest first.
 template <typename Kernels, typename Chosen>
 std::vector<Kernels> ofEveryInstructionSet(const Chosen& chosen) {
   std::vector<Kernels> all;

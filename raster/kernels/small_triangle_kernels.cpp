@@ -8,7 +8,7 @@
 namespace hemitex::raster {
 namespace {
 
-/// One value for each corner of a triangle.
+/// One value per corner of a triangle.
 template <typename Value>
 using Corners = std::array<Value, 3>;
 
@@ -16,29 +16,30 @@ struct Range {
   int first, end;
 };
 
-/// Pixels of [first, first + count) whose samples lie between the least and the largest of three snapped values.
+/// The pixels of [first, first + count) whose samples lie between the smallest and the largest of three snapped values.
 Range samplesIn(const Corners<std::int32_t>& values, int first, int count) {
   const auto [least, largest] = std::minmax({values[0], values[1], values[2]});
   return {std::max((least + 127) >> 8, first), std::min((largest + 128) >> 8, first + count)};
 }
 
-/// Positions of corners less that of a pixel's sample.
+/// Positions of corners relative to the sample of a pixel.
 Corners<std::int32_t> fromSample(const Corners<std::int32_t>& snapped, int pixel) {
   const std::int32_t sample = 256 * pixel + 128;
   return {snapped[0] - sample, snapped[1] - sample, snapped[2] - sample};
 }
 
-/// The value of the edge from corner p to corner q at the origin: positive inside where the triangle's area is so.
+/// The value at the origin of the edge from corner p to corner q. It is positive inside if the area of the triangle is
+/// positive.
 std::int32_t edgeAt(const Corners<std::int32_t>& x, const Corners<std::int32_t>& y, std::size_t p, std::size_t q) {
   return x[p] * y[q] - x[q] * y[p];
 }
 
-/// Whether an edge of a triangle of positive area is a left or a top one: samples on it are covered.
+/// Whether an edge of a triangle of positive area is a left or a top edge, whose samples are covered.
 bool isInclusive(const Corners<std::int32_t>& x, const Corners<std::int32_t>& y, std::size_t p, std::size_t q) {
   return y[p] > y[q] || (y[p] == y[q] && x[q] > x[p]);
 }
 
-/// Whether a triangle, of any orientation, covers the origin.
+/// Whether a triangle of either orientation covers the origin.
 bool coversOrigin(const Corners<std::int32_t>& x, const Corners<std::int32_t>& y) {
   const bool isPositive = edgeAt(x, y, 0, 1) + edgeAt(x, y, 1, 2) + edgeAt(x, y, 2, 0) > 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -48,8 +49,8 @@ bool coversOrigin(const Corners<std::int32_t>& x, const Corners<std::int32_t>& y
   return true;
 }
 
-/// A texture coordinate in texels, from the weights of the corners and the inverse of their sum. Weights are positive
-/// or negative all three, and eleven roundings on the way are far below depthError, which the bound has room for.
+/// A texture coordinate in texels, from the weights of the corners and the inverse of their sum. The three weights have
+/// the same sign. There are eleven roundings, far below depthError, which the bound includes.
 struct SmallTexel {
   double texel;
   bool isClear;
@@ -66,7 +67,7 @@ struct SmallTexel {
   }
 };
 
-/// The `t`th triangle of a part.
+/// Finds the samples of the `t`th triangle of a part.
 void findSamples(const SmallTriangles& triangles, std::uint32_t t, const Scissor& scissor, SmallSamples& samples) {
   Corners<std::int32_t> across, down;
   Corners<double> w, u, v;
@@ -96,7 +97,7 @@ void findSamples(const SmallTriangles& triangles, std::uint32_t t, const Scissor
       samples.triangles[i] = static_cast<std::int32_t>(t);
       samples.columns[i] = column;
       samples.rows[i] = row;
-      // 1/w is the sum of e_k / w_k over the area; all terms have one sign, and each passes eight roundings at most.
+      // 1/w is the sum of e_k / w_k over the area; all terms have the same sign, and each has at most eight roundings.
       samples.inverseDepths[i] = sum / (((w[0] * w[1]) * w[2]) * area);
       samples.texels[i] = texelColumn.isClear && texelRow.isClear
                               ? static_cast<std::int32_t>(texelRow.texel * triangles.columns + texelColumn.texel)

@@ -1,13 +1,14 @@
-/// Small triangles: those that span less than eight pixels either way. Where a scene is cut finely there is next to
-/// nothing else, and setting each of them up as a screen triangle takes longer than its pixels do. So there are kernels
-/// that find what those of a cluster show, straight from its placed vertices: first the samples that they cover, as
-/// many triangles at a time as a vector has lanes; then 1/w and texels, as many samples at a time. There is a plain
-/// version, which says what they compute, and one for each SIMD instruction set that the processor has; all give the
-/// same numbers, bit for bit.
+/// Kernels for small triangles: those less than eight pixels wide and high. A finely tessellated scene consists almost
+/// only of these, and the setup of a screen triangle takes longer than its pixels. These kernels work directly on the
+/// transformed vertices of a cluster.
 ///
-/// Positions count from a sample near by: corners are less than 2^11 sub-pixels away from it, and the values of edges
-/// integers below 2^23. 1/w and texels come from binary64; where its error bound (interpolation_bounds.h) does not tell
-/// the texel, the caller finds it exactly.
+/// The first step finds covered samples, with one triangle per SIMD lane. The second step computes 1/w and texels, with
+/// one sample per lane. The scalar version is the specification. There is one more version per SIMD instruction set of
+/// the processor, with the same results, bit for bit.
+///
+/// Positions are relative to a nearby sample: corners are less than 2^11 sub-pixels away, and edge values are integers
+/// below 2^23. 1/w and texels are computed in double precision. If its error bound (interpolation_bounds.h) does not
+/// resolve a texel, the caller computes it exactly.
 #pragma once
 
 #include <array>
@@ -21,45 +22,45 @@
 
 namespace hemitex::raster {
 
-/// Triangles of a part of a mesh whose vertices were placed.
+/// Triangles of a part of a mesh with transformed vertices.
 struct SmallTriangles {
   const ClusterMesh& mesh;
   const ClusterPart& part;
   const PlacedVertices& placed;
-  std::uint32_t set;          ///< a bit each: some of TriangleSets::small
-  int columns = 1, rows = 1;  ///< of their index map
+  std::uint32_t set;          ///< one bit per triangle: a subset of TriangleSets::small
+  int columns = 1, rows = 1;  ///< of the index map of the triangles
 };
 
-/// In place of a texel that binary64 does not tell.
+/// Marks a texel that is not resolved in double precision.
 inline constexpr std::int32_t undecidedTexel = -1;
 
-/// The samples that small triangles of one part cover, one after the other.
+/// The samples that small triangles of one part cover.
 struct SmallSamples {
-  /// Less than eight pixels hold eight samples at most; kernels may touch as many more as they have lanes.
+  /// A side of less than eight pixels holds at most eight samples. Kernels may write maxVertexLanes samples more.
   static constexpr std::size_t most = 8 * 8 * largestCluster + maxVertexLanes;
   template <typename Value>
   using Each = std::array<Value, most>;
 
   std::size_t count = 0;
-  Each<std::int32_t> triangles;  ///< that cover them, counted from the part's first
+  Each<std::int32_t> triangles;  ///< the triangle of each sample, counted from the first of the part
   Each<std::int32_t> columns, rows;
-  Each<double> inverseDepths;  ///< 1/w, off by less than depthError
+  Each<double> inverseDepths;  ///< 1/w, with a relative error below depthError
   Each<std::int32_t> texels;   ///< row * columns + column, or undecidedTexel
-  std::uint32_t negative = 0;  ///< a bit for each triangle whose area is so (raster rules, 5)
+  std::uint32_t negative = 0;  ///< one bit per triangle: its area is negative (docs/item-buffers.md, "facing")
 };
 
 struct SmallTriangleKernels {
-  std::string name;  ///< plain, or that of an instruction set
+  std::string name;  ///< "plain" for scalar, or the name of an instruction set
 
-  /// Finds the samples of a part of a face, in any order.
+  /// Finds the samples of the triangles in a part of a face, in any order.
   void (*findSamples)(const SmallTriangles& triangles, const Scissor& part, SmallSamples& samples);
 };
 
-/// The specification of the others.
+/// The scalar kernels, the specification of the others.
 const SmallTriangleKernels& plainSmallTriangleKernels();
-/// Those of every instruction set that this processor has, best first; none where hemitex was built without SIMD.
+/// The kernels for all instruction sets of this processor, fastest first; empty in a build without SIMD.
 const std::vector<SmallTriangleKernels>& simdSmallTriangleKernels();
-/// The first of simdSmallTriangleKernels(), else the plain ones.
+/// The first of simdSmallTriangleKernels(), or the scalar kernels.
 const SmallTriangleKernels& bestSmallTriangleKernels();
 
 }  // namespace hemitex::raster

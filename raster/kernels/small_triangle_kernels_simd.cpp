@@ -1,5 +1,5 @@
-// The small triangle kernels on vectors, written once for Highway, which compiles this file anew for each instruction
-// set: a lane for each triangle where covered samples are found, then one for each sample.
+// SIMD kernels for small triangles, written with Highway, which compiles this file once per instruction set. Lanes hold
+// triangles while covered samples are found, then samples.
 #include "raster/kernels/interpolation_bounds.h"
 #include "raster/kernels/simd_targets.h"
 #include "raster/kernels/small_triangle_kernels.h"
@@ -15,7 +15,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Vectors of as many values each.
+/// Vectors with the same number of lanes.
 using Doubles = hn::CappedTag<double, maxVertexLanes>;
 using Floats = hn::Rebind<float, Doubles>;
 using Integers = hn::Rebind<std::int32_t, Doubles>;
@@ -42,7 +42,7 @@ hn::Mask<Integers> maskOf(std::uint32_t bits) {
   return hn::LoadMaskBits(integers, bytes);
 }
 
-/// Of three corners.
+/// One vector per corner.
 template <typename Value>
 struct Corners {
   Value a, b, c;
@@ -53,22 +53,22 @@ Corners<hn::Vec<Tag>> gathered(Tag tag, const Value* values, const Corners<Integ
   return {hn::GatherIndex(tag, values, at.a), hn::GatherIndex(tag, values, at.b), hn::GatherIndex(tag, values, at.c)};
 }
 
-/// Which corners the triangles of a part have, and the samples that they cover, each in one number.
+/// The corners of the triangles of a part, and the covered samples, each packed into one integer.
 struct Covered {
   HWY_ALIGN std::int32_t corners[3][largestCluster];
   HWY_ALIGN std::int32_t samples[SmallSamples::most];
   std::size_t count = 0;
 };
 
-/// A sample in one number: rows and columns are below 2^12.
+/// Bits of a packed sample; rows and columns are below 2^12.
 constexpr int rowShift = 12, triangleShift = 24;
 
 Integer packed(Integer triangle, Integer row, Integer column) {
   return hn::Or(hn::Or(hn::ShiftLeft<triangleShift>(triangle), hn::ShiftLeft<rowShift>(row)), column);
 }
 
-/// The first sample of pixels [first, first + count) that lies between the least and the largest snapped value, and
-/// how many there are.
+/// The first sample of pixels [first, first + count) between the smallest and the largest snapped value, and the number
+/// of such samples.
 struct Samples {
   Integer first, count;
 
@@ -80,7 +80,7 @@ struct Samples {
   }
 };
 
-/// Positions less that of a sample.
+/// Positions relative to the sample of a pixel.
 Corners<Integer> fromSample(const Corners<Integer>& at, Integer pixel) {
   const Integer sample = hn::Add(hn::ShiftLeft<8>(pixel), all(128));
   return {hn::Sub(at.a, sample), hn::Sub(at.b, sample), hn::Sub(at.c, sample)};
@@ -88,8 +88,8 @@ Corners<Integer> fromSample(const Corners<Integer>& at, Integer pixel) {
 
 Integer cross(Integer ax, Integer ay, Integer bx, Integer by) { return hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx)); }
 
-/// An edge from p to q of triangles of positive area: at + right * i + down * j at the sample i columns and j rows from
-/// the origin, negative where it is not covered.
+/// An edge from p to q of triangles of positive area. Its value i columns and j rows from the origin is at + right * i
+/// + down * j; it is negative if the sample is not covered.
 struct SmallEdge {
   Integer at, right, down;
 
@@ -106,7 +106,7 @@ Corners<Integer> sum(const Corners<Integer>& a, const Corners<Integer>& b) {
   return {hn::Add(a.a, b.a), hn::Add(a.b, b.b), hn::Add(a.c, b.c)};
 }
 
-/// Triangles side by side, from the `from`th of a part on.
+/// Adjacent triangles of a part, from number `from` on, one per lane.
 class Group {
  public:
   Group(const SmallTriangles& triangles, std::uint32_t from, hn::Mask<Integers> there, const Scissor& part,
@@ -146,7 +146,7 @@ class Group {
     const Integer area = cross(hn::Sub(x.b, x.a), hn::Sub(y.b, y.a), hn::Sub(x.c, x.a), hn::Sub(y.c, y.a));
     isNegative_ = hn::Lt(area, hn::Zero(integers));
     isFlat_ = hn::Eq(area, hn::Zero(integers));
-    // With two corners swapped, a negative area is positive.
+    // Swapping two corners makes a negative area positive.
     const Integer bx = hn::IfThenElse(isNegative_, x.c, x.b), cx = hn::IfThenElse(isNegative_, x.b, x.c);
     const Integer by = hn::IfThenElse(isNegative_, y.c, y.b), cy = hn::IfThenElse(isNegative_, y.b, y.c);
     const SmallEdge a(bx, by, cx, cy), b(cx, cy, x.a, y.a), c(x.a, y.a, bx, by);
@@ -155,11 +155,11 @@ class Group {
     down_ = {a.down, b.down, c.down};
   }
 
-  /// `left`: how many samples each row has.
+  /// `left` is the number of samples per row.
   void appendRow(Corners<Integer> edges, Integer sample, Integer left, Covered& covered) const {
     const Integer one = all(1);
     for (; !hn::AllFalse(integers, hn::Gt(left, hn::Zero(integers))); left = hn::Sub(left, one)) {
-      // Not negative, all four.
+      // The sign bit is clear if all four values are at least 0.
       const Integer signs = hn::Or(hn::Or(edges.a, edges.b), hn::Or(edges.c, hn::Sub(left, one)));
       const auto isCovered = hn::Gt(signs, all(-1));
       hn::StoreU(hn::Compress(sample, isCovered), integers, covered.samples + covered.count);
@@ -169,10 +169,10 @@ class Group {
     }
   }
 
-  // Not left to an implicit constructor, which would not be compiled for the instruction set.
+  // Initialized here, because an implicit constructor would not be compiled for the instruction set.
   Corners<Integer> at_{all(0), all(0), all(0)}, right_ = at_, down_ = at_;  ///< of the edges, see SmallEdge
-  Integer rows_, columns_;                                                  ///< of samples that may be covered
-  Integer first_;                                                           ///< the first of them
+  Integer rows_, columns_;                                                  ///< number of samples that may be covered
+  Integer first_;                                                           ///< the first of these samples
   hn::Mask<Integers> isNegative_, isFlat_;
 };
 
@@ -205,7 +205,7 @@ struct SmallTexel {
   }
 };
 
-/// Samples side by side, from the `i`th on.
+/// Computes 1/w and texels of adjacent samples, from the `i`th on.
 void show(const SmallTriangles& triangles, const Covered& covered, std::size_t i, SmallSamples& samples) {
   const Integer sample = hn::Load(integers, covered.samples + i), low = all((1 << rowShift) - 1);
   const Integer triangle = hn::ShiftRight<triangleShift>(sample);
@@ -253,7 +253,7 @@ void findSamples(const SmallTriangles& triangles, const Scissor& part, SmallSamp
     samples.negative |= bitsOf(group.isNegative()) << from;
   }
   samples.count = covered.count;
-  // The lanes behind the last one show it, too.
+  // Pads with the last sample.
   hn::StoreU(all(covered.samples[std::max(covered.count, std::size_t{1}) - 1]), integers,
              covered.samples + covered.count);
   for (std::size_t i = 0; i < covered.count; i += lanes) show(triangles, covered, i, samples);

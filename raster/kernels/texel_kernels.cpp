@@ -43,8 +43,8 @@ void findExactTexels(const PixelRun& run, const ExactTexels& exact, int width, i
     texels[i] = base + static_cast<std::uint32_t>(texel(v, i, height) * width + texel(u, i, width));
 }
 
-/// A plane, how far off what comes of it may be, in texels over w, and how far off 1/w and the product may put a
-/// position, in texels.
+/// A plane with its error bounds: `error` is the error of the plane, in texels over w; `rounding` is the error of 1/w
+/// and of the product, in texels.
 struct BoundedPlane {
   TexelPlane plane;
   double error = 0, rounding = 0;
@@ -54,10 +54,10 @@ double largest(const std::array<double, 3>& values) {
   return std::max(std::max(std::abs(values[0]), std::abs(values[1])), std::abs(values[2]));
 }
 
-/// A coordinate at a corner passes four roundings until it is a factor of the plane, the sums of the plane add three;
-/// rows and columns multiplied and added up make at most five more. 16 units of what the terms may sum up to leave room
-/// for the rounding of that sum. 1/w has its own error, its inverse and the product round twice more. A single texel is
-/// everywhere.
+/// A coordinate at a corner has four roundings until it is a factor of the plane. The sums of the plane add three;
+/// evaluating it at a row and a column adds at most five. 16 units of roundoff of the sum of the absolute terms leave
+/// room for the rounding of that sum. 1/w has its own error; its inverse and the product add two roundings. With a
+/// single texel the result is always 0.
 BoundedPlane boundedPlane(const ScreenTriangle& triangle, const std::array<EdgePlane, 3>& edges,
                           const std::array<double, 3>& coordinate, int size) {
   BoundedPlane result;

@@ -1,8 +1,8 @@
-/// Texel kernels: the texels of a run of pixels that show one triangle. There is a plain version, which says what they
-/// compute, and one for each SIMD instruction set that the processor has; all give the same numbers, bit for bit.
+/// Texel kernels: the texels of a run of pixels that show one triangle. The scalar version is the specification. There
+/// is one more version per SIMD instruction set of the processor, with the same results, bit for bit.
 ///
-/// The kernels decide in floating point where its error bound (texel_kernels.cpp) allows. What it does not decide, they
-/// list as undecided; the caller decides it exactly (exact_interpolation.h).
+/// The kernels decide in floating point where its error bound (texel_kernels.cpp) allows. They list other pixels as
+/// undecided; the caller decides those exactly (exact_interpolation.h).
 #pragma once
 
 #include <cstdint>
@@ -20,20 +20,20 @@ namespace hemitex::raster {
 struct PixelRun {
   const ScreenTriangle* triangle;
   int row, firstColumn, count;
-  const double* inverseDepth;  ///< of each, from the depth buffer
+  const double* inverseDepth;  ///< per pixel, from the depth buffer
 };
 
-/// A texture coordinate of a triangle in texels, over w: at + down * row + right * column. All is binary64, for each
-/// run of pixels would convert it anew.
+/// A texture coordinate of a triangle in texels, over w: at + down * row + right * column. All members are doubles,
+/// because each run of pixels would have to convert them otherwise.
 struct TexelPlane {
   double at = 0, down = 0, right = 0;
-  double last = 0;    ///< the last texel
-  double middle = 0;  ///< where in a texel a position is farthest from borders that count: a single texel is
-                      ///< everywhere, at 0
+  double last = 0;  ///< the last texel
+  double middle =
+      0;  ///< position in a texel that is farthest from a border: 1/2; 0 for a single texel, which has no borders
 };
 
-/// Both texture coordinates of a triangle in an index map. A position in texels, (at + down * row) + right * column
-/// times w, is off by at most error * w + rounding.
+/// Both texture coordinates of a triangle in an index map. The error of a position, ((at + down * row) + right *
+/// column) * w, is at most error * w + rounding, in texels.
 struct TexelPlanes {
   TexelPlane u, v;
   double error = 0, rounding = 0;
@@ -41,13 +41,13 @@ struct TexelPlanes {
   TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHeight);
 };
 
-/// Both texture coordinates of a triangle as quotients that binary64 decides everywhere (exact_interpolation.h).
+/// Both texture coordinates of a triangle as exact quotients (exact_interpolation.h).
 struct ExactTexels {
   ExactQuotient u, v;
 };
 
-/// An exact quotient along pixels of a row that show one triangle: (at + i * step) / (below + i * belowStep), for i
-/// from 0. Nothing is rounded but the quotient.
+/// An exact quotient along the pixels of a run: (at + i * step) / (below + i * belowStep), for i from 0. Only the
+/// quotient is rounded.
 struct ExactLine {
   double at = 0, step = 0;
   double below = 0, belowStep = 0;
@@ -65,24 +65,24 @@ struct ExactLine {
 };
 
 struct TexelKernels {
-  std::string name;  ///< plain, or that of an instruction set
+  std::string name;  ///< "plain" for scalar, or the name of an instruction set
 
-  /// The texels of a run: `base` and row * width + column each. Appends pixels whose texels binary64 cannot tell; what
-  /// `texels` says of them is not to be used. Kernels may write up to maxLanes more texels behind the run's, and read
-  /// as many more depths.
+  /// The texels of a run: `base` + row * width + column each. Appends the pixels whose texels are not resolved in
+  /// double precision; their entries of `texels` are unspecified. Kernels may write up to maxLanes texels behind the
+  /// run and read as many depths.
   void (*findTexels)(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
                      UndecidedPixels& undecided);
 
-  /// The same of a triangle whose coordinates are exact quotients: it takes longer, and decides all.
+  /// As findTexels, for a triangle whose coordinates are exact quotients. It is slower and resolves all texels.
   void (*findExactTexels)(const PixelRun& run, const ExactTexels& exact, int width, int height, std::uint32_t base,
                           std::uint32_t* texels);
 };
 
-/// The specification of the others.
+/// The scalar kernels, the specification of the others.
 const TexelKernels& plainTexelKernels();
-/// Those of every instruction set that this processor has, best first; none where hemitex was built without SIMD.
+/// The kernels for all instruction sets of this processor, fastest first; empty in a build without SIMD.
 const std::vector<TexelKernels>& simdTexelKernels();
-/// The first of simdTexelKernels(), else the plain ones.
+/// The first of simdTexelKernels(), or the scalar kernels.
 const TexelKernels& bestTexelKernels();
 
 }  // namespace hemitex::raster

@@ -1,4 +1,4 @@
-// The texel kernels on vectors, written once for Highway, which compiles this file anew for each instruction set.
+// SIMD texel kernels, written with Highway, which compiles this file once per instruction set.
 #include "raster/kernels/interpolation_bounds.h"
 #include "raster/kernels/simd_targets.h"
 #include "raster/kernels/texel_kernels.h"
@@ -17,7 +17,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Doubles = hn::CappedTag<double, 8>;
 using Double = hn::Vec<Doubles>;
 using Mask = hn::Mask<Doubles>;
-/// Vectors of as many integers.
+/// Integer vectors with the same number of lanes.
 using Integers = hn::Rebind<std::int32_t, Doubles>;
 using Numbers = hn::Rebind<std::uint32_t, Doubles>;
 
@@ -42,7 +42,7 @@ struct Texels {
         last(hn::Set(doubles, plane.last)),
         middle(hn::Set(doubles, plane.middle)) {}
 
-  /// The texels of pixels, and how far off the middle between two borders each position is.
+  /// Returns the texels of pixels, and the distance of each position from the middle between two borders.
   Double find(Double column, Double w, Double& offCentre) const {
     const Double position = hn::Mul(hn::Add(at, hn::Mul(right, column)), w);
     const Double texel = hn::Floor(position);
@@ -51,13 +51,13 @@ struct Texels {
   }
 };
 
-/// `base` and the numbers of texels side by side, in a map of so many columns.
+/// Stores `base` plus the numbers of adjacent texels of a map with this number of columns.
 void storeTexels(Double column, Double row, Double columns, std::uint32_t base, std::uint32_t* texels) {
   const auto texel = hn::BitCast(Numbers(), hn::DemoteTo(Integers(), hn::Add(hn::Mul(row, columns), column)));
   hn::StoreU(hn::Add(texel, hn::Set(Numbers(), base)), Numbers(), texels);
 }
 
-/// What is the same along a run in binary64.
+/// The constants of a run in double precision.
 struct RunInBinary64 {
   Texels u, v;
   Double width, end, clear, error;
@@ -70,7 +70,7 @@ struct RunInBinary64 {
         clear(hn::Set(doubles, 0.5 - planes.rounding)),
         error(hn::Set(doubles, planes.error)) {}
 
-  /// Stores the texels of columns side by side; returns which are undecided.
+  /// Stores the texels of adjacent columns; returns the undecided lanes.
   Mask find(Double columns, const double* inverseDepth, std::uint32_t base, std::uint32_t* texels) const {
     const Double w = hn::Div(hn::Set(doubles, 1.0), hn::LoadU(doubles, inverseDepth));
     Double offAcross, offDown;
@@ -84,7 +84,7 @@ struct RunInBinary64 {
 
 Double columnsFrom(int column) { return hn::Add(hn::Set(doubles, static_cast<double>(column)), hn::Iota(doubles, 0)); }
 
-/// Lists what is undecided in a run; in a function of its own, since a call in a loop costs it its registers.
+/// Lists the undecided pixels of a run. Not inline, because a call inside the loop would spill registers.
 HWY_NOINLINE void listUndecidedTexels(const PixelRun& run, const TexelPlanes& planes, UndecidedPixels& undecided) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
   const RunInBinary64 line(run, planes);
@@ -112,8 +112,8 @@ using TexelNumbers = hn::Rebind<std::uint32_t, Floats>;
 
 constexpr Floats floats;
 
-/// A texture coordinate along a run, counted from a border between texels near the pixel in its middle, so that numbers
-/// are small: (at + i * step) / (1 + i * depthStep) at the i-th pixel from there.
+/// A texture coordinate along a run, relative to a texel border near the pixel in the middle of the run, so that values
+/// are small. It is (at + i * step) / (1 + i * depthStep) at the i-th pixel from the middle.
 struct LineInBinary32 {
   double border, at, step;
 
@@ -125,19 +125,21 @@ struct LineInBinary32 {
   }
 };
 
-/// A run in binary32, which has twice as many lanes and decides nearly everything: what is decided here lies farther
-/// from borders than binary64 is off.
+/// A run in binary32, which has twice as many lanes as binary64 and resolves nearly all texels. A resolved position is
+/// farther from borders than both error bounds.
 ///
-/// Where 1/w differs from that in the middle by a factor of two at most, numbers up to m = 1 + half the count * |step|
-/// are rounded thirteen times on the way to the quotient, at most twice as large: 26 m units of 2^-24. Of what the
-/// binary64 of the coefficients is off, the error in the middle counts twice for the same reason, and the border's
-/// product with what 1/w is off, four units of depthError, as well. Binary32 holds whole numbers up to 2^24: numbers of
-/// texels stay below half of it, and where a border does not, all that is near lies on one side of the map.
+/// 1/w differs from its value in the middle by at most a factor of two. Let m = 1 + half the count * |step|. Values up
+/// to m have thirteen roundings up to the quotient, which is at most twice as large. That gives 26 m units of 2^-24.
+/// For the same reason the binary64 error of the coefficients in the middle counts twice. The border times the error of
+/// 1/w, four units of depthError, counts twice as well.
+///
+/// Binary32 represents integers up to 2^24. Texel numbers stay below half of that. A border may be larger; then all
+/// nearby positions lie on one side of the map.
 struct RunInBinary32 {
   int middle = 0;
   double depthStep = 0;
   LineInBinary32 u, v;
-  double clear;  ///< see Texels::find; 1/4 or less where binary32 is not good enough
+  double clear;  ///< see Texels::find; 1/4 or less if binary32 is not accurate enough
 
   RunInBinary32(const PixelRun& run, const TexelPlanes& planes, int inMiddle, double w)
       : middle(inMiddle),
@@ -154,7 +156,8 @@ struct RunInBinary32 {
   }
 };
 
-/// A texture coordinate along a run. Fused or not, products and sums stay within what `clear` leaves for rounding.
+/// A texture coordinate along a run. With or without fused multiply-add, the error is within the rounding that `clear`
+/// allows.
 struct TexelsInBinary32 {
   Float at, step, middle, border, last;
 
@@ -165,7 +168,7 @@ struct TexelsInBinary32 {
         border(hn::Set(floats, static_cast<float>(line.border))),
         last(hn::Set(floats, static_cast<float>(plane.last))) {}
 
-  /// The texels of pixels, and how far off the middle between two borders each position is.
+  /// Returns the texels of pixels, and the distance of each position from the middle between two borders.
   Float find(Float pixel, Float w, Float& offCentre) const {
     const Float position = hn::Mul(hn::MulAdd(step, pixel, at), w);
     const Float texel = hn::Floor(position);
@@ -174,14 +177,15 @@ struct TexelsInBinary32 {
   }
 };
 
-/// A texel that binary32 leaves open. One that is told may be the same number: then it is found twice.
+/// Marks a texel that binary32 does not resolve. A resolved texel may have the same number; then it is only computed
+/// twice.
 constexpr std::uint32_t openTexel = 0xffffffff;
 
-/// What is the same along a run in binary32, in vectors.
+/// The constants of a run in binary32, as vectors.
 struct WalkInBinary32 {
   TexelsInBinary32 u, v;
   Float depthStep, clear, width, end;
-  // From 2^23 on binary32 counts by ones: the bits of 2^23 + n are those of 2^23 and n.
+  // Binary32 numbers from 2^23 on are consecutive integers, so that 2^23 + n has the bits of 2^23 plus n.
   Float counting = hn::Set(floats, 0x1p23F);
   hn::Vec<TexelNumbers> offset;
 
@@ -194,7 +198,7 @@ struct WalkInBinary32 {
         end(hn::Set(floats, static_cast<float>(run.count - line.middle))),
         offset(hn::Sub(hn::Set(TexelNumbers(), base), hn::BitCast(TexelNumbers(), counting))) {}
 
-  /// Stores the texels of pixels side by side, openTexel where they are undecided; returns which are.
+  /// Stores the texels of adjacent pixels, openTexel for undecided ones; returns the undecided lanes.
   hn::Mask<Floats> find(Float pixel, std::uint32_t* texels) const {
     const Float one = hn::Set(floats, 1.0F);
     const Float w = hn::Div(one, hn::MulAdd(depthStep, pixel, one));
@@ -209,7 +213,7 @@ struct WalkInBinary32 {
   }
 };
 
-/// Those texels of a run that binary32 left open, in binary64.
+/// Computes the texels that binary32 left open in double precision.
 HWY_NOINLINE void findOpenTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base,
                                  std::uint32_t* texels, UndecidedPixels& undecided) {
   const auto lanes = static_cast<int>(hn::Lanes(floats));
@@ -230,7 +234,7 @@ HWY_NOINLINE void findOpenTexels(const PixelRun& run, const TexelPlanes& planes,
 
 void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
                 UndecidedPixels& undecided) {
-  constexpr int shortest = 16;  // for which it pays
+  constexpr int shortest = 16;  // shorter runs are faster in double precision
   if (run.count < shortest) return findTexelsInBinary64(run, planes, base, texels, undecided);
   const int middle = run.count / 2;
   const RunInBinary32 line(run, planes, middle, 1 / run.inverseDepth[middle]);

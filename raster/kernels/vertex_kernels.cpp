@@ -9,7 +9,7 @@
 namespace hemitex::raster {
 namespace {
 
-/// Comparing x with 2w or 8w is exact in binary32, too: where the product overflows, it is larger than all x.
+/// Comparing x with 2w or 8w is exact in binary32: if the product overflows, it is larger than all x.
 std::int32_t sidesOf(const ViewVertex& p, double nearDistance) {
   if (!isFinite(p)) return notInside;
   const double width = 2 * std::abs(p.w);
@@ -31,7 +31,7 @@ void placeVertices(const ClusterMesh& mesh, const ClusterPart& part, const Face&
   }
 }
 
-/// The least and the largest of three snapped values.
+/// The smallest and the largest of three snapped values.
 struct Span {
   std::int32_t least, largest;
 
@@ -39,7 +39,7 @@ struct Span {
       : least(*std::min_element(values.begin(), values.end())),
         largest(*std::max_element(values.begin(), values.end())) {}
 
-  /// Whether a sample of pixels [first, first + count) lies between them.
+  /// Whether the sample of a pixel of [first, first + count) lies between them.
   bool holdsSample(int first, int count) const {
     return std::max((least + 127) >> 8, first) < std::min((largest + 128) >> 8, first + count);
   }

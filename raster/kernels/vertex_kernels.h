@@ -1,6 +1,6 @@
-/// Vertex kernels: the vertex stage and snapping of a cluster's vertices (raster rules, 2 and 4), and a first look at
-/// its triangles that leaves out most of those that cover no sample. There is a plain version, which says what they
-/// compute, and one for each SIMD instruction set that the processor has; all give the same numbers, bit for bit.
+/// Vertex kernels: the vertex stage and snapping of the vertices of a cluster (docs/item-buffers.md, "view" and
+/// "snap"). They also cull most triangles that cover no sample. The scalar version is the specification. There is one
+/// more version per SIMD instruction set of the processor, with the same results, bit for bit.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace hemitex::raster {
 
-/// The vertices of a cluster as a face sees them. Where a vertex lies inside of all that triangles are clipped to,
-/// `across` and `down` are its snapped x and y, elsewhere 0.
+/// The vertices of a cluster in the view of a face. `across` and `down` are the snapped x and y of vertices inside all
+/// clip half-spaces, else 0.
 struct PlacedVertices {
   static constexpr std::size_t most = 3 * largestCluster + maxVertexLanes;
   std::array<float, most> w;
@@ -22,35 +22,36 @@ struct PlacedVertices {
   std::array<std::int32_t, most> sides;  ///< bits, see below
 };
 
-/// What a finite vertex lies beyond: the near plane or a side of the view. A triangle all of whose vertices lie beyond
-/// the same shows nothing.
+/// The near plane or the sides of the view that a finite vertex lies beyond. A triangle is invisible if all its
+/// vertices lie beyond the same one.
 inline constexpr std::int32_t beyondNear = 1, beyondRight = 2, beyondLeft = 4, beyondBottom = 8, beyondTop = 16;
 inline constexpr std::int32_t beyondAny = 31;
-/// Outside of something that triangles are clipped to, or not finite.
+/// Outside a clip half-space, or not finite.
 inline constexpr std::int32_t notInside = 32;
 
 /// In sub-pixels: eight pixels, see small_triangle_kernels.h.
 inline constexpr std::int32_t smallSpan = 8 * 256;
 
-/// Triangles of a cluster, a bit each.
+/// Triangles of a cluster, one bit each.
 struct TriangleSets {
   std::uint32_t whole = 0;  ///< need no clipping, and a sample of the scissor rectangle lies inside their bounds
-  std::uint32_t small = 0;  ///< of these, what spans less than smallSpan either way
-  std::uint32_t cut = 0;    ///< need clipping, or a value of theirs is not finite
+  std::uint32_t small = 0;  ///< those of `whole` that are narrower and lower than smallSpan
+  std::uint32_t cut = 0;    ///< need clipping, or have a value that is not finite
 };
 
 struct VertexKernels {
-  std::string name;  ///< plain, or that of an instruction set
+  std::string name;  ///< "plain" for scalar, or the name of an instruction set
 
-  /// Places the vertices of a part of a mesh and looks at its triangles. Those in neither set cover no sample.
+  /// Transforms the vertices of a part of a mesh and classifies its triangles. Triangles in neither set cover no
+  /// sample.
   TriangleSets (*place)(const ClusterMesh& mesh, const ClusterPart& part, const Face& face, PlacedVertices& placed);
 };
 
-/// The specification of the others.
+/// The scalar kernels, the specification of the others.
 const VertexKernels& plainVertexKernels();
-/// Those of every instruction set that this processor has, best first; none where hemitex was built without SIMD.
+/// The kernels for all instruction sets of this processor, fastest first; empty in a build without SIMD.
 const std::vector<VertexKernels>& simdVertexKernels();
-/// The first of simdVertexKernels(), else the plain ones.
+/// The first of simdVertexKernels(), or the scalar kernels.
 const VertexKernels& bestVertexKernels();
 
 }  // namespace hemitex::raster

@@ -1,4 +1,4 @@
-// The vertex kernels on vectors, written once for Highway, which compiles this file anew for each instruction set.
+// SIMD vertex kernels, written with Highway, which compiles this file once per instruction set.
 #include "raster/kernels/simd_targets.h"
 #include "raster/kernels/vertex_kernels.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Vectors of as many values each.
+/// Vectors with the same number of lanes.
 using Doubles = hn::CappedTag<double, maxVertexLanes>;
 using Floats = hn::Rebind<float, Doubles>;
 using Integers = hn::Rebind<std::int32_t, Doubles>;
@@ -29,7 +29,7 @@ constexpr Integers integers;
 Float all(float value) { return hn::Set(floats, value); }
 Integer all(std::int32_t value) { return hn::Set(integers, value); }
 
-/// A bit in the lanes of a mask.
+/// `bit` in the lanes of a mask, else 0.
 Integer bitWhere(hn::Mask<Floats> mask, std::int32_t bit) {
   return hn::IfThenElseZero(hn::RebindMask(integers, mask), all(bit));
 }
@@ -76,7 +76,7 @@ struct VertexStage {
   }
 };
 
-/// The three vertices of triangles side by side.
+/// The three vertices of adjacent triangles.
 struct Corners {
   Integer a, b, c;
 
@@ -90,7 +90,7 @@ struct Corners {
   }
 };
 
-/// The least and the largest of three snapped values.
+/// The smallest and the largest of three snapped values.
 struct Span {
   Integer least, largest;
 

@@ -11,15 +11,14 @@ namespace {
 using BigInteger = boost::multiprecision::cpp_int;
 __extension__ using Integer128 = __int128;
 
-/// Three binary64 numbers as integers times one power of two, the largest that serves all. The integers are exact,
-/// though they may be large.
+/// Three doubles as integers times one power of two, the largest common one. The integers are exact but may be large.
 struct Scaled {
   std::array<double, 3> integers;
   int exponent = 0;
 };
 
-/// The exponent of the lowest bit of a normal number: binary64 keeps 52 bits below the leading one, then the exponent.
-/// What began as binary32 is normal, clipped or not.
+/// The exponent of the lowest bit of a normal double: its exponent minus 52. Values converted from binary32 are normal,
+/// also after clipping.
 int lowestBit(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   return static_cast<int>(bits >> 52 & 0x7ff) - 1075 + std::min(std::countr_zero(bits), 52);
@@ -43,7 +42,7 @@ Scaled scale(const std::array<double, 3>& values) {
 
 bool isConstant(const std::array<double, 3>& w) { return w[0] == w[1] && w[1] == w[2]; }
 
-/// W_k of the file's head, in units of 2^(2 * w.exponent).
+/// W_k of the formulas in exact_interpolation.h, in units of 2^(2 * w.exponent).
 template <class Integer>
 std::array<Integer, 3> otherDepths(const Scaled& w) {
   const auto w0 = static_cast<Integer>(w.integers[0]), w1 = static_cast<Integer>(w.integers[1]),
@@ -51,7 +50,7 @@ std::array<Integer, 3> otherDepths(const Scaled& w) {
   return {w1 * w2, w2 * w0, w0 * w1};
 }
 
-/// What the quotient of a coordinate is made of: coordinate * size = 2^exponent sum(e_k t_k W_k) factor / sum(e_k W_k).
+/// The terms of the quotient: coordinate * size = 2^exponent sum(e_k t_k W_k) factor / sum(e_k W_k).
 struct Coefficients {
   Scaled w, t;
   int factor, exponent;
@@ -71,7 +70,8 @@ Integer shifted(const Integer& value, int bits) {
 }
 double shifted(double value, int bits) { return value * powerOfTwo(bits); }
 
-/// An upper bound of numerator and denominator at the samples of a triangle, up to rounding; may be infinite or NaN.
+/// An upper bound of numerator and denominator at the samples of a triangle, except for rounding. May be infinite or
+/// NaN.
 double largestValue(const ScreenTriangle& triangle, const Coefficients& c) {
   const auto largest = [](const std::array<double, 3>& values) {
     return std::max({std::abs(values[0]), std::abs(values[1]), std::abs(values[2])});
@@ -170,7 +170,7 @@ int texelExactly(const ScreenTriangle& triangle, const std::array<double, 3>& co
 std::optional<ExactQuotient> exactQuotient(const ScreenTriangle& triangle, const std::array<double, 3>& coordinate,
                                            int size) {
   const Coefficients coefficients = coefficientsOf(triangle, coordinate, size);
-  // A quarter of what binary64 holds: room for the bound's own rounding and for the sum of two values.
+  // A quarter of 2^53 leaves room for the rounding of the bound and for the sum of two values.
   if (!(largestValue(triangle, coefficients) < 0x1p51 * unitOf(triangle))) return {};
   const auto [numerator, denominator] = quotientOf<double>(coefficients);
   return ExactQuotient{numerator, denominator};

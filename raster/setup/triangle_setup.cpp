@@ -8,14 +8,14 @@ namespace hemitex::raster {
 namespace {
 
 constexpr int subPixelBits = 8;
-constexpr std::int64_t subPixels = 1 << subPixelBits;  // units a pixel side
-constexpr std::int64_t sample = subPixels / 2;         // a pixel's sample is its centre
+constexpr std::int64_t subPixels = 1 << subPixelBits;  // per pixel side
+constexpr std::int64_t sample = subPixels / 2;         // the sample of a pixel is its centre
 
 std::int64_t cross(const SnappedPoint& origin, const SnappedPoint& p, const SnappedPoint& q) {
   return (p.x - origin.x) * (q.y - origin.y) - (p.y - origin.y) * (q.x - origin.x);
 }
 
-/// The edge from p to q with the interior on its positive side where `orientation` is 1, on the other where it is -1.
+/// The edge from p to q. `orientation` is the sign of the triangle's area, so that the value is positive inside.
 inline Edge makeEdge(const SnappedPoint& p, const SnappedPoint& q, std::int64_t orientation) {
   const std::int64_t a = orientation * (p.y - q.y);
   const std::int64_t b = orientation * (q.x - p.x);
@@ -26,13 +26,13 @@ inline Edge makeEdge(const SnappedPoint& p, const SnappedPoint& q, std::int64_t 
   return {a * subPixels, b * subPixels, c, isLeft || isTop};
 }
 
-/// Pixels from `first` to `end` whose samples can lie between two sub-pixel positions.
+/// The pixels [first, end) whose samples can lie between two sub-pixel positions.
 void pixelRange(std::int64_t low, std::int64_t high, int scissorFirst, int scissorEnd, int& first, int& end) {
   first = static_cast<int>(std::max<std::int64_t>(scissorFirst, (low + subPixels - 1 - sample) >> subPixelBits));
   end = static_cast<int>(std::min<std::int64_t>(scissorEnd, ((high - sample) >> subPixelBits) + 1));
 }
 
-/// Few enough samples to try them all before anything else is computed.
+/// Whether the bounds hold so few samples that testing all of them first is cheapest.
 bool isSmall(const ScreenTriangle& triangle) {
   constexpr int few = 4;
   return (triangle.endColumn - triangle.firstColumn) * (triangle.endRow - triangle.firstRow) <= few;
@@ -51,7 +51,7 @@ bool coversAny(const ScreenTriangle& triangle) {
   return false;
 }
 
-/// Wholly beyond one side of the view: no pixel can tell that it was dropped before clipping.
+/// Whether the triangle lies completely beyond one side of the view. Dropping it before clipping changes no pixel.
 bool isOutsideView(const std::array<ViewVertex, 3>& p, double nearDistance) {
   const auto all = [&p](const auto& isOutside) { return isOutside(p[0]) && isOutside(p[1]) && isOutside(p[2]); };
   return all([=](const ViewVertex& q) { return q.w < nearDistance; }) ||
@@ -61,7 +61,7 @@ bool isOutsideView(const std::array<ViewVertex, 3>& p, double nearDistance) {
          all([](const ViewVertex& q) { return -q.y > 2 * std::abs(q.w); });
 }
 
-/// Appends what is left of triangle t after clipping; nothing where a value is not finite (raster rules, 2).
+/// Clips and appends triangle t, unless a value is not finite (raster rules, 2).
 void appendScreenTriangle(const DrawList& list, const Face& face, bool mirrored, std::uint32_t draw, std::uint32_t t,
                           std::vector<ScreenTriangle>& triangles) {
   std::array<ViewVertex, 3> vertices;
@@ -85,9 +85,10 @@ void appendScreenTriangle(const DrawList& list, const Face& face, bool mirrored,
 }  // namespace
 
 std::int64_t snap(double q, int resolution) {
-  // Numbers from 2^52 on are integers: adding one and taking it away again rounds as nearbyint does, without its call.
+  // Doubles from 2^52 on are integers, so that adding and subtracting 1.5 * 2^52 rounds as nearbyint does, without a
+  // call.
   constexpr double integers = 0x1.8p52;
-  // The clamp holds what the rounding of the guard band let slip.
+  // The clamp removes the rounding error of clipping to the guard band.
   const double position = (std::clamp(q, -8.0, 8.0) + 1) * (128.0 * resolution);
   return static_cast<std::int64_t>((position + integers) - integers);
 }
@@ -120,7 +121,7 @@ bool makeScreenTriangle(const Scissor& scissor, const std::array<SnappedPoint, 3
   if (isSmall(triangle) && !coversAny(triangle)) return false;
 
   triangle.area = std::abs(area);
-  // Raster rules, 5: it faces the eye when the area and the determinant of the rows differ in sign.
+  // docs/item-buffers.md, "facing": front-facing if the area and the determinant differ in sign.
   triangle.facesAway = (area < 0) == mirrored;
   for (std::size_t k = 0; k < 3; ++k) {
     triangle.w[k] = vertices[k].w;
@@ -137,7 +138,7 @@ void appendScreenTriangles(const DrawList& list, const Face& face, std::span<con
   auto skip = skipped.end();
   std::uint32_t reached = std::numeric_limits<std::uint32_t>::max();
   for (const TriangleRun& run : runs) {
-    // Draws may take triangles in any order; mostly they ascend, and then the next to skip is near.
+    // Draws may list triangles in any order. Usually they ascend, and the next skipped triangle is near.
     if (run.first < reached) skip = std::lower_bound(skipped.begin(), skipped.end(), run.first);
     while (skip != skipped.end() && *skip < run.first) ++skip;
     reached = run.end;

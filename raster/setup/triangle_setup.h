@@ -1,6 +1,6 @@
-/// Screen triangles: what is left of a triangle once it was clipped and snapped to the sub-pixel grid (raster rules,
-/// 4 to 6). Coverage and barycentric weights are integers from here on; depth and texture coordinates are rational
-/// functions of them.
+/// Screen triangles: triangles after clipping and snapping to the sub-pixel grid (docs/item-buffers.md, "snap" to
+/// "texel"). Coverage and barycentric weights are integers; depth and texture coordinates are rational functions of
+/// them.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@
 
 namespace hemitex::raster {
 
-/// The edge opposite a vertex, as the line a * column + b * row + c through the pixel samples: positive inside. Its
-/// value over the triangle's doubled area is the barycentric weight of that vertex.
+/// The edge opposite a vertex, as the line a * column + b * row + c at pixel samples; positive inside. Its value
+/// divided by the doubled area of the triangle is the barycentric weight of that vertex.
 struct Edge {
   std::int64_t a, b, c;
   bool inclusive;  ///< a top or left edge: samples on it are covered
@@ -25,31 +25,32 @@ struct Edge {
 
 struct ScreenTriangle {
   std::array<Edge, 3> edges;
-  std::array<double, 3> w;             ///< at the vertices, above 0
-  std::array<double, 3> u, v;          ///< at the vertices
-  std::array<double, 3> inverseDepth;  ///< 1 / w over the doubled area: 1/w at a sample is the sum of edge times this
-  std::int64_t area;                   ///< doubled, in squared sub-pixels; above 0
-  std::uint32_t draw;                  ///< in DrawList::draws
-  std::uint32_t number;                ///< in DrawList::indices / 3
-  bool facesAway;                      ///< winds clockwise as the eye sees it
-  int firstRow, endRow;                ///< rows that may hold covered samples, inside the scissor rectangle
+  std::array<double, 3> w;     ///< at the vertices, above 0
+  std::array<double, 3> u, v;  ///< at the vertices
+  std::array<double, 3>
+      inverseDepth;      ///< 1/w over the doubled area; the sum of edge value times this is 1/w at a sample
+  std::int64_t area;     ///< doubled, in squared sub-pixels; above 0
+  std::uint32_t draw;    ///< in DrawList::draws
+  std::uint32_t number;  ///< in DrawList::indices / 3
+  bool facesAway;        ///< clockwise as the eye sees it
+  int firstRow, endRow;  ///< rows that may hold covered samples, inside the scissor rectangle
   int firstColumn, endColumn;
 };
 
-/// The sub-pixel position of q = x/w or y/w, 256 a pixel (raster rules, 4).
+/// The sub-pixel position of q = x/w or y/w in 1/256 pixel (docs/item-buffers.md, "snap").
 std::int64_t snap(double q, int resolution);
 
-/// A sub-pixel position.
+/// A position in 1/256 pixel.
 struct SnappedPoint {
   std::int64_t x, y;
 };
 
-/// Snaps three clipped vertices; false where no sample of the scissor rectangle can be covered. `mirrored` says that
-/// determinant(face) is negative. All members of the triangle are set but `draw` and `number`.
+/// Snaps three clipped vertices and sets all members of `triangle` except `draw` and `number`. Returns false if the
+/// triangle covers no sample of the scissor rectangle. `mirrored` means that determinant(face) is negative.
 bool makeScreenTriangle(const Face& face, const std::array<ViewVertex, 3>& vertices, bool mirrored,
                         ScreenTriangle& triangle);
 
-/// The same for vertices that were snapped: only their w, u and v are looked at.
+/// As above, for vertices that are already snapped; uses only w, u and v of `vertices`.
 bool makeScreenTriangle(const Scissor& scissor, const std::array<SnappedPoint, 3>& snapped,
                         const std::array<ViewVertex, 3>& vertices, bool mirrored, ScreenTriangle& triangle);
 

@@ -6,7 +6,7 @@
 namespace hemitex::raster {
 namespace {
 
-/// The point where the edge from `inside` to `outside` leaves a half-space. It always starts from the inside end,
+/// The point where the edge from `inside` to `outside` leaves a half-space. It is always computed from the inside end,
 /// so that two triangles that share the edge get the same point.
 ViewVertex crossing(HalfSpace halfSpace, const ViewVertex& inside, const ViewVertex& outside, double nearDistance) {
   const double fromInside = distance(halfSpace, inside, nearDistance);
@@ -18,7 +18,7 @@ ViewVertex crossing(HalfSpace halfSpace, const ViewVertex& inside, const ViewVer
           between(inside.v, outside.v)};
 }
 
-/// What clipping would leave as it is.
+/// Whether clipping would leave the polygon unchanged.
 bool isInside(const ClippedPolygon& polygon, HalfSpace halfSpace, double nearDistance) {
   return std::all_of(polygon.vertices.begin(), polygon.vertices.begin() + polygon.count,
                      [=](const ViewVertex& vertex) { return distance(halfSpace, vertex, nearDistance) >= 0; });

@@ -7,10 +7,10 @@
 namespace hemitex::raster {
 namespace {
 
-/// The triangles of a cluster that are skipped, a bit each.
+/// The skipped triangles of a cluster, one bit each.
 std::uint32_t skippedOf(const Cluster& cluster, std::span<const std::uint32_t> skipped) {
   std::uint32_t bits = 0;
-  std::uint32_t before = 0;  // triangles of the runs before
+  std::uint32_t before = 0;  // number of triangles in the runs before
   for (const TriangleRun& run : cluster.runs) {
     if (!skipped.empty() && skipped.back() >= run.first && skipped.front() < run.end)
       for (auto skip = std::lower_bound(skipped.begin(), skipped.end(), run.first); skip != skipped.end(); ++skip) {
@@ -45,7 +45,7 @@ std::uint32_t appendScreenTriangles(const DrawList& list, const ClusterMesh& mes
                                     const ClusterPart& part, const VertexKernels& kernels, const Face& face,
                                     std::span<const std::uint32_t> skipped, PlacedVertices& placed,
                                     std::vector<ScreenTriangle>& triangles) {
-  // A value that is not finite made the box so; it may be a texture coordinate, which the kernels do not look at.
+  // A value that is not finite made the box infinite. It may be a texture coordinate, which the kernels ignore.
   if (!std::isfinite(cluster.box.low.x)) {
     appendScreenTriangles(list, face, cluster.runs, skipped, triangles);
     return 0;

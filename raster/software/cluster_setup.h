@@ -1,5 +1,5 @@
-/// What a face sees of a cluster, through the vertex kernels: only triangles that are not left out there are set up,
-/// and small ones stay as they are for kernels of their own (small_triangle_kernels.h).
+/// Triangle setup of a cluster with the vertex kernels. Only triangles that pass their culling become screen triangles.
+/// Small triangles do not; they have their own kernels (small_triangle_kernels.h).
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@
 
 namespace hemitex::raster {
 
-/// Places the vertices of a cluster, `part` of the mesh, and appends the screen triangles of those that are not small,
-/// in draw order. Triangles in `skipped` (ascending) are left out. Returns the small ones, one bit per triangle of the
-/// cluster.
+/// Transforms the vertices of a cluster, `part` of the mesh, and appends the screen triangles of those that are not
+/// small, in draw order. Leaves out the triangles in `skipped` (ascending). Returns the small ones, one bit per
+/// triangle of the cluster.
 std::uint32_t appendScreenTriangles(const DrawList& list, const ClusterMesh& mesh, const Cluster& cluster,
                                     const ClusterPart& part, const VertexKernels& kernels, const Face& face,
                                     std::span<const std::uint32_t> skipped, PlacedVertices& placed,
                                     std::vector<ScreenTriangle>& triangles);
 
-/// Sets up the `t`th triangle of a cluster, which needs no clipping; false where it covers no sample.
+/// Sets up the `t`th triangle of a cluster, which needs no clipping. Returns false if it covers no sample.
 bool makeScreenTriangle(const ClusterMesh& mesh, const Cluster& cluster, const ClusterPart& part, std::uint32_t t,
                         const PlacedVertices& placed, const Scissor& scissor, bool mirrored, ScreenTriangle& triangle);
 

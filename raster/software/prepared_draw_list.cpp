@@ -16,7 +16,7 @@ PreparedDrawList::MapTraits traitsOf(const IndexMap& map) {
 
 template <typename Value>
 void prefetch(const std::vector<Value>& values, std::size_t first, std::size_t count) {
-  constexpr std::size_t line = 64;  // bytes that memory hands out at a time
+  constexpr std::size_t line = 64;  // bytes of a cache line
   const auto* const begin = reinterpret_cast<const char*>(values.data() + first);
   for (std::size_t byte = 0; byte < count * sizeof(Value); byte += line) __builtin_prefetch(begin + byte);
 }

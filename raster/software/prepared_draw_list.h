@@ -1,4 +1,4 @@
-/// A draw list made ready to be drawn into any face.
+/// A draw list with everything that all faces share: clusters, their hierarchy and their mesh.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +15,19 @@ struct PreparedDrawList {
   DrawList list;
   std::vector<Cluster> clusters;
   ClusterBvh tree;   ///< over the clusters
-  ClusterMesh mesh;  ///< of their triangles
-  /// What resolving needs to know of an index map.
+  ClusterMesh mesh;  ///< of the triangles of the clusters
+  /// Properties of an index map that resolving uses.
   struct MapTraits {
-    bool countsTexels;  ///< holds 0, 1, 2, ...: which item ID it holds needs no look
+    bool countsTexels;  ///< holds 0, 1, 2, ..., so that texel numbers need no lookup
     ItemId bits;        ///< all bits that its item IDs set
   };
-  std::vector<MapTraits> maps;  ///< one an index map
+  std::vector<MapTraits> maps;  ///< one per index map
 };
 
-/// Throws InputError where the list breaks the rules (see validate).
+/// Throws InputError if the list breaks the rules (see validate).
 PreparedDrawList prepare(DrawList list);
 
-/// Asks memory for all that drawing a cluster reads: on the way, it takes as long as another cluster's drawing.
+/// Prefetches what drawing a cluster reads; loading it takes about as long as drawing another cluster.
 void prefetch(const PreparedDrawList& draws, std::uint32_t cluster);
 
 }  // namespace hemitex::raster

@@ -1,4 +1,4 @@
-/// Shading: how the pixels of a triangle get their item IDs, all the same one or by texels.
+/// Shading: how the pixels of a triangle get their item IDs, from one constant or from texels.
 #pragma once
 
 #include <memory>
@@ -17,22 +17,22 @@ struct Shading {
   ItemId id;  ///< of all pixels, or the offset
   struct Texels {
     const IndexMap* map;
-    bool isSum;   ///< the item IDs are sums of offset and texel in which nothing is carried and nothing clamped
-    bool counts;  ///< and the texels are their own numbers
+    bool isSum;   ///< offset plus texel needs no carry and no clamp in any channel
+    bool counts;  ///< and the texels equal their numbers
     TexelPlanes planes;
-    std::unique_ptr<const ExactTexels> exact;  ///< once a texel was undecided, where there are any:
-                                               ///< so seldom that shadings are not to be large for it
+    std::unique_ptr<const ExactTexels>
+        exact;  ///< made once a texel is undecided; a pointer, because that is rare and shadings should stay compact
   };
   std::optional<Texels> texels;
 };
 
-/// Of a triangle on the screen.
+/// The shading of a screen triangle.
 Shading shadingOf(const PreparedDrawList& draws, const ScreenTriangle& triangle);
 
-/// The item ID of a pixel that shows a draw, and of its index map, if any, a texel by number.
+/// The item ID of a pixel that shows a draw; `texel` is the number of the texel if the draw has an index map.
 ItemId idOf(const PreparedDrawList& draws, const Draw& draw, bool facesAway, ItemId texel);
 
-/// The number of the texel that a sample falls on.
+/// The number of the texel at a sample, computed exactly.
 ItemId texelExactly(const ScreenTriangle& triangle, const IndexMap& map, const Pixel& pixel);
 
 }  // namespace hemitex::raster

@@ -1,8 +1,8 @@
-/// The reference renderer: the raster rules on the CPU, bit for bit, for any number of threads.
+/// The reference renderer: implements docs/item-buffers.md on the CPU, bit for bit, for any number of threads.
 ///
-/// Each face is cut into tiles (tile.h), which are drawn independently of each other: depth first, then one item ID a
-/// visible pixel. Both decide in floating point where its error bound allows (depth_kernels.h, texel_kernels.h), and in
-/// exact arithmetic (exact_interpolation.h) where it does not.
+/// Each face is divided into tiles (tile.h), which are drawn independently: first depth, then one item ID per visible
+/// pixel. Both are computed in floating point where its error bound allows (depth_kernels.h, texel_kernels.h), else in
+/// exact arithmetic (exact_interpolation.h).
 #pragma once
 
 #include "raster/base/per_thread.h"
@@ -14,7 +14,7 @@ namespace hemitex::raster {
 
 class SoftwareRenderer final : public ItemBufferRenderer {
  public:
-  /// Throws InputError where the list breaks the rules (see validate).
+  /// Throws InputError if the list breaks the rules (see validate).
   explicit SoftwareRenderer(DrawList list, const TileKernels& kernels = {});
 
   /// May be called from several threads at a time.

@@ -13,19 +13,19 @@
 namespace hemitex::raster {
 namespace {
 
-/// Pixels of a tile, at most: twelve bytes each in the depth buffer make 384 KiB, a part of today's second-level
-/// caches. Wide, so that runs of pixels are long.
+/// Maximum size of a tile. Twelve bytes per pixel in the depth buffer make 384 KiB, a fraction of current second-level
+/// caches. Tiles are wide, so that runs of pixels are long.
 constexpr int maxColumns = 256, maxRows = 128;
 
-/// Numbers of small triangles in the depth buffer: from here on they count those of the mesh.
+/// Numbers of small triangles in the depth buffer: from here on they are numbers of triangles of the mesh.
 constexpr std::uint32_t firstSmall = 0x80000000;
 
 bool isSmall(std::uint32_t number) { return number >= firstSmall && number != noTriangle; }
 
-/// The part of a face that is drawn, while it is drawn.
+/// A part of a face while it is drawn.
 class Tile {
  public:
-  /// For item IDs and their pitch see drawTile.
+  /// For `ids` and `pitch` see drawTile.
   Tile(const PreparedDrawList& draws, const TileKernels& kernels, const Face& face, TileMemory& memory, ItemId* ids,
        std::size_t pitch)
       : draws_(draws),
@@ -44,13 +44,13 @@ class Tile {
     memory.row.resize(buffer_.pitch);
   }
 
-  /// Whether nothing of a box can be seen, or only behind what was drawn so far.
+  /// Whether a box is outside the view or behind all that was drawn so far.
   bool hides(const BoxPlace& place) const { return kernels_.depth.isHidden(buffer_, place.part, place.inverseDepth); }
 
   /// Draws a cluster without the triangles in `skipped` (ascending).
   void draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped);
 
-  /// After all triangles: the item IDs.
+  /// Writes the remaining item IDs, after all triangles were drawn.
   void resolve();
 
  private:
@@ -69,7 +69,7 @@ class Tile {
   const PreparedDrawList& draws_;
   const TileKernels& kernels_;
   const Face& face_;
-  ItemId* ids_;  ///< those of small triangles are there, the others come when they are resolved
+  ItemId* ids_;  ///< those of small triangles are written at once, the others in resolve()
   std::size_t pitch_;
   bool isMirrored_;
   TileMemory& memory_;
@@ -77,13 +77,13 @@ class Tile {
   std::vector<ScreenTriangle>& taken_;
 };
 
-/// The larger 1/w wins; on an exact tie the earlier triangle in draw order, whichever was drawn first.
+/// The larger 1/w wins. On an exact tie the earlier triangle in draw order wins, whichever was tested first.
 bool isNearer(const ScreenTriangle& a, const ScreenTriangle& b, const Pixel& pixel) {
   if (isNearerExactly(a, b, pixel.column, pixel.row)) return true;
   return std::tie(a.draw, a.number) < std::tie(b.draw, b.number) && !isNearerExactly(b, a, pixel.column, pixel.row);
 }
 
-/// A triangle by its number in the depth buffer. Small ones are set up anew: few pixels ask for them.
+/// A triangle by its number in the depth buffer. Small triangles are set up again, because few pixels need that.
 ScreenTriangle Tile::screenTriangle(std::uint32_t number) const {
   if (!isSmall(number)) return taken_[number];
   const std::uint32_t inMesh = number - firstSmall;
@@ -97,7 +97,7 @@ ScreenTriangle Tile::screenTriangle(std::uint32_t number) const {
   return alone.front();
 }
 
-/// Whether the pixel took it.
+/// Returns whether the pixel took the triangle.
 bool Tile::offerExactly(const ScreenTriangle& triangle, std::uint32_t number, const Pixel& pixel) {
   const std::size_t p = buffer_.pixelAt(pixel.column, pixel.row);
   if (!isNearer(triangle, screenTriangle(buffer_.triangle[p]), pixel)) return false;
@@ -115,7 +115,7 @@ void Tile::draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped) {
   if (small != 0) drawSmall(cluster, small);
 }
 
-/// Offers a triangle to the depth buffer, and keeps it if a pixel took it.
+/// Tests a triangle against the depth buffer, and keeps it if a pixel took it.
 void Tile::offer(const ScreenTriangle& triangle) {
   const auto number = static_cast<std::uint32_t>(taken_.size());
   bool isTaken = kernels_.depth.offer(triangle, number, buffer_, memory_.undecided);
@@ -124,13 +124,13 @@ void Tile::offer(const ScreenTriangle& triangle) {
   if (isTaken) taken_.push_back(triangle);
 }
 
-/// Offers the samples of small triangles of a cluster, a bit each, with their item IDs.
+/// Tests the samples of the small triangles of a cluster (one bit each) and writes their item IDs.
 void Tile::drawSmall(std::uint32_t cluster, std::uint32_t small) {
   const ClusterPart& part = draws_.mesh.parts[cluster];
   const std::vector<TriangleRun>& runs = draws_.clusters[cluster].runs;
   const Draw& first = draws_.list.draws[runs.front().draw];
   SmallTriangles triangles{draws_.mesh, part, memory_.placed, small};
-  if (first.indexMap) {  // then it is the only draw
+  if (first.indexMap) {  // such a cluster has one draw only
     const IndexMap& map = draws_.list.indexMaps[static_cast<std::size_t>(*first.indexMap)];
     triangles.columns = map.width;
     triangles.rows = map.height;
@@ -155,7 +155,7 @@ void Tile::drawSmall(std::uint32_t cluster, std::uint32_t small) {
   }
 }
 
-/// The item ID of a pixel that shows a texel.
+/// The item ID of a pixel that shows a texel, computed exactly.
 ItemId Tile::idExactly(std::uint32_t number, const Pixel& pixel) {
   const ScreenTriangle triangle = screenTriangle(number);
   const Draw& draw = draws_.list.draws[triangle.draw];
@@ -172,7 +172,8 @@ Shading& Tile::shading(std::uint32_t triangle) {
   return memory_.shadings[place];
 }
 
-/// `base` and the number of the texel of each pixel of a run. Where one texel is undecided, more will be.
+/// `base` plus the texel number of each pixel of a run. If one texel of a triangle is undecided, others usually are
+/// too; from then on the triangle uses exact quotients.
 void Tile::findTexels(const PixelRun& run, Shading::Texels& texels, ItemId base, ItemId* ids) {
   const IndexMap& map = *texels.map;
   if (texels.exact) return kernels_.texels.findExactTexels(run, *texels.exact, map.width, map.height, base, ids);
@@ -238,8 +239,8 @@ struct PlacedGroup {
   BoxPlace place;
 };
 
-/// The groups of clusters that a view may show, the nearest first. Not the clusters one by one: what follows each other
-/// in memory is faster to read, and of a group that is hidden none is looked at.
+/// The groups of clusters that a view may show, nearest first. Groups instead of single clusters, because consecutive
+/// clusters are faster to read and a hidden group needs one test.
 std::vector<PlacedGroup> groupsIn(const ClusterBvh& tree, const ViewBounds& view) {
   std::vector<PlacedGroup> found;
   for (const std::uint32_t g : tree.groupsIn(view)) found.push_back({g, view.placeOf(tree.group(g).box)});
@@ -265,7 +266,7 @@ void drawTile(const PreparedDrawList& draws, const TileKernels& kernels, const F
               std::span<const std::uint32_t> skipped, TileMemory& memory, ItemId* ids, std::size_t pitch) {
   Tile tile(draws, kernels, face, memory, ids, pitch);
   const ViewBounds view(face);
-  std::optional<std::uint32_t> awaited;  // a cluster on its way from memory
+  std::optional<std::uint32_t> awaited;  // the cluster that is being prefetched
   for (const PlacedGroup& placed : groupsIn(draws.tree, view)) {
     if (tile.hides(placed.place)) continue;
     const ClusterGroup& group = draws.tree.group(placed.number);

@@ -1,7 +1,7 @@
-/// Tiles: a face is drawn in parts, each on its own and small enough to stay in a processor's second-level cache. In a
-/// tile, triangles are set up and offered to the depth buffer, the nearest clusters first; then the item IDs of the
-/// pixels are resolved, once a visible pixel. Small triangles have as few pixels as there are of them: theirs are
-/// resolved while all that they need is at hand, when a pixel takes them.
+/// Tiles: parts of a face that are drawn independently and fit into the second-level cache of a core. In a tile,
+/// triangles are set up and tested against the depth buffer, nearest clusters first. Then the item ID is computed once
+/// per visible pixel. Small triangles have few pixels each, so that their item IDs are written during the depth test,
+/// while their data is in registers.
 #pragma once
 
 #include <cstddef>
@@ -21,24 +21,24 @@
 
 namespace hemitex::raster {
 
-/// Scissor rectangles that together are the face's own.
+/// Scissor rectangles that partition that of the face.
 std::vector<Scissor> tilesOf(const Face& face);
 
-/// What a tile takes while it is drawn, kept for the next one: memory that is given back and asked for again with every
-/// tile may cost as much time as drawing it.
+/// Scratch memory for drawing a tile, reused for the next tile. Allocating it for every tile can take as long as
+/// drawing.
 struct TileMemory {
   DepthBuffer buffer;
-  std::vector<ScreenTriangle> taken;     ///< by some pixel
-  std::vector<Shading> shadings;         ///< of those that a pixel shows in the end
-  std::vector<std::uint32_t> shadingOf;  ///< of a taken triangle: its place in `shadings`, or noTriangle
+  std::vector<ScreenTriangle> taken;     ///< triangles that some pixel took
+  std::vector<Shading> shadings;         ///< of triangles that are visible in the end
+  std::vector<std::uint32_t> shadingOf;  ///< per taken triangle: its place in `shadings`, or noTriangle
   std::vector<ItemId> row;
   UndecidedPixels undecided;
-  PlacedVertices placed;                  ///< of the cluster that is drawn
-  std::vector<ScreenTriangle> triangles;  ///< of the cluster
-  SmallSamples samples;                   ///< of the cluster
+  PlacedVertices placed;                  ///< of the current cluster
+  std::vector<ScreenTriangle> triangles;  ///< of the current cluster
+  SmallSamples samples;                   ///< of the current cluster
 };
 
-/// What a tile is drawn with: the best of each, where nothing else is asked for.
+/// The kernels for drawing a tile; by default the fastest.
 struct TileKernels {
   const VertexKernels& vertices = bestVertexKernels();
   const SmallTriangleKernels& smallTriangles = bestSmallTriangleKernels();
@@ -46,8 +46,8 @@ struct TileKernels {
   const TexelKernels& texels = bestTexelKernels();
 };
 
-/// Draws the part of a face that lies in its scissor rectangle: an item ID a pixel, row by row from `ids` on, `pitch`
-/// item IDs from row to row. What the memory holds before does not matter.
+/// Draws the part of a face in its scissor rectangle: one item ID per pixel, row by row from `ids` on, `pitch` item IDs
+/// from row to row. Previous contents of `ids` are ignored.
 void drawTile(const PreparedDrawList& draws, const TileKernels& kernels, const Face& face,
               std::span<const std::uint32_t> skipped, TileMemory& memory, ItemId* ids, std::size_t pitch);
 

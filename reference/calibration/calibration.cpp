@@ -14,12 +14,12 @@ constexpr ItemId nothing = 0xffffffff;  // the background of the probes
 
 // --- snapping and edges ---
 
-constexpr std::int64_t pixelUnits = 16384;  // in which a probe's corners are given
+constexpr std::int64_t pixelUnits = 16384;  // unit of a probe's corners
 
-/// The multiple of `step` that a coordinate is snapped to. Samples are multiples, so the coordinate may be relative.
+/// The multiple of `step` that a coordinate snaps to. Samples are multiples, so that the coordinate may be relative.
 std::int64_t snapTo(std::int64_t coordinate, std::int64_t step, SnapRounding rounding) {
   const std::int64_t raised = coordinate + (rounding == SnapRounding::Nearest ? step / 2 : 0);
-  // Steps are powers of two: clearing the bits below rounds down, for negative numbers, too.
+  // Steps are powers of two: clearing the lower bits rounds down, also for negative numbers.
   return raised & -step;
 }
 
@@ -30,7 +30,7 @@ struct Snapping {
   SnapRounding rounding;
 };
 
-/// How often the answers contradict a snapping: on edges, the rule's answer is expected, but any is allowed.
+/// How often the answers contradict a snapping. On edges the top-left rule is expected, but any answer is allowed.
 struct Contradictions {
   int sure = 0, onEdges = 0;
 };
@@ -44,7 +44,7 @@ Contradictions contradictionsOf(const ProbingSet& probes, std::span<const ItemBu
       const bool isCovered = expected == Coverage::Inside || expected == Coverage::OnIncludedEdge;
       const bool isSure = expected == Coverage::Inside || expected == Coverage::Outside;
       if (answers[s].ids[pixel] == (isCovered ? 1 : nothing)) continue;
-      // An item ID that is neither is wrong wherever the sample lies.
+      // Another item ID is wrong wherever the sample lies.
       const bool isId = answers[s].ids[pixel] == 1 || answers[s].ids[pixel] == nothing;
       (isSure || !isId ? contradictions.sure : contradictions.onEdges) += 1;
     }

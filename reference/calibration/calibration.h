@@ -1,14 +1,14 @@
-/// Calibration: the profile of a device (device_profile.h) from its answers to the probing vectors (probes.h).
+/// Calibration: computes the profile of a device (device_profile.h) from its answers to the probe vectors (probes.h).
 ///
-/// - Snapping: each number of bits from 4 to 12, rounded or truncated, predicts which samples are covered; the device
-///   does what contradicts none of its answers. Samples that a prediction puts on an edge tell the edge rule.
-/// - Texels: a coordinate at some distance from a border that shows the texel beyond it is off by more than that
-///   distance. The precision is twice the largest such distance: the device errs by more than half of it, and would
-///   have erred at a larger one otherwise.
-/// - Depth: the finest format that tells apart what it has to; of two formats that both do, float32 where depths close
-///   to 0 are told apart that integers of 24 bits cannot hold.
+/// - Snapping: each number of bits from 4 to 12, rounded or truncated, predicts which samples are covered. The result
+///   is the snapping that contradicts no answer. Samples that a prediction puts on an edge determine the edge rule.
+/// - Texels: if a coordinate at some distance from a border shows the texel beyond it, its error is larger than that
+///   distance. The precision is twice the largest such distance. The error is above half of the precision, and below
+///   the next larger distance.
+/// - Depth: the finest format that distinguishes all differences that it must. Of two such formats it is float32 if the
+///   device distinguishes depths close to 0 that 24-bit integers cannot.
 ///
-/// What is not probed keeps the default: the errors of the vertex stage, the tolerance of depths, loose clipping.
+/// Properties without a probe keep the default: errors of the vertex stage, the tolerance of depths, loose clipping.
 #pragma once
 
 #include <span>
@@ -22,14 +22,14 @@
 namespace hemitex::reference {
 
 struct Calibration {
-  DeviceProfile profile;            ///< of meaning where there are no faults
-  std::vector<std::string> faults;  ///< what no profile explains, a line each
+  DeviceProfile profile;            ///< valid if there are no faults
+  std::vector<std::string> faults;  ///< answers that no profile explains, one line each
 };
 
-/// `answers` holds an item buffer for each of vectorsOf(probes), in their order and of their size.
+/// `answers` holds one item buffer per vector of vectorsOf(probes), in their order and of their size.
 Calibration calibrate(const ProbingSet& probes, std::span<const raster::ItemBuffer> answers);
 
-/// Whether a device of a snapping covers the sample of a probe.
+/// Whether a device with a given snapping covers the sample of a probe.
 enum class Coverage {
   Outside,
   Inside,

@@ -12,12 +12,12 @@
 namespace hemitex::reference {
 namespace {
 
-/// From `low` to `high`, both included.
+/// From `low` to `high`, inclusive.
 int between(std::mt19937& random, int low, int high) {
   return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1));
 }
 
-/// Both coordinates likewise. Braces evaluate from left to right: every compiler draws the same numbers.
+/// As between, for both coordinates. Braces evaluate from left to right, so that all compilers draw the same numbers.
 glm::ivec2 pointBetween(std::mt19937& random, int low, int high) {
   return glm::ivec2{between(random, low, high), between(random, low, high)};
 }
@@ -27,7 +27,7 @@ constexpr int pixelUnits = 16384;
 /// Corners relative to a sample, in units.
 using Corners = std::array<glm::ivec2, 3>;
 
-/// A corner that all snapping puts on the same point of the coarsest grid, in sixteenths of a pixel.
+/// A corner that all snappings put on the same point of the coarsest grid; `point` is in sixteenths of a pixel.
 glm::ivec2 onGrid(const glm::ivec2& point) { return pixelUnits / 16 * point + 1; }
 
 /// A corner of a pixel's triangle at depth w.
@@ -48,13 +48,14 @@ TestVector makeProbe(std::string name, std::string catches, raster::DrawList lis
 
 // --- coverage ---
 
-/// In pixels.
+/// In squared pixels.
 double areaOf(const Corners& corners) {
   const glm::dvec2 p(corners[1] - corners[0]), q(corners[2] - corners[0]);
   return std::abs(p.x * q.y - p.y * q.x) / 2 / pixelUnits / pixelUnits;
 }
 
-/// A triangle with an edge that passes by the sample at about the distance by which `bits` of sub-pixel move its ends.
+/// A triangle with an edge that passes the sample at about the distance by which `bits` of sub-pixel precision move its
+/// ends.
 Corners nearEdge(std::mt19937& random, int bits) {
   constexpr int most = 7 * pixelUnits / 32;
   const int step = pixelUnits >> bits;
@@ -66,7 +67,7 @@ Corners nearEdge(std::mt19937& random, int bits) {
   }
 }
 
-/// A triangle with an edge through the sample, whatever the snapping.
+/// A triangle with an edge through the sample, for all snappings.
 Corners throughSample(std::mt19937& random) {
   for (;;) {
     const glm::ivec2 start = pointBetween(random, -7, 7);
@@ -94,18 +95,18 @@ ProbeSheet<CoverageProbe> coverageSheet(const std::string& name, const std::stri
 
 // --- texels ---
 
-/// How coordinates differ between the corners of a triangle, and their w: at its centre the differences are gone.
+/// The differences of coordinates between the corners of a triangle, and their w. At its centre the differences cancel.
 struct Slope {
   std::string name;
   glm::ivec3 texels;
   glm::ivec3 w;
 };
 
-/// A row a distance: 1/4, 3/16, 1/8, 3/32, ... of a texel; half of its pixels along u, half along v, and of each half
-/// every other one above the border. Distances and borders are such that binary32 holds all coordinates.
+/// One row per distance: 1/4, 3/16, 1/8, 3/32, ... of a texel. Half of its pixels test u, half test v; of each half,
+/// every other pixel lies above the border. Binary32 represents all coordinates exactly.
 ProbeSheet<TexelProbe> texelSheet(const Slope& slope) {
   constexpr int resolution = 32, texels = 1024;
-  // Their centre is the sample: every corner weighs a third.
+  // Their centre is the sample: each corner has a weight of a third.
   const Corners corners{onGrid({-6, -4}), onGrid({0, 6}), onGrid({6, -2})};
   std::mt19937 random(32);
   ProbeSheet<TexelProbe> sheet;
@@ -118,10 +119,10 @@ ProbeSheet<TexelProbe> texelSheet(const Slope& slope) {
       for (int column = isU ? 0 : resolution / 2; column < (isU ? resolution / 2 : resolution); ++column) {
         const int octave = 2 + row / 2;
         const double distance = std::ldexp(row % 2 == 0 ? 1 : 0.75, -octave);
-        // 24 bits hold multiples of distance/3 up to here; the slope takes 8 texels at most to either side.
+        // 24 bits represent multiples of distance/3 up to here; the slope takes at most 8 texels on either side.
         const int last = std::min(texels, 1 << (22 - octave)) - 9;
         const TexelProbe probe{between(random, std::max(9, last / 2), last), distance, column % 2 == 0};
-        // Gentle enough that errors of w move the coordinate by little of the distance.
+        // So small that errors of w move the coordinate by a small part of the distance.
         const double steepness = std::min(1.0, std::ldexp(1, 11 - octave));
         const auto texcoord = [&](int k) {
           const double position = probe.border + (probe.isAbove ? distance : -distance) + steepness * slope.texels[k];
@@ -143,7 +144,8 @@ ProbeSheet<TexelProbe> texelSheet(const Slope& slope) {
 
 // --- depths ---
 
-/// A pair of triangles a pixel: `depths` holds, for each pixel, the w of the nearer one's corners and of the farther's.
+/// A pair of triangles per pixel: `depths` holds, for each pixel, the w of the nearer one's corners and of the
+/// farther's.
 struct DepthPair {
   DepthStep step;
   glm::dvec3 nearer, farther;
@@ -171,14 +173,15 @@ ProbeSheet<DepthProbe> depthSheet(const std::string& name, int resolution, float
   return sheet;
 }
 
-/// The largest difference of two stored depths that a device of a format may confuse.
+/// The largest difference of two stored depths that a device of a format may not resolve.
 double confusable(DepthFormat format) {
   DeviceProfile profile;
   profile.depthFormat = format;
   return 2 * depthError(profile);
 }
 
-/// Depths 1 - n/w close to 1, where binary32 leaves w free, an eighth more apart than a format may confuse.
+/// Depths 1 - n/w close to 1, where binary32 allows fine steps of w. Their difference is an eighth above the limit of a
+/// format.
 ProbeSheet<DepthProbe> formatSteps() {
   constexpr int resolution = 32;
   constexpr double n = 0.25;
@@ -196,8 +199,9 @@ ProbeSheet<DepthProbe> formatSteps() {
   return depthSheet("depth-formats", resolution, static_cast<float>(n), pairs);
 }
 
-/// Depths just behind the near plane, a quarter of 2^-24 apart: one corner of the nearer triangle stands a step of
-/// binary32 before the others, and weighs an eighth. There a float32 buffer is much finer than one of integers.
+/// Depths just behind the near plane with differences of a quarter of 2^-24. One corner of the nearer triangle is a
+/// binary32 step nearer than the others and has a weight of an eighth. There a float32 buffer is much finer than an
+/// integer buffer.
 ProbeSheet<DepthProbe> fineSteps() {
   constexpr int resolution = 16;
   std::mt19937 random(16);

@@ -1,8 +1,9 @@
-/// Probing vectors: pictures in which every pixel asks a device one question, so that its answers tell its profile
-/// (calibration.h). A pixel's triangles stay within half a pixel of its sample and cover no other.
+/// Probe vectors: pictures in which each pixel tests one property of a device, so that the answers determine its
+/// profile (calibration.h). A pixel's triangles stay within half a pixel of its sample and cover no other.
 ///
-/// Corners stand at odd multiples of 1/16384 pixel. All snapping from 4 to 12 bits, rounded or truncated, changes at
-/// even ones: at least 1/16384 pixel away, which is more than the vertex stage errs in so small a viewport.
+/// Corners lie at odd multiples of 1/16384 pixel. All snappings from 4 to 12 bits, rounded or truncated, change at even
+/// multiples, which are at least 1/16384 pixel away. That is more than the error of the vertex stage in such a small
+/// viewport.
 #pragma once
 
 #include <array>
@@ -13,31 +14,31 @@
 
 namespace hemitex::reference {
 
-/// A picture of probes: a vector of one face, and what each of its pixels asks, row by row.
+/// A picture of probes: a vector of one face, and the probe of each pixel, row by row.
 template <typename Probe>
 struct ProbeSheet {
   TestVector vector;
   std::vector<Probe> pixels;
 };
 
-/// Is the sample covered? Item ID 1 says yes, the background no.
+/// Tests whether the sample is covered: item ID 1 means yes, the background no.
 struct CoverageProbe {
   /// Corners of the triangle relative to the sample, in units of 1/16384 pixel.
   std::array<glm::ivec2, 3> corners;
 };
 
-/// Which side of the border between texels `border - 1` and `border` is shown? The item ID is the texel.
+/// Tests which side of the border between texels `border - 1` and `border` is shown. The item ID is the texel.
 struct TexelProbe {
   int border;
   double distance;  ///< of the coordinate from the border, in texels
   bool isAbove;     ///< whether texel `border` is right
 };
 
-/// How close two depths are: a difference that devices of a format tell apart for certain, or one that needs a float32
-/// buffer close to 0.
+/// The difference of two depths: one that devices of a format must resolve, or one that needs a float32 buffer close to
+/// 0.
 enum class DepthStep { Unorm16, Float32, Unorm24, Fine };
 
-/// Which of two triangles is nearer? Item IDs are 1 for the first that is drawn and 2 for the second.
+/// Tests which of two triangles is nearer. Item IDs are 1 for the first that is drawn and 2 for the second.
 struct DepthProbe {
   DepthStep step;
   raster::ItemId nearer;
@@ -49,7 +50,7 @@ struct ProbingSet {
   std::vector<ProbeSheet<DepthProbe>> depths;
 };
 
-/// The same on every machine.
+/// Makes the same probes on all machines.
 ProbingSet makeProbes();
 
 /// All vectors of the set: those of coverage, texels and depths, in this order.

@@ -6,7 +6,7 @@
 namespace hemitex::reference {
 namespace {
 
-/// W of the header.
+/// W of the formulas in disks.h.
 double rimDistances(double radius, double gap, double offset) {
   return std::hypot(gap, offset - radius) * std::hypot(gap, offset + radius);
 }

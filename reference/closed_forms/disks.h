@@ -1,14 +1,14 @@
 /// Form factors to disks, in closed form.
 ///
-/// The textbook's formulas subtract numbers that grow equal as the disk gets small or far. Here they are rearranged so
-/// that only positive numbers are added, but for differences of the lengths given: the relative error is below 1e-14
-/// whatever the lengths. They use, for a point at a distance `offset` from the axis and `gap` from the plane,
+/// The textbook formulas subtract numbers that become equal for small or distant disks. Here the formulas are
+/// rearranged to add only positive numbers, except for differences of the given lengths. So the relative error is below
+/// 1e-14 for all lengths. For a point at a distance `offset` from the axis and `gap` from the plane, they use
 ///
 ///   W^2 = (gap^2 + (offset - radius)^2) (gap^2 + (offset + radius)^2),
 ///
 /// the product of the squared distances to the nearest and to the farthest point of the rim.
 ///
-/// Lengths are in any one unit. Blockers are not looked at.
+/// Lengths are in any common unit. Blockers are ignored.
 #pragma once
 
 namespace hemitex::reference {
@@ -17,25 +17,25 @@ namespace hemitex::reference {
 ///
 ///   F = 2 to^2 / (from^2 + to^2 + gap^2 + W),  W as above with offset = from and radius = to.
 ///
-/// All above 0. Source: Howell, Catalog of Radiation Heat Transfer Configuration Factors, C-41:
-/// (S - sqrt(S^2 - 4 (to/from)^2)) / 2, S = 1 + (gap^2 + to^2) / from^2.
+/// All arguments are above 0. Source: Howell, Catalog of Radiation Heat Transfer Configuration Factors, C-41: (S -
+/// sqrt(S^2 - 4 (to/from)^2)) / 2, S = 1 + (gap^2 + to^2) / from^2.
 double coaxialDisks(double from, double to, double gap);
 
-/// From an element of area to a disk in a parallel plane, the two facing each other. With k = offset^2 + gap^2 -
-/// radius^2,
+/// From an element of area to a disk in a parallel plane, facing each other. With k = offset^2 + gap^2 - radius^2,
 ///
 ///   F = (1 - k/W) / 2;  where k > 0 rearranged to 2 radius^2 gap^2 / (W (W + k)).
 ///
-/// radius and gap above 0, offset at least 0. Source: Howell, section B; radius^2 / (radius^2 + gap^2) on the axis.
+/// `radius` and `gap` are above 0, `offset` is at least 0. Source: Howell, section B; radius^2 / (radius^2 + gap^2) on
+/// the axis.
 double elementToParallelDisk(double radius, double gap, double offset);
 
-/// From an element of area that faces the axis of a disk to that disk, in a plane perpendicular to the element's. With
-/// k = offset^2 + gap^2 + radius^2,
+/// From an element of area that faces the axis of a disk to that disk; the planes are perpendicular. With k = offset^2
+/// + gap^2 + radius^2,
 ///
 ///   F = gap/(2 offset) (k/W - 1) = 2 offset gap radius^2 / (W (W + k)).
 ///
-/// radius and gap above 0, offset at least the radius: the whole disk is in front of the element. Source: Howell,
-/// section B.
+/// `radius` and `gap` are above 0. `offset` is at least the radius, so that the whole disk is in front of the element.
+/// Source: Howell, section B.
 double elementToPerpendicularDisk(double radius, double gap, double offset);
 
 }  // namespace hemitex::reference

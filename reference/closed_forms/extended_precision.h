@@ -1,5 +1,5 @@
-/// Vectors in space of any arithmetic: binary64, or wider numbers for sums that cancel. (GLM's vectors take built-in
-/// numbers only.)
+/// 3D vectors with any number type: double, or wider numbers for sums with cancellation. (GLM's vectors accept only
+/// built-in numbers.)
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@ struct WideVector {
   Real x, y, z;
 };
 
-/// Of a GLM vector, exactly.
+/// Converts a GLM vector, exactly.
 template <typename Real>
 WideVector<Real> widen(const glm::dvec3& v) {
   return {Real(v.x), Real(v.y), Real(v.z)};
@@ -49,14 +49,14 @@ Real length(const WideVector<Real>& v) {
   return sqrt(dot(v, v));
 }
 
-/// A number that knows how wrong it may be: what is computed in double precision is kept where that suffices, and
-/// computed again in wider arithmetic where it does not.
+/// A number with an error bound. A result in double precision is used if its error is small enough; otherwise it is
+/// computed again in wider arithmetic.
 template <typename Real>
 struct Estimate {
   Real value = 0;
-  Real error = 0;  ///< how far rounding and the rule may have moved it, at most
+  Real error = 0;  ///< upper bound of the error from rounding and quadrature
 
-  /// Whether it is positive, and right to 1e-10 of itself; true for an exact 0.
+  /// Whether the value is positive and its relative error is at most 1e-10; true for an exact 0.
   bool isCertain() const { return error <= 1e-10 * value; }
 };
 

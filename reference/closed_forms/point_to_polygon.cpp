@@ -14,8 +14,8 @@ namespace {
 
 using Wide = boost::multiprecision::cpp_bin_float_50;
 
-/// The angle of a right triangle's corner over its opposite side `size`; `along` is the side next to it. Infinite where
-/// both vanish, or where a straight angle leaves no side: sums with it are never certain.
+/// The angle of a right triangle over its opposite side `size`; `along` is the adjacent side. Infinite if both are
+/// zero, or if a straight angle leaves no side; sums with it are never certain.
 template <typename Real>
 Real angleOverSize(const Real& size, const Real& along) {
   using std::atan2;
@@ -23,15 +23,15 @@ Real angleOverSize(const Real& size, const Real& along) {
   return along > 0 ? Real(1 / along) : std::numeric_limits<Real>::infinity();
 }
 
-/// The contour of a polygon as seen from the origin, added up piece by piece.
+/// The contour of a polygon as seen from the origin, summed piece by piece.
 template <typename Real>
 struct Contour {
   WideVector<Real> normal;
   Real sum = 0;
-  Real ratios = 0;         ///< of angle to size, of all pieces of edges
-  Real horizonRatios = 0;  ///< times the distances of both ends, of the pieces of the horizon
+  Real ratios = 0;         ///< sum of angle over size, for all pieces of edges
+  Real horizonRatios = 0;  ///< times the distances of both ends, for the pieces of the horizon
 
-  /// The piece from `start` to `end`, the share `part` of an edge that leaves a corner.
+  /// Adds the piece from `start` to `end`; `part` is the share of the edge, which starts at `corner`.
   void addEdge(const WideVector<Real>& corner, const WideVector<Real>& edge, const WideVector<Real>& start,
                const WideVector<Real>& end, const Real& part) {
     const WideVector<Real> product = cross(corner, edge);
@@ -40,7 +40,7 @@ struct Contour {
     ratios += ratio;
   }
 
-  /// The horizon from where the contour sinks below it to where it rises again.
+  /// Adds the piece of the horizon between the two points where the contour crosses it.
   void addHorizon(const WideVector<Real>& start, const WideVector<Real>& end) {
     using std::abs;
     const Real product = dot(normal, cross(start, end));
@@ -50,7 +50,7 @@ struct Contour {
   }
 };
 
-/// The sizes that bound the rounding of a contour, and its highest point.
+/// The lengths that bound the rounding error of a contour, and its highest point.
 template <typename Real>
 struct Bounds {
   Real reach = 0;    ///< the distance of the farthest corner
@@ -80,7 +80,7 @@ Bounds<Real> boundsOf(const glm::dvec3& point, const WideVector<Real>& normal, s
   return bounds;
 }
 
-/// Lambert's sum over 2 pi, not rounded up to 0 where the polygon shows its back.
+/// Lambert's sum over 2 pi; it is negative if the polygon shows its back.
 template <typename Real>
 Estimate<Real> contourIntegral(const glm::dvec3& point, const glm::dvec3& unitNormal,
                                std::span<const glm::dvec3> polygon) {

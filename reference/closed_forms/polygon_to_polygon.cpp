@@ -22,10 +22,10 @@ using Polygon = std::vector<glm::dvec3>;
 
 struct Plane {
   glm::dvec3 point, normal;
-  double area;  ///< of the polygon that it was taken from
+  double area;  ///< of the original polygon
 };
 
-/// Newell's normal, in wide numbers: in binary64 a sliver's would be as wrong as it is thin.
+/// Newell's normal in wide numbers, because in double precision its relative error is large for slivers.
 Plane planeOf(std::span<const glm::dvec3> polygon) {
   WideVector<Wide> sum{};
   const WideVector<Wide> origin = widen<Wide>(polygon[0]);
@@ -37,8 +37,8 @@ Plane planeOf(std::span<const glm::dvec3> polygon) {
   return {polygon[0], {component(sum.x), component(sum.y), component(sum.z)}, static_cast<double>(size / 2)};
 }
 
-/// The part of a polygon in front of a plane. Heights up to `slack` count as 0: without it, what is coplanar but for
-/// rounding would go through all rules in wide numbers before it came out as nothing.
+/// The part of a polygon in front of a plane. Heights up to `slack` count as 0. Otherwise polygons that are coplanar up
+/// to rounding would need wide numbers in all rules, for a result of zero.
 Polygon inFrontOf(const Plane& plane, const Polygon& polygon, double slack) {
   const auto heightOf = [&](const glm::dvec3& corner) {
     const double height = glm::dot(plane.normal, corner - plane.point);
@@ -64,7 +64,7 @@ double distanceToSegment(const glm::dvec3& point, const glm::dvec3& a, const glm
   return glm::distance(point, a + t * edge);
 }
 
-/// From a point to the nearest of a convex polygon.
+/// The distance from a point to a convex polygon.
 double distanceTo(const Polygon& polygon, const Plane& plane, const glm::dvec3& point) {
   double nearest = std::numeric_limits<double>::infinity();
   bool isAbove = true;
@@ -89,7 +89,7 @@ double radiusOf(const Polygon& polygon) {
   return radius;
 }
 
-/// The integral over a triangle of the form factor from its points: these are a + s (b - a) + s t (c - b), with s and t
+/// The integral over a triangle of the form factor from its points. These are a + s (b - a) + s t (c - b), with s and t
 /// in [0, 1] and the Jacobian 2 area s.
 double integralOverTriangle(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& normal, const Polygon& to) {
   using Rule = boost::math::quadrature::gauss<double, 10>;
@@ -125,7 +125,7 @@ std::vector<Edge<Real>> edgesOf(const Polygon& polygon) {
   return edges;
 }
 
-/// The integral of ln |x - y| over the points y of an edge, but for a multiple of its length: these add up to nothing
+/// The integral of ln |x - y| over the points y of an edge, up to a multiple of its length; such multiples cancel
 /// around the contour of x.
 template <typename Real>
 Real logarithmOver(const Edge<Real>& edge, const WideVector<Real>& x) {
@@ -141,8 +141,8 @@ Real logarithmOver(const Edge<Real>& edge, const WideVector<Real>& x) {
   return upTo(high) - upTo(low) + apart * atan2(apart * edge.length, apart * apart + low * high);
 }
 
-/// Where the integrand along `outer` is sharp, as shares of its length: its two ends, and between them the points
-/// nearest to the ends of `inner` and to its line.
+/// The points where the integrand along `outer` is not smooth, as shares of its length: its two ends, the points
+/// nearest to the ends of `inner`, and the point nearest to its line.
 template <typename Real>
 std::vector<Real> cutsAlong(const Edge<Real>& outer, const Edge<Real>& inner) {
   std::vector<Real> cuts{0, 1};
@@ -160,11 +160,11 @@ std::vector<Real> cutsAlong(const Edge<Real>& outer, const Edge<Real>& inner) {
   return cuts;
 }
 
-/// The integral of ln |x - y| over the points x and y of two edges, but for a term of the inner edge alone.
+/// The integral of ln |x - y| over the points x and y of two edges, up to a term of the inner edge alone.
 template <typename Real>
 Estimate<Real> logarithmOver(const Edge<Real>& outer, const Edge<Real>& inner) {
   const Real epsilon = std::numeric_limits<Real>::epsilon();
-  // The integrands are bounded, so that the rule need not come closer to the ends than this.
+  // The integrands are bounded, so that the rule need not come nearer to the ends than this.
   static boost::math::quadrature::tanh_sinh<Real> rule(12, epsilon * epsilon);
   Estimate<Real> total;
   const std::vector<Real> cuts = cutsAlong(outer, inner);
@@ -200,7 +200,7 @@ Estimate<Real> contourIntegral(const Polygon& from, const Polygon& to) {
   return total;
 }
 
-/// The area of one times the form factor to the other, both wholly in front of each other.
+/// The area of one polygon times its form factor to the other; each lies completely in front of the other.
 double exchangeArea(const Polygon& a, const Polygon& b) {
   const Polygon &smaller = radiusOf(a) < radiusOf(b) ? a : b, &larger = &smaller == &a ? b : a;
   if (distanceTo(larger, planeOf(larger), middleOf(smaller)) >= 3 * radiusOf(smaller))
@@ -211,14 +211,14 @@ double exchangeArea(const Polygon& a, const Polygon& b) {
   return careful.isCertain() ? static_cast<double>(careful.value) : 0;
 }
 
-/// The polygon in coordinates of its own, the farther corner of both at a distance around 1.
+/// Moves and scales the polygon, so that the farthest corner of both is at a distance of about 1.
 Polygon moved(std::span<const glm::dvec3> polygon, const glm::dvec3& origin, double unit) {
   Polygon result;
   for (const glm::dvec3& corner : polygon) result.push_back((corner - origin) / unit);
   return result;
 }
 
-/// The distance of the farthest corner from `origin`, rounded to a power of two so that dividing by it is exact.
+/// The distance of the farthest corner from `origin`, rounded to a power of two, so that dividing by it is exact.
 double extentFrom(const glm::dvec3& origin, std::span<const glm::dvec3> a, std::span<const glm::dvec3> b) {
   double extent = 0;
   for (const auto& polygon : {a, b})

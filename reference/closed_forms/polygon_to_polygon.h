@@ -1,20 +1,21 @@
-/// The form factor from polygon to polygon, nothing between them.
+/// The form factor between two polygons without blockers.
 ///
-/// Both polygons are first cut to the part that is in front of the other's plane; let A_f and A_t be what is left, and
-/// A the whole area of the first. Then one of two rules, whichever the distance asks for:
+/// Each polygon is first clipped to the part in front of the other's plane. Let A_f and A_t be the remaining areas, and
+/// A the whole area of the first polygon. The distance then selects one of two rules:
 ///
-/// - *Apart*: where the smaller polygon is at least its own size away from the other, the form factor from a point
-///   (point_to_polygon.h) is smooth over it, and Gauss' rule over its triangles, 10 x 10 points each, averages it to
-///   1e-12. Every term is positive, so nothing cancels; by reciprocity it does not matter which of the two is smaller.
-/// - *Near* or touching: Stokes' theorem turns the two areas into their contours,
+/// - *Apart*: the smaller polygon is at least its own size away from the other. Then the form factor from a point
+///   (point_to_polygon.h) is smooth over it. Gauss' rule with 10 x 10 points per triangle averages it to 1e-12. All
+///   terms are positive, so that nothing cancels. By reciprocity either polygon may be the smaller one.
+/// - *Near* or touching: Stokes' theorem converts the two areas to their contours,
 ///
 ///     A F = 1/(2 pi) sum_ij d_i . d_j  int int ln |x_i(s) - x_j(t)| ds dt
 ///
-///   over the pairs of edges, d their unit directions, each polygon counter-clockwise in front. The inner integral is
-///   closed; the outer one is cut where its integrand is sharp, at the points nearest to the other edge's ends and to
-///   its line, and each part goes to the double exponential rule (tanh-sinh), which puts up with the logarithms that
-///   stay at its ends: shared edges and corners, gaps of 1e-6. What the rule says its error is, and the rounding, are
-///   summed; above 1e-10 of the sum (slivers) all is done again in 34 digits, at a thousand times the cost.
+/// over the pairs of edges. Here d are their unit directions, and each polygon is counter-clockwise in front. The inner
+/// integral has a closed form. The outer integral is divided where its integrand is not smooth: at the points nearest
+/// to the other edge's ends and to its line. Each part is integrated with the double exponential rule (tanh-sinh),
+/// which can handle logarithms at its ends: shared edges and corners, gaps of 1e-6. The error estimate of the rule and
+/// the rounding errors are summed. If they are above 1e-10 of the result (slivers), it is computed again in 34 digits,
+/// which takes a thousand times as long.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -22,13 +23,13 @@
 
 namespace hemitex::reference {
 
-/// The share of the flux leaving `from` that reaches `to`, blockers not looked at: two convex planar polygons that wind
-/// counter-clockwise in front and do not pass through each other. The relative error is below 1e-9 for the numbers as
-/// given. What rises no more than 1e-13 of the polygons' extent above the other's plane counts as in it: 0 for polygons
-/// that are coplanar but for rounding, and for those that show each other their backs.
+/// The share of the flux leaving `from` that reaches `to`, without blockers. Both are convex planar polygons that wind
+/// counter-clockwise in front and do not intersect. The relative error is below 1e-9 for the given numbers. Corners
+/// within 1e-13 of the polygons' extent of the other's plane count as in the plane. So the result is 0 for polygons
+/// that are coplanar up to rounding, and for those that face away from each other.
 ///
-/// Source of the contour integral: Sparrow, A new and simpler formulation for radiative angle factors (1963); its
-/// closed form, which is not used here: Schroeder and Hanrahan, On the form factor between two polygons (1993).
+/// Source of the contour integral: Sparrow, A new and simpler formulation for radiative angle factors (1963). Its
+/// closed form, not used here: Schroeder and Hanrahan, On the form factor between two polygons (1993).
 double polygonToPolygon(std::span<const glm::dvec3> from, std::span<const glm::dvec3> to);
 
 }  // namespace hemitex::reference

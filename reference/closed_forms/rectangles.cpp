@@ -11,7 +11,7 @@ using Wide = boost::multiprecision::cpp_bin_float_50;
 
 Wide twoPi() { return boost::math::constants::two_pi<Wide>(); }
 
-/// x atan(x / p), with its limit at p = 0 times p: 0.
+/// x atan(x / p) times p, with the limit 0 at p = 0.
 Wide productWithAngle(const Wide& x, const Wide& p) { return p == 0 ? Wide(0) : Wide(x * p * atan(x / p)); }
 
 Wide parallelTerm(const Wide& u, const Wide& v, const Wide& z) {

@@ -1,13 +1,13 @@
-/// Form factors of rectangles with sides along the axes, in closed form.
+/// Form factors of axis-parallel rectangles, in closed form.
 ///
-/// The kernel of the form factor, cos cos / (pi r^2), has an antiderivative in all its variables: a form factor between
-/// two such rectangles is the sum, with alternating signs, of that antiderivative at the 16 pairs of their corners; for
-/// a point and a rectangle, at the 4 corners. The sums cancel: of rectangles of sides a, b, c, d at a distance r about
-/// lg(r^4 / (abcd)) digits are lost, all that binary64 has where unit squares are 10^4 apart. So they are evaluated in
-/// 50 digits and rounded once. The relative error is below 1e-9 as long as r^4 / (abcd) is below 1e36, and near the
-/// 1e-16 of the rounding where it is below 1e30 (slivers of 1 : 1e-6 at 10^4 times their length: 1e28).
+/// The kernel of the form factor, cos cos / (pi r^2), has an antiderivative in all its variables. The form factor
+/// between two such rectangles is the sum, with alternating signs, of that antiderivative at the 16 pairs of their
+/// corners. For a point and a rectangle it is the sum at the 4 corners. The sums cancel: for rectangles of sides a, b,
+/// c, d at a distance r, about lg(r^4 / (abcd)) digits are lost. That is all digits of a double for unit squares 10^4
+/// apart. So the sums are computed in 50 digits and rounded once. The relative error is below 1e-9 if r^4 / (abcd) is
+/// below 1e36. It is about 1e-16 below 1e30 (slivers of 1 : 1e-6 at 10^4 times their length: 1e28).
 ///
-/// Lengths are in any one unit. Blockers are not looked at.
+/// Lengths are in any common unit. Blockers are ignored.
 #pragma once
 
 namespace hemitex::reference {
@@ -16,7 +16,7 @@ struct Interval {
   double low, high;  ///< low < high
 };
 
-/// A rectangle in a plane given by the function; the axes' names are the function's.
+/// A rectangle in a plane; the function defines the plane and the names of the two axes.
 struct AxisRectangle {
   Interval first, second;
 };
@@ -27,9 +27,9 @@ struct AxisRectangle {
 ///   area F = sum +-G(u, v),
 ///   G = 1/(2 pi) { u p atan(u/p) + v q atan(v/q) - z^2/2 ln(u^2 + v^2 + z^2) },  p^2 = v^2 + z^2,  q^2 = u^2 + z^2.
 ///
-/// gap > 0. Source: Howell, Catalog of Radiation Heat Transfer Configuration Factors, C-11 for equal rectangles
-/// opposite each other; in general, Ehlert and Smith, View factors for perpendicular and parallel rectangular plates,
-/// Journal of Thermophysics and Heat Transfer 7 (1993).
+/// gap > 0. Source: Howell, Catalog of Radiation Heat Transfer Configuration Factors, C-11 for equal opposite
+/// rectangles. In general: Ehlert and Smith, View factors for perpendicular and parallel rectangular plates, Journal of
+/// Thermophysics and Heat Transfer 7 (1993).
 double parallelRectangles(const AxisRectangle& from, const AxisRectangle& to, double gap);
 
 /// From the rectangle `from` (x, y) in the plane z = 0, facing up, to `to` (x, z) in the plane y = 0, facing along y.
@@ -37,12 +37,12 @@ double parallelRectangles(const AxisRectangle& from, const AxisRectangle& to, do
 ///
 ///   area F = sum +-H(u, s),  H = 1/(2 pi) { u s atan(u/s) + (u^2 - s^2)/4 ln(u^2 + s^2) }.
 ///
-/// The y and z are at least 0; where both start at 0 the rectangles may share an edge. Source: Howell C-14 for
-/// rectangles with a common edge; in general, Ehlert and Smith 1993.
+/// The y and z are at least 0; if both start at 0, the rectangles may share an edge. Source: Howell C-14 for rectangles
+/// with a common edge; in general, Ehlert and Smith 1993.
 double perpendicularRectangles(const AxisRectangle& from, const AxisRectangle& to);
 
 /// From an element of area at the origin, facing along z, to the rectangle (x, y) in the plane z = distance, facing it.
-/// A corner at x = a, y = b counts, with p^2 = a^2 + z^2 and q^2 = b^2 + z^2,
+/// The term of a corner at x = a, y = b is, with p^2 = a^2 + z^2 and q^2 = b^2 + z^2,
 ///
 ///   1/(2 pi) { a/p atan(b/p) + b/q atan(a/q) }.
 ///
@@ -50,7 +50,7 @@ double perpendicularRectangles(const AxisRectangle& from, const AxisRectangle& t
 double elementToParallelRectangle(const AxisRectangle& to, double distance);
 
 /// From an element of area at the origin, facing along z, to the rectangle (x, z) in the plane y = distance, facing it.
-/// A corner at x = b, z = a counts, with c the distance and p^2 = a^2 + c^2,
+/// The term of a corner at x = b, z = a is, with c the distance and p^2 = a^2 + c^2,
 ///
 ///   -c/(2 pi p) atan(b/p);
 ///

@@ -6,7 +6,7 @@
 namespace hemitex::reference {
 namespace {
 
-/// In extents of the scene, squared: what rounding leaves along cuts, as long as a texel and 1e-17 wide.
+/// In squared extents of the scene: removes rounding noise along cuts, as long as a texel and 1e-17 wide.
 constexpr double minArea = 1e-17;
 
 double areaOf(const SurfacePiece& piece) {

@@ -1,4 +1,4 @@
-/// Rows of form factors in closed form: the average over the area of elements, as if nothing stood in the way.
+/// Form-factor rows in closed form: averages over the area of elements, without blockers.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace hemitex::reference {
 
-/// From `elements` of `from`, together, to every element of `to`: two discretizations of one scene, or the same. Each
-/// pair of their pieces is right to 1e-9 (see polygon_to_polygon.h). Blockers are not looked at, so a row may sum to
-/// more than 1. The time grows with the pairs of pieces, some 50 us each; slivers take a thousand times as much.
+/// From `elements` of `from`, together, to each element of `to`. Both are pieces of one scene, in two discretizations
+/// or the same one. The relative error per pair of pieces is 1e-9 (see polygon_to_polygon.h). Blockers are ignored, so
+/// that a row may sum to more than 1. Takes about 50 us per pair of pieces; slivers take a thousand times as long.
 std::vector<double> analyticRow(const SurfacePieces& from, std::span<const std::uint32_t> elements,
                                 const SurfacePieces& to);
 

@@ -1,5 +1,5 @@
-/// Surfaces as polygons: what an index map says with texels, cut out of the triangles. Rays start on such pieces, and
-/// closed forms are taken of them.
+/// Elements as polygons: the triangles, cut along the texels of an index map. Rays start on these pieces, and closed
+/// forms use them.
 ///
 /// Positions are in the frame of the scene (see ray_caster.h). Triangles are numbered through the scene, surface by
 /// surface.
@@ -15,7 +15,7 @@
 
 namespace hemitex::reference {
 
-/// A point of the file, and a triangle's corners, in the frame of the scene.
+/// Converts a position of the file, and the corners of a triangle, to the frame of the scene.
 glm::dvec3 inFrame(const radiosity::Scene& scene, const glm::dvec3& position);
 std::array<glm::dvec3, 3> inFrame(const radiosity::Scene& scene, const radiosity::Triangle& triangle);
 
@@ -24,23 +24,24 @@ struct SurfacePiece {
   std::uint32_t element = 0;
   std::uint32_t triangle = 0;
   glm::dvec3 normal;               ///< unit
-  std::vector<glm::dvec3> corner;  ///< counter-clockwise in front; three to eight
+  std::vector<glm::dvec3> corner;  ///< counter-clockwise in front; three to eight corners
 };
 
 struct SurfacePieces {
-  std::vector<SurfacePiece> pieces;  ///< element by element, those of one in the order of the triangles
-  std::vector<std::uint32_t> first;  ///< the first piece of each element, and behind them the number of pieces
+  std::vector<SurfacePiece> pieces;  ///< element by element, then in the order of the triangles
+  std::vector<std::uint32_t> first;  ///< the first piece of each element; one more at the end
 
   std::span<const SurfacePiece> of(std::uint32_t element) const {
     return std::span(pieces).subspan(first[element], first[element + 1] - first[element]);
   }
 };
 
-/// The pieces of every texel go to the element that it spills to, as areas do. Those without area are left out.
+/// Assigns the pieces of each texel to the element that the texel maps to, as the discretization does with areas.
+/// Pieces without area are left out.
 SurfacePieces surfacePieces(const radiosity::Scene& scene, const radiosity::Discretization& discretization);
 
-/// The element at a point of a triangle: that of the texel which an index map shows there. `weights` are barycentric,
-/// of the triangle's corners 1 and 2.
+/// The element at a point of a triangle: that of the texel that an index map shows there. `weights` are barycentric, of
+/// the triangle's corners 1 and 2.
 std::uint32_t elementAt(const radiosity::Triangle& triangle, const radiosity::Grid& grid, const glm::dvec2& weights);
 
 }  // namespace hemitex::reference

@@ -5,7 +5,7 @@
 namespace hemitex::reference {
 namespace {
 
-/// The vertices of a draw, which begin at `first`, but for those of skipped triangles.
+/// Adds the vertices of a draw, which begin at `first`, except those of skipped triangles.
 void addVertices(VertexRuns& runs, const raster::Draw& draw, GLint first, std::span<const std::uint32_t> skipped) {
   GLint vertex = first;
   for (auto skip = std::lower_bound(skipped.begin(), skipped.end(), draw.first / 3);

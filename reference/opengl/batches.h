@@ -1,6 +1,6 @@
-/// What a device draws with one call. A scene may have thousands of draws, and a call costs more than a triangle: draws
-/// that can be drawn together make one batch. Triangles that are left out are holes between the runs of its vertices,
-/// so that the buffers stay as they are.
+/// Batches: draws that the device draws with one call. A scene may have thousands of draws, and a call takes longer
+/// than a triangle, so compatible draws are joined. Skipped triangles are gaps between the runs of vertices, so that
+/// the buffers stay the same.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -19,23 +19,23 @@ struct VertexRuns {
   std::vector<GLint> first;
   std::vector<GLsizei> count;
 
-  /// The vertices in [from, end), which begin where the last run ends or behind it.
+  /// Adds the vertices in [from, end), which begin at the end of the last run or behind it.
   void add(GLint from, GLint end);
-  /// In their order, out of the buffers that are bound.
+  /// Draws the runs in their order from the bound buffers.
   void draw() const;
 };
 
 /// Whether the device may draw `next` together with `draw` before it.
 using DrawsJoin = std::function<bool(const raster::Draw& draw, const raster::Draw& next)>;
 
-/// Draws that are drawn together, by the first of them.
+/// Draws that are drawn together, represented by the first of them.
 struct DrawBatch {
   const raster::Draw* draw;  ///< in the list
   VertexRuns runs;
 };
 
-/// What is left of the draws without the `skipped` triangles (see ItemBufferRenderer::draw). Vertices are counted as
-/// they lie in the buffers: draw after draw, as in texelTriangles. The batches point into the list.
+/// The batches of all draws without the `skipped` triangles (see ItemBufferRenderer::draw). Vertices are numbered as in
+/// the buffers: draw after draw, as in texelTriangles. The batches point into the list.
 std::vector<DrawBatch> batchesOf(const raster::DrawList& list, std::span<const std::uint32_t> skipped,
                                  const DrawsJoin& join);
 

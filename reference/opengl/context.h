@@ -1,5 +1,5 @@
-/// Where OpenGL works: a context through EGL on the first device that has what is needed, without a window. Every call
-/// of OpenGL is one to the context that is in use on its thread.
+/// An OpenGL context without a window, through EGL, on the first device with the required features. OpenGL calls use
+/// the context that is current on their thread.
 #pragma once
 
 #include <epoxy/egl.h>
@@ -9,20 +9,20 @@
 
 namespace hemitex::reference {
 
-/// An OpenGL context that draws into no window; what is made in it dies with it. Its display stays with the process,
-/// since EGL does not count who uses one.
+/// An OpenGL context without a window; its objects are destroyed with it. Its display stays open until the process
+/// ends, because EGL does not count the users of a display.
 class OpenGlContext {
  public:
-  /// On the first device that has the compatibility profile of OpenGL 4.5; nothing where none has.
+  /// Uses the first device with the compatibility profile of OpenGL 4.5; returns null if there is none.
   static std::unique_ptr<OpenGlContext> create();
   ~OpenGlContext();
   OpenGlContext(const OpenGlContext&) = delete;
   OpenGlContext& operator=(const OpenGlContext&) = delete;
 
-  /// While it lives, what OpenGL does on this thread it does in the context, which outlives it.
+  /// Makes the context current on this thread during its lifetime; the context must outlive it.
   class Use {
    public:
-    /// Throws InputError where the device is gone.
+    /// Throws InputError if the device is lost.
     explicit Use(const OpenGlContext& context);
     ~Use();
     Use(const Use&) = delete;
@@ -41,7 +41,7 @@ class OpenGlContext {
   EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-/// A limit of the device in use; the first number where it has one for each axis.
+/// A limit of the current device; the first number if there is one per axis.
 int openGlLimit(GLenum name);
 
 }  // namespace hemitex::reference

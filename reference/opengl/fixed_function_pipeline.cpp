@@ -14,12 +14,12 @@ namespace {
 
 using raster::ItemId;
 
-/// Whether adding byte by byte, each clamped, gives the item IDs of the list.
+/// Whether a clamped add per byte gives the item IDs of the list.
 bool addsAsBytes(const raster::DrawList& list) {
   const std::vector<int>& bits = list.format.channelBits;
   const bool areBytes = std::all_of(bits.begin(), bits.end(), [](int width) { return width == 8; });
   if (list.blend == raster::Blend::Replace || (list.blend == raster::Blend::ClampedAdd && areBytes)) return true;
-  // Item IDs that share no bits make no carry, whatever the channels are.
+  // Item IDs without common bits need no carry, for any channels.
   return std::all_of(list.draws.begin(), list.draws.end(), [&list](const raster::Draw& draw) {
     if (!draw.indexMap) return true;
     const std::vector<ItemId>& ids = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)].ids;
@@ -27,8 +27,8 @@ bool addsAsBytes(const raster::DrawList& list) {
   });
 }
 
-/// OpenGL promises the same depths only for the same corners in the same order. Triangles that coincide must tie, so
-/// their order is that of their positions, as far as the winding does not matter.
+/// OpenGL guarantees equal depths only for equal corners in equal order. Coincident triangles must have equal depths,
+/// so corners are sorted by position, as far as the winding does not matter.
 void sortCorners(TexelTriangle& corners, bool isTwoSided) {
   const auto less = [](const TexelCorner& a, const TexelCorner& b) {
     return std::tie(a.position.x, a.position.y, a.position.z) < std::tie(b.position.x, b.position.y, b.position.z);
@@ -40,8 +40,8 @@ void sortCorners(TexelTriangle& corners, bool isTwoSided) {
   }
 }
 
-/// A sample on the border of two texels shows the upper one. What interpolation rounds off a coordinate that is not
-/// constant, some units in its last place, must not take the sample below the border: coordinates move up by 16 such
+/// A sample on the border of two texels shows the upper one. Interpolation has errors of some units in the last place
+/// unless the coordinate is constant. They must not move the sample below the border. So coordinates move up by 16 such
 /// units, at most 2^-10 texel.
 void liftTexels(TexelTriangle& corners) {
   for (int axis = 0; axis < 2; ++axis) {
@@ -52,7 +52,7 @@ void liftTexels(TexelTriangle& corners) {
   }
 }
 
-/// The triangles of the list as the device interpolates them rightly.
+/// The triangles of the list, adjusted so that the device interpolates them correctly.
 std::vector<TexelTriangle> preparedTriangles(const raster::DrawList& list) {
   std::vector<TexelTriangle> triangles = texelTriangles(list);
   std::size_t triangle = 0;
@@ -67,9 +67,9 @@ std::vector<TexelTriangle> preparedTriangles(const raster::DrawList& list) {
 /// The lowest byte is red.
 glm::vec4 colourOf(ItemId id) { return glm::vec4(id & 255, id >> 8 & 255, id >> 16 & 255, id >> 24) / 255.0f; }
 
-/// A corner in front of the near plane is put on the sub-pixel that the rules snap it to.
+/// Moves a corner in front of the near plane to the sub-pixel that the rules snap it to.
 glm::vec4 clipPosition(const raster::Face& face, const raster::ViewVertex& view, int width) {
-  const double subPixels = 128.0 * face.resolution;  // a unit of x/w
+  const double subPixels = 128.0 * face.resolution;  // in a unit of x/w
   const auto across = [&](double x) {
     return view.w < face.nearDistance ? x : std::nearbyint(x / view.w * subPixels) / subPixels * view.w;
   };
@@ -82,22 +82,22 @@ class FixedFunction final : public OpenGlPipeline {
   OpenGlPixels pixels() const override { return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV}; }
   void clear(ItemId background) override;
   void setView(const raster::Face& face, int width) override;
-  /// An offset is a colour, which is set for a draw; and the fronts of a draw come before its backs.
+  /// The offset is a colour, which is set per draw, and the fronts of a draw are drawn before its backs.
   bool joins(const raster::Draw&, const raster::Draw&) const override { return false; }
   void draw(const raster::Draw& draw, const VertexRuns& runs) override;
 
  private:
-  /// What the device is given: clip coordinates, and texture coordinates in texels.
+  /// Clip coordinates, and texture coordinates in texels.
   struct Vertex {
     glm::vec4 position;
     glm::vec2 texel;
   };
 
   std::vector<TexelTriangle> triangles_;
-  std::vector<Vertex> vertices_;  ///< of the view
+  std::vector<Vertex> vertices_;  ///< of the current view
 };
 
-/// The texture environment adds the texel to the colour, or puts it in its place.
+/// The texture environment adds the texel to the colour, or replaces it.
 void setTextureEnvironment(raster::Blend blend) {
   const GLint operation = blend == raster::Blend::Replace ? GL_REPLACE : GL_ADD;
   glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);

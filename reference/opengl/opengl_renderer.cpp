@@ -76,7 +76,7 @@ OpenGlRenderer::Implementation::Implementation(const raster::DrawList& list, Ope
   glGenRenderbuffers(1, &depth_);
 }
 
-/// Renderbuffers as large as the scissor rectangle.
+/// Renderbuffers of the size of the scissor rectangle.
 void OpenGlRenderer::Implementation::setSize(int width, int height) {
   const auto attach = [=](GLuint buffer, GLenum attachment, GLint storage) {
     glBindRenderbuffer(GL_RENDERBUFFER, buffer);
@@ -87,7 +87,7 @@ void OpenGlRenderer::Implementation::setSize(int width, int height) {
   attach(depth_, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F);
 }
 
-/// The device cuts triangles at the sides of its viewport: it is as much wider than the face as the rules' guard band,
+/// The device clips triangles at the sides of its viewport. So the viewport is as wide as the guard band of the rules,
 /// or as the device allows.
 void OpenGlRenderer::Implementation::setView(const raster::Face& face) {
   const int resolution = face.resolution, largest = openGlLimit(GL_MAX_VIEWPORT_DIMS);
@@ -98,8 +98,8 @@ void OpenGlRenderer::Implementation::setView(const raster::Face& face) {
   while (width * resolution > largest) width /= 2;
   const int beside = (width - 1) * resolution / 2;
   glViewport(-beside - face.scissor.column, -beside - face.scissor.row, width * resolution, width * resolution);
-  // Raster rules, 5: a triangle faces the eye where its area and the determinant differ in sign. OpenGL calls a
-  // negative area, taken over columns and rows as well, clockwise.
+  // docs/item-buffers.md, "facing": front-facing if the area and the determinant differ in sign. OpenGL also computes
+  // the area in columns and rows, and calls a negative area clockwise.
   glFrontFace(raster::determinant(face) > 0 ? GL_CW : GL_CCW);
   pipeline_->setView(face, width);
 }

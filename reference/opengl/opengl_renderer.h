@@ -1,15 +1,16 @@
-/// A renderer on a real device: OpenGL through EGL, without a window. It shows what a backend for this method looks
-/// like, and gives the verdicts (verdict.h) a device to judge.
+/// A renderer on a real device: OpenGL through EGL, without a window. It is an example of a backend for this method,
+/// and it provides a device for verdicts (verdict.h).
 ///
-/// The renderer itself holds textures, framebuffer and viewport. A context to work in is in context.h, triangles
-/// as the device is given them in vertices.h, what it draws with one call in batches.h, and what the two
-/// paths do each in their way in pipeline.h.
+/// This file holds textures, framebuffer and viewport. The context is in context.h, vertex data in vertices.h, joined
+/// draws in batches.h, and the interface of the two pipelines in pipeline.h.
 ///
-/// Left to itself a device departs from the raster rules in four ways, and each has its remedy here. It cuts triangles
-/// at the sides of its view: the view is as wide as the rules' guard band, and the framebuffer shows the scissor
-/// rectangle of it. It snaps in its own way and interpolates between corners that are not snapped: corners are put on
-/// sub-pixels before it sees them. It rounds u N before the floor is taken: textures are addressed in texels. And it
-/// interpolates in binary32, which the two paths meet each in their way.
+/// By default a device differs from docs/item-buffers.md in four ways. Each has a remedy here:
+/// - It clips triangles at the sides of its view. The view is as wide as the guard band of the rules, and the
+///   framebuffer shows its scissor rectangle.
+/// - It has its own snapping and interpolates between corners that are not snapped. Corners are put on sub-pixels
+///   beforehand.
+/// - It rounds u N before the floor function. Texture coordinates are in texels.
+/// - It interpolates in binary32. The two pipelines solve this in different ways.
 #pragma once
 
 #include <memory>
@@ -24,26 +25,25 @@
 namespace hemitex::reference {
 
 enum class OpenGlPath {
-  /// As in Nielsen and Christensen (2002): no program runs on the device. An index map is a texture of 8 bits a
-  /// channel, an offset the flat colour of its triangles, and the texture environment adds the two. The vertex stage
-  /// runs on the CPU; the depth is n/w, whose steps are finest far away, where it changes least.
+  /// As in Nielsen and Christensen (2002), without shaders. An index map is a texture with 8 bits per channel, and an
+  /// offset is the flat colour of its triangles. The texture environment adds the two. The vertex stage runs on the
+  /// CPU. The depth is n/w, whose steps are finest far away, where it changes least.
   FixedFunction,
-  /// Index maps are textures of 32-bit integers, and programs do the rest: the vertex stage by the rules, depth and
-  /// texels in binary64, and item IDs of any format.
+  /// Index maps are textures of 32-bit integers, and shaders do the rest: the vertex stage by the rules, depth and
+  /// texels in double precision, and item IDs of any format.
   Shader,
 };
 
 class OpenGlRenderer final : public raster::ItemBufferRenderer {
  public:
-  /// Throws InputError where the list breaks the rules, where no device is there (see openGlDevice), where an index map
-  /// is larger than the device's textures, and where the path cannot draw the list: all that fixed-function hardware
-  /// adds is channels of 8 bits that clamp, and, in any format, item IDs that share no bits.
+  /// Throws InputError if the list breaks the rules, there is no device (see openGlDevice), or an index map exceeds the
+  /// device's textures. Also throws it if the path cannot draw the list. Fixed-function hardware adds only channels of
+  /// 8 bits with clamping and, in any format, item IDs that share no bits.
   OpenGlRenderer(const raster::DrawList& list, OpenGlPath path);
   ~OpenGlRenderer() override;
 
-  /// Throws InputError where a face breaks the rules or is larger than the device's viewport, and where the device
-  /// fails. The fixed-function path draws the fronts of a draw before its backs: where both lie at one depth, the front
-  /// is seen.
+  /// Throws InputError if a face breaks the rules or exceeds the device's viewport, or if the device fails. The
+  /// fixed-function path draws the fronts of a draw before its backs: at equal depths the front is visible.
   void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
             std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) override;
 
@@ -52,8 +52,8 @@ class OpenGlRenderer final : public raster::ItemBufferRenderer {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// Vendor, renderer and version of the device that OpenGlRenderer draws on, as its driver names them; nothing where EGL
-/// finds none with the compatibility profile of OpenGL 4.5.
+/// Vendor, renderer and version of the device of OpenGlRenderer, as its driver names them; nothing if EGL finds no
+/// device with the compatibility profile of OpenGL 4.5.
 std::optional<std::string> openGlDevice();
 
 }  // namespace hemitex::reference

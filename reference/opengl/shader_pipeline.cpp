@@ -17,7 +17,7 @@ class Shader final : public OpenGlPipeline {
   OpenGlPixels pixels() const override { return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT}; }
   void clear(ItemId background) override;
   void setView(const raster::Face& face, int width) override;
-  /// Each vertex brings the offset of its draw along.
+  /// Each vertex has the offset of its draw.
   bool joins(const raster::Draw& draw, const raster::Draw& next) const override {
     return draw.back == next.back && draw.indexMap == next.indexMap;
   }

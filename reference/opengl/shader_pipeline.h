@@ -1,8 +1,7 @@
-/// The path of today's hardware: programs on the device (shader_programs.h) do all that the raster rules ask for.
+/// The pipeline for hardware with shaders (shader_programs.h), which implement all rules of docs/item-buffers.md.
 ///
-/// An item ID is an integer of 32 bits, in textures as in the framebuffer, so that item IDs may have any format.
-/// Vertices lie on the device once for all views, each with the offset of its draw. The depth is w; the smaller is the
-/// nearer.
+/// An item ID is a 32-bit integer in textures and in the framebuffer, so that item IDs may have any format. Vertices
+/// are uploaded once for all views, each with the offset of its draw. The depth is w; smaller is nearer.
 #pragma once
 
 #include <memory>
@@ -12,7 +11,7 @@
 
 namespace hemitex::reference {
 
-/// In the context in use. Throws InputError where the driver refuses the programs.
+/// Requires a current context. Throws InputError if the driver rejects the programs.
 std::unique_ptr<OpenGlPipeline> makeShader(const raster::DrawList& list);
 
 }  // namespace hemitex::reference

@@ -8,7 +8,7 @@
 namespace hemitex::reference {
 namespace {
 
-// Raster rules, 2: in binary32, and `precise`, so that nothing is fused or reordered.
+// docs/item-buffers.md, "view": in binary32, and `precise`, so that nothing is fused or reordered.
 constexpr const char* vertexProgram = R"(#version 450
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec2 texelPosition;
@@ -28,13 +28,14 @@ void main() {
 }
 )";
 
-// Depth and coordinates as planes (Olano and Greer 1997). The point of a triangle with corners v_k that is seen at
-// p = (x/w, y/w, 1) is w p = sum(b_k v_k). With c_k the cross product of the two other corners and D = v_0 . c_0 this
-// gives b_k = w (c_k . p) / D, and since the b_k sum to one,
+// Depth and coordinates as planes (Olano and Greer 1997). Let v_k be the corners of a triangle. Its point seen at p =
+// (x/w, y/w, 1) is w p = sum(b_k v_k). Let c_k be the cross product of the two other corners and D = v_0 . c_0. Then
+// b_k = w (c_k . p) / D, and since the b_k sum to one,
 //
-//   1/w = (sum(c_k) . p) / D,    s = sum(b_k s_k) = (sum(s_k c_k) . p) / (sum(c_k) . p):
+//   1/w = (sum(c_k) . p) / D,    s = sum(b_k s_k) = (sum(s_k c_k) . p) / (sum(c_k) . p).
 //
-// three vectors say all. Lengths across are in sub-pixels, whole numbers for corners in front of the near plane.
+// So three vectors are enough. Lengths across are in sub-pixels, which are integers for corners in front of the near
+// plane.
 constexpr const char* geometryProgram = R"(#version 450
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
@@ -71,7 +72,7 @@ void main() {
 }
 )";
 
-// The depth is w itself, which is often a binary32 number where 1/w is none, brought below 1 by a power of two.
+// The depth is w itself, scaled below 1 by a power of two. It is often a binary32 number where 1/w is not.
 constexpr const char* fragmentProgram = R"(#version 450
 layout(location = 3) uniform double unit;
 layout(location = 5) uniform vec2 corner;  // of the scissor rectangle

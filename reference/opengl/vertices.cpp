@@ -9,7 +9,7 @@
 namespace hemitex::reference {
 namespace {
 
-/// u N, which binary32 may not hold, rounded down: that changes no floor.
+/// u N, rounded down to binary32, which changes no floor.
 float texelPosition(float u, int size) {
   constexpr float largest = std::numeric_limits<float>::max();
   const double exact = std::clamp<double>(static_cast<double>(u) * size, -largest, largest);
@@ -17,7 +17,7 @@ float texelPosition(float u, int size) {
   return static_cast<double>(nearest) > exact ? std::nextafter(nearest, -largest) : nearest;
 }
 
-/// Of the triangle whose indices begin at `first`; `map` is null where the draw has none.
+/// The triangle whose indices begin at `first`; `map` is null if the draw has none.
 TexelTriangle triangleAt(const raster::DrawList& list, std::uint32_t first, const raster::IndexMap* map) {
   TexelTriangle triangle;
   for (std::uint32_t k = 0; k < 3; ++k) {

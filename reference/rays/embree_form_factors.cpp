@@ -22,19 +22,19 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr std::size_t packetSize = 16;
-/// Packets that a thread takes at once.
+/// Packets per task.
 constexpr std::size_t packetsAtOnce = 64;
-/// What a ray meets that meets no element.
+/// Results of rays that meet no element.
 constexpr std::uint32_t background = 0xffffffff, back = 0xfffffffe;
 
-/// A sample of the sequence: a direction around the axis z, and the point of the unit square for where it starts.
+/// A sample of the sequence: a direction around the axis z, and the point of the unit square for its start.
 struct Sample {
   glm::vec3 direction;
   glm::vec2 start;
 };
 
-/// The square onto the unit disk so that equal areas stay equal and squares stay compact (Shirley and Chiu 1997): rings
-/// of squares become rings.
+/// Maps the square to the unit disk so that equal areas stay equal and squares stay compact (Shirley and Chiu 1997):
+/// rings of squares become rings.
 glm::dvec2 onDisk(double x, double y) {
   const double a = 2 * x - 1, b = 2 * y - 1;
   const bool alongX = std::abs(a) > std::abs(b);
@@ -43,8 +43,8 @@ glm::dvec2 onDisk(double x, double y) {
   return radius * glm::dvec2(std::cos(angle), std::sin(angle));
 }
 
-/// Directions over the hemisphere, evenly in projected solid angle (Malley 1988). Those that follow each other are
-/// neighbours, as packets want it: they are sorted along a Z-order curve over the square.
+/// Directions over the hemisphere, uniform in projected solid angle (Malley 1988). They are sorted along a Z-order
+/// curve over the square, so that consecutive directions are neighbours and packets are coherent.
 std::vector<Sample> samplesOf(int count) {
   const SamplePoints points(static_cast<std::size_t>(count), 0);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> order;
@@ -63,13 +63,13 @@ std::vector<Sample> samplesOf(int count) {
   return samples;
 }
 
-/// Where a ray leaves from: its start, and the axes that its direction is given in.
+/// The start of a ray, and the axes of its direction.
 struct Origin {
   glm::vec3 start;
   glm::vec3 x, y, normal;
 };
 
-/// `turn` is the place of the axis x on the unit circle about the normal.
+/// `turn` is the position of the axis x on the unit circle about the normal.
 Origin originAt(const ShootingPoint& point, const glm::dvec3& middle, const glm::dvec2& turn) {
   const glm::dvec3 inward = middle - point.position;
   const double distance = glm::length(inward);
@@ -80,7 +80,8 @@ Origin originAt(const ShootingPoint& point, const glm::dvec3& middle, const glm:
           turn.x * up - turn.y * right, point.normal};
 }
 
-/// The place on the unit circle of the turn that hemicubes have, too; all of the circle, for rays know no symmetry.
+/// The point on the unit circle for the same rotation as hemicubes have. It uses the full circle, because rays have no
+/// symmetry.
 glm::dvec2 onCircle(double turn) { return {std::cos(2 * pi * turn), std::sin(2 * pi * turn)}; }
 
 void aim(RTCRayHit16& packet, std::size_t i, const Origin& from, const glm::vec3& local) {
@@ -101,7 +102,7 @@ void aim(RTCRayHit16& packet, std::size_t i, const Origin& from, const glm::vec3
   packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
 }
 
-/// Whether the triangle is met on the side from which it winds counter-clockwise.
+/// Whether the ray meets the triangle on its front, where it is counter-clockwise.
 bool meetsFront(const RTCRayHit16& packet, std::size_t i) {
   return packet.ray.dir_x[i] * packet.hit.Ng_x[i] + packet.ray.dir_y[i] * packet.hit.Ng_y[i] +
              packet.ray.dir_z[i] * packet.hit.Ng_z[i] <
@@ -111,7 +112,7 @@ bool meetsFront(const RTCRayHit16& packet, std::size_t i) {
 /// A triangle of the scene, by number.
 struct Place {
   std::uint32_t surface, triangle;  ///< in Scene::surfaces, in Surface::triangles
-  bool hasTwin;                     ///< its back is passed through
+  bool hasTwin;                     ///< rays pass through its back
 };
 
 std::vector<Place> placesOf(const radiosity::Scene& scene) {
@@ -122,7 +123,7 @@ std::vector<Place> placesOf(const radiosity::Scene& scene) {
   return places;
 }
 
-/// Embree asks whether hits are to count.
+/// The filter callback of Embree, which accepts or rejects hits.
 void passBacksOfTwins(const RTCFilterFunctionNArguments* arguments) {
   const auto* places = static_cast<const Place*>(arguments->geometryUserPtr);
   const unsigned count = arguments->N;
@@ -135,7 +136,7 @@ void passBacksOfTwins(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
-/// The tree asks for the places, which are those of its triangles, as long as it lives.
+/// `places` are those of the triangles and must live as long as the tree.
 EmbreeScene treeOver(const radiosity::Scene& scene, std::vector<Place>& places) {
   return embreeTree([&](RTCDevice device) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -162,11 +163,11 @@ struct RayRows::Implementation {
   const radiosity::Discretization& discretization;
   RayStart start;
   std::vector<Sample> samples;
-  SurfacePieces pieces;  ///< empty where rays start at centres
+  SurfacePieces pieces;  ///< empty if rays start at centres
   std::vector<Place> places;
   EmbreeScene tree;
-  std::vector<std::uint32_t> met;     ///< by each ray: an element, `background` or `back`
-  std::vector<std::uint64_t> counts;  ///< of rays, one an element, all 0 between rows
+  std::vector<std::uint32_t> met;     ///< per ray: an element, `background` or `back`
+  std::vector<std::uint64_t> counts;  ///< number of rays per element, all 0 between rows
 
   RaySource shooterOf(std::uint32_t patch) const;
   std::uint32_t whatIsMet(const RTCRayHit16& packet, std::size_t i) const;
@@ -201,7 +202,7 @@ std::uint32_t RayRows::Implementation::whatIsMet(const RTCRayHit16& packet, std:
                    {packet.hit.u[i], packet.hit.v[i]});
 }
 
-/// Every ray is worth the same.
+/// All rays have the same weight.
 radiosity::FormFactorRow RayRows::Implementation::count() {
   radiosity::FormFactorRow row;
   const std::uint64_t share = radiosity::wholeShare / met.size();

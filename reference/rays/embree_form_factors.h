@@ -1,31 +1,31 @@
-/// Rows of form factors by rays, the fast way that a renderer would take: Embree's own triangles in binary32, packets
-/// of sixteen coherent rays, directions laid out once. What hemicubes are compared with at equal time, and a method of
-/// its own where a solution asks for rays. It is no ground truth: that is RayFormFactors, slower by far.
+/// Form-factor rows by rays, as a fast renderer computes them: Embree's triangles in binary32, packets of sixteen
+/// coherent rays, and one set of directions. Hemicubes are compared with it at equal time, and solutions can use it as
+/// a method. It is not the ground truth; that is RayFormFactors, which is far slower.
 ///
-/// Directions are a low-discrepancy sequence in projected solid angle, so each ray carries the same share of the light.
-/// With a power of two of them that is an integer of units of 2^-60: a row sums to exactly one. To the 4,000 elements
-/// of the Cornell box 2^16 rays err by 2 % of the light in all (the sum of |F - truth|), four times as many by 2.7
-/// times less. Every patch turns the directions about its normal by an angle of its own, so that what one patch misses
-/// the next one meets.
+/// Directions are a low-discrepancy sequence in projected solid angle, so that each ray carries the same share of the
+/// light. For a power of two that is an integer in units of 2^-60, and a row sums to exactly one. For the 4,000
+/// elements of the Cornell box the sum of |F - truth| is 2 % with 2^16 rays. With four times as many it is 2.7 times
+/// less. Each patch rotates the directions about its normal by its own angle, so that the next patch meets what one
+/// patch misses.
 ///
-/// The start rule: as a hemicube's eye, a ray starts moved into its triangle by `eyeMove` and lifted off it by
-/// `eyeLift` (radiosity/projection/patch_view.h). That clears all that rounding to binary32 can do, by 2^-26 of the
-/// scene's extent at a corner, so no ray meets the plane that it leaves, nor the back of a wall that rises from its
-/// start. What lies lower than that is not seen: blockers and receivers within 5e-7 extents of the patch.
+/// The start of a ray is moved into its triangle by `eyeMove` and lifted off it by `eyeLift`, as the eye of a hemicube
+/// (radiosity/projection/patch_view.h). That exceeds the rounding of corners to binary32, which is 2^-26 of the scene's
+/// extent. So no ray meets the plane that it leaves, or the back of a wall that rises from its start. Lower objects are
+/// not seen: blockers and receivers within 5e-7 extents of the patch.
 ///
-/// Backs of faces block, but for those whose twins stand for them. The same bits for any number of threads; none are
-/// promised between machines.
+/// Backs of faces block, except those with a twin. The results have the same bits for any number of threads, but not on
+/// different machines.
 ///
-/// What rays miss:
-/// - A receiver of less light than one ray: mostly it gets nothing, rarely all that a ray carries. Of 200 receivers of
-///   1e-8 of the light 2^16 rays meet none, 2^20 one, 2^24 28. Of the elements that a patch of the Cornell box sees,
-///   2^17 rays miss 4 %, with 2e-4 of the light; a hemicube of 256 pixels misses as many.
-/// - Slivers narrower than 1e-6 extents, which binary32 thins: to 85 % of their light at 1e-7, 71 % at 3e-8.
-/// - Faces on each other: whichever Embree's rounding puts first, in turned scenes a speckle of both. It is always the
-///   same in the same scene.
-/// - Hardly a gap between triangles that share an edge: of 4e8 rays in closed rooms none slips out, of as many aimed at
-///   edges three, between 200,000 triangles. Without Embree's robust flag it would be one in 10^6, and 1 to 3 % at
-///   edges.
+/// Rays miss the following:
+/// - Receivers of less light than one ray carries. They usually get nothing, and rarely all the light of a ray. Of 200
+///   receivers of 1e-8 of the light, 2^16 rays meet none, 2^20 meet one, and 2^24 meet 28. Of the elements visible from
+///   a patch of the Cornell box, 2^17 rays miss 4 %, with 2e-4 of the light. A hemicube of 256 pixels misses as many.
+/// - Slivers narrower than 1e-6 extents, which become thinner in binary32: to 85 % of their light at 1e-7, 71 % at
+///   3e-8.
+/// - One of two coincident faces. Embree's rounding decides which one, and in rotated scenes both appear in speckles.
+///   The result is always the same for the same scene.
+/// - Very few gaps between triangles that share an edge. Of 4e8 rays in closed rooms none escapes; of as many aimed at
+///   edges three do, between 200,000 triangles. Without Embree's robust flag it is one in 10^6, and 1 to 3 % at edges.
 #pragma once
 
 #include <cstdint>
@@ -42,20 +42,20 @@
 
 namespace hemitex::reference {
 
-/// Where on a patch its rays start.
+/// The starts of rays on a patch.
 enum class RayStart {
-  Centre,  ///< all at radiosity::patchCentre, where its hemicube stands
-  Area,    ///< spread evenly over it
+  Centre,  ///< all at radiosity::patchCentre, like its hemicube
+  Area,    ///< distributed uniformly over it
 };
 
 struct RayRowSettings {
-  int rays = 1 << 16;  ///< a row; a power of two, 16 to 2^24
+  int rays = 1 << 16;  ///< per row; a power of two, 16 to 2^24
   RayStart start = RayStart::Centre;
 };
 
 class RayRows {
  public:
-  /// The scene and the discretization must outlive this one.
+  /// The scene and the discretization must outlive this object.
   RayRows(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
           const RayRowSettings& settings);
   ~RayRows();

@@ -24,8 +24,8 @@ EmbreeScene build(const std::function<RTCGeometry(RTCDevice)>& make, RTCSceneFla
 
 }  // namespace
 
-/// Embree builds in tasks that flush subnormal numbers to 0, and oneTBB hands that mode on to every later loop of the
-/// thread that called. So a thread of its own calls.
+/// Builds on a separate thread. Embree builds in tasks that flush subnormal numbers to 0, and oneTBB propagates that
+/// mode to all later loops of the calling thread.
 EmbreeScene embreeTree(const std::function<RTCGeometry(RTCDevice)>& make, RTCSceneFlags flags) {
   return std::async(std::launch::async, [&make, flags] { return build(make, flags); }).get();
 }

@@ -1,5 +1,5 @@
-/// Embree's tree over a geometry, built without a trace on the threads that asked for it. For the sources of this
-/// folder: it names Embree's own types, which whoever uses the library need not know.
+/// Builds Embree's tree over a geometry without changing the floating-point mode of the calling threads. For the
+/// sources of this folder only: it exposes Embree's types, which users of the library need not know.
 #pragma once
 
 #include <embree3/rtcore.h>
@@ -9,7 +9,7 @@
 
 namespace hemitex::reference {
 
-/// Embree's objects are counted by hand.
+/// Embree's objects have reference counts without automatic release.
 struct ReleaseEmbree {
   void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
   void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
@@ -20,8 +20,8 @@ struct EmbreeScene {
   std::unique_ptr<RTCSceneTy, ReleaseEmbree> scene;
 };
 
-/// The tree over the one geometry that `make` returns, not yet committed, made with the device that it is given. Unless
-/// the flags say else, rays may not slip between neighbours. Throws std::runtime_error where Embree fails.
+/// The tree over the one geometry that `make` returns; `make` gets the device and must not commit the geometry. By
+/// default the flags prevent that rays pass between neighbours. Throws std::runtime_error if Embree fails.
 EmbreeScene embreeTree(const std::function<RTCGeometry(RTCDevice)>& make, RTCSceneFlags flags = RTC_SCENE_FLAG_ROBUST);
 
 }  // namespace hemitex::reference

@@ -15,18 +15,18 @@ namespace hemitex::reference {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-/// Of the closed forms, in parts of all light: less than rays could ever tell.
+/// Error of the closed forms, as a share of all light; far below that of rays.
 constexpr double closedFormError = 1e-10;
-/// A receiver that no ray met may still be worth a few.
+/// A receiver that no ray met may still have the light of this number of rays.
 constexpr double fewestRays = 2;
 
-/// The sums of one randomization: the receivers', then the backs', then the background's.
+/// The sums of one randomization: receivers, then backs, then background.
 using Sums = std::vector<double>;
 
-/// Adds what one point of the sequence says.
+/// Adds the contribution of one point of the sequence.
 using AddSample = std::function<void(const SamplePoint&, Sums&)>;
 
-/// Runs every randomization by itself, in order, and takes the means over them.
+/// Runs each randomization separately, in order, and averages the results.
 MeasuredRow measure(std::uint32_t receivers, const Sampling& sampling, const AddSample& add) {
   assert(sampling.samples > 0);
   const std::size_t count = (static_cast<std::size_t>(sampling.samples) + randomizations - 1) / randomizations;
@@ -47,8 +47,8 @@ MeasuredRow measure(std::uint32_t receivers, const Sampling& sampling, const Add
   return row;
 }
 
-/// A direction over the hemisphere around a normal, evenly in projected solid angle: a point of the unit disk, raised
-/// (Malley 1988).
+/// A direction over the hemisphere around a normal, uniform in projected solid angle: a point of the unit disk,
+/// projected up to the hemisphere (Malley 1988).
 glm::dvec3 cosineDirection(const glm::dvec3& normal, double x, double y) {
   const glm::dvec3 axis = std::abs(normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 right = glm::normalize(glm::cross(axis, normal)), up = glm::cross(normal, right);
@@ -56,14 +56,14 @@ glm::dvec3 cosineDirection(const glm::dvec3& normal, double x, double y) {
   return radius * (std::cos(angle) * right + std::sin(angle) * up) + std::sqrt(1 - x) * normal;
 }
 
-/// The side of a piece that a point sees, as a polygon that winds counter-clockwise there.
+/// The side of a piece that a point sees, as a polygon that is counter-clockwise from there.
 struct SeenSide {
   bool front;
   std::vector<glm::dvec3> polygon;
 };
 
-/// Nothing where the piece's plane passes within epsilon of the point, or no corner rises that far over the point's
-/// tangent plane: rays would not meet it either.
+/// Nothing if the piece's plane passes within epsilon of the point, or if no corner is that far above the point's
+/// tangent plane; rays would not meet it either.
 std::optional<SeenSide> seenSide(const SurfacePiece& piece, const ShootingPoint& point) {
   const double height = glm::dot(piece.normal, point.position - piece.corner[0]);
   const bool rises = std::any_of(piece.corner.begin(), piece.corner.end(), [&](const glm::dvec3& corner) {
@@ -74,8 +74,8 @@ std::optional<SeenSide> seenSide(const SurfacePiece& piece, const ShootingPoint&
   return SeenSide{false, {piece.corner.rbegin(), piece.corner.rend()}};
 }
 
-/// The share of the light from a point that blockers keep from a polygon, part of a triangle of the scene: a direction
-/// into it stands for its solid angle, and counts where the ray meets something else first.
+/// The share of the light from a point to a polygon that blockers hide. The polygon is part of a triangle of the scene.
+/// A direction into it represents its solid angle, and counts if the ray meets something else first.
 double hiddenFactor(const RayCaster& rays, const ShootingPoint& point, std::span<const glm::dvec3> polygon,
                     std::uint32_t triangle, double x, double y) {
   const Aim aim = aimInto(polygon, point.position, x, y);

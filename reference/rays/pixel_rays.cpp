@@ -10,9 +10,9 @@
 namespace hemitex::reference {
 namespace {
 
-constexpr int side = 4;  ///< of the square of pixels that is a packet
+constexpr int side = 4;  ///< of the square of pixels in a packet
 constexpr std::size_t packetSize = side * side;
-/// Rows of packets that a thread takes at once.
+/// Rows of packets per task.
 constexpr int rowsAtOnce = 4;
 
 EmbreeScene treeOver(const raster::DrawList& list) {
@@ -29,10 +29,11 @@ EmbreeScene treeOver(const raster::DrawList& list) {
   return embreeTree(make, RTC_SCENE_FLAG_NONE);
 }
 
-/// What is the same for all packets of a face.
+/// Constants of all packets of a face.
 struct FacePacket {
   RTCRayHit16 rays{};
-  std::array<float, packetSize> right{}, down{};  ///< from the first sample of a packet to each, on the picture plane
+  std::array<float, packetSize> right{},
+      down{};  ///< from the first sample of a packet to each other one, on the picture plane
 };
 
 FacePacket packetOf(const raster::Face& face) {

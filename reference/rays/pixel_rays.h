@@ -1,8 +1,8 @@
-/// What a ray tracer makes of an item buffer: a ray through every pixel of the same faces, and the number of the
-/// triangle that it meets first. What drawing is measured against, so it is done as fast as Embree can: packets of
-/// sixteen neighbours, four by four, with its coherent traversal and without its robust flag. On a Xeon with AVX-512
-/// that was faster than packets of eight and of four, than other shapes, and, on a million triangles, than streams of
-/// any length; where triangles are few they all take the same.
+/// Item buffers of triangle numbers by ray tracing: casts a ray through each pixel of the same faces and returns the
+/// first triangle. It is the baseline for drawing, so it uses Embree's fastest settings: packets of four by four
+/// neighbours, coherent traversal, no robust flag. On a Xeon with AVX-512 that was faster than packets of eight and of
+/// four and than other shapes. With a million triangles it was also faster than streams of any length; with few
+/// triangles all settings take the same time.
 #pragma once
 
 #include <memory>
@@ -14,19 +14,19 @@
 
 namespace hemitex::reference {
 
-/// What a ray meets that meets no triangle.
+/// The result of a ray that meets no triangle.
 inline constexpr raster::ItemId noTriangle = 0xffffffff;
 
 class PixelRays {
  public:
-  /// Builds the tree over the triangles of a list. Throws std::runtime_error where Embree fails.
+  /// Builds the tree over the triangles of a list. Throws std::runtime_error if Embree fails.
   explicit PixelRays(const raster::DrawList& list);
   ~PixelRays();
   PixelRays(const PixelRays&) = delete;
   PixelRays& operator=(const PixelRays&) = delete;
 
-  /// For every pixel of the faces' scissor rectangles the triangle that its sample shows, numbered as in the list, or
-  /// noTriangle; none nearer than the face's near distance. The memory of `buffers` serves again where it is as large.
+  /// For each pixel of the faces' scissor rectangles, the triangle that its sample shows, numbered as in the list, or
+  /// noTriangle. Ignores triangles nearer than the face's near distance. Reuses the allocations of `buffers`.
   void cast(std::span<const raster::Face> faces, std::vector<raster::ItemBuffer>& buffers) const;
 
  private:

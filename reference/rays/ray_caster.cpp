@@ -12,19 +12,19 @@
 namespace hemitex::reference {
 namespace {
 
-/// How far boxes reach beyond their triangles and rays look beyond what they met, in extents: coordinates are at most
-/// 1/2, so binary32 starts, directions and boxes are each wrong by 2^-24 at most.
+/// The margin of boxes around their triangles, and of rays beyond their hits, in extents. Coordinates are at most 1/2,
+/// so that binary32 starts, directions and boxes each have an error of at most 2^-24.
 constexpr float boxMargin = 0x1p-20F;
 
-/// What rounding amounts to in a product of a unit direction and two vectors, over their lengths.
+/// The rounding error of a product of a unit direction and two vectors, over their lengths.
 constexpr double edgeRounding = 0x1p-50;
 
 struct Target {
   std::array<glm::dvec3, 3> corner;  ///< in the frame of the scene
-  bool hasTwin = false;              ///< its back is passed through
+  bool hasTwin = false;              ///< rays pass through its back
 };
 
-/// A ray on its way, handed through Embree to `ask`: the embedded context comes back by its address.
+/// A ray and its hit during a query. Embree passes it to `ask` by the address of the embedded context.
 struct Query : RTCIntersectContext {
   Ray ray;
   std::optional<RayHit> hit;
@@ -36,16 +36,16 @@ struct Meeting {
   double distance;  ///< in epsilons
 };
 
-/// The doubled area, seen along the ray, between its start and an edge from `a` to `b` (relative to the start); for the
-/// other triangle at the edge it is the same number with the other sign. What rounding could have made of 0 is 0, so
-/// that a ray through a corner meets a triangle, too.
+/// The doubled area, seen along the ray, between its start and an edge from `a` to `b` (relative to the start). The
+/// other triangle at the edge gets exactly the opposite value. Values within the rounding error are set to 0, so that a
+/// ray through a corner also meets a triangle.
 double edgeArea(const glm::dvec3& direction, const glm::dvec3& a, const glm::dvec3& b) {
   const double area = glm::dot(direction, glm::cross(a, b));
   return area * area > edgeRounding * edgeRounding * glm::dot(a, a) * glm::dot(b, b) ? area : 0;
 }
 
-/// Where a ray meets a triangle, its edges included. Inside, the three areas have one sign; their sum is the direction
-/// along the normal.
+/// The hit of a ray and a triangle including its edges. Inside, the three areas have the same sign. Their sum is the
+/// component of the direction along the normal.
 std::optional<Meeting> meet(const Ray& ray, const Target& target, std::uint32_t number) {
   const glm::dvec3 a = target.corner[0] - ray.start, b = target.corner[1] - ray.start, c = target.corner[2] - ray.start;
   const double atA = edgeArea(ray.direction, b, c), atB = edgeArea(ray.direction, c, a),
@@ -67,7 +67,7 @@ void giveBounds(const RTCBoundsFunctionArguments* arguments) {
   *arguments->bounds_o = {low.x, low.y, low.z, 0, high.x, high.y, high.z, 0};
 }
 
-/// Embree asks whether a ray meets a triangle whose box it enters.
+/// The intersection callback of Embree for each box that a ray enters.
 void ask(const RTCIntersectFunctionNArguments* arguments) {
   auto& query = *static_cast<Query*>(arguments->context);
   const std::uint32_t number = arguments->primID;
@@ -77,7 +77,7 @@ void ask(const RTCIntersectFunctionNArguments* arguments) {
   if (met->distance == query.distance && query.hit->triangle < number) return;
   query.hit = met->hit;
   query.distance = met->distance;
-  // A ray of its own comes as a packet of one, which is laid out as a single ray is.
+  // A single ray is passed as a packet of one, which has the layout of a single ray.
   reinterpret_cast<RTCRayHit*>(arguments->rayhit)->ray.tfar =
       static_cast<float>(met->distance * rayEpsilon) + boxMargin;
 }
@@ -91,7 +91,7 @@ std::vector<Target> targetsOf(const radiosity::Scene& scene) {
   return targets;
 }
 
-/// The tree asks for the targets as long as it lives.
+/// `targets` must live as long as the tree.
 EmbreeScene treeOver(std::vector<Target>& targets) {
   return embreeTree([&targets](RTCDevice device) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);

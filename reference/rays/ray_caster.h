@@ -1,16 +1,16 @@
-/// What a ray meets first: Embree finds the triangles that it comes near, binary64 decides which of them it meets.
+/// First hits of rays. Embree finds candidate triangles, and double precision decides which of them the ray meets.
 ///
-/// Embree computes in binary32, which has no digits left for a gap of a millionth of the scene. So it is given boxes (a
-/// user geometry), each larger than its triangle by more than binary32 can be wrong, and asks back about each box
-/// that a ray enters. There the triangle's corners are taken relative to the start of the ray and everything is
-/// decided in binary64. Two triangles with a common edge compute the same number for it but for the sign, so no ray
-/// slips between them; and no order in which boxes are asked for, hence no number of threads, changes an answer.
+/// Embree computes in binary32, which cannot resolve a gap of a millionth of the scene. So its geometry consists of
+/// boxes (a user geometry), each larger than its triangle by more than the error of binary32. For each box that a ray
+/// enters, Embree calls back. The callback uses the triangle's corners relative to the start of the ray and decides in
+/// double precision. Two triangles with a common edge compute opposite values for it, so that no ray passes between
+/// them. The order of callbacks, and hence the number of threads, does not change the result.
 ///
-/// Everything is in the frame of the scene: origin at the centre of its bounds, lengths in its extent.
+/// All positions are in the frame of the scene: the origin is the centre of its bounds, and the unit is its extent.
 ///
-/// The epsilon rule: a distance counts as its nearest multiple of epsilon. At distance 0 a ray meets nothing, nor does
-/// it meet the triangle that it starts on; of equal distances the triangle first in the scene's order is met, as in the
-/// item buffers.
+/// The epsilon rule: distances are rounded to the nearest multiple of epsilon. At distance 0 a ray meets nothing, and
+/// it never meets the triangle that it starts on. At equal distances the first triangle in the scene's order wins, as
+/// in item buffers.
 #pragma once
 
 #include <array>
@@ -23,32 +23,32 @@
 
 namespace hemitex::reference {
 
-/// In extents of the scene, 9e-13: some 2^10 times what rounding can move a point off its triangle, and far below the
-/// smallest gap that a scene is asked about.
+/// In extents of the scene, 9e-13. It is about 2^10 times the rounding error of a point on a triangle, and far below
+/// the smallest supported gap.
 inline constexpr double rayEpsilon = 0x1p-40;
 
 struct Ray {
   glm::dvec3 start;            ///< in the frame of the scene
   glm::dvec3 direction;        ///< unit
-  std::uint32_t triangle = 0;  ///< that it starts on, numbered through the scene (see triangleCount)
+  std::uint32_t triangle = 0;  ///< the triangle that it starts on, numbered through the scene (see triangleCount)
 };
 
 struct RayHit {
   std::uint32_t triangle = 0;  ///< numbered through the scene
   glm::dvec2 weights;          ///< barycentric, of the triangle's corners 1 and 2
-  bool front = false;          ///< whether it is met on the side from which it winds counter-clockwise
+  bool front = false;          ///< whether the ray meets the front, where the triangle is counter-clockwise
 };
 
 class RayCaster {
  public:
-  /// Keeps what it needs of the scene.
+  /// Copies what it needs of the scene.
   explicit RayCaster(const radiosity::Scene& scene);
   ~RayCaster();
   RayCaster(const RayCaster&) = delete;
   RayCaster& operator=(const RayCaster&) = delete;
 
-  /// The triangle that a ray meets first; nothing where it leaves the scene. In two-sided scenes it passes through the
-  /// backs of surfaces, whose twins stand for them. May be called from any thread.
+  /// The first triangle that a ray meets; nothing if the ray leaves the scene. In two-sided scenes rays pass through
+  /// the backs of surfaces, which have twins. May be called from any thread.
   std::optional<RayHit> firstHit(const Ray& ray) const;
 
  private:

@@ -63,7 +63,8 @@ std::vector<std::uint32_t> elementsOfSurface(const radiosity::Discretization& di
   return elements;
 }
 
-/// A triangle takes an interval of x as wide as its share of the area; in it the square is drawn together at one end.
+/// A triangle gets an interval of x in proportion to its area. There the square is mapped so that one side collapses to
+/// a corner.
 ShootingPoint shootingPoint(const RaySource& raySource, double x, double y) {
   const auto found = std::upper_bound(raySource.upTo.begin(), std::prev(raySource.upTo.end()), x);
   const double before = found == raySource.upTo.begin() ? 0 : *std::prev(found);

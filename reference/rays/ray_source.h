@@ -1,4 +1,4 @@
-/// What light leaves from: a point, or an area that is sampled evenly.
+/// The source of rays: a point, or an area that is sampled uniformly.
 ///
 /// Positions are in the frame of the scene (see ray_caster.h).
 #pragma once
@@ -15,23 +15,23 @@
 
 namespace hemitex::reference {
 
-/// A triangle that shoots, part of one of the scene; three equal corners make it a point.
+/// A source triangle, part of one of the scene; with three equal corners it is a point.
 struct ShootingTriangle {
   std::array<glm::dvec3, 3> corner;
   glm::dvec3 normal;           ///< unit
-  std::uint32_t triangle = 0;  ///< of the scene
+  std::uint32_t triangle = 0;  ///< number in the scene
 };
 
 struct RaySource {
   std::vector<ShootingTriangle> triangles;
-  std::vector<double> upTo;  ///< the share of the area of the triangles up to each and with it; the last is 1
+  std::vector<double> upTo;  ///< cumulative share of the area of the triangles; the last is 1
 };
 
-/// A single point. It is put into the plane of its triangle, and moved towards the triangle's middle by 2^-30 extents,
-/// so that no rounding leaves it behind a surface that touches it.
+/// A single point. It is projected to the plane of its triangle and moved towards the triangle's middle by 2^-30
+/// extents. So rounding cannot put it behind a surface that touches it.
 RaySource pointRaySource(const radiosity::Scene& scene, std::uint32_t surface, const radiosity::SurfacePoint& point);
 
-/// The area of one or more elements together.
+/// The area of one or more elements.
 RaySource areaRaySource(const SurfacePieces& pieces, std::span<const std::uint32_t> elements);
 
 /// The elements of a patch, and of a surface.
@@ -42,10 +42,10 @@ std::vector<std::uint32_t> elementsOfSurface(const radiosity::Discretization& di
 struct ShootingPoint {
   glm::dvec3 position;
   glm::dvec3 normal;           ///< unit
-  std::uint32_t triangle = 0;  ///< of the scene
+  std::uint32_t triangle = 0;  ///< number in the scene
 };
 
-/// The point of a ray source that the point (x, y) of the unit square stands for; equal areas stand for equal areas.
+/// Maps a point (x, y) of the unit square to a point of a ray source; equal areas map to equal areas.
 ShootingPoint shootingPoint(const RaySource& raySource, double x, double y);
 
 }  // namespace hemitex::reference

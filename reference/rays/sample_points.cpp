@@ -7,7 +7,7 @@
 
 namespace hemitex::reference {
 
-/// Boost leaves out the first point of the sequence, 0. The generator of shifts is the same in every standard library.
+/// Boost leaves out the first point of the sequence, 0. All standard libraries have the same generator for the shifts.
 SamplePoints::SamplePoints(std::size_t count, std::uint32_t seed) : points_(count) {
   boost::random::sobol_engine<std::uint32_t, 32> sobol(4);
   for (std::size_t i = 1; i < count; ++i)

@@ -8,7 +8,7 @@ namespace hemitex::reference {
 namespace {
 
 constexpr double smallSolidAngle = 1e-6;
-/// How far inside a triangle a direction has to be, in barycentric weights.
+/// Minimum barycentric weight of a direction inside a triangle.
 constexpr double insideBy = 0x1p-24;
 
 double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
@@ -20,12 +20,13 @@ glm::dvec3 acrossFrom(const glm::dvec3& from, const glm::dvec3& to) {
   return glm::normalize(from - glm::dot(from, to) * to);
 }
 
-/// On the arc around `axis`, at the given cosine from it, towards `towards`.
+/// The point on the arc from `axis` to `towards` with this cosine to `axis`.
 glm::dvec3 onArc(const glm::dvec3& axis, const glm::dvec3& towards, double cosine) {
   return cosine * axis + std::sqrt(std::max(0.0, 1 - cosine * cosine)) * acrossFrom(towards, axis);
 }
 
-/// A triangle of a fan, chosen in proportion to the sizes that lead up to each, and where in its interval `x` lies.
+/// A triangle of a fan, chosen in proportion to the sizes behind the cumulative sums, and the place of `x` in its
+/// interval.
 struct Choice {
   std::size_t index;
   double within;  ///< [0, 1)
@@ -37,7 +38,7 @@ Choice choose(const std::vector<double>& upTo, double x) {
   return {static_cast<std::size_t>(found - upTo.begin()), (x * upTo.back() - before) / (*found - before)};
 }
 
-/// By area: a point of a flat triangle stands for its area, foreshortened and far away.
+/// By area: a point of a flat triangle represents its area, with foreshortening and distance.
 Aim aimByArea(std::span<const glm::dvec3> polygon, const glm::dvec3& point, double x, double y) {
   std::vector<double> upTo;
   double sum = 0;
@@ -52,9 +53,9 @@ Aim aimByArea(std::span<const glm::dvec3> polygon, const glm::dvec3& point, doub
   return {offset / distance, sum * foreshortening / (distance * distance)};
 }
 
-/// The direction, or one just inside the triangle of these corners (relative to the point). Where two corners are all
-/// but opposite, as those of a sliver seen from its own width away, cosines have too few digits: one direction in
-/// a few hundred would lie on the border or beyond it, where a ray meets a neighbour or nothing.
+/// The direction, or one just inside the triangle with these corners (relative to the point). If two corners are almost
+/// opposite, as those of a sliver seen from its own width away, cosines have too few digits. Then one direction in a
+/// few hundred would lie on the border or beyond it, where a ray meets a neighbour or nothing.
 glm::dvec3 movedInside(const glm::dvec3& direction, const std::array<glm::dvec3, 3>& corner) {
   const auto& [a, b, c] = corner;
   const glm::dvec3 volume(glm::dot(direction, glm::cross(b, c)), glm::dot(direction, glm::cross(c, a)),
@@ -72,7 +73,7 @@ double solidAngle(const SphericalTriangle& triangle) {
   return 2 * std::atan2(std::abs(glm::dot(a, glm::cross(b, c))), 1 + glm::dot(a, b) + glm::dot(b, c) + glm::dot(c, a));
 }
 
-/// An arc from b cuts the triangle's area in the ratio x; its other end lies on the side from a to c. Along the arc
+/// An arc from b divides the triangle's area in the ratio x; its other end lies on the side from a to c. Along the arc,
 /// area grows with 1 - cosine.
 glm::dvec3 directionIn(const SphericalTriangle& triangle, double x, double y) {
   const auto& [a, b, c] = triangle;

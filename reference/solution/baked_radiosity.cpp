@@ -19,11 +19,11 @@ namespace hemitex::reference {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-/// No path survives a bounce with a higher probability, whatever the reflectance.
+/// Maximum probability that a path survives a bounce, for any reflectance.
 constexpr double maxSurvival = 0.99;
 constexpr int maxBounces = 1024;
 constexpr int buriedWalks = 32, walkBounces = 64;
-/// In extents: how near to a point a face lies on it. Far above rounding, far below any gap that is meant.
+/// In extents: a face this near to a point lies on it. Far above rounding, far below any intended gap.
 constexpr double onPoint = 0x1p-30;
 
 class Random {
@@ -38,7 +38,7 @@ class Random {
 
 double total(const glm::dvec3& bands) { return bands.r + bands.g + bands.b; }
 
-/// Cosine-distributed about a normal: a point of the unit disk, lifted to the hemisphere (Malley 1988).
+/// Cosine-distributed about a normal: a point of the unit disk, projected up to the hemisphere (Malley 1988).
 glm::dvec3 cosineDirection(const glm::dvec3& normal, double x, double y) {
   const glm::dvec3 axis = std::abs(normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 right = glm::normalize(glm::cross(axis, normal)), up = glm::cross(normal, right);
@@ -71,8 +71,8 @@ std::vector<Place> placesOf(const radiosity::Scene& scene) {
 /// An element that emits.
 struct Light {
   RaySource raySource;
-  glm::dvec3 power;  ///< flux of a path from here, so that all paths together carry what is emitted, W
-  double upTo;       ///< the share of the flux of the lights up to this one and with it; of the last it is 1
+  glm::dvec3 power;  ///< flux of a path that starts here, W; all paths together carry the emitted flux
+  double upTo;       ///< cumulative share of the flux of the lights; the last is 1
 };
 
 using ElementFlux = std::vector<glm::dvec3>;
@@ -88,7 +88,7 @@ class Tracer {
     findLights();
   }
 
-  /// Flux that arrives at every element with the paths of one randomization, W.
+  /// The flux that arrives at each element with the paths of one randomization, W.
   ElementFlux arriving(const SamplePoints& points, std::size_t randomization, std::uint32_t seed) const {
     ElementFlux sum(discretization_.elements.size(), glm::dvec3(0));
     if (lights_.empty()) return sum;
@@ -145,7 +145,7 @@ class Tracer {
     return caster_.firstHit({from.position, direction, from.triangle});
   }
 
-  /// The light whose share of the flux holds x, in [0, 1).
+  /// The light whose interval of the cumulative flux contains x, in [0, 1).
   std::vector<Light>::const_iterator lightAt(double x) const {
     return std::upper_bound(lights_.begin(), std::prev(lights_.end()), x,
                             [](double value, const Light& light) { return value < light.upTo; });
@@ -169,7 +169,7 @@ class Tracer {
     }
   }
 
-  /// Whether a face lies on the point with its front towards it: from just above the point one looks at its back.
+  /// Whether a face lies on the point and faces it: from just above the point, the back of that face is visible.
   bool isCovered(const ShootingPoint& point) const {
     const glm::dvec3 above = point.position + onPoint * point.normal;
     const auto hit = caster_.firstHit({above, -point.normal, point.triangle});
@@ -182,7 +182,7 @@ class Tracer {
     return shootingPoint(light->raySource, (x - before) / (light->upTo - before), y);
   }
 
-  /// Whether light arrives from a point of the lights, drawn at random.
+  /// Whether light arrives from a random point of the lights.
   bool seesLight(const ShootingPoint& at, Random& random) const {
     if (lights_.empty()) return false;
     const double x = random.next(), y = random.next();
@@ -196,7 +196,7 @@ class Tracer {
 
   enum class Walk { Light, Back, Background, Nothing };
 
-  /// What a random walk from a point meets first, reflected by all fronts.
+  /// A random walk from a point that all fronts reflect; returns the first other hit.
   Walk walk(ShootingPoint at, Random& random) const {
     for (int bounce = 0; bounce < walkBounces; ++bounce) {
       if (seesLight(at, random)) return Walk::Light;
@@ -245,10 +245,10 @@ BandMeasurement meanOf(const Estimates& estimates) {
   return result;
 }
 
-/// Of independent errors.
+/// The combined error of independent errors.
 glm::dvec3 together(const glm::dvec3& a, const glm::dvec3& b) { return glm::sqrt(a * a + b * b); }
 
-/// The errors of elements are not independent, as paths go from one to the other: each randomization is summed up.
+/// Errors of elements are not independent, because paths connect them. So each randomization is summed separately.
 SurfaceFlux sumOf(const std::vector<std::uint32_t>& elements, const std::array<ElementFlux, randomizations>& reflected,
                   const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                   const BakedRadiosity& baked) {
@@ -270,7 +270,7 @@ SurfaceFlux sumOf(const std::vector<std::uint32_t>& elements, const std::array<E
   return sum;
 }
 
-/// Points of each randomization.
+/// The number of points per randomization.
 std::size_t perRandomization(int count, const std::string& what) {
   constexpr int each = randomizations;
   if (count < each || count % each != 0 || !std::has_single_bit(static_cast<unsigned>(count / each)) ||

@@ -1,17 +1,19 @@
-/// Radiosity of every element by light tracing: rays only, no form factors, no item buffers, no equations. An
-/// independent truth for all that this project computes in other ways.
+/// Radiosity of each element by light tracing: only rays, no form factors, item buffers or equations. So it is
+/// independent of all other methods of this project.
 ///
-/// Paths leave the emitting elements, in proportion to flux, evenly over each and cosine-distributed. Whatever a path
-/// meets from the front receives the flux that it carries; a share of it, the reflectance per band, goes on in another
-/// cosine-distributed direction. Paths end by Russian roulette. Backs of faces and the background absorb; backs with a
-/// twin let rays pass (see ray_caster.h). The error of an element's flux falls with the root of that flux: the sum of
-/// all errors is a smaller share of the light than with as many rays that are gathered from every element.
+/// Paths start at the emitting elements, in proportion to flux, uniformly over each element and cosine-distributed. A
+/// surface whose front a path meets receives the flux of the path. A share of it, the reflectance per band, continues
+/// in another cosine-distributed direction. Paths end by Russian roulette. Backs of faces and the background absorb;
+/// backs with a twin let rays pass (see ray_caster.h). The error of an element's flux is proportional to the root of
+/// that flux. So the sum of all errors is a smaller share of the light than with the same number of rays gathered from
+/// each element.
 ///
-/// An element's exposed area is found by points spread evenly over it. A point is *buried* where a face that looks the
-/// other way lies on it. It also is where none of 32 random walks, reflected by all fronts for up to 64 bounces, comes
-/// to see a light, and some meet a back or leave the scene: inside a solid, in the space that a solid without bottom or
-/// back encloses with the floor and the walls, and outside of a room. In a narrow gap walks meet nothing and stay: its
-/// faces are exposed. So are those of emitters that see nothing but background.
+/// Points distributed uniformly over an element measure its exposed area. A point is *buried* if a face of opposite
+/// direction lies on it. A second test uses 32 random walks, which all fronts reflect for up to 64 bounces. The point
+/// is buried if no walk sees a light, and some meet a back or leave the scene. Such points lie inside a solid or
+/// outside a room. They also lie in the space that a solid without bottom or back encloses with the floor and the
+/// walls. In a narrow gap walks meet nothing else and stay, so that its faces are exposed. Faces of emitters that see
+/// only background are exposed too.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +26,7 @@
 namespace hemitex::reference {
 
 struct BakeSettings {
-  int paths = 1 << 20;  ///< in all; 32 times a power of two, below 2^30 (see sample_points.h)
+  int paths = 1 << 20;  ///< total; 32 times a power of two, below 2^30 (see sample_points.h)
   int points = 256;     ///< per element, for its exposed area; 32 times a power of two
   std::uint32_t seed = 0;
 };
@@ -39,15 +41,14 @@ struct SurfaceFlux {
 struct BakedRadiosity {
   std::vector<double> exposedArea;         ///< area times the share of points that are not buried
   std::vector<double> exposedAreaError;    ///< of `exposedArea`
-  std::vector<glm::dvec3> flux;            ///< that leaves, W per band
+  std::vector<glm::dvec3> flux;            ///< outgoing flux, W per band
   std::vector<glm::dvec3> fluxError;       ///< of `flux`
   std::vector<glm::dvec3> radiosity;       ///< flux over exposed area, W/m^2; 0 without exposed area
   std::vector<glm::dvec3> radiosityError;  ///< of `radiosity`
   std::vector<SurfaceFlux> surfaces;
 };
 
-/// Throws InputError where a number of paths or points is not as said above.
-/// The same bits for any number of threads.
+/// Throws InputError for an invalid number of paths or points. Gives the same bits for any number of threads.
 BakedRadiosity bakedRadiosity(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                               const BakeSettings& settings = {});
 

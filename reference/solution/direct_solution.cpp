@@ -18,7 +18,7 @@ Eigen::VectorXd bandOf(std::span<const glm::dvec3> values, int band) {
   return result;
 }
 
-/// The flux of one band, and what its equations miss.
+/// The flux of one band, and the residual of its equations.
 struct Band {
   Eigen::VectorXd flux;
   double missing;
@@ -31,7 +31,7 @@ Band solveBand(const Eigen::Map<const RowMajor>& factors, const Eigen::VectorXd&
       Eigen::MatrixXd::Identity(size, size) - reflectance.asDiagonal() * factors.transpose();
   const Eigen::PartialPivLU<Eigen::MatrixXd> decomposition(equations);
   Band band{decomposition.solve(emitted), 0};
-  // Two steps of refinement take out what the decomposition rounded.
+  // Two steps of iterative refinement remove the rounding error of the decomposition.
   for (int step = 0; step < 2; ++step) band.flux += decomposition.solve(emitted - equations * band.flux);
   band.missing = (emitted - equations * band.flux).lpNorm<1>();
   return band;

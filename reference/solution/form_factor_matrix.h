@@ -1,4 +1,4 @@
-/// Matrices of form factors: what holds for each of them, and by how much one misses it.
+/// Form-factor matrices, and tests of the properties that all of them have.
 #pragma once
 
 #include <cstddef>
@@ -7,21 +7,21 @@
 
 namespace hemitex::reference {
 
-/// A square matrix of form factors, row-major: factors[i * size + j] from element i to element j.
+/// A square form-factor matrix, row-major: factors[i * size + j] from element i to element j.
 struct FormFactorMatrix {
   std::size_t size = 0;
   std::vector<double> factors;
 };
 
 struct MatrixChecks {
-  double smallestRowSum = 0, largestRowSum = 0;  ///< 1 where a surface sees nothing but fronts, never more
-  /// The largest |A_i F_ij - A_j F_ji| / min(A_i, A_j): flux that goes one way only, in parts of what the smaller of
-  /// the two exchanges at most. 0 where light may be followed either way.
+  double smallestRowSum = 0, largestRowSum = 0;  ///< 1 where a surface sees only fronts, never more
+  /// The largest |A_i F_ij - A_j F_ji| / min(A_i, A_j): the difference of the flux in both directions, relative to the
+  /// maximum exchange of the smaller one. 0 if reciprocity holds.
   double reciprocity = 0;
-  std::size_t from = 0, to = 0;  ///< where that is
+  std::size_t from = 0, to = 0;  ///< the pair with that value
 };
 
-/// Of a matrix of at least one row, with the area of each surface or element.
+/// Checks a matrix of at least one row, with the area of each surface or element.
 MatrixChecks checkMatrix(const FormFactorMatrix& matrix, std::span<const double> area);
 
 }  // namespace hemitex::reference

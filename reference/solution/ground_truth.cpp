@@ -23,7 +23,7 @@ void requireFewElements(const radiosity::Discretization& discretization) {
                              "use fewer texels (--texels)");
 }
 
-/// What arrives at every element of the flux that leaves each.
+/// The flux that arrives at each element, from the flux that leaves each.
 std::vector<glm::dvec3> arriving(const FormFactorMatrix& matrix, std::span<const glm::dvec3> flux) {
   std::vector<glm::dvec3> result(matrix.size, glm::dvec3(0));
   for (std::size_t from = 0; from < matrix.size; ++from)
@@ -31,7 +31,7 @@ std::vector<glm::dvec3> arriving(const FormFactorMatrix& matrix, std::span<const
   return result;
 }
 
-/// Flux that leaves every element, bands summed, after some bounces.
+/// The flux that leaves each element after some bounces, bands summed.
 std::vector<double> roughFlux(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                               const FormFactorMatrix& matrix) {
   std::vector<glm::dvec3> emitted;
@@ -48,7 +48,7 @@ std::vector<double> roughFlux(const radiosity::Scene& scene, const radiosity::Di
   return sums;
 }
 
-/// How many rays each element shoots, of `average` times as many as there are elements.
+/// The number of rays of each element; the mean is `average`.
 std::vector<int> spreadSamples(const std::vector<double>& flux, int average) {
   const double mean = std::accumulate(flux.begin(), flux.end(), 0.0) / static_cast<double>(flux.size());
   std::vector<int> samples;
@@ -59,7 +59,7 @@ std::vector<int> spreadSamples(const std::vector<double>& flux, int average) {
   return samples;
 }
 
-/// What the spread of the form factors does to the light that arrives, reflected once.
+/// The effect of the spread of the form factors on light that is reflected once.
 RadiosityError expectedError(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                              const TrueRadiosity& truth) {
   std::vector<glm::dvec3> flux;

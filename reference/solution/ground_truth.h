@@ -1,10 +1,11 @@
-/// The truth for a whole scene: every form factor from element to element measured by rays, the equations solved
-/// directly (see direct_solution.h). What is left of error is chance, and how much is told.
+/// The ground truth of a whole scene: all form factors between elements, measured by rays, and the direct solution of
+/// the equations (see direct_solution.h). The remaining error is random, and its expected size is returned.
 ///
-/// Rays go where the light is: a quarter of them is spread evenly over the elements, the others by the flux that leaves
-/// each, as a few bounces along a coarse matrix have it. So most rays carry alike, and errors are half of what as many
-/// rays from every element would leave. They fall with the root of the samples: of cornell-box with 16 texels (4088
-/// elements), 2^12 samples leave 0.5 % and take 7 s on two cores, the equations another 20 s.
+/// A quarter of the rays is distributed uniformly over the elements. The others are distributed by the flux that leaves
+/// each element, estimated with a few bounces and a coarse matrix. So most rays carry similar flux, and errors are half
+/// of those with the same number of rays from each element. Errors fall with the root of the number of samples. For
+/// cornell-box with 16 texels (4088 elements), 2^12 samples leave 0.5 % and take 7 s on two cores. The equations take
+/// another 20 s.
 #pragma once
 
 #include <cstddef>
@@ -22,24 +23,24 @@
 
 namespace hemitex::reference {
 
-/// Each of the two matrices has 200 MB then, and solving takes twice that again.
+/// Each of the two matrices then takes 200 MB, and solving takes twice that in addition.
 inline constexpr std::size_t maxTrueElements = 5000;
 
-/// The form factors from every element to every element, averaged over the one that shoots: over the hemisphere, with
-/// `samples` rays of each element (see Sampling::samples), and a seed of its own. The same bits for any number of
-/// threads.
+/// The form factors from each element to each element, averaged over the shooting element, over the hemisphere.
+/// `samples` holds the number of rays of each element (see Sampling::samples); each element has its own seed. Gives the
+/// same bits for any number of threads.
 FormFactorMatrix measuredMatrix(const RayFormFactors& rays, const radiosity::Discretization& discretization,
                                 std::span<const int> samples, std::uint32_t seed);
 
 struct TrueRadiosity {
-  FormFactorMatrix matrix;            ///< from element to element: the mean of two measurements that are independent
-  FormFactorMatrix spread;            ///< half of their difference, which is distributed as the error of their mean
-  std::vector<glm::dvec3> radiosity;  ///< one an element, W/m^2 per band
-  RadiosityError error;               ///< expected of `radiosity`: what `spread` does to light that is reflected once
+  FormFactorMatrix matrix;  ///< from element to element: the mean of two independent measurements
+  FormFactorMatrix spread;  ///< half of their difference, which has the distribution of the error of their mean
+  std::vector<glm::dvec3> radiosity;  ///< one per element, W/m^2 per band
+  RadiosityError error;  ///< expected error of `radiosity`: the effect of `spread` on light that is reflected once
 };
 
-/// `sampling.samples`: rays an element on average. Throws InputError where there are more than `maxTrueElements`
-/// elements.
+/// `sampling.samples` is the mean number of rays per element. Throws InputError if there are more than
+/// `maxTrueElements` elements.
 TrueRadiosity trueRadiosity(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                             const Sampling& sampling);
 

@@ -11,7 +11,7 @@ double bandSum(const glm::dvec3& value) { return value.x + value.y + value.z; }
 
 double difference(const glm::dvec3& a, const glm::dvec3& b) { return bandSum(glm::abs(a - b)); }
 
-/// Of the elements [first, first + count).
+/// The error of the elements [first, first + count).
 RadiosityError errorOfRange(const radiosity::Discretization& discretization, std::span<const glm::dvec3> found,
                             std::span<const glm::dvec3> truth, std::size_t first, std::size_t count) {
   double area = 0, flux = 0, missed = 0, squares = 0, largest = 0;

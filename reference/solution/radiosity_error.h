@@ -1,4 +1,4 @@
-/// How far a solution is from the truth.
+/// The error of a solution.
 #pragma once
 
 #include <cstdint>
@@ -10,32 +10,32 @@
 
 namespace hemitex::reference {
 
-/// Bands are summed. All are relative to the true radiosity, 0 where truth and solution are both dark.
+/// Bands are summed. All errors are relative to the true radiosity, and 0 if reference and solution are both dark.
 struct RadiosityError {
   double fluxWeighted = 0;  ///< sum of area |b - truth| over the sum of area truth
-  double rms = 0;           ///< root of the area's mean of (b - truth)^2, over the area's mean of truth
-  double maximum = 0;       ///< the largest |b - truth| of an element, over the area's mean of truth
+  double rms = 0;           ///< root of the area-weighted mean of (b - truth)^2, over that of truth
+  double maximum = 0;       ///< the largest |b - truth| of an element, over the area-weighted mean of truth
 };
 
-/// For every element of `fine`, the element of another discretization of the same scene that the centre of its own
-/// texel lies in. Where the fine grids divide the coarse ones and no texels have merged, fine elements lie whole in it.
+/// For each element of `fine`, the element of another discretization of the same scene at the centre of its own texel.
+/// If the fine grids subdivide the coarse ones and no texels have merged, the coarse element contains the fine one.
 std::vector<std::uint32_t> elementsUnder(const radiosity::Discretization& coarse,
                                          const radiosity::Discretization& fine);
 
-/// A solution as the elements of another discretization see it (see elementsUnder). Compared with a truth on finer
-/// grids it also counts what pieces of constant radiosity cannot show.
+/// A solution, sampled at the elements of another discretization (see elementsUnder). Compared with a reference on
+/// finer grids, its error includes that of constant elements.
 std::vector<glm::dvec3> onOtherGrids(const radiosity::Discretization& coarse, std::span<const glm::dvec3> radiosity,
                                      const radiosity::Discretization& fine);
 
-/// Of all elements. Both hold a radiosity an element.
+/// The error of all elements. Both arguments have one radiosity per element.
 RadiosityError errorOf(const radiosity::Discretization& discretization, std::span<const glm::dvec3> found,
                        std::span<const glm::dvec3> truth);
 
-/// Of the elements of each surface by themselves, one a surface.
+/// The errors of the elements of each surface, one error per surface.
 std::vector<RadiosityError> errorsBySurface(const radiosity::Discretization& discretization,
                                             std::span<const glm::dvec3> found, std::span<const glm::dvec3> truth);
 
-/// |b - truth| over truth of each element; infinite where only the truth is dark.
+/// |b - truth| over truth of each element; infinite if only the truth is dark.
 std::vector<double> errorsByElement(std::span<const glm::dvec3> found, std::span<const glm::dvec3> truth);
 
 }  // namespace hemitex::reference

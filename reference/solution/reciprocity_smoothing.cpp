@@ -12,10 +12,10 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The multipliers of a symmetric exchange whose rows miss so much of their sums.
+/// The Lagrange multipliers for a symmetric exchange whose row sums have the errors `missing`.
 Eigen::VectorXd multipliers(const Eigen::MatrixXd& exchange, const Eigen::VectorXd& missing) {
   const Eigen::VectorXd sums = exchange.rowwise().sum();
-  // In units of each surface's own exchange, so that the smallest is not taken for rounding of the largest.
+  // In units of each surface's own exchange, so that small values are not lost in the rounding error of large ones.
   const Eigen::VectorXd unit = sums.unaryExpr([](double sum) { return sum > 0 ? 1 / std::sqrt(sum) : 0; });
   Eigen::MatrixXd equations = exchange;
   equations.diagonal() += sums;

@@ -1,4 +1,4 @@
-/// How far rows of form factors are from the truth: the rows of patches, measured on the same or on finer grids.
+/// The error of form-factor rows of patches, measured on the same or on finer grids.
 #pragma once
 
 #include <cstddef>
@@ -12,30 +12,31 @@
 
 namespace hemitex::reference {
 
-/// Rows from every patch of a discretization to every element, row-major: factors[patch * elements + element].
+/// Rows from each patch of a discretization to each element, row-major: factors[patch * elements + element].
 struct PatchRows {
   std::size_t elements = 0;
   std::vector<double> factors;
 };
 
-/// The rows of the patches of `coarse` that a matrix from element to element of `fine` holds: averages by area over
-/// where light leaves, sums over where it arrives (see elementsUnder).
+/// The rows of the patches of `coarse` from a matrix from element to element of `fine`: averages by area over shooting
+/// elements, sums over receiving elements (see elementsUnder).
 PatchRows patchRows(const FormFactorMatrix& matrix, const radiosity::Discretization& fine,
                     const radiosity::Discretization& coarse);
 
-/// What a method found; zeros where it was not asked.
+/// The rows of a method; zeros for patches without a row.
 PatchRows patchRows(std::span<const std::optional<radiosity::FormFactorRow>> rows,
                     const radiosity::Discretization& discretization);
 
-/// Means are weighted with the flux that each patch shoots: a row by which no light goes does no harm.
+/// Means are weighted with the flux that each patch shoots, so that rows without light do not count.
 struct RowError {
-  double relativeL1 = 0;  ///< sum over patches of flux times sum over elements of |F - truth|, over the same of truth
-  double rms = 0;      ///< root of the mean over patches (by flux) and elements (each alike) of (F - truth)^2; in parts
-                       ///< of the light that a patch shoots
+  double relativeL1 =
+      0;           ///< sum over patches of flux times sum over elements of |F - truth|, over the same sum of truth
+  double rms = 0;  ///< root of the mean over patches (by flux) and elements (equally) of (F - truth)^2, as a share of
+                   ///< the light that a patch shoots
   double maximum = 0;  ///< the largest |F - truth| of a patch that shoots
 };
 
-/// `flux`: what leaves each patch, none below 0.
+/// `flux` is the flux that leaves each patch, at least 0.
 RowError rowError(const PatchRows& found, const PatchRows& truth, std::span<const double> flux);
 
 }  // namespace hemitex::reference

@@ -23,7 +23,7 @@ std::vector<glm::dvec3> quadOf(const Surface& surface) {
   return {a[0], a[1], a[2], b[2]};
 }
 
-/// Where a hemicube over a point has its eye: lifted off its surface, and moved into the triangle.
+/// The eye of a hemicube over a point: lifted off its surface and moved into the triangle.
 SurfacePoint eyeOver(const Scene& scene, const SurfacePoint& point) {
   const auto& [a, b, c] = scene.surfaces[from].triangles[point.triangle].position;
   const glm::dvec3 inward = (a + b + c) / 3.0 - point.position;

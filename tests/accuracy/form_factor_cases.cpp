@@ -47,13 +47,13 @@ FormFactorCase perpendicular(const std::string& name, const std::string& truth, 
 
 FormFactorTheme gaps() {
   FormFactorTheme theme{"Gaps",
-                        R"(Unit squares that face each other at a distance of so many sides.
+                        R"(Two unit squares face each other. The case is their distance in sides.
 
-Of a gap of 1e-6, the rim by which light escapes is too narrow for any sample to fall on it. The standard error of aimed
-rays does not know of it; they are wrong by what it is worth, which is less than 4e-6.
+With a gap of 1e-6, light escapes through a rim that is too narrow for any sample. The standard error of aimed rays does
+not include it. They are wrong by the flux through the rim, which is less than 4e-6.
 
-Hemicubes stand 2^-21 of the scene's extent over their surface, so that rounding to binary32 cannot put them under it.
-What is nearer than that they look at from beyond: it takes rays, or a scene without what is far away.)",
+The eye of a hemicube lies above its surface by 2^-21 of the scene's extent, so that rounding to binary32 cannot move it
+below. A surface nearer than that is behind the eye. Use rays for such gaps, or leave out distant objects.)",
                         {}};
   const auto add = [&](const std::string& name, double gap) {
     theme.cases.push_back(parallel(name, c11, unitSquare, unitSquare, gap));
@@ -70,8 +70,8 @@ FormFactorTheme slivers() {
   return {"Slivers",
           R"(Rectangles of 1 : 1e-6, and unit squares.
 
-Hemicubes stand 2^-21 of the scene's extent over their surface, which here is half the width of a sliver: what they give
-in the last two rows is right for that place.)",
+The eye of a hemicube lies above its surface by 2^-21 of the scene's extent, which here is half the width of a sliver.
+The values in the last two rows are right for that eye.)",
           {parallel("from a square to a sliver over its middle, one side away", unequal, unitSquare, middle, 1),
            parallel("from that sliver to the square", unequal, middle, unitSquare, 1),
            parallel("from sliver to sliver, one length away", c11, sliver, sliver, 1),
@@ -92,8 +92,8 @@ FormFactorTheme touching() {
 FormFactorTheme angles() {
   FormFactorTheme theme{
       "Dihedral angles",
-      R"(Unit squares that share an edge, in a prism that a third rectangle and two triangles close. No light of the first is
-lost: neither rays over the hemisphere nor hemicubes meet a back or the background, not with one sample.)",
+      R"(Two unit squares share an edge; a third rectangle and two triangles close the prism. No light of the first square is
+lost: no sample of rays over the hemisphere or of hemicubes meets a back or the background.)",
       {}};
   for (const int degrees : {1, 5, 45, 90, 135, 175, 179}) {
     const double angle = degrees * std::numbers::pi / 180;
@@ -117,10 +117,9 @@ lost: neither rays over the hemisphere nor hemicubes meet a back or the backgrou
 FormFactorTheme blockers() {
   FormFactorTheme theme{
       "Blockers of zero thickness",
-      R"(Unit squares that face each other, and half way between them a sheet that covers the part x < 1/2, y < 1/2, the part
-x < 1/2, or all. A line from square to square crosses the middle plane as often on one side as on the other, so a
-quarter, a half or all is hidden. The one hemicube gives exactly three quarters, a half and nothing of what it gives
-without.)",
+      R"(Two unit squares face each other. Halfway between them a sheet covers x < 1/2 and y < 1/2, or x < 1/2, or all. Lines
+from square to square cross the middle plane equally often on both sides. So the sheet hides a quarter, a half or all.
+The one hemicube gives exactly three quarters, a half and nothing of its value without the sheet.)",
       {}};
   const auto add = [&](const std::string& name, double gap, const AxisRectangle& covered, double share) {
     theme.cases.push_back({name,
@@ -140,16 +139,16 @@ FormFactorTheme coincident() {
   const Surface under = facingUp(unitSquare), over = facingDown(unitSquare, 1);
   const Surface turned = tests::parallelogram("turned", {0, 0, 1}, {1, 0, 0}, {0, 1, 0});
   const double c = reference::parallelRectangles(unitSquare, unitSquare, 1);
-  // A floor that goes on behind the wall, a wall that goes on below the floor: half of each is behind the other. It
-  // sees nothing but a back, and counts as the inside of a solid: what is left of both are unit squares that share an
+  // A floor that continues behind the wall, and a wall that continues below the floor: half of each is behind the
+  // other. These halves see only backs and count as the inside of a solid. The rest are unit squares that share an
   // edge.
   const AxisRectangle both{{0, 1}, {-1, 1}};
   const std::string order = "the first in the file is seen";
   return {
       "Coincident and interpenetrating surfaces",
-      R"(Of surfaces at the same distance the first in the file is seen, by hemicubes as by rays, be it one that turns its back:
-see the last of the limits. Of squares that cross, the half behind the other sees nothing but a back: it counts as the
-inside of a solid, and what is left of both are rectangles that share an edge.)",
+      R"(Of surfaces at the same distance, hemicubes and rays see the first in the file, even if it is a back: see the last of
+the limits. Where two squares cross, the half behind the other square sees only a back. It counts as the inside of a
+solid. The remaining halves are rectangles that share an edge.)",
       {{"two squares in one place: to the first in the file", "Howell C-11", {under, over, over}, c, true},
        {"to the second", order, {under, over, over}, 0, true, 2},
        {"two that are back to back: to the one that faces, first in the file",
@@ -168,8 +167,8 @@ inside of a solid, and what is left of both are rectangles that share an edge.)"
 FormFactorTheme scaledAndMoved() {
   FormFactorTheme theme{
       "Scaled and moved scenes",
-      R"(Unit squares 0.3 apart, not quite over each other. Positions are binary64 and all work is done relative to the centre
-of the scene: what a move by 1e8 costs is that coordinates there are multiples of 1.5e-8.)",
+      R"(Two unit squares 0.3 apart, shifted sideways. Positions have double precision and all computations are relative to the
+centre of the scene. At 1e8 coordinates are multiples of 1.5e-8, which causes the error of that row.)",
       {}};
   const AxisRectangle from{{0.1, 1.1}, {0.2, 1.2}}, to{{0.4, 1.4}, {0, 1}};
   const double gap = 0.3;
@@ -178,8 +177,9 @@ of the scene: what a move by 1e8 costs is that coordinates there are multiples o
     for (Surface& surface : extreme.surfaces)
       for (radiosity::Triangle& triangle : surface.triangles)
         for (glm::dvec3& corner : triangle.position) corner = scale * corner + by;
-    // Half a unit in the last place of every coordinate: two of them are the gap, on whose logarithm that of the form
-    // factor depends by 1 at most, and eight the rectangles' edges, by 1 at most to the same length or so.
+    // Half a unit in the last place of each coordinate. Two of them define the gap; the logarithm of the form factor
+    // depends on that of the gap by at most 1. Eight define the edges of the rectangles, with a dependence of about 1
+    // as well.
     extreme.inputRounding = 10 * 0x1p-53 * (1 + by / scale) / gap;
     theme.cases.push_back(extreme);
   };
@@ -198,9 +198,9 @@ FormFactorTheme smallEmitters() {
   fromFloor.insert(fromFloor.begin() + 1, facingDown(light, 0.75));
   return {
       "Emitters of 1e-8 of the scene's area",
-      R"(A square light in a unit cube, a quarter below the ceiling. Light is shot from emitters, so that the first row is the
-one that counts; all 64 hemicubes stand in all but one place there, and err alike. From the floor the light is less than
-a pixel, and missed.)",
+      R"(A square light hangs in a unit cube, a quarter below the ceiling. Solutions use the first row, because emitters shoot
+first. There all 64 hemicubes lie almost at one point and have the same error. From the floor the light is smaller than
+a pixel, and the hemicubes miss it.)",
       {{"from the emitter to the floor", unequal, fromLight, reference::parallelRectangles(light, unitSquare, 0.75)},
        {"from the floor to the emitter", unequal, fromFloor, reference::parallelRectangles(unitSquare, light, 0.75)}}};
 }

@@ -1,4 +1,4 @@
-/// Form factors at the extremes that are known exactly, and what each part of hemitex gives for them.
+/// Extreme scenes with exactly known form factors, and the results of all methods of hemitex for them.
 #pragma once
 
 #include <optional>
@@ -10,47 +10,47 @@
 
 namespace hemitex::accuracy {
 
-/// The side of every hemicube of the page, in pixels, and the rays (or points, where they are aimed) of every row.
+/// The side of each hemicube of the page, in pixels, and the number of rays (or points, if aimed) per row.
 inline constexpr int hemicubeResolution = 256;
 inline constexpr int raySamples = 1 << 13;
 
-/// The light that goes from the first surface of a scene to another, mostly the second.
+/// The form factor from the first surface of a scene to another, usually the second.
 struct FormFactorCase {
   std::string name;
-  std::string truth;  ///< where the exact value comes from
+  std::string truth;  ///< source of the exact value
   std::vector<radiosity::Surface> surfaces;
   double exact;
-  bool isBlocked = false;  ///< something else is in the way, which closed forms do not look at
-  std::uint32_t to = 1;    ///< the receiver
-  /// How far corners written in binary64 move the exact value, relative.
+  bool isBlocked = false;  ///< there is a blocker, which closed forms ignore
+  std::uint32_t to = 1;    ///< number of the receiver
+  /// Relative change of the exact value by the rounding of corners to double precision.
   double inputRounding = 0;
-  /// How much light leaves from a rim so narrow that no point of the rays' may fall there.
+  /// The share of light that leaves through a rim so narrow that no sample may fall there.
   double rim = 0;
 };
 
-/// Hemicubes that stand on the first surface, and closed forms from the same points.
+/// Hemicubes over the first surface, and closed forms from the same points.
 struct FromCentres {
   double hemicubes;   ///< their mean
-  double closedForm;  ///< from where their eyes stand, nothing in the way
-  double aliasing;    ///< how far the pixels along the outline can set the two apart
+  double closedForm;  ///< from the eyes of the hemicubes, without blockers
+  double aliasing;    ///< bound of the difference caused by pixels along the outline
   double lost;        ///< left the scene, or absorbed by backs
 };
 
 struct FormFactorAnswers {
   double closedForm;
   reference::Measurement aimed, hemisphere;
-  double lostByRays;      ///< by those over the hemisphere
+  double lostByRays;      ///< by rays over the hemisphere
   FromCentres one, many;  ///< a single centre, and 8 x 8
 };
 
 FormFactorAnswers answersTo(const FormFactorCase& extreme);
 
-/// Off the exact value, relative to it; where it is 0, in parts of all light.
+/// The error relative to the exact value; if that is 0, as a share of all light.
 double errorOf(double value, const FormFactorCase& extreme);
 
 struct FormFactorTheme {
   std::string title;
-  std::string text;  ///< what the page says above the table
+  std::string text;  ///< the text of the page above the table
   std::vector<FormFactorCase> cases;
 };
 

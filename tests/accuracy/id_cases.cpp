@@ -11,7 +11,7 @@ namespace {
 using namespace radiosity;
 using raster::ItemId;
 
-/// The texels of a surface of 2^k, as a grid near to a square.
+/// The texels of a surface of 2^k texels, as an almost square grid.
 Grid gridOf(int indexBits) {
   Grid grid;
   grid.columns = 1 << (indexBits - indexBits / 2);
@@ -19,7 +19,7 @@ Grid gridOf(int indexBits) {
   return grid;
 }
 
-/// Surfaces that fill a format's item IDs to the last. The last surface is a strip, two texels short or not.
+/// Surfaces that use all item IDs of a format. The last surface is a strip, which may be two texels short.
 Discretization filled(const IdCase& example, bool isShort) {
   Discretization discretization;
   discretization.grids.assign(example.surfaces - 1, gridOf(example.indexBits));

@@ -1,4 +1,4 @@
-/// Index maps of 1 to 31 bits, and item IDs filled to the last bit.
+/// Index maps of 1 to 31 bits that use all item IDs.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +9,16 @@ namespace hemitex::accuracy {
 
 struct IdCase {
   int indexBits;           ///< k
-  std::string format;      ///< the narrowest whose item IDs k bits fill with at least two surfaces
-  std::uint64_t surfaces;  ///< of 2^k texels each, but for the last, which is two short: these item IDs are reserved
-  std::string refusal;     ///< what the user is told where the last has its two texels, too
+  std::string format;      ///< the narrowest format whose item IDs hold at least two surfaces of k bits
+  std::uint64_t surfaces;  ///< of 2^k texels each; the last is two texels short, because two item IDs are reserved
+  std::string refusal;     ///< the error message if the last surface is complete
 };
 
-/// One for every k from 1 to 31, laid out and refused.
+/// One case for each k from 1 to 31.
 std::vector<IdCase> idCases();
 
-/// Whether every texel's item ID, drawn with a clamped add, is offset + texel and stands for that texel, from the first
-/// to the last item ID of use, and nothing stands for the two behind.
+/// Whether each texel's item ID, drawn with a clamped add, is offset + texel and decodes to that texel, from the first
+/// to the last usable item ID. The two reserved item IDs must decode to nothing.
 bool isOneToOne(const IdCase& example);
 
 }  // namespace hemitex::accuracy

@@ -24,7 +24,7 @@ struct Files {
   std::string mtl = "newmtl paint\nKd 0.5\nKe 1\n";
 };
 
-/// What reading it, up to its draw list, says: the message of its error, or its last warning.
+/// The message of loading a scene up to its draw list: that of its error, or its last warning.
 std::string saidOf(const Files& files, const DiscretizationSettings& settings, const std::string& format) {
   const TemporaryFolder folder;
   const std::filesystem::path scenePath = folder.path / "scene.obj";
@@ -52,8 +52,8 @@ LimitCase warning(const std::string& name, const std::string& limit, const Files
   return {name, limit, false, saidOf(files, {}, "r8g8b8a8")};
 }
 
-/// A sheet between a lit floor and a ceiling, as two faces in one place: the floor sees whichever comes first in the
-/// file, and that is the one that turns its back.
+/// A sheet between a lit floor and a ceiling, as two coincident faces. The floor sees the first in the file, which is
+/// the one that faces away.
 std::string saidOfCoincidentFaces() {
   Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(0));
   scene.materials.push_back(tests::material("light", glm::dvec3(0.5), glm::dvec3(1)));
@@ -76,7 +76,7 @@ Files withVertex(const std::string& numbers) {
 
 Files withMaterial(const std::string& statements) { return {.mtl = "newmtl paint\n" + statements}; }
 
-/// Squares enough, of 16 x 16 texels each, to need more than 16 bits.
+/// Enough squares of 16 x 16 texels each to need more than 16 bits.
 Files manySquares() {
   Files files;
   for (int i = 1; i <= 256; ++i) files.obj += "g square" + std::to_string(i) + "\nf 1 2 3 4\n";

@@ -1,4 +1,4 @@
-/// What has a limit, and the very message that a user gets beyond it.
+/// Limits, and the messages that users get beyond them.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace hemitex::accuracy {
 struct LimitCase {
   std::string name;
   std::string limit;
-  bool isError;         ///< else a warning, and the work goes on
+  bool isError;         ///< otherwise a warning, and the program continues
   std::string message;  ///< as the program prints it
 };
 

@@ -1,4 +1,4 @@
-/// `hemitex_accuracy FILE.md`: measures the extremes and writes them as a page, docs/accuracy.md.
+/// `hemitex_accuracy FILE.md`: measures extreme scenes and writes docs/accuracy.md.
 #include <fstream>
 #include <iostream>
 

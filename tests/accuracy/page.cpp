@@ -8,7 +8,7 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-/// Of a closed form whose last bit happens to be right, too.
+/// Also for a closed form whose last bit happens to be right.
 constexpr double rounding = 1e-16;
 
 std::string line(const Row& cells) {
@@ -54,31 +54,32 @@ std::string introduction() {
   const std::string samples = std::to_string(raySamples), pixels = std::to_string(hemicubeResolution);
   return R"(# Accuracy at the extremes
 
-What hemitex gives where scenes are at their worst, against what is known exactly. The program `hemitex_accuracy`
-(tests/accuracy) wrote this page:
+This page compares hemitex with exact results in extreme scenes. The program `hemitex_accuracy` (`tests/accuracy`)
+writes it:
 
     cmake --build --preset release --target hemitex_accuracy
     build/release/bin/hemitex_accuracy docs/accuracy.md
 
-tests/system/accuracy_test.cpp measures every section again, and fails where the page says something else or where an error is
-larger than it has a reason to be.
+`tests/system/accuracy_test.cpp` measures all sections again. It fails where the page differs or where an error is
+larger than its bound.
 
-Tables of form factors say how far each value is from the exact one, relative to it (in parts of all light where it is
-0), rounded up to one digit. `0` is exactly 0; `1` means that all of it is missing.
+Tables of form factors show the error of each value relative to the exact value, rounded up to one digit. Where the
+exact value is 0, the error is a share of all light. `0` is exactly 0; `1` means that all light is missing.
 
-- *closed form*: `polygonToPolygon`, which `--method analytic` adds up. It does not look at blockers.
-- *aimed rays*, *rays*: `--method rays`, with `--aimed` and over the hemisphere; )" +
-         samples + R"( samples, an eighth of what the
-  program takes unless told otherwise. Sixteen times the samples divide the errors of rays over the hemisphere by more
-  than 4, those of aimed rays without blockers by more than 12. Every value also comes with its standard error; unless a
-  section says otherwise these are within four of them.
-- *hemicube*: one, over the centre, of )" +
-         pixels + " x " + pixels + R"( pixels. *8 x 8*: the mean of so many, evenly over the surface
-  (`--texels 8 --patch 1`). *Their pixels*: the part of the error of the 8 x 8 that comes from pixels; the rest is that
-  of closed forms from the same 64 points.
+- *closed form*: `polygonToPolygon`, which `--method analytic` sums. It ignores blockers.
+- *aimed rays*, *rays*: `--method rays`, with `--aimed` and over the hemisphere, with )" +
+         samples + R"( samples (an eighth of
+  the default). Sixteen times the samples divide the errors of rays over the hemisphere by more than 4. They divide the
+  errors of aimed rays without blockers by more than 12. Each value has a standard error. Unless a section says
+  otherwise, errors are within four standard errors.
+- *hemicube*: one hemicube over the centre, with )" +
+         pixels + " x " + pixels + R"( pixels.
+- *8 x 8*: the mean of 64 hemicubes, evenly over the surface (`--texels 8 --patch 1`).
+- *their pixels*: the part of the error of *8 x 8* that comes from pixels. The rest is the error of closed forms from
+  the same 64 points.
 
-Hemicubes see little of what is smaller than a pixel, and one centre is a poor average of what is near. More pixels mend
-the first, smaller patches the second.
+Hemicubes miss most objects smaller than a pixel, and one centre represents near objects badly. More pixels reduce the
+first error, smaller patches the second.
 
 )";
 }
@@ -108,9 +109,9 @@ std::string section(const std::vector<FurnaceCase>& cases, const std::vector<Fur
                     errorText(findings[i].meanError), errorText(findings[i].accountError), yesNo(findings[i].grew)});
   return sectionOf(
       "Reflectance",
-      R"(A closed cube that emits 1 everywhere and reflects r, solved to the default residual of 0.001. Its mean radiosity is
-(1 - r residual) / (1 - r) whatever its form factors: rows sum to exactly 1, and flux is neither made nor lost. In a
-closed scene the number of shots grows with 1 / (1 - r).)",
+      R"(A closed cube emits 1 everywhere and reflects r. It is solved to the default residual of 0.001. Its mean radiosity is
+(1 - r residual) / (1 - r) for any form factors: rows sum to exactly 1, and no flux is gained or lost. In a closed scene
+the number of shots grows with 1 / (1 - r).)",
       table({"r", "shots", "mean radiosity", "absorbed + unshot + lost = emitted", "unshot flux ever grew"}, rows));
 }
 
@@ -121,8 +122,8 @@ std::string section(const std::vector<EmissionCase>& cases, const std::vector<Em
                     errorText(findings[i].accountError)});
   return sectionOf(
       "Emission",
-      R"(A light in a closed cube of reflectance 0.5. Radiosity is linear in the emission: over it, every element's is that of an
-emission of 1.)",
+      R"(A light in a closed cube of reflectance 0.5. Radiosity is linear in the emission: divided by the emission, the radiosity
+of each element equals that for an emission of 1.)",
       table({"emission", "the light's share of all area", "linear", "absorbed + unshot + lost = emitted"}, rows));
 }
 
@@ -132,17 +133,16 @@ std::string section(const std::vector<IdCase>& cases) {
     rows.push_back(
         {std::to_string(example.indexBits), example.format, std::to_string(example.surfaces), example.refusal});
   return sectionOf(
-      "Index bits and full words",
-      R"(Surfaces of 2^k texels fill a word to its last bit: all of them but two texels of the last surface, whose words are
-reserved. Every word then stands for its texel, and for no other: exact. With one texel more the user is told so. Index
-maps have at most 4096 x 4096 texels, so k is at most 24 in a scene; words are laid out and drawn rightly for all of
-these.)",
+      "Index bits and all item IDs",
+      R"(Surfaces of 2^k texels use all item IDs of a format, except for two reserved ones at the end of the last surface. Each
+item ID then belongs to exactly one texel. One texel more is an error with the message below. Index maps have at most
+4096 x 4096 texels, so k is at most 24 in a scene. Item IDs are laid out and drawn correctly for all of these.)",
       table({"k", "format", "surfaces", "one texel too many"}, rows));
 }
 
 std::string section(const OneSurfaceFindings& findings) {
   return sectionOf(
-      "One surface", "A square alone, which emits. All its light leaves the scene: exactly 1 of it.",
+      "One surface", "A single square emits. All its light leaves the scene: a share of exactly 1.",
       table({"light that leaves, by", "error"}, {{"hemicube", errorText(std::abs(findings.backgroundOfHemicube - 1))},
                                                  {"rays", errorText(std::abs(findings.backgroundOfRays - 1))},
                                                  {"the solution's account", errorText(std::abs(findings.lost - 1))}}));
@@ -151,9 +151,9 @@ std::string section(const OneSurfaceFindings& findings) {
 std::string section(const MillionFindings& findings) {
   return sectionOf(
       "A million surfaces",
-      R"(A floor under a ceiling of 1000 x 1000 surfaces less one, one side away. It takes gigabytes, so it is measured by hand
-(`cmake --build --preset release --target million_surfaces`) and not on every change. What reaches all of them is what
-would reach the one that they are cut from.)",
+      R"(A floor lies one side below a ceiling of 1000 x 1000 - 1 surfaces. The case needs gigabytes of memory and is measured by
+hand only (`cmake --build --preset release --target million_surfaces`). The whole ceiling receives the same light as one
+undivided surface.)",
       table({"surfaces", "exact by", "rays", "hemicube, against the closed form from its centre",
              "every pixel accounted for, none a back"},
             {{std::to_string(findings.surfaces), "Ehlert and Smith 1993", errorText(findings.hemisphereError),
@@ -165,7 +165,7 @@ std::string section(const std::vector<LimitCase>& cases) {
   for (const LimitCase& example : cases)
     rows.push_back({example.name, example.limit, example.isError ? "error" : "warning", example.message});
   return sectionOf("Limits and their messages",
-                   "An error ends the program with exit code 2, nothing written; after a warning it goes on.",
+                   "After an error the program writes nothing and ends with exit code 2. After a warning it continues.",
                    table({"case", "limit", "kind", "message"}, rows));
 }
 
@@ -183,7 +183,7 @@ const std::vector<Section>& sections() {
       {"Emission", [] { return measured(emissions(), [](const EmissionCase& c) { return findingsOf(c); }); }},
       {"One surface", [] { return section(ofOneSurface()); }},
       {"A million surfaces", [] { return section(ofAMillionSurfaces()); }},
-      {"Index bits and full words", [] { return section(idCases()); }},
+      {"Index bits and all item IDs", [] { return section(idCases()); }},
       {"Limits and their messages", [] { return section(limitCases()); }}};
   return all;
 }

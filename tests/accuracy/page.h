@@ -1,5 +1,5 @@
-/// docs/accuracy.md: what the extremes look like as a page. Sections are made of what was measured; numbers are rounded
-/// so that no last bit of a mathematical library shows.
+/// docs/accuracy.md: formats measurements as sections of the page. Numbers are rounded so that differences of
+/// mathematical libraries in the last bits do not show.
 #pragma once
 
 #include <string>
@@ -15,11 +15,11 @@
 
 namespace hemitex::accuracy {
 
-/// What the page says before its first section, and the title line of one.
+/// The text before the first section, and the title line of a section.
 std::string introduction();
 std::string headline(const std::string& title);
 
-/// Sections, each with its headline; one answer (finding) a case.
+/// Sections with their headlines; one answer or finding per case.
 std::string section(const FormFactorTheme& theme, const std::vector<FormFactorAnswers>& answers);
 std::string section(const std::vector<FurnaceCase>& cases, const std::vector<FurnaceFindings>& findings);
 std::string section(const std::vector<EmissionCase>& cases, const std::vector<EmissionFindings>& findings);
@@ -28,7 +28,7 @@ std::string section(const OneSurfaceFindings& findings);
 std::string section(const MillionFindings& findings);
 std::string section(const std::vector<LimitCase>& cases);
 
-/// The titles of all sections, as they follow each other, each with what measures it anew and writes it.
+/// The titles of all sections in order, with functions that measure and format them.
 struct Section {
   std::string title;
   std::string (*make)();

@@ -23,7 +23,7 @@ double accountErrorOf(const Energy& energy) {
   return std::abs(accounted.x - energy.emitted.x) / energy.emitted.x;
 }
 
-/// The light is square, faces down, and hangs a quarter below the ceiling.
+/// The light is a square that faces down, a quarter below the ceiling.
 Scene litCube(const EmissionCase& example) {
   Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(0));
   scene.materials.push_back(tests::material("light", glm::dvec3(0.5), glm::dvec3(example.emission)));

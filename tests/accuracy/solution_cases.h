@@ -1,12 +1,12 @@
-/// Progressive solutions at the extremes of reflectance and emission, and what has to hold of them.
+/// Progressive solutions with extreme reflectances and emissions, and their expected properties.
 #pragma once
 
 #include <vector>
 
 namespace hemitex::accuracy {
 
-/// A closed cube that emits 1 everywhere. Whatever the form factors, with every row closed, emitted = absorbed +
-/// unshot, and absorbed = (1 - r) of all that arrived: the mean radiosity is (1 - r residual) / (1 - r).
+/// A closed cube that emits 1 everywhere. For any form factors with closed rows, emitted = absorbed + unshot, and
+/// absorbed = (1 - r) of the received flux. So the mean radiosity is (1 - r residual) / (1 - r).
 struct FurnaceCase {
   double reflectance;
 };
@@ -15,7 +15,7 @@ struct FurnaceFindings {
   int shots;
   double meanError;     ///< of the mean radiosity, relative
   double accountError;  ///< of absorbed + unshot + lost over emitted
-  bool grew;            ///< whether a shot ever left more unshot than there was before it
+  bool grew;            ///< whether any shot increased the unshot flux
 };
 
 std::vector<FurnaceCase> furnaces();
@@ -28,7 +28,8 @@ struct EmissionCase {
 };
 
 struct EmissionFindings {
-  double linearityError;  ///< of the radiosity over the emission, against that of an emission of 1; the worst element
+  double
+      linearityError;  ///< of the radiosity over the emission, relative to that for an emission of 1; the worst element
   double accountError;
 };
 

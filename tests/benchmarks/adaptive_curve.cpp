@@ -1,6 +1,7 @@
-/// Error against elements on the Cornell box, for equal texels and for quadtrees: prints a table. The error is that of
-/// constant elements at every texel of a fine solution, weighted by flux (reference/solution/radiosity_error.h). Behind
-/// quadtrees stands how many equal elements have the same error, between two counts on a logarithmic scale.
+/// Error by number of elements on the Cornell box, for equal texels and for quadtrees: prints a table. The error is
+/// that of constant elements at each texel of a fine solution, weighted by flux (reference/solution/radiosity_error.h).
+/// The last column for quadtrees is the number of equal elements with the same error, interpolated on a logarithmic
+/// scale.
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -66,7 +67,7 @@ class Curve {
   std::vector<glm::dvec3> truth_;
 };
 
-/// The elements that the curve has at an error; 0 where it does not reach it.
+/// The number of elements of the curve at an error; 0 if it does not reach the error.
 double elementsAt(const std::vector<Point>& curve, double error) {
   for (std::size_t i = 1; i < curve.size(); ++i) {
     const Point &a = curve[i - 1], &b = curve[i];

@@ -1,7 +1,7 @@
-/// What a bound on the error costs: for every scene and bound, what `solve --max-error` takes, the choice included,
-/// beside the cheapest setting of `tradeoff` that keeps the bound, and the true error of both. The truth is found by
-/// light tracing. Prints a line per scene and bound, and how often bounds were kept; times are in seconds of the
-/// processor.
+/// The cost of a bound on the error. For each scene and bound, compares the time of `solve --max-error`, including the
+/// choice of settings, with the cheapest setting of `tradeoff` that keeps the bound, and prints the true error of both.
+/// The reference is light tracing. Prints one line per scene and bound, and how often bounds were kept; times are
+/// processor seconds.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -26,7 +26,7 @@ using Radiosity = std::vector<glm::dvec3>;
 
 constexpr int paths = 1 << 24;
 
-/// The processor's seconds since it was made.
+/// Processor seconds since its construction.
 class ProcessorWatch {
  public:
   double seconds() const { return static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
@@ -40,7 +40,7 @@ struct Timed {
   double seconds = 0;
 };
 
-/// A scene with the elements that follow it, and their true radiosity.
+/// A scene with the default elements, and their true radiosity.
 struct World {
   radiosity::Scene scene;
   radiosity::Discretization discretization;
@@ -99,14 +99,14 @@ std::vector<Setting> measuredSettings(const World& world) {
       const Timed timed = solvedBy(world, method, setting);
       const double error = world.errorOf(timed.radiosity);
       settings.push_back({method.name + " " + std::to_string(setting), error, timed.seconds});
-      if (error < 0.005) break;  // finer ones cost more
+      if (error < 0.005) break;  // finer settings take longer
     }
   return settings;
 }
 
 }  // namespace
 
-/// The scenes whose files are given.
+/// The arguments are scene files.
 int main(int argc, char** argv) {
   const std::vector<double> bounds{0.03, 0.01};
   std::vector<std::vector<double>> ratios(bounds.size());

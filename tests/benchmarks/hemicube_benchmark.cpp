@@ -1,4 +1,4 @@
-// How long a hemicube takes on one core: from a patch's centre to its row of form factors, over all patches of a scene.
+// The time of a hemicube on one core, from a patch's centre to its form-factor row, over all patches of a scene.
 #include <benchmark/benchmark.h>
 
 #include "radiosity/discretization/discretize.h"
@@ -13,7 +13,7 @@ using namespace hemitex::radiosity;
 
 namespace {
 
-/// One iteration is one patch's row; the patches take turns.
+/// One iteration is one patch's row; iterations cycle through the patches.
 void hemicubeRow(benchmark::State& state, const std::string& file) {
   const raster::ThreadLimit oneThread(1);
   const Scene scene = loadScene(std::string(HEMITEX_DATA) + "/" + file);

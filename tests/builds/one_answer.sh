@@ -1,13 +1,14 @@
 #!/bin/bash
-# One answer everywhere: draws the whole vector suite with every compiler and level of optimization, on 1, 2 and 7
-# threads, and for aarch64, and compares the hashes of all words with the pinned ones in one_answer/vector_suite.txt.
+# Tests that all builds give the same results. Draws the whole vector suite with each compiler and level of
+# optimization, on 1, 2 and 7 threads, and for aarch64. Compares the hashes of all item IDs with the pinned ones in
+# one_answer/vector_suite.txt.
 #
 #   tests/builds/one_answer.sh                 the whole table, in build/one-answer
-#   tests/builds/one_answer.sh --quick BUILD   what a test has time for, in BUILD/one-answer
+#   tests/builds/one_answer.sh --quick BUILD   a subset that is fast enough for a test, in BUILD/one-answer
 #
-# The vectors of the scenes need radiosity. The whole table makes them anew with every native compiler; the quick one
-# takes those of BUILD/bin/hemitex and builds the rasterizer alone, as is done for aarch64.
-# Exit code 1 where anything differs, 2 where a tool is missing or a build fails.
+# The vectors of the scenes need radiosity. The whole table computes them with each native compiler. The quick one takes
+# those of BUILD/bin/hemitex and builds only the rasterizer, as for aarch64.
+# Exit code: 1 if anything differs, 2 if a tool is missing or a build fails.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 pinned=tests/builds/one_answer/vector_suite.txt
@@ -29,7 +30,7 @@ if [ ${#missing[@]} -ne 0 ]; then
   exit 2
 fi
 
-# Warnings are for the builds that people work in; g++ 12 has false ones at -O3.
+# Warnings are off, because g++ 12 has false positives at -O3.
 build() {  # FOLDER TARGETS COMPILER FLAGS [CMAKE ARGUMENT...]
   cmake -S . -B "$1" -G Ninja -DCMAKE_CXX_COMPILER="$3" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_FLAGS_RELEASE="$4 -w" "${@:5}" >"$folder/log" 2>&1 &&
@@ -83,7 +84,7 @@ native() {  # COMPILER FLAGS
 aarch64() {  # FLAGS
   local variant=$folder/aarch64$1
   local cross="-DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 -DHEMITEX_SOLVER=OFF -DHEMITEX_THREADS=OFF"
-  # Kernels on vectors are compiled and not run: Highway's library is there for this machine alone.
+  # SIMD kernels are compiled but not run, because Highway's library is installed only for this machine.
   build "$variant-simd" hemitex_raster aarch64-linux-gnu-g++ "$1" $cross \
     -Dhwy_DIR="$(dirname "$(find /usr/lib /usr/local/lib -name hwy-config.cmake -print -quit)")"
   build "$variant" hemitex_suite_hashes aarch64-linux-gnu-g++ "$1" $cross -DHEMITEX_SIMD=OFF \

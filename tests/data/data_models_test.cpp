@@ -1,4 +1,5 @@
-/// The scenes of data/: the committed files are what the program writes, and the scenes are what they claim to be.
+/// The scenes of data/: the committed files are those that the program writes, and the scenes have their stated
+/// properties.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -40,16 +41,16 @@ std::vector<Polygon> polygonsOf(const Model& model) {
   return result;
 }
 
-/// What stands in the gallery's rooms, open below, as against the rooms themselves.
+/// The furniture of the gallery, which is open below, without the rooms.
 bool isFurniture(const Group& group) {
   for (const std::string start : {"table-", "shelf-", "beam-", "gallery-bench-", "library-bench-"})
     if (group.name.rfind(start, 0) == 0) return true;
   return false;
 }
 
-/// The model's polygons without what hangs free (the paper's light) or stands on something (the furniture of the
-/// gallery and of the furnished room), with lids where it is open: the front of the Cornell box, which faces in, and
-/// the undersides of its blocks, which face out.
+/// The polygons of the model that form closed surfaces. Without objects that hang free (the paper's light) or stand on
+/// something (the furniture of the gallery and of the furnished room). Openings get lids: the front of the Cornell box,
+/// which faces in, and the undersides of its blocks, which face out.
 std::vector<Polygon> closedPolygons(Model model) {
   if (model.name == "gallery") std::erase_if(model.groups, isFurniture);
   if (model.name == "furnished-room") model.groups.resize(6);
@@ -68,7 +69,7 @@ using Edge = std::array<double, 6>;
 
 Edge edge(const glm::dvec3& from, const glm::dvec3& to) { return {from.x, from.y, from.z, to.x, to.y, to.z}; }
 
-/// How often each directed edge is walked.
+/// The number of occurrences of each directed edge.
 std::map<Edge, int> edgeCounts(const std::vector<Polygon>& polygons) {
   std::map<Edge, int> counts;
   for (const Polygon& polygon : polygons) {
@@ -79,8 +80,8 @@ std::map<Edge, int> edgeCounts(const std::vector<Polygon>& polygons) {
   return counts;
 }
 
-/// The solid angle of a triangle seen from the origin (van Oosterom and Strackee 1983), positive where one sees its
-/// front, the side on which it winds counter-clockwise.
+/// The solid angle of a triangle seen from the origin (van Oosterom and Strackee 1983), positive if its front is
+/// visible, where it is counter-clockwise.
 double solidAngle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
   const double numerator = -glm::dot(a, glm::cross(b, c));
@@ -129,25 +130,25 @@ bool isConvex(const Polygon& polygon) {
 
 }  // namespace
 
-TEST_CASE("The committed scenes are what the program writes, byte for byte", "[data]") {
+TEST_CASE("allModels gives the committed files, byte for byte", "[data]") {
   for (const Model& model : allModels()) {
     for (const File& file : files(model)) {
       INFO(file.name << " differs: run hemitex_data over data/");
-      // Compared outside of CHECK, which would print two whole files.
+      // Compared outside CHECK, which would print two whole files.
       const bool equal = contents(HEMITEX_DATA "/" + file.name) == file.text;
       CHECK(equal);
     }
   }
 }
 
-TEST_CASE("Every OBJ and MTL begins by saying what it is", "[data]") {
+TEST_CASE("files begins each OBJ and MTL with a comment about its content", "[data]") {
   for (const Model& model : allModels()) {
     CHECK(files(model)[0].text.substr(0, 2) == "# ");
     CHECK(files(model)[1].text.substr(0, 2) == "# ");
   }
 }
 
-TEST_CASE("Every group has a material of its model, and groups have different names", "[data]") {
+TEST_CASE("allModels give each group a material of its model, and groups different names", "[data]") {
   for (const Model& model : allModels()) {
     std::map<std::string, int> materials, groups;
     for (const Material& material : model.materials) ++materials[material.name];
@@ -159,7 +160,7 @@ TEST_CASE("Every group has a material of its model, and groups have different na
   }
 }
 
-TEST_CASE("Reflectances are at least 0 and below 1, and only lights emit", "[data]") {
+TEST_CASE("allModels have reflectances from 0 to below 1, and only lights emit", "[data]") {
   for (const Model& model : allModels()) {
     for (const Material& material : model.materials) {
       INFO(model.name << ' ' << material.name);
@@ -172,13 +173,13 @@ TEST_CASE("Reflectances are at least 0 and below 1, and only lights emit", "[dat
   }
 }
 
-TEST_CASE("Every polygon is convex, and planar but for the red wall of the Cornell box", "[data]") {
+TEST_CASE("allModels have convex polygons, which are planar except the red wall of the Cornell box", "[data]") {
   for (const Model& model : allModels()) {
     for (const Group& group : model.groups) {
       for (const Polygon& polygon : group.polygons) {
         INFO(model.name << ' ' << group.name);
         CHECK(isConvex(polygon));
-        // The corners of the red wall's floor edge are 552.8 and 549.6 from the green wall: 3.2 apart, less the cosine
+        // The corners of the red wall's floor edge are 552.8 and 549.6 from the green wall: 3.2 apart, times the cosine
         // of the wall's slope, 3.2 / 548.8.
         const bool isRedWall = group.name == "wall-red";
         CHECK(warp(polygon) == Approx(isRedWall ? 3.2 : 0.0).margin(isRedWall ? 1e-3 : 1e-12));
@@ -187,8 +188,8 @@ TEST_CASE("Every polygon is convex, and planar but for the red wall of the Corne
   }
 }
 
-// With no vertex on the inside of an edge, a rasterizer that covers shared edges exactly once leaves no hole.
-TEST_CASE("Closed rooms have no gap: every edge is walked once each way", "[data]") {
+// Without vertices inside edges, a rasterizer that covers shared edges exactly once leaves no hole.
+TEST_CASE("allModels have closed rooms: each edge occurs once in each direction", "[data]") {
   for (const Model& model : allModels()) {
     const std::map<Edge, int> counts = edgeCounts(closedPolygons(model));
     int unmatched = 0;
@@ -202,8 +203,9 @@ TEST_CASE("Closed rooms have no gap: every edge is walked once each way", "[data
 }
 
 // Seen from a point in the air, the fronts of a closed scene fill the sphere. From a point inside a solid the room
-// still counts 4 pi, but the solid's faces turn their backs and count -4 pi. A face wound the wrong way breaks this.
-TEST_CASE("Every face looks into the air", "[data]") {
+// still counts 4 pi, but the faces of the solid show their backs and count -4 pi. A face with the wrong winding breaks
+// this.
+TEST_CASE("allModels have faces that look into the air", "[data]") {
   struct Case {
     Model model;
     std::vector<glm::dvec3> air;
@@ -227,7 +229,7 @@ TEST_CASE("Every face looks into the air", "[data]") {
   }
 }
 
-TEST_CASE("The paper's room is 13 quads, each a surface, with a box clear of the floor", "[data]") {
+TEST_CASE("paperRoom is 13 quads, each a surface, with a box above the floor", "[data]") {
   const Model model = paperRoom();
   CHECK(model.groups.size() == 13);
   for (const Group& group : model.groups) {
@@ -238,7 +240,7 @@ TEST_CASE("The paper's room is 13 quads, each a surface, with a box clear of the
   for (const glm::dvec3& corner : bottom.corners) CHECK(corner.y == 0.4);
 }
 
-TEST_CASE("The paper's light hangs below the ceiling, faces down and is behind no patch's centre", "[data]") {
+TEST_CASE("paperRoom has a light below the ceiling that faces down and hides no patch's centre", "[data]") {
   const Model model = paperRoom();
   const Polygon light = groupNamed(model, "light").polygons[0];
   const Polygon ceiling = groupNamed(model, "ceiling").polygons[0];
@@ -251,7 +253,7 @@ TEST_CASE("The paper's light hangs below the ceiling, faces down and is behind n
       const double s = (i % patches + 0.5) / patches, t = (i / patches + 0.5) / patches;
       glm::dvec3 centre = origin + s * (ceiling.corners[1] - origin) + t * (ceiling.corners[3] - origin);
       centre.y = light.corners[0].y;
-      // Inside the light, all the triangles to its edges would wind the light's way.
+      // Inside the light, all triangles to its edges have the winding of the light.
       bool inside = true;
       for (std::size_t k = 0; k < 4; ++k) {
         const Polygon triangle{{centre, light.corners[k], light.corners[(k + 1) % 4]}};
@@ -262,7 +264,7 @@ TEST_CASE("The paper's light hangs below the ceiling, faces down and is behind n
   }
 }
 
-TEST_CASE("The light of the Cornell box fills the hole in its ceiling", "[data]") {
+TEST_CASE("cornellBox has a light that fills the hole in its ceiling", "[data]") {
   const Model model = cornellBox();
   double area = 0;
   for (const Polygon& polygon : groupNamed(model, "ceiling").polygons) area += glm::length(twiceArea(polygon)) / 2;
@@ -270,11 +272,11 @@ TEST_CASE("The light of the Cornell box fills the hole in its ceiling", "[data]"
   CHECK(twiceArea(groupNamed(model, "light").polygons[0]).y == Approx(-2 * 130 * 105).epsilon(1e-14));
 }
 
-TEST_CASE("The camera of the Cornell box has the film and the focal length that were measured", "[data]") {
+TEST_CASE("cornellBox has a camera with the measured film and focal length", "[data]") {
   CHECK(std::tan(cornellBox().view.fov / 2 * pi / 180) == Approx(0.0125 / 0.035).epsilon(1e-14));
 }
 
-TEST_CASE("The pyramid is four triangles that meet above the room's middle", "[data]") {
+TEST_CASE("pyramidRoom has a pyramid of four triangles that meet above the room's middle", "[data]") {
   const Group pyramid = groupNamed(pyramidRoom(), "pyramid");
   CHECK(pyramid.polygons.size() == 4);
   for (const Polygon& side : pyramid.polygons) {
@@ -284,7 +286,7 @@ TEST_CASE("The pyramid is four triangles that meet above the room's middle", "[d
 }
 
 // No two triangles of the chart overlap: each is half a cell of a 50 x 50 grid, and together they fill the unit square.
-TEST_CASE("The wave is 5000 triangles whose texture coordinates fill the unit square", "[data]") {
+TEST_CASE("curvedRoom has a wave of 5000 triangles whose texture coordinates fill the unit square", "[data]") {
   const Group wave = groupNamed(curvedRoom(), "wave");
   CHECK(wave.polygons.size() == 5000);
   std::map<std::array<long, 3>, int> halfCells;
@@ -301,13 +303,13 @@ TEST_CASE("The wave is 5000 triangles whose texture coordinates fill the unit sq
   CHECK(halfCells.size() == 5000);
 }
 
-TEST_CASE("The wave overhangs", "[data]") {
+TEST_CASE("curvedRoom has a wave that overhangs", "[data]") {
   int facingDown = 0;
   for (const Polygon& triangle : groupNamed(curvedRoom(), "wave").polygons) facingDown += twiceArea(triangle).y < 0;
   CHECK(facingDown > 0);
 }
 
-TEST_CASE("Reading a written number back gives the same bits", "[data]") {
+TEST_CASE("files writes numbers that read back to the same bits", "[data]") {
   Model model;
   model.name = "numbers";
   const std::vector<double> values{0.1, 1.0 / 3, 1e-7, 123456789.125, -0.25, 1e-300};
@@ -325,8 +327,7 @@ TEST_CASE("Reading a written number back gives the same bits", "[data]") {
   CHECK(found == values.size());
 }
 
-TEST_CASE("The plants are thousands of triangles in leaves of four, and nothing in their file has to be mended",
-          "[data]") {
+TEST_CASE("plant is thousands of triangles in leaves of four, and loadScene reports no repairs", "[data]") {
   const hemitex::radiosity::Scene scene = hemitex::radiosity::loadScene(HEMITEX_DATA "/plant.obj");
   const auto isLeaf = [](const auto& surface) { return surface.name.find("-leaf-") != std::string::npos; };
   CHECK(std::count_if(scene.surfaces.begin(), scene.surfaces.end(), isLeaf) == 2000);
@@ -335,7 +336,7 @@ TEST_CASE("The plants are thousands of triangles in leaves of four, and nothing 
   CHECK(scene.warnings.empty());
 }
 
-TEST_CASE("The gallery is 8088 triangles on hundreds of surfaces, and nothing in its file has to be mended", "[data]") {
+TEST_CASE("gallery is 8088 triangles on hundreds of surfaces, and loadScene reports no repairs", "[data]") {
   const hemitex::radiosity::Scene scene = hemitex::radiosity::loadScene(HEMITEX_DATA "/gallery.obj");
   CHECK(triangleCount(scene) == 8088);
   CHECK(scene.surfaces.size() >= 300);
@@ -345,8 +346,8 @@ TEST_CASE("The gallery is 8088 triangles on hundreds of surfaces, and nothing in
 
 namespace {
 
-/// Whether a point lies in a convex polygon's plane, and inside it or on its border, to within a hundredth of the
-/// finest step of the gallery's coordinates.
+/// Whether a point lies in a convex polygon's plane, and inside it or on its border, within a hundredth of the finest
+/// step of the gallery's coordinates.
 bool liesOn(const glm::dvec3& point, const Polygon& polygon) {
   constexpr double tolerance = 1e-6;
   const glm::dvec3 normal = glm::normalize(twiceArea(polygon));
@@ -360,13 +361,13 @@ bool liesOn(const glm::dvec3& point, const Polygon& polygon) {
 
 }  // namespace
 
-// A seam that is open on nothing would show the inside of what it belongs to.
-TEST_CASE("Whatever stands open in the gallery and in the furnished room stands on a face", "[data]") {
+// An opening that does not lie on a face would show the inside of its object.
+TEST_CASE("gallery and furnishedRoom have no opening that does not lie on a face", "[data]") {
   const Model model = GENERATE(gallery(), furnishedRoom());
   INFO(model.name);
   const std::vector<Polygon> polygons = polygonsOf(model);
   const std::map<Edge, int> counts = edgeCounts(polygons);
-  std::vector<Polygon> flat;  // faces along two axes, which is what things stand on or are fixed to
+  std::vector<Polygon> flat;  // faces along two axes, on which objects stand or are fixed
   for (const Polygon& polygon : polygons) {
     const glm::dvec3 normal = glm::abs(glm::normalize(twiceArea(polygon)));
     if (std::max({normal.x, normal.y, normal.z}) > 1 - 1e-12) flat.push_back(polygon);
@@ -392,8 +393,7 @@ TEST_CASE("Whatever stands open in the gallery and in the furnished room stands 
 
 namespace {
 
-/// Polygons that close what is open: each follows open edges backwards, from one to the next, until it is back at its
-/// first corner.
+/// Polygons that close openings: each follows open edges backwards until it returns to its first corner.
 std::vector<Polygon> lids(const std::vector<Polygon>& polygons) {
   std::map<std::array<double, 3>, std::vector<glm::dvec3>> open;  // the starts of open edges by their ends
   for (auto counts = edgeCounts(polygons); const auto& [e, count] : counts) {
@@ -416,7 +416,7 @@ std::vector<Polygon> lids(const std::vector<Polygon>& polygons) {
   return result;
 }
 
-/// How often a point is inside: 1 in the air of a room, less by 1 in each solid.
+/// The winding number of a point: 1 in the air of a room, less 1 per solid around it.
 class Winding {
  public:
   explicit Winding(const Model& model) : polygons_(polygonsOf(model)) {
@@ -443,7 +443,7 @@ Bounds boundsOf(const std::vector<Polygon>& polygons) {
 
 double area(const Polygon& polygon) { return glm::length(twiceArea(polygon)) / 2; }
 
-/// Whether two rectangles along the axes that face the same way lie on each other in part.
+/// Whether two axis-parallel rectangles that face the same way overlap.
 bool coincide(const Polygon& a, const Polygon& b) {
   if (glm::distance(glm::normalize(twiceArea(a)), glm::normalize(twiceArea(b))) > 1e-9) return false;
   const Bounds one = boundsOf({a}), other = boundsOf({b});
@@ -467,7 +467,7 @@ hemitex::radiosity::Scene loaded(const Model& model) {
   return hemitex::radiosity::loadScene(folder.path / (model.name + ".obj"));
 }
 
-/// Flux of all that emits, all bands.
+/// Emitted flux of all polygons, all bands.
 double emittedFlux(const Model& model) {
   double sum = 0;
   for (const Group& group : model.groups)
@@ -480,7 +480,7 @@ double emittedFlux(const Model& model) {
 
 }  // namespace
 
-TEST_CASE("Every face of the furnished room looks into the air", "[data]") {
+TEST_CASE("furnishedRoom has faces that look into the air", "[data]") {
   const Winding winding(furnishedRoom());
   for (const glm::dvec3& air : {glm::dvec3(0.1, 1.5, 1.9), {0.6, 1.65, -1.9}, {0.4, 0.3, 0.1}, {-1, 1.2, -2.3}})
     CHECK(winding.at(air) == Approx(1).margin(1e-9));
@@ -500,8 +500,7 @@ TEST_CASE("Every face of the furnished room looks into the air", "[data]") {
     CHECK(winding.at(solid) == Approx(0).margin(1e-9));
 }
 
-TEST_CASE("The furnished room is 87 surfaces, nothing in its file has to be mended, and no faces lie on each other",
-          "[data]") {
+TEST_CASE("furnishedRoom is 87 surfaces without coincident faces, and loadScene reports no repairs", "[data]") {
   const hemitex::radiosity::Scene scene = hemitex::radiosity::loadScene(HEMITEX_DATA "/furnished-room.obj");
   CHECK(scene.surfaces.size() == 87);
   CHECK(scene.warnings.empty());
@@ -514,12 +513,12 @@ TEST_CASE("The furnished room is 87 surfaces, nothing in its file has to be mend
   CHECK(found == 0);
 }
 
-TEST_CASE("randomRoom gives the same room for the same seed, and others for others", "[data]") {
+TEST_CASE("randomRoom gives the same room for the same seed, and other rooms for other seeds", "[data]") {
   CHECK(files(randomRoom(7))[0].text == files(randomRoom(7))[0].text);
   CHECK(files(randomRoom(7))[0].text != files(randomRoom(8))[0].text);
 }
 
-TEST_CASE("randomRoom gives at most 40 surfaces that emit and need no mending", "[data]") {
+TEST_CASE("randomRoom gives at most 40 surfaces that emit and need no repairs", "[data]") {
   for (std::uint32_t seed = 1; seed <= 30; ++seed) {
     const Model model = randomRoom(seed);
     INFO(model.name);
@@ -534,7 +533,7 @@ TEST_CASE("randomRoom gives at most 40 surfaces that emit and need no mending", 
   }
 }
 
-// In the air all fronts together are the whole sphere; each solid takes one sphere away.
+// In the air all fronts together fill the whole sphere; each solid subtracts one sphere.
 TEST_CASE("randomRoom gives boxes that face outwards and lights that no box buries", "[data]") {
   for (std::uint32_t seed = 1; seed <= 30; ++seed) {
     const Model model = randomRoom(seed);

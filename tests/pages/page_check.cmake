@@ -1,7 +1,7 @@
-# What holds for every page that the program writes, as its script tells it in headless Chromium:
+# Checks each page that the program writes in headless Chromium. The script of the page reports:
 # {"faults": [...], "drawn": {id: {"points": N, "painted": pixels}}, "pictures": N}.
 
-# What the program writes can be opened anywhere: a page names nothing that a network would have to bring.
+# Pages must work without a network: they must not refer to other files.
 function(require_no_network page)
   string(REGEX MATCHALL "(src|href)=[\"']?(https?:)?//[^>]*" resources "${page}")
   if(resources)
@@ -9,7 +9,7 @@ function(require_no_network page)
   endif()
 endfunction()
 
-# The document that a file's scripts have made, without a network.
+# The document after the scripts of a file have run, without a network.
 function(open_page file document)
   execute_process(
     COMMAND ${CHROMIUM} --headless --no-sandbox --disable-gpu --disable-quic --no-first-run
@@ -19,7 +19,7 @@ function(open_page file document)
   set(${document} "${opened}" PARENT_SCOPE)
 endfunction()
 
-# What a document's script told at its end; empty where it did not come so far.
+# The report of a document's script; empty if the script did not reach its end.
 function(told_in document told)
   string(REGEX MATCH "<pre id=\"drawn\"[^>]*>([^<]*)</pre>" found "${document}")
   set(${told} "${CMAKE_MATCH_1}" PARENT_SCOPE)
@@ -35,7 +35,7 @@ function(require_no_faults told)
   endif()
 endfunction()
 
-# How many points a plot shows; it has to be painted, too.
+# The number of points of a plot, which must also be painted.
 function(points_of plot told points)
   string(JSON shown GET ${told} drawn ${plot} points)
   string(JSON painted GET ${told} drawn ${plot} painted)

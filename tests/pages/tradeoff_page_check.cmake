@@ -1,5 +1,5 @@
-# Opens the page of `hemitex tradeoff` in headless Chromium, without a network: its script has to run without a fault,
-# and every plot has to show points. A page that is broken on purpose has to be found out.
+# Opens the page of `hemitex tradeoff` in headless Chromium without a network. Its script must run without a fault, and
+# all plots must show points. A page with an injected fault must fail.
 #   cmake -DPROGRAM=hemitex -DSCENE=scene.obj -DWORK=folder -DCHROMIUM=chromium -P tradeoff_page_check.cmake
 if(NOT CHROMIUM)
   message("skipped: Chromium is not installed")
@@ -30,7 +30,7 @@ if(points LESS choices)
   message(FATAL_ERROR "${choices} choices were measured, and ${points} points are shown")
 endif()
 
-# Neither a fault nor an empty plot would go unnoticed.
+# The check must detect a fault and an empty plot.
 string(REPLACE "new Chart(canvas" "new NoChart(canvas" broken "${page}")
 file(WRITE ${WORK}/broken.html "${broken}")
 open_page(${WORK}/broken.html document)

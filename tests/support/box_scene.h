@@ -1,4 +1,4 @@
-/// Scenes made of quads, for tests that need no file.
+/// Scenes made of quads, for tests without files.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace hemitex::tests {
 
-/// A surface of two triangles: corners counter-clockwise in front, the chart by its corners.
+/// A surface of two triangles: corners counter-clockwise in front; the chart follows its corners.
 inline radiosity::Surface quad(const std::string& name, const std::array<glm::dvec3, 4>& corner, int material = 0) {
   const std::array<glm::dvec2, 4> chart{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   radiosity::Surface surface;
@@ -24,7 +24,7 @@ inline radiosity::Surface quad(const std::string& name, const std::array<glm::dv
   return surface;
 }
 
-/// Sets origin and extent from the surfaces, as loading does.
+/// Sets origin and extent from the surfaces, as loadScene does.
 inline radiosity::Scene finish(radiosity::Scene scene) {
   glm::dvec3 low(scene.surfaces.front().triangles.front().position[0]), high(low);
   for (const radiosity::Surface& surface : scene.surfaces)

@@ -5,7 +5,7 @@
 
 namespace hemitex::tests {
 
-/// The form factor from a point to a parallel rectangle a x b at distance 1 whose corner is on the normal, and to a
+/// The form factor from a point to a parallel rectangle a x b at distance 1 with a corner on the normal. And to a
 /// rectangle that stands on the horizon at distance 1, a high and b wide from the foot of the perpendicular.
 inline double toParallel(double a, double b) {
   const double p = std::sqrt(1 + a * a), q = std::sqrt(1 + b * b);

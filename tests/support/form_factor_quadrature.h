@@ -1,5 +1,5 @@
-/// Form factors by brute force: the definition, an integral over areas, by Gauss' rule. Right to 1e-13 where the shapes
-/// are about their own size apart.
+/// Form factors by quadrature: their definition as an integral over areas, by Gauss' rule. Accurate to 1e-13 if the
+/// distance of the shapes is about their size.
 #pragma once
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -20,7 +20,7 @@ struct Parallelogram {
   Parallelogram reversed() const { return {corner, v, u}; }
 };
 
-/// A function's integral over the unit square.
+/// The integral of a function over the unit square.
 template <typename Function>
 double overUnitSquare(const Function& function) {
   using Rule = boost::math::quadrature::gauss<double, 15>;
@@ -28,7 +28,8 @@ double overUnitSquare(const Function& function) {
                          0.0, 1.0);
 }
 
-/// cos cos / (pi r^2), integrated over the parallelogram, all of which is above the horizon and shows its front.
+/// cos cos / (pi r^2), integrated over the parallelogram, which must be completely above the horizon and show its
+/// front.
 inline double bruteForce(const glm::dvec3& point, const glm::dvec3& normal, const Parallelogram& to) {
   const glm::dvec3 away = to.areaVector();
   return overUnitSquare([&](double s, double t) {

@@ -1,4 +1,4 @@
-/// Surfaces built by hand from shapes and charts, and scenes of them.
+/// Surfaces built from shapes and charts, and scenes of them.
 #pragma once
 
 #include <array>
@@ -13,13 +13,13 @@
 
 namespace hemitex::tests {
 
-/// A corner of a surface: where it is, and where on the chart.
+/// A corner of a surface: its position and its place on the chart.
 struct Corner {
   glm::dvec3 position;
   glm::dvec2 chart;
 };
 
-/// A chart coordinate is a binary32 number.
+/// Rounds a chart coordinate to binary32.
 inline glm::dvec2 rounded(const glm::dvec2& chart) { return glm::dvec2(glm::vec2(chart)); }
 
 /// A triangle whose texture coordinates are its chart.
@@ -38,7 +38,7 @@ inline radiosity::Surface parallelogram(const std::string& name, const glm::dvec
   return quad(name, {corner, corner + u, corner + u + v, corner + v});
 }
 
-/// A flat surface in the plane z = 0 of triangles given on the chart, one unit of length to one of the chart.
+/// A flat surface in the plane z = 0 of triangles given on the chart; one unit of length is one unit of the chart.
 inline radiosity::Surface flat(const std::string& name, const std::vector<std::array<glm::dvec2, 3>>& triangles) {
   std::vector<radiosity::Triangle> result;
   const auto corner = [](const glm::dvec2& chart) { return Corner{{rounded(chart), 0}, chart}; };
@@ -144,8 +144,8 @@ inline double totalArea(const radiosity::Surface& surface) {
   return static_cast<double>(sum);
 }
 
-/// The surfaces that properties are tested on: whole and curved, slivers and holes, charts that end inside texels. They
-/// lie over each other, apart: none cuts another, so that all of each is exposed.
+/// Surfaces for property tests: flat and curved ones, slivers and holes, charts that end inside texels. They lie above
+/// each other without contact, so that all of each is exposed.
 inline std::vector<radiosity::Surface> tableOfSurfaces() {
   std::vector<radiosity::Surface> surfaces{parallelogram("square", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
                                            quad("warped", {{{0, 0, 0}, {2, 0, 1}, {2, 3, -1}, {0, 1, 2}}}),
@@ -164,7 +164,7 @@ inline std::vector<radiosity::Surface> tableOfSurfaces() {
   return surfaces;
 }
 
-/// A closed room with a box on its floor (without a face that would lie on it) and a sheet that hangs in it.
+/// A closed room with a box on its floor (without a face on the floor) and a sheet that hangs in it.
 inline radiosity::Scene furnishedRoom() {
   std::vector<radiosity::Surface> surfaces = box("room", {0, 0, 0}, {4, 3, 2}, true);
   const std::vector<radiosity::Surface> onFloor = box("box", {1, 1, 0}, {1, 1, 1}, false);

@@ -1,4 +1,4 @@
-/// A discretized scene with all that hemicubes are drawn with.
+/// A discretized scene with all objects that drawing hemicubes needs.
 #pragma once
 
 #include <utility>

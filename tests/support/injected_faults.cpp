@@ -18,7 +18,7 @@ using raster::ItemBuffer;
 using raster::ItemId;
 using reference::TestVector;
 
-/// Wrong stages of the device.
+/// A fault in a stage of the device.
 Injection onDevice(const std::string& fault, const std::string& vector,
                    const std::function<void(SimulatedDevice&)>& spoil) {
   return {fault, vector, [=](const TestVector& right, SimulatedDevice device) {
@@ -27,7 +27,7 @@ Injection onDevice(const std::string& fault, const std::string& vector,
           }};
 }
 
-/// A wrong input.
+/// A fault in the input.
 Injection onInput(const std::string& fault, const std::string& vector, const std::function<void(TestVector&)>& spoil) {
   return {fault, vector, [=](const TestVector& right, const SimulatedDevice& device) {
             TestVector wrong = right;
@@ -36,7 +36,7 @@ Injection onInput(const std::string& fault, const std::string& vector, const std
           }};
 }
 
-/// A wrong answer; `spoil` sees the item IDs of a face and its width.
+/// A fault in the answer; `spoil` gets the item IDs of a face and its width.
 Injection onIds(const std::string& fault, const std::string& vector,
                 const std::function<void(std::vector<ItemId>&, std::size_t)>& spoil) {
   return {fault, vector, [=](const TestVector& right, const SimulatedDevice& device) {
@@ -55,7 +55,7 @@ std::function<void(std::vector<ItemId>&, std::size_t)> everyId(const Change& cha
 
 ItemId bgra(ItemId rgba) { return (rgba & 0xff00ff00) | (rgba & 0xff) << 16 | (rgba >> 16 & 0xff); }
 
-/// The bytes of four item IDs or of two, one by one.
+/// Applies a function to the single bytes of four item IDs or of two.
 template <typename Byte>
 ItemId bytewise(const Byte& byte) {
   return byte(0) | byte(8) << 8 | byte(16) << 16 | byte(24) << 24;
@@ -83,7 +83,7 @@ Buffers scissorAsViewport(const TestVector& vector, SimulatedDevice device) {
   return buffers;
 }
 
-/// The scissor rectangles in targets as large as their viewports, of which the first pixels are read.
+/// Draws the scissor rectangles into targets of the size of their viewports, but reads the first pixels.
 Buffers firstPixelsOfTargets(const TestVector& vector, const SimulatedDevice& device) {
   Buffers buffers = drawAll(device, vector);
   for (std::size_t f = 0; f < buffers.size(); ++f) {
@@ -174,7 +174,7 @@ void turnTriangles(TestVector& vector) {
   for (std::size_t i = 0; i < indices.size(); i += 3) std::swap(indices[i], indices[i + 1]);
 }
 
-/// The second face of the vector is mirrored, and sees triangles turned over.
+/// The second face of the vector is mirrored, so that its triangles have the opposite winding.
 Buffers turnedInMirror(const TestVector& vector, const SimulatedDevice& device) {
   TestVector turned = vector;
   turnTriangles(turned);
@@ -195,7 +195,7 @@ std::vector<Injection> sampleInjections() {
           onDevice("16-bit depth", "depth-range",
                    [](SimulatedDevice& device) {
                      device.profile.depthFormat = reference::DepthFormat::Unorm16;
-                     device.profile.depthTolerance = 0.5;  // rounding alone
+                     device.profile.depthTolerance = 0.5;  // only rounding
                    }),
           onDevice("depth test off", "depth-stack",
                    [](SimulatedDevice& device) { device.passes = [](double, double) { return true; }; }),
@@ -211,7 +211,7 @@ ItemId texelOf(const raster::IndexMap& map, double column, double row) {
   return map.ids[static_cast<std::size_t>(j * map.width + i)];
 }
 
-/// The weighted mean of the four texels whose centres surround a position; maps of plain numbers.
+/// The weighted mean of the four texels whose centres surround a position, for maps of numbers.
 ItemId bilinear(const raster::IndexMap& map, const glm::dvec2& at) {
   double sum = 0;
   for (const double dx : {-0.5, 0.5})
@@ -223,8 +223,8 @@ ItemId bilinear(const raster::IndexMap& map, const glm::dvec2& at) {
   return static_cast<ItemId>(std::lround(sum));
 }
 
-/// A texel for 8 x 8 of a counting map, which is the mean of their numbers: the third level where 7.5 texels make a
-/// pixel.
+/// One texel per 8 x 8 texels of a counting map, with the mean of their numbers: the third level, where 7.5 texels make
+/// a pixel.
 ItemId thirdLevel(const raster::IndexMap& map, const glm::dvec2& at) {
   const glm::dvec2 first = 8.0 * glm::floor(glm::clamp(at / 8.0, glm::dvec2(0.0), glm::dvec2(14.0)));
   return static_cast<ItemId>(std::lround((first.y + 3.5) * map.width + first.x + 3.5));
@@ -294,7 +294,8 @@ std::vector<Injection> blendInjections() {
                   }),
           onInput("colour from the wrong provoking vertex", "shared-vertices",
                   [](TestVector& vector) {
-                    // The last vertex of a triangle is the first of the next but one; a strip's end has none.
+                    // The last vertex of a triangle is the first of the second triangle after it; a strip's end has
+                    // none.
                     const std::vector<raster::Draw> draws = vector.list.draws;
                     for (std::size_t t = 0; t < draws.size(); ++t)
                       vector.list.draws[t].offset = draws[std::min(t + 2, t / 15 * 15 + 14)].offset;
@@ -349,7 +350,7 @@ std::vector<Injection> memoryInjections() {
           onIds("background not cleared", layout, everyId([](ItemId w) { return w == 0xffffffff ? 0xff000000 : w; })),
           onIds("padded rows", "rectangular-map",
                 [](std::vector<ItemId>& ids, std::size_t width) {
-                  std::vector<ItemId> padded;  // 42 item IDs a row, padded to 48: 3 times 64 bytes
+                  std::vector<ItemId> padded;  // 42 item IDs per row, padded to 48: 3 times 64 bytes
                   for (std::size_t row = 0; row < ids.size() / width; ++row) {
                     padded.insert(padded.end(), &ids[row * width], &ids[row * width] + width);
                     padded.insert(padded.end(), 6, 0);

@@ -1,5 +1,5 @@
-/// Faults injected into the simulated device, whose errors stay as large as its profile allows. They share nothing with
-/// the faults that a diagnosis draws.
+/// Faults injected into the simulated device, whose other errors stay within its profile. They share no code with the
+/// faults that a diagnosis draws.
 #pragma once
 
 #include <functional>
@@ -16,13 +16,13 @@ using Buffers = std::vector<raster::ItemBuffer>;
 /// All faces of a vector.
 Buffers drawAll(const SimulatedDevice& device, const reference::TestVector& vector);
 
-/// A way to go wrong, on a vector where it shows.
+/// A fault, and a vector that shows it.
 struct Injection {
   std::string fault, vector;  ///< their names
   std::function<Buffers(const reference::TestVector&, SimulatedDevice)> draw;
 };
 
-/// Every fault that a diagnosis knows, once at least.
+/// At least one injection for each fault that a diagnosis knows.
 std::vector<Injection> injectedFaults();
 
 }  // namespace hemitex::tests

@@ -1,4 +1,4 @@
-/// A wall that a device drew, for tests of what a verdict says.
+/// A wall that a device drew, for tests of verdicts.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-/// By how much the pixels of a hemicube can be wrong about a convex polygon.
+/// The error bound of a hemicube's pixels for a convex polygon.
 #pragma once
 
 #include <algorithm>
@@ -10,18 +10,18 @@
 
 namespace hemitex::tests {
 
-/// A bound on how far the shares of samples are from the integral over a convex polygon that nothing hides, seen from a
-/// point: a closed convex curve of length L around a part of a grid of unit width holds as many grid points as its
-/// area, but for L/2 + 1 (Jarnik). So half a pixel, times the density of the form factor, is integrated along the
+/// A bound on the difference between the shares of samples and the integral over a visible convex polygon, seen from a
+/// point. For a closed convex curve of length L in a grid of unit width, the number of grid points differs from the
+/// area by at most L/2 + 1 (Jarnik). So half a pixel, times the density of the form factor, is integrated along the
 /// polygon's outline on the hemicube.
 inline double outlineBound(const radiosity::SurfacePoint& point, const std::vector<glm::dvec3>& polygon, int pixels) {
   const auto faces =
       radiosity::facesOver(radiosity::hemicubeFaces(pixels), point.position, point.normal, glm::dvec3(0), 1);
   constexpr int steps = 250;
   constexpr double pi = 3.14159265358979323846;
-  double bound = 5 * 4 / (pi * pixels * pixels);  // of each face a pixel, none larger than those at the top's middle
+  double bound = 5 * 4 / (pi * pixels * pixels);  // one pixel per face, none larger than those at the middle of the top
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    // Steps of equal angles about the point: fine where the edge is near, however near.
+    // Steps of equal angles about the point: small where the edge is near.
     const glm::dvec3 start = polygon[i] - point.position, edge = polygon[(i + 1) % polygon.size()] - polygon[i];
     const double length = glm::length(edge);
     const glm::dvec3 along = edge / length, foot = start - glm::dot(start, along) * along;
@@ -38,8 +38,8 @@ inline double outlineBound(const radiosity::SurfacePoint& point, const std::vect
       const raster::Face& face =
           *std::max_element(faces.begin(), faces.end(),
                             [&](const raster::Face& a, const raster::Face& b) { return depth(a) < depth(b); });
-      // On the face: d / w. A step moves it by (step - (step along w) d / w) / w. The density is (height / w) /
-      // (pi s^4), s the distance to the point on the face.
+      // On the face: d / w. A step moves it by (step - (step along w) d / w) / w. The density is (height / w) / (pi
+      // s^4), with s the distance to the point on the face.
       const double w = depth(face);
       const glm::dvec3 at = d / w;
       const double across = glm::length(step - glm::dot(glm::dvec3(face.w), step) * at) / w;

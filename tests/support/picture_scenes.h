@@ -1,4 +1,4 @@
-/// Scenes and discretizations put together by hand, for tests of what comes after both.
+/// Scenes and discretizations built directly, for tests of later stages.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ inline radiosity::Scene sceneOf(std::vector<radiosity::Surface> surfaces, std::v
   return finish(std::move(scene));
 }
 
-/// The six walls of [-1,1]^3, facing inwards, one polygon each, v upwards where a wall is upright.
+/// The six walls of [-1,1]^3, facing inwards, one polygon each, v upwards for upright walls.
 inline radiosity::Scene makeRoom() {
   std::vector<radiosity::Surface> walls{parallelogram("left", {-1, -1, 1}, {0, 0, -2}, {0, 2, 0}),
                                         parallelogram("right", {1, -1, -1}, {0, 0, 2}, {0, 2, 0}),
@@ -32,8 +32,8 @@ inline radiosity::Scene makeRoom() {
   return sceneOf(std::move(walls));
 }
 
-/// Adds a grid to a discretization, an element of area 1 for each texel that `covered` marks, one patch for all; other
-/// texels spill into the first element.
+/// Adds a grid to a discretization: an element of area 1 for each texel that `covered` marks, and one patch for all.
+/// Other texels map to the first element.
 inline void addGrid(radiosity::Discretization& discretization, int columns, int rows, std::vector<bool> covered = {}) {
   if (covered.empty()) covered.assign(static_cast<std::size_t>(columns * rows), true);
   radiosity::Grid grid;

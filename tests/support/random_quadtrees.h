@@ -1,4 +1,4 @@
-/// Quadtrees that no property is arranged for.
+/// Random quadtrees.
 #pragma once
 
 #include <random>

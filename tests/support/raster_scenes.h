@@ -1,5 +1,5 @@
-/// Small draw lists and faces for the tests of the rasterizer, and drawing them. Random numbers are drawn in the order
-/// of the text: between braces, for the arguments of a call have none.
+/// Small draw lists and faces for tests of the rasterizer, and functions that draw them. Random numbers are drawn in
+/// the order of the text. They are drawn in braces, because the arguments of a call have no defined order.
 #pragma once
 
 #include "raster/culling/triangle_cluster.h"
@@ -22,7 +22,7 @@ inline raster::ItemBuffer drawOne(const raster::DrawList& list, const raster::Fa
   return render(raster::SoftwareRenderer(list), {&face, 1}, skipped).front();
 }
 
-/// 2000 triangles that cross each other and what clips them, as 40 textured surfaces with backs.
+/// 2000 triangles that cross each other and the clip planes, as 40 textured surfaces with backs.
 inline raster::DrawList crossingTriangles() {
   std::mt19937 random(9);
   raster::DrawList list;
@@ -35,7 +35,8 @@ inline raster::DrawList crossingTriangles() {
         return glm::vec3{uniform(random, -3, 3), uniform(random, -3, 3), uniform(random, -1, 4)};
       };
       const auto coordinate = [&] {
-        const float v = uniform(random, 0, 1), u = uniform(random, 0, 1);  // in this order: their item IDs are pinned
+        const float v = uniform(random, 0, 1),
+                    u = uniform(random, 0, 1);  // in this order, because their item IDs are pinned
         return glm::vec2(u, v);
       };
       const glm::vec3 a = point(), b = a + 0.3f * point(), c = a + 0.3f * point();
@@ -46,10 +47,10 @@ inline raster::DrawList crossingTriangles() {
   return list;
 }
 
-/// Triangles of a few pixels in a front face of 64 x 64, 1 to 32 in a draw; some draws have backs, some no index map. A
-/// third of the triangles have corners on samples and half way between them, and texture coordinates on texel borders,
-/// which are binary fractions: edges and borders go through samples, and rounding alone would decide. Another
-/// third have a corner twice, or all on a line. Triangles of one draw have different depths.
+/// Triangles of a few pixels in a front face of 64 x 64, 1 to 32 per draw; some draws have backs, some no index map. A
+/// third of the triangles have corners on samples and halfway between them, and texture coordinates on texel borders,
+/// which are binary fractions. So edges and borders pass through samples, where only rounding would decide. Another
+/// third have a repeated corner or collinear corners. Triangles of one draw have different depths.
 inline raster::DrawList smallTriangles(std::uint32_t draws) {
   std::mt19937 random(5);
   raster::DrawList list = plainList();
@@ -87,7 +88,7 @@ inline std::array<raster::Face, 3> threeFaces() {
   return faces;
 }
 
-/// A draw list's triangles as a face sees them.
+/// The screen triangles of a draw list in a face.
 inline std::vector<raster::ScreenTriangle> screenTriangles(const raster::DrawList& list, const raster::Face& face) {
   std::vector<raster::ScreenTriangle> triangles;
   for (const raster::Cluster& cluster : raster::clustersOf(list))
@@ -95,7 +96,7 @@ inline std::vector<raster::ScreenTriangle> screenTriangles(const raster::DrawLis
   return triangles;
 }
 
-/// These, and a face with a narrow part of its columns, so that rows end at every place of a vector.
+/// threeFaces, and a face with a narrow range of its columns, so that rows end at all lanes of a vector.
 inline std::vector<raster::Face> facesAndParts() {
   std::vector<raster::Face> faces;
   for (const raster::Face& face : threeFaces()) faces.push_back(face);
@@ -106,7 +107,7 @@ inline std::vector<raster::Face> facesAndParts() {
   return faces;
 }
 
-/// In order of rows and columns: the order in which kernels list pixels is theirs.
+/// Sorted by row and column, because kernels list pixels in any order.
 inline std::vector<std::pair<int, int>> sorted(const raster::UndecidedPixels& undecided) {
   std::vector<std::pair<int, int>> pixels;
   for (const raster::Pixel& pixel : undecided.pixels) pixels.emplace_back(pixel.row, pixel.column);

@@ -15,7 +15,7 @@ using raster::ViewVertex;
 /// In [-1, 1].
 double anyError(std::mt19937& random) { return static_cast<double>(random()) * 0x1p-31 - 1; }
 
-/// Errors belong to a position, so that triangles which share a vertex get the same one.
+/// Seeded by the position, so that triangles which share a vertex get the same error.
 std::mt19937 generatorOf(std::uint32_t seed, const glm::vec3& position) {
   std::seed_seq sequence{seed, std::bit_cast<std::uint32_t>(position.x), std::bit_cast<std::uint32_t>(position.y),
                          std::bit_cast<std::uint32_t>(position.z)};
@@ -41,7 +41,7 @@ ViewVertex disturbed(const SimulatedDevice& device, const raster::Face& face, co
 }
 
 raster::ClippedPolygon clipOn(const SimulatedDevice& device, std::array<ViewVertex, 3> triangle, double nearDistance) {
-  // The guard band is eight times the view: scaled by eight, a triangle is cut at the view instead.
+  // The guard band is eight times the view. Scaled by eight, a triangle is clipped at the view instead.
   const double scale = device.cutsAtView ? 8 : 1;
   for (ViewVertex& vertex : triangle) {
     vertex.x *= scale;
@@ -62,7 +62,7 @@ double snapOn(const SimulatedDevice& device, double q, int resolution) {
   return (nearest ? std::nearbyint(position) : std::floor(position)) * unit;
 }
 
-/// A depth as the device computes it and then rounds it to its format, all in all within the profile's error.
+/// A depth as the device computes it and rounds it to its format, in total within the profile's error.
 double storedDepth(const SimulatedDevice& device, double depth, std::mt19937& random) {
   const reference::DeviceProfile& profile = device.profile;
   const double computed =
@@ -85,7 +85,8 @@ struct DevicePixel {
   raster::ItemId id = 0;
 };
 
-/// Pixels [first, end) of a scissor rectangle's side whose samples may lie between the least and the largest position.
+/// Pixels [first, end) of a scissor rectangle's side whose samples may lie between the smallest and the largest
+/// position.
 std::pair<int, int> pixelsBetween(double low, double high, int first, int size) {
   const double end = first + size;
   return {static_cast<int>(std::clamp(std::floor(low / 256), static_cast<double>(first), end)),

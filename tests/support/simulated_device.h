@@ -1,6 +1,5 @@
-/// A device that is right but not exact: it draws by the raster rules with errors as large as its profile allows, drawn
-/// at random from a seed. It is written by brute force, pixel by pixel, and shares with the rules only the vertex stage
-/// and the clipping that it disturbs.
+/// A simulated device with permitted errors: it draws by the rules of docs/item-buffers.md with random errors within
+/// its profile. It is a simple loop over pixels, and shares only the vertex stage and the clipping with the renderer.
 #pragma once
 
 #include <functional>
@@ -13,19 +12,19 @@
 namespace hemitex::tests {
 
 struct SimulatedDevice {
-  reference::DeviceProfile profile;  ///< how large its errors are
+  reference::DeviceProfile profile;  ///< bounds of its errors
   std::uint32_t seed = 0;
   bool cutsAtView = false;  ///< clips at the sides of the view instead of the guard band
 
-  // Faults: a device is right where they have their defaults. A function that is empty does what is right.
+  // Faults: with their defaults the device is right. An empty function means the right behaviour.
   double shift = 0;                                   ///< of all vertices along the rows, in sub-pixels
   double texelShift = 0;                              ///< of all texture coordinates, in texels
-  std::function<void(raster::ViewVertex&)> vertex{};  ///< changes what the vertex stage gives
+  std::function<void(raster::ViewVertex&)> vertex{};  ///< changes the result of the vertex stage
   bool bottomRight = false;                           ///< gives samples on edges to the wrong triangle
   glm::dvec2 sample{128, 128};                        ///< of coverage and depth, in sub-pixels
   glm::dvec2 shading{128, 128};                       ///< of texture coordinates
   bool affine = false;                                ///< interpolates them without perspective
-  std::function<bool(double, double)> passes{};       ///< of a depth and the one stored
+  std::function<bool(double, double)> passes{};       ///< of a depth and the stored one
   std::function<raster::ItemId(const raster::IndexMap&, const glm::dvec2&)> fetch{};  ///< at (u N, v M)
   std::function<raster::ItemId(raster::ItemId, raster::ItemId)> blend{};              ///< of offset and texel
   std::function<raster::ItemId(raster::ItemId, raster::ItemId)>

@@ -9,7 +9,7 @@
 
 namespace hemitex {
 
-/// Empty when made, gone with all it holds when it goes out of scope.
+/// Created empty; removed with its content at the end of the scope.
 struct TemporaryFolder {
   TemporaryFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "hemitex-XXXXXX").string();

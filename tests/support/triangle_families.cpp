@@ -12,7 +12,7 @@ constexpr int mapSize = 19;
 using Corners = std::array<glm::vec3, 3>;
 using Coordinates = std::array<glm::vec2, 3>;
 
-/// A point whose picture is (p.x, p.y) at depth p.z; exact where that is a power of two.
+/// A point whose projection is (p.x, p.y) at depth p.z; exact if p.z is a power of two.
 glm::vec3 seenAt(const glm::vec3& p) { return {p.x * p.z, p.y * p.z, p.z}; }
 
 glm::vec3 anywhere(std::mt19937& random, float low = 0.5f, float high = 4) {
@@ -31,7 +31,7 @@ DrawnCase emptyCase() {
   return result;
 }
 
-/// A triangle in a draw of its own; every other one has a back item ID.
+/// Adds a triangle as a draw of its own; every other one has a back item ID.
 void add(DrawnCase& result, const Corners& p, const Coordinates& t) {
   const auto number = static_cast<raster::ItemId>(result.list.draws.size());
   addDraw(result.list, number << 16, number % 2 == 0 ? std::optional<raster::ItemId>() : 0xfffffffe, 0);
@@ -74,14 +74,14 @@ DrawnCase onSamples(std::mt19937& random) {
   return result;
 }
 
-/// Walls seen straight on whose texel borders pass through samples: exactly where the map has 16 texels a side, as near
-/// as binary32 tells with 19.
+/// Walls seen straight on with texel borders through samples: exactly if the map has 16 texels along a side, to
+/// binary32 precision if it has 19.
 DrawnCase bordersOnSamples(std::mt19937& random) {
   DrawnCase result = emptyCase();
   const int size = random() % 2 == 0 ? 16 : mapSize;
   result.list.indexMaps[0] = countingMap(size, size);
   const float w = std::array<float, 3>{0.5f, 1, 4}[random() % 3];
-  // u = (i + c)/size at the sample of column i, with c a multiple of 1/2: every sample is on a border, or none.
+  // u = (i + c)/size at the sample of column i, with c a multiple of 1/2: either all samples are on a border, or none.
   const auto coordinate = [size](float x, int shift) {
     return static_cast<float>((static_cast<double>(x) * 8 + 8 - 0.5 + shift * 0.5) / size);
   };
@@ -97,7 +97,7 @@ DrawnCase bordersOnSamples(std::mt19937& random) {
   return result;
 }
 
-/// Corners before, on and behind the near plane.
+/// Corners in front of, on and behind the near plane.
 DrawnCase nearClipped(std::mt19937& random) {
   DrawnCase result = emptyCase();
   result.face.nearDistance = 0.25f;
@@ -112,7 +112,7 @@ DrawnCase nearClipped(std::mt19937& random) {
   return result;
 }
 
-/// Triangles that reach far over the guard band.
+/// Triangles that extend far beyond the guard band.
 DrawnCase guardBandClipped(std::mt19937& random) {
   DrawnCase result = emptyCase();
   for (int k = 0; k < 4; ++k) {
@@ -139,7 +139,7 @@ DrawnCase steep(std::mt19937& random) {
   return result;
 }
 
-/// Overlapping triangles of one plane, in random order: some with exact ties everywhere.
+/// Overlapping triangles of one plane, in random order; some have exact ties everywhere.
 DrawnCase coplanar(std::mt19937& random) {
   DrawnCase result = emptyCase();
   const float slope = std::array<float, 3>{0, 0.25f, 0.3f}[random() % 3];
@@ -151,7 +151,7 @@ DrawnCase coplanar(std::mt19937& random) {
   return result;
 }
 
-/// The same scene a million units away: binary32 positions have a sixteenth of a unit of detail there.
+/// The same scene a million units away, where binary32 positions have a resolution of a sixteenth of a unit.
 DrawnCase offset(std::mt19937& random) {
   DrawnCase result = emptyCase();
   const glm::vec3 away(1e6f, -1e6f, 1e6f);

@@ -1,5 +1,5 @@
-/// Families of random triangles at the places where rasterizers go wrong: slivers, samples on edges and corners,
-/// texel borders on samples, clipping, extreme perspective, coplanar overlaps, coordinates far from zero.
+/// Families of random triangles for typical rasterizer faults: slivers, samples on edges and corners, texel borders on
+/// samples, clipping, extreme perspective, coplanar overlaps, coordinates far from zero.
 #pragma once
 
 #include <functional>

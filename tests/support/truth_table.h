@@ -1,5 +1,5 @@
-/// The table that hemitex_truth writes: exposed area and flux of every surface of a scene, found by light tracing, and
-/// their standard errors.
+/// The table that hemitex_truth writes: exposed area and flux of each surface of a scene from light tracing, with
+/// standard errors.
 #pragma once
 
 #include <array>
@@ -16,13 +16,13 @@
 
 namespace hemitex::tests {
 
-/// By the names of surfaces.
+/// By surface name.
 using TruthTable = std::map<std::string, reference::SurfaceFlux>;
 
 inline constexpr const char* truthColumns =
     "surface,exposed_area,flux_r,flux_g,flux_b,exposed_area_error,flux_error_r,flux_error_g,flux_error_b";
 
-/// A comment with the command that made it, the names of the columns, a line per surface.
+/// A comment with the command that made it, the names of the columns, and one line per surface.
 inline void writeTruthTable(std::ostream& file, const std::string& command, const radiosity::Scene& scene,
                             const reference::BakedRadiosity& baked) {
   file.precision(9);
@@ -35,7 +35,7 @@ inline void writeTruthTable(std::ostream& file, const std::string& command, cons
   }
 }
 
-/// Throws std::runtime_error where the file is no such table.
+/// Throws std::runtime_error if the file is not such a table.
 inline TruthTable readTruthTable(const std::filesystem::path& path) {
   std::ifstream file(path);
   std::string line;

@@ -1,4 +1,4 @@
-// docs/accuracy.md: every section measured again, held against the reasons for its errors, and against the page.
+// docs/accuracy.md: measures all sections again, and compares them with error bounds and with the page.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
@@ -20,7 +20,7 @@ std::string committedPage() {
   return text.str();
 }
 
-/// The committed section with the headline that this one begins with.
+/// The committed section with the same headline.
 std::string committed(const std::string& section) {
   const std::string page = committedPage(), head = section.substr(0, section.find('\n') + 1);
   const std::size_t begin = page.find(head);
@@ -34,13 +34,13 @@ void checkPage(const std::string& section) {
   CHECK(committed(section) == section);
 }
 
-/// Within four standard errors and what neither samples nor corners can show.
+/// Within four standard errors plus the errors that neither samples nor corners show.
 bool agrees(const reference::Measurement& measured, const FormFactorCase& extreme) {
   const double unknown = 1e-9 + extreme.inputRounding * extreme.exact + extreme.rim;
   return std::abs(measured.value - extreme.exact) <= 4 * measured.standardError + unknown;
 }
 
-/// Hemicubes give what closed forms say from where their eyes stand, within the pixels along the outline.
+/// Hemicubes agree with closed forms from their eye positions, within the pixels along the outline.
 bool agrees(const FromCentres& centres) { return std::abs(centres.hemicubes - centres.closedForm) <= centres.aliasing; }
 
 std::vector<FormFactorAnswers> checked(const FormFactorTheme& theme) {
@@ -62,14 +62,16 @@ std::vector<FormFactorAnswers> checked(const FormFactorTheme& theme) {
 
 }  // namespace
 
-TEST_CASE("gaps from 1e-6 to 1e4 of the side", "[accuracy]") { checked(gaps()); }
+TEST_CASE("answersTo gaps from 1e-6 to 1e4 sides agree with docs/accuracy.md", "[accuracy]") { checked(gaps()); }
 
-TEST_CASE("slivers of 1 to 1e-6", "[accuracy]") { checked(slivers()); }
+TEST_CASE("answersTo slivers of 1 to 1e-6 agree with docs/accuracy.md", "[accuracy]") { checked(slivers()); }
 
-TEST_CASE("shared edges and touching corners", "[accuracy]") { checked(touching()); }
+TEST_CASE("answersTo shared edges and touching corners agree with docs/accuracy.md", "[accuracy]") {
+  checked(touching());
+}
 
-TEST_CASE("dihedral angles from 1 to 179 degrees", "[accuracy]") {
-  // In a closed prism there is nothing to see but its faces.
+TEST_CASE("answersTo dihedral angles from 1 to 179 degrees agree with docs/accuracy.md", "[accuracy]") {
+  // In a closed prism only its faces are visible.
   for (const FormFactorAnswers& answer : checked(angles())) {
     CHECK(answer.lostByRays == 0);
     CHECK(answer.one.lost == 0);
@@ -77,9 +79,10 @@ TEST_CASE("dihedral angles from 1 to 179 degrees", "[accuracy]") {
   }
 }
 
-TEST_CASE("blockers of zero thickness hide a quarter, a half and all", "[accuracy]") {
-  // From the middle of a square the sheet ends between the middle columns, or rows, of pixels: as many are hidden to
-  // one side as are seen to the other, so the shares are as 3 to 2 to 0.
+TEST_CASE("answersTo blockers of zero thickness that hide a quarter, a half and all agree with docs/accuracy.md",
+          "[accuracy]") {
+  // From the middle of a square the sheet ends between the middle columns, or rows, of pixels. So equal numbers of
+  // pixels are hidden on one side and visible on the other, and the shares are 3 : 2 : 0.
   const std::vector<FormFactorAnswers> answers = checked(blockers());
   const FormFactorAnswers &quarter = answers[0], &half = answers[1], &all = answers[2];
   CHECK(half.one.hemicubes > 0);
@@ -89,18 +92,19 @@ TEST_CASE("blockers of zero thickness hide a quarter, a half and all", "[accurac
   CHECK(all.hemisphere.value == 0);
 }
 
-TEST_CASE("coincident and interpenetrating surfaces", "[accuracy]") {
+TEST_CASE("answersTo coincident and interpenetrating surfaces agree with docs/accuracy.md", "[accuracy]") {
   const std::vector<FormFactorAnswers> answers = checked(coincident());
   for (const std::size_t hidden : {std::size_t{1}, std::size_t{3}}) {
-    CHECK(answers[hidden].hemisphere.value == 0);  // aimed rays may come out a standard error beside it
+    CHECK(answers[hidden].hemisphere.value == 0);  // aimed rays may give a standard error instead of 0
     CHECK(answers[hidden].one.hemicubes == 0);
     CHECK(answers[hidden].many.hemicubes == 0);
   }
 }
 
-TEST_CASE("scenes scaled by 1e-6 and 1e6, and moved by 1e3, 1e6 and 1e8", "[accuracy]") {
-  // Rounding to binary32 seldom turns a pixel: of 64 hemicubes' means, and of rays, nothing is left of it but what the
-  // corners themselves were rounded by.
+TEST_CASE("answersTo scenes scaled by 1e-6 and 1e6, and moved by 1e3, 1e6 and 1e8, agree with docs/accuracy.md",
+          "[accuracy]") {
+  // Rounding to binary32 rarely changes a pixel. In means of 64 hemicubes, and for rays, only the rounding of the
+  // corners remains.
   const std::vector<FormFactorAnswers> answers = checked(scaledAndMoved());
   for (const FormFactorAnswers& answer : answers) {
     CHECK(answer.hemisphere.value == answers[0].hemisphere.value);
@@ -108,14 +112,16 @@ TEST_CASE("scenes scaled by 1e-6 and 1e6, and moved by 1e3, 1e6 and 1e8", "[accu
   }
 }
 
-TEST_CASE("emitters of 1e-8 of the area of the scene", "[accuracy]") { checked(smallEmitters()); }
+TEST_CASE("answersTo emitters of 1e-8 of the scene's area agree with docs/accuracy.md", "[accuracy]") {
+  checked(smallEmitters());
+}
 
-TEST_CASE("reflectances up to 0.9999 keep all flux and make none", "[accuracy]") {
+TEST_CASE("findingsOf furnaces with reflectances up to 0.9999 conserve flux", "[accuracy]") {
   std::vector<FurnaceFindings> findings;
   for (const FurnaceCase& furnace : furnaces()) {
     INFO("reflectance " << furnace.reflectance);
     findings.push_back(findingsOf(furnace));
-    // Every shot rounds what it adds by 2^-53 of it, at most.
+    // Each shot has a relative rounding error of at most 2^-53.
     CHECK(findings.back().meanError <= (findings.back().shots + 8) * 0x1p-53);
     CHECK(findings.back().accountError <= 1e-12);
     CHECK_FALSE(findings.back().grew);
@@ -123,19 +129,19 @@ TEST_CASE("reflectances up to 0.9999 keep all flux and make none", "[accuracy]")
   checkPage(section(furnaces(), findings));
 }
 
-TEST_CASE("radiosity is linear in emissions from 1e-30 to 1e30", "[accuracy]") {
+TEST_CASE("findingsOf emissions from 1e-30 to 1e30 are linear", "[accuracy]") {
   std::vector<EmissionFindings> findings;
   for (const EmissionCase& emission : emissions()) {
     INFO("emission " << emission.emission);
     findings.push_back(findingsOf(emission));
-    // Fewer than 1000 shots, each of which rounds by 2^-53.
+    // Fewer than 1000 shots, each with a rounding error of 2^-53.
     CHECK(findings.back().linearityError <= 1000 * 0x1p-53);
     CHECK(findings.back().accountError <= 1e-12);
   }
   checkPage(section(emissions(), findings));
 }
 
-TEST_CASE("of a single surface all light leaves the scene", "[accuracy]") {
+TEST_CASE("ofOneSurface finds that all light leaves the scene", "[accuracy]") {
   const OneSurfaceFindings findings = ofOneSurface();
   CHECK(findings.backgroundOfHemicube == 1);
   CHECK(findings.backgroundOfRays == 1);
@@ -143,7 +149,7 @@ TEST_CASE("of a single surface all light leaves the scene", "[accuracy]") {
   checkPage(section(findings));
 }
 
-TEST_CASE("a million surfaces receive what the one receives that they are cut from", "[.million]") {
+TEST_CASE("ofAMillionSurfaces finds the light of one undivided surface", "[.million]") {
   const MillionFindings findings = ofAMillionSurfaces();
   CHECK(findings.surfaces == 1000000);
   CHECK(findings.isWhole);
@@ -152,7 +158,7 @@ TEST_CASE("a million surfaces receive what the one receives that they are cut fr
   checkPage(section(findings));
 }
 
-TEST_CASE("index maps of 1 to 31 bits fill item IDs to the last", "[accuracy]") {
+TEST_CASE("idCases fill all item IDs for index maps of 1 to 31 bits", "[accuracy]") {
   const std::vector<IdCase> cases = idCases();
   CHECK(cases.size() == 31);
   for (const IdCase& example : cases) {
@@ -163,8 +169,8 @@ TEST_CASE("index maps of 1 to 31 bits fill item IDs to the last", "[accuracy]") 
   checkPage(section(cases));
 }
 
-TEST_CASE("item IDs of 1 to 31 index bits are drawn as they are laid out", "[accuracy]") {
-  // A wall of two texels, the first and the last index of a block: of the last but one of the item ID's blocks, then of
+TEST_CASE("SoftwareRenderer draws item IDs of 1 to 31 index bits as layOut assigns them", "[accuracy]") {
+  // A wall of two texels, the first and the last index of a block. Tests the last but one block of the item ID, then
   // the last, which ends two item IDs short.
   for (const char* format : {"r8g8b8a8", "r32ui"})
     for (int k = 1; k <= 31; ++k)
@@ -186,7 +192,7 @@ TEST_CASE("item IDs of 1 to 31 index bits are drawn as they are laid out", "[acc
       }
 }
 
-TEST_CASE("what is beyond a limit is told", "[accuracy]") {
+TEST_CASE("limitCases give the messages of docs/accuracy.md", "[accuracy]") {
   for (const LimitCase& example : limitCases()) {
     INFO(example.name);
     CHECK_FALSE(example.message.empty());
@@ -194,7 +200,7 @@ TEST_CASE("what is beyond a limit is told", "[accuracy]") {
   checkPage(section(limitCases()));
 }
 
-TEST_CASE("the page on accuracy has its introduction and its sections, in order", "[accuracy]") {
+TEST_CASE("docs/accuracy.md has the introduction and all sections in order", "[accuracy]") {
   std::istringstream page(committedPage());
   std::string headlines, expected;
   for (std::string line; std::getline(page, line);)

@@ -1,5 +1,5 @@
-/// The program as whoever scripts it sees it: exit codes, what goes to which stream, what lies in folders afterwards.
-/// Every test runs the built program.
+/// The hemitex program as a script uses it: exit codes, output streams, and written files. Each test runs the built
+/// program.
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ struct Outcome {
   std::string out, err;
 };
 
-/// Runs `hemitex ARGUMENTS` in a folder of its own, which also holds a small scene.
+/// Runs `hemitex ARGUMENTS` in a folder of its own with a small scene.
 class Shell {
  public:
   Shell() {
@@ -54,7 +54,7 @@ class Shell {
     return {WEXITSTATUS(status), readAll(out), readAll(err)};
   }
 
-  /// The same, where it has to succeed.
+  /// As run, but requires success.
   std::string output(const std::string& arguments) const {
     const Outcome outcome = run(arguments);
     INFO(arguments << '\n' << outcome.err);
@@ -64,7 +64,7 @@ class Shell {
 
   fs::path file(const std::string& name) const { return folder_.path / name; }
 
-  /// Every file below the folder, with its content.
+  /// All files below the folder, with their content.
   std::map<std::string, std::string> files() const {
     std::map<std::string, std::string> contents;
     for (const auto& entry : fs::recursive_directory_iterator(folder_.path))
@@ -123,7 +123,7 @@ double lastNumber(const std::string& line) { return std::stod(line.substr(line.r
 
 }  // namespace
 
-TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind", "[cli]") {
+TEST_CASE("hemitex with bad usage exits with 2, prints the reason on stderr and leaves nothing behind", "[cli]") {
   const auto arguments = GENERATE(
       as<std::string>{},  //
       "", "no-such-command", "solve", "solve room.obj", "solve -o out", "solve room.obj -o out --no-such-option",
@@ -197,7 +197,7 @@ TEST_CASE("Bad usage exits with 2, says why on stderr and leaves nothing behind"
   CHECK(shell.files() == before);
 }
 
-TEST_CASE("A scene that is wrong is refused with its file and line", "[cli]") {
+TEST_CASE("hemitex refuses a wrong scene with its file and line", "[cli]") {
   const Shell shell;
   const auto [text, place] = GENERATE(table<std::string, std::string>({
       {"v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n", "bad.obj:2: "},
@@ -216,12 +216,12 @@ TEST_CASE("A scene that is wrong is refused with its file and line", "[cli]") {
   CHECK(shell.files() == before);
 }
 
-TEST_CASE("A name that no surface has is answered with the names that come near", "[cli]") {
+TEST_CASE("hemitex suggests names for a name that no surface has", "[cli]") {
   const Outcome outcome = Shell().run("formfactors room.obj --from flor");
   CHECK(outcome.err.find("`floor`") != std::string::npos);
 }
 
-TEST_CASE("Help and version are printed on stdout, before or after a command", "[cli]") {
+TEST_CASE("hemitex prints --help and --version on stdout, before or after a command", "[cli]") {
   const Shell shell;
   for (const char* arguments : {"--help", "solve --help", "render -h", "formfactors --help", "tradeoff --help",
                                 "vector --help", "vector export --help", "vector render --help"})
@@ -230,7 +230,7 @@ TEST_CASE("Help and version are printed on stdout, before or after a command", "
     CHECK(shell.output(arguments) == "hemitex " HEMITEX_VERSION "\n");
 }
 
-TEST_CASE("A bound on the error chooses the settings, which say what they are", "[cli]") {
+TEST_CASE("hemitex solve --max-error chooses the settings and reports them", "[cli]") {
   const Shell shell;
   const std::string given = "solve room.obj --texels 4 --size 40x30 --json ";
   const json loose = json::parse(shell.output(given + "--max-error 0.2 -o loose"));
@@ -245,14 +245,16 @@ TEST_CASE("A bound on the error chooses the settings, which say what they are", 
   CHECK(shell.output("solve room.obj --texels 4 --size 40x30 --max-error 0.2 -o text").find("expected error") !=
         std::string::npos);
 
-  // Out of reach: one message with what is in reach, and nothing is left behind.
+  // Out of reach: one message with a bound that can be reached, and nothing is left behind.
   const Outcome outcome = shell.run("solve room.obj --texels 4 --max-error 1e-9 -o out");
   CHECK(outcome.exitCode == 2);
   CHECK(outcome.err.find("out of reach") != std::string::npos);
   CHECK_FALSE(fs::exists(shell.file("out")));
 }
 
-TEST_CASE("Edits give a folder a frame, the same for any number of threads, beside what solve gives without", "[cli]") {
+TEST_CASE(
+    "hemitex solve --edits writes a folder per frame, the same for any number of threads, beside the first solution",
+    "[cli]") {
   const Shell shell;
   writeAll(shell.file("box.obj"), "v 0 -1 0\nv 0.5 -1 0\nv 0.5 0 0\nv 0 0 0\ng sheet\nf 1 2 3 4\n");
   writeAll(shell.file("edits.json"), R"({"frames": [
@@ -290,7 +292,7 @@ TEST_CASE("Edits give a folder a frame, the same for any number of threads, besi
   CHECK(withoutTimes("one/frame-3")["energy"]["emitted"] == json({0.0, 20.0, 20.0}));
 }
 
-TEST_CASE("solve --emission radiance multiplies the emission of scenes, added files and edits by pi", "[cli]") {
+TEST_CASE("hemitex solve --emission radiance multiplies the emission of scenes, added files and edits by pi", "[cli]") {
   const Shell shell;
   writeAll(shell.file("lamp.obj"), "mtllib lamp.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\ng bulb\nusemtl bulb\nf 1 2 3\n");
   writeAll(shell.file("lamp.mtl"), "newmtl bulb\nKd 0\nKe 2\n");
@@ -318,7 +320,7 @@ TEST_CASE("solve --emission radiance multiplies the emission of scenes, added fi
   CHECK(shell.run("solve room.obj -o out --emission lumen").exitCode == 2);
 }
 
-TEST_CASE("A file of edits that is wrong is refused before anything is done, with its frame and what to do", "[cli]") {
+TEST_CASE("hemitex solve refuses a wrong file of edits first, with its frame and an advice", "[cli]") {
   const Shell shell;
   const auto [text, message] = GENERATE(table<std::string, std::string>({
       {"", "edits.json: "},
@@ -344,7 +346,7 @@ TEST_CASE("A file of edits that is wrong is refused before anything is done, wit
   CHECK(shell.files() == before);
 }
 
-TEST_CASE("Edits that are not there, and methods that have no use for them, are bad usage", "[cli]") {
+TEST_CASE("hemitex solve treats a missing file of edits, and methods that cannot use edits, as bad usage", "[cli]") {
   const Shell shell;
   writeAll(shell.file("edits.json"), R"({"frames": []})");
   for (const char* arguments :
@@ -352,7 +354,7 @@ TEST_CASE("Edits that are not there, and methods that have no use for them, are 
     CHECK(shell.run(quickSolve + "-o out --edits " + arguments).exitCode == 2);
 }
 
-TEST_CASE("Regular meshing solves and measures what textures do", "[cli]") {
+TEST_CASE("hemitex solve --discretize mesh gives the results of textures", "[cli]") {
   const Shell shell;
   const auto solutionBy = [&](const std::string& method) {
     shell.output(quickSolve + "--discretize " + method + " -o " + method);
@@ -362,7 +364,7 @@ TEST_CASE("Regular meshing solves and measures what textures do", "[cli]") {
   CHECK(texture["settings"]["discretize"] == "texture");
   CHECK(mesh["settings"]["discretize"] == "mesh");
   for (const char* count : {"elements", "patches", "phantoms"}) CHECK(texture[count] == mesh[count]);
-  // Pixels at the borders of elements may fall to either neighbour, but no light is lost by that.
+  // Pixels at the borders of elements may belong to either neighbour, but that loses no light.
   for (std::size_t band = 0; band < 3; ++band) {
     const double emitted = texture["energy"]["emitted"][band], a = texture["energy"]["absorbed"][band],
                  b = mesh["energy"]["absorbed"][band];
@@ -372,7 +374,7 @@ TEST_CASE("Regular meshing solves and measures what textures do", "[cli]") {
   CHECK(linesOf(shell.output(row + "--discretize mesh")).size() == linesOf(shell.output(row)).size());
 }
 
-TEST_CASE("A solved folder holds what is promised", "[cli]") {
+TEST_CASE("hemitex solve writes the documented files", "[cli]") {
   const Shell shell;
   shell.output(quickSolve + "--split 1 -o out");
   for (const char* name : {"scene.obj", "scene.mtl", "render.png", "elements.csv", "solution.json", "scene.view.json"})
@@ -392,7 +394,7 @@ TEST_CASE("A solved folder holds what is promised", "[cli]") {
   CHECK(solution["residual"] <= 0.001);
   CHECK(solution["surfaces"].size() == 6);
   CHECK(solution["settings"]["texels"] == 4);
-  // The lamp's 2 x 2 square emits 10 per unit of area, in every band; what is emitted goes somewhere.
+  // The lamp's 2 x 2 square emits 10 per unit of area in each band, and all emitted flux is accounted for.
   for (int band = 0; band < 3; ++band) {
     const auto& energy = solution["energy"];
     CHECK(energy["emitted"][band].get<double>() == Approx(40).epsilon(1e-12));
@@ -402,8 +404,8 @@ TEST_CASE("A solved folder holds what is promised", "[cli]") {
   }
 }
 
-TEST_CASE("A solution by rays is that by hemicubes, but for what both miss", "[cli]") {
-  // Rays start all over a patch, a hemicube stands on its centre, which from beside an edge is 1 % of the light off.
+TEST_CASE("hemitex solve --method rays agrees with hemicubes within their errors", "[cli]") {
+  // Rays start all over a patch, but a hemicube lies over its centre; beside an edge they differ by 1 % of the light.
   const Shell shell;
   const std::string settings = "solve room.obj --texels 4 --patch 1 --size 40x30 --json ";
   const json rays = json::parse(shell.output(settings + "--method rays --samples 16384 -o rays"));
@@ -425,7 +427,7 @@ TEST_CASE("A solution by rays is that by hemicubes, but for what both miss", "[c
   CHECK(shell.output("solve --help").find("differs between machines") != std::string::npos);
 }
 
-TEST_CASE("With --json stdout holds one object and nothing else", "[cli]") {
+TEST_CASE("hemitex --json prints one object on stdout and nothing else", "[cli]") {
   const Shell shell;
   json solution = json::parse(shell.output(quickSolve + "-o out --json"));
   CHECK(solution == json::parse(readAll(shell.file("out/solution.json"))));
@@ -437,14 +439,14 @@ TEST_CASE("With --json stdout holds one object and nothing else", "[cli]") {
   CHECK(exported["faces"].size() == 5);
 }
 
-TEST_CASE("Options of the program may stand before or after the command", "[cli]") {
+TEST_CASE("hemitex accepts options of the program before or after the command", "[cli]") {
   const Shell shell;
   CHECK(shell.run("-q --threads 1 " + quickSolve + "-o out").err.empty());
   CHECK(shell.run(quickSolve + "-o out -q --threads 1").err.empty());
   CHECK(!shell.run(quickSolve + "-o out -v").err.empty());
 }
 
-TEST_CASE("Every output but timings is the same bytes for any number of threads", "[cli]") {
+TEST_CASE("hemitex writes the same bytes except timings for any number of threads", "[cli]") {
   const auto solved = [](int threads) {
     const Shell shell;
     const std::string limit = " --threads " + std::to_string(threads);
@@ -466,7 +468,7 @@ TEST_CASE("Every output but timings is the same bytes for any number of threads"
   CHECK(solved(7) == one);
 }
 
-TEST_CASE("A run that fails leaves an old result as it was", "[cli]") {
+TEST_CASE("hemitex leaves an old result unchanged if a run fails", "[cli]") {
   const Shell shell;
   shell.output(quickSolve + "-o out");
   const auto before = shell.files();
@@ -475,7 +477,7 @@ TEST_CASE("A run that fails leaves an old result as it was", "[cli]") {
   CHECK(shell.files() == before);
 }
 
-TEST_CASE("A file beside the scene that is malformed is refused by its name", "[cli]") {
+TEST_CASE("hemitex names a malformed file beside the scene", "[cli]") {
   const Shell shell;
   shell.output(quickSolve + "-o out");
   const auto [name, text] = GENERATE(table<std::string, std::string>({
@@ -495,12 +497,12 @@ TEST_CASE("A file beside the scene that is malformed is refused by its name", "[
   CHECK_FALSE(fs::exists(shell.file("picture.png")));
 }
 
-TEST_CASE("A result that cannot be printed is no success", "[cli]") {
+TEST_CASE("hemitex fails if it cannot print the result", "[cli]") {
   CHECK(Shell().run("formfactors room.obj --from floor --resolution 32 >/dev/full; (exit $?)").exitCode == 2);
 }
 
-// The charts of a solved scene lie inside its radiosity textures; a picture of its item IDs has to undo that.
-TEST_CASE("A solved folder shows the grids that were solved", "[cli]") {
+// The charts of a solved scene lie inside its radiosity textures, and a picture of its item IDs must invert that.
+TEST_CASE("hemitex render of a solved folder shows the grids that were solved", "[cli]") {
   const Shell shell;
   const std::string grids = GENERATE(as<std::string>{}, "--texels 4 --surface floor=3 --surface left=1 ",
                                      "--texel-size 0.4 --surface floor=3 ");
@@ -516,7 +518,7 @@ TEST_CASE("A solved folder shows the grids that were solved", "[cli]") {
 
 namespace {
 
-/// Without what differs from run to run.
+/// Removes the values that differ from run to run.
 json withoutTimes(json value) {
   if (value.is_object()) value.erase("times");
   for (json& part : value)
@@ -526,7 +528,7 @@ json withoutTimes(json value) {
 
 }  // namespace
 
-TEST_CASE("The trade is a table, an object and a page, and all but times are the same for any number of threads",
+TEST_CASE("hemitex tradeoff writes a table, an object and a page, the same for any number of threads except times",
           "[cli]") {
   const Shell shell;
   const std::string quick =
@@ -538,8 +540,8 @@ TEST_CASE("The trade is a table, an object and a page, and all but times are the
   CHECK(result == json::parse(readAll(shell.file("three/tradeoff.json"))));
   CHECK(std::distance(fs::directory_iterator(shell.file("one")), {}) == 3);
 
-  // Six faces: 4 x 4 texels in patches of 2 and 1, 2 x 2 in patches of 2 and 1. Hemicubes at both settings on the
-  // first, and on the others at those up to the middle of two, which is the second; rays at their only one.
+  // Six faces: 4 x 4 texels in patches of 2 and 1, 2 x 2 in patches of 2 and 1. Hemicubes use both settings on the
+  // first, and on the others those up to the middle of two, which is the second. Rays use their only setting.
   CHECK(result["scene"] == "room.obj");
   CHECK(result["truth"]["elements"] == 96);
   REQUIRE(result["choices"].size() == 4 * (2 + 1));
@@ -554,7 +556,7 @@ TEST_CASE("The trade is a table, an object and a page, and all but times are the
   }
   CHECK(result["same_points"]["hemicubes"].size() == 2);
   CHECK(result["same_points"]["rays"].size() == 1);
-  // What is named within an error is no further off, and on the Pareto front.
+  // A run named for an error bound is within it, and on the Pareto front.
   for (const json& level : result["times"]["within"]) {
     if (level["choice"].is_null()) continue;
     const json& choice = result["choices"][level["choice"].get<std::size_t>()];
@@ -568,9 +570,10 @@ TEST_CASE("The trade is a table, an object and a page, and all but times are the
   CHECK(page.find(file.substr(0, file.rfind("\n}"))) != std::string::npos);
 }
 
-TEST_CASE("The form factors from a surface of a closed room sum to 1", "[cli]") {
+TEST_CASE("hemitex formfactors from a surface of a closed room sum to 1", "[cli]") {
   const Shell shell;
-  // A share has 60 bits and its double 53, so each of up to 96 numbers is rounded by at most half of 2^-53.
+  // A share has 60 bits and a double 53, so that each of up to 96 numbers has a rounding error of at most half of
+  // 2^-53.
   for (const char* from : {"floor", "floor:3,0", "'ceiling/lamp'", "'back:1,2'"}) {
     const auto lines =
         linesOf(shell.output("formfactors room.obj --texels 4 --resolution 32 --from " + std::string(from)));
@@ -582,7 +585,7 @@ TEST_CASE("The form factors from a surface of a closed room sum to 1", "[cli]") 
   }
 }
 
-TEST_CASE("The matrix of form factors holds the rows of its surfaces", "[cli]") {
+TEST_CASE("hemitex formfactors --all prints the rows of its surfaces", "[cli]") {
   const Shell shell;
   const std::string settings = " --texels 4 --resolution 32 --by-surface";
   const auto matrix = linesOf(shell.output("formfactors room.obj --all" + settings));
@@ -594,8 +597,8 @@ TEST_CASE("The matrix of form factors holds the rows of its surfaces", "[cli]") 
   for (std::size_t to = 0; to < 6; ++to) CHECK(lastNumber(matrix[1 + 6 + to]) == lastNumber(row[1 + to]));
 }
 
-TEST_CASE("The form factors that rays measure stand beside their standard errors", "[cli]") {
-  // The faces of a cube: 0.1998 to the one opposite (Howell C-11), and a quarter of the rest to each of the others.
+TEST_CASE("hemitex formfactors --method rays prints standard errors", "[cli]") {
+  // The faces of a cube: 0.1998 to the opposite one (Howell C-11), and a quarter of the rest to each of the others.
   const Shell shell;
   for (const std::string settings : {"", " --aimed", " --texels 3"}) {
     const auto lines =
@@ -619,7 +622,8 @@ TEST_CASE("The form factors that rays measure stand beside their standard errors
   CHECK(row["row"][1]["standard_error"].get<double>() > 0);
 }
 
-TEST_CASE("Analytic form factors are the closed forms', and say that blockers are not looked at", "[cli]") {
+TEST_CASE("hemitex formfactors --method analytic equals the closed forms, and reports that blockers are ignored",
+          "[cli]") {
   // Faces of a cube: Howell C-11 and C-14 with all lengths equal, from the mean over the floor or over one of its
   // texels.
   const Shell shell;
@@ -646,9 +650,9 @@ TEST_CASE("Analytic form factors are the closed forms', and say that blockers ar
   }
 }
 
-TEST_CASE("The paper's room without its shadows: hemicubes and closed forms agree on what nothing hides", "[cli]") {
-  // From the light no ray to these surfaces meets the box; a part of the floor is behind it. A hemicube of 256 pixels
-  // misses a few of them along a surface's rim, each of up to 1/(pi 128^2) = 2e-5. The light shoots from 8 x 8 patches.
+TEST_CASE("hemitex formfactors of the paper's room: hemicubes and closed forms agree for unblocked surfaces", "[cli]") {
+  // From the light, no ray to these surfaces meets the box; a part of the floor is behind it. A hemicube of 256 pixels
+  // misses a few pixels along a surface's rim, each of up to 1/(pi 128^2) = 2e-5. The light shoots from 8 x 8 patches.
   const Shell shell;
   const std::string command =
       "formfactors " HEMITEX_DATA "/paper-room.obj --texels 16 --patch 2 --from light --by-surface --json --method ";
@@ -665,9 +669,9 @@ TEST_CASE("The paper's room without its shadows: hemicubes and closed forms agre
   }
 }
 
-TEST_CASE("Other projections find form factors and solutions, and say what they capture", "[cli]") {
-  // A cubic tetrahedron sees all that a hemicube does. The plane, of half-width 4, captures 4/pi c atan(c) of the light
-  // with c = 4 / sqrt(17); in a closed room the rest is all that leaves.
+TEST_CASE("hemitex formfactors and solve with other projections report the captured share", "[cli]") {
+  // A cubic tetrahedron sees the same as a hemicube. The plane, of half-width 4, captures 4/pi c atan(c) of the light
+  // with c = 4 / sqrt(17); in a closed room only the rest leaves.
   const Shell shell;
   const double c = 4 / std::sqrt(17.0), captured = 4 / M_PI * c * std::atan(c);
   const auto row = [&](const std::string& method) {
@@ -697,8 +701,8 @@ TEST_CASE("Other projections find form factors and solutions, and say what they 
   CHECK(whole["energy"]["lost"][0] == 0);
 }
 
-TEST_CASE("Coarser index maps are used where they were asked for, and make smoother rows", "[cli]") {
-  // A ceiling of 32 x 32 elements in at most 16 x 16 pixels: one in four or fewer is met, but every block is.
+TEST_CASE("hemitex formfactors --pixels-per-element gives smoother rows", "[cli]") {
+  // A ceiling of 32 x 32 elements in at most 16 x 16 pixels: at most one element in four is met, but all blocks are.
   const Shell shell;
   const auto seen = [&](const std::string& options) {
     const json result = json::parse(shell.output(
@@ -720,7 +724,7 @@ TEST_CASE("Coarser index maps are used where they were asked for, and make smoot
   CHECK(all == 1024);
 }
 
-TEST_CASE("Quadtrees leave elements together where light changes little", "[cli]") {
+TEST_CASE("hemitex solve --adaptive keeps elements together where light changes little", "[cli]") {
   const Shell shell;
   shell.output("solve room.obj --texels 16 --patch 4 --resolution 32 --size 40x30 --adaptive 0.001 -o out");
   const json solution = json::parse(readAll(shell.file("out/solution.json")));
@@ -736,7 +740,7 @@ TEST_CASE("Quadtrees leave elements together where light changes little", "[cli]
   CHECK_FALSE(fs::exists(shell.file("none")));
 }
 
-TEST_CASE("Filters change display textures and nothing that is measured", "[cli]") {
+TEST_CASE("hemitex solve --filter changes display textures and no measured values", "[cli]") {
   const Shell shell;
   for (const std::string filter : {"one-to-one", "triangle", "bilinear", "bicubic", "gouraud"}) {
     shell.output(quickSolve + "--filter " + filter + " -o " + filter);
@@ -752,8 +756,8 @@ TEST_CASE("Filters change display textures and nothing that is measured", "[cli]
     CHECK(shell.run(quickSolve + options + " -o none").exitCode == 2);
 }
 
-TEST_CASE("The matrix of form factors is checked by what holds for all", "[cli]") {
-  // In a closed cube rows sum to 1; rays break reciprocity by their errors, some 1e-3 each, hemicubes by theirs.
+TEST_CASE("hemitex formfactors --all reports the checks of matrices", "[cli]") {
+  // In a closed cube rows sum to 1. The errors of rays, about 1e-3 each, and those of hemicubes break reciprocity.
   const Shell shell;
   for (const std::string method : {"rays", "hemicube"}) {
     const std::string command = "formfactors room.obj --all --by-surface --json --method " + method;
@@ -784,7 +788,7 @@ TEST_CASE("The matrix of form factors is checked by what holds for all", "[cli]"
   }
 }
 
-TEST_CASE("vector export writes no item IDs, and vector render adds them in place", "[cli]") {
+TEST_CASE("hemitex vector export writes a vector without item IDs, and vector render adds them", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0,0,0 --normal 0,0,1 --resolution 8 -o vector");
   CHECK(fs::exists(shell.file("vector/vector.json")));
@@ -792,13 +796,13 @@ TEST_CASE("vector export writes no item IDs, and vector render adds them in plac
   const std::string faces = shell.output("vector render vector -o vector");
   CHECK(fs::file_size(shell.file("vector/top.u32")) == 8 * 8 * 4);
   CHECK(shell.output("vector render vector -o elsewhere") == faces);
-  // A name that is not UTF-8 is mended.
+  // A name that is not UTF-8 is repaired.
   shell.output("vector export room.obj --eye 0,0,0 --normal 0,0,1 --resolution 8 --name \xe9 -o latin");
   CHECK(json::parse(readAll(shell.file("latin/vector.json")))["name"] == "\xef\xbf\xbd");
   CHECK(readAll(shell.file("elsewhere/vector.json")) == readAll(shell.file("vector/vector.json")));
 }
 
-TEST_CASE("vector calibrate finds the profile of the reference renderer, and none for a faulty device",
+TEST_CASE("hemitex vector calibrate finds the profile of the reference renderer, and none of a device that fits none",
           "[cli]") {
   const Shell shell;
   const json vectors = json::parse(shell.output("vector calibrate --probes probes --json"))["vectors"];
@@ -838,11 +842,11 @@ TEST_CASE("vector calibrate finds the profile of the reference renderer, and non
   CHECK_FALSE(fs::exists(shell.file("again")));
 }
 
-TEST_CASE("vector explain derives an item ID from the vertices to the blend", "[cli]") {
-  // A triangle from w = 2 to w = 0 is cut at n = 1/2, a quarter of the way from its far corner, where x/w is 1 and -1
-  // and y/w is 2. In units of 1/256 pixel the sample lies at 1152/4096 of the picture's width and 1152/6144 of the
-  // height of what is left: b = (9/32, 17/32, 6/32), 1/w = (9 + 17)/64 + 6/16 = 25/32, and u/w = 9/64 + 9/64 as well as
-  // v/w = 9/32 give u = v = 9/25. Behind it stands a wall at w = 4.
+TEST_CASE("hemitex vector explain derives an item ID from the vertices to the blend", "[cli]") {
+  // A triangle from w = 2 to w = 0 is clipped at n = 1/2, a quarter of the way from its far corner. There x/w is 1 and
+  // -1, and y/w is 2. In units of 1/256 pixel the sample lies at 1152/4096 of the picture's width and 1152/6144 of the
+  // height of the rest: b = (9/32, 17/32, 6/32). 1/w = (9 + 17)/64 + 6/16 = 25/32, and u/w = 9/64 + 9/64 as well as v/w
+  // = 9/32 give u = v = 9/25. Behind the triangle is a wall at w = 4.
   using namespace hemitex;
   reference::TestVector vector;
   vector.name = "by-hand";
@@ -904,7 +908,7 @@ triangle,draw,facing,w,u,v,column,row,word
   CHECK(derivation["word"] == 5631);
 }
 
-TEST_CASE("vector export and vector render --stages write stages.json beside vector.json", "[cli]") {
+TEST_CASE("hemitex vector export and render write stages beside the vector", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0,0,0 --normal 0,0,1 --resolution 8 --stages -o vector");
   const json faces = json::parse(readAll(shell.file("vector/stages.json")))["faces"];
@@ -918,11 +922,11 @@ TEST_CASE("vector export and vector render --stages write stages.json beside vec
   CHECK_FALSE(fs::exists(shell.file("plain/stages.json")));
 }
 
-TEST_CASE("vector suite writes a folder per vector and a table with the pinned hashes", "[cli]") {
+TEST_CASE("hemitex vector suite writes folders and a table with the pinned hashes", "[cli]") {
   const Shell shell;
   const json vectors = json::parse(shell.output("vector suite -o suite --json"))["vectors"];
   const std::vector<std::string> pinned = linesOf(readAll(HEMITEX_SUITE_HASHES));
-  REQUIRE(vectors.size() == pinned.size() - 1);  // the last line is over the whole suite
+  REQUIRE(vectors.size() == pinned.size() - 1);  // the last line is for the whole suite
   for (std::size_t k = 0; k < vectors.size(); ++k) {
     const std::string name = vectors[k]["name"];
     CHECK(vectors[k]["hash"].get<std::string>() + " " + name == pinned[k]);
@@ -931,13 +935,13 @@ TEST_CASE("vector suite writes a folder per vector and a table with the pinned h
     CHECK(written["catches"] == vectors[k]["catches"]);
     CHECK(fs::exists(shell.file("suite/" + name) / written["faces"][0]["words"]));
   }
-  // A folder that is there already is filled again.
+  // An existing folder is filled again.
   const std::vector<std::string> table = linesOf(shell.output("vector suite -o suite"));
   CHECK(table.size() == 1 + vectors.size());
   CHECK(table[0] == "name,catches,hash");
 }
 
-TEST_CASE("vector render --device draws on another device where there is one", "[cli]") {
+TEST_CASE("hemitex vector render --device draws a vector on another device if there is one", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0.5,0.5,0.01 --normal 0,0,1 --resolution 16 -o vector");
   CHECK(shell.run("vector render vector --device abacus -o device").exitCode == 2);
@@ -948,7 +952,7 @@ TEST_CASE("vector render --device draws on another device where there is one", "
     CHECK((drawn.exitCode == 2 && drawn.err.find("OpenGL") != std::string::npos));
 }
 
-TEST_CASE("vector check judges all vectors of a suite", "[cli]") {
+TEST_CASE("hemitex vector check judges a suite of vectors", "[cli]") {
   const Shell shell;
   for (const std::string name : {"near", "far"}) {
     shell.output("vector export room.obj --eye 0.5,0.5," + std::string(name == "near" ? "0.01" : "0.3") +
@@ -974,7 +978,7 @@ TEST_CASE("vector check judges all vectors of a suite", "[cli]") {
   CHECK(xml.find("<testsuite name=\"far\" tests=\"5\" failures=\"0\">") != std::string::npos);
   CHECK(xml.find("<testsuite name=\"near\" tests=\"5\" failures=\"1\">") != std::string::npos);
   CHECK(shell.run("vector check small --candidate small/candidate").exitCode == 1);
-  // What is left of an earlier failure gives way to the next.
+  // The result of an earlier failure is replaced.
   CHECK(shell.run(check + " --minimize small").exitCode == 1);
   CHECK(shell.run("vector check small --candidate small/candidate").exitCode == 1);
 
@@ -986,7 +990,7 @@ TEST_CASE("vector check judges all vectors of a suite", "[cli]") {
   CHECK(shell.run("vector check empty --candidate device").exitCode == 2);
 }
 
-TEST_CASE("vector check --exact judges the reference and the candidate by the independent evaluator", "[cli]") {
+TEST_CASE("hemitex vector check --exact judges the reference and the candidate by the independent evaluator", "[cli]") {
   const Shell shell;
   for (const std::string height : {"0.01", "0.3"}) {
     shell.output("vector export room.obj --eye 0.5,0.5," + height + " --normal 0,0,1 --resolution 8 -o suite/" +
@@ -1013,7 +1017,7 @@ TEST_CASE("vector check --exact judges the reference and the candidate by the in
   CHECK(shell.run("vector check suite/0.3 --candidate nowhere --exact").exitCode == 2);
 }
 
-TEST_CASE("vector check names the fault where errors are systematic", "[cli]") {
+TEST_CASE("hemitex vector check names a systematic fault", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0.5,0.5,0.01 --normal 0,0,1 --resolution 16 -o vector");
   shell.output("vector render vector -o device");
@@ -1031,7 +1035,7 @@ TEST_CASE("vector check names the fault where errors are systematic", "[cli]") {
   CHECK(report["diagnosis"][0]["fault"] == "byte order");
 }
 
-TEST_CASE("vector check passes the rules' item IDs, fails on one wrong item ID, and refuses a short file", "[cli]") {
+TEST_CASE("hemitex vector check passes the reference, fails on one wrong item ID, and refuses a short file", "[cli]") {
   const Shell shell;
   shell.output("vector export room.obj --eye 0.5,0.5,0.01 --normal 0,0,1 --resolution 16 -o vector");
   shell.output("vector render vector -o device");
@@ -1046,7 +1050,7 @@ TEST_CASE("vector check passes the rules' item IDs, fails on one wrong item ID, 
   CHECK(wrong.exitCode == 1);
   const json report = json::parse(wrong.out);
   CHECK(report["pixels"]["error"] == 1);
-  CHECK(report["errors"][0]["column"] == 9);  // byte 100 is of item ID 25: row 1, column 9
+  CHECK(report["errors"][0]["column"] == 9);  // byte 100 belongs to item ID 25: row 1, column 9
   CHECK(report["errors"][0]["row"] == 1);
   CHECK(readAll(shell.file("report.xml")).find("failures=\"1\"") != std::string::npos);
   CHECK(readAll(shell.file("report.png")).substr(1, 3) == "PNG");
@@ -1072,7 +1076,7 @@ TEST_CASE("vector check passes the rules' item IDs, fails on one wrong item ID, 
   CHECK(shell.run(check + " --profile room.obj").exitCode == 2);
 }
 
-TEST_CASE("The bench times everything that it promises, on the scene as it is and cut", "[cli]") {
+TEST_CASE("hemitex bench measures all documented times, for the original and the subdivided scene", "[cli]") {
   const Shell shell;
   const std::string out = shell.output("bench room.obj --resolution 16 --resolution 32 --triangles 100 --json -o out");
   const json result = json::parse(out);
@@ -1080,8 +1084,8 @@ TEST_CASE("The bench times everything that it promises, on the scene as it is an
   std::map<std::pair<int, int>, std::set<std::string>> found;
   for (const json& run : result["runs"]) {
     CHECK(run["scene"] == "room");
-    // Texels have the size of which 128 fit each of six equal squares: of 8 and 16 along a side, both as near to the
-    // root of 128, the smaller is taken.
+    // Texels have the size for which 128 fit each of six equal squares. Sides of 8 and 16 are equally near to the root
+    // of 128; the smaller is taken.
     CHECK(run["elements"] == 6 * 8 * 8);
     CHECK(run["threads"] == 1);
     CHECK(run["repeats"] == 11);

@@ -1,4 +1,4 @@
-/// README.md, the pages of docs/ and comments: what they name exists, and the sentences of the pages are short.
+/// README.md, the pages of docs/ and comments: the files that they name exist, and sentences are short.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>

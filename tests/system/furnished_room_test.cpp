@@ -1,4 +1,4 @@
-// The furnished room against its true light, which light tracing found (data/furnished-room.truth.csv).
+// The furnished room compared with light tracing (data/furnished-room.truth.csv).
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
@@ -32,13 +32,13 @@ LitRoom litRoom(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("the furnished room is lit as light tracing says, and loses nothing to backs", "[furnished]") {
+TEST_CASE("solve of the furnished room agrees with light tracing, and loses no light to backs", "[furnished]") {
   const Scene scene = loadScene(HEMITEX_DATA "/furnished-room.obj");
   const auto truth = tests::readTruthTable(HEMITEX_DATA "/furnished-room.truth.csv");
   const auto [discretization, solution] = litRoom(scene);
   CHECK(bandSum(solution.energy.lostToBacks) < 2e-4 * bandSum(solution.energy.emitted));
-  // Parts of surfaces that few pixels see are coarse for what lights them: thin edges beside lights and at the foot of
-  // things. They have a bound of their own, ten times as wide.
+  // Narrow surfaces that few pixels see have larger errors: edges beside lights and at the foot of objects. Their bound
+  // is ten times as large.
   const std::vector<std::string> thin = {"lamp-bar", "rug-edges", "ceiling-light-edges", "shelf-board-1-bottom"};
   const double emitted = bandSum(solution.energy.emitted);
   double difference = 0, all = 0;

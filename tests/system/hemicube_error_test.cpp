@@ -1,4 +1,4 @@
-// How far a plain hemicube is off: small rectangles that stand anywhere over its point, against closed forms.
+// The error of a single hemicube: small random rectangles above its point, compared with closed forms.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -16,15 +16,15 @@ using namespace hemitex::radiosity;
 
 namespace {
 
-/// A unit direction over the horizon, as likely as light leaves there.
+/// A unit direction above the horizon, cosine-distributed.
 glm::dvec3 direction(std::mt19937& random) {
   const auto draw = [&random] { return double(random()) / 4294967296.0; };
   const double radius2 = draw(), angle = 2 * M_PI * draw();
   return {std::sqrt(radius2) * std::cos(angle), std::sqrt(radius2) * std::sin(angle), std::sqrt(1 - radius2)};
 }
 
-/// A rectangle at a distance of 1 whose front faces the origin, turned any way about the line to it and leaning back by
-/// up to 60 degrees.
+/// A rectangle at a distance of 1 whose front faces the origin, rotated about the line to it and tilted by up to 60
+/// degrees.
 Surface rectangle(std::mt19937& random) {
   const auto draw = [&random](double low, double high) {
     return low + (high - low) * (double(random()) / 4294967296.0);
@@ -45,7 +45,7 @@ struct Errors {
   double relative = 0;  ///< the median
 };
 
-/// Of 400 rectangles, always the same.
+/// For 400 rectangles, always the same.
 Errors errorsAt(int resolution) {
   constexpr int rectangles = 400;
   std::mt19937 random(7);
@@ -76,10 +76,10 @@ Errors errorsAt(int resolution) {
 
 }  // namespace
 
-TEST_CASE("a plain hemicube errs as little as its pixels allow", "[hemicube]") {
-  // The root mean squares and medians that a separate program found with exact pixel integrals, for 400 random
-  // rectangles with a mean form factor of 0.027 as here. The few largest errors make the root mean square: with other
-  // rectangles it varies by 13 %, of which this allows two.
+TEST_CASE("hemicube has the errors that its pixels imply", "[hemicube]") {
+  // The root mean squares and medians were computed by a separate program with exact pixel integrals. It used 400
+  // random rectangles with a mean form factor of 0.027, as here. The few largest errors dominate the root mean square.
+  // With other rectangles it varies by 13 %; this test allows twice that.
   struct Expected {
     int resolution;
     double rms, relative;

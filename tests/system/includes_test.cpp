@@ -1,5 +1,5 @@
-/// The include graph of the sources: an include goes down the list of rooms only (cli, web, python; reference;
-/// radiosity; raster), front ends never include each other, and no files include each other in a circle.
+/// The include graph of the sources. Includes go down the list of top folders (cli, web, python; reference; radiosity;
+/// raster), front ends never include each other, and there are no include cycles.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -13,14 +13,14 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Include {
-  std::string file;  ///< relative to the top folder, as the included path is
+  std::string file;  ///< relative to the top folder, like the included path
   std::size_t line = 0;
   std::string included;
 
   std::string text() const { return file + ":" + std::to_string(line) + ": #include \"" + included + "\""; }
 };
 
-/// Of a header and its source: both are one unit.
+/// The key is a unit: a header and its source.
 using Graph = std::map<std::string, std::vector<Include>>;
 
 const std::vector<std::string> rooms = {"raster", "radiosity", "reference", "cli", "web", "python"};
@@ -39,7 +39,7 @@ std::vector<Include> includesOf(const std::string& file, std::istream& lines) {
   return includes;
 }
 
-/// Every source of the rooms, headers only where `isHeaderOnly`.
+/// The includes of all sources in the top folders; of headers only if `isHeaderOnly`.
 std::vector<Include> includesOfRooms() {
   std::vector<Include> includes;
   for (const std::string& room : rooms) {
@@ -56,7 +56,7 @@ std::vector<Include> includesOfRooms() {
   return includes;
 }
 
-/// The height of a file's room: an include may go to its own room or to a lower one. Front ends are equally high.
+/// The rank of a file's top folder. An include may go to the same or a lower rank; front ends have equal ranks.
 std::size_t roomOf(const std::string& file) {
   const std::string room = file.substr(0, file.find('/'));
   return static_cast<std::size_t>(std::find(rooms.begin(), rooms.end(), room) - rooms.begin());
@@ -71,7 +71,7 @@ bool goesUp(const Include& include) {
 
 std::string withoutExtension(const std::string& file) { return file.substr(0, file.rfind('.')); }
 
-/// Units (a header with its source) that include each other in a circle: the includes along one such circle.
+/// The includes along one cycle of units (headers with their sources), if there is one.
 std::vector<Include> circle(const std::vector<Include>& includes) {
   Graph graph;
   for (const Include& include : includes) {
@@ -121,13 +121,13 @@ TEST_CASE("goesUp and circle find wrong includes", "[includes]") {
   const Include down{"raster/b.h", 7, "raster/c.h"};
   const Include back{"raster/c.cpp", 9, "raster/a.h"};
   CHECK(circle({up, down, {"raster/a.cpp", 1, "raster/a.h"}}).empty());
-  // A source belongs to the unit of its header: c.cpp closes the circle that a.cpp and b.h begin.
+  // A source belongs to the unit of its header: c.cpp closes the cycle that a.cpp and b.h begin.
   CHECK(textOf(circle({up, down, back})) ==
         "\nraster/a.cpp:3: #include \"raster/b.h\"\nraster/b.h:7: #include \"raster/c.h\""
         "\nraster/c.cpp:9: #include \"raster/a.h\"");
 }
 
-TEST_CASE("Sources include lower rooms only, and never in a circle", "[includes]") {
+TEST_CASE("includesOfRooms go to lower folders only, and form no cycle", "[includes]") {
   const std::vector<Include> includes = includesOfRooms();
   REQUIRE(includes.size() > 1000);
   std::vector<Include> upward;

@@ -1,4 +1,4 @@
-// The three ways to use index maps: shared, packed and unique ones give the same elements, by item IDs of their own.
+// The three ways to use index maps: shared, packed and unique maps give the same elements with different item IDs.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
@@ -37,7 +37,7 @@ std::vector<Way> allWays() {
           {"unique", {r8, Blend::ClampedAdd, true, IndexMaps::Unique}}};
 }
 
-/// Grids from 1 to 33 texels a side, holes, slivers and curves.
+/// Grids from 1 to 33 texels along a side, holes, slivers and curves.
 Scene mixedScene() {
   return sceneOf({bump(3), lShape(), ring(8), thinDiagonal(0.02), flat("wall", rectangle({0, 0}, {0.75, 0.75})),
                   flat("light", rectangle({0, 0}, {1, 1})), star(7, 3)});
@@ -51,7 +51,7 @@ std::vector<std::string> dataScenes() { return {"cornell-box", "curved-room", "p
 
 Scene dataScene(const std::string& name) { return loadScene(std::string(HEMITEX_DATA) + "/" + name + ".obj"); }
 
-/// A scene drawn in some way: what is seen in each pixel of a view.
+/// A scene drawn in one way: the visible element of each pixel of a view.
 class Drawing {
  public:
   Drawing(const Scene& scene, const Discretization& discretization, const IdSettings& ids)
@@ -77,7 +77,7 @@ class Drawing {
   raster::SoftwareRenderer renderer_;
 };
 
-/// The faces of a hemicube somewhere inside the scene's bounds, tilted in some way.
+/// The faces of a randomly tilted hemicube at a random point inside the scene's bounds.
 std::vector<raster::Face> tiltedFaces(const Scene& scene, unsigned seed, int resolution) {
   std::mt19937 random(seed);
   const auto draw = [&] { return double(random()) / 4294967296.0 - 0.5; };
@@ -86,7 +86,7 @@ std::vector<raster::Face> tiltedFaces(const Scene& scene, unsigned seed, int res
   return facesOver(hemicubeFaces(resolution), eye, normal, glm::dvec3(draw(), draw(), draw()), 1e-3 * scene.extent);
 }
 
-/// How far two elements of one surface are apart, in texels between their own ones along the farther axis.
+/// The distance of two elements of one surface, in texels between their own texels along the farther axis.
 int texelsApart(const Discretization& discretization, std::uint32_t a, std::uint32_t b) {
   const Element &first = discretization.elements[a], &second = discretization.elements[b];
   const int columns = discretization.grids[first.surface].columns;
@@ -96,7 +96,7 @@ int texelsApart(const Discretization& discretization, std::uint32_t a, std::uint
 
 }  // namespace
 
-TEST_CASE("every element has an item ID of its own, whichever way the index maps go", "[index maps]") {
+TEST_CASE("idOf and elementOf are inverse for all ways of index maps", "[index maps]") {
   const Scene scene = mixedScene();
   const Discretization discretization = mixedGrids(scene);
   for (const Way& way : allWays()) {
@@ -116,7 +116,7 @@ TEST_CASE("every element has an item ID of its own, whichever way the index maps
   }
 }
 
-TEST_CASE("of all item IDs as many stand for elements as there are texels of surfaces, or elements", "[index maps]") {
+TEST_CASE("layOut uses as many item IDs as there are texels of surfaces, or elements", "[index maps]") {
   const Scene scene = mixedScene();
   const Discretization discretization = mixedGrids(scene);
   std::size_t texels = 0;
@@ -133,7 +133,8 @@ TEST_CASE("of all item IDs as many stand for elements as there are texels of sur
   }
 }
 
-TEST_CASE("on every scene all ways draw the same elements, but packed pages at borders of texels", "[index maps]") {
+TEST_CASE("makeDrawList draws the same elements for all ways, except at texel borders of packed pages",
+          "[index maps]") {
   constexpr int resolution = 64;
   for (const std::string& name : dataScenes()) {
     const Scene scene = dataScene(name);
@@ -155,14 +156,14 @@ TEST_CASE("on every scene all ways draw the same elements, but packed pages at b
           REQUIRE(discretization.elements[*seen[pixel]].surface == discretization.elements[*expected[pixel]].surface);
         }
       }
-      // A border between texels moves by 2^-24 of the page's side at most, which is 4e-6 texels: of the 49152 samples
-      // next to none lies so near to one.
+      // A border between texels moves by at most 2^-24 of the page's side, which is 4e-6 texels. Of the 49152 samples
+      // almost none is that close to a border.
       CHECK(different <= 4);
     }
   }
 }
 
-TEST_CASE("unaligned offsets added as integers give every patch the row of aligned ones", "[index maps]") {
+TEST_CASE("rows with unaligned offsets and integer add equal those with aligned offsets", "[index maps]") {
   for (const std::string& name : dataScenes()) {
     const Scene scene = dataScene(name);
     const Discretization discretization = discretize(scene, {.texels = 13, .patch = 13});
@@ -181,10 +182,10 @@ TEST_CASE("unaligned offsets added as integers give every patch the row of align
   }
 }
 
-TEST_CASE("samples exactly on the borders of charts stay with their surface in a packed page", "[index maps]") {
-  // A wall of 8 x 8 tiles fills a view of 64 x 64 pixels, shifted by half a pixel so that every border of a tile runs
-  // through samples. The charts are turned and mirrored in all eight ways: on some tile the border that draws the
-  // sample lies at u = 1 or v = 1, where the next texel of the page is another surface's.
+TEST_CASE("makeDrawList keeps samples on the borders of charts inside their surface in a packed page", "[index maps]") {
+  // A wall of 8 x 8 tiles fills a view of 64 x 64 pixels. It is shifted by half a pixel, so that all borders of tiles
+  // pass through samples. The charts are rotated and mirrored in all eight ways. So on some tile the border that covers
+  // the sample lies at u = 1 or v = 1. There the next texel of the page belongs to another surface.
   constexpr int resolution = 64, tiles = 8;
   const auto at = [](int i) { return -1 + (2 * i * (resolution / tiles) + 1.0) / resolution; };
   std::vector<Surface> surfaces;
@@ -228,7 +229,7 @@ TEST_CASE("samples exactly on the borders of charts stay with their surface in a
   CHECK(seenPixels > 8 * 60 * 60);
 }
 
-TEST_CASE("packed pages share one index map, and as many offsets are in use as there are pages", "[index maps]") {
+TEST_CASE("layOut with packed pages shares one index map, with one offset per page", "[index maps]") {
   // 100 grids of 8 x 8 fill 100 / 64 pages of 64 x 64.
   std::vector<Surface> surfaces;
   for (int i = 0; i < 100; ++i) surfaces.push_back(flat("wall" + std::to_string(i), rectangle({0, 0}, {1, 1})));
@@ -245,8 +246,9 @@ TEST_CASE("packed pages share one index map, and as many offsets are in use as t
   for (const raster::Draw& draw : list.draws) CHECK(draw.indexMap == 0);
 }
 
-TEST_CASE("with unique maps texels share item IDs, and elements have any shape", "[index maps]") {
-  // A quadtree of a 4 x 4 grid: one quarter whole, one of single texels, an L of three and a lone texel in the others.
+TEST_CASE("layOut with unique maps lets texels share item IDs, so that elements have any shape", "[index maps]") {
+  // A quadtree of a 4 x 4 grid: one quarter is one leaf, one is single texels, the others have an L of three and a
+  // single texel.
   const Scene scene = sceneOf({quad("wall", {{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}}}),
                                quad("far", {{{9, 9, 9}, {9, 10, 9}, {9, 10, 10}, {9, 9, 10}}})});
   Discretization discretization = discretize(scene, {.texels = 4, .surfaceTexels = {{"far", 1}}});
@@ -281,8 +283,8 @@ TEST_CASE("with unique maps texels share item IDs, and elements have any shape",
   CHECK(list.draws[1].offset == 8);
 }
 
-TEST_CASE("unique maps ask for as many item IDs as there are elements", "[index maps]") {
-  // r5g6b5 has 65534 item IDs of use: a surface of 255 x 256 texels and 254 of one.
+TEST_CASE("layOut with unique maps needs as many item IDs as there are elements", "[index maps]") {
+  // r5g6b5 has 65534 usable item IDs: a surface of 255 x 256 texels and 254 of one.
   std::vector<Surface> surfaces{flat("wall", rectangle({0, 0}, {1, 1}))};
   for (int i = 0; i < 254; ++i) surfaces.push_back(flat("single" + std::to_string(i), rectangle({0, 0}, {1, 1})));
   const Scene scene = sceneOf(std::move(surfaces));
@@ -297,7 +299,7 @@ TEST_CASE("unique maps ask for as many item IDs as there are elements", "[index 
   CHECK_NOTHROW(layOut(discretization, ids));
 }
 
-TEST_CASE("a page is a power of two that holds the largest surface", "[index maps]") {
+TEST_CASE("minPage is the smallest power of two that holds the largest surface", "[index maps]") {
   const Scene scene = sceneOf({flat("wall", rectangle({0, 0}, {1, 1}))});
   const Discretization discretization = discretize(scene, {.texels = 65});
   for (const IndexMaps way : {IndexMaps::Shared, IndexMaps::Packed}) {

@@ -1,5 +1,5 @@
-// As many surfaces as item IDs can hold: how many that are, what happens one beyond, and that each is drawn with its
-// own item IDs.
+// The maximum number of surfaces for the item IDs: the number, the error for one more, and that each surface is drawn
+// with its own item IDs.
 #include <bit>
 #include <catch2/catch.hpp>
 #include <fstream>
@@ -41,8 +41,8 @@ bool fits(std::uint64_t count, int columns, int rows, const std::string& format)
   }
 }
 
-/// A wall of side x side squares with one index map of texels x texels, each a draw with an offset of its own, that
-/// fills a view along z from the origin. The last draw is left out where its last item IDs are reserved.
+/// A wall of side x side squares that fills a view along z from the origin. Each square is a draw with its own offset;
+/// all share one index map of texels x texels. The last draw is left out if its last item IDs are reserved.
 raster::DrawList wallOf(int side, int texels, const std::string& format) {
   raster::DrawList list;
   list.format = *raster::formatNamed(format);
@@ -68,8 +68,8 @@ raster::DrawList wallOf(int side, int texels, const std::string& format) {
   return list;
 }
 
-/// The pixels whose item ID is not that of the texel at their middle. `resolution` is such that no sample is nearer to
-/// a border between texels than snapping moves it.
+/// The number of pixels whose item ID is not that of the texel at their middle. With `resolution`, no sample is nearer
+/// to a border between texels than snapping moves it.
 std::size_t wrongPixels(raster::DrawList list, int side, int texels, int resolution) {
   const auto draws = list.draws.size();
   const ItemId background = raster::backgroundId(list.format);
@@ -93,14 +93,14 @@ std::size_t wrongPixels(raster::DrawList list, int side, int texels, int resolut
 
 }  // namespace
 
-TEST_CASE("a format holds the surfaces that the formula says, and not one more", "[many surfaces]") {
+TEST_CASE("maxSurfaces is the number of surfaces that layOut accepts, and one more is an error", "[many surfaces]") {
   struct Limit {
     std::string format;
     int columns, rows;
     std::uint64_t surfaces;
   };
-  // 2^m item IDs less two; a map of 2^k texels leaves 2^(m-k) - 1. 9 texels take 16 item IDs, but the last surface 9
-  // alone: 65534 = 4095 * 16 + 14. 255 x 257 = 65535 texels are one item ID too many.
+  // 2^m item IDs minus two; maps of 2^k texels allow 2^(m-k) - 1 surfaces. 9 texels take 16 item IDs, but those of the
+  // last surface only 9: 65534 = 4095 * 16 + 14. 255 x 257 = 65535 texels are one item ID too many.
   const std::vector<Limit> limits{
       {"r5g6b5", 1, 1, 65534},          {"r5g6b5", 2, 2, 16383},       {"r5g6b5", 3, 3, 4096},
       {"r5g6b5", 16, 16, 255},          {"r5g6b5", 64, 64, 15},        {"r5g6b5", 255, 256, 1},
@@ -116,7 +116,7 @@ TEST_CASE("a format holds the surfaces that the formula says, and not one more",
   }
 }
 
-TEST_CASE("the page on item buffers says how many surfaces fit", "[many surfaces]") {
+TEST_CASE("maxSurfaces agrees with the table of docs/item-buffers.md", "[many surfaces]") {
   std::ifstream page(std::string(HEMITEX_DOCS) + "/item-buffers.md");
   std::set<std::string> lines;
   for (std::string line; std::getline(page, line);) lines.insert(line);
@@ -131,30 +131,31 @@ TEST_CASE("the page on item buffers says how many surfaces fit", "[many surfaces
   }
 }
 
-TEST_CASE("16 bits full of surfaces to the last are drawn, each with item IDs of its own", "[many surfaces]") {
-  // 128 x 128 squares of 2 x 2 texels, a pixel each, but the last square, whose last item IDs are reserved.
+TEST_CASE("SoftwareRenderer draws as many surfaces as 16 bits hold, each with its own item IDs", "[many surfaces]") {
+  // 128 x 128 squares of 2 x 2 texels, one pixel each, without the last square, whose last item IDs are reserved.
   CHECK(wallOf(128, 2, "r5g6b5").draws.size() == 16383);
   CHECK(wrongPixels(wallOf(128, 2, "r5g6b5"), 128, 2, 256) == 0);
-  // One more is refused as soon as it is drawn.
+  // One more is refused when it is drawn.
   raster::DrawList list = wallOf(128, 2, "r5g6b5");
   list.draws.back().offset += 4;
   CHECK_THROWS_AS(raster::SoftwareRenderer(list), raster::InputError);
 }
 
-TEST_CASE("a million draws with maps of 64 x 64 texels fill 32 bits, and every pixel has its item ID", "[.million]") {
-  // 1000 x 1000 squares over 2048 x 2048 pixels: a square is 524 of the 256ths of a pixel that corners snap to, and a
-  // texel 8.2 of them. Samples lie at odd multiples of 125/8 texels, an eighth of a texel or more from every border:
-  // one 256th, and snapping moves a border by half of one.
+TEST_CASE("SoftwareRenderer draws a million maps of 64 x 64 texels in 32 bits, with the right item ID in each pixel",
+          "[.million]") {
+  // 1000 x 1000 squares over 2048 x 2048 pixels: a square is 524 sub-pixels (1/256 pixel) wide, and a texel 8.2.
+  // Samples lie at odd multiples of 125/8 texels, at least an eighth of a texel from all borders. That is one
+  // sub-pixel, and snapping moves a border by half of one.
   raster::DrawList list = wallOf(1000, 64, "r8g8b8a8");
   CHECK(list.draws.size() == 1000000);
   CHECK(list.draws.back().offset == 999999u * 4096);
   CHECK(wrongPixels(std::move(list), 1000, 64, 2048) == 0);
 }
 
-TEST_CASE("a million surfaces of 2 x 2 texels are solved", "[.million]") {
-  // A floor that emits under a ceiling of 1000 x 1000 squares, each a surface with a map and an offset. What the floor
-  // sends from its centre is the closed form of the ceiling; what the ceiling's brightest patches send back, and what
-  // is lost, makes the account even.
+TEST_CASE("solve of a million surfaces of 2 x 2 texels balances its account", "[.million]") {
+  // A floor emits under a ceiling of 1000 x 1000 squares, each a surface with a map and an offset. The floor's shot
+  // from its centre equals the closed form of the ceiling. The shots of the brightest patches of the ceiling and the
+  // lost light balance the account.
   constexpr int side = 1000;
   const auto at = [](int i) { return double(i) / side; };
   std::vector<Surface> surfaces{parallelogram("floor", {}, {1, 0, 0}, {0, 1, 0})};
@@ -180,8 +181,8 @@ TEST_CASE("a million surfaces of 2 x 2 texels are solved", "[.million]") {
   const Energy& energy = solution.energy;
   CHECK(energy.absorbed.x + energy.unshot.x + energy.lost.x + energy.lostToBacks.x ==
         Approx(energy.emitted.x).epsilon(1e-12));
-  // The first shot is the floor's, from its centre. What left by the sides of the room is 1 less the closed form; two
-  // squares of a millionth of the area send a millionth of that back.
+  // The first shot is that of the floor, from its centre. The light that left through the sides of the room is 1 minus
+  // the closed form. Two squares of a millionth of the area send a millionth of that back.
   const std::vector<glm::dvec3> ceiling{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}};
   const double arrived = reference::pointToPolygon({0.5, 0.5, 0}, {0, 0, 1}, ceiling);
   CHECK(energy.lost.x == Approx(1 - arrived).epsilon(0.002));

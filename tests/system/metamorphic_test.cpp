@@ -1,5 +1,5 @@
-// What has to stay when a scene is changed: turned, its surfaces and polygons in another order, something put in the
-// way, the threads another number. No truth is needed for that, so it is asked of whole scenes.
+// Invariants of whole scenes under changes that need no reference: rotation, another order of surfaces and polygons, an
+// added occluder, another number of threads.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -43,7 +43,7 @@ std::vector<NamedScene> tableOfScenes() {
   return scenes;
 }
 
-/// The scene with every position under a linear map.
+/// The scene with a linear map applied to all positions.
 Scene mapped(Scene scene, const glm::dmat3& map) {
   for (Surface& surface : scene.surfaces)
     for (Triangle& triangle : surface.triangles)
@@ -51,8 +51,8 @@ Scene mapped(Scene scene, const glm::dmat3& map) {
   return tests::finish(std::move(scene));
 }
 
-/// Lengths that no two axes share and no power of two: outlines at 45 degrees from a centre, which run through the
-/// samples of a hemicube one by one, are gone.
+/// Stretches the axes by different factors that are no powers of two. This removes outlines at 45 degrees from a
+/// centre, which pass through the samples of a hemicube.
 Scene stretched(const Scene& scene) {
   return mapped(scene, glm::dmat3(glm::dvec3(1.137, 0, 0), glm::dvec3(0, 0.913, 0), glm::dvec3(0, 0, 1.291)));
 }
@@ -86,18 +86,18 @@ Shares sharesOf(const World& world, const FormFactorRow& row) {
   return shares;
 }
 
-/// The share that went elsewhere.
+/// The share that moved to other elements.
 std::uint64_t moved(const Shares& a, const Shares& b) {
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] > b[i] ? a[i] - b[i] : 0;
   return sum;
 }
 
-/// What the samples of one line across a hemicube amount to, through the middles of three faces, where most is.
+/// The share of the samples of one line across a hemicube, through the middles of three faces, where it is largest.
 ///
-/// So much may depend on the order of draws or on which way the hemicube is turned: an outline is snapped to 1/256 of a
-/// pixel, and every so often runs exactly through a line of samples. There the fill rule decides between neighbours,
-/// and where the outline is one that both a front and a back end at, their depths tie and the first drawn is seen.
+/// That much may depend on the order of draws or on the rotation of the hemicube. An outline is snapped to 1/256 of a
+/// pixel, and sometimes passes exactly through a line of samples. There the fill rule decides between neighbours. If a
+/// front and a back share the outline, their depths are equal and the first drawn is visible.
 std::uint64_t shareOfLine(int pixels) {
   const Projection projection = hemicube(pixels);
   std::uint64_t sum = 0;
@@ -106,8 +106,8 @@ std::uint64_t shareOfLine(int pixels) {
   return sum;
 }
 
-/// By how much a quarter turn of the hemicube about its normal moves the delta form factors of its top: the last bit of
-/// their sums.
+/// The change of the delta form factors of a hemicube's top by a quarter turn about its normal: the last bit of their
+/// sums.
 std::uint64_t shareOfRounding(int pixels) {
   const Projection projection = hemicube(pixels);
   std::uint64_t sum = 0;
@@ -117,7 +117,7 @@ std::uint64_t shareOfRounding(int pixels) {
   return sum;
 }
 
-/// Counts rows that are the same, and those that an outline through a line of samples has changed.
+/// Counts equal rows, and rows changed by an outline through a line of samples.
 struct RowComparison {
   std::uint64_t rounding;
   int same = 0, changed = 0;
@@ -128,7 +128,8 @@ struct RowComparison {
     (share <= rounding ? same : changed) += 1;
     most = std::max(most, share);
   }
-  /// A sample is on the outline by one chance in 256; with a dozen upright outlines in a scene, of 20 rows one may be.
+  /// A sample is on an outline with a probability of 1 in 256. With a dozen upright outlines in a scene, that happens
+  /// for one of 20 rows.
   void check() const {
     CHECK(changed * 20 <= same + changed);
     CHECK(most <= shareOfLine(resolution));
@@ -148,7 +149,7 @@ std::vector<glm::dmat3> quarterTurns() {
   return turns;
 }
 
-/// A scene in another order, and where its surfaces were before.
+/// A scene in another order, and the former places of its surfaces.
 struct Permutation {
   Scene scene;
   std::vector<std::uint32_t> from;
@@ -169,7 +170,7 @@ Permutation permuted(const Scene& scene, std::mt19937& random) {
   return result;
 }
 
-/// The number in the permuted scene of an element or a patch, given where those of each surface begin.
+/// The number of an element or a patch in the permuted scene, from the first numbers of each surface.
 template <typename First>
 std::uint32_t numberIn(const World& permuted, const World& world, const std::vector<std::uint32_t>& from,
                        std::uint32_t surface, std::uint32_t number, const First& first) {
@@ -177,8 +178,8 @@ std::uint32_t numberIn(const World& permuted, const World& world, const std::vec
   return permuted.discretization.grids[s].*first + number - world.discretization.grids[surface].*first;
 }
 
-/// Whether the hemicube stands in the same place, and over the same triangle. A centre where two polygons meet belongs
-/// to the first of them, and the eye is moved into that.
+/// Whether the hemicube is at the same place, over the same triangle. A centre where two polygons meet belongs to the
+/// first of them, and the eye is moved into that polygon.
 bool sameCentre(const World& a, std::uint32_t patchOfA, const World& b, std::uint32_t patchOfB) {
   const auto triangleUnder = [](const World& world, std::uint32_t patch) {
     const Patch& block = world.discretization.patches[patch];
@@ -205,7 +206,7 @@ using Estimator = reference::MeasuredRow (reference::RayFormFactors::*)(const re
                                                                         const reference::Sampling&) const;
 constexpr Estimator bothEstimators[] = {&reference::RayFormFactors::overHemisphere, &reference::RayFormFactors::aimed};
 
-/// What rays measure from a surface to every other.
+/// The form factors from a surface to all others, measured by rays.
 struct RayWorld {
   Scene scene;
   Discretization discretization;
@@ -223,9 +224,9 @@ struct RayWorld {
 
 }  // namespace
 
-TEST_CASE("a scene turned by quarters has the same rows of form factors", "[metamorphic]") {
-  // Coordinates only change places and signs, exactly, and so do those of the hemicube that stands along the axes. One
-  // that does not is rounded to binary32 another way, by 6e-8, which seldom reaches a sample.
+TEST_CASE("ProjectedFormFactors of a scene rotated by quarter turns have the same rows", "[metamorphic]") {
+  // Coordinates only change places and signs, exactly, and so do those of an axis-aligned hemicube. Another hemicube is
+  // rounded to binary32 differently, by 6e-8, which rarely changes a sample.
   for (const NamedScene& named : tableOfScenes()) {
     INFO(named.name);
     World world(stretched(named.scene), 8, 4);
@@ -244,9 +245,9 @@ TEST_CASE("a scene turned by quarters has the same rows of form factors", "[meta
   }
 }
 
-TEST_CASE("a scene that is scaled or moved has the same rows, to the bit where its numbers stay exact",
+TEST_CASE("ProjectedFormFactors of a scaled or moved scene have the same rows, to the bit where coordinates stay exact",
           "[metamorphic]") {
-  // Numbers that are multiples of 2^-10 are still exact 2^20 away, and powers of two scale every bit of the work.
+  // Multiples of 2^-10 are still exact 2^20 away, and powers of two scale all intermediate values exactly.
   const auto moved = [](Scene scene, double scale, double by) {
     for (Surface& surface : scene.surfaces)
       for (Triangle& triangle : surface.triangles)
@@ -266,7 +267,7 @@ TEST_CASE("a scene that is scaled or moved has the same rows, to the bit where i
   }
 }
 
-TEST_CASE("a file whose vertices are scaled or moved has the same surfaces and elements", "[metamorphic]") {
+TEST_CASE("loadScene of a file with scaled or moved vertices gives the same surfaces and elements", "[metamorphic]") {
   const TemporaryFolder folder;
   const auto loaded = [&](const std::string& name, double scale, double by) {
     std::ifstream file(HEMITEX_DATA "/" + name + ".obj");
@@ -302,7 +303,7 @@ TEST_CASE("a file whose vertices are scaled or moved has the same surfaces and e
       CHECK(triangleCount(other) == triangleCount(scene));
       const Discretization changed = discretize(other, {.texels = 8});
       REQUIRE(changed.elements.size() == discretization.elements.size());
-      // A coordinate is rounded by 2^-53 of its size, which is 1e-8 of lengths of 1 at 1e8.
+      // A coordinate has a relative rounding error of 2^-53, which at 1e8 is 1e-8 of lengths of 1.
       double worst = 0;
       for (std::size_t e = 0; e < changed.elements.size(); ++e)
         worst =
@@ -312,7 +313,8 @@ TEST_CASE("a file whose vertices are scaled or moved has the same surfaces and e
   }
 }
 
-TEST_CASE("a room turned any way has the closed form's factors within the pixels along its outlines", "[metamorphic]") {
+TEST_CASE("ProjectedFormFactors of a rotated room equal the closed form within the pixels along its outlines",
+          "[metamorphic]") {
   std::mt19937 random(7);
   for (const Scene& room : {tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)),
                             tests::sceneOf(tests::box("flat", {0, 0, 0}, {4, 3, 0.5}, true))})
@@ -337,7 +339,8 @@ TEST_CASE("a room turned any way has the closed form's factors within the pixels
     }
 }
 
-TEST_CASE("surfaces and polygons in another order have the same rows in another order", "[metamorphic]") {
+TEST_CASE("ProjectedFormFactors with surfaces and polygons in another order have the same rows in another order",
+          "[metamorphic]") {
   std::mt19937 random(11);
   for (const NamedScene& named : tableOfScenes()) {
     INFO(named.name);
@@ -366,7 +369,7 @@ TEST_CASE("surfaces and polygons in another order have the same rows in another 
   }
 }
 
-TEST_CASE("surfaces in another order receive the same from rays, to the bit", "[metamorphic]") {
+TEST_CASE("RayFormFactors with surfaces in another order have the same values, to the bit", "[metamorphic]") {
   std::mt19937 random(13);
   for (const NamedScene& named : tableOfScenes()) {
     INFO(named.name);
@@ -388,7 +391,7 @@ TEST_CASE("surfaces in another order receive the same from rays, to the bit", "[
   }
 }
 
-TEST_CASE("a scene turned any way has the same form factors from rays, within their errors", "[metamorphic]") {
+TEST_CASE("RayFormFactors of a rotated scene have the same values, within their errors", "[metamorphic]") {
   std::mt19937 random(17);
   for (const NamedScene& named : tableOfScenes()) {
     INFO(named.name);
@@ -396,7 +399,8 @@ TEST_CASE("a scene turned any way has the same form factors from rays, within th
     const auto surfaces = static_cast<std::uint32_t>(named.scene.surfaces.size());
     const reference::MeasuredRow before = world.row(bothEstimators[0], surfaces / 2, 1 << 13);
     const reference::MeasuredRow after = turned.row(bothEstimators[0], surfaces / 2, 1 << 13);
-    // Directions are drawn in another frame, so the two are independent: four deviations of their difference.
+    // Directions are drawn in another frame, so that the two results are independent: four deviations of their
+    // difference.
     for (std::uint32_t s = 0; s < surfaces; ++s) {
       const reference::Measurement &a = before.receivers[s], &b = after.receivers[s];
       CHECK(std::abs(a.value - b.value) <= 4 * std::hypot(a.standardError, b.standardError));
@@ -404,8 +408,8 @@ TEST_CASE("a scene turned any way has the same form factors from rays, within th
   }
 }
 
-TEST_CASE("something put in the way raises no form factor of a hemicube, by not a pixel", "[metamorphic]") {
-  // Where it comes nearer than anything else the near distance shrinks, and triangles are clipped elsewhere: their new
+TEST_CASE("ProjectedFormFactors never grow if an occluder is added", "[metamorphic]") {
+  // If it is the nearest object, the near distance shrinks, and triangles are clipped at other places. Their new
   // corners are snapped to 1/256 of a pixel. Such centres are left out.
   std::mt19937 random(19);
   for (const NamedScene& named : tableOfScenes()) {
@@ -429,7 +433,7 @@ TEST_CASE("something put in the way raises no form factor of a hemicube, by not 
         ++rowsCompared;
         const Shares before = sharesOf(world, rows.ofPatch(patch));
         Shares after = sharesOf(occluded, occludedRows.ofPatch(patch));
-        // What the occluder took, and its back, stand for themselves: the others and the background are compared.
+        // The occluder and its back are new; the other elements and the background are compared.
         const std::uint64_t background = after[after.size() - 2];
         after.resize(world.discretization.elements.size());
         after.push_back(background);
@@ -443,7 +447,7 @@ TEST_CASE("something put in the way raises no form factor of a hemicube, by not 
   }
 }
 
-TEST_CASE("something put in the way raises no form factor of the same rays", "[metamorphic]") {
+TEST_CASE("RayFormFactors of the same rays never grow if an occluder is added", "[metamorphic]") {
   std::mt19937 random(23);
   for (const NamedScene& named : tableOfScenes()) {
     INFO(named.name);
@@ -464,7 +468,7 @@ TEST_CASE("something put in the way raises no form factor of the same rays", "[m
   }
 }
 
-TEST_CASE("the number of threads changes no bit of rows, rays and solutions of whole scenes", "[metamorphic]") {
+TEST_CASE("solve and its rows and rays give the same bits for any number of threads in whole scenes", "[metamorphic]") {
   for (const NamedScene& named : tableOfScenes()) {
     INFO(named.name);
     const auto everything = [&](int threads) {

@@ -1,4 +1,4 @@
-// The families of triangles meet what they are named for: decisions that rounding could turn, and enough of them.
+// The triangle families contain the cases that they are named for, in sufficient numbers.
 #include "tests/support/triangle_families.h"
 
 #include <catch2/catch.hpp>
@@ -17,7 +17,7 @@ namespace {
 
 using Counts = std::map<std::string, int>;
 
-/// What the three corners of a triangle meet, before it is cut.
+/// Counts the properties of the three corners of a triangle before clipping.
 void countCorners(const std::array<ViewVertex, 3>& corners, const raster::Face& face, Counts& counts) {
   const auto [nearest, farthest] = std::minmax({corners[0].w, corners[1].w, corners[2].w});
   const double nearDistance = face.nearDistance;
@@ -107,7 +107,7 @@ void count(const tests::DrawnCase& drawn, Counts& counts) {
 
 }  // namespace
 
-TEST_CASE("every family meets what it is named for", "[rational]") {
+TEST_CASE("triangleFamilies contain the cases that they are named for", "[rational]") {
   struct Meeting {
     std::string family, what;
     int least;

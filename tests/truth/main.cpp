@@ -1,4 +1,4 @@
-/// Writes the true light of a scene, by path tracing, as a table of its surfaces:
+/// Writes the light of a scene, found by light tracing, as a table of its surfaces:
 /// `hemitex_truth SCENE.obj [--texels N | --texel-size LENGTH] [--paths N] [--points N] [--seed N] -o FILE.csv`.
 #include <chrono>
 #include <cstdio>
@@ -63,7 +63,7 @@ glm::dvec3 emittedFlux(const radiosity::Scene& scene, const radiosity::Discretiz
   return sum;
 }
 
-/// Prints what the errors amount to: of single elements, and the largest of a surface.
+/// Prints the errors: of single elements, and the largest of a surface.
 void printErrors(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                  const reference::BakedRadiosity& baked) {
   const auto total = [](const glm::dvec3& v) { return v.r + v.g + v.b; };

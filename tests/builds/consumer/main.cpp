@@ -1,5 +1,4 @@
-/// Draws one triangle with the installed library, writes a picture and reads it again: exit code 0 where both are
-/// right.
+/// Draws one triangle with the installed library, writes a picture and reads it again; returns 0 if both are right.
 #include <filesystem>
 #include <iostream>
 

@@ -1,6 +1,8 @@
-/// The hashes of the vector suite's item IDs, as tests/builds/one_answer.sh compares them:
-///   hemitex_suite_hashes THREADS [VECTOR...]
-/// draws what vectorSuite() makes and the vectors in the folders named, and prints suiteHashes.
+/// Prints the hashes of the vector suite's item IDs, which tests/builds/one_answer.sh compares.
+///
+///     hemitex_suite_hashes THREADS [VECTOR...]
+///
+/// draws the vectors of vectorSuite() and those in the given folders, and prints suiteHashes.
 #include <cstdio>
 #include <cstdlib>
 #include <string>

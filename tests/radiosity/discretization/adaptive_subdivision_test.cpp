@@ -1,4 +1,4 @@
-/// Leaves of quadtrees as elements, all the way from texels to rows of form factors, and where leaves are split.
+/// Quadtree leaves as elements, from texels to form-factor rows, and the choice of leaves to split.
 #include "radiosity/discretization/adaptive_subdivision.h"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ std::vector<Quadtree> randomQuadtrees(const Scene& scene, unsigned seed) {
   return trees;
 }
 
-/// A discretization into texels, and the same under quadtrees.
+/// A discretization into texels, and the same with quadtrees.
 struct TexelsAndLeaves {
   Scene scene;
   Discretization ofTexels, ofLeaves;
@@ -46,7 +46,7 @@ struct TexelsAndLeaves {
         ofTexels(discretize(scene, {.texels = texels, .patch = patch})),
         ofLeaves(discretize(scene, {.texels = texels, .patch = patch}, trees)) {}
 
-  /// For every element of texels the leaf's element that holds its own texel.
+  /// For each element of `ofTexels`, the element of the leaf that contains its own texel.
   std::vector<std::uint32_t> leafElements() const { return reference::elementsUnder(ofLeaves, ofTexels); }
 };
 
@@ -63,10 +63,10 @@ std::vector<std::uint32_t> themselves(const Discretization& discretization) {
   return elements;
 }
 
-/// A scene whose elements do not matter but for one square of side 1.
+/// A scene of one square of side 1.
 Scene unitSquare() { return sceneOf({parallelogram("square", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})}); }
 
-/// The radiosity at the middle of every leaf's element of one surface.
+/// The radiosity at the middle of each leaf's element of one surface.
 std::vector<glm::dvec3> atMiddles(const Scene& scene, const Discretization& discretization,
                                   const std::function<double(const glm::dvec3&)>& radiosity) {
   std::vector<glm::dvec3> values;
@@ -77,7 +77,7 @@ std::vector<glm::dvec3> atMiddles(const Scene& scene, const Discretization& disc
 
 }  // namespace
 
-TEST_CASE("quadtrees of single texels change nothing", "[adaptive]") {
+TEST_CASE("discretize with quadtrees of single texels equals discretize without quadtrees", "[adaptive]") {
   const Scene scene = sceneOf(tableOfSurfaces());
   const TexelsAndLeaves both(scene, std::vector(scene.surfaces.size(), uniformQuadtree(texels, 1)), 4);
   REQUIRE(both.ofLeaves.elements.size() == both.ofTexels.elements.size());
@@ -93,7 +93,7 @@ TEST_CASE("quadtrees of single texels change nothing", "[adaptive]") {
   }
 }
 
-TEST_CASE("a leaf's element is the elements of its texels together", "[adaptive]") {
+TEST_CASE("discretize gives a leaf's element the sum of the elements of its texels", "[adaptive]") {
   const Scene scene = sceneOf(tableOfSurfaces());
   const TexelsAndLeaves both(scene, randomQuadtrees(scene, 1), 4);
   const std::vector<std::uint32_t> leafElement = both.leafElements();
@@ -112,8 +112,8 @@ TEST_CASE("a leaf's element is the elements of its texels together", "[adaptive]
       REQUIRE(both.ofLeaves.grids[s].spill[texel] == leafElement[both.ofTexels.grids[s].spill[texel]]);
 }
 
-TEST_CASE("a leaf's centre is that of a texel of a grid that is so much coarser", "[adaptive]") {
-  // Without the stars and diagonals, whose texels merge in other ways on a coarser grid.
+TEST_CASE("elementCentre of a leaf is that of a texel of a coarser grid", "[adaptive]") {
+  // Without the stars and diagonals, whose texels merge differently on a coarser grid.
   std::vector<Surface> surfaces = tableOfSurfaces();
   surfaces.resize(5);
   const Scene scene = sceneOf(surfaces);
@@ -131,7 +131,7 @@ TEST_CASE("a leaf's centre is that of a texel of a grid that is so much coarser"
   }
 }
 
-TEST_CASE("patches consist of whole leaves, and a larger leaf is a patch of its own", "[adaptive]") {
+TEST_CASE("discretize makes patches of whole leaves, and a larger leaf is a patch of its own", "[adaptive]") {
   const Scene scene = sceneOf(tableOfSurfaces());
   for (const int side : {1, 2, 8, 64}) {
     const Discretization discretization =
@@ -152,9 +152,11 @@ TEST_CASE("patches consist of whole leaves, and a larger leaf is a patch of its 
   CHECK_THROWS_AS(discretize(scene, {.texels = texels, .patch = 3}, randomQuadtrees(scene, 2)), raster::InputError);
 }
 
-TEST_CASE("a row to leaves is the row to their texels, added up, by hemicubes with shared and unique maps and by rays",
-          "[adaptive]") {
-  // Patches of 4 x 4 texels from leaves of up to as many: they shoot from the same points.
+TEST_CASE(
+    "rows to leaves are the sums of rows to their texels, for ProjectedFormFactors with shared and unique maps and for "
+    "rays",
+    "[adaptive]") {
+  // Patches of 4 x 4 texels, from leaves of at most that size: they shoot from the same points.
   const Scene scene = furnishedRoom();
   std::vector<Quadtree> trees = randomQuadtrees(scene, 3);
   for (Quadtree& tree : trees)
@@ -180,7 +182,8 @@ TEST_CASE("a row to leaves is the row to their texels, added up, by hemicubes wi
   }
 }
 
-TEST_CASE("a leaf that is near to what it lights shoots from several points, not as its quarters", "[adaptive]") {
+TEST_CASE("PatchSubdivision lets a leaf near its receivers shoot from several points, and does not quarter it",
+          "[adaptive]") {
   const Scene scene = furnishedRoom();
   const std::vector<Quadtree> trees(scene.surfaces.size(), uniformQuadtree(texels, 8));
   const Discretization unsplit = discretize(scene, {.texels = texels}, trees);
@@ -196,7 +199,7 @@ TEST_CASE("a leaf that is near to what it lights shoots from several points, not
   CHECK(ofSeveralPoints > 0);
 }
 
-TEST_CASE("maps are averaged over leaves by area", "[adaptive]") {
+TEST_CASE("averageMaps averages maps over leaves by area", "[adaptive]") {
   Scene scene = sceneOf(tableOfSurfaces());
   std::mt19937 random(5);
   scene.images = {{9, 7, {}}};
@@ -214,9 +217,9 @@ TEST_CASE("maps are averaged over leaves by area", "[adaptive]") {
   }
 }
 
-TEST_CASE("the truth is found for leaves too", "[adaptive]") {
-  // A closed room of one material, a furnace: every element has E / (1 - rho), however its surfaces are divided. All
-  // flux is that exactly, since every row sums to 1; elements are off by chance.
+TEST_CASE("trueRadiosity works for leaves", "[adaptive]") {
+  // A closed room of one material is a furnace: each element has E / (1 - rho), for any division of its surfaces. The
+  // sum of all flux is exact, because each row sums to 1; single elements have random errors.
   const Scene scene = closedCube(glm::dvec3(0.5), glm::dvec3(1));
   std::mt19937 random(7);
   std::vector<Quadtree> trees;
@@ -232,7 +235,7 @@ TEST_CASE("the truth is found for leaves too", "[adaptive]") {
   CHECK(error == Approx(truth.error.fluxWeighted).epsilon(0.25));
 }
 
-TEST_CASE("what changes evenly is divided evenly, into leaves that keep the tolerance", "[adaptive]") {
+TEST_CASE("adaptiveDiscretization divides a uniform change uniformly, into leaves within the tolerance", "[adaptive]") {
   // Radiosity 1 + x on the unit square: all light is 1.5. A leaf of side h has the area h^2 and the change h, and is
   // split while h^3 / 1.5 is above the tolerance.
   const Scene scene = unitSquare();
@@ -247,10 +250,11 @@ TEST_CASE("what changes evenly is divided evenly, into leaves that keep the tole
   CHECK(*adaptiveDiscretization(scene, {.texels = 64}, 1e-9, solve).grids[0].quadtree == uniformQuadtree(64, 1));
 }
 
-TEST_CASE("along a step leaves are as small as texels, and grow from there", "[adaptive]") {
-  // Bright left of x = 29/64, dark right of it. In every round the leaves on both sides of the step differ and are
-  // split, two columns of 64 / s of them with 3 leaves more for each: from 16 leaves to 16 + 6 (4 + 8 + 16 + 32) = 376
-  // of the 4096 texels, and what balance adds.
+TEST_CASE("adaptiveDiscretization makes leaves along a step as small as texels, and larger ones further away",
+          "[adaptive]") {
+  // Bright left of x = 29/64, dark right of it. In each round the leaves on both sides of the step differ and are
+  // split: two columns of 64 / s leaves, with 3 leaves more for each. From 16 leaves to 16 + 6 (4 + 8 + 16 + 32) = 376
+  // of the 4096 texels, plus those from balancing.
   const Scene scene = unitSquare();
   const Discretization discretization = adaptiveDiscretization(scene, {.texels = 64}, 1e-9, [&](const auto& d) {
     return atMiddles(scene, d, [](const glm::dvec3& point) { return point.x < 29 / 64.0 ? 1.0 : 0.0; });
@@ -263,8 +267,8 @@ TEST_CASE("along a step leaves are as small as texels, and grow from there", "[a
   CHECK((leavesOf(tree).size() >= 376 && leavesOf(tree).size() < 2 * 376));
 }
 
-TEST_CASE("a small jump on much area and a large one on little are split alike", "[adaptive]") {
-  // Two squares with steps at their middles; all light is dominated by a third one. Area times step is 1 and 16 * 1/16.
+TEST_CASE("refined splits a small jump on a large area like a large jump on a small area", "[adaptive]") {
+  // Two squares with steps at their middles; a third one has most of the light. Area times step is 1 and 16 * 1/16.
   Scene scene = sceneOf({parallelogram("small", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
                          parallelogram("large", {9, 0, 0}, {4, 0, 0}, {0, 4, 0}),
                          parallelogram("bright", {0, 9, 0}, {1, 0, 0}, {0, 1, 0})});
@@ -279,7 +283,7 @@ TEST_CASE("a small jump on much area and a large one on little are split alike",
   CHECK(*discretization.grids[2].quadtree == uniformQuadtree(64, 16));
 }
 
-TEST_CASE("no quadtree lies over a grid that is no power of two, or not square", "[adaptive]") {
+TEST_CASE("adaptiveDiscretization throws for a grid that is not square or not a power of two", "[adaptive]") {
   const Scene scene = unitSquare();
   const auto unused = [](const Discretization&) -> std::vector<glm::dvec3> { throw std::logic_error("not reached"); };
   CHECK_THROWS_AS(adaptiveDiscretization(scene, {.texels = 12}, 1e-3, unused), raster::InputError);
@@ -287,9 +291,8 @@ TEST_CASE("no quadtree lies over a grid that is no power of two, or not square",
   CHECK_THROWS_AS(adaptiveDiscretization(oblong, {.texelSize = 0.25}, 1e-3, unused), raster::InputError);
 }
 
-TEST_CASE("on the Cornell box quadtrees err less than texels of which there are more than twice as many",
-          "[adaptive]") {
-  // Against texels half as large under the same patches and hemicubes, so that elements alone make the difference. The
+TEST_CASE("adaptiveDiscretization of the Cornell box has a smaller error than twice as many texels", "[adaptive]") {
+  // The reference has texels half as large with the same patches and hemicubes, so that only the elements differ. The
   // whole curve: hemitex_adaptive_curve.
   const Scene scene = loadScene(HEMITEX_DATA "/cornell-box.obj");
   const auto solved = [&](const Discretization& discretization) {

@@ -1,4 +1,4 @@
-// Elements, patches and spill tables of whole scenes.
+// Elements, patches and texel-to-element maps of whole scenes.
 #include "radiosity/discretization/discretize.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ double sumOfAreas(const Discretization& discretization, std::uint32_t surface) {
   return static_cast<double>(sum);
 }
 
-/// The block of texels that a patch is has the texel.
+/// Whether the block of texels of a patch contains the texel.
 bool holds(const Patch& patch, const Grid& grid, std::uint32_t texel) {
   const int column = int(texel) % grid.columns, row = int(texel) / grid.columns;
   return column >= patch.column && column < patch.column + patch.width && row >= patch.row &&
@@ -59,9 +59,10 @@ bool equal(const Discretization& a, const Discretization& b) {
 
 }  // namespace
 
-TEST_CASE("the paper's room has the paper's elements at every level, and 61 patches", "[discretization]") {
+TEST_CASE("discretize of the paper's room has the paper's number of elements at each level, and 61 patches",
+          "[discretization]") {
   const Scene scene = paperRoom();
-  // Figure 2 (e), then coarse, medium and fine of Table 1; six walls and six box faces of N^2 elements, one light.
+  // Figure 2 (e), then coarse, medium and fine of Table 1: six walls and six box faces of N^2 elements, one light.
   for (const Counts& level : {Counts{8, 3, 1, 439}, {6, 2, 2, 241}, {12, 4, 4, 961}, {24, 8, 8, 3841}}) {
     const Discretization discretization = discretize(
         scene, {.texels = level.wall, .surfaceTexels = {{"box", level.box}, {"light", 1}}, .patch = level.patch});
@@ -71,7 +72,7 @@ TEST_CASE("the paper's room has the paper's elements at every level, and 61 patc
   }
 }
 
-TEST_CASE("elements have the surface's area, and every texel spills to one", "[discretization]") {
+TEST_CASE("discretize gives elements the surface's area, and maps each texel to one element", "[discretization]") {
   const Scene scene = sceneOf(tableOfSurfaces());
   for (const int texels : {1, 2, 9, 32, 100}) {
     const Discretization discretization = discretize(scene, {.texels = texels, .patch = 3});
@@ -92,7 +93,7 @@ TEST_CASE("elements have the surface's area, and every texel spills to one", "[d
   }
 }
 
-TEST_CASE("surfaces that meet at an edge are exposed up to it, however acute the angle", "[discretization]") {
+TEST_CASE("discretize exposes surfaces up to their common edge, however acute the angle", "[discretization]") {
   for (const double degrees : {1.0, 5.0, 30.0, 90.0, 175.0}) {
     CAPTURE(degrees);
     const double angle = degrees / 180 * 3.14159265358979323846;
@@ -105,9 +106,9 @@ TEST_CASE("surfaces that meet at an edge are exposed up to it, however acute the
   }
 }
 
-TEST_CASE("a floor is buried under a pyramid, up to its outline", "[discretization]") {
-  // The outline lies in the floor, and off the borders of texels. A pyramid that is sunk shows less of its foot: at
-  // half its height the base is half as wide.
+TEST_CASE("discretize buries a floor under a pyramid, up to its outline", "[discretization]") {
+  // The outline lies in the floor, and off the borders of texels. A sunk pyramid has a smaller outline: at half its
+  // height it is half as wide.
   const std::array<glm::dvec2, 4> base{{{0.21, 0.23}, {0.71, 0.23}, {0.71, 0.73}, {0.21, 0.73}}};
   for (const double sunk : {0.0, 0.25})
     for (const int texels : {1, 4, 16}) {
@@ -124,7 +125,7 @@ TEST_CASE("a floor is buried under a pyramid, up to its outline", "[discretizati
     }
 }
 
-TEST_CASE("no element is covered for less than a quarter of a texel but where it has no neighbour",
+TEST_CASE("discretize covers each element at least a quarter of a texel, unless it has no neighbour",
           "[discretization]") {
   const Scene scene = sceneOf(tableOfSurfaces());
   for (const int texels : {3, 16, 50}) {
@@ -147,7 +148,7 @@ TEST_CASE("no element is covered for less than a quarter of a texel but where it
   }
 }
 
-TEST_CASE("patches share the elements out by blocks of texels, none empty", "[discretization]") {
+TEST_CASE("discretize distributes the elements to patches by blocks of texels, none empty", "[discretization]") {
   const Scene scene = sceneOf(tableOfSurfaces());
   for (const int side : {1, 3, 4, 1000}) {
     const Discretization discretization = discretize(scene, {.texels = 14, .patch = side});
@@ -174,15 +175,15 @@ TEST_CASE("patches share the elements out by blocks of texels, none empty", "[di
   }
 }
 
-TEST_CASE("a wall of 6 x 6 texels in an 8 x 8 chart leaves 28 phantoms", "[discretization]") {
-  // Figure 2: one 8 x 8 index map for all surfaces, of which a 6 x 6 wall uses the lower left.
+TEST_CASE("discretize of a wall of 6 x 6 texels in an 8 x 8 chart leaves 28 phantoms", "[discretization]") {
+  // Figure 2: one 8 x 8 index map for all surfaces; a 6 x 6 wall uses its lower left.
   const Scene scene = sceneOf({flat("wall", rectangle({0, 0}, {0.75, 0.75}))});
   const Discretization discretization = discretize(scene, {.texels = 8});
   CHECK(discretization.elements.size() == 36);
   CHECK(discretization.grids[0].phantoms == 28);
 }
 
-TEST_CASE("a name takes precedence over a family, and both over the texels of all", "[discretization]") {
+TEST_CASE("discretize prefers the texels of a name to those of a family, and both to the default", "[discretization]") {
   const Scene scene = paperRoom();
   const Discretization discretization =
       discretize(scene, {.texels = 5, .texelSize = 0.5, .surfaceTexels = {{"wall", 3}, {"wall2", 7}}});
@@ -192,7 +193,8 @@ TEST_CASE("a name takes precedence over a family, and both over the texels of al
   CHECK(discretization.grids[6].columns == 2);  // a box face: 1 / 0.5
 }
 
-TEST_CASE("with a texel size, texels are at most that long, and as few as that allows", "[discretization]") {
+TEST_CASE("discretize with a texel size makes as few texels as possible that are at most that long",
+          "[discretization]") {
   const auto sizeOf = [](const Surface& surface, double texelSize) {
     const Grid grid = discretize(sceneOf({surface}), {.texelSize = texelSize}).grids[0];
     return std::pair(grid.columns, grid.rows);
@@ -201,7 +203,7 @@ TEST_CASE("with a texel size, texels are at most that long, and as few as that a
   CHECK(sizeOf(wall, 0.1) == std::pair(30, 7));
   CHECK(sizeOf(wall, 0.3) == std::pair(10, 3));
   CHECK(sizeOf(wall, 0.299) == std::pair(11, 3));
-  // Coordinates rounded to binary32 may make a length of 3 + 2e-7 out of 3; that is no reason for one texel more.
+  // Coordinates rounded to binary32 may give a length of 3 + 2e-7 instead of 3, which must not add a texel.
   CHECK(sizeOf(parallelogram("wall", {0, 0, 0}, {3 + 2e-7, 0, 0}, {0, 1, 0}), 0.1) == std::pair(30, 10));
   CHECK(sizeOf(wall, 5) == std::pair(1, 1));
   CHECK(sizeOf(parallelogram("thread", {0, 0, 0}, {3, 0, 0}, {0, 1e-9, 0}), 1e-6) == std::pair(4096, 1));
@@ -210,11 +212,11 @@ TEST_CASE("with a texel size, texels are at most that long, and as few as that a
   for (Triangle& triangle : mirrored.triangles)
     for (glm::dvec2& chart : triangle.chart) chart.x = 1 - chart.x;
   CHECK(sizeOf(mirrored, 0.1) == std::pair(30, 7));
-  // The length of the chart's axes counts, not how much of the chart is in use.
+  // The length of the chart's axes counts, not the used part of the chart.
   CHECK(sizeOf(flat("corner", rectangle({0.25, 0.25}, {0.5, 0.75})), 0.125) == std::pair(8, 8));
 }
 
-TEST_CASE("a surface whose chart collapses to a point is one element", "[discretization]") {
+TEST_CASE("discretize makes one element of a surface whose chart collapses to a point", "[discretization]") {
   const Surface surface =
       surfaceOf("point", {triangleOf({{0, 0, 0}, {0.3, 0.3}}, {{1, 0, 0}, {0.3, 0.3}}, {{0, 1, 0}, {0.3, 0.3}})});
   const Discretization discretization = discretize(sceneOf({surface}), {.texels = 8});
@@ -222,7 +224,7 @@ TEST_CASE("a surface whose chart collapses to a point is one element", "[discret
   CHECK(discretization.elements[0].area == Approx(0.5).epsilon(1e-14));
 }
 
-TEST_CASE("settings out of range and names without a surface are input errors", "[discretization]") {
+TEST_CASE("discretize throws InputError for settings out of range and names without a surface", "[discretization]") {
   const Scene scene = paperRoom();
   const auto fails = [&](const DiscretizationSettings& settings) {
     try {
@@ -244,12 +246,12 @@ TEST_CASE("settings out of range and names without a surface are input errors", 
   CHECK_FALSE(fails({.surfaceTexels = {{"light", 1}, {"wall", 4096 / 64}}}));
 }
 
-TEST_CASE("more texels than there are item IDs are refused before memory is asked for", "[discretization]") {
+TEST_CASE("discretize refuses more texels than item IDs before it allocates memory", "[discretization]") {
   const Scene scene = sceneOf(std::vector<Surface>(256, flat("wall", rectangle({0, 0}, {1, 1}))));
   CHECK_THROWS_WITH(discretize(scene, {.texels = 4096}), Catch::Contains("4294967296 texels"));
 }
 
-TEST_CASE("the discretization is the same for any number of threads", "[discretization]") {
+TEST_CASE("discretize gives the same result for any number of threads", "[discretization]") {
   const Scene scene = sceneOf(tableOfSurfaces());
   const Discretization parallel = discretize(scene, {.texels = 40});
   const raster::ThreadLimit one(1);

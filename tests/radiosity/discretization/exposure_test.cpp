@@ -1,4 +1,4 @@
-// What solids bury of the surfaces that they touch or cross: held against areas that are known, and against rays.
+// The parts of surfaces that solids bury, compared with known areas and with rays.
 #include "radiosity/discretization/exposure.h"
 
 #include <catch2/catch.hpp>
@@ -25,11 +25,11 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 const glm::dvec3 roomSize(4, 3, 2);
 constexpr double floorArea = 12;
-/// Slices lie an eye's lift above a surface: solids that do not rise at right angles are cut that much too narrow or
-/// too wide.
+/// Slices lie an eye's lift above a surface, so that solids whose sides are not perpendicular are cut slightly too
+/// narrow or too wide.
 constexpr double leaningTolerance = 1e-5;
-/// A chart's coordinates are multiples of 2^-24: the borders of texels and the edges of triangles miss each other so
-/// much, and slivers between them are left uncut.
+/// Chart coordinates are multiples of 2^-24. So texel borders and triangle edges may miss each other by that much;
+/// slivers between them stay uncut.
 constexpr double chartTolerance = 1e-7;
 
 Surfaces joined(std::initializer_list<Surfaces> some) {
@@ -54,7 +54,7 @@ Surfaces transformed(Surfaces surfaces, const glm::dmat3& matrix, const glm::dve
   return surfaces;
 }
 
-/// About an axis in z, and one in y, by angles of rational cosines and sines.
+/// Rotations about an axis in z and one in y, by angles with rational cosines and sines.
 glm::dmat3 aboutZ(double cosine, double sine) { return {{cosine, sine, 0}, {-sine, cosine, 0}, {0, 0, 1}}; }
 glm::dmat3 aboutY(double cosine, double sine) { return {{cosine, 0, -sine}, {0, 1, 0}, {sine, 0, cosine}}; }
 
@@ -70,7 +70,7 @@ Surfaces reversed(Surfaces surfaces) {
   return surfaces;
 }
 
-/// The floor of the room as columns x rows quads of one chart. Diagonals go either way.
+/// The floor of the room as columns x rows quads of one chart, with diagonals in either direction.
 Surface tessellatedFloor(int columns, int rows, bool isOtherWay = false) {
   Surface floor = tests::surfaceOf("room0", {});
   const auto corner = [&](int i, int j) {
@@ -114,8 +114,8 @@ bool isCut(const Discretization& discretization) {
 /// Exposed areas by surface name.
 using Areas = std::map<std::string, double>;
 
-/// Checks some surfaces; all others are wholly exposed, but for those of area 0, of which nothing is asked: a surface
-/// that is buried as a whole keeps its elements.
+/// Checks the areas of some surfaces; all others must be completely exposed. An area of 0 is not checked, because a
+/// completely buried surface keeps its elements.
 void checkAreas(const Surfaces& surfaces, const Areas& areas, double tolerance = 1e-9) {
   const Scene scene = tests::sceneOf(surfaces);
   for (const int texels : {1, 4, 5, 16}) {
@@ -227,7 +227,7 @@ bool areEqual(const Discretization& a, const Discretization& b) {
   return a.patchElements == b.patchElements && a.triangleOf == b.triangleOf;
 }
 
-/// Whether a surface reaches out of the walls, the floor or the ceiling.
+/// Whether a surface extends beyond the walls, the floor or the ceiling.
 bool reachesOut(const Scene& scene, std::uint32_t surface) {
   glm::dvec3 low(1e9), high(-1e9);
   for (const char* wall : {"wall-left", "wall-right", "floor", "ceiling"})
@@ -242,7 +242,7 @@ bool reachesOut(const Scene& scene, std::uint32_t surface) {
   return false;
 }
 
-/// A ball of quads and triangles about a point, each a surface; at its equator a regular polygon of 12 corners.
+/// A ball of quads and triangles about a point, each a surface; its equator is a regular polygon of 12 corners.
 Surfaces ball(const std::string& name, const glm::dvec3& centre, double radius) {
   constexpr int steps = 12, rings = 6;
   const auto at = [&](int step, int ring) {
@@ -266,7 +266,7 @@ Surfaces ball(const std::string& name, const glm::dvec3& centre, double radius) 
 
 double regularPolygonArea(double radius) { return 12 * 0.5 * radius * radius * std::sin(2 * pi / 12); }
 
-/// A room, all of which emits as much as it reflects, so that all fronts have the radiosity E / (1 - r).
+/// A room in which all surfaces emit E and reflect r, so that all fronts have the radiosity E / (1 - r).
 Scene furnace(const Surfaces& surfaces) {
   Scene scene = tests::sceneOf(surfaces);
   scene.materials = {tests::material("grey", glm::dvec3(0.5), glm::dvec3(1))};
@@ -277,7 +277,7 @@ Scene furnace(const Surfaces& surfaces) {
 
 TEST_CASE("discretize takes the footprint of a box out of the floor's area", "[exposure]") {
   const bool hasBottom = GENERATE(true, false);
-  // Anywhere; along texel borders of a grid of four; with one side along a border, the other not; a narrow box.
+  // At any place; along texel borders of a grid of four; with one side along a border and the other not; a narrow box.
   const auto [low, size] = GENERATE(std::pair(glm::dvec3(1.03, 0.71, 0), glm::dvec3(1.1, 0.7, 0.9)),
                                     std::pair(glm::dvec3(1, 0.75, 0), glm::dvec3(1, 1.5, 1)),
                                     std::pair(glm::dvec3(1, 0.8, 0), glm::dvec3(0.31, 0.7, 1)),
@@ -328,7 +328,7 @@ TEST_CASE("discretize buries what a rotated box covers", "[exposure]") {
 
 TEST_CASE("discretize takes the union of two boxes that cross out of the floor's area", "[exposure]") {
   const bool hasBottom = GENERATE(true, false);
-  // A cross: the higher one sticks out of the lower one above, both at their ends.
+  // A cross: the higher one sticks out of the lower one above, both stick out at their ends.
   const Surfaces along = box("along", {0.7, 1.2, 0}, {2.3, 0.5, 0.8}, hasBottom);
   const Surfaces across = box("across", {1.6, 0.5, 0}, {0.4, 2.1, 1.3}, hasBottom);
   checkAreas(joined({room(), along, across}), {{"room0", floorArea - (2.3 * 0.5 + 0.4 * 2.1 - 0.4 * 0.5)},
@@ -364,13 +364,13 @@ TEST_CASE("discretize buries what thin boxes cover: a rug, and a picture on a wa
   CAPTURE(hasBottom, thickness);
   checkAreas(joined({room(), box("rug", {1.2, 0.4, 0}, {1.7, 1.3, thickness}, hasBottom)}),
              {{"room0", floorArea - 1.7 * 1.3}, {"rug0", 0}});
-  // On the wall y = 0, whose inside is room4; without or with the face that lies on it.
+  // On the wall y = 0, whose inside is room4; without and with the face that lies on it.
   Surfaces picture = box("picture", {1.3, 0, 0.7}, {0.8, thickness, 0.6});
   if (!hasBottom) picture.erase(picture.begin() + 4);
   checkAreas(joined({room(), picture}), {{"room4", 4 * 2 - 0.8 * 0.6}, {"picture4", 0}});
 }
 
-TEST_CASE("discretize buries where boxes of a stack lie on each other", "[exposure]") {
+TEST_CASE("discretize buries the common area of stacked boxes", "[exposure]") {
   const bool hasBottom = GENERATE(true, false);
   checkAreas(joined({room(), box("lower", {1, 0.7, 0}, {1.1, 0.9, 0.5}, hasBottom),
                      box("middle", {1.2, 0.8, 0.5}, {0.7, 0.6, 0.3}, hasBottom),
@@ -381,13 +381,13 @@ TEST_CASE("discretize buries where boxes of a stack lie on each other", "[exposu
               {"middle0", 0},
               {"middle1", 0.7 * 0.6 - 0.5 * 0.5},
               {"upper0", 0}});
-  // The upper one sticks out: of its underside a part is exposed.
+  // The upper box sticks out, so that a part of its underside is exposed.
   checkAreas(joined({room(), box("lower", {1, 0.7, 0}, {1, 1, 0.5}, hasBottom),
                      box("upper", {1.7, 0.9, 0.5}, {0.8, 0.5, 0.4})}),
              {{"room0", floorArea - 1}, {"lower0", 0}, {"lower1", 1 - 0.3 * 0.5}, {"upper0", 0.5 * 0.5}});
 }
 
-TEST_CASE("discretize buries where books stand side by side", "[exposure]") {
+TEST_CASE("discretize buries the common faces of books side by side", "[exposure]") {
   const bool hasBottom = GENERATE(true, false);
   checkAreas(joined({room(), box("a", {1, 1, 0}, {0.05, 0.2, 0.3}, hasBottom),
                      box("b", {1.05, 1, 0}, {0.04, 0.2, 0.25}, hasBottom),
@@ -434,7 +434,7 @@ TEST_CASE("discretize buries what a leaning box cuts out of the floor, and its p
              leaningTolerance);
 }
 
-TEST_CASE("discretize takes the polygon that a ball is cut in out of the floor's area", "[exposure]") {
+TEST_CASE("discretize takes the polygon of intersection with a ball out of the floor's area", "[exposure]") {
   const bool isTessellated = GENERATE(false, true);
   const Surfaces around = isTessellated ? roomOn(tessellatedFloor(9, 7)) : room();
   const double radius = 0.6;
@@ -484,7 +484,7 @@ TEST_CASE("discretize buries nothing by sheets that are seen from one side", "[e
   }
 }
 
-TEST_CASE("discretize keeps the light that comes from inside a solid, and none other", "[exposure]") {
+TEST_CASE("discretize keeps the light that comes from inside a solid, and no other", "[exposure]") {
   const Surfaces surfaces = joined({room(),
                                     box("lamp", {1, 1, 1.8}, {0.6, 0.5, 0.4}),
                                     box("box", {2.6, 0.9, 0}, {0.8, 0.6, 0.3}),
@@ -506,7 +506,7 @@ TEST_CASE("discretize keeps the light that comes from inside a solid, and none o
         flux += emission(scene, discretization, e).r * discretization.elements[e].area;
       return flux;
     };
-    // Of the lamp 0.2 m hang below the ceiling, the rest is inside of it.
+    // The lowest 0.2 m of the lamp are below the ceiling; the rest is inside it.
     CHECK(emitted("lamp0") == Approx(2 * 0.6 * 0.5).epsilon(1e-9));
     CHECK(emitted("lamp2") == Approx(2 * 0.5 * 0.2).epsilon(1e-9));
     CHECK(emitted("lamp5") == Approx(2 * 0.6 * 0.2).epsilon(1e-9));
@@ -516,7 +516,7 @@ TEST_CASE("discretize keeps the light that comes from inside a solid, and none o
 }
 
 TEST_CASE("discretize never buries a light in the open", "[exposure]") {
-  // A light that sees nothing but the backs of others and the background, but is inside of no solid.
+  // A light that sees only the backs of others and the background, but is not inside a solid.
   Scene scene = tests::sceneOf({tests::parallelogram("light", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
                                 tests::parallelogram("cover", {-1, -1, 0.1}, {3, 0, 0}, {0, 3, 0}),
                                 tests::parallelogram("wall", {0.5, -1, 0}, {0, 1.5, 0}, {0, 0, 0.05})});
@@ -527,7 +527,7 @@ TEST_CASE("discretize never buries a light in the open", "[exposure]") {
   }
 }
 
-TEST_CASE("discretize buries only footprints in a room whose every surface is touched", "[exposure]") {
+TEST_CASE("discretize buries only footprints in a room whose surfaces are all touched", "[exposure]") {
   const Surfaces surfaces = joined({room(), box("a", {0.5, 0.4, 0}, {0.4, 0.4, 2}),
                                     box("b", {0, 1.3, 0.7}, {4, 0.3, 0.3}), box("c", {2.3, 0, 1.2}, {0.3, 3, 0.3})});
   checkAreas(surfaces, {{"room0", floorArea - 0.16},
@@ -585,7 +585,7 @@ TEST_CASE("patchCentre of a triangle that is one texel is its centroid", "[expos
         1e-15);
 }
 
-// Where all fronts have one radiosity, any light that goes into the dark inside of the box is missing.
+// All fronts have the same radiosity, so that light into the dark inside of the box would be missing.
 TEST_CASE("trueRadiosity of a furnace with a box on its floor is E over 1 minus r", "[exposure]") {
   const bool hasBottom = GENERATE(true, false);
   const Scene scene = furnace(joined({room(), box("box", {1.03, 0.71, 0}, {1.1, 0.7, 0.9}, hasBottom)}));
@@ -601,7 +601,7 @@ TEST_CASE("trueRadiosity of a furnace with a box on its floor is E over 1 minus 
 }
 
 TEST_CASE("trueRadiosity of a box on a floor is that of a floor cut by hand", "[exposure]") {
-  // Along texel borders, and through the middle of texels: both scenes have elements of the same shapes.
+  // Along texel borders, and through the middle of texels; both scenes have elements of the same shapes.
   const double depth = GENERATE(0.75, 0.375);
   const Surfaces onFloor = box("box", {1, 0.75, 0}, {1, depth, 0.9}, false);
   Surfaces around = room();
@@ -656,9 +656,9 @@ TEST_CASE("discretize of random rooms exposes what bakedRadiosity finds exposed"
     for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
       INFO("room " << seed << ", " << scene.surfaces[s].name);
       const reference::SurfaceFlux& of = baked.surfaces[s];
-      // A surface that is buried as a whole keeps its elements, and so do faces outside of the room, where it is dark.
+      // A completely buried surface keeps its elements, and so do faces outside the room, where it is dark.
       if (of.exposedArea == 0 || (scene.surfaces[s].triangles.size() > 2 && reachesOut(scene, s))) continue;
-      // What is narrow may miss all points of a texel: none of its errors is taken as less than a point.
+      // A narrow part may miss all points of a texel, so that each error counts at least as one point.
       double squares = 0;
       for (std::uint32_t e = 0; e < unburied.grids[s].elementCount; ++e) {
         const std::uint32_t element = unburied.grids[s].firstElement + e;
@@ -672,7 +672,7 @@ TEST_CASE("discretize of random rooms exposes what bakedRadiosity finds exposed"
   }
 }
 
-TEST_CASE("discretize of random rooms gives exposed centres and areas that all texels count into", "[exposure]") {
+TEST_CASE("discretize of random rooms gives exposed centres, and areas that include all texels", "[exposure]") {
   for (std::uint32_t seed = 1; seed <= 12; ++seed) {
     INFO("room " << seed);
     const Scene scene = loaded(data::randomRoom(seed));

@@ -1,4 +1,4 @@
-// Grids from the sizes of surfaces, and texel sizes that fill pages.
+// Grid sizes of surfaces, and texel sizes that fill pages.
 #include "radiosity/discretization/grid_size.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 
 Scene dataScene(const std::string& name) { return loadScene(std::string(HEMITEX_DATA) + "/" + name + ".obj"); }
 
-/// A quarter of a cylinder of radius 1 and the given height: its chart's axes are pi/2 and the height long.
+/// A quarter of a cylinder of radius 1 and the given height: the axes of its chart are pi/2 and the height long.
 Surface cylinder(double height) {
   constexpr int steps = 64;
   std::vector<Triangle> triangles;
@@ -47,7 +47,7 @@ std::vector<Example> examples() {
   };
   // A sheared one: its axes are as long as its sides, whatever the angle between them.
   const Example sheared{parallelogram("sheared", {}, {2, 0, 0}, {1, 1, 0}), {2, std::sqrt(2.0)}};
-  // A chart that its surface covers a part of: the whole axis counts, and texels outside are phantoms.
+  // A chart that its surface covers partly: the whole axis counts, and texels outside are phantoms.
   const Example part{flat("part", rectangle({0.125, 0.25}, {0.875, 0.5})), {1, 1}};
   return {{parallelogram("square", {}, {1, 0, 0}, {0, 1, 0}), {1, 1}},
           {parallelogram("strip", {}, {5, 0, 0}, {0, 0.11, 0}), {5, 0.11}},
@@ -63,14 +63,15 @@ std::vector<Example> examples() {
 
 }  // namespace
 
-TEST_CASE("a texel size is kept within a factor of two along every axis that is as long", "[grid size]") {
+TEST_CASE("gridSizeOf keeps a texel size within a factor of two along each axis of at least that length",
+          "[grid size]") {
   for (const Example& example : examples())
     for (double asked = 2; asked > 0.003; asked *= 0.83) {
       const GridSize size = gridSizeOf(example.surface, {.texelSize = asked});
       const glm::dvec2 texel = example.lengths / glm::dvec2(size.columns, size.rows);
       INFO(example.surface.name << ", " << asked << ": " << size.columns << " x " << size.rows);
       for (const int axis : {0, 1}) {
-        // A millionth: what binary32 charts may be long, more or less.
+        // Binary32 charts may change a length by a millionth.
         CHECK(texel[axis] <= asked * (1 + 2e-6));
         if (example.lengths[axis] >= asked) CHECK(texel[axis] > asked / 2 * (1 - 2e-6));
         if (example.lengths[axis] < asked) CHECK((axis == 0 ? size.columns : size.rows) == 1);
@@ -78,13 +79,15 @@ TEST_CASE("a texel size is kept within a factor of two along every axis that is 
     }
 }
 
-TEST_CASE("elements are no larger than asked, and no smaller than a quarter of a texel but where all is",
-          "[grid size]") {
-  // A texel has an area from S^2/4 to S^2 times the sine of its axes' angle. An element is one, or as much of one as
-  // the surface covers: a quarter at least, or else it merges with a neighbour. What merges with it is less than a
-  // quarter each, of no more than eight neighbours.
+TEST_CASE(
+    "discretize makes elements no larger than the texel size, and no smaller than a quarter of a texel, with known "
+    "exceptions",
+    "[grid size]") {
+  // A texel has an area from S^2/4 to S^2, times the sine of the angle between its axes. An element is a texel or its
+  // covered part. That part is at least a quarter, or else it merges with a neighbour. Each of the at most eight merged
+  // neighbours adds less than a quarter.
   for (const Example& example : examples()) {
-    if (example.surface.name == "slanted" || example.surface.name == "strip") continue;  // an axis below S
+    if (example.surface.name == "slanted" || example.surface.name == "strip") continue;  // an axis shorter than S
     for (const double asked : {0.3, 0.17, 0.05}) {
       const Scene scene = sceneOf({example.surface, flat("other", rectangle({0, 0}, {1, 1}))});
       const Discretization discretization = discretize(scene, {.texelSize = asked});
@@ -100,10 +103,10 @@ TEST_CASE("elements are no larger than asked, and no smaller than a quarter of a
   }
 }
 
-TEST_CASE("the elements of whole texels are within a factor of two of the asked size on every scene", "[grid size]") {
-  // In length: the root of an element's area, where its texel is covered, it merged with nothing, and both axes are
-  // long enough. Charts of planar parts are true to scale; the others of these scenes bend by no more than a few
-  // percent.
+TEST_CASE("discretize makes elements of whole texels within a factor of two of the texel size in all scenes",
+          "[grid size]") {
+  // In length: the root of an element's area. Only elements with a covered texel, without merged texels, with both axes
+  // long enough. Charts of planar parts have no distortion; the others in these scenes have a few percent.
   for (const char* name : {"cornell-box", "paper-room", "pyramid-room", "gallery"}) {
     const Scene scene = dataScene(name);
     const double asked = scene.extent / 40;
@@ -127,7 +130,7 @@ TEST_CASE("the elements of whole texels are within a factor of two of the asked 
   }
 }
 
-TEST_CASE("subdivided grids nest, and surfaces with a number of their own keep it", "[grid size]") {
+TEST_CASE("gridSizeOf with subdivision gives nested grids, and keeps the grids of named surfaces", "[grid size]") {
   const Scene scene = dataScene("pyramid-room");
   const std::string light = scene.surfaces.back().name;
   for (const int subdivision : {2, 3, 4})
@@ -144,7 +147,7 @@ TEST_CASE("subdivided grids nest, and surfaces with a number of their own keep i
   CHECK_THROWS_AS(discretize(scene, {.subdivision = 0}), raster::InputError);
 }
 
-TEST_CASE("the complex scene fills eight pages at three levels of detail", "[grid size]") {
+TEST_CASE("settingsForPages fits the complex scene into eight pages at three levels of detail", "[grid size]") {
   const Scene scene = dataScene("gallery");
   DiscretizationSettings settings = settingsForPages(scene, 8, 64);
   const auto pagesAt = [&](double factor, int subdivision) {
@@ -173,13 +176,13 @@ TEST_CASE("the complex scene fills eight pages at three levels of detail", "[gri
   }
 }
 
-TEST_CASE("too many surfaces for so few pages are refused", "[grid size]") {
+TEST_CASE("settingsForPages throws InputError for too many surfaces", "[grid size]") {
   std::vector<Surface> surfaces;
   for (int i = 0; i < 17; ++i) surfaces.push_back(flat("wall" + std::to_string(i), rectangle({0, 0}, {1, 1})));
   const Scene scene = sceneOf(std::move(surfaces));
   CHECK_THROWS_AS(settingsForPages(scene, 1, 4), raster::InputError);
-  // Of 17 squares, two pages of 4 x 4 hold one texel each. One of 16 x 16 holds those of 3 x 3, 25 of them, and of
-  // 4 x 4 only 16; and 17 of 32 x 32 hold one each, as large as the page.
+  // Two pages of 4 x 4 hold 17 squares with one texel each. One page of 16 x 16 holds 25 squares of 3 x 3 but only 16
+  // of 4 x 4. And 17 pages of 32 x 32 hold one square each, as large as the page.
   const auto texelSizeFor = [&](int pages, int side) { return *settingsForPages(scene, pages, side).texelSize; };
   CHECK(texelSizeFor(2, 4) == Approx(1).epsilon(0.002));
   CHECK(texelSizeFor(1, 16) == Approx(1.0 / 3).epsilon(0.002));

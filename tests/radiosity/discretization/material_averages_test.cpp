@@ -1,4 +1,4 @@
-// Material maps averaged over elements: integrals over pixels, exact whatever the discretization.
+// averageOverElements integrates pixels exactly for all discretizations.
 #include "radiosity/discretization/material_averages.h"
 
 #include <catch2/catch.hpp>
@@ -27,7 +27,7 @@ glm::dvec3 meanOf(const Image& image) {
   return sum / double(image.pixels.size());
 }
 
-/// A scene of one surface under a white emitter with the image as its map.
+/// A scene of one surface with the image as its map, under a white emitter.
 Scene shownOn(Surface surface, Image image) {
   Scene scene = sceneOf({std::move(surface)});
   scene.materials[0].emission = glm::dvec3(1);
@@ -62,7 +62,8 @@ const std::array<glm::dvec3, 4> unitSquare{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0,
 
 }  // namespace
 
-TEST_CASE("an image with a pixel a texel gives each element its pixel, top row at v = 1", "[maps]") {
+TEST_CASE("averageOverElements of an image with one pixel per texel gives each element its pixel, top row at v = 1",
+          "[maps]") {
   const Image image = randomImage(5, 5, 1);
   const std::vector<glm::dvec3> mean = averages(shownOn(quad("q", unitSquare), image), 5);
   for (int row = 0; row < 5; ++row)
@@ -70,7 +71,7 @@ TEST_CASE("an image with a pixel a texel gives each element its pixel, top row a
       CHECK(areClose(mean[std::size_t(row * 5 + column)], image.pixels[std::size_t((4 - row) * 5 + column)], 1e-14));
 }
 
-TEST_CASE("a pixel's border inside an element splits it by area", "[maps]") {
+TEST_CASE("averageOverElements splits an element by area at a pixel's border", "[maps]") {
   // Three columns of pixels, 0, 3 and 9, over two elements: 2/3 of 0 and 1/3 of 3; 1/3 of 3 and 2/3 of 9.
   const Image image{3, 1, {glm::dvec3(0), glm::dvec3(3), glm::dvec3(9)}};
   const std::vector<glm::dvec3> mean = averages(shownOn(quad("q", unitSquare), image), 2);
@@ -80,7 +81,7 @@ TEST_CASE("a pixel's border inside an element splits it by area", "[maps]") {
   }
 }
 
-TEST_CASE("the flux of a painted light is the same at every discretization", "[maps]") {
+TEST_CASE("averageOverElements keeps the flux of a painted light at all discretizations", "[maps]") {
   for (const Surface& surface : tableOfSurfaces()) {
     Scene scene = shownOn(surface, randomImage(37, 23, 2));
     const glm::dvec3 whole = flux(scene, 1);
@@ -91,23 +92,24 @@ TEST_CASE("the flux of a painted light is the same at every discretization", "[m
   }
 }
 
-TEST_CASE("a single bright pixel of a large image is not missed", "[maps]") {
+TEST_CASE("averageOverElements does not miss a single bright pixel of a large image", "[maps]") {
   Image image{512, 512, std::vector<glm::dvec3>(std::size_t{512} * 512)};
   image.pixels[100 * 512 + 300] = glm::dvec3(512.0 * 512.0);
   CHECK(areClose(flux(shownOn(quad("q", unitSquare), image), 4), glm::dvec3(1), 1e-12));
 }
 
-TEST_CASE("texture coordinates wrap: moved by whole tiles they show the same", "[maps]") {
+TEST_CASE("averageOverElements repeats textures: coordinates moved by whole tiles show the same", "[maps]") {
   const Image image = randomImage(8, 5, 3);
   Surface moved = bump(4);
-  scaleTexcoords(moved, {1, 1}, {-3, 0x1p40});  // the coordinates are quarters: nothing is rounded
+  scaleTexcoords(moved, {1, 1}, {-3, 0x1p40});  // the coordinates are quarters, so that nothing is rounded
   const std::vector<glm::dvec3> here = averages(shownOn(bump(4), image), 6);
   const std::vector<glm::dvec3> there = averages(shownOn(moved, image), 6);
   for (std::size_t e = 0; e < here.size(); ++e) CHECK(areClose(there[e], here[e], 1e-13));
 }
 
-TEST_CASE("a tiled image averages to its mean over elements of whole tiles, however many there are", "[maps]") {
-  // Up to 1e9 x 1e9 tiles: the image is halved to a single pixel before that many are cut out.
+TEST_CASE("averageOverElements of a tiled image gives its mean over elements of whole tiles, for any number of tiles",
+          "[maps]") {
+  // Up to 1e9 x 1e9 tiles: the image is halved to a single pixel before that many are clipped.
   const Image image = randomImage(6, 5, 4);
   for (const double tiles : {4.0, 400.0, 4000.0, 1e9}) {
     Surface surface = quad("q", unitSquare);
@@ -117,7 +119,7 @@ TEST_CASE("a tiled image averages to its mean over elements of whole tiles, howe
   }
 }
 
-TEST_CASE("halving an image keeps its mean, and averages pairs where they are whole", "[maps]") {
+TEST_CASE("halved keeps the mean of an image, and averages pairs of pixels for even sizes", "[maps]") {
   for (const auto& [width, height] : {std::pair{1, 1}, {2, 7}, {64, 3}, {9, 31}}) {
     const Image image = randomImage(width, height, 5);
     const Image half = halved(image);
@@ -133,7 +135,7 @@ TEST_CASE("halving an image keeps its mean, and averages pairs where they are wh
   CHECK(halved(three).pixels[1].x == Approx(11.5 / 1.5));
 }
 
-TEST_CASE("a mapped reflectance is the map times Kd, and stays below 1", "[maps]") {
+TEST_CASE("averageMaps multiplies a reflectance map by Kd and stays below 1", "[maps]") {
   Scene scene = sceneOf({quad("q", unitSquare)});
   scene.materials[0].reflectance = {0.5, 0.9999, 0.25};
   scene.materials[0].reflectanceMap = 0;
@@ -144,7 +146,7 @@ TEST_CASE("a mapped reflectance is the map times Kd, and stays below 1", "[maps]
   CHECK(discretization.mappedEmission.empty());
 }
 
-TEST_CASE("surfaces without a map beside one with a map keep their material's values", "[maps]") {
+TEST_CASE("averageMaps keeps the material's values of surfaces without a map beside one with a map", "[maps]") {
   Scene scene = sceneOf({quad("plain", unitSquare), quad("mapped", unitSquare)});
   scene.materials.resize(2);
   scene.materials[0].emission = {1, 2, 3};

@@ -27,7 +27,7 @@ double areaOf(const std::vector<ShootingBlock>& blocks) {
 
 }  // namespace
 
-TEST_CASE("The points of a square patch are the middles of its blocks", "[patch_points]") {
+TEST_CASE("shootingBlocks of a square patch have their centres at the middles of the blocks", "[patch_points]") {
   const Scene scene = sceneOf(tests::parallelogram("square", {1, 2, 3}, {2, 0, 0}, {0, 4, 0}));
   const Discretization discretization = discretize(scene, {.texels = 1});
   Patch patch = discretization.patches.front();
@@ -43,7 +43,7 @@ TEST_CASE("The points of a square patch are the middles of its blocks", "[patch_
     }
 }
 
-TEST_CASE("The blocks of a patch cover it, and each point lies in its block, on the surface", "[patch_points]") {
+TEST_CASE("shootingBlocks cover the patch, and each centre lies in its block, on the surface", "[patch_points]") {
   for (const Surface& surface : {tests::lShape(), tests::ring(24), tests::star(40, 3), tests::bump(8)}) {
     CAPTURE(surface.name);
     const Scene scene = sceneOf(surface);
@@ -65,7 +65,7 @@ TEST_CASE("The blocks of a patch cover it, and each point lies in its block, on 
   }
 }
 
-TEST_CASE("Where the chart has a hole there is no block", "[patch_points]") {
+TEST_CASE("shootingBlock returns nothing where the chart has a hole", "[patch_points]") {
   const Scene scene = sceneOf(tests::lShape());
   const Discretization discretization = discretize(scene, {.texels = 1});
   Patch patch = discretization.patches.front();
@@ -73,7 +73,7 @@ TEST_CASE("Where the chart has a hole there is no block", "[patch_points]") {
   CHECK(shootingBlocks(scene, discretization, patch).size() == 3);
   const Grid& grid = discretization.grids.front();
   CHECK_FALSE(shootingBlock(scene.surfaces.front(), grid, {0.5, 0.5}, {0.5, 0.5}).has_value());
-  // A third of this block is covered, below and left of its middle: the centroid of what is there stands for it.
+  // A third of this block is covered, below and left of its middle; its centre is the centroid of that third.
   const auto block = shootingBlock(scene.surfaces.front(), grid, {0.25, 0.25}, {0.75, 0.75});
   REQUIRE(block.has_value());
   CHECK(block->area == Approx(0.75 * 0.25 + 0.25 * 0.5).epsilon(1e-14));

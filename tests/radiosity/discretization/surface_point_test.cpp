@@ -1,4 +1,4 @@
-// The centres of patches and elements lie on the surface, whatever its chart.
+// The centres of patches and elements lie on the surface, for all kinds of charts.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -15,7 +15,7 @@ using namespace hemitex::tests;
 
 namespace {
 
-/// The distance from a point to the triangle it is said to lie on: to the plane, or from outside to the edges.
+/// The distance from a point to its triangle: to the plane inside, to the edges outside.
 double distanceTo(const Triangle& triangle, const glm::dvec3& point) {
   const glm::dvec3 n = normal(triangle);
   double distance = std::abs(glm::dot(n, point - triangle.position[0]));
@@ -33,7 +33,7 @@ bool liesOnSurface(const Scene& scene, std::uint32_t surface, const SurfacePoint
          glm::length(point.normal - normal(triangle)) < 1e-15;
 }
 
-/// Where on the chart of its surface a point is, in texels.
+/// The place of a point on the chart of its surface, in texels.
 glm::dvec2 placeOnChart(const Scene& scene, const Grid& grid, std::uint32_t surface, const SurfacePoint& point) {
   const Triangle& triangle = scene.surfaces[surface].triangles[point.triangle];
   const glm::dvec3 e1 = triangle.position[1] - triangle.position[0], e2 = triangle.position[2] - triangle.position[0];
@@ -45,13 +45,13 @@ glm::dvec2 placeOnChart(const Scene& scene, const Grid& grid, std::uint32_t surf
 }
 
 bool isInside(const glm::dvec2& point, const glm::dvec2& low, const glm::dvec2& size) {
-  const double slack = 1e-6;  // of a texel: slivers of width 1e-6 turn roundoff in space into this much on the chart
+  const double slack = 1e-6;  // of a texel: slivers of width 1e-6 magnify roundoff in space to this much on the chart
   return glm::all(glm::greaterThanEqual(point, low - slack)) && glm::all(glm::lessThanEqual(point, low + size + slack));
 }
 
 }  // namespace
 
-TEST_CASE("the centres of all patches lie on their surfaces, inside their blocks", "[centres]") {
+TEST_CASE("patchCentre of each patch lies on its surface, inside its block", "[centres]") {
   const Scene scene = sceneOf(tableOfSurfaces());
   for (const int texels : {1, 7, 16, 45})
     for (const int side : {1, 2, 4, 9}) {
@@ -67,7 +67,7 @@ TEST_CASE("the centres of all patches lie on their surfaces, inside their blocks
     }
 }
 
-TEST_CASE("the centres of all elements lie on their surfaces, inside their texels", "[centres]") {
+TEST_CASE("elementCentre of each element lies on its surface, inside its texel", "[centres]") {
   const Scene scene = sceneOf(tableOfSurfaces());
   for (const int texels : {1, 7, 16, 45}) {
     const Discretization discretization = discretize(scene, {.texels = texels});
@@ -83,7 +83,7 @@ TEST_CASE("the centres of all elements lie on their surfaces, inside their texel
   }
 }
 
-TEST_CASE("a parallelogram's patches and elements are centred where its edges say", "[centres]") {
+TEST_CASE("patchCentre and elementCentre of a parallelogram follow from its edges", "[centres]") {
   const glm::dvec3 corner(10, 20, 30), u(2, 0, 1), v(0, 3, 0);
   const Scene scene = sceneOf({parallelogram("p", corner, u, v)});
   const Discretization discretization = discretize(scene, {.texels = 6, .patch = 4});
@@ -99,26 +99,26 @@ TEST_CASE("a parallelogram's patches and elements are centred where its edges sa
   }
 }
 
-TEST_CASE("a patch is centred at the centroid of its surface or, where that is a hole, of the triangle nearest to it",
+TEST_CASE("patchCentre is the centroid of the surface or, if that is in a hole, lies on the nearest triangle",
           "[centres]") {
-  // The L is the lower half, of area 1/2 about (1/2, 1/4), and the upper left quarter about (1/4, 3/4): its centroid is
+  // The L is the lower half, of area 1/2 about (1/2, 1/4), and the upper left quarter about (1/4, 3/4). Its centroid is
   // at (1/2 * 1/2 + 1/4 * 1/4) / (3/4) = 5/12 along both axes. On the ring, one patch has its centroid in the hole.
   const Scene scene = sceneOf({lShape(), ring(64)});
   const Discretization discretization = discretize(scene, {.texels = 4, .patch = 4});
   CHECK(glm::length(patchCentre(scene, discretization, discretization.patches[0]).position -
                     glm::dvec3(5 / 12.0, 5 / 12.0, 0)) < 1e-15);
   // The ring's triangles have two corners on one of its circles, of radii 0.2 and 0.5, and one on the other. Those with
-  // two on the inner one are nearest: they are centred at a third of 0.2 + 0.2 + 0.5 but for the turn of 1/64 from
-  // corner to corner, whose cosine is above 0.995.
+  // two on the inner circle are nearest. Their centres are at a third of 0.2 + 0.2 + 0.5, up to the cosine of 1/64 of a
+  // circle, which is above 0.995.
   const glm::dvec3 centre = patchCentre(scene, discretization, discretization.patches[1]).position;
   const double radius = glm::length(glm::dvec2(centre) - 0.5);
   CHECK(radius <= 0.3);
   CHECK(radius > 0.995 * 0.3);
 }
 
-TEST_CASE("a patch on the diagonal of a bent quad is centred where the areas of both triangles say", "[centres]") {
-  // A block of side s at the diagonal is cut into two triangles whose centroids lie at (2/3, 1/3) s and (1/3, 2/3) s,
-  // weighted by areas a and b: at ((2a + b)/3, (a + 2b)/3) s / (a + b), on the larger triangle.
+TEST_CASE("patchCentre on the diagonal of a bent quad weights both triangles by their areas", "[centres]") {
+  // A block of side s at the diagonal is cut into two triangles with centroids (2/3, 1/3) s and (1/3, 2/3) s. Weighted
+  // by areas a and b, that is ((2a + b)/3, (a + 2b)/3) s / (a + b), on the larger triangle.
   const Scene scene = sceneOf({quad("warped", {{{0, 0, 0}, {2, 0, 1}, {2, 3, -1}, {0, 1, 2}}})});
   const double a = area(scene.surfaces[0].triangles[0]), b = area(scene.surfaces[0].triangles[1]);
   REQUIRE(b > 1.05 * a);
@@ -136,7 +136,8 @@ TEST_CASE("a patch on the diagonal of a bent quad is centred where the areas of 
   }
 }
 
-TEST_CASE("the centre of an element that its texel's middle misses is the centroid of its largest piece", "[centres]") {
+TEST_CASE("elementCentre is the centroid of the largest piece if the surface misses the middle of the texel",
+          "[centres]") {
   // A triangle with legs of 3/4 does not reach the middle of its one texel, (1/2, 1/2).
   const Scene scene = sceneOf({flat("t", {{glm::dvec2(0, 0), glm::dvec2(0.75, 0), glm::dvec2(0, 0.75)}})});
   const Discretization discretization = discretize(scene, {.texels = 1});

@@ -1,4 +1,4 @@
-// The exact areas of surfaces inside texels.
+// texelAreas: exact areas of surfaces inside texels.
 #include "radiosity/discretization/texel_areas.h"
 
 #include <catch2/catch.hpp>
@@ -21,7 +21,7 @@ double sumOf(const std::vector<double>& values) {
 
 }  // namespace
 
-TEST_CASE("the areas inside texels sum to the surface's area, whatever the chart and the grid", "[texels]") {
+TEST_CASE("texelAreas sum to the surface's area, for all charts and grids", "[texels]") {
   const std::vector<std::array<int, 2>> grids{{1, 1}, {2, 3}, {16, 16}, {63, 65}, {1, 300}, {300, 1}, {256, 256}};
   for (const Surface& surface : tableOfSurfaces())
     for (const auto& [columns, rows] : grids) {
@@ -30,12 +30,12 @@ TEST_CASE("the areas inside texels sum to the surface's area, whatever the chart
     }
 }
 
-TEST_CASE("a million texels still sum to the surface's area", "[texels]") {
+TEST_CASE("texelAreas of a million texels sum to the surface's area", "[texels]") {
   for (const Surface& surface : {lShape(), bump(50), thinDiagonal(1e-6)})
     CHECK(sumOf(texelAreas(surface, {1024, 1024, {}}).area) == Approx(totalArea(surface)).epsilon(1e-12));
 }
 
-TEST_CASE("a parallelogram's texels are all equal and wholly covered", "[texels]") {
+TEST_CASE("texelAreas of a parallelogram are equal, and its texels are completely covered", "[texels]") {
   // |(2,0,1) x (0,3,1)| = |(-3,-2,6)| = 7.
   const Surface surface = parallelogram("p", {5, 5, 5}, {2, 0, 1}, {0, 3, 1});
   const TexelAreas texels = texelAreas(surface, {24, 7, {}});
@@ -45,7 +45,7 @@ TEST_CASE("a parallelogram's texels are all equal and wholly covered", "[texels]
   }
 }
 
-TEST_CASE("half a square covers the texels below its diagonal, and those on it by half", "[texels]") {
+TEST_CASE("texelAreas of half a square cover the texels below its diagonal, and those on it by half", "[texels]") {
   const int n = 12;
   const Surface surface = flat("half", {{glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(1, 1)}});
   const TexelAreas texels = texelAreas(surface, {n, n, {}});
@@ -56,8 +56,9 @@ TEST_CASE("half a square covers the texels below its diagonal, and those on it b
     }
 }
 
-TEST_CASE("a non-planar quad's texels have the areas of the triangle they lie in", "[texels]") {
-  // Each triangle is mapped affinely, so a texel wholly inside one has area(triangle) / (area on the chart) / n^2.
+TEST_CASE("texelAreas of a non-planar quad follow from the triangle that contains the texel", "[texels]") {
+  // Each triangle is mapped affinely, so that a texel completely inside one has area(triangle) / (area on the chart) /
+  // n^2.
   const Surface surface = quad("warped", {{{0, 0, 0}, {2, 0, 1}, {2, 3, -1}, {0, 1, 2}}});
   const int n = 8;
   const TexelAreas texels = texelAreas(surface, {n, n, {}});
@@ -69,7 +70,7 @@ TEST_CASE("a non-planar quad's texels have the areas of the triangle they lie in
     }
 }
 
-TEST_CASE("the triangle of a texel covers its middle wherever any does", "[texels]") {
+TEST_CASE("texelAreas name a triangle that covers the texel's middle if there is one", "[texels]") {
   for (const Surface& surface : tableOfSurfaces()) {
     const int columns = 21, rows = 17;
     const TexelAreas texels = texelAreas(surface, {columns, rows, {}});
@@ -85,14 +86,15 @@ TEST_CASE("the triangle of a texel covers its middle wherever any does", "[texel
   }
 }
 
-TEST_CASE("without a triangle over its middle a texel has the triangle of the largest piece", "[texels]") {
+TEST_CASE("texelAreas name the triangle of the largest piece if none covers the texel's middle", "[texels]") {
   // Two rectangles in the corners of a 1 x 1 grid: 0.1 x 0.1 and 0.2 x 0.3; the latter is cut into triangles 2 and 3.
   const Surface surface = flat("corners", joined(rectangle({0, 0}, {0.1, 0.1}), rectangle({0.8, 0.7}, {1, 1})));
   CHECK(texelAreas(surface, {1, 1, {}}).triangle.front() >= 2);
 }
 
-TEST_CASE("a triangle whose chart collapses keeps its area", "[texels]") {
-  // The whole chart has area 1, and a triangle in one point of it 1/2: also at the upper right, beyond the last texel.
+TEST_CASE("texelAreas keep the area of a triangle whose chart collapses", "[texels]") {
+  // The whole chart has area 1, and a triangle collapsed to one point of it 1/2: also at the upper right, beyond the
+  // last texel.
   for (const glm::dvec2& point : {glm::dvec2(0.5, 0.5), glm::dvec2(0, 1), glm::dvec2(1, 1)}) {
     Surface surface = flat("flat", rectangle({0, 0}, {1, 1}));
     surface.triangles.push_back(triangleOf({{0, 0, 1}, point}, {{1, 0, 1}, point}, {{0, 1, 1}, point}));

@@ -29,7 +29,7 @@ FormFactorRow randomRow(std::mt19937& random, std::uint32_t elements) {
 
 }  // namespace
 
-TEST_CASE("The mean of rows weighs them by area and loses no share", "[form_factors]") {
+TEST_CASE("meanOf weights rows by area and loses no share", "[form_factors]") {
   std::mt19937 random(7);
   for (const std::size_t count : {1U, 2U, 5U, 64U}) {
     std::vector<WeightedRow> rows;
@@ -54,15 +54,15 @@ TEST_CASE("The mean of rows weighs them by area and loses no share", "[form_fact
       const double share = found == mean.elements.end()
                                ? 0
                                : formFactor(mean.shares[static_cast<std::size_t>(found - mean.elements.begin())]);
-      // Each sum is rounded some `count` times, of numbers up to 1.
+      // Each sum has about `count` roundings of numbers up to 1.
       CHECK(std::abs(share - expected) <= static_cast<double>(count + 2) * 0x1p-53);
     }
   }
 }
 
-TEST_CASE("The mean of equal rows is that row, bit for bit", "[form_factors]") {
-  // Weights of a half and a quarter change no bit of a share below 2^53 units; the others are rounded to 2^-53 of it,
-  // and the largest share, the background, takes what that left.
+TEST_CASE("meanOf equal rows is that row, bit for bit", "[form_factors]") {
+  // Weights of a half and a quarter change no bit of a share below 2^53 units. Larger shares are rounded to 2^-53, and
+  // the largest share, the background, takes the difference.
   FormFactorRow row{{3, 5, 8}, {1, std::uint64_t{1} << 40, (std::uint64_t{1} << 52) + 1}, 0, 12345};
   row.background = wholeShare - total(row);
   const std::vector<WeightedRow> rows{{row, 2}, {row, 1}, {row, 1}};
@@ -73,8 +73,8 @@ TEST_CASE("The mean of equal rows is that row, bit for bit", "[form_factors]") {
   CHECK(mean.back == row.back);
 }
 
-TEST_CASE("A share that rounds to nothing is left out of the mean", "[form_factors]") {
-  // A unit of 2^-60 seen from a thousandth of the area: its share is 0, and no element of a row has that.
+TEST_CASE("meanOf leaves out a share that rounds to zero", "[form_factors]") {
+  // A unit of 2^-60 from a thousandth of the area: its share is 0, and rows have no elements with a share of 0.
   const FormFactorRow faint{{4}, {1}, wholeShare - 1, 0}, nothing{{}, {}, wholeShare, 0};
   const std::vector<WeightedRow> rows{{faint, 1}, {nothing, 999}};
   const FormFactorRow mean = meanOf(rows);

@@ -1,4 +1,4 @@
-// From item IDs to slots: as elementOf says, for every item ID there is.
+// IdLookup maps all item IDs to slots as elementOf does.
 #include "radiosity/form_factors/id_lookup.h"
 
 #include <catch2/catch.hpp>
@@ -21,8 +21,8 @@ Scene mixedScene() {
                   flat("light", rectangle({0, 0}, {1, 1})), flat("lamp", rectangle({0, 0}, {1, 1})), star(7, 3)});
 }
 
-/// How many of the item IDs 0 to 65535, of some behind them and of the last ones there are, have a slot that is not
-/// elementOf's, after another item ID or as the first.
+/// The number of item IDs whose slot differs from elementOf, as the first lookup or after another one. Tests the item
+/// IDs 0 to 65535, some behind them, and the last ones.
 int wrongSlots(const Discretization& discretization, const IdSettings& settings) {
   const IdLayout layout = layOut(discretization, settings);
   const IdLookup slots(discretization, layout);
@@ -41,7 +41,7 @@ int wrongSlots(const Discretization& discretization, const IdSettings& settings)
 
 }  // namespace
 
-TEST_CASE("the slot of every item ID is the element that it stands for", "[rows]") {
+TEST_CASE("IdLookup gives each item ID the slot of its element", "[rows]") {
   const Scene scene = mixedScene();
   const Discretization mixed =
       discretize(scene, {.texels = 12, .surfaceTexels = {{"bump", 33}, {"wall", 8}, {"light", 1}, {"lamp", 1}}});
@@ -58,8 +58,7 @@ TEST_CASE("the slot of every item ID is the element that it stands for", "[rows]
   CHECK(wrongSlots(mixed, {"r8g8b8a8", Blend::IntegerAdd, false, IndexMaps::Shared, 1024}) == 0);
 }
 
-TEST_CASE("item IDs of a scene without textures have slots, and so have more single item IDs than a page holds",
-          "[rows]") {
+TEST_CASE("IdLookup has slots for scenes without textures, and for more single item IDs than a page holds", "[rows]") {
   Scene scene = closedCube(glm::dvec3(0.5), glm::dvec3(1));
   CHECK(wrongSlots(discretize(scene, {.texels = 1}), {"r8g8b8a8"}) == 0);
   // Pages of 2 x 1 texels: k = 1, so that five single item IDs fill three blocks.
@@ -72,16 +71,16 @@ TEST_CASE("item IDs of a scene without textures have slots, and so have more sin
   CHECK(wrongSlots(single, {"r8g8b8a8"}) == 0);
 }
 
-TEST_CASE("grids whose every texel is an element need no table", "[rows]") {
+TEST_CASE("IdLookup needs no table for grids whose texels are all elements", "[rows]") {
   const Discretization plain = discretize(closedCube(glm::dvec3(0.5), glm::dvec3(1)), {.texels = 64});
   const IdLayout layout = layOut(plain);
   // Six blocks of 16 bytes, which a growing vector may double, and an empty table of single item IDs.
   CHECK(IdLookup(plain, layout).bytes() <= 2 * 6 * 16);
 }
 
-TEST_CASE("a page much larger than its grid needs a table of the rows that the grid has", "[rows]") {
+TEST_CASE("IdLookup of a page much larger than its grid has a table only of the grid's rows", "[rows]") {
   const Discretization plain = discretize(closedCube(glm::dvec3(0.5), glm::dvec3(1)), {.texels = 16});
   const IdLayout layout = layOut(plain, {.page = 4096});
-  // Six tables of 16 rows; pages whole would take 400 MB.
+  // Six tables of 16 rows; complete pages would take 400 MB.
   CHECK(IdLookup(plain, layout).bytes() <= 6 * 16 * 4096 * sizeof(std::uint32_t) + 2 * 6 * 16);
 }

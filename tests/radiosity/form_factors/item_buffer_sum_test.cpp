@@ -1,4 +1,4 @@
-// Counting item buffers: as pixel by pixel, windows of faces add up to their rows, and the cost is that of the pixels.
+// ItemBufferSum compared with a sum pixel by pixel; windows add up to rows, and memory depends on pixels.
 #include "radiosity/form_factors/item_buffer_sum.h"
 
 #include <catch2/catch.hpp>
@@ -24,7 +24,7 @@ std::vector<raster::ItemBuffer> drawn(tests::HemicubeWorld& world, const View& v
   return render(world.renderer, faces, view.skipped);
 }
 
-/// Counted pixel by pixel.
+/// The sum pixel by pixel.
 FormFactorRow countedSlowly(const tests::HemicubeWorld& world, const Projection& projection,
                             std::span<const Window> windows, std::span<const raster::ItemBuffer> buffers) {
   std::map<std::uint32_t, std::uint64_t> sums;
@@ -51,7 +51,7 @@ bool areEqual(const FormFactorRow& a, const FormFactorRow& b) {
   return a.elements == b.elements && a.shares == b.shares && a.background == b.background && a.back == b.back;
 }
 
-/// The rectangle, its quarters cut somewhere off the middle.
+/// Four parts of the rectangle, divided off the middle.
 std::vector<raster::Scissor> quarters(const raster::Scissor& whole) {
   const int width = whole.width / 3, height = whole.height / 4;
   return {{whole.column, whole.row, width, height},
@@ -69,7 +69,7 @@ Scene mixedScene() {
 
 }  // namespace
 
-TEST_CASE("rows are what counting pixel by pixel gives, for any window and any number of threads", "[rows]") {
+TEST_CASE("ItemBufferSum equals a sum pixel by pixel, for all windows and any number of threads", "[rows]") {
   tests::HemicubeWorld world(mixedScene(), 20, 4);
   std::mt19937 random(3);
   ItemBufferSum counter(world.discretization, world.layout);
@@ -92,7 +92,7 @@ TEST_CASE("rows are what counting pixel by pixel gives, for any window and any n
     }
 }
 
-TEST_CASE("the rows of windows drawn one by one add up to the row of the whole view", "[rows]") {
+TEST_CASE("ItemBufferSum of windows drawn one by one adds up to the row of the whole view", "[rows]") {
   tests::HemicubeWorld world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 4);
   ProjectedFormFactors rows = world.rows(32);
   const View view = rows.viewsOfPatch(5).front();
@@ -114,9 +114,9 @@ TEST_CASE("the rows of windows drawn one by one add up to the row of the whole v
   for (std::size_t i = 0; i < whole.elements.size(); ++i) REQUIRE(sums[whole.elements[i]] == whole.shares[i]);
 }
 
-TEST_CASE("what a counter holds grows with the pixels, not with the elements", "[rows]") {
-  // Each of 16 x 16 x 3 pixels shows one element, in a block of 64 shares and a bit for each; a vector that grows may
-  // double that. A number for 64 elements and a bit for 4096 are there always, and so are the scene's six pages.
+TEST_CASE("ItemBufferSum takes memory by the number of pixels, not of elements", "[rows]") {
+  // Each of 16 x 16 x 3 pixels shows one element, in a block of 64 shares with a bit each; a growing vector may double
+  // that. One number per 64 elements and one bit per 4096 are always allocated, and so are the scene's six pages.
   tests::HemicubeWorld world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 256, 64);
   ProjectedFormFactors rows = world.rows(16);
   ItemBufferSum counter(world.discretization, world.layout);

@@ -1,5 +1,5 @@
-// Levels of detail: discretizations share their geometry, coarser maps show the blocks of finer ones, and rows with
-// coarser maps keep every block's light and are nearer to the truth.
+// Levels of detail: discretizations share their geometry, and coarser maps show the blocks of finer ones. Rows with
+// coarser maps keep the light of each block and have smaller errors.
 #include "radiosity/form_factors/level_of_detail.h"
 
 #include <catch2/catch.hpp>
@@ -44,7 +44,7 @@ double distance(const FormFactorRow& a, const FormFactorRow& b) {
   return sum;
 }
 
-/// A surface of 4 x 4 texels and what a row sees of it.
+/// A surface of 4 x 4 texels, and a row that sees some of them.
 struct Board {
   Scene scene;
   Discretization discretization;
@@ -59,7 +59,7 @@ struct Board {
 
 }  // namespace
 
-TEST_CASE("two discretizations of a scene differ in offsets and index maps alone", "[levels]") {
+TEST_CASE("makeDrawList of two discretizations of a scene differs only in offsets and index maps", "[levels]") {
   const Scene scene = loadScene(HEMITEX_DATA "/curved-room.obj");
   const auto listOf = [&scene](int texels) {
     const Discretization discretization = discretize(scene, {.texels = texels});
@@ -79,7 +79,7 @@ TEST_CASE("two discretizations of a scene differ in offsets and index maps alone
   CHECK(coarse.indexMaps.front().width != fine.indexMaps.front().width);
 }
 
-TEST_CASE("a coarser index map shows the blocks of a finer one, pixel by pixel", "[levels]") {
+TEST_CASE("a coarser index map of makeDrawList shows the blocks of a finer one, pixel by pixel", "[levels]") {
   const Scene scene = loadScene(HEMITEX_DATA "/curved-room.obj");
   constexpr int fineTexels = 32;
   World fine(scene, fineTexels, 8);
@@ -106,7 +106,7 @@ TEST_CASE("a coarser index map shows the blocks of a finer one, pixel by pixel",
   }
 }
 
-TEST_CASE("a surface with enough pixels keeps its index map", "[levels]") {
+TEST_CASE("withCoarserMaps keeps the index map of a surface with enough pixels", "[levels]") {
   const Board board;
   const FormFactorRow row{{1, 6, 12}, {100, 200, 300}, 7, 8};
   const FormFactorRow same = withCoarserMaps(board.discretization, row, std::vector<std::uint32_t>{4, 1, 1}, 2);
@@ -116,17 +116,17 @@ TEST_CASE("a surface with enough pixels keeps its index map", "[levels]") {
   CHECK(same.back == 8);
 }
 
-TEST_CASE("the light of a block goes to its elements by their areas, to the last unit", "[levels]") {
-  // Elements 1 and 4 lie in the block of 2 x 2 texels at the chart's origin, 15 in the opposite one: two blocks in view
-  // have five pixels, which is enough for two and a half each, but not for three elements.
+TEST_CASE("withCoarserMaps gives the light of a block to its elements by area, to the last unit", "[levels]") {
+  // Elements 1 and 4 lie in the block of 2 x 2 texels at the chart's origin, 15 in the opposite one. The two visible
+  // blocks have five pixels, enough for two and a half each, but not for three elements.
   const Board board;
   const FormFactorRow row{{1, 4, 15}, {100, 203, 40}, 0, 0};
   const std::vector<std::uint32_t> pixels{2, 2, 1};
   const FormFactorRow blocks = withCoarserMaps(board.discretization, row, pixels, 2.5);
   CHECK(blocks.elements == std::vector<std::uint32_t>{0, 1, 4, 5, 10, 11, 14, 15});
-  // Quarters of 303, the sums of them rounded down: 75, 151, 227, 303.
+  // Quarters of 303; the running sums are rounded down: 75, 151, 227, 303.
   CHECK(blocks.shares == std::vector<std::uint64_t>{75, 76, 76, 76, 10, 10, 10, 10});
-  // One pixel more is asked for: the whole surface is one block.
+  // With a limit above 2.5 pixels the whole surface is one block.
   const FormFactorRow whole = withCoarserMaps(board.discretization, row, pixels, 2.6);
   CHECK(whole.elements.size() == 16);
   CHECK(sum(whole) == sum(row));
@@ -135,9 +135,9 @@ TEST_CASE("the light of a block goes to its elements by their areas, to the last
         1);
 }
 
-TEST_CASE("rows with coarser maps sum to exactly one, and are nearer to the truth where pixels are few", "[levels]") {
-  // A closed cube with 32 x 32 elements a wall in hemicubes of 32 x 32 pixels, which have three pixels for five
-  // elements; the truth is a hemicube of 1024. Each row gains.
+TEST_CASE("withCoarserMaps gives rows that sum to exactly one, with smaller errors where pixels are few", "[levels]") {
+  // A closed cube with 32 x 32 elements per wall in hemicubes of 32 x 32 pixels, which have three pixels per five
+  // elements. The reference is a hemicube of 1024. The error of each row falls.
   World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 32, 8);
   const auto rowsAt = [&world](const ViewSettings& settings) {
     return ProjectedFormFactors(world.scene, world.discretization, world.layout, world.renderer, settings);

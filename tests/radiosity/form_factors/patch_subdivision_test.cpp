@@ -1,4 +1,4 @@
-// What a patch that is near to what it lights is split into, and what that is good for.
+// PatchSubdivision: the parts of a patch near its receivers, and the accuracy gained.
 #include "radiosity/form_factors/patch_subdivision.h"
 
 #include <algorithm>
@@ -37,7 +37,8 @@ double exchanged(double gap, int points, int resolution) {
   return formFactor(row.shares.front());
 }
 
-/// Every element belongs to one patch, whose block holds its texel; patches and elements know each other.
+/// Checks that each element belongs to one patch whose block contains its texel, and that patches and elements refer to
+/// each other.
 void checkPartition(const Discretization& discretization) {
   std::vector<int> owners(discretization.elements.size(), 0);
   for (std::uint32_t p = 0; p < discretization.patches.size(); ++p) {
@@ -63,10 +64,11 @@ void checkPartition(const Discretization& discretization) {
 
 }  // namespace
 
-TEST_CASE("One point is too few for squares that face each other, and 8 x 8 are enough", "[patch_splitting]") {
-  // Howell C-11 gives 0.199825 at a gap of one side and 0.415253 at half. From the middle, by the point's own closed
-  // form, a square is seen with 0.239391 (20 % more) and 0.554126 (33 % more): that is what one hemicube finds, and the
-  // midpoint rule over 8 x 8 of them is 0.24 % and 0.42 % off.
+TEST_CASE("shootingBlocks: one point is too few for squares that face each other, and 8 x 8 are enough",
+          "[patch_splitting]") {
+  // Howell C-11 gives 0.199825 at a gap of one side and 0.415253 at half a side. From the middle, the point's closed
+  // form is 0.239391 (20 % more) and 0.554126 (33 % more), which is the result of one hemicube. The midpoint rule over
+  // 8 x 8 hemicubes has errors of 0.24 % and 0.42 %.
   struct Row {
     double gap, onePoint, manyPoints;
   };
@@ -78,11 +80,12 @@ TEST_CASE("One point is too few for squares that face each other, and 8 x 8 are 
   }
 }
 
-TEST_CASE("Splitting brings the squares' exchange to the closed form, whatever their gap", "[patch_splitting]") {
-  // From one point the form factor F is too large by about F of itself (20 % at F = 0.2, 5.6 % at 0.0686, 2 % at
-  // 0.0190), so by the share F^2 of all light that comes straight back, up to a tenth. Of n x n parts each has the
-  // n^2th part of the light, and of that the n^2th part of the share comes back: n doubles until F^2 / n^4 is at most
-  // 0.002. All parts together then err by F^2 / n^2, which is at most F sqrt(0.002).
+TEST_CASE("splitPatches brings the form factor of facing squares to the closed form, for all gaps",
+          "[patch_splitting]") {
+  // From one point the form factor F has a relative error of about F (20 % at F = 0.2, 5.6 % at 0.0686, 2 % at 0.0190).
+  // That equals the share F^2 of all light that returns, up to a tenth. With n x n parts, each has 1 / n^2 of the light
+  // and of the share. So n doubles until F^2 / n^4 is at most 0.002. All parts together have an error of F^2 / n^2,
+  // which is at most F sqrt(0.002).
   for (const double gap : {4.0, 2.0, 1.0, 0.5, 0.25}) {
     CAPTURE(gap);
     tests::HemicubeWorld world(facingSquares(gap), 1, 1);
@@ -95,7 +98,7 @@ TEST_CASE("Splitting brings the squares' exchange to the closed form, whatever t
   }
 }
 
-TEST_CASE("A split keeps the elements and shares them out among its patches", "[patch_splitting]") {
+TEST_CASE("splitPatches keeps the elements and distributes them to its patches", "[patch_splitting]") {
   Scene rings;
   rings.materials.push_back(tests::material("grey", glm::dvec3(0.5), glm::dvec3(1)));
   rings.surfaces = {tests::ring(24), tests::parallelogram("over", {0, 0, 0.1}, {0, 1, 0}, {1, 0, 0})};
@@ -116,14 +119,15 @@ TEST_CASE("A split keeps the elements and shares them out among its patches", "[
       }
 }
 
-TEST_CASE("A limit of 1 splits nothing", "[patch_splitting]") {
+TEST_CASE("splitPatches with a limit of 1 splits nothing", "[patch_splitting]") {
   tests::HemicubeWorld world(facingSquares(1e-3), 4, 2);
   const Discretization after = split(world, 1);
   CHECK(after.patches.size() == world.discretization.patches.size());
   for (const Patch& patch : after.patches) CHECK((patch.points == 1 && patch.halvings == 0));
 }
 
-TEST_CASE("In a cube the patches along the edges are split and those in the middle are not", "[patch_splitting]") {
+TEST_CASE("splitPatches in a cube splits the patches along the edges and not those in the middle",
+          "[patch_splitting]") {
   tests::HemicubeWorld world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 16, 4);
   const Discretization after = split(world, 0.03);
   for (const Patch& patch : after.patches) {
@@ -136,10 +140,10 @@ TEST_CASE("In a cube the patches along the edges are split and those in the midd
   }
 }
 
-TEST_CASE("A split patch brings a cube's light nearer to what it is", "[patch_splitting]") {
-  // In a furnace every element has the same radiosity, E / (1 - r) = 2; what differs is error. With one patch a face,
-  // edges get too little and middles too much. A quarter has a quarter of the flux, and of that a quarter of the share
-  // comes back: patches half as wide take a limit of a sixteenth.
+TEST_CASE("splitPatches reduces the error of the light in a cube", "[patch_splitting]") {
+  // In a furnace each element has the same radiosity, E / (1 - r) = 2; the difference is the error. With one patch per
+  // face, edges get too little light and middles too much. A quarter has a quarter of the flux and of the returning
+  // share, so that patches half as wide need a sixteenth of the limit.
   const auto worst = [](double maxReturning) {
     tests::HemicubeWorld world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 8);
     world.discretization = split(world, maxReturning);
@@ -157,9 +161,9 @@ TEST_CASE("A split patch brings a cube's light nearer to what it is", "[patch_sp
   CHECK(finer < quarters / 3);
 }
 
-TEST_CASE("Turned hemicubes spread over a quarter turn, each patch's own", "[patch_splitting]") {
-  // Multiples of the golden section: of n of them no two neighbours on the circle are nearer than 0.38 / n, nor farther
-  // than 1.9 / n (the three distance theorem: at most three distances, in golden ratios of each other).
+TEST_CASE("turnOf spreads the rotations of hemicubes over a quarter turn", "[patch_splitting]") {
+  // Multiples of the golden section: of n of them, neighbours on the circle are between 0.38 / n and 1.9 / n apart.
+  // (Three distance theorem: there are at most three distances, in golden ratios of each other.)
   for (const std::uint32_t count : {8U, 100U, 1000U}) {
     std::vector<double> turns;
     for (std::uint32_t patch = 0; patch < count; ++patch) turns.push_back(turnOf(patch, 0));
@@ -173,10 +177,10 @@ TEST_CASE("Turned hemicubes spread over a quarter turn, each patch's own", "[pat
   }
 }
 
-TEST_CASE("A turned hemicube sees the same room", "[patch_splitting]") {
-  // From the middle of a face of a cube, closed forms give the faces across and beside; a turn moves pixels, and each
-  // of the some 4 R pixels along a face's outline may change sides, at random: 4 sqrt(4 R) pixels of at most 4 / (pi
-  // R^2).
+TEST_CASE("ProjectedFormFactors with rotated hemicubes see the same room", "[patch_splitting]") {
+  // From the middle of a face of a cube, closed forms give the opposite and the adjacent faces. A rotation moves
+  // pixels. Each of about 4 R pixels along a face's outline may randomly change sides: 4 sqrt(4 R) pixels of at most 4
+  // / (pi R^2).
   constexpr int resolution = 128;
   tests::HemicubeWorld world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 1, 1);
   ProjectedFormFactors aligned = world.rows(resolution);
@@ -186,7 +190,7 @@ TEST_CASE("A turned hemicube sees the same room", "[patch_splitting]") {
     const FormFactorRow a = aligned.ofPatch(patch), b = turned.ofPatch(patch);
     REQUIRE(a.elements == b.elements);
     CHECK(b.background == 0);
-    CHECK((patch == 0) == (a.shares == b.shares));  // the first patch's turn is none
+    CHECK((patch == 0) == (a.shares == b.shares));  // the rotation of the first patch is 0
     const double bound = 4 * std::sqrt(4.0 * resolution) * 4 / (3.14159 * resolution * resolution);
     for (std::size_t i = 0; i < a.shares.size(); ++i)
       CHECK(std::abs(formFactor(a.shares[i]) - formFactor(b.shares[i])) < bound);

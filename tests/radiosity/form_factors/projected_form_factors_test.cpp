@@ -1,4 +1,4 @@
-// Rows of form factors by hemicubes: they close, and are what closed forms say.
+// Form-factor rows by hemicubes: they sum to one, and equal closed forms.
 #include "radiosity/form_factors/projected_form_factors.h"
 
 #include <catch2/catch.hpp>
@@ -45,7 +45,7 @@ double meanFactor(World& world, const std::string& from, const std::string& to, 
 
 }  // namespace
 
-TEST_CASE("a row in a closed room is exactly one, from every patch", "[rows]") {
+TEST_CASE("ProjectedFormFactors in a closed room give rows of exactly one, from every patch", "[rows]") {
   World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 4);
   ProjectedFormFactors rows = world.rows(64);
   for (std::uint32_t patch = 0; patch < world.discretization.patches.size(); ++patch) {
@@ -57,22 +57,23 @@ TEST_CASE("a row in a closed room is exactly one, from every patch", "[rows]") {
   }
 }
 
-TEST_CASE("what leaves an open room is the part of its row that is missing", "[rows]") {
+TEST_CASE("ProjectedFormFactors in an open room give rows whose background is the light that leaves", "[rows]") {
   Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
   scene.surfaces.erase(scene.surfaces.begin() + 3);  // no ceiling
   World world(tests::finish(scene), 4, 4);
   const FormFactorRow row = world.rows(256).ofPatch(2);  // the one patch of the floor, from its centre
   CHECK(sum(row) == wholeShare);
   // The missing ceiling is a parallel unit square over the floor's centre, at distance one: four times the corner form
-  // with sides of one half. Its outline passes between pixels of R = 256, so the pixels' integrals add up to it.
+  // with sides of one half. Its outline passes between pixels of R = 256, so that the integrals of pixels add up to it.
   CHECK(formFactor(row.background) == Approx(4 * toParallel(0.5, 0.5)).epsilon(1e-12));
   CHECK(row.back == 0);
 }
 
-TEST_CASE("unit squares see each other as the closed forms say", "[rows]") {
-  // Howell C-11 at a = b = c, and by symmetry a quarter of the rest of the cube for each perpendicular square. Each
-  // of 16 x 16 centres sees the pixels of R = 128 as whole, an error of up to half a pixel's share along outlines that
-  // averages over the centres; the midpoint rule over centres 1/16 apart misses 1e-4 at the shared edges.
+TEST_CASE("ProjectedFormFactors of unit squares agree with closed forms", "[rows]") {
+  // Howell C-11 at a = b = c, and by symmetry a quarter of the rest of the cube for each perpendicular square. Each of
+  // 16 x 16 centres counts whole pixels of R = 128. That gives an error of up to half a pixel's share along outlines,
+  // which averages out over the centres. The midpoint rule over centres 1/16 apart has an error of 1e-4 at the shared
+  // edges.
   const double parallel =
       2 / M_PI * (std::log(std::sqrt(4.0 / 3)) + 2 * std::sqrt(2.0) * std::atan(std::sqrt(0.5)) - M_PI / 2);
   const double perpendicular = (1 - parallel) / 4;
@@ -82,9 +83,9 @@ TEST_CASE("unit squares see each other as the closed forms say", "[rows]") {
   CHECK(meanFactor(world, "left", "back", 128) == Approx(perpendicular).margin(2e-4));
 }
 
-TEST_CASE("a point on the edge of a concave fold sees no back of the other side", "[rows]") {
-  // Two squares that meet at a right angle along z, turned by every angle about it so that rounding to binary32 puts
-  // the meeting line on either side; the eye stands on the line and belongs to the first square.
+TEST_CASE("ProjectedFormFactors from a point on the edge of a concave fold see no back of the other side", "[rows]") {
+  // Two squares that meet at a right angle along z. They are rotated about z by many angles, so that rounding to
+  // binary32 puts the common edge on either side. The eye lies on the edge and belongs to the first square.
   for (int turn = 0; turn < 64; ++turn) {
     const double angle = 0.1 * turn;
     const glm::dvec3 x(std::cos(angle), std::sin(angle), 0), y(-std::sin(angle), std::cos(angle), 0), z(0, 0, 1);
@@ -99,7 +100,7 @@ TEST_CASE("a point on the edge of a concave fold sees no back of the other side"
   }
 }
 
-TEST_CASE("the back of a blocker is counted as back, not as an element", "[rows]") {
+TEST_CASE("ProjectedFormFactors count the back of a blocker as back, not as an element", "[rows]") {
   // A square that hangs in the middle of the room and faces up: the floor sees only its back.
   Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
   scene.surfaces.push_back(
@@ -107,12 +108,13 @@ TEST_CASE("the back of a blocker is counted as back, not as an element", "[rows]
   World world(tests::finish(scene), 4, 4);
   const FormFactorRow row = world.rows(256).ofPatch(2);
   CHECK(sum(row) == wholeShare);
-  // From the centre of the floor: half-width 0.25 at distance 0.5, an outline between pixels again.
+  // From the centre of the floor: half-width 0.25 at distance 0.5, again with an outline between pixels.
   CHECK(formFactor(row.back) == Approx(4 * toParallel(0.5, 0.5)).epsilon(1e-12));
   CHECK(toSurface(world, row, "blocker") == 0);
 }
 
-TEST_CASE("a cubic tetrahedron's row in a closed room is exactly one, from every patch", "[rows]") {
+TEST_CASE("ProjectedFormFactors with a cubic tetrahedron in a closed room give rows of exactly one, from every patch",
+          "[rows]") {
   World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 4);
   ProjectedFormFactors rows(world.scene, world.discretization, world.layout, world.renderer,
                             {64, Orientation::Turned, ProjectionKind::CubicTetrahedron});
@@ -126,7 +128,8 @@ TEST_CASE("a cubic tetrahedron's row in a closed room is exactly one, from every
   }
 }
 
-TEST_CASE("in a closed room a single plane leaves to the background what it does not capture", "[rows]") {
+TEST_CASE("ProjectedFormFactors with a single plane in a closed room count the light not captured as background",
+          "[rows]") {
   World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 4);
   ProjectedFormFactors rows(world.scene, world.discretization, world.layout, world.renderer,
                             {64, Orientation::Turned, ProjectionKind::SinglePlane});
@@ -138,9 +141,9 @@ TEST_CASE("in a closed room a single plane leaves to the background what it does
   CHECK(formFactor(row.background) == Approx(1 - 4 * toParallel(4, 4)).epsilon(1e-12));
 }
 
-TEST_CASE("the projections converge to the same form factors", "[rows]") {
+TEST_CASE("ProjectedFormFactors with all projections converge to the same form factors", "[rows]") {
   // From the middle of the floor of a unit cube: the ceiling is a parallel square at distance 1, half-width one half;
-  // each wall has a quarter of the rest. The plane loses of the walls what lies below 1/4 of the distance to them.
+  // each wall has a quarter of the rest. The plane misses the part of the walls below 1/4 of their distance.
   World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 1, 1);
   const double ceiling = 4 * toParallel(0.5, 0.5), wall = (1 - ceiling) / 4;
   const double underPlane = (1 - 4 * toParallel(4, 4)) / 4;
@@ -151,8 +154,8 @@ TEST_CASE("the projections converge to the same form factors", "[rows]") {
                                 {resolution, Orientation::Aligned, kind});
       const FormFactorRow row = rows.ofPatch(2);
       const double lost = kind == ProjectionKind::SinglePlane ? underPlane : 0;
-      // An outline of length l on a face is wrong by at most half a pixel's share along it: the ceiling's, of length 4
-      // at distance 1, has a density of 1 / pi (1.25)^2 at most there, and pixels are up to 8 / R wide.
+      // An outline of length l on a face has an error of at most half a pixel's share along it. That of the ceiling, of
+      // length 4 at distance 1, has a density of at most 1 / pi (1.25)^2, and pixels are up to 8 / R wide.
       const double margin = 0.5 * 8.0 / resolution * 4 / (M_PI * 1.25 * 1.25);
       INFO("projection " << static_cast<int>(kind) << ", R = " << resolution);
       CHECK(toSurface(world, row, "ceiling") == Approx(ceiling).margin(margin));

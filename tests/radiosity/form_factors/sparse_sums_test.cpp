@@ -1,4 +1,4 @@
-// Sparse sums of shares: what was added is there, what was not costs nothing, and memory is used again.
+// SparseSums: returns what was added, takes memory only for that, and reuses memory.
 #include "radiosity/form_factors/sparse_sums.h"
 
 #include <bit>
@@ -10,7 +10,7 @@ using hemitex::radiosity::SparseSums;
 
 namespace {
 
-/// Takes them, and leaves nothing.
+/// Takes all shares, and leaves none.
 std::map<std::uint32_t, std::uint64_t> takeShares(SparseSums& sums) {
   std::map<std::uint32_t, std::uint64_t> shares;
   for (std::uint32_t group = 0; group < sums.groups(); ++group)
@@ -32,7 +32,7 @@ void clear(SparseSums& sums) {
 
 }  // namespace
 
-TEST_CASE("sums of shares are those of a map, again and again", "[rows]") {
+TEST_CASE("SparseSums equal the sums of a map, repeatedly", "[rows]") {
   std::mt19937 random(1);
   SparseSums sums(1000003);
   for (int round = 0; round < 20; ++round) {
@@ -49,8 +49,8 @@ TEST_CASE("sums of shares are those of a map, again and again", "[rows]") {
   }
 }
 
-TEST_CASE("blocks are there only where shares are, and their memory serves the next row", "[rows]") {
-  // A group a bit in 4096 slots and a number for every 64 are always there: 15,626 numbers and 245 groups.
+TEST_CASE("SparseSums have blocks only where shares are, and reuse their memory for the next row", "[rows]") {
+  // One bit per 4096 slots and one number per 64 are always allocated: 15,626 numbers and 245 groups.
   SparseSums sums(1000002);
   const std::size_t empty = sums.bytes();
   CHECK(empty == 15626 * 4 + 245 * 8);
@@ -64,7 +64,7 @@ TEST_CASE("blocks are there only where shares are, and their memory serves the n
   };
   fill(0);
   const std::size_t filled = sums.bytes();
-  // A vector that grows takes twice as much as it needs at most.
+  // A growing vector takes at most twice as much as it needs.
   CHECK(filled - empty <= 2 * 100 * sizeof(SparseSums::Block));
   fill(777777);
   CHECK(sums.bytes() == filled);

@@ -1,4 +1,4 @@
-// Charts: what overlaps is found, what only touches is not, against the clipped area of pairs of triangles.
+// chartConflicts finds overlaps but not contacts, compared with the clipped area of pairs of triangles.
 #include "radiosity/geometry/chart_validation.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ Points counterClockwise(const ChartTriangle& t) {
   return points;
 }
 
-/// The area that two triangles share, by Sutherland-Hodgman.
+/// The common area of two triangles, by Sutherland-Hodgman.
 double sharedArea(const ChartTriangle& s, const ChartTriangle& t) {
   Points shared = counterClockwise(s);
   const Points clip = counterClockwise(t);
@@ -72,7 +72,7 @@ std::vector<ChartTriangle> rounded(std::vector<ChartTriangle> triangles) {
 
 }  // namespace
 
-TEST_CASE("a grid of squares is a chart, mirrored or not, rounded or not", "[chart]") {
+TEST_CASE("chartConflicts accepts a grid of squares, mirrored or not, rounded or not", "[chart]") {
   for (const int n : {1, 2, 7, 100}) {
     CHECK(chartConflicts(squares(n)).empty());
     CHECK(chartConflicts(rounded(squares(n))).empty());
@@ -80,8 +80,8 @@ TEST_CASE("a grid of squares is a chart, mirrored or not, rounded or not", "[cha
   CHECK(chartConflicts({}).empty());
 }
 
-TEST_CASE("an overlap counts from the tolerance on", "[chart]") {
-  // Two triangles left and right of u = 0.5, the right one moved into the left one by `depth`.
+TEST_CASE("chartConflicts counts an overlap from the tolerance on", "[chart]") {
+  // Two triangles left and right of u = 0.5; the right one is moved into the left one by `depth`.
   const auto conflicts = [](double depth) {
     const double u = 0.5 - depth;
     return chartConflicts(std::vector<ChartTriangle>{{glm::dvec2(0, 0), glm::dvec2(0.5, 0.2), glm::dvec2(0.5, 0.8)},
@@ -95,7 +95,7 @@ TEST_CASE("an overlap counts from the tolerance on", "[chart]") {
   CHECK(conflicts(1.1 * chartTolerance)[0].other == 0);
 }
 
-TEST_CASE("a triangle outside the square or without area is no part of a chart", "[chart]") {
+TEST_CASE("chartConflicts finds triangles outside the square or without area", "[chart]") {
   const glm::dvec2 o(0, 0), u(1, 0), v(0, 1);
   const auto kindOf = [](const ChartTriangle& triangle) {
     const std::vector<ChartConflict> conflicts = chartConflicts(std::vector<ChartTriangle>{triangle});
@@ -111,9 +111,9 @@ TEST_CASE("a triangle outside the square or without area is no part of a chart",
   CHECK_FALSE(kindOf({o, glm::dvec2(0.25, 0.75), glm::dvec2(0x1p-24, 2 * 0x1p-24)}));
 }
 
-TEST_CASE("triangles in conflict are judged against those that stay", "[chart]") {
-  // The second overlaps the first and goes; the third overlaps only the second and stays; the fourth is the third
-  // again.
+TEST_CASE("chartConflicts tests triangles against those that stay", "[chart]") {
+  // The second overlaps the first and is removed. The third overlaps only the second and stays. The fourth equals the
+  // third.
   const ChartTriangle first{glm::dvec2(0, 0), glm::dvec2(0.4, 0), glm::dvec2(0, 1)};
   const ChartTriangle second{glm::dvec2(0.1, 0), glm::dvec2(0.9, 0), glm::dvec2(0.1, 1)};
   const ChartTriangle third{glm::dvec2(0.6, 0), glm::dvec2(1, 0), glm::dvec2(0.6, 1)};
@@ -126,7 +126,7 @@ TEST_CASE("triangles in conflict are judged against those that stay", "[chart]")
   CHECK(chartConflicts(triangles, 1).size() == 1);
 }
 
-TEST_CASE("conflicts of random triangles are those that clipping finds", "[chart]") {
+TEST_CASE("chartConflicts of random triangles are those that clipping finds", "[chart]") {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> anywhere(0.0, 1.0), near(-0.12, 0.12);
   int overlaps = 0, stays = 0;
@@ -145,7 +145,8 @@ TEST_CASE("conflicts of random triangles are those that clipping finds", "[chart
       double largest = 0;
       for (const ChartTriangle& other : kept) largest = std::max(largest, sharedArea(triangles[i], other));
       const bool isConflict = next < conflicts.size() && conflicts[next].triangle == i;
-      // A penetration above the tolerance may share as little area as its square; none shares more than tolerance x 1.
+      // A penetration above the tolerance may share an area as small as the tolerance squared; no smaller penetration
+      // shares more than tolerance x 1.
       if (largest > chartTolerance) CHECK(isConflict);
       if (largest == 0) CHECK_FALSE(isConflict);
       if (isConflict) ++next, ++overlaps;
@@ -156,7 +157,7 @@ TEST_CASE("conflicts of random triangles are those that clipping finds", "[chart
   CHECK(stays > 1000);
 }
 
-TEST_CASE("charts of long strips and of fans are tested too", "[chart]") {
+TEST_CASE("chartConflicts works for charts of long strips and of fans", "[chart]") {
   std::vector<ChartTriangle> strips, fan;
   const int n = 2000;
   for (int i = 0; i < n; ++i) {

@@ -1,4 +1,4 @@
-// The distance transform against a search of all texels.
+// nearestCovered compared with a search of all texels.
 #include "radiosity/geometry/distance_transform.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ using namespace hemitex::radiosity;
 
 namespace {
 
-/// The covered texel with the least squared distance, the lowest of equals, among all.
+/// The covered texel with the smallest squared distance; of equals, the lowest.
 std::uint32_t searched(int columns, const std::vector<bool>& covered, std::uint32_t texel) {
   const auto squaredDistance = [&](std::size_t other) {
     const int dx = int(other) % columns - int(texel) % columns, dy = int(other) / columns - int(texel) / columns;
@@ -23,7 +23,7 @@ std::uint32_t searched(int columns, const std::vector<bool>& covered, std::uint3
 
 }  // namespace
 
-TEST_CASE("the nearest covered texel is the one that a search of all finds, the lowest of equals", "[nearest]") {
+TEST_CASE("nearestCovered finds the same texel as a search of all; of equals, the lowest", "[nearest]") {
   std::mt19937 random(5);
   const std::vector<std::array<int, 2>> sizes{{1, 1}, {1, 17}, {17, 1}, {8, 8}, {13, 31}, {32, 32}};
   for (const auto& [columns, rows] : sizes)
@@ -41,8 +41,8 @@ TEST_CASE("the nearest covered texel is the one that a search of all finds, the 
       }
 }
 
-TEST_CASE("symmetric neighbours give ties, and the lowest texel wins each", "[nearest]") {
-  // A frame of covered texels around 5 x 5: the middle is as far from all four sides.
+TEST_CASE("nearestCovered resolves ties of symmetric neighbours to the lowest texel", "[nearest]") {
+  // A frame of covered texels around 5 x 5: the middle is equally far from all four sides.
   std::vector<bool> covered(25);
   for (int i = 0; i < 5; ++i) covered[std::size_t(i)] = covered[std::size_t(20 + i)] = true;
   for (int j = 0; j < 5; ++j) covered[std::size_t(5 * j)] = covered[std::size_t(5 * j + 4)] = true;
@@ -52,7 +52,7 @@ TEST_CASE("symmetric neighbours give ties, and the lowest texel wins each", "[ne
   CHECK(nearest[18] == 19);
 }
 
-TEST_CASE("one covered texel in the corner of the largest grid is the nearest of all", "[nearest]") {
+TEST_CASE("nearestCovered finds one covered texel in the corner of the largest grid", "[nearest]") {
   std::vector<bool> covered(std::size_t{4096} * 4096);
   covered.back() = true;
   const std::vector<std::uint32_t> nearest = nearestCovered(4096, 4096, covered);

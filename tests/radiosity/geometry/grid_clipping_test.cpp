@@ -1,4 +1,4 @@
-// Pieces of triangles: they fill the triangle, lie in their cells, and have the areas that rational numbers give.
+// Pieces of triangles fill the triangle, lie in their cells, and have the areas of rational arithmetic.
 #include "radiosity/geometry/grid_clipping.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -26,7 +26,7 @@ struct ExactPoint {
   Rational x, y;
 };
 
-/// What is left of a polygon where distance(point) >= 0.
+/// The part of a polygon where distance(point) >= 0.
 template <typename Distance>
 std::vector<ExactPoint> clipped(const std::vector<ExactPoint>& polygon, const Distance& distance) {
   std::vector<ExactPoint> result;
@@ -67,8 +67,8 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y 
 
 }  // namespace
 
-TEST_CASE("the shares of a triangle's pieces are those of rational arithmetic, cell by cell", "[clipping]") {
-  // A corner's weights are off by a few roundoffs of 1 (2^-53 = 1.1e-16), so a share is as well.
+TEST_CASE("forEachCell gives the shares of rational arithmetic, cell by cell", "[clipping]") {
+  // The weights of a corner have an error of a few roundoffs of 1 (2^-53 = 1.1e-16), and so do shares.
   std::mt19937 random(1);
   double worst = 0;
   for (int trial = 0; trial < 60; ++trial) {
@@ -86,12 +86,11 @@ TEST_CASE("the shares of a triangle's pieces are those of rational arithmetic, c
         worst =
             std::max(worst, std::abs(shares[std::size_t(row)][std::size_t(column)] - exactShare(grid, column, row)));
   }
-  // The sliver's exact area in cells suffers from its rounded corners, not from the clipping: both see the same
-  // corners.
+  // The sliver's area in cells depends on its rounded corners, not on the clipping: both methods use the same corners.
   CHECK(worst < 2e-15);
 }
 
-TEST_CASE("the pieces of a triangle lie in their cells and fill it", "[clipping]") {
+TEST_CASE("forEachCell gives pieces that lie in their cells and fill the triangle", "[clipping]") {
   std::mt19937 random(2);
   const auto isIn = [](double x, std::int64_t cell) { return x >= double(cell) && x <= double(cell + 1); };
   for (const double size : {0.3, 3.0, 70.0})
@@ -99,7 +98,7 @@ TEST_CASE("the pieces of a triangle lie in their cells and fill it", "[clipping]
       Grid grid = randomTriangle(random, size);
       if (trial % 4 == 1) grid[1] = grid[0] + 1e-9 * grid[1];             // short and thin
       if (trial % 4 == 2) grid[2].y = grid[1].y = std::floor(grid[0].y);  // an edge on a line
-      if (trial % 4 == 3) grid[2] = grid[0] + 0.5 * (grid[1] - grid[0]);  // no area but for rounding
+      if (trial % 4 == 3) grid[2] = grid[0] + 0.5 * (grid[1] - grid[0]);  // no area except for rounding
       double sum = 0;
       bool inside = true;
       forEachCell(grid, [&](std::int64_t column, std::int64_t row, const Piece& piece) {
@@ -112,8 +111,8 @@ TEST_CASE("the pieces of a triangle lie in their cells and fill it", "[clipping]
     }
 }
 
-TEST_CASE("a triangle that lies on a line or in a point is in one cell a time", "[clipping]") {
-  // Without area on the grid the weights still say how much of the triangle is where; nothing is counted twice.
+TEST_CASE("forEachCell visits one cell at a time for a triangle that lies on a line or in a point", "[clipping]") {
+  // Without area on the grid, the weights still give the shares; nothing is counted twice.
   const std::array<Grid, 4> collapsed{Grid{glm::dvec2(1, 1), glm::dvec2(1, 1), glm::dvec2(1, 1)},
                                       Grid{glm::dvec2(0, 2), glm::dvec2(3, 2), glm::dvec2(5, 2)},
                                       Grid{glm::dvec2(2, 0), glm::dvec2(2, 4), glm::dvec2(2, 1)},
@@ -125,7 +124,7 @@ TEST_CASE("a triangle that lies on a line or in a point is in one cell a time", 
   }
 }
 
-TEST_CASE("clipping to one cell gives the piece that cutting into all cells gives", "[clipping]") {
+TEST_CASE("clippedToCell gives the piece that forEachCell gives", "[clipping]") {
   std::mt19937 random(3);
   for (int trial = 0; trial < 200; ++trial) {
     const Grid grid = randomTriangle(random, 9);
@@ -138,7 +137,7 @@ TEST_CASE("clipping to one cell gives the piece that cutting into all cells give
   }
 }
 
-TEST_CASE("the centroid of a whole triangle weighs its corners alike", "[clipping]") {
+TEST_CASE("centroid of a whole triangle weights its corners equally", "[clipping]") {
   const glm::dvec2 weights = centroid(wholeTriangle({glm::dvec2(0, 0), glm::dvec2(5, 1), glm::dvec2(2, 7)}));
   CHECK(weights.x == Approx(1.0 / 3).epsilon(1e-15));
   CHECK(weights.y == Approx(1.0 / 3).epsilon(1e-15));
@@ -152,7 +151,7 @@ TEST_CASE("the centroid of a whole triangle weighs its corners alike", "[clippin
   CHECK(trapezoid.y == Approx(7.0 / 18).epsilon(1e-15));
 }
 
-TEST_CASE("a point on the edge of two triangles is in one of them at least", "[clipping]") {
+TEST_CASE("weightsAt finds a point on the edge of two triangles in at least one of them", "[clipping]") {
   std::mt19937 random(4);
   for (int trial = 0; trial < 20000; ++trial) {
     const glm::dvec2 a{uniform(random, 0, 1), uniform(random, 0, 1)}, b{uniform(random, 0, 1), uniform(random, 0, 1)};
@@ -167,7 +166,7 @@ TEST_CASE("a point on the edge of two triangles is in one of them at least", "[c
   }
 }
 
-TEST_CASE("weights give the point back, and there are none outside or without area", "[clipping]") {
+TEST_CASE("weightsAt gives weights that reproduce the point, and none outside or without area", "[clipping]") {
   const Grid grid{glm::dvec2(1, 2), glm::dvec2(7, 3), glm::dvec2(2, 9)};
   const auto weights = weightsAt(grid, {3, 4});
   REQUIRE(weights);

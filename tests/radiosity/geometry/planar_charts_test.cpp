@@ -1,4 +1,4 @@
-// Planar parts: how many there are, which triangles they hold, and that their charts are the plane, scaled.
+// planarParts: the number of parts, their triangles, and charts that are the scaled plane.
 #include "radiosity/geometry/planar_charts.h"
 
 #include <catch2/catch.hpp>
@@ -37,7 +37,7 @@ double doubledArea(const ChartTriangle& t) {
 
 double doubledArea(const TrianglePositions& t) { return glm::length(glm::cross(t[1] - t[0], t[2] - t[0])); }
 
-/// Every triangle is in one part; charts stay in the square, are not mirrored, and scale all areas of a part alike.
+/// Each triangle is in one part. Charts stay in the square, are not mirrored, and scale all areas of a part equally.
 void checkParts(const Triangles& triangles, const std::vector<PlanarPart>& parts) {
   std::vector<int> times(triangles.size(), 0);
   for (const PlanarPart& part : parts) {
@@ -58,7 +58,7 @@ void checkParts(const Triangles& triangles, const std::vector<PlanarPart>& parts
 
 }  // namespace
 
-TEST_CASE("a cube has six planar parts, each a whole chart", "[planar]") {
+TEST_CASE("planarParts of a cube are six, each a whole chart", "[planar]") {
   const std::vector<PlanarPart> parts = planarParts(cube());
   checkParts(cube(), parts);
   REQUIRE(parts.size() == 6);
@@ -68,11 +68,11 @@ TEST_CASE("a cube has six planar parts, each a whole chart", "[planar]") {
   }
 }
 
-TEST_CASE("the side of a prism has as many planar parts as facets", "[planar]") {
+TEST_CASE("planarParts of the side of a prism are its facets", "[planar]") {
   for (const int n : {3, 16, 500}) {
     Triangles side;
     for (int i = 0; i < n; ++i) {
-      // The last facet meets the first one in the same numbers.
+      // The last facet shares its exact coordinates with the first.
       const double a = 2 * M_PI * i / n, b = 2 * M_PI * ((i + 1) % n) / n;
       addQuad(side, {std::cos(a), std::sin(a), 0}, {std::cos(b), std::sin(b), 0}, {std::cos(b), std::sin(b), 5},
               {std::cos(a), std::sin(a), 5});
@@ -83,11 +83,11 @@ TEST_CASE("the side of a prism has as many planar parts as facets", "[planar]") 
   }
 }
 
-TEST_CASE("triangles in one plane that do not touch are parts of their own", "[planar]") {
+TEST_CASE("planarParts separates triangles in one plane that do not touch", "[planar]") {
   Triangles triangles;
   addQuad(triangles, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
   addQuad(triangles, {2, 0, 0}, {3, 0, 0}, {3, 1, 0}, {2, 1, 0});
-  addQuad(triangles, {1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0});  // touches both in a corner only
+  addQuad(triangles, {1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0});  // touches both only in a corner
   CHECK(planarParts(triangles).size() == 3);
   addQuad(triangles, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0});  // closes the gap
   const std::vector<PlanarPart> parts = planarParts(triangles);
@@ -95,14 +95,14 @@ TEST_CASE("triangles in one plane that do not touch are parts of their own", "[p
   checkParts(triangles, parts);
 }
 
-TEST_CASE("triangles that meet back to back are parts of their own", "[planar]") {
+TEST_CASE("planarParts separates triangles that meet back to back", "[planar]") {
   const Triangles triangles{{glm::dvec3(0, 0, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)},
                             {glm::dvec3(0, 0, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0)}};
   CHECK(planarParts(triangles).size() == 2);
 }
 
-TEST_CASE("a part bends by up to 1e-4 rad from its first triangle", "[planar]") {
-  // Three strips along x, hinged on lines along y, rising by `angle` more each time.
+TEST_CASE("planarParts lets a part bend by up to 1e-4 rad from its first triangle", "[planar]") {
+  // Three strips along x with common edges along y, each rising by `angle` more.
   const auto parts = [](double angle) {
     Triangles strips;
     glm::dvec3 at(0.0);
@@ -119,8 +119,8 @@ TEST_CASE("a part bends by up to 1e-4 rad from its first triangle", "[planar]") 
   CHECK(parts(1.01e-4) == 3);
 }
 
-TEST_CASE("the chart is the bounding rectangle along the longest boundary edge", "[planar]") {
-  // A right triangle with legs 3 and 4: along its hypotenuse of 5 the foot of its height 12/5 stands at 9/5.
+TEST_CASE("planarParts makes the chart the bounding rectangle along the longest boundary edge", "[planar]") {
+  // A right triangle with legs 3 and 4: along its hypotenuse of 5 the foot of its height 12/5 is at 9/5.
   const glm::dvec3 b(3, 0, 0), c(0, 4, 0), a(0, 0, 0);
   const std::vector<PlanarPart> parts = planarParts(Triangles{{a, b, c}});
   REQUIRE(parts.size() == 1);
@@ -131,7 +131,7 @@ TEST_CASE("the chart is the bounding rectangle along the longest boundary edge",
   CHECK(chart[0].y == 1);
 }
 
-TEST_CASE("inner edges do not turn the chart", "[planar]") {
+TEST_CASE("planarParts does not rotate the chart along inner edges", "[planar]") {
   // The diagonal of the square is its longest edge, but an inner one: the chart stays along the sides.
   Triangles square;
   addQuad(square, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
@@ -140,7 +140,7 @@ TEST_CASE("inner edges do not turn the chart", "[planar]") {
   CHECK(part.charts[1] == ChartTriangle{glm::dvec2(0, 0), glm::dvec2(1, 1), glm::dvec2(0, 1)});
 }
 
-TEST_CASE("faces that stand in the file several times get charts of their own", "[planar]") {
+TEST_CASE("planarParts gives repeated faces charts of their own", "[planar]") {
   Triangles triangles = cube();
   const Triangles again = cube();
   triangles.insert(triangles.end(), again.begin(), again.end());
@@ -152,7 +152,7 @@ TEST_CASE("faces that stand in the file several times get charts of their own", 
   for (std::size_t p = 1; p < parts.size(); ++p) CHECK(parts[p - 1].triangles[0] < parts[p].triangles[0]);
 }
 
-TEST_CASE("a triangle too thin for its part's chart gets one of its own", "[planar]") {
+TEST_CASE("planarParts gives a triangle too thin for its part's chart a chart of its own", "[planar]") {
   Triangles triangles;
   addQuad(triangles, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
   triangles.push_back({glm::dvec3(0, 0, 0), glm::dvec3(0.5, -1e-9, 0), glm::dvec3(1, 0, 0)});

@@ -22,7 +22,7 @@ bool touch(const Leaf& a, const Leaf& b) {
   return std::min(across, along) == 0 && std::max(across, along) > 0;
 }
 
-/// By splitting anything that is too large, until nothing is.
+/// Balances by splitting any leaf that is too large, until none is.
 Quadtree balancedSlowly(Quadtree tree) {
   for (;;) {
     const std::vector<Leaf> leaves = leavesOf(tree);
@@ -37,7 +37,7 @@ Quadtree balancedSlowly(Quadtree tree) {
 
 }  // namespace
 
-TEST_CASE("leaves tile the grid in the order of their lowest texels, at multiples of their sides", "[quadtree]") {
+TEST_CASE("leavesOf tiles the grid in the order of the lowest texels, at multiples of the sides", "[quadtree]") {
   std::mt19937 random(1);
   for (const int texels : {1, 2, 8, 32}) {
     const Quadtree tree = randomQuadtree(texels, random);
@@ -54,14 +54,14 @@ TEST_CASE("leaves tile the grid in the order of their lowest texels, at multiple
   }
 }
 
-TEST_CASE("a leaf's quarters take its place", "[quadtree]") {
+TEST_CASE("split replaces a leaf by its quarters", "[quadtree]") {
   Quadtree tree = uniformQuadtree(8, 4);
   split(tree, {4, 0, 4});
   CHECK(leavesOf(tree) ==
         std::vector<Leaf>{{0, 0, 4}, {4, 0, 2}, {6, 0, 2}, {4, 2, 2}, {6, 2, 2}, {0, 4, 4}, {4, 4, 4}});
 }
 
-TEST_CASE("the neighbours of a leaf are those that it shares a part of an edge with, each once", "[quadtree]") {
+TEST_CASE("neighboursOf gives the leaves that share a part of an edge, each once", "[quadtree]") {
   std::mt19937 random(2);
   for (int round = 0; round < 10; ++round) {
     const Quadtree tree = randomQuadtree(16, random);
@@ -78,11 +78,11 @@ TEST_CASE("the neighbours of a leaf are those that it shares a part of an edge w
   }
 }
 
-TEST_CASE("balancing splits what is too large for a neighbour, and nothing else", "[quadtree]") {
+TEST_CASE("balance splits only leaves that are too large for a neighbour", "[quadtree]") {
   std::mt19937 random(3);
   for (int round = 0; round < 20; ++round) {
     Quadtree tree = randomQuadtree(16, random);
-    // One deep corner beside large leaves: splits must travel.
+    // One deep corner beside large leaves: splits must propagate.
     if (round == 0) {
       tree = uniformQuadtree(16, 16);
       for (int side = 16; side > 1; side /= 2) split(tree, leafAt(tree, 7, 7));

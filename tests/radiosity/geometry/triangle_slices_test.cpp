@@ -1,4 +1,4 @@
-// Slices of triangles by each other: held against a search through all pairs, segment by segment.
+// triangleSlices compared with a search through all pairs, segment by segment.
 #include "radiosity/geometry/triangle_slices.h"
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ using namespace hemitex::radiosity;
 
 namespace {
 
-/// Triangles anywhere in a cube, each a surface of its own.
+/// Random triangles in a cube, each a surface of its own.
 Scene randomTriangles(unsigned seed, int count) {
   std::mt19937 random(seed);
   const auto draw = [&] { return double(random()) / 4294967296.0; };
@@ -40,7 +40,7 @@ double heightOver(const Triangle& triangle, const glm::dvec3& point) {
   return std::abs(glm::dot(normal(triangle), point - triangle.position[0]));
 }
 
-/// How far a point is outside of a triangle, in its plane.
+/// The distance of a point from a triangle, in its plane.
 double distanceTo(const Triangle& triangle, const glm::dvec3& point) {
   const glm::dvec3 n = normal(triangle);
   double distance = 0;
@@ -52,8 +52,8 @@ double distanceTo(const Triangle& triangle, const glm::dvec3& point) {
   return distance;
 }
 
-/// The length of the line in which two triangles meet, the first one lifted: the range of both along the line where
-/// their planes meet.
+/// The length of the intersection of two triangles, the first one lifted: the common range of both along the
+/// intersection of their planes.
 double commonLength(const Scene& scene, const Triangle& one, const Triangle& other) {
   const glm::dvec3 n = normal(one), m = normal(other), along = glm::normalize(glm::cross(n, m));
   const double lift = eyeLift * scene.extent;
@@ -104,8 +104,8 @@ TEST_CASE("triangleSlices finds the slices that a search through all pairs finds
         const Triangle& other = scene.surfaces[j].triangles[0];
         if (i == j) continue;
         const double expected = commonLength(scene, one, other);
-        // A slice was moved along the other triangle by a lift over the sine of the angle between both, which leaves
-        // the triangle by as much at most; where the sine is below 1/256 it stays a lift above.
+        // A slice was moved along the other triangle by a lift over the sine of the angle between both. So it may leave
+        // the triangle by that much. If the sine is below 1/256, it stays a lift above.
         const double lift = eyeLift * scene.extent;
         const auto liesOnOther = [&](const Slice& slice) {
           for (const glm::dvec2& end : {slice.from, slice.to}) {
@@ -140,14 +140,14 @@ TEST_CASE("triangleSlices of a floor under a box are the box's outline", "[slice
   double length = 0;
   for (std::size_t t = 0; t < slices.size(); ++t)
     for (const Slice& slice : slices[t]) {
-      // Walls touch the floor along its border, and the box's sides lie over it with theirs.
+      // Walls touch the floor along its border, and so do the sides of the box.
       CHECK(t < 2);
       length += lengthOf(scene.surfaces[0].triangles[t], slice);
     }
   CHECK(length == Approx(3).epsilon(1e-4));
 }
 
-TEST_CASE("triangleSlices leaves out what hovers, and faces that lie in the triangle's plane", "[slices]") {
+TEST_CASE("triangleSlices leaves out hovering objects, and faces in the triangle's plane", "[slices]") {
   const auto count = [](const std::vector<Surface>& surfaces) {
     std::size_t sum = 0;
     for (const std::vector<Slice>& some : triangleSlices(tests::sceneOf(surfaces))) sum += some.size();
@@ -163,7 +163,7 @@ TEST_CASE("triangleSlices leaves out what hovers, and faces that lie in the tria
 
 TEST_CASE("triangleSlices leaves out slices of a surface by its own folds, and keeps others along inner edges",
           "[slices]") {
-  // A ridge that is open above: both flanks slice each other along the edge that they share.
+  // A valley whose flanks slice each other along the common edge.
   Surface valley = tests::surfaceOf("valley", {});
   const glm::dvec3 a(0, 0, 0), b(0, 1, 0);
   valley.triangles = {tests::triangleOf({a, {0, 0}}, {{1, 0, 1}, {1, 0}}, {b, {0, 1}}),
@@ -177,7 +177,7 @@ TEST_CASE("triangleSlices leaves out slices of a surface by its own folds, and k
   CHECK(isCut(tests::sceneOf({valley, fin})) == std::array{true, true});
 }
 
-TEST_CASE("triangleSlices gives the same bits for any number of threads, and again", "[slices]") {
+TEST_CASE("triangleSlices gives the same bits for any number of threads, and when repeated", "[slices]") {
   const Scene scene = randomTriangles(5, 200);
   const std::vector<std::vector<Slice>> slices = triangleSlices(scene);
   for (const int threads : {1, 2, 5}) {

@@ -1,5 +1,6 @@
-// Triangulation: triangles that wind as their polygon does and whose edges cancel but for its outline cover it exactly
-// once. (The winding numbers of the triangles add up to the polygon's, which is 1 inside; none of them is negative.)
+// Triangulation covers a polygon exactly once if two conditions hold: its triangles have the winding of the polygon,
+// and their edges cancel except for the outline. (The winding numbers of the triangles add up to that of the polygon,
+// which is 1 inside; none is negative.)
 #include "radiosity/geometry/triangulation.h"
 
 #include <catch2/catch.hpp>
@@ -16,7 +17,7 @@ namespace {
 
 using Polygon = std::vector<glm::dvec3>;
 
-/// Three times the same polygon: in the plane z = 0, in one tilted plane far from the origin, and in another seen from
+/// The same polygon three times: in the plane z = 0, in a tilted plane far from the origin, and in one seen from
 /// behind.
 std::vector<Polygon> placed(const std::vector<glm::dvec2>& outline) {
   const glm::dvec3 u(0.6, 0.0, 0.8), v(-0.48, 0.8, 0.36), far(1000, -2000, 500);
@@ -40,7 +41,7 @@ glm::dvec3 areaVector(const Polygon& polygon) {
   return sum;
 }
 
-/// Directed edges, opposite ones cancelled.
+/// Directed edges; opposite ones cancel.
 using Chain = std::map<std::pair<std::uint32_t, std::uint32_t>, int>;
 
 void addEdge(Chain& chain, std::uint32_t from, std::uint32_t to) {
@@ -74,7 +75,7 @@ void checkCovers(const Polygon& polygon, const Triangulation& cut) {
 
 }  // namespace
 
-TEST_CASE("a convex polygon becomes a fan from its first corner", "[triangulate]") {
+TEST_CASE("triangulate makes a fan of a convex polygon from its first corner", "[triangulate]") {
   for (const int n : {3, 4, 5, 17, 300}) {
     std::vector<glm::dvec2> outline;
     for (int i = 0; i < n; ++i) outline.emplace_back(std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n));
@@ -88,8 +89,8 @@ TEST_CASE("a convex polygon becomes a fan from its first corner", "[triangulate]
   }
 }
 
-TEST_CASE("a convex polygon with corners on straight edges is still a fan", "[triangulate]") {
-  // 0.1 and 0.7 are no binary numbers, so the middle corners lie on their edges only up to rounding.
+TEST_CASE("triangulate makes a fan of a convex polygon with corners on straight edges", "[triangulate]") {
+  // 0.1 and 0.7 are not binary numbers, so that the middle corners lie on their edges only up to rounding.
   for (const Polygon& polygon : placed({{0.1, 0.1}, {0.4, 0.1}, {0.7, 0.1}, {0.7, 0.4}, {0.7, 0.7}, {0.1, 0.7}})) {
     const Triangulation cut = triangulate(polygon);
     checkCovers(polygon, cut);
@@ -98,12 +99,12 @@ TEST_CASE("a convex polygon with corners on straight edges is still a fan", "[tr
   }
 }
 
-TEST_CASE("a quad need not be planar", "[triangulate]") {
+TEST_CASE("triangulate accepts a quad that is not planar", "[triangulate]") {
   const Polygon saddle{{0, 0, 0.3}, {1, 0, 0}, {1, 1, 0.3}, {0, 1, 0}};
   CHECK(triangulate(saddle).triangles == std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}});
 }
 
-TEST_CASE("ears cut from concave polygons cover them exactly once", "[triangulate]") {
+TEST_CASE("triangulate covers concave polygons exactly once", "[triangulate]") {
   const auto outline = GENERATE(values<std::vector<glm::dvec2>>({
       {{0, 0}, {4, 0}, {1, 1}, {0, 4}},                                    // an arrow head
       {{1, 1}, {0, 4}, {0, 0}, {4, 0}},                                    // the same from its notch
@@ -126,12 +127,13 @@ TEST_CASE("ears cut from concave polygons cover them exactly once", "[triangulat
        {5, 5},
        {5, 1},
        {0, 1}},                                                                          // a spiral
-      {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}},  // a frame: a hole, tied on
+      {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}},  // a frame: a hole, connected
+                                                                                         // by an edge
   }));
   for (const Polygon& polygon : placed(outline)) checkCovers(polygon, triangulate(polygon));
 }
 
-TEST_CASE("ears cut from random star-shaped polygons cover them exactly once", "[triangulate]") {
+TEST_CASE("triangulate covers random star-shaped polygons exactly once", "[triangulate]") {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> radius(0.05, 1.0);
   for (int n = 4; n <= 120; ++n) {
@@ -145,7 +147,7 @@ TEST_CASE("ears cut from random star-shaped polygons cover them exactly once", "
   }
 }
 
-TEST_CASE("a polygon that crosses itself is told, and still cut into two triangles less than corners",
+TEST_CASE("triangulate reports a polygon that crosses itself, and still makes two triangles less than corners",
           "[triangulate]") {
   const auto outline = GENERATE(values<std::vector<glm::dvec2>>({
       {{0, 0}, {1, 1}, {1, 0}, {0, 1}},              // a bow tie whose halves cancel
@@ -159,8 +161,9 @@ TEST_CASE("a polygon that crosses itself is told, and still cut into two triangl
   }
 }
 
-TEST_CASE("a triangle has area where its height is above the rounding noise of its coordinates", "[triangulate]") {
-  // The largest coordinate is 1, so the limit is 4 epsilons; the base is 1 long, and the apex over its middle.
+TEST_CASE("hasArea is true where the height of a triangle is above the rounding noise of its coordinates",
+          "[triangulate]") {
+  // The largest coordinate is 1, so that the limit is 4 epsilons; the base is 1 long, and the apex over its middle.
   const double epsilon = std::numeric_limits<double>::epsilon();
   const glm::dvec3 a(0, 0, 0), b(1, 0, 0);
   CHECK_FALSE(hasArea(a, b, {0.5, 0, 0}));
@@ -172,6 +175,6 @@ TEST_CASE("a triangle has area where its height is above the rounding noise of i
   const glm::dvec3 far(1e6, 0, 0);
   CHECK_FALSE(hasArea(a + far, b + far, glm::dvec3(0.5, 3.9e6 * epsilon, 0) + far));
   CHECK(hasArea(a + far, b + far, glm::dvec3(0.5, 4.1e6 * epsilon, 0) + far));
-  // Points of a line stay without area when decimals round them.
+  // Collinear points stay without area when decimals round them.
   CHECK_FALSE(hasArea({0.1, 0.2, 0.3}, {0.2, 0.4, 0.6}, {0.3, 0.6, 0.9}));
 }

@@ -1,4 +1,4 @@
-/// Images: the sRGB curve against the library's pow, and files that are read as they were written.
+/// Images: the sRGB curve compared with pow, and files that are read as they were written.
 #include "radiosity/images/image.h"
 
 #include <catch2/catch.hpp>
@@ -22,7 +22,7 @@ std::string bytesOf(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// All 256 codes in red, the same backwards in green, and a third order in blue.
+/// All 256 codes in red, the same in reverse order in green, and a third order in blue.
 Image everyCode() {
   Image image{32, 8, {}};
   for (int code = 0; code < 256; ++code)
@@ -35,19 +35,19 @@ void writeBytes(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
 
-/// One pixel of blue, green, red, alpha in Truevision's format: 18 bytes of header, then the pixel.
+/// One pixel of blue, green, red, alpha in Targa format: 18 bytes of header, then the pixel.
 std::string targaPixel(const std::string& pixel) {
   std::string header(18, '\0');
   header[2] = 2;                                              // true colour, not compressed
   header[12] = header[14] = 1;                                // 1 x 1
-  header[16] = static_cast<char>(8 * pixel.size());           // bits a pixel
-  header[17] = static_cast<char>(pixel.size() == 4 ? 8 : 0);  // of them alpha
+  header[16] = static_cast<char>(8 * pixel.size());           // bits per pixel
+  header[17] = static_cast<char>(pixel.size() == 4 ? 8 : 0);  // alpha bits
   return header + pixel;
 }
 
 }  // namespace
 
-TEST_CASE("the sRGB curve agrees with pow to the last digits", "[image]") {
+TEST_CASE("decodeSrgb and encodeSrgb agree with pow to the last digits", "[image]") {
   for (int i = 0; i <= 100000; ++i) {
     const double encoded = i / 100000.0;
     const double expected = encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
@@ -57,7 +57,7 @@ TEST_CASE("the sRGB curve agrees with pow to the last digits", "[image]") {
   CHECK(decodeSrgb(1) == 1);
 }
 
-TEST_CASE("every sRGB code survives decoding and encoding, and clamps at both ends", "[image]") {
+TEST_CASE("encodeSrgb is the inverse of decodeSrgb for all codes, and clamps at both ends", "[image]") {
   for (int code = 0; code < 256; ++code) REQUIRE(encodeSrgb(decodeSrgb(code / 255.0)) == code);
   CHECK(encodeSrgb(-1) == 0);
   CHECK(encodeSrgb(2) == 255);
@@ -66,15 +66,15 @@ TEST_CASE("every sRGB code survives decoding and encoding, and clamps at both en
   CHECK(encodeSrgb(std::numeric_limits<double>::quiet_NaN()) == 0);
 }
 
-TEST_CASE("a linear value takes the code that is nearest in sRGB", "[image]") {
+TEST_CASE("encodeSrgb gives a linear value the code that is nearest in sRGB", "[image]") {
   for (int i = 0; i <= 10000; ++i) {
     const double encoded = i / 10000.0;
     const double distance = std::abs(encodeSrgb(decodeSrgb(encoded)) / 255.0 - encoded);
-    REQUIRE(distance <= 0.5 / 255 + 1e-12);  // the slack is rounding at the thresholds themselves
+    REQUIRE(distance <= 0.5 / 255 + 1e-12);  // the tolerance is for rounding at the thresholds
   }
 }
 
-TEST_CASE("a PNG is read as it was written, right way up", "[image]") {
+TEST_CASE("readImage reads a PNG as writePng wrote it, right way up", "[image]") {
   const TemporaryFolder folder;
   const Image written = everyCode();
   writePng(folder.path / "codes.png", written);
@@ -84,7 +84,7 @@ TEST_CASE("a PNG is read as it was written, right way up", "[image]") {
   CHECK(read.pixels == written.pixels);
 }
 
-TEST_CASE("an EXR keeps every float, dark, bright and negative", "[image]") {
+TEST_CASE("writeExr keeps all floats, dark, bright and negative", "[image]") {
   const TemporaryFolder folder;
   const Image written{2, 2, {{0.1, 1e-30, 0}, {1e30, -3.5, 1}, {1.0 / 3, 2.0 / 3, 12345.678}, {-0.0, 65504, 65536}}};
   writeExr(folder.path / "values.exr", written);
@@ -93,7 +93,7 @@ TEST_CASE("an EXR keeps every float, dark, bright and negative", "[image]") {
   for (std::size_t i = 0; i < 4; ++i) CHECK(read.pixels[i] == glm::dvec3(glm::vec3(written.pixels[i])));
 }
 
-TEST_CASE("equal pixels give equal files, whenever they are written", "[image]") {
+TEST_CASE("writePng and writeExr give equal files for equal pixels at any time", "[image]") {
   const TemporaryFolder folder;
   writePng(folder.path / "a.png", everyCode());
   writeExr(folder.path / "a.exr", everyCode());
@@ -104,7 +104,7 @@ TEST_CASE("equal pixels give equal files, whenever they are written", "[image]")
   CHECK(bytesOf(folder.path / "a.exr") == bytesOf(folder.path / "b.exr"));
 }
 
-TEST_CASE("grey becomes three channels and alpha is dropped without touching the colour", "[image]") {
+TEST_CASE("readImage converts grey to three channels and drops alpha without changing the colour", "[image]") {
   const TemporaryFolder folder;
   writeBytes(folder.path / "grey.pgm", std::string("P5 2 1 255\n\x00\xbc", 13));
   CHECK(readImage(folder.path / "grey.pgm").pixels[1] == glm::dvec3(decodeSrgb(188 / 255.0)));
@@ -112,13 +112,13 @@ TEST_CASE("grey becomes three channels and alpha is dropped without touching the
   CHECK(readImage(folder.path / "alpha.tga").pixels[0] == glm::dvec3(1, decodeSrgb(0.2), decodeSrgb(16 / 255.0)));
 }
 
-TEST_CASE("more than 8 bits are taken as linear", "[image]") {
+TEST_CASE("readImage takes more than 8 bits as linear", "[image]") {
   const TemporaryFolder folder;
   writeBytes(folder.path / "deep.ppm", std::string("P6 1 1 65535\n\x33\x33\0\0\x33\x33", 19));
   CHECK(glm::distance(readImage(folder.path / "deep.ppm").pixels[0], glm::dvec3(0.2, 0, 0.2)) < 1e-7);
 }
 
-TEST_CASE("a file that is no image, or holds a NaN, is the user's fault", "[image]") {
+TEST_CASE("readImage throws InputError for a file that is no image, or contains a NaN", "[image]") {
   const TemporaryFolder folder;
   writeBytes(folder.path / "text.png", "this is no image");
   CHECK_THROWS_AS(readImage(folder.path / "text.png"), raster::InputError);
@@ -131,13 +131,13 @@ TEST_CASE("a file that is no image, or holds a NaN, is the user's fault", "[imag
   CHECK_THROWS_AS(readImage(folder.path / "nan.exr"), raster::InputError);
 }
 
-TEST_CASE("an image that claims more pixels than memory holds is the user's fault", "[image]") {
+TEST_CASE("readImage throws InputError for an image with more pixels than memory can hold", "[image]") {
   const TemporaryFolder folder;
   writeBytes(folder.path / "huge.pgm", "P5 60000 60000 255\n");
   CHECK_THROWS_AS(readImage(folder.path / "huge.pgm"), raster::InputError);
 }
 
-TEST_CASE("a picture that cannot be written throws and leaves nothing behind", "[image]") {
+TEST_CASE("writePng throws InputError and leaves nothing behind if the file cannot be written", "[image]") {
   const TemporaryFolder folder;
   CHECK_THROWS_AS(writePng(folder.path / "absent" / "a.png", everyCode()), raster::InputError);
   std::filesystem::create_directory(folder.path / "folder.png");
@@ -145,14 +145,14 @@ TEST_CASE("a picture that cannot be written throws and leaves nothing behind", "
   CHECK(std::filesystem::is_directory(folder.path / "folder.png"));
 }
 
-TEST_CASE("a full disk is noticed, and what is no file of ours is left alone", "[image]") {
+TEST_CASE("writePng reports a full disk, and does not remove other files", "[image]") {
   const TemporaryFolder folder;
   std::filesystem::create_symlink("/dev/full", folder.path / "full.png");
   CHECK_THROWS_AS(writePng(folder.path / "full.png", everyCode()), raster::InputError);
   CHECK(std::filesystem::is_symlink(folder.path / "full.png"));
 }
 
-TEST_CASE("an EXR refuses what 32 bits do not hold, and keeps what they do", "[image]") {
+TEST_CASE("writeExr refuses values above the range of 32 bits, and keeps others", "[image]") {
   const TemporaryFolder folder;
   const double most = std::numeric_limits<float>::max();
   writeExr(folder.path / "most.exr", {1, 1, {{most, -most, 0}}});

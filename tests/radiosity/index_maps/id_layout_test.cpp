@@ -1,4 +1,4 @@
-// Which item ID stands for which element, and the draws that make the item IDs.
+// The item IDs of elements, and the draws that produce them.
 #include "radiosity/index_maps/id_layout.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct Size {
   int columns, rows;
 };
 
-/// Grids of these sizes, wholly covered; a layout asks for nothing else.
+/// Grids of these sizes, completely covered; layOut uses nothing else.
 Discretization gridsOf(const std::vector<Size>& sizes) {
   Discretization discretization;
   for (const Size& size : sizes) {
@@ -63,8 +63,8 @@ std::vector<ItemId> offsetsOf(const IdLayout& layout) {
   return offsets;
 }
 
-/// Whether every texel's item ID is blended to offset + texel, is not reserved, decodes to its texel, and no other item
-/// ID of the format decodes at all.
+/// Whether each texel's item ID is blended to offset + texel, is not reserved, and decodes to its texel. Also tests
+/// that no other item ID of the format decodes.
 bool isOneToOne(const Discretization& discretization, const IdLayout& layout) {
   const ItemId background = raster::backgroundId(layout.format);
   std::vector<bool> taken(std::size_t{background} + 1);
@@ -85,15 +85,15 @@ bool isOneToOne(const Discretization& discretization, const IdLayout& layout) {
 
 }  // namespace
 
-TEST_CASE("every element of a full 24-bit item ID with 12 index bits has an item ID of its own", "[layout]") {
-  // 4096 surfaces of 64 x 64: the last one's last two item IDs are reserved, so it is 63 x 64 here.
+TEST_CASE("layOut gives each element of a full 24-bit item ID with 12 index bits its own item ID", "[layout]") {
+  // 4096 surfaces of 64 x 64. The last surface's last two item IDs are reserved, so that it is 63 x 64 here.
   const Discretization discretization = gridsOf(joined(times(4095, {64, 64}), {{63, 64}}));
   const IdLayout layout = layOut(discretization, {"r8g8b8", Blend::ClampedAdd, true});
   CHECK(layout.indexBits == 12);
   CHECK(isOneToOne(discretization, layout));
 }
 
-TEST_CASE("item IDs and texels are one to one for mixed sizes, aligned or not, in every narrow format", "[layout]") {
+TEST_CASE("layOut is one to one for mixed sizes, aligned or not, in all narrow formats", "[layout]") {
   const std::vector<Size> mixed{{1, 1}, {8, 8}, {3, 3}, {1, 1}, {1, 5}, {7, 9}, {1, 1}, {2, 32}, {8, 8}, {1, 1}};
   for (const char* format : {"r5g6b5", "r8g8b8"}) {
     const Discretization discretization = gridsOf(mixed);
@@ -103,7 +103,7 @@ TEST_CASE("item IDs and texels are one to one for mixed sizes, aligned or not, i
   }
 }
 
-TEST_CASE("textured surfaces take aligned blocks in order, single item IDs stand behind them", "[layout]") {
+TEST_CASE("layOut gives textured surfaces aligned blocks in order, followed by single item IDs", "[layout]") {
   // 65 texels need 7 bits.
   const IdLayout layout =
       layOut(gridsOf({{1, 1}, {8, 8}, {1, 1}, {5, 13}, {3, 3}}), {"r8g8b8", Blend::ClampedAdd, true});
@@ -112,15 +112,15 @@ TEST_CASE("textured surfaces take aligned blocks in order, single item IDs stand
   CHECK(layout.byOffset == std::vector<std::uint32_t>{1, 3, 4, 0, 2});
 }
 
-TEST_CASE("without alignment the offsets follow each other without a gap", "[layout]") {
+TEST_CASE("layOut without alignment leaves no gap between offsets", "[layout]") {
   const IdLayout layout =
       layOut(gridsOf({{1, 1}, {8, 8}, {1, 1}, {5, 13}, {3, 3}}), {"r8g8b8", Blend::IntegerAdd, false});
   CHECK(offsetsOf(layout) == std::vector<ItemId>{0, 1, 65, 66, 131});
   CHECK(layout.byOffset == std::vector<std::uint32_t>{0, 1, 2, 3, 4});
 }
 
-TEST_CASE("a format holds as many item IDs as it has, less two, and not one more", "[layout]") {
-  // r5g6b5: 65536 item IDs, 65534 of use. With 8 x 8 texels, 1023 blocks and 62 single item IDs fill it.
+TEST_CASE("layOut uses all item IDs of a format less two, and not one more", "[layout]") {
+  // r5g6b5: 65536 item IDs, of which 65534 are usable. With 8 x 8 texels, 1023 blocks and 62 single item IDs fill it.
   CHECK(fits(times(65534, {1, 1}), "r5g6b5", true));
   CHECK_FALSE(fits(times(65535, {1, 1}), "r5g6b5", true));
   CHECK(fits(joined(times(1023, {8, 8}), times(62, {1, 1})), "r5g6b5", true));
@@ -136,8 +136,10 @@ TEST_CASE("a format holds as many item IDs as it has, less two, and not one more
   CHECK_FALSE(fits(times(4097, {3, 3}), "r5g6b5", true));
 }
 
-TEST_CASE("what does not fit is told with the item IDs, and the format and the texels that would", "[layout]") {
-  // 1024 * 64 = 65536 item IDs, for 65534; 7 x 7 texels still take a block of 64, but its end may be missing.
+TEST_CASE("layOut throws InputError with the item IDs needed, and the format and the texels that would fit",
+          "[layout]") {
+  // 1024 * 64 = 65536 item IDs for 65534. With 7 x 7 texels a block still has 64 item IDs, but the end of the last may
+  // be missing.
   const std::string tooMany = messageOf(times(1024, {8, 8}), "r5g6b5", Blend::ClampedAdd, true);
   CHECK(mentions(tooMany, "needs 65536 item IDs"));
   CHECK(mentions(tooMany, "65534"));
@@ -151,14 +153,14 @@ TEST_CASE("what does not fit is told with the item IDs, and the format and the t
   CHECK(mentions(noFormat, "2896 x 2896 texels"));
   CHECK(fits(times(300, {2896, 2896}), "r32ui", true));
   CHECK_FALSE(fits(times(300, {2897, 2897}), "r32ui", true));
-  // More surfaces than item IDs: no number of texels helps.
+  // More surfaces than item IDs: no number of texels fits.
   const std::string surfaces = messageOf(times(65535, {2, 2}), "r5g6b5", Blend::ClampedAdd, true);
   CHECK(mentions(surfaces, "use the format r8g8b8"));
   CHECK_FALSE(mentions(surfaces, "texels"));
   CHECK(mentions(messageOf({{1, 1}}, "r9g9b9e5", Blend::ClampedAdd, true), "r10g10b10a2"));
 }
 
-TEST_CASE("a million surfaces of 64 x 64 texels fit 32 bits", "[layout]") {
+TEST_CASE("layOut fits a million surfaces of 64 x 64 texels into 32 bits", "[layout]") {
   const Discretization discretization = gridsOf(times(1000000, {64, 64}));
   const IdLayout layout = layOut(discretization);
   for (const std::uint32_t s : {0u, 1u, 123456u, 999999u}) {
@@ -172,7 +174,7 @@ TEST_CASE("a million surfaces of 64 x 64 texels fit 32 bits", "[layout]") {
   CHECK_FALSE(pageIndexOf(layout, 1000000u << 12));
 }
 
-TEST_CASE("the last item IDs of 32 bits are laid out and decoded", "[layout]") {
+TEST_CASE("layOut and pageIndexOf handle the last item IDs of 32 bits", "[layout]") {
   // 256 blocks of 2^24; the last one ends right before the reserved item IDs.
   const Discretization discretization = gridsOf(joined(times(255, {4096, 4096}), {{4095, 4096}}));
   const IdLayout layout = layOut(discretization, {"r32ui", Blend::ClampedAdd, true});
@@ -183,9 +185,9 @@ TEST_CASE("the last item IDs of 32 bits are laid out and decoded", "[layout]") {
   CHECK_FALSE(pageIndexOf(layout, 0xff000000u + 4095 * 4096));
 }
 
-TEST_CASE("an unaligned draw reaches no reserved item ID, clamped or not", "[layout]") {
-  // Clamping a channel, and dropping its carry, lowers the sum: with the last map ending right below the reserved
-  // item IDs, every clamped sum stays below them as well, wherever the map begins.
+TEST_CASE("layOut without alignment reaches no reserved item ID, clamped or not", "[layout]") {
+  // Clamping a channel lowers the sum, because it drops the carry. The last map ends right below the reserved item IDs.
+  // So each clamped sum stays below them, wherever the map begins.
   for (const Size& map : {Size{2, 1}, {5, 7}, {16, 16}, {63, 65}, {255, 256}}) {
     const auto before = std::size_t(65534 - map.columns * map.rows);
     const Discretization discretization = gridsOf(joined(times(before, {1, 1}), {map}));
@@ -195,9 +197,9 @@ TEST_CASE("an unaligned draw reaches no reserved item ID, clamped or not", "[lay
   }
 }
 
-TEST_CASE("indices that no texel produces are counted by cause", "[layout]") {
-  // A chart of 3/4 x 3/4 leaves 64 - 36 texels of an 8 x 8 map without area; a 3 x 3 map leaves 64 - 9 to the next
-  // aligned offset; the surface of one texel leaves none.
+TEST_CASE("countPhantoms counts indices that no texel produces, by cause", "[layout]") {
+  // A chart of 3/4 x 3/4 leaves 64 - 36 texels of an 8 x 8 map without area. A 3 x 3 map leaves 64 - 9 up to the next
+  // aligned offset. The surface of one texel leaves none.
   Scene scene = sceneOf({flat("wall", rectangle({0, 0}, {0.75, 0.75})), flat("box", rectangle({0, 0}, {1, 1})),
                          flat("light", rectangle({0, 0}, {0.5, 0.5}))});
   const Discretization discretization = discretize(scene, {.texels = 8, .surfaceTexels = {{"box", 3}, {"light", 1}}});
@@ -209,7 +211,7 @@ TEST_CASE("indices that no texel produces are counted by cause", "[layout]") {
   CHECK(packed.alignmentGaps == 0);
 }
 
-TEST_CASE("the draw list numbers the scene's triangles and shares index maps of one size", "[layout]") {
+TEST_CASE("makeDrawList numbers the scene's triangles and shares index maps of one size", "[layout]") {
   Scene scene = sceneOf({bump(3), flat("a", rectangle({0, 0}, {1, 1})), flat("b", rectangle({0, 0}, {1, 1})),
                          flat("light", rectangle({0, 0}, {1, 1}))});
   const Discretization discretization = discretize(scene, {.texels = 4, .surfaceTexels = {{"b", 3}, {"light", 1}}});
@@ -239,7 +241,8 @@ TEST_CASE("the draw list numbers the scene's triangles and shares index maps of 
   CHECK(map.ids == std::vector<ItemId>{0, 1, 2, 3, 4, 5, 6, 7, 8});
 }
 
-TEST_CASE("a wall that fills the view is drawn as its texels, each over the same number of pixels", "[layout]") {
+TEST_CASE("makeDrawList draws a wall that fills the view as its texels, each over the same number of pixels",
+          "[layout]") {
   // The wall spans the frustum of a 90-degree view at distance 1; 4 x 4 texels over 32 x 32 pixels are 64 pixels each.
   const Scene scene = sceneOf({quad("wall", {{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}}})});
   const Discretization discretization = discretize(scene, {.texels = 4});

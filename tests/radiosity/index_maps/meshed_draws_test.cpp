@@ -1,5 +1,5 @@
-// Regular meshing beside textures: the same elements and areas, item buffers that differ at element borders alone, and
-// solutions that differ by no more than those pixels explain.
+// Regular meshing compared with textures: equal elements and areas, and item buffers that differ only at element
+// borders. Solutions differ by no more than those pixels explain.
 #include "radiosity/index_maps/meshed_draws.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ struct World {
         layout(layoutOf(discretization)),
         mesh(radiosity::makeMeshedDraws(scene, discretization, layout)) {}
 
-  /// What an item ID stands for: an element, or one of the reserved item IDs, which are above all elements.
+  /// The element of an item ID, or a reserved item ID, which is above all elements.
   std::uint32_t shownBy(raster::ItemId id) const {
     return radiosity::elementOf(discretization, layout, id).value_or(id);
   }
@@ -49,8 +49,8 @@ struct World {
 
 using Drawn = std::vector<raster::ItemBuffer>;
 
-/// What a patch sees on the faces of its hemicube, by both methods. Hemicubes are turned: borders that lie along the
-/// axes of the scene do not fall on samples.
+/// The views of a patch on the faces of its hemicube, by both methods. Hemicubes are rotated, so that borders along the
+/// axes of the scene do not lie on samples.
 struct Views {
   std::vector<raster::Face> faces;
   Drawn byTexture, byMesh;
@@ -67,11 +67,11 @@ Views viewsFrom(const World& world, std::uint32_t patch, int resolution) {
   return {view.faces, render(*textures, view.faces, view.skipped), render(*mesh, view.faces, view.skipped)};
 }
 
-/// How deep a segment lies where it meets the square of half-width `reach` about a pixel's sample; 0 where it does not.
-/// `a` and `b` are in view coordinates.
+/// The depth of a segment in the square of half-width `reach` around a pixel's sample; 0 if it is outside. `a` and `b`
+/// are in view coordinates.
 double depthInSquare(const raster::Face& face, glm::dvec3 a, glm::dvec3 b, const glm::dvec2& sample, double reach) {
-  // What is outside of the square is cut off: all sides of it, and the near plane, are planes through the eye or across
-  // the view.
+  // Clips the segment to the square. Its sides are planes through the eye, and the near plane is perpendicular to the
+  // view.
   const double half = face.resolution / 2.0;
   const glm::dvec2 low = (sample - reach) / half - 1.0, high = (sample + reach) / half - 1.0;
   const std::array<glm::dvec4, 5> planes{glm::dvec4(0, 0, 1, -double(face.nearDistance)),
@@ -89,19 +89,19 @@ double depthInSquare(const raster::Face& face, glm::dvec3 a, glm::dvec3 b, const
   return std::min(a.z, b.z);
 }
 
-/// By how many pixels either method may be wrong about a border at a depth. Snapping moves corners by half a sub-pixel
-/// at most, and all that is between them no further. And binary32 holds:
-/// - a position (2^-25 extents an axis, sqrt(3) of that along a row), the quad's plane (2^-24 extents, see
+/// The error of a border at a depth by either method, in pixels. Snapping moves corners, and all points between them,
+/// by at most half a sub-pixel. Binary32 rounds the following:
+/// - a position (2^-25 extents per axis, sqrt(3) of that along a row), the quad's plane (2^-24 extents, see
 ///   makeMeshedDraws) and its chart (2^-22 of its length);
-/// - the vertex stage, whose four roundings in a row are 2^-24 of sums that are below the extent.
-/// That is less than 11 units of 2^-24 extents of x, y and w; x/w moves by (1 + |x/w|) of it over w.
+/// - the vertex stage, whose four roundings per row are 2^-24 of sums below the extent. The sum is less than 11 units
+///   of 2^-24 extents of x, y and w; x/w moves by (1 + |x/w|) of it over w.
 double reachAt(const World& world, const raster::Face& face, double depth) {
   const double rounded = 11 * 0x1p-24 * world.scene.extent;
   return 1.0 / 512 + 2 * rounded / depth * face.resolution / 2;
 }
 
-/// Whether the border of an element, uncut by any rasterizer, passes so near to a sample that rounding explains that
-/// two methods see it on different sides.
+/// Whether the exact border of an element is so near to a sample that rounding explains different results of two
+/// methods.
 bool isAtBorder(const World& world, const reference::SurfacePieces& pieces, const raster::Face& face,
                 const glm::dvec2& sample) {
   const auto viewOf = [&](const glm::dvec3& inFrame) {
@@ -112,7 +112,8 @@ bool isAtBorder(const World& world, const reference::SurfacePieces& pieces, cons
   for (const reference::SurfacePiece& piece : pieces.pieces)
     for (std::size_t i = 0; i < piece.corner.size(); ++i) {
       const glm::dvec3 a = viewOf(piece.corner[i]), b = viewOf(piece.corner[(i + 1) % piece.corner.size()]);
-      // The square grows as the border comes near: the widest that is thinkable first, then that of its depth.
+      // The square grows with the nearness of the border: first the largest possible square, then the one for the
+      // border's depth.
       const double depth = depthInSquare(face, a, b, sample, reachAt(world, face, face.nearDistance));
       if (depth > 0 && depthInSquare(face, a, b, sample, reachAt(world, face, depth)) > 0) return true;
     }
@@ -160,7 +161,8 @@ double perimeter(const raster::DrawList& list, std::uint32_t first) {
 
 }  // namespace
 
-TEST_CASE("Mesh and textures show different elements only where rounding moves a border over a sample", "[meshing]") {
+TEST_CASE("makeMeshedDraws and makeDrawList show different elements only where rounding moves a border over a sample",
+          "[meshing]") {
   struct Case {
     std::string file;
     radiosity::DiscretizationSettings settings;
@@ -182,15 +184,15 @@ TEST_CASE("Mesh and textures show different elements only where rounding moves a
     all.pixels += agreement.pixels;
     all.differing += agreement.differing;
   }
-  // Borders are where they are by chance. There are some five to ten in a hundred pixels' length, and each is off by
-  // a sub-pixel's third or so: a few in ten thousand samples lie between.
+  // The positions of borders are random. A hundred pixels contain five to ten borders, each with an error of about a
+  // third of a sub-pixel. So a few in ten thousand samples differ.
   CAPTURE(all.differing, all.pixels);
   CHECK(all.differing > 0);
   CHECK(all.differing < all.pixels / 1000);
 }
 
-TEST_CASE("The pieces of an element have the area of its texels, buried or not", "[meshing]") {
-  // What lies inside a solid has no part in elements' areas, but is drawn: nothing sees it.
+TEST_CASE("makeMeshedDraws gives the pieces of an element the area of its texels, buried or not", "[meshing]") {
+  // A part inside a solid does not count in elements' areas, but it is drawn; no eye sees it.
   std::vector<Scene> scenes{dataScene("paper-room.obj"), dataScene("cornell-box.obj"), dataScene("pyramid-room.obj"),
                             dataScene("curved-room.obj"), tests::furnishedRoom()};
   for (const radiosity::Surface& surface : tests::tableOfSurfaces()) scenes.push_back(tests::sceneOf({surface}));
@@ -199,8 +201,9 @@ TEST_CASE("The pieces of an element have the area of its texels, buried or not",
       const World world(scene, {.texels = texels});
       const raster::DrawList& list = world.mesh.list;
       std::vector<double> area(world.discretization.elements.size()), bound(area.size());
-      // A corner is off by at most binary32's rounding, the finer one that joins corners, and a quad's bend (see
-      // makeMeshedDraws): each along three axes. A triangle's area changes by half its perimeter times that.
+      // The error of a corner is at most binary32's rounding, the finer rounding that joins corners, and the bend of a
+      // quad (see makeMeshedDraws), each along three axes. The area of a triangle changes by half its perimeter times
+      // that.
       const double moved = (std::sqrt(3) * (0x1p-25 + 0x1p-31) + 0x1p-24) * scene.extent;
       for (const raster::Draw& draw : list.draws) {
         const std::uint32_t element = world.shownBy(draw.offset);
@@ -216,7 +219,7 @@ TEST_CASE("The pieces of an element have the area of its texels, buried or not",
         for (std::size_t texel = 0; texel < whole.size(); ++texel) expected[grid.spill[texel]] += whole[texel];
       }
       std::size_t wrong = 0;
-      // What lies in texels that hold next to nothing is no piece (coverageNoise), and areas are summed in binary64.
+      // Texels with almost no area have no pieces (coverageNoise), and areas are summed in double precision.
       for (std::size_t e = 0; e < area.size(); ++e)
         wrong += std::abs(area[e] - expected[e]) > bound[e] + 1e-12 * area[e];
       CAPTURE(scene.surfaces.front().name, texels, area.size());
@@ -224,7 +227,9 @@ TEST_CASE("The pieces of an element have the area of its texels, buried or not",
     }
 }
 
-TEST_CASE("A wall of N x N texels costs two triangles a texel, and the paper's scene 439 quads", "[meshing]") {
+TEST_CASE(
+    "makeMeshedDraws of a wall of N x N texels makes two triangles per texel, and 439 quads for the paper's scene",
+    "[meshing]") {
   radiosity::DiscretizationSettings settings{.texels = 8, .surfaceTexels = {{"light", 1}}};
   for (const std::string side : {"bottom", "top", "front", "right", "back", "left"})
     settings.surfaceTexels["box-" + side] = 3;
@@ -233,7 +238,7 @@ TEST_CASE("A wall of N x N texels costs two triangles a texel, and the paper's s
   CHECK(room.mesh.list.draws.size() == 439);
   CHECK(room.mesh.list.indices.size() == 3 * 2 * 439);
 
-  // A quad is cut as one, however its diagonal runs through the grid.
+  // A quad is cut as one, for any direction of its diagonal.
   const World wall(tests::sceneOf({tests::parallelogram("wall", {0, 0, 0}, {3, 0, 1}, {0, 2, 0.5})}),
                    {.texelSize = 0.31});
   const radiosity::Grid& grid = wall.discretization.grids[0];
@@ -245,8 +250,8 @@ TEST_CASE("A wall of N x N texels costs two triangles a texel, and the paper's s
                                                            static_cast<std::uint32_t>(2 * grid.columns * grid.rows)});
 }
 
-TEST_CASE("Where surfaces meet with the same grid, a mesh has no gap", "[meshing]") {
-  // Every side of a triangle is also a side of another, the other way round: the room is closed, and so is the box.
+TEST_CASE("makeMeshedDraws leaves no gap where surfaces meet with the same grid", "[meshing]") {
+  // Each side of a triangle is also a side of another in reverse direction: the room is closed, and so is the box.
   World world(dataScene("paper-room.obj"), {.texels = 7, .surfaceTexels = {{"light", 1}}});
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
   const std::vector<std::uint32_t>& indices = world.mesh.list.indices;
@@ -262,8 +267,8 @@ TEST_CASE("Where surfaces meet with the same grid, a mesh has no gap", "[meshing
       CHECK(std::count(buffer.ids.begin(), buffer.ids.end(), raster::backgroundId(world.layout.format)) == 0);
 }
 
-TEST_CASE("Leaving out a triangle of the scene leaves out its pieces", "[meshing]") {
-  // Two triangles of a warped quad: no plane, so that each is cut for itself.
+TEST_CASE("MeshedRenderer leaves out the pieces of a skipped triangle of the scene", "[meshing]") {
+  // Two triangles of a warped quad do not lie in one plane, so that each is cut separately.
   const World world(tests::sceneOf({tests::quad("warped", {{{0, 0, 0}, {2, 0, 1}, {2, 3, -1}, {0, 1, 2}}})}),
                     {.texels = 6});
   REQUIRE(world.mesh.firstPiece.size() == 3);
@@ -291,7 +296,7 @@ TEST_CASE("Leaving out a triangle of the scene leaves out its pieces", "[meshing
   CHECK(skipped == expected);
 }
 
-TEST_CASE("The solutions of mesh and textures differ by no more than their rows", "[meshing]") {
+TEST_CASE("solutions with makeMeshedDraws and makeDrawList differ by no more than their rows", "[meshing]") {
   for (const std::string file : {"cornell-box.obj", "paper-room.obj"}) {
     const Scene scene = dataScene(file);
     const Discretization unsplit = radiosity::discretize(scene, {.texels = 8});
@@ -324,9 +329,8 @@ TEST_CASE("The solutions of mesh and textures differ by no more than their rows"
       flux += fluxOf(solutions[0].radiosity[e]);
       apart += fluxOf(glm::abs(solutions[0].radiosity[e] - solutions[1].radiosity[e]));
     }
-    // With F the rows, R the reflectances and B the flux, B = E + R F B, so that
-    // |B - B'| <= r |(F - F') B| / (1 - r), with r the largest reflectance. What was not shot would be at most
-    // 1 / (1 - r) of itself in either solution.
+    // Let F be the rows, R the reflectances and B the flux: B = E + R F B. Then |B - B'| <= r |(F - F') B| / (1 - r),
+    // with r the largest reflectance. The unshot flux adds at most 1 / (1 - r) of itself in either solution.
     double elsewhere = 0;
     for (std::uint32_t patch = 0; patch < ofPatch.size(); ++patch)
       elsewhere += differenceOf(rows[0][patch], rows[1][patch]) * ofPatch[patch];

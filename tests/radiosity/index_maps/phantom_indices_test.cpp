@@ -1,4 +1,4 @@
-// Indices that no texel with area produces: how many, by cause, and that rows do not know of them.
+// Phantom indices: their number by cause, and rows that do not contain them.
 #include "radiosity/index_maps/phantom_indices.h"
 
 #include <catch2/catch.hpp>
@@ -32,18 +32,19 @@ Discretization paperRoom(const Scene& scene, int wall, int face) {
 
 }  // namespace
 
-TEST_CASE("the phantoms of the paper's room are those that its sizes foretell", "[phantoms]") {
+TEST_CASE("countPhantoms of the paper's room gives the numbers that follow from its sizes", "[phantoms]") {
   const Scene scene = loadScene(std::string(HEMITEX_DATA) + "/paper-room.obj");
   struct Expected {
     std::string name;
     IdSettings ids;
     std::uint64_t spare, gaps;
   };
-  // Figure 2: six walls of 8 x 8, six faces of 3 x 3 and a light. 64 item IDs are 6 bits: a face leaves 64 - 9 of them,
+  // Figure 2: six walls of 8 x 8, six faces of 3 x 3 and a light. 64 item IDs are 6 bits. A face leaves 64 - 9 of them,
   // up to the next offset or, with one map for all, inside the map. Pages of 8 x 8 hold a wall each, or four faces, or
-  // two faces and the light; pages of 16 x 16 hold four walls, or two walls, six faces and the light. The coarse level:
-  // 6 x 6, 2 x 2 and one, 241 elements. Walls leave 64 - 36, faces 64 - 4. Pages of 8 x 8 hold a wall each, and faces
-  // and light lie in the strips beside the walls.
+  // two faces and the light. Pages of 16 x 16 hold four walls, or two walls, six faces and the light.
+  //
+  // The coarse level has 6 x 6, 2 x 2 and one texel: 241 elements. Walls leave 64 - 36, faces 64 - 4. Pages of 8 x 8
+  // hold a wall each, and faces and light lie in the strips beside the walls.
   const std::vector<Expected> figure{{"shared", {}, 0, 6 * 55},
                                      {"one map for all", withPage(IndexMaps::Shared, 8), 6 * 55, 0},
                                      {"unaligned", {"r8g8b8a8", Blend::IntegerAdd, false}, 0, 0},
@@ -68,8 +69,8 @@ TEST_CASE("the phantoms of the paper's room are those that its sizes foretell", 
   check(paperRoom(scene, 6, 2), coarse);
 }
 
-TEST_CASE("item IDs in use, phantoms and gaps fill the range of item IDs", "[phantoms]") {
-  // Counted by hand: every item ID below the last page's end is a texel with area, one without, or none at all.
+TEST_CASE("countPhantoms plus used item IDs fill the range of item IDs", "[phantoms]") {
+  // Each item ID below the last page's end is a texel with area, a texel without, or no texel.
   const Scene scene = sceneOf({bump(3), lShape(), ring(8), flat("wall", rectangle({0, 0}, {0.75, 0.75}))});
   const Discretization discretization = discretize(scene, {.texels = 12, .surfaceTexels = {{"ring", 17}}});
   std::uint64_t covered = 0;
@@ -86,7 +87,10 @@ TEST_CASE("item IDs in use, phantoms and gaps fill the range of item IDs", "[pha
   }
 }
 
-TEST_CASE("unique maps and unaligned offsets leave none or few, packed pages fewer than shared maps", "[phantoms]") {
+TEST_CASE(
+    "compareIndexMaps finds no or few phantoms for unique maps and unaligned offsets, and fewer for packed pages than "
+    "for shared maps",
+    "[phantoms]") {
   for (const char* name : {"cornell-box", "curved-room", "paper-room", "pyramid-room", "gallery"}) {
     const Scene scene = loadScene(std::string(HEMITEX_DATA) + "/" + name + ".obj");
     const Discretization discretization = discretize(scene, {.texelSize = scene.extent / 40});
@@ -96,18 +100,18 @@ TEST_CASE("unique maps and unaligned offsets leave none or few, packed pages few
       return uses[way].phantoms.spareTexels + uses[way].phantoms.alignmentGaps;
     };
     INFO(name);
-    CHECK(phantomsOf(1) >= phantomsOf(0));  // one map for all leaves the most
+    CHECK(phantomsOf(1) >= phantomsOf(0));  // one map for all has the most phantoms
     CHECK(phantomsOf(3) < phantomsOf(0));   // packing
     CHECK(uses[3].offsets < uses[0].offsets);
     CHECK(uses[2].phantoms.alignmentGaps == 0);  // integer addition
     CHECK(phantomsOf(2) == uses[0].phantoms.spareTexels);
-    CHECK(phantomsOf(4) == 0);  // elements alone
+    CHECK(phantomsOf(4) == 0);  // only elements
     CHECK(uses[4].ids == discretization.elements.size());
     for (std::size_t way = 0; way < 4; ++way) CHECK(uses[way].ids == uses[0].ids);
   }
 }
 
-TEST_CASE("rows hold what is seen, however many phantoms there are", "[phantoms]") {
+TEST_CASE("ProjectedFormFactors store only visible elements, however many phantoms there are", "[phantoms]") {
   const Scene scene = loadScene(std::string(HEMITEX_DATA) + "/cornell-box.obj");
   const Discretization discretization = discretize(scene, {.texels = 9, .patch = 9});
   const std::vector<IdSettings> ways{{.indexMaps = IndexMaps::Unique},
@@ -131,6 +135,6 @@ TEST_CASE("rows hold what is seen, however many phantoms there are", "[phantoms]
     CHECK(row.shares == expected->shares);
     CHECK(row.elements.capacity() < 2 * discretization.elements.size());
   }
-  // 16 surfaces of 9 x 9 texels in maps of 256 x 256: eight hundred phantoms an element.
+  // 16 surfaces of 9 x 9 texels in maps of 256 x 256: eight hundred phantoms per element.
   CHECK(before > 800 * discretization.elements.size() * 9 / 10);
 }

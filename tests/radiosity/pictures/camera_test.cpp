@@ -1,4 +1,4 @@
-/// The camera: framing, and what samples see.
+/// The camera: framing, and the visible points of samples.
 #include "radiosity/pictures/camera.h"
 
 #include <catch2/catch.hpp>
@@ -20,10 +20,11 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A camera that has nothing to do with the axes, inside the room.
+/// A camera in the room in a general direction.
 const Camera skewed{{0.3, -0.2, 0.4}, {-0.7, 0.1, -0.9}, {0.1, 1, 0.2}, 65};
 
-/// Where a pinhole camera shows a point, in pixels from the picture's lower left corner: computed apart from the face.
+/// The place of a point in the picture of a pinhole camera, in pixels from the lower left corner, computed without the
+/// face.
 glm::dvec2 project(const Camera& camera, int width, int height, const glm::dvec3& point) {
   const glm::dvec3 forward = glm::normalize(camera.lookAt - camera.eye);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up)), up = glm::cross(right, forward);
@@ -32,7 +33,7 @@ glm::dvec2 project(const Camera& camera, int width, int height, const glm::dvec3
   return {width / 2.0 + pixels * glm::dot(right, d), height / 2.0 + pixels * glm::dot(up, d)};
 }
 
-/// Where the face draws a point, in the same units.
+/// The place where the face draws a point, in the same units.
 glm::dvec2 drawn(const raster::Face& face, const glm::dvec3& point) {
   const glm::dvec3 d = point - glm::dvec3(face.eye);
   const double w = glm::dot(glm::dvec3(face.w), d);
@@ -93,17 +94,17 @@ int numberOf(const Scene& scene, const std::optional<Visible>& visible) {
 
 }  // namespace
 
-TEST_CASE("the tangent agrees with the library's to the last digits", "[camera]") {
+TEST_CASE("tangentOfDegrees agrees with std::tan to the last digits", "[camera]") {
   CHECK(tangentOfDegrees(0) == 0);
   for (int i = 1; i < 90000; ++i) {
     const double degrees = i / 1000.0;
-    // Beyond 45 degrees the rounding of the angle itself grows; in long double it stays below the tolerance.
+    // Above 45 degrees the rounding of the angle itself matters; in long double it stays below the tolerance.
     const long double expected = std::tan(static_cast<long double>(degrees) * std::numbers::pi_v<long double> / 180);
     REQUIRE(std::fabs(tangentOfDegrees(degrees) - expected) <= 1e-14L * expected);
   }
 }
 
-TEST_CASE("a face frames the picture to the pixel, whatever the parity of its sides", "[camera]") {
+TEST_CASE("cameraFace frames the picture to the pixel, for even and odd sides", "[camera]") {
   const Scene scene = makeRoom();
   for (const auto& [width, height] :
        {std::pair(64, 64), {64, 48}, {63, 64}, {64, 63}, {63, 63}, {17, 100}, {1, 1}, {2, 1}, {1, 7}, {101, 30}}) {
@@ -115,13 +116,13 @@ TEST_CASE("a face frames the picture to the pixel, whatever the parity of its si
     for (const glm::dvec3& point :
          {skewed.lookAt, glm::dvec3(-1, -1, -1), glm::dvec3(-1, 1, 0), glm::dvec3(0, 0, -1)}) {
       const glm::dvec2 expected = project(skewed, width, height, point);
-      // The rows are binary32: 2^-24 of coordinates that are below twice the picture's side.
+      // The rows are binary32: 2^-24 of coordinates below twice the picture's side.
       REQUIRE(glm::distance(drawn(face, point), expected) < 1e-6 * std::max(width, height));
     }
   }
 }
 
-TEST_CASE("the picture spans the field of view from bottom to top", "[camera]") {
+TEST_CASE("cameraFace spans the field of view from bottom to top", "[camera]") {
   const Scene scene = makeRoom();
   const Camera camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 90};
   const raster::Face face = cameraFace(scene, camera, 30, 20);
@@ -130,7 +131,7 @@ TEST_CASE("the picture spans the field of view from bottom to top", "[camera]") 
   CHECK(drawn(face, {1.5, 0, -1}).x == Approx(30).margin(1e-5));
 }
 
-TEST_CASE("a camera that cannot see is the user's fault", "[camera]") {
+TEST_CASE("cameraFace throws InputError for a camera without a valid view", "[camera]") {
   const Scene scene = makeRoom();
   const Camera good{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 60};
   const auto refuses = [&](const Camera& camera, int width = 8, int height = 8) {
@@ -150,7 +151,7 @@ TEST_CASE("a camera that cannot see is the user's fault", "[camera]") {
   refuses({{nan, 0, 0}, good.lookAt, good.up, 60});
 }
 
-TEST_CASE("a sample's point lies in the middle of its pixel", "[camera]") {
+TEST_CASE("visibleSamples gives points in the middle of their pixels", "[camera]") {
   const Scene scene = makeRoom();
   for (const auto& [width, height] : {std::pair(40, 30), {31, 40}}) {
     const auto samples = visibleSamples(scene, skewed, width, height);
@@ -168,7 +169,7 @@ TEST_CASE("a sample's point lies in the middle of its pixel", "[camera]") {
   }
 }
 
-TEST_CASE("samples see what rays meet, but for the rounding of edges", "[camera]") {
+TEST_CASE("visibleSamples sees the triangles that rays meet, except for the rounding of edges", "[camera]") {
   const Camera camera{{0, 0, 0}, {0.1, 0, -1}, {0, 1, 0}, 70};
   constexpr int size = 64;
   int seen = 0;
@@ -180,7 +181,7 @@ TEST_CASE("samples see what rays meet, but for the rounding of edges", "[camera]
         const int number = numberOf(scene, samples[static_cast<std::size_t>(row * size + column)]);
         const glm::dvec2 middle(column + 0.5, size - row - 0.5);
         bool explained = firstHit(scene, camera, size, size, middle) == number;
-        // Snapping moves a corner by at most 1/512 pixel each way.
+        // Snapping moves a corner by at most 1/512 pixel in each direction.
         for (const glm::dvec2& shift : {glm::dvec2(1, 1), glm::dvec2(1, -1), glm::dvec2(-1, 1), glm::dvec2(-1, -1)})
           explained = explained || firstHit(scene, camera, size, size, middle + shift / 400.0) == number;
         REQUIRE(explained);
@@ -190,7 +191,7 @@ TEST_CASE("samples see what rays meet, but for the rounding of edges", "[camera]
   CHECK(seen > 4000);
 }
 
-TEST_CASE("walls that turn their back on the eye are left out", "[camera]") {
+TEST_CASE("trianglesFacingAway are the walls whose backs face the eye", "[camera]") {
   const Scene room = makeRoom();
   CHECK(trianglesFacingAway(room, {0, 0, 0}).empty());
   CHECK(trianglesFacingAway(room, {0, 0, 5}) == std::vector<std::uint32_t>{10, 11});  // the front wall
@@ -198,7 +199,7 @@ TEST_CASE("walls that turn their back on the eye are left out", "[camera]") {
   for (const auto& sample : samples) CHECK((sample && room.surfaces[sample->surface].name == "back"));
 }
 
-TEST_CASE("of two sides in one place the eye sees its own", "[camera]") {
+TEST_CASE("visibleSamples sees the front of two coincident sides", "[camera]") {
   const Surface front = parallelogram("front", {-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
   const Surface back = parallelogram("back", {1, -1, 0}, {-2, 0, 0}, {0, 2, 0});
   const Scene scene = sceneOf({front, back, parallelogram("far", {-9, -9, -9}, {1, 0, 0}, {0, 0, 1})});

@@ -1,4 +1,4 @@
-/// The camera that is chosen where none is given: what a person would choose to look at, judged by rays.
+/// defaultCamera chooses a view that shows much of the scene, tested with rays.
 #include "radiosity/pictures/default_camera.h"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ Hit castRay(const Scene& scene, const glm::dvec3& from, const glm::dvec3& direct
   return hit;
 }
 
-/// What the rays of a picture of 4 : 3 meet, row by row from the top; directions have unit length.
+/// The hits of the rays of a 4 : 3 picture, row by row from the top; directions have unit length.
 constexpr int columns = 32, rows = 24;
 std::vector<Hit> castPicture(const Scene& scene, const Camera& camera) {
   const glm::dvec3 forward = glm::normalize(camera.lookAt - camera.eye);
@@ -109,7 +109,7 @@ Scene furnishedRoomOfTables() {
   return sceneOf(std::move(surfaces));
 }
 
-/// Tables, crates and wardrobes anywhere, the wardrobes higher than eyes.
+/// Tables, crates and wardrobes at random places; wardrobes are higher than the eye.
 Scene randomRoom(unsigned seed) {
   std::mt19937 random(seed);
   const auto draw = [&](double low, double high) { return low + (high - low) * double(random()) / 4294967296.0; };
@@ -178,8 +178,8 @@ TEST_CASE("defaultCamera is never inside furniture and rarely close to it", "[de
   CHECK(close <= 1);
 }
 
-TEST_CASE("defaultCamera avoids posts right before the eye", "[default_camera]") {
-  // Posts before all places of eyes but one.
+TEST_CASE("defaultCamera avoids posts right in front of the eye", "[default_camera]") {
+  // Posts in front of all eye positions except one.
   std::vector<Surface> surfaces = emptyRoom();
   for (const double v : {0.1, 0.3, 0.5, 0.7, 0.9})
     for (const double u : {0.1, 0.3, 0.5, 0.7, 0.9}) {
@@ -248,7 +248,7 @@ TEST_CASE("defaultCamera takes +z for up where a floor shows it", "[default_came
   CHECK(camera.eye.z > 30);
 }
 
-TEST_CASE("defaultCamera sees a thing from outside, from above where that shows a front", "[default_camera]") {
+TEST_CASE("defaultCamera sees a single object from outside, from above if that shows a front", "[default_camera]") {
   const Scene quad = sceneOf({parallelogram("floor", {0, 0, 1}, {1, 0, 0}, {0, 0, -1})});
   CHECK(defaultCamera(quad).eye.y > 0);
   const Scene ceiling = sceneOf({parallelogram("ceiling", {0, 0, 0}, {1, 0, 0}, {0, 0, 1})});

@@ -26,7 +26,7 @@ const Camera straight{{0, 0, 1}, {0, 0, 0}, {0, 1, 0}, 90};
 
 Surface fillingQuad() { return parallelogram("quad", {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}); }
 
-/// Bounds around the quad, without which its scene would have its origin in the quad: nothing that the camera sees.
+/// A surface outside the view that moves the scene's origin away from the quad.
 Surface farAway() { return parallelogram("far", {-1, -1, 3}, {1, 0, 0}, {0, 1, 0}); }
 
 glm::dvec3 pixelAt(const Image& image, int column, int row) {
@@ -68,9 +68,9 @@ std::uint64_t hashOf(const Image& image) {
 
 }  // namespace
 
-TEST_CASE("a texture stands upright and unmirrored", "[picture]") {
-  // Row 0 of an image is its top, v = 0 its bottom: red is above left, where u = 0 and v = 1. Pixel 16 of 66 has its
-  // middle on the first texel's, and its samples lie 1/264 of the map beside it.
+TEST_CASE("unlitPicture shows a texture upright and not mirrored", "[picture]") {
+  // Row 0 of an image is its top, v = 0 its bottom: red is in the upper left, where u = 0 and v = 1. The middle of
+  // pixel 16 of 66 is that of the first texel, and its samples lie 1/264 of the map beside it.
   const Image picture = unlitPicture(mappedScene({2, 2, {red, green, blue, yellow}}), straight, 66, 66);
   CHECK(glm::distance(pixelAt(picture, 16, 16), red) < 0.03);
   CHECK(glm::distance(pixelAt(picture, 49, 16), green) < 0.03);
@@ -78,7 +78,7 @@ TEST_CASE("a texture stands upright and unmirrored", "[picture]") {
   CHECK(glm::distance(pixelAt(picture, 49, 49), yellow) < 0.03);
 }
 
-TEST_CASE("a map is bilinear between its pixels' centres and wraps around", "[picture]") {
+TEST_CASE("unlitColour is bilinear between the centres of a map's pixels, and repeats the map", "[picture]") {
   const Scene scene = mappedScene({2, 1, {glm::dvec3(0.0), glm::dvec3(1.0)}});
   const auto at = [&](double u) {  // along the quad's lower edge, where u is the second weight
     return unlitColour(scene, {.surface = 0, .triangle = 0, .weights = {1 - u, u, 0}}).x;
@@ -92,7 +92,7 @@ TEST_CASE("a map is bilinear between its pixels' centres and wraps around", "[pi
   CHECK(at(0.125) == Approx(0.25));
 }
 
-TEST_CASE("coordinates far outside the map wrap like those inside", "[picture]") {
+TEST_CASE("unlitColour repeats the map for coordinates far outside", "[picture]") {
   Scene scene = mappedScene({2, 1, {glm::dvec3(0.0), glm::dvec3(1.0)}});
   for (glm::dvec2& texcoord : scene.surfaces[0].triangles[0].texcoord) texcoord += glm::dvec2(-7, 1 << 20);
   CHECK(unlitColour(scene, {.surface = 0, .triangle = 0, .weights = {0.5, 0.5, 0}}).x == Approx(0.5));
@@ -100,7 +100,7 @@ TEST_CASE("coordinates far outside the map wrap like those inside", "[picture]")
   CHECK(std::isfinite(unlitColour(scene, {.surface = 0, .triangle = 0, .weights = {0.5, 0.5, 0}}).x));
 }
 
-TEST_CASE("without a map the picture shows Kd, and black where nothing is", "[picture]") {
+TEST_CASE("unlitPicture shows Kd without a map, and black for the background", "[picture]") {
   Scene scene = sceneOf({parallelogram("half", {-1, -1, 0}, {1, 0, 0}, {0, 2, 0}), farAway()});
   scene.materials[0].reflectance = {0.25, 0.5, 0.75};
   const Image picture = unlitPicture(scene, straight, 8, 8);
@@ -109,7 +109,7 @@ TEST_CASE("without a map the picture shows Kd, and black where nothing is", "[pi
       CHECK(pixelAt(picture, column, row) == (column < 4 ? glm::dvec3(0.25, 0.5, 0.75) : glm::dvec3(0.0)));
 }
 
-TEST_CASE("colours of corners are decoded and interpolated", "[picture]") {
+TEST_CASE("unlitColour decodes and interpolates vertex colours", "[picture]") {
   Scene scene = sceneOf({fillingQuad(), farAway()}, {Material{.name = "white", .reflectance = glm::dvec3(1.0)}});
   scene.surfaces[0].triangles[0].cornerColor = {glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(0.5, 2, -1)};
   const glm::dvec3 colour = unlitColour(scene, {.surface = 0, .triangle = 0, .weights = {0.25, 0.25, 0.5}});
@@ -118,7 +118,7 @@ TEST_CASE("colours of corners are decoded and interpolated", "[picture]") {
   CHECK(colour.z == Approx(0.25));
 }
 
-TEST_CASE("an unfiltered picture shows one value an element, v upwards", "[picture]") {
+TEST_CASE("elementPicture shows one value per element, v upwards", "[picture]") {
   const Scene scene = sceneOf({fillingQuad(), farAway()});
   Discretization discretization;
   addGrid(discretization, 2, 2);
@@ -130,12 +130,12 @@ TEST_CASE("an unfiltered picture shows one value an element, v upwards", "[pictu
       CHECK(pixelAt(picture, column, row) == (row < 4 ? (column < 4 ? red : green) : (column < 4 ? blue : yellow)));
 }
 
-TEST_CASE("a picture that is too large is the user's fault", "[picture]") {
+TEST_CASE("drawPicture throws InputError for a picture that is too large", "[picture]") {
   const Scene scene = makeRoom();
   CHECK_THROWS_AS(unlitPicture(scene, straight, 2049, 1), raster::InputError);
 }
 
-TEST_CASE("texels of an index map that touch can be told apart", "[picture]") {
+TEST_CASE("indexMapImage gives adjacent texels different levels", "[picture]") {
   for (int columns = 1; columns <= 20; ++columns)
     for (int rows = 1; rows <= 20; ++rows) {
       const Image map = indexMapImage(columns, rows, 1);
@@ -149,7 +149,7 @@ TEST_CASE("texels of an index map that touch can be told apart", "[picture]") {
     }
 }
 
-TEST_CASE("the index map on a quad is the index map, v upwards", "[picture]") {
+TEST_CASE("indexMapPicture of a quad is the index map, v upwards", "[picture]") {
   const Scene scene = sceneOf({fillingQuad(), farAway()});
   Discretization discretization;
   addGrid(discretization, 4, 2);
@@ -157,13 +157,13 @@ TEST_CASE("the index map on a quad is the index map, v upwards", "[picture]") {
   const IdLayout layout = layOut(discretization, {"r8g8b8", raster::Blend::ClampedAdd, true});
   const Image seen = indexMapPicture(scene, discretization, layout, straight, 16, 16);
   const Image map = indexMapImage(4, 2, 1);
-  CHECK(codesAt(map, 0, 1) == glm::ivec3(15));  // texel 0 is below left, and the darkest
+  CHECK(codesAt(map, 0, 1) == glm::ivec3(15));  // texel 0 is in the lower left, and the darkest
   for (int row = 0; row < 16; ++row)
     for (int column = 0; column < 16; ++column)
       REQUIRE(pixelAt(seen, column, row) == pixelAt(map, column / 4, row / 8));
 }
 
-TEST_CASE("in codes, the picture of item IDs is that of index maps plus that of offsets", "[picture]") {
+TEST_CASE("idPicture is the sum of indexMapPicture and offsetPicture, in codes", "[picture]") {
   const Room room;
   const Camera camera{{0.3, -0.2, 0.4}, {-0.7, 0.1, -0.9}, {0.1, 1, 0.2}, 90};
   const auto draw = [&](auto picture) { return picture(room.scene, room.discretization, room.layout, camera, 60, 50); };
@@ -177,9 +177,9 @@ TEST_CASE("in codes, the picture of item IDs is that of index maps plus that of 
   CHECK(levels.size() == 16);
 }
 
-TEST_CASE("what a clamped add makes of unaligned offsets is shown where it goes wrong, and counted", "[picture]") {
-  // The far grid's 250 item IDs come first, so that the quad's are 250 to 265, and a channel of 8 bits ends at 255:
-  // texels 6 to 15 all become 255, the item ID of texel 5.
+TEST_CASE("blendErrorPicture shows and counts the errors of a clamped add with unaligned offsets", "[picture]") {
+  // The far grid's 250 item IDs come first, so that the quad's are 250 to 265, and a channel of 8 bits ends at 255. So
+  // texels 6 to 15 become 255, the item ID of texel 5.
   const Scene scene = sceneOf({farAway(), fillingQuad()});
   Discretization discretization;
   addGrid(discretization, 25, 10);
@@ -199,12 +199,12 @@ TEST_CASE("what a clamped add makes of unaligned offsets is shown where it goes 
     }
   CHECK(errorsOf({"r8g8b8", raster::Blend::ClampedAdd, true}).pixels == 0);
   CHECK(errorsOf({"r8g8b8", raster::Blend::IntegerAdd, false}).pixels == 0);
-  // 16 bits in channels of 5, 6 and 5: the sum overflows the first.
+  // 16 bits in channels of 5, 6 and 5: the sum overflows the first channel.
   CHECK(errorsOf({"r5g6b5", raster::Blend::ClampedAdd, false}).pixels > 0);
   CHECK(errorsOf({.format = "r8g8b8", .indexMaps = IndexMaps::Unique}).pixels == 0);
 }
 
-TEST_CASE("in the pictures of item IDs packed surfaces share the hue of their page, unique ones have levels",
+TEST_CASE("offsetPicture gives packed surfaces the hue of their page, and indexMapPicture gives unique maps levels",
           "[picture]") {
   const Room room;
   const Camera camera{{0.3, -0.2, 0.4}, {-0.7, 0.1, -0.9}, {0.1, 1, 0.2}, 90};
@@ -225,7 +225,7 @@ TEST_CASE("in the pictures of item IDs packed surfaces share the hue of their pa
   CHECK(coloursOf({.indexMaps = IndexMaps::Unique}, indexMapPicture).size() == 16);
 }
 
-TEST_CASE("a wireframe shows polygons, not their triangles", "[picture]") {
+TEST_CASE("wireframePicture shows polygons, not their triangles", "[picture]") {
   const Scene whole = sceneOf({fillingQuad(), farAway()});
   for (const glm::dvec3& pixel : wireframePicture(whole, straight, 16, 16).pixels) REQUIRE(pixel == glm::dvec3(1.0));
 
@@ -240,7 +240,7 @@ TEST_CASE("a wireframe shows polygons, not their triangles", "[picture]") {
     }
 }
 
-TEST_CASE("a mesh shows the borders of elements, one pixel wide", "[picture]") {
+TEST_CASE("meshPicture shows the borders of elements, one pixel wide", "[picture]") {
   const Scene scene = sceneOf({fillingQuad(), farAway()});
   Discretization discretization;
   addGrid(discretization, 4, 2);
@@ -256,16 +256,16 @@ TEST_CASE("a mesh shows the borders of elements, one pixel wide", "[picture]") {
     }
 }
 
-TEST_CASE("an unfolded hemicube shows the ceiling in the middle and the walls around it", "[picture]") {
+TEST_CASE("hemicubePicture shows the ceiling in the middle and the walls around it", "[picture]") {
   const Room room;
   raster::SoftwareRenderer renderer(makeDrawList(room.scene, room.discretization, room.layout));
-  // Over the floor's middle, its rows towards the back wall.
+  // Over the floor's middle, rows towards the back wall.
   const auto faces = facesOver(hemicubeFaces(32), {0, -0.999, 0}, {0, 1, 0}, {0, 0, -1}, 1e-4);
   const std::vector<raster::ItemBuffer> buffers = render(renderer, faces, {});
   const Image picture = hemicubePicture(room.layout, faces, buffers);
   REQUIRE(picture.width == 64);
-  // What the floor's middle sees, looking up with its head towards the back wall: left and right change places for
-  // someone who lies on his back, as they do on a map of the sky.
+  // The view from the floor's middle upwards, with the back wall at the top. Left and right are exchanged, as on a map
+  // of the sky.
   const auto hueAt = [&](int column, int row) {
     const glm::ivec3 codes = codesAt(picture, column, row);
     return codes - std::min({codes.x, codes.y, codes.z});
@@ -286,7 +286,7 @@ TEST_CASE("an unfolded hemicube shows the ceiling in the middle and the walls ar
   CHECK(codesAt(picture, 5, 5) == glm::ivec3(160));
 }
 
-TEST_CASE("pictures are the same pixels on every machine", "[picture]") {
+TEST_CASE("unlitPicture gives the same pixels on all machines", "[picture]") {
   const Room room;
   const Camera camera{glm::dvec3(-2.0 / 3), {0, 0, 0}, {0, 1, 0}, 60};
   CHECK(hashOf(idPicture(room.scene, room.discretization, room.layout, camera, 80, 60)) == 0x43534eded0eafb4cu);

@@ -1,4 +1,5 @@
-// The cubic tetrahedron: delta form factors against Lambert's contour integral, faces that partition the half space.
+// The cubic tetrahedron: delta form factors compared with Lambert's contour integral, and faces that partition the half
+// space.
 #include "radiosity/projection/cubic_tetrahedron.h"
 
 #include <catch2/catch.hpp>
@@ -17,7 +18,7 @@ class Face {
  public:
   Face(const ProjectionFace& face, int resolution) : face_(face), resolution_(resolution) {}
 
-  /// From the origin, whose normal is the projection's; the part below the horizon is cut off.
+  /// From the origin with the projection's normal; the part below the horizon is cut off.
   double formFactorTo(std::vector<glm::dvec2> pixels) const {
     std::vector<glm::dvec3> polygon;
     for (const glm::dvec2& p : pixels) polygon.push_back(at(p));
@@ -27,7 +28,7 @@ class Face {
   }
 
  private:
-  /// The point at w = 1 that a place of the viewport shows.
+  /// The point at w = 1 of a place in the viewport.
   glm::dvec3 at(const glm::dvec2& p) const {
     const glm::dmat3 rows = glm::transpose(glm::dmat3(face_.x, face_.y, face_.w));
     return glm::inverse(rows) * glm::dvec3(2 * p.x / resolution_ - 1, 2 * p.y / resolution_ - 1, 1);
@@ -39,7 +40,7 @@ class Face {
 
 }  // namespace
 
-TEST_CASE("the delta form factors of a cubic tetrahedron sum to exactly one", "[tetrahedron]") {
+TEST_CASE("cubicTetrahedron has delta form factors that sum to exactly one", "[tetrahedron]") {
   for (const int resolution : {2, 4, 6, 10, 30, 32, 64, 100, 128, 254, 256, 512}) {
     const Projection tetrahedron = cubicTetrahedron(resolution);
     std::uint64_t total = 0;
@@ -50,8 +51,7 @@ TEST_CASE("the delta form factors of a cubic tetrahedron sum to exactly one", "[
   }
 }
 
-TEST_CASE("the delta form factors of a cubic tetrahedron are the same across its faces and their diagonals",
-          "[tetrahedron]") {
+TEST_CASE("cubicTetrahedron has equal delta form factors on all faces and across their diagonals", "[tetrahedron]") {
   const Projection tetrahedron = cubicTetrahedron(64);
   for (int j = 0; j < 64; ++j)
     for (int i = 0; i < 64; ++i) {
@@ -63,10 +63,9 @@ TEST_CASE("the delta form factors of a cubic tetrahedron are the same across its
     }
 }
 
-TEST_CASE("the delta form factors of a cubic tetrahedron are the integrals over what its pixels stand for",
-          "[tetrahedron]") {
-  // The reference is good to 1e-9. A pixel along the horizon has the part of its square above it and a half of the
-  // corners that reach above it beside: of triangles with sides of half a pixel along the grid.
+TEST_CASE("cubicTetrahedron has the integrals over the areas of its pixels as delta form factors", "[tetrahedron]") {
+  // The reference is accurate to 1e-9. A pixel along the horizon has the part of its square above it, and half of the
+  // corners above the horizon beside it. These corners are triangles with sides of half a pixel along the grid.
   for (const int resolution : {2, 6, 16, 64}) {
     const Projection tetrahedron = cubicTetrahedron(resolution);
     for (std::size_t f = 0; f < 3; ++f) {
@@ -93,8 +92,8 @@ TEST_CASE("the delta form factors of a cubic tetrahedron are the integrals over 
   }
 }
 
-TEST_CASE("every direction over the horizon is seen by exactly one face of a cubic tetrahedron", "[tetrahedron]") {
-  // But for three tips half a pixel wide along the horizon, which no pixel reaches.
+TEST_CASE("cubicTetrahedron sees each direction above the horizon with exactly one face", "[tetrahedron]") {
+  // Except three tips half a pixel wide along the horizon, which no pixel covers.
   constexpr int resolution = 64;
   const std::vector<ProjectionFace> faces = cubicTetrahedronFaces(resolution);
   std::mt19937 random(3);
@@ -111,9 +110,8 @@ TEST_CASE("every direction over the horizon is seen by exactly one face of a cub
   }
 }
 
-TEST_CASE("no sample of a cubic tetrahedron lies near the horizon, and those above it are within its reach",
-          "[tetrahedron]") {
-  // A quarter of a pixel's diagonal is all that lies between the horizon and the samples on both of its sides.
+TEST_CASE("cubicTetrahedron has no sample near the horizon, and those above it are within its reach", "[tetrahedron]") {
+  // The samples on both sides of the horizon are at least a quarter of a pixel's diagonal away from it.
   for (const int resolution : {2, 64, 4096}) {
     const std::vector<ProjectionFace> faces = cubicTetrahedronFaces(resolution);
     const Projection tetrahedron{faces, {}, wholeShare, 6};

@@ -1,4 +1,4 @@
-// The hemicube: delta form factors against closed forms, faces that partition the half space.
+// The hemicube: delta form factors compared with closed forms, and faces that partition the half space.
 #include "radiosity/projection/hemicube.h"
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ using tests::pixel;
 using tests::toParallel;
 using tests::toPerpendicular;
 
-TEST_CASE("the delta form factors of all five faces sum to exactly one", "[hemicube]") {
+TEST_CASE("hemicube has delta form factors on its five faces that sum to exactly one", "[hemicube]") {
   for (const int resolution : {2, 4, 6, 10, 30, 32, 64, 100, 128, 254, 256, 512, 1024}) {
     const Projection projection = hemicube(resolution);
     std::uint64_t total = 0;
@@ -25,9 +25,9 @@ TEST_CASE("the delta form factors of all five faces sum to exactly one", "[hemic
   }
 }
 
-TEST_CASE("the delta form factors are the closed integrals over their pixels", "[hemicube]") {
-  // The quadrature is exact to 1e-14 relative; the closed forms lose digits where corners cancel, four terms below
-  // 1/4, each to about 1e-16.
+TEST_CASE("hemicube has the closed integrals over its pixels as delta form factors", "[hemicube]") {
+  // The quadrature is exact to 1e-14, relative. The closed forms lose digits where corners cancel: four terms below
+  // 1/4, each accurate to about 1e-16.
   for (const int resolution : {2, 8, 32, 128, 512}) {
     const Projection projection = hemicube(resolution);
     bool holds = true;
@@ -51,7 +51,7 @@ TEST_CASE("the delta form factors are the closed integrals over their pixels", "
         }
     INFO("resolution " << resolution);
     CHECK(holds);
-    // Whole faces: four corners of toParallel(1, 1), two of toPerpendicular(1, 1) of every side.
+    // Whole faces: four corners of toParallel(1, 1), two of toPerpendicular(1, 1) of each side.
     CHECK(top == Approx(4 * toParallel(1, 1)).epsilon(1e-13));
     CHECK(side == Approx(8 * toPerpendicular(1, 1)).epsilon(1e-13));
   }
@@ -59,7 +59,7 @@ TEST_CASE("the delta form factors are the closed integrals over their pixels", "
   CHECK(2 * toPerpendicular(1, 1) == Approx(0.111468394005107).epsilon(1e-14));
 }
 
-TEST_CASE("every direction over the horizon is seen by exactly one pixel of the five faces", "[rows]") {
+TEST_CASE("hemicubeFaces see each direction above the horizon with exactly one pixel", "[rows]") {
   std::mt19937 random(3);
   std::normal_distribution<double> gauss;
   for (int repeat = 0; repeat < 200; ++repeat) {
@@ -77,7 +77,7 @@ TEST_CASE("every direction over the horizon is seen by exactly one pixel of the 
         const raster::Scissor& s = face.scissor;
         seen += w > 0 && i >= s.column && i < s.column + s.width && j >= s.row && j < s.row + s.height;
       }
-      // The rows are rounded to binary32, so a direction that close to the horizon is not asked for.
+      // The rows are rounded to binary32, so that directions very close to the horizon are not tested.
       if (std::abs(glm::dot(d, normal)) > 1e-6) CHECK(seen == (glm::dot(d, normal) > 0 ? 1 : 0));
     }
     for (const raster::Face& face : faces) CHECK(raster::determinant(face) == Approx(1).epsilon(1e-6));

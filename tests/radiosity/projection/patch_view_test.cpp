@@ -1,4 +1,4 @@
-// Where a projection stands: what it leaves out, and how near it looks.
+// The view of a projection: its skipped triangles and its near distance.
 #include "radiosity/projection/patch_view.h"
 
 #include <algorithm>
@@ -16,15 +16,15 @@
 using namespace hemitex;
 using namespace hemitex::radiosity;
 
-TEST_CASE("the near distance of a hemicube is the distance to the nearest triangle over the square root of three",
+TEST_CASE("nearDistance of a hemicube is the distance to the nearest triangle over the square root of three",
           "[view]") {
   const Scene cube = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
   const double root3 = std::sqrt(3.0);
-  // On the floor (triangles 4 and 5 are left out), 0.2 from the left wall.
+  // On the floor (triangles 4 and 5 are skipped), 0.2 from the left wall.
   CHECK(nearDistance(cube, {0.2, 0, 0.6}, {4, 5}, hemicubeSquaredReach) == Approx(0.2 / root3).epsilon(1e-12));
-  // Nothing left out: the point lies on the floor itself.
+  // Without skipped triangles, the point lies on the floor itself.
   CHECK(nearDistance(cube, {0.2, 0, 0.6}, {}, hemicubeSquaredReach) == smallestNearDistance * cube.extent);
-  // Nearest to an edge and to a corner of a lone square in the plane y = 0, from outside of it.
+  // Nearest to an edge and to a corner of a single square in the plane y = 0, from outside of it.
   Scene lone;
   lone.surfaces = {tests::quad("lone", {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}})};
   lone.extent = 10;
@@ -34,8 +34,8 @@ TEST_CASE("the near distance of a hemicube is the distance to the nearest triang
   CHECK(nearDistance(lone, {0.5, 0.3, -0.4}, {0, 1}, hemicubeSquaredReach) == lone.extent);
 }
 
-TEST_CASE("the nearest triangle is the same whether boxes are looked into first or not", "[view]") {
-  // Single triangles, a scene each, say how far each of them is.
+TEST_CASE("nearDistance is the same with and without boxes", "[view]") {
+  // Single triangles, each as a scene of its own, give the distance of each of them.
   std::mt19937 random(5);
   std::uniform_real_distribution<double> coordinate(-1, 1);
   const auto point = [&] { return glm::dvec3{coordinate(random), coordinate(random), coordinate(random)}; };
@@ -66,7 +66,7 @@ TEST_CASE("the nearest triangle is the same whether boxes are looked into first 
   }
 }
 
-TEST_CASE("a view leaves out its own surface's triangles in the tangent plane, and no others", "[view]") {
+TEST_CASE("skippedTriangles are those of the own surface in the tangent plane, and no others", "[view]") {
   Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
   // A second piece of floor beside the first, coplanar but another surface, and a bent quad.
   scene.surfaces.push_back(tests::quad("beside", {{{1, 0, 0}, {1, 0, 1}, {2, 0, 1}, {2, 0, 0}}}));
@@ -77,12 +77,12 @@ TEST_CASE("a view leaves out its own surface's triangles in the tangent plane, a
   CHECK(skippedTriangles(scene, 7, {{0.6, 3, 0}, bent, 0}) == std::vector<std::uint32_t>{14});
 }
 
-TEST_CASE("the triangles left out are the same whether boxes are looked into first or not", "[view]") {
+TEST_CASE("skippedTriangles are the same with and without boxes", "[view]") {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> coordinate(-1, 1);
   for (const glm::dvec3& normal : {glm::dvec3(0, 1, 0), glm::dvec3(0, 0, -1), glm::normalize(glm::dvec3(3, -1, 2))}) {
     // Runs of triangles in the tangent plane, next to it on either side of the tolerance, across it and far from it; a
-    // surface with a twin, and one that is neither.
+    // surface with a twin, and one without.
     const SurfacePoint point{{0.3, -0.2, 0.7}, normal, 0};
     const glm::dvec3 x = tangentAlong(normal, glm::dvec3(0)), y = glm::cross(normal, x);
     Scene scene;
@@ -114,7 +114,7 @@ TEST_CASE("the triangles left out are the same whether boxes are looked into fir
         scene.surfaces[s].triangles.push_back(triangle);
       }
     CHECK(skippedTriangles(scene, 0, point) == expected);
-    // Without twins, the tangent plane alone.
+    // Without twins, only the tangent plane matters.
     scene.surfaces[0].twin = scene.surfaces[1].twin = {};
     std::erase_if(expected, [&](std::uint32_t t) {
       if (t >= scene.surfaces[0].triangles.size()) return true;

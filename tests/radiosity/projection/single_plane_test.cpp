@@ -1,4 +1,4 @@
-// The single plane: delta form factors against closed forms, and what is captured.
+// The single plane: delta form factors compared with closed forms, and the captured share.
 #include "radiosity/projection/single_plane.h"
 
 #include <catch2/catch.hpp>
@@ -11,9 +11,9 @@ using namespace hemitex::radiosity;
 using tests::pixel;
 using tests::toParallel;
 
-TEST_CASE("a single plane captures the form factor of its square", "[plane]") {
-  // Four corners of toParallel(t, t) are 4/pi c atan(c), c = t / sqrt(1 + t^2). Every pixel is rounded by up to half a
-  // unit of 2^-60; the quadrature is good to 1e-14.
+TEST_CASE("singlePlane captures the form factor of its square", "[plane]") {
+  // Four corners of toParallel(t, t) are 4/pi c atan(c), c = t / sqrt(1 + t^2). Each pixel is rounded by up to half a
+  // unit of 2^-60; the quadrature is accurate to 1e-14.
   for (const int resolution : {2, 10, 64, 256})
     for (const double halfWidth : {1.0, 2.0, 3.5, 4.0, 16.0}) {
       const Projection plane = singlePlane(resolution, halfWidth);
@@ -25,7 +25,7 @@ TEST_CASE("a single plane captures the form factor of its square", "[plane]") {
     }
 }
 
-TEST_CASE("the delta form factors of a single plane are the closed integrals over its pixels", "[plane]") {
+TEST_CASE("singlePlane has the closed integrals over its pixels as delta form factors", "[plane]") {
   for (const int resolution : {2, 16, 128}) {
     const Projection plane = singlePlane(resolution);
     const auto edge = [resolution](int i) { return planeHalfWidth * (2.0 * i / resolution - 1); };
@@ -33,7 +33,7 @@ TEST_CASE("the delta form factors of a single plane are the closed integrals ove
     for (int j = 0; j < resolution; ++j)
       for (int i = 0; i < resolution; ++i) {
         const double exact = pixel(toParallel, edge(i), edge(i + 1), edge(j), edge(j + 1));
-        // Four terms below 1/4, each to about 1e-16.
+        // Four terms below 1/4, each accurate to about 1e-16.
         holds &= std::abs(formFactor(shareOf(plane, 0, i, j)) - exact) <= 1e-14 * exact + 4e-16;
       }
     INFO("R = " << resolution);
@@ -41,11 +41,11 @@ TEST_CASE("the delta form factors of a single plane are the closed integrals ove
   }
 }
 
-TEST_CASE("a single plane sees what lies within its half width, and no deeper than its reach", "[plane]") {
+TEST_CASE("singlePlane sees points within its half width, up to its reach", "[plane]") {
   const Projection plane = singlePlane(64);
   const auto faces = facesOver(plane.faces, {0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 0.1);
   REQUIRE(faces.size() == 1);
-  // The corner of the square, at a distance whose square is the reach's.
+  // The corner of the square, whose squared distance is the squared reach.
   const glm::dvec3 corner(planeHalfWidth, planeHalfWidth, 1);
   CHECK(glm::dot(glm::dvec3(faces[0].x), corner) == 1);
   CHECK(glm::dot(glm::dvec3(faces[0].y), corner) == 1);

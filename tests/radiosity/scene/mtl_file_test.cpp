@@ -1,4 +1,4 @@
-// MTL files: reflectance, emission and maps, and what is refused with its line.
+// parseMaterials: reflectance, emission and maps, and errors with their line.
 #include "radiosity/scene/mtl_file.h"
 
 #include <catch2/catch.hpp>
@@ -10,7 +10,7 @@ using namespace hemitex;
 using radiosity::MaterialStatement;
 using radiosity::parseMaterials;
 
-TEST_CASE("what is wrong in an MTL file is refused with its line", "[material]") {
+TEST_CASE("parseMaterials throws InputError with the line of an error", "[material]") {
   struct Case {
     std::string text;
     int line;
@@ -49,7 +49,7 @@ TEST_CASE("parseMaterials compares Ke as a radiosity with the largest emission",
   CHECK_THROWS_WITH(read("3.2e29", EmissionUnit::Radiance), Catch::Contains("room.mtl:2: Ke is above 1e30 / pi"));
 }
 
-TEST_CASE("materials hold what the file says and nothing else", "[material]") {
+TEST_CASE("parseMaterials returns only the values that the file states", "[material]") {
   const std::vector<MaterialStatement> materials = parseMaterials(
       "Kd 9 9 9\n# a comment\nnewmtl red paint\nKa x\n\tKd 0.7 0.1 0.1 # dull\nNs 10\n"
       "newmtl lamp\nKe 12\nKd 0 0 0\nillum 2\nnewmtl bare\n",
@@ -65,7 +65,7 @@ TEST_CASE("materials hold what the file says and nothing else", "[material]") {
   CHECK_FALSE(materials[2].reflectanceMap);
 }
 
-TEST_CASE("maps are named behind their options", "[material]") {
+TEST_CASE("parseMaterials reads the file name of a map behind its options", "[material]") {
   struct Case {
     std::string line, image;
     bool hasOptions;

@@ -1,4 +1,4 @@
-// OBJ files: numbers are read exactly and refused with their line, and structure is what the format says.
+// parseObj: exact numbers, errors with their line, and the structure of the format.
 #include "radiosity/scene/obj_file.h"
 
 #include <catch2/catch.hpp>
@@ -39,7 +39,7 @@ std::string sectionsOf(const ObjFile& obj) {
 
 }  // namespace
 
-TEST_CASE("what is wrong in an OBJ file is refused with its line", "[obj]") {
+TEST_CASE("parseObj throws InputError with the line of an error", "[obj]") {
   struct Case {
     std::string text;
     int line;
@@ -99,8 +99,9 @@ TEST_CASE("what is wrong in an OBJ file is refused with its line", "[obj]") {
   }
 }
 
-TEST_CASE("numbers are the nearest binary64 ones", "[obj]") {
-  // The compiler rounds its literals correctly; none of these survives a detour over float or repeated powers of ten.
+TEST_CASE("parseObj rounds numbers to the nearest double", "[obj]") {
+  // The compiler rounds its literals correctly; none of these survives a conversion through float or repeated powers of
+  // ten.
   const ObjFile obj = parseObj("v 0.1 123456789.123456789 1e-320\nv +1.5 .5 2.\nv 1E+5 -0 17976931348623157e-1\n", "");
   CHECK(obj.positions[0] == glm::dvec3(0.1, 123456789.123456789, 1e-320));
   CHECK(obj.positions[1] == glm::dvec3(1.5, 0.5, 2));
@@ -108,7 +109,7 @@ TEST_CASE("numbers are the nearest binary64 ones", "[obj]") {
   CHECK_FALSE(std::signbit(obj.positions[2].y));
 }
 
-TEST_CASE("blanks, comments, line ends and a byte order mark change nothing", "[obj]") {
+TEST_CASE("parseObj ignores blanks, comments, line ends and a byte order mark", "[obj]") {
   const auto text = GENERATE(values<std::string>({
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.5 1\ng wall\nusemtl red\nf 1/1 2/1 3/1\n",
       "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nvt 0.5 1\r\ng wall\r\nusemtl red\r\nf 1/1 2/1 3/1\r\n",
@@ -130,7 +131,7 @@ TEST_CASE("blanks, comments, line ends and a byte order mark change nothing", "[
   CHECK(sectionsOf(obj) == "wall:red");
 }
 
-TEST_CASE("indices count from the start, or back from where the face stands, and may point forward", "[obj]") {
+TEST_CASE("parseObj counts indices from the start, or back from the face, and lets them point forward", "[obj]") {
   const ObjFile obj =
       parseObj("f 1 2 3\n" + triangle + "f -3 -2 -1\nvt 0 0\nv 2 2 2\nf -1/-1 1 2\nf 1// 2//1 4\nvn 0 0 1\n", "");
   CHECK(cornersOf(obj, 0) == "0 1 2");
@@ -141,7 +142,7 @@ TEST_CASE("indices count from the start, or back from where the face stands, and
   CHECK(obj.polygons[3].line == 9);
 }
 
-TEST_CASE("a face may have more corners than a byte counts", "[obj]") {
+TEST_CASE("parseObj reads faces with more corners than a byte can count", "[obj]") {
   std::string vertices, face = "f";
   for (int i = 1; i <= 1000; ++i) {
     vertices += "v " + std::to_string(i) + " 0 0\n";
@@ -152,7 +153,7 @@ TEST_CASE("a face may have more corners than a byte counts", "[obj]") {
   CHECK(obj.polygons[0].cornerCount == 1000);
 }
 
-TEST_CASE("a vertex has a colour where three or four numbers follow its position", "[obj]") {
+TEST_CASE("parseObj reads a vertex colour from three or four numbers behind the position", "[obj]") {
   const ObjFile obj = parseObj("v 0 0 0 0.25 0.5 1\nv 0 0 0\nv 0 0 0 1\nv 0 0 0 1 0 0 1\n", "");
   REQUIRE(obj.colors.size() == 4);
   CHECK(obj.colors[0] == glm::dvec3(0.25, 0.5, 1));
@@ -161,7 +162,7 @@ TEST_CASE("a vertex has a colour where three or four numbers follow its position
   CHECK(obj.colors[3] == glm::dvec3(1, 0, 0));
 }
 
-TEST_CASE("faces with the same group and material share a section, wherever they stand", "[obj]") {
+TEST_CASE("parseObj puts faces with the same group and material into one section, wherever they are", "[obj]") {
   struct Case {
     std::string structure, sections;
   };
@@ -185,12 +186,12 @@ TEST_CASE("faces with the same group and material share a section, wherever they
   }
 }
 
-TEST_CASE("material libraries are noted as they are written", "[obj]") {
+TEST_CASE("parseObj returns material libraries as they are written", "[obj]") {
   const ObjFile obj = parseObj("mtllib a.mtl b.mtl # both\nmtllib\n mtllib my room.mtl \n", "");
   CHECK(obj.materialLibraries == std::vector<std::string>{"a.mtl b.mtl", "my room.mtl"});
 }
 
-TEST_CASE("a file that cannot be read is refused by name", "[obj]") {
+TEST_CASE("readObj names a file that cannot be read", "[obj]") {
   const TemporaryFolder folder;
   CHECK_THROWS_WITH(radiosity::readObj(folder.path / "none.obj"), Catch::Contains("none.obj: cannot be read"));
   CHECK_THROWS_WITH(radiosity::readObj(folder.path), Catch::Contains(folder.path.string() + ": cannot be read"));

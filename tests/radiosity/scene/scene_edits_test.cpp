@@ -1,4 +1,4 @@
-// Edits of a scene: what they change, and that all else stays.
+// Edits of a scene: their changes, and all else unchanged.
 #include "radiosity/scene/scene_edits.h"
 
 #include <catch2/catch.hpp>
@@ -42,7 +42,7 @@ std::string messageOf(const std::vector<Edit>& edits) {
 
 }  // namespace
 
-TEST_CASE("a move shifts the corners of all that is named and nothing else", "[scene_edits]") {
+TEST_CASE("edited with Move shifts the corners of the named surfaces and nothing else", "[scene_edits]") {
   const Scene before = squares();
   for (const char* name : {"pair", "pai*"}) {
     const EditedScene edit = edited(before, {}, {{Move{name, {0.5, 0, 0.25}}}});
@@ -59,7 +59,7 @@ TEST_CASE("a move shifts the corners of all that is named and nothing else", "[s
   }
 }
 
-TEST_CASE("what is removed can be put back, at the end, and what is twice gone is an error", "[scene_edits]") {
+TEST_CASE("edited with Restore appends removed surfaces, and removing them twice is an error", "[scene_edits]") {
   EditedScene edit = edited(squares(), {}, {{Remove{"pair"}}});
   CHECK(namesOf(edit.scene.surfaces) == std::vector<std::string>{"square0", "square3"});
   CHECK(edit.origins[1].former == 3U);
@@ -72,7 +72,8 @@ TEST_CASE("what is removed can be put back, at the end, and what is twice gone i
   CHECK(namesOf(edit.removed) == std::vector<std::string>{"square1"});
 }
 
-TEST_CASE("both sides of a surface come and go as one, and know each other by their new numbers", "[scene_edits]") {
+TEST_CASE("edited removes and restores both sides of a surface, and updates the twin indices of both sides",
+          "[scene_edits]") {
   Scene scene = squares();
   for (int s = 0; s < 4; ++s) {
     Surface back = scene.surfaces[static_cast<std::size_t>(s)];
@@ -92,7 +93,7 @@ TEST_CASE("both sides of a surface come and go as one, and know each other by th
     }
 }
 
-TEST_CASE("a surface gets a material of its own where its emission or reflectance is set", "[scene_edits]") {
+TEST_CASE("edited with SetEmission or SetReflectance gives a surface its own material", "[scene_edits]") {
   const EditedScene edit =
       edited(squares(), {}, {{SetEmission{"pair", {1, 2, 3}}, SetReflectance{"square1", {0.1, 0.2, 0.3}}}});
   const auto materialOf = [&](std::size_t s) {
@@ -106,7 +107,7 @@ TEST_CASE("a surface gets a material of its own where its emission or reflectanc
   CHECK_FALSE(edit.origins[1].isMoved);
 }
 
-TEST_CASE("added objects get names that are free", "[scene_edits]") {
+TEST_CASE("edited with Add gives added objects names that are free", "[scene_edits]") {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "more.obj") << "v 0 0 0\nv 1 0 0\nv 1 1 0\ng square0\nf 1 2 3\ng other\nf 3 2 1\n";
   const EditedScene edit = edited(squares(), {}, {{Add{folder.path / "more.obj", {}, {0, 0, 3}}}});
@@ -118,7 +119,7 @@ TEST_CASE("added objects get names that are free", "[scene_edits]") {
   CHECK(edit.scene.surfaces[4].material == 1);
 }
 
-TEST_CASE("edits that cannot be made are told with what to do", "[scene_edits]") {
+TEST_CASE("edited throws InputError with advice for invalid edits", "[scene_edits]") {
   CHECK(messageOf({Move{"squar1", glm::dvec3(0)}}).find("`square0`") != std::string::npos);
   CHECK(messageOf({Restore{"square1"}}).find("nothing was removed") != std::string::npos);
   CHECK(messageOf({Move{"square0", glm::dvec3(1e6)}}).find("extents") != std::string::npos);
@@ -130,7 +131,7 @@ TEST_CASE("edits that cannot be made are told with what to do", "[scene_edits]")
   CHECK(messageOf({Remove{"square*"}}).empty());
 }
 
-TEST_CASE("what stays keeps its elements, patches and turns, and what is new is discretized by itself",
+TEST_CASE("carried keeps elements, patches and rotations of kept surfaces, and discretizes new ones alone",
           "[scene_edits]") {
   const Scene before = squares();
   const DiscretizationSettings settings{.texels = 4, .surfaceTexels = {{"square0", 8}, {"square3", 2}}, .patch = 2};

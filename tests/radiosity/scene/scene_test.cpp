@@ -1,4 +1,4 @@
-// Scenes: what an OBJ file and its materials become, and what is mended with a warning.
+// Scenes from OBJ files and their materials, and repairs with a warning.
 #include "radiosity/scene/scene.h"
 
 #include <catch2/catch.hpp>
@@ -16,7 +16,7 @@ using namespace hemitex::radiosity;
 
 namespace {
 
-/// Files of a scene, gone with the test.
+/// Files of a scene, removed after the test.
 class SceneFiles {
  public:
   explicit SceneFiles(const std::string& obj, const std::string& mtl = {}) {
@@ -33,7 +33,7 @@ class SceneFiles {
 
 Scene load(const std::string& obj, const SceneSettings& settings = {}) { return SceneFiles(obj).load(settings); }
 
-/// A scene of one triangle of a material, defined by `statements`.
+/// A scene of one triangle with a material defined by `statements`.
 Scene loadMaterial(const std::string& statements, const SceneSettings& settings = {}) {
   return SceneFiles("mtllib scene.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl paint\nf 1 2 3\n",
                     "newmtl paint\n" + statements)
@@ -59,7 +59,7 @@ double totalArea(const Scene& scene) {
   return sum;
 }
 
-/// Whether one of the warnings contains all item IDs.
+/// Whether one of the warnings contains all given words.
 bool warns(const Scene& scene, const std::vector<std::string>& ids) {
   for (const std::string& warning : scene.warnings) {
     bool all = true;
@@ -73,7 +73,7 @@ using Names = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("a cube in one group is six surfaces of one family", "[scene]") {
+TEST_CASE("loadScene makes six surfaces of one family from a cube in one group", "[scene]") {
   const Scene scene = load(cubeVertices + "g box\n" + cubeFaces);
   CHECK(namesOf(scene) == Names{"box#1", "box#2", "box#3", "box#4", "box#5", "box#6"});
   for (const Surface& surface : scene.surfaces) CHECK(surface.family == "box");
@@ -85,12 +85,13 @@ TEST_CASE("a cube in one group is six surfaces of one family", "[scene]") {
   for (std::uint32_t p = 0; p < 6; ++p) CHECK(scene.surfaces[p].triangles[1].polygon == p);
 }
 
-TEST_CASE("surfaces are named by group, by material where a group has several, and never twice", "[scene]") {
+TEST_CASE("loadScene names surfaces by group, and by material where a group has several, without duplicates",
+          "[scene]") {
   struct Case {
     std::string structure;
     Names names;
   };
-  // Faces a, b, c of the cube are far from each other's planes, so each one alone is a surface.
+  // Faces a, b, c of the cube are far from each other's planes, so that each one is a surface.
   const std::string a = "f 1 4 3 2\n", b = "f 5 6 7 8\n", c = "f 1 2 6 5\n";
   const auto [structure, names] = GENERATE_COPY(values<Case>({
       {a, {"default"}},
@@ -107,7 +108,7 @@ TEST_CASE("surfaces are named by group, by material where a group has several, a
   CHECK(std::set<std::string>(names.begin(), names.end()).size() == names.size());
 }
 
-TEST_CASE("a lone quad is one chart by its corners, planar or not", "[scene]") {
+TEST_CASE("loadScene makes one chart of a single quad by its corners, planar or not", "[scene]") {
   const std::string vertices = "v 0 0 0\nv 1 0 0.2\nv 1 1 0\nv 0 1 0.2\n";
   const auto faces = GENERATE(values<std::string>({
       "f 1 2 3 4\n",
@@ -121,9 +122,9 @@ TEST_CASE("a lone quad is one chart by its corners, planar or not", "[scene]") {
   CHECK(load(vertices + faces, {.charts = Charts::Planar}).surfaces.size() == 2);
 }
 
-TEST_CASE("coordinates of the file are the chart where they form one", "[scene]") {
-  // Two triangles of a bent sheet: not planar, but the coordinates are fine, mirrored even, and become multiples of
-  // 2^-24.
+TEST_CASE("loadScene uses the file's coordinates if they form a chart", "[scene]") {
+  // Two triangles of a bent sheet: not planar, but the coordinates form a chart (a mirrored one) and are rounded to
+  // multiples of 2^-24.
   const Scene scene = load(
       "v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\nvt 0.9 0\nvt 0.1 0\nvt 0.1 1\nvt 0.9 1\n"
       "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
@@ -134,7 +135,8 @@ TEST_CASE("coordinates of the file are the chart where they form one", "[scene]"
   CHECK(triangle.texcoord == std::array{glm::dvec2(0.9, 0), glm::dvec2(0.1, 0), glm::dvec2(0.1, 1)});
 }
 
-TEST_CASE("coordinates that form no chart give way to planar parts, or are refused with the reason", "[scene]") {
+TEST_CASE("loadScene replaces coordinates that form no chart by planar parts, or refuses them with the reason",
+          "[scene]") {
   struct Case {
     std::string coordinates, faces, reason;
   };
@@ -155,17 +157,17 @@ TEST_CASE("coordinates that form no chart give way to planar parts, or are refus
   }
 }
 
-TEST_CASE("where the file has no coordinates, maps follow the chart", "[scene]") {
+TEST_CASE("loadScene uses the chart for maps if the file has no coordinates", "[scene]") {
   for (const Surface& surface : load(cubeVertices + cubeFaces).surfaces) {
     for (const Triangle& triangle : surface.triangles) CHECK(triangle.texcoord == triangle.chart);
   }
 }
 
-TEST_CASE("a face without area is dropped and counted, a triangle without area inside a face is not", "[scene]") {
+TEST_CASE("loadScene drops and counts a face without area, but not a triangle without area inside a face", "[scene]") {
   const std::string obj =
       "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 0 0\nv 9 9 9\n"
-      "f 1 2 3 4\n"  // fine
-      "f 1 5 2\n"    // all on a line
+      "f 1 2 3 4\n"  // valid
+      "f 1 5 2\n"    // collinear
       "f 6 6 6\n"    // a point, outside the bounds of the rest
       "f 1 5 2 3\n"  // its first fan triangle has no area
       "f 1 1 3 4\n";
@@ -179,28 +181,28 @@ TEST_CASE("a face without area is dropped and counted, a triangle without area i
   }
 }
 
-TEST_CASE("a face that crosses itself is told", "[scene]") {
+TEST_CASE("loadScene reports a face that crosses itself", "[scene]") {
   const Scene scene = load("v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 1 0\nf 1 2 3 4\n");
   CHECK(warns(scene, {"1 face that cross", "line 5"}));
 }
 
-TEST_CASE("a scene without a face is refused", "[scene]") {
+TEST_CASE("loadScene refuses a scene without a face", "[scene]") {
   const auto obj = GENERATE(values<std::string>({"", "v 0 0 0\n", "v 0 0 0\nf 1 1 1\n", "v 0 0 0\nv 1 1 1\nl 1 2\n"}));
   CHECK_THROWS_WITH(load(obj), Catch::Contains("scene.obj") && Catch::Contains("empty"));
 }
 
-TEST_CASE("a scene too small for binary32 is refused", "[scene]") {
+TEST_CASE("loadScene refuses a scene too small for binary32", "[scene]") {
   CHECK_THROWS_WITH(load("v 0 0 0\nv 1e-19 0 0\nv 0 1e-19 0\nf 1 2 3\n"), Catch::Contains("scale it up"));
   CHECK_NOTHROW(load("v 0 0 0\nv 1e-17 0 0\nv 0 1e-17 0\nf 1 2 3\n"));
 }
 
-TEST_CASE("concave faces keep their area", "[scene]") {
+TEST_CASE("loadScene keeps the area of concave faces", "[scene]") {
   const Scene scene = load("v 0 0 0\nv 3 0 0\nv 3 1 0\nv 1 1 0\nv 1 3 0\nv 0 3 0\nf 1 2 3 4 5 6\n");
   CHECK(scene.surfaces.size() == 1);
   CHECK(totalArea(scene) == Approx(5));
 }
 
-TEST_CASE("materials are those that faces name, in the order of their first faces", "[scene]") {
+TEST_CASE("loadScene reads the materials that faces name, in the order of their first faces", "[scene]") {
   const SceneFiles files("mtllib scene.mtl more.mtl\n" + cubeVertices +
                              "usemtl red\nf 1 4 3 2\nusemtl lamp\nf 5 6 7 8\nusemtl red\nf 1 2 6 5\n",
                          "newmtl unused\nKd 1 1 1\nnewmtl lamp\nKd 0 0 0\nKe 3 2 1\nnewmtl lamp\nKe 9 9 9\n");
@@ -216,13 +218,13 @@ TEST_CASE("materials are those that faces name, in the order of their first face
   CHECK(scene.warnings.empty());
 }
 
-TEST_CASE("the name of a material file may have blanks", "[scene]") {
+TEST_CASE("loadScene accepts blanks in the name of a material file", "[scene]") {
   const SceneFiles files("mtllib my scene.mtl\nusemtl red\n" + cubeVertices + cubeFaces);
   files.write("my scene.mtl", "newmtl red\nKd 0.7 0.1 0.2\n");
   CHECK(files.load().materials[0].reflectance == glm::dvec3(0.7, 0.1, 0.2));
 }
 
-TEST_CASE("what is missing is grey 0.5 with a warning", "[scene]") {
+TEST_CASE("loadScene replaces missing values by grey 0.5 with a warning", "[scene]") {
   SECTION("the material file") {
     const Scene scene = load("mtllib none.mtl\nusemtl red\n" + cubeVertices + cubeFaces);
     CHECK(warns(scene, {"none.mtl", "grey 0.5"}));
@@ -250,7 +252,7 @@ TEST_CASE("what is missing is grey 0.5 with a warning", "[scene]") {
   }
 }
 
-TEST_CASE("a reflectance of 1 or more is lowered with a warning, less is kept", "[scene]") {
+TEST_CASE("loadScene lowers a reflectance of 1 or more with a warning, and keeps smaller ones", "[scene]") {
   CHECK(loadMaterial("Kd 1 0.5 7\n").materials[0].reflectance == glm::dvec3(0.9999, 0.5, 0.9999));
   CHECK(loadMaterial("Kd 1 0.5 7\n").warnings.size() == 1);
   CHECK(loadMaterial("Kd 1 0.97 0\n", {.maxReflectance = 0.9}).materials[0].reflectance == glm::dvec3(0.9, 0.97, 0));
@@ -259,7 +261,7 @@ TEST_CASE("a reflectance of 1 or more is lowered with a warning, less is kept", 
   CHECK_THROWS_AS(loadMaterial("Kd 1 1 1\n", {.maxReflectance = 1.0}), raster::InputError);
 }
 
-TEST_CASE("loadScene multiplies emission by pi where Ke is radiance, and its maps scale it as before", "[scene]") {
+TEST_CASE("loadScene multiplies emission by pi if Ke is radiance, and its maps scale it as before", "[scene]") {
   constexpr double pi = std::numbers::pi;
   const SceneSettings radiance{.emission = EmissionUnit::Radiance};
   CHECK(loadMaterial("Kd 0.5\nKe 3 2 1\n").materials[0].emission == glm::dvec3(3, 2, 1));
@@ -273,18 +275,18 @@ TEST_CASE("loadScene multiplies emission by pi where Ke is radiance, and its map
   const Scene scene = files.load(radiance);
   CHECK(scene.materials[0].emission == glm::dvec3(pi));  // the map alone
   CHECK(scene.images[static_cast<std::size_t>(*scene.materials[0].emissionMap)].pixels[0] == glm::dvec3(0.25, 4, 1));
-  // Limits are those of radiosity.
+  // The limits apply to radiosity.
   CHECK_THROWS_AS(loadMaterial("Kd 0.5\nKe 3.2e29\n", radiance), raster::InputError);
   CHECK_NOTHROW(requireEmission(loadMaterial("Kd 0.5\nKe 3.2e-31\n", radiance), "scene.obj"));
   CHECK_THROWS_AS(requireEmission(loadMaterial("Kd 0.5\nKe 3.1e-31\n", radiance), "scene.obj"), raster::InputError);
 }
 
-TEST_CASE("a negative reflectance or emission is refused with the material file's line", "[scene]") {
+TEST_CASE("loadScene refuses a negative reflectance or emission with the line in the material file", "[scene]") {
   CHECK_THROWS_WITH(loadMaterial("Kd 0.5 -0.5 0.5\n"), Catch::Contains("scene.mtl:2"));
   CHECK_THROWS_WITH(loadMaterial("Kd 0.5\nKe 0 0 -1\n"), Catch::Contains("scene.mtl:3"));
 }
 
-TEST_CASE("maps are read once, relative to the material file", "[scene]") {
+TEST_CASE("loadScene reads maps once, relative to the material file", "[scene]") {
   const SceneFiles files("mtllib sub/scene.mtl\n" + cubeVertices + "usemtl a\nf 1 4 3 2\nusemtl b\nf 5 6 7 8\n");
   std::filesystem::create_directory(files.path("sub"));
   files.write("sub/scene.mtl", "newmtl a\nmap_Kd white.png\nmap_Ke white.png\nnewmtl b\nKd 0.5\nmap_Kd white.png\n");
@@ -299,7 +301,7 @@ TEST_CASE("maps are read once, relative to the material file", "[scene]") {
   CHECK(scene.warnings.empty());
 }
 
-TEST_CASE("a map of reflectances is lowered to 1, and a negative map is refused", "[scene]") {
+TEST_CASE("loadScene lowers a map of reflectances to 1, and refuses a negative map", "[scene]") {
   const SceneFiles files("mtllib scene.mtl\nusemtl a\n" + cubeVertices + cubeFaces,
                          "newmtl a\nKd 0.5\nmap_Kd map.exr\nmap_Ke map.exr\n");
   writeExr(files.path("map.exr"), {1, 1, {glm::dvec3(0.25, 4, 1)}});
@@ -313,22 +315,22 @@ TEST_CASE("a map of reflectances is lowered to 1, and a negative map is refused"
   CHECK_THROWS_WITH(files.load(), Catch::Contains("map.exr") && Catch::Contains("negative"));
 }
 
-TEST_CASE("a scene needs something that emits", "[scene]") {
+TEST_CASE("requireEmission throws InputError unless something emits", "[scene]") {
   CHECK_THROWS_WITH(requireEmission(loadMaterial("Kd 0.5\n"), "scene.obj"),
                     Catch::Contains("scene.obj") && Catch::Contains("emits") && Catch::Contains("Ke"));
   CHECK_NOTHROW(requireEmission(loadMaterial("Kd 0.5\nKe 0 0 1\n"), "scene.obj"));
-  // A map without light in the one band that emits takes it all away.
+  // A map that is 0 in the only emitting band removes all emission.
   Scene scene = loadMaterial("Kd 0.5\nKe 0 0 1\n");
   scene.images.push_back({1, 1, {glm::dvec3(1, 1, 0)}});
   scene.materials[0].emissionMap = 0;
   CHECK_THROWS_AS(requireEmission(scene, "scene.obj"), raster::InputError);
-  // Images hold nothing below 1e-45.
+  // Images cannot store values below 1e-45.
   CHECK_NOTHROW(requireEmission(loadMaterial("Kd 0.5\nKe 0 1e-30 1e-31\n"), "scene.obj"));
   CHECK_THROWS_WITH(requireEmission(loadMaterial("Kd 0.5\nKe 1e-31\n"), "scene.obj"),
                     Catch::Contains("scene.obj") && Catch::Contains("1e-30") && Catch::Contains("up"));
 }
 
-TEST_CASE("two-sided scenes have each surface twice, turned over", "[scene]") {
+TEST_CASE("loadScene with twoSided makes two surfaces of each, the second reversed", "[scene]") {
   const Scene scene = load(cubeVertices + "g box\n" + cubeFaces + "g lid\nf 5 6 7 8\n", {.twoSided = true});
   REQUIRE(scene.surfaces.size() == 14);
   CHECK(totalArea(scene) == 14);
@@ -347,7 +349,7 @@ TEST_CASE("two-sided scenes have each surface twice, turned over", "[scene]") {
   CHECK(scene.surfaces[6].name == "lid");
 }
 
-TEST_CASE("corners have colours where the file gives one to each of them", "[scene]") {
+TEST_CASE("loadScene gives corners the colours of the file if all corners have one", "[scene]") {
   const Scene scene = load("v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
   const std::vector<Triangle>& triangles = scene.surfaces[0].triangles;
   REQUIRE(triangles[0].cornerColor);

@@ -1,4 +1,4 @@
-// Dynamic scenes: an updated solution is a fresh one within the residual, whatever the edits were.
+// Dynamic scenes: an updated solution equals a new one within the residual, for all kinds of edits.
 #include "radiosity/solver/dynamic_solution.h"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ std::unique_ptr<DynamicSolution> solved(double limit = residual) {
   return std::make_unique<DynamicSolution>(std::move(scene), std::move(discretization), settings(limit), layOutIds);
 }
 
-/// The scene as it is by now, solved from its emission on.
+/// The current scene, solved from its emission on.
 ShotLight freshLight(const DynamicSolution& dynamic, double limit = residual) {
   DrawingSettings unsplit = settings().drawing;
   unsplit.split = 1;
@@ -71,7 +71,7 @@ ShotLight freshLight(const DynamicSolution& dynamic, double limit = residual) {
   return state.light();
 }
 
-/// What elements absorb more or less of, bands summed.
+/// The difference of what elements absorb, bands summed.
 double differenceOfAbsorbed(const DynamicSolution& dynamic, const ShotLight& light) {
   double sum = 0;
   for (std::uint32_t e = 0; e < light.received.size(); ++e)
@@ -86,7 +86,7 @@ void checkAccount(const Energy& energy, double scale) {
           1e-12 * scale);
 }
 
-/// An updated solution keeps the promise of dynamic_solution.h.
+/// Checks the error bound of dynamic_solution.h.
 void checkIsFresh(const DynamicSolution& dynamic) {
   const double scale = dynamic.light().lastEmitted;
   CHECK(dynamic.solution().residual <= residual);
@@ -94,7 +94,7 @@ void checkIsFresh(const DynamicSolution& dynamic) {
   CHECK(differenceOfAbsorbed(dynamic, freshLight(dynamic)) <= 2 * residual * scale);
 }
 
-/// The share of the light that goes elsewhere by the second row.
+/// The share of the light that the second row sends elsewhere.
 std::uint64_t redirected(const FormFactorRow& before, const FormFactorRow& after) {
   std::map<std::uint32_t, std::uint64_t> shares;
   for (std::size_t i = 0; i < before.elements.size(); ++i) shares[before.elements[i]] = before.shares[i];
@@ -104,7 +104,7 @@ std::uint64_t redirected(const FormFactorRow& before, const FormFactorRow& after
   return sum;
 }
 
-/// What is drawn, counted.
+/// Counts what is drawn.
 struct Drawn {
   std::uint64_t faces = 0, pixels = 0;
 };
@@ -127,7 +127,7 @@ class CountingRenderer final : public raster::ItemBufferRenderer {
 struct MovedCube {
   EditedScene edit;
   SceneFormFactors before, after;
-  std::vector<bool> isCube;  ///< one a surface
+  std::vector<bool> isCube;  ///< one per surface
   SceneChange change;
 
   MovedCube(const Scene& scene, const Discretization& discretization, int resolution)
@@ -150,8 +150,9 @@ struct MovedCube {
 
 }  // namespace
 
-TEST_CASE("an updated solution is a fresh one of the edited scene within the residual, and its account closes",
-          "[dynamic]") {
+TEST_CASE(
+    "DynamicSolution::update equals a new solution of the edited scene within the residual, and its account closes",
+    "[dynamic]") {
   const std::vector<std::vector<Edit>> frames = {
       {Move{"cube", {0.5, 0.25, 0}}},
       {Move{"cube", {0.5, 0, 0}}, Move{"post", {0, -0.5, 0.125}}},
@@ -171,9 +172,10 @@ TEST_CASE("an updated solution is a fresh one of the edited scene within the res
   }
 }
 
-TEST_CASE("the floor under an object that moved away is lit as if it had never stood there", "[dynamic]") {
-  // Against a scene that begins without the object. What stays buried would give what it receives to the elements
-  // beside it, or to none.
+TEST_CASE("DynamicSolution::update lights the floor under an object that moved away as if it had never been there",
+          "[dynamic]") {
+  // Compared with a scene that starts without the object. A floor that stays buried would give its light to the
+  // elements beside it, or to none.
   const auto dynamic = solved();
   dynamic->update({{Remove{"cube"}}});
   EditedScene edit = edited(lampRoom(), {}, {{Remove{"cube"}}});
@@ -187,13 +189,13 @@ TEST_CASE("the floor under an object that moved away is lit as if it had never s
     different += std::abs(dynamic->solution().radiosity[grid.spill[texel]].x - expected);
     all += expected;
   }
-  // Patches were split where the first solution was bright, and hemicubes of 48 pixels are coarse: a few percent apart.
-  // Four of 36 texels under the cube that stay dark would make a tenth.
+  // Patches were split where the first solution was bright, and hemicubes of 48 pixels are coarse, so that both differ
+  // by a few percent. If the four of 36 texels under the cube stayed dark, it would be a tenth.
   CHECK(different < 0.05 * all);
 }
 
-TEST_CASE("a restored object has the texels that the scene gave it", "[dynamic]") {
-  // Their size follows the scene, not the object.
+TEST_CASE("DynamicSolution::update gives a restored object the texels of the original scene", "[dynamic]") {
+  // Their size is derived from the scene, not from the object.
   DynamicSettings following = settings(0.1);
   following.discretization = {.isUnburied = true};
   Scene scene = lampRoom();
@@ -212,7 +214,7 @@ TEST_CASE("a restored object has the texels that the scene gave it", "[dynamic]"
   CHECK(sizes() == before);
 }
 
-TEST_CASE("an object that moved away and back leaves the solution as it was within the residual", "[dynamic]") {
+TEST_CASE("DynamicSolution::update of a move and its reverse keeps the solution within the residual", "[dynamic]") {
   const auto dynamic = solved();
   const ShotLight before = dynamic->light();
   dynamic->update({{Move{"cube", {0.5, 0.5, 0}}}});
@@ -221,7 +223,7 @@ TEST_CASE("an object that moved away and back leaves the solution as it was with
   CHECK(differenceOfAbsorbed(*dynamic, before) <= 2 * residual * before.lastEmitted);
 }
 
-TEST_CASE("without an edit nothing is shot and nothing is drawn", "[dynamic]") {
+TEST_CASE("DynamicSolution::update without an edit shoots and draws nothing", "[dynamic]") {
   const auto dynamic = solved();
   const Solution before = dynamic->solution();
   const UpdateCost cost = dynamic->update({});
@@ -232,7 +234,8 @@ TEST_CASE("without an edit nothing is shot and nothing is drawn", "[dynamic]") {
       CHECK(dynamic->solution().radiosity[e][band] == Approx(before.radiosity[e][band]).epsilon(1e-12));
 }
 
-TEST_CASE("a scene whose only light goes out gets dark within the residual of what was emitted", "[dynamic]") {
+TEST_CASE("DynamicSolution::update with the only light off gets dark within the residual of the former emission",
+          "[dynamic]") {
   const auto dynamic = solved();
   dynamic->update({{SetEmission{"lamp", glm::dvec3(0)}}});
   CHECK(dynamic->solution().energy.emitted == glm::dvec3(0));
@@ -240,8 +243,7 @@ TEST_CASE("a scene whose only light goes out gets dark within the residual of wh
   checkIsFresh(*dynamic);
 }
 
-TEST_CASE("what a window changes of a row is to the last unit the difference of the rows before and after",
-          "[dynamic]") {
+TEST_CASE("changeOf in windows is the exact difference of the rows before and after", "[dynamic]") {
   Scene scene = lampRoom();
   const Discretization discretization = discretize(scene, settings().discretization);
   MovedCube moved(scene, discretization, 64);
@@ -257,7 +259,7 @@ TEST_CASE("what a window changes of a row is to the last unit the difference of 
     CHECK(updated.background == now.background);
     CHECK(updated.back == now.back);
     ++(difference.isNothing() ? nothing : difference.isWhole ? whole : windows);
-    // No more light goes elsewhere than the bound says.
+    // No more light is redirected than the bound allows.
     const SurfacePoint centre = patchCentre(scene, discretization, discretization.patches[patch]);
     const double pixel = pixelAngle(after.rows().projection());
     const double bound =
@@ -269,8 +271,7 @@ TEST_CASE("what a window changes of a row is to the last unit the difference of 
   CHECK(whole < windows / 2);
 }
 
-TEST_CASE("what windows change of the mean of several points' rows is what the mean changes by, to within rounding",
-          "[dynamic]") {
+TEST_CASE("changeOf the mean of several points' rows is the change of the mean, within rounding", "[dynamic]") {
   Scene scene = lampRoom();
   Discretization discretization = discretize(scene, settings().discretization);
   for (Patch& patch : discretization.patches) patch.points = 2;
@@ -291,15 +292,15 @@ TEST_CASE("what windows change of the mean of several points' rows is what the m
     add(sums, difference.before, 1);
     add(sums, difference.after, -1);
     add(sums, after.rows().ofPatch(patch), 1);
-    // Four sums of form factors up to 1 in binary64, and the units of 2^-60 that the largest share takes.
+    // Four sums of form factors up to 1 in double precision, and the units of 2^-60 that the largest share takes.
     for (const double sum : sums) CHECK(std::abs(sum) <= 4 * 0x1p-52);
   }
   CHECK(changed > 50);
 }
 
-TEST_CASE("an update draws a small part of what a fresh solution draws", "[dynamic]") {
-  // Counts, not times: they are the same everywhere. A small object of one patch a face, whose old rows are still kept:
-  // what is drawn are those that it shoots along from its new place, and windows around both places.
+TEST_CASE("DynamicSolution::update draws a small part of what a new solution draws", "[dynamic]") {
+  // Counts, because times differ between machines. A small object with one patch per face, while the old rows are still
+  // in the cache. The update draws the rows of its new place and windows around both places.
   Drawn drawn;
   const auto counting = [&](raster::DrawList list) {
     return std::make_unique<CountingRenderer>(std::move(list), drawn);
@@ -319,10 +320,9 @@ TEST_CASE("an update draws a small part of what a fresh solution draws", "[dynam
   checkIsFresh(dynamic);
 }
 
-TEST_CASE("after a move, patches that shoot from several points still draw nothing twice", "[dynamic]") {
-  // Windows keep the rows of their views what drawing them anew would give: means are over these. A lamp that is dimmed
-  // is shot along rows that are known, but for those of the few patches that had not shot before, or were left or
-  // moved.
+TEST_CASE("DynamicSolution::update after a move draws no view of patches with several points twice", "[dynamic]") {
+  // Windows update the rows of views exactly, and means are computed from these. A dimmed lamp is shot along cached
+  // rows. Exceptions are the few patches that had not shot before, kept stale rows or moved.
   Drawn drawn;
   const auto counting = [&](raster::DrawList list) {
     return std::make_unique<CountingRenderer>(std::move(list), drawn);
@@ -342,7 +342,7 @@ TEST_CASE("after a move, patches that shoot from several points still draw nothi
   CHECK(20 * drawn.pixels < fresh.pixels);
 }
 
-TEST_CASE("updates are the same bits for any number of threads and any row cache", "[dynamic]") {
+TEST_CASE("DynamicSolution::update gives the same bits for any number of threads and any row cache", "[dynamic]") {
   const auto solveWith = [](int threads, std::size_t cache) {
     const raster::ThreadLimit limit(threads);
     Scene scene = lampRoom();

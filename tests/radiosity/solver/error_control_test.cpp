@@ -1,4 +1,4 @@
-// Settings for a bound on the error: what is chosen, and that it keeps the bound.
+// chooseEffort: its choice, and that the choice keeps the bound.
 #include "radiosity/solver/error_control.h"
 
 #include <catch2/catch.hpp>
@@ -50,7 +50,7 @@ std::vector<glm::dvec3> solutionOf(const Scene& scene, const Discretization& dis
   return solve(scene, drawn.discretization(), rowOf, {.residual = residual}, {}, drawn.splits()).radiosity;
 }
 
-/// What chance leaves of the truth only adds to the error that is measured.
+/// The random error of the reference only adds to the measured error.
 void checkKeepsBounds(const std::string& name, const Scene& scene, int texels) {
   const Discretization discretization = discretize(scene, {.texels = texels});
   const reference::TrueRadiosity truth = reference::trueRadiosity(scene, discretization, {.samples = 1 << 13});
@@ -71,8 +71,8 @@ void checkKeepsBounds(const std::string& name, const Scene& scene, int texels) {
 
 TEST_CASE("chooseEffort takes the first solution whose difference from the one before is within the bound",
           "[error_bound]") {
-  // Errors of 1.28 / resolution with signs that agree: 0.02 at 64 pixels, 0.01333 at 96, 0.01 at 128. The first two
-  // differ by 0.00667, the next two by 0.00333. Over sqrt(2) and 0.75 that is 0.00629 and 0.00314.
+  // Errors of 1.28 / resolution with equal signs: 0.02 at 64 pixels, 0.01333 at 96, 0.01 at 128. The first two differ
+  // by 0.00667, the next two by 0.00333. Over sqrt(2) and 0.75 that is 0.00629 and 0.00314.
   const Discretization discretization = twoSquares();
   const SolveWith solutions = solutionsWithError(discretization.elements.size(), 1.28);
   const ErrorBoundChoice loose = chooseEffort(discretization, solutions, 0.0065);
@@ -83,7 +83,7 @@ TEST_CASE("chooseEffort takes the first solution whose difference from the one b
   CHECK(tight.expectedError == Approx((1.28 / 96 - 1.28 / 128) / std::sqrt(2) / 0.75));
 }
 
-TEST_CASE("chooseEffort tries harder the tighter the bound", "[error_bound]") {
+TEST_CASE("chooseEffort makes more effort for smaller bounds", "[error_bound]") {
   const Discretization discretization = twoSquares();
   double before = 0;
   for (const double bound : {0.1, 0.03, 0.01, 0.003, 0.001, 0.0007}) {
@@ -114,12 +114,12 @@ TEST_CASE("chooseEffort refuses a bound out of reach, and names one that is in r
   CHECK_THROWS_AS(chooseEffort(discretization, solutions, 0.98 * reachable), raster::InputError);
 }
 
-TEST_CASE("solutions that chooseEffort asked for keep the bound", "[error_bound]") {
+TEST_CASE("chooseEffort returns solutions that keep the bound", "[error_bound]") {
   for (const std::string name : {"cornell-box", "paper-room", "pyramid-room"})
     checkKeepsBounds(name, loadScene(HEMITEX_DATA "/" + name + ".obj"), 8);
 }
 
-TEST_CASE("solutions that chooseEffort asked for keep the bound in random rooms", "[error_bound]") {
+TEST_CASE("chooseEffort returns solutions that keep the bound in random rooms", "[error_bound]") {
   const TemporaryFolder folder;
   for (const std::uint32_t seed : {1U, 2U, 3U}) {
     const data::Model room = data::randomRoom(seed);

@@ -1,4 +1,4 @@
-// Progressive refinement: the furnace, the account of flux, and that nothing depends on threads or memory.
+// solve: the furnace, the account of flux, and independence of threads and memory.
 #include "radiosity/solver/progressive_solver.h"
 
 #include <catch2/catch.hpp>
@@ -73,9 +73,9 @@ Scene openBox() {
 
 }  // namespace
 
-TEST_CASE("the mean radiosity of a closed furnace is E / (1 - r) to within the residual", "[solver]") {
-  // Flux is conserved: emitted = absorbed + unshot, and absorbed = (1 - r) of what arrived. With E = 1 everywhere the
-  // mean of B is therefore exactly (1 - r * residual) / (1 - r), whatever the form factors are.
+TEST_CASE("solve of a closed furnace gives a mean radiosity of E / (1 - r) within the residual", "[solver]") {
+  // Flux is conserved: emitted = absorbed + unshot, and absorbed = (1 - r) of the received flux. With E = 1 everywhere
+  // the mean of B is therefore exactly (1 - r * residual) / (1 - r), for any form factors.
   for (const double r : {0.0, 0.5, 0.9, 0.99}) {
     INFO("reflectance " << r);
     const Run furnace = run(tests::closedCube(glm::dvec3(r), glm::dvec3(1)), 4, 2, 32, {.residual = 0.001});
@@ -87,9 +87,9 @@ TEST_CASE("the mean radiosity of a closed furnace is E / (1 - r) to within the r
   }
 }
 
-TEST_CASE("the spread of the furnace over elements falls as patches get finer", "[solver]") {
-  // One centre a patch favours the elements opposite to it. The same 8 x 8 elements a face with patches of 8, 4, 2
-  // and 1 elements a side.
+TEST_CASE("solve of a furnace gives a smaller spread over elements with finer patches", "[solver]") {
+  // With one centre per patch, the elements opposite to it receive too much. The same 8 x 8 elements per face, with
+  // patches of 8, 4, 2 and 1 elements along a side.
   std::vector<double> spreads;
   for (const int patch : {8, 4, 2, 1})
     spreads.push_back(spreadOf(run(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, patch, 128, {})).largest);
@@ -98,7 +98,7 @@ TEST_CASE("the spread of the furnace over elements falls as patches get finer", 
   CHECK(spreads.back() == Approx(0.0198979465).epsilon(1e-9));
 }
 
-TEST_CASE("flux is accounted for after every number of shots of an open scene", "[solver]") {
+TEST_CASE("solve accounts for all flux after any number of shots in an open scene", "[solver]") {
   for (const int shots : {0, 1, 2, 10, 100}) {
     INFO(shots << " shots");
     const Run open = run(openBox(), 8, 4, 64, {.residual = 0, .shots = shots});
@@ -109,14 +109,14 @@ TEST_CASE("flux is accounted for after every number of shots of an open scene", 
   }
 }
 
-TEST_CASE("more than one percent lost to backs is warned about, less is not", "[solver]") {
+TEST_CASE("solve warns if more than one percent is lost to backs", "[solver]") {
   const Run open = run(openBox(), 8, 4, 64, {});
   REQUIRE(open.solution.warnings.size() == 1);
   CHECK(open.solution.warnings[0].find("backs of faces") != std::string::npos);
   CHECK(run(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 4, 2, 32, {}).solution.warnings.empty());
 }
 
-TEST_CASE("solutions are the same bits for any number of threads and any row cache", "[solver]") {
+TEST_CASE("solve gives the same bits for any number of threads and any row cache", "[solver]") {
   const auto solveWith = [](int threads, std::size_t cache) {
     const raster::ThreadLimit limit(threads);
     return run(openBox(), 8, 4, 64, {.residual = 0.01, .rowCacheBytes = cache}).solution;
@@ -131,8 +131,8 @@ TEST_CASE("solutions are the same bits for any number of threads and any row cac
     }
 }
 
-TEST_CASE("the ambient estimate carries the unshot flux of a furnace to its end", "[solver]") {
-  // In a furnace of reflectance r the mean radiosity so far is (1 - r * residual) / (1 - r); the rest of 1 / (1 - r) is
+TEST_CASE("solve gives an ambient estimate equal to the rest of a furnace's radiosity", "[solver]") {
+  // In a furnace of reflectance r the mean radiosity so far is (1 - r * residual) / (1 - r). The rest of 1 / (1 - r) is
   // r * residual / (1 - r), which is r times the ambient radiosity.
   const double r = 0.8;
   const Run furnace = run(tests::closedCube(glm::dvec3(r), glm::dvec3(1)), 4, 2, 32, {.residual = 0, .shots = 12});

@@ -1,4 +1,4 @@
-// The state of refinement: it goes on from what was shot, and takes back what was too much.
+// ShootingState: continues from stored shots, and retracts excess light.
 #include "radiosity/solver/shooting_state.h"
 
 #include <catch2/catch.hpp>
@@ -15,7 +15,7 @@ using namespace hemitex::radiosity;
 
 namespace {
 
-/// Shoots so often, or until less than a residual is left.
+/// Shoots `shots` times, or until less than a residual is left.
 void shoot(ShootingState& state, const RowSource& rowOf, int shots, double residual = 0) {
   for (int shot = 0; shot < shots && state.residual() > residual; ++shot) {
     const std::uint32_t patch = state.brightestPatch();
@@ -37,8 +37,8 @@ Scene litCube(const glm::dvec3& emission) {
 
 }  // namespace
 
-TEST_CASE("a refinement goes on from what was shot as if it had not been left", "[refinement]") {
-  // Patches of an element receive element by element, those of four as a whole, but where elements reflect differently.
+TEST_CASE("ShootingState made from stored shots continues as if it had not been interrupted", "[refinement]") {
+  // Patches of one element receive per element, patches of four as a whole, except with different reflectances.
   for (const auto& [patch, isMapped] : {std::pair(1, false), {2, false}, {2, true}}) {
     tests::HemicubeWorld world(litCube({3, 2, 1}), 4, patch);
     if (isMapped)
@@ -50,7 +50,7 @@ TEST_CASE("a refinement goes on from what was shot as if it had not been left", 
     ShootingState whole(world.scene, world.discretization);
     shoot(whole, rowOf, 20);
     ShootingState continued(world.scene, world.discretization, whole.light());
-    // The same sums in another order: a few units in the last place, of the largest patch's flux.
+    // The same sums in another order: a few units in the last place of the largest patch's flux.
     CHECK(continued.residual() == Approx(whole.residual()).epsilon(1e-12));
     const Energy energy = whole.energy();
     for (int band = 0; band < 3; ++band)
@@ -64,7 +64,8 @@ TEST_CASE("a refinement goes on from what was shot as if it had not been left", 
   }
 }
 
-TEST_CASE("a light that goes out is taken back by negative shots, and the account closes", "[refinement]") {
+TEST_CASE("ShootingState retracts a light that was switched off by negative shots, and the account closes",
+          "[refinement]") {
   tests::HemicubeWorld world(litCube({3, 2, 1}), 4, 2);
   const Scene dark = litCube(glm::dvec3(0));
   ProjectedFormFactors rows = world.rows(32);
@@ -81,7 +82,7 @@ TEST_CASE("a light that goes out is taken back by negative shots, and the accoun
   CHECK(energy.emitted == glm::dvec3(0));
   for (int band = 0; band < 3; ++band)
     CHECK(std::abs(energy.absorbed[band] + energy.unshot[band] + energy.lost[band]) <= 1e-12);
-  // In the end nothing is received, and the residual bounds what is absorbed until then.
+  // In the end nothing is received, and the residual bounds the absorbed flux until then.
   double absorbed = 0;
   for (std::size_t e = 0; e < world.discretization.elements.size(); ++e) {
     const glm::dvec3 reflects = reflectance(dark, world.discretization, static_cast<std::uint32_t>(e));
@@ -90,7 +91,7 @@ TEST_CASE("a light that goes out is taken back by negative shots, and the accoun
   CHECK(absorbed <= 1e-6 * 6);
 }
 
-TEST_CASE("what is absorbed differs from the end's by no more than the residual", "[refinement]") {
+TEST_CASE("ShootingState bounds the absorbed flux still to come by the residual", "[refinement]") {
   tests::HemicubeWorld world(litCube({3, 2, 1}), 4, 2);
   ProjectedFormFactors rows = world.rows(32);
   RowCache cache(std::size_t{1} << 30);
@@ -110,7 +111,7 @@ TEST_CASE("what is absorbed differs from the end's by no more than the residual"
   }
 }
 
-TEST_CASE("a shot looks at what its row has, not at all elements or patches", "[refinement]") {
+TEST_CASE("ShootingState::shoot visits the entries of its row, not all elements or patches", "[refinement]") {
   const Scene scene = litCube({3, 2, 1});
   const Discretization discretization = discretize(scene, {.texels = 410, .patch = 4});
   REQUIRE(discretization.elements.size() == 1008600);
@@ -119,17 +120,18 @@ TEST_CASE("a shot looks at what its row has, not at all elements or patches", "[
   row.shares.assign(10, wholeShare / 16);
   row.background = wholeShare - 10 * (wholeShare / 16);
   ShootingState state(scene, discretization);
-  // Ten elements receive. They and the shooter lie in eleven blocks of 64 patches at most, these below eleven nodes of
-  // 64 blocks, and the root has 16 children.
+  // Ten elements receive. They and the shooter lie in at most eleven blocks of 64 patches. These have eleven parent
+  // nodes of 64 blocks, and the root has 16 children.
   for (int shot = 0; shot < 1000; ++shot) REQUIRE(state.shoot(state.brightestPatch(), row) <= 10 + 11 * (64 + 64) + 16);
 }
 
-TEST_CASE("a shot that much of a surface receives looks at its patches at most once for two elements", "[refinement]") {
+TEST_CASE("ShootingState::shoot visits the patches of a surface at most once per two receiving elements",
+          "[refinement]") {
   const Scene scene = litCube({3, 2, 1});
   const Discretization discretization = discretize(scene, {.texels = 64, .patch = 2});
   const Grid& grid = discretization.grids[0];
   REQUIRE(grid.patchCount == 1024);
-  // The least that is seen of it so often, and one less.
+  // The smallest number of visible elements for this, and one less.
   for (const std::uint32_t seen : {2048U, 2047U}) {
     FormFactorRow row;
     for (std::uint32_t e = 0; e < seen; ++e) row.elements.push_back(grid.firstElement + e);
@@ -137,12 +139,12 @@ TEST_CASE("a shot that much of a surface receives looks at its patches at most o
     row.background = wholeShare - seen * (wholeShare / 4096);
     ShootingState state(scene, discretization);
     const std::size_t visits = state.shoot(state.brightestPatch(), row);
-    // 2048 elements lie in 512 patches, these in eight blocks, the shooter in another; below the root are 96 of them.
+    // 2048 elements lie in 512 patches, these in eight blocks, the shooter in another; the root has 96 descendants.
     const std::size_t updated = (8 + 1) * 64 + 2 * (64 + 64) + 2;
     INFO(seen << " elements: " << visits);
     CHECK(visits >= seen + (seen == 2048 ? grid.patchCount : 0));
     CHECK(visits <= seen + (seen == 2048 ? grid.patchCount : 0) + updated);
-    // What arrives is unshot in part, and absorbed in part, wherever it is summed.
+    // Received flux is partly unshot and partly absorbed, in all sums.
     const Energy energy = state.energy();
     const double arrived = static_cast<double>(seen) / 4096 * energy.emitted.x / static_cast<double>(grid.patchCount);
     CHECK(energy.absorbed.x == Approx((1 - 0.7) * arrived).epsilon(1e-12));

@@ -1,4 +1,4 @@
-// The tree over unshot flux: what a look at all patches would find, for a look at few.
+// UnshotTree: the results of a pass over all patches, with few visits.
 #include "radiosity/solver/unshot_tree.h"
 
 #include <catch2/catch.hpp>
@@ -31,7 +31,8 @@ void checkAgainstAll(const UnshotTree& unshot) {
 
 }  // namespace
 
-TEST_CASE("the brightest patch and the sum of sizes are those of all patches, whatever changes", "[refinement]") {
+TEST_CASE("UnshotTree gives the brightest patch and the sum of sizes of all patches, after any change",
+          "[refinement]") {
   std::mt19937 random(5);
   for (const std::size_t count : {1, 2, 63, 64, 65, 4096, 4097, 10000}) {
     INFO(count << " patches");
@@ -52,7 +53,7 @@ TEST_CASE("the brightest patch and the sum of sizes are those of all patches, wh
   }
 }
 
-TEST_CASE("sums of sizes are those of a tree made afresh, to the last bit", "[refinement]") {
+TEST_CASE("UnshotTree gives the sums of a new tree, to the last bit", "[refinement]") {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> some(-1, 1);
   std::vector<glm::dvec3> flux(5000);
@@ -67,7 +68,7 @@ TEST_CASE("sums of sizes are those of a tree made afresh, to the last bit", "[re
   CHECK(unshot.sizes() == UnshotTree(unshot.flux()).sizes());
 }
 
-TEST_CASE("a change looks at 64 patches and at 64 nodes a level", "[refinement]") {
+TEST_CASE("UnshotTree::update visits 64 patches and 64 nodes per level for one change", "[refinement]") {
   UnshotTree unshot(std::vector<glm::dvec3>(1 << 18, glm::dvec3(1)));
   unshot.add(77777, glm::dvec3(1));
   const std::vector<std::uint32_t> blocks(3, 77777 / 64);

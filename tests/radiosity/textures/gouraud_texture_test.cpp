@@ -1,4 +1,4 @@
-/// Elements as Gouraud shaded polygons in textures.
+/// gouraudTexels: elements as Gouraud shaded polygons in textures.
 #include "radiosity/textures/gouraud_texture.h"
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 using namespace hemitex::radiosity;
 using namespace hemitex::tests;
 
-TEST_CASE("shaded elements stay within half a texel of a linear field, whatever triangles the chart has", "[texture]") {
-  // The bump's 5000 triangles cut every texel in many ways; elements hold the radiosity of their texels' middles.
+TEST_CASE("gouraudTexels stay within half a texel of a linear field, for any triangles of the chart", "[texture]") {
+  // The bump's 5000 triangles cut each texel in many ways; elements have the radiosity of the middles of their texels.
   const Scene scene = sceneOf({bump(50)});
   const Discretization discretization = discretize(scene, {.texels = 8});
   std::vector<glm::dvec3> values;
@@ -24,16 +24,16 @@ TEST_CASE("shaded elements stay within half a texel of a linear field, whatever 
     for (int i = 0; i < 8 * times; ++i) {
       const glm::dvec3& texel = texels[std::size_t(j * 8 * times + i)];
       const glm::dvec2 place = (glm::dvec2(i, j) + 0.5) / double(times);
-      // Triangles' own corners inside a texel hold the element alone, so a texel's middle is flat; but no value is
-      // further off than the slope over half a texel, and all are among their neighbours'.
+      // Corners of triangles inside a texel have the value of its element alone, so that the middle of a texel is flat.
+      // The error of a value is at most the slope over half a texel, and all are in the range of their neighbours.
       CHECK(std::abs(texel.x - place.x) <= 0.5 + 1e-12);
       CHECK(std::abs(texel.y - place.y) <= 0.5 + 1e-12);
       CHECK(texel.z == Approx(1).epsilon(1e-14));
     }
 }
 
-TEST_CASE("a texel that is cut but not covered at its centre shows what is cut of it", "[texture]") {
-  // A triangle below the diagonal of 2 x 2 texels, its upper right texel left out; one texel wide slivers beside it.
+TEST_CASE("gouraudTexels of a texel not covered at its centre show its covered part", "[texture]") {
+  // A triangle below the diagonal of 2 x 2 texels without the upper right texel, and slivers one texel wide beside it.
   const Scene scene = sceneOf({flat("sliver", {{glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 0.9)}})});
   const Discretization discretization = discretize(scene, {.texels = 4});
   const std::vector<glm::dvec3> values(discretization.elements.size(), glm::dvec3(3));

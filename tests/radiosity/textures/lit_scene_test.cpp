@@ -1,4 +1,4 @@
-/// The lit scene on disk: what is written is read back, and shows the light that was solved for.
+/// writeLitScene: the files are read again, and show the light of the solution.
 #include "radiosity/textures/lit_scene.h"
 
 #include <catch2/catch.hpp>
@@ -26,10 +26,10 @@ std::string textOf(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// What an 8-bit file keeps of a linear value.
+/// The value of a linear colour in an 8-bit file.
 double quantized(double linear) { return decodeSrgb(encodeSrgb(linear) / 255.0); }
 
-/// What of that a picture shows of a scene that was read back: Kd is 1, which is lowered to this by reading.
+/// The reflectance in a picture of a scene that was read again: Kd is 1, which loadScene lowers to this.
 const double kd = SceneSettings{}.maxReflectance;
 
 void writeSolution(const std::filesystem::path& folder, const Scene& scene, const Discretization& discretization,
@@ -39,7 +39,7 @@ void writeSolution(const std::filesystem::path& folder, const Scene& scene, cons
                 solution.radiosity);
 }
 
-/// The room, its walls cut into tiles x tiles quads each; grids of 5 x 3 texels, or none for every third tile.
+/// The room with walls of tiles x tiles quads each; grids of 5 x 3 texels, or none for every third tile.
 struct TiledRoom {
   Scene scene;
   Discretization discretization;
@@ -67,7 +67,8 @@ Solution solutionOf(const std::vector<glm::dvec3>& radiosity) {
 
 }  // namespace
 
-TEST_CASE("a lit scene keeps positions, winding and order, and texture coordinates inside the charts", "[lit-scene]") {
+TEST_CASE("writeLitScene keeps positions, winding and order, and puts texture coordinates inside the charts",
+          "[lit-scene]") {
   for (int tiles : {2, 4}) {  // 24 surfaces with textures of their own, 96 that share them
     const TemporaryFolder folder;
     TiledRoom room(tiles);
@@ -106,7 +107,7 @@ TEST_CASE("loadScene reads from the files of writeLitScene the scene of makeLitS
   }
 }
 
-TEST_CASE("constant light shows as one colour, without a seam or a dark border", "[lit-scene]") {
+TEST_CASE("writeLitScene shows constant light as one colour, without a visible edge or a dark border", "[lit-scene]") {
   const glm::dvec3 light(0.02, 3, 7);
   for (int tiles : {2, 4}) {
     const TemporaryFolder folder;
@@ -120,7 +121,7 @@ TEST_CASE("constant light shows as one colour, without a seam or a dark border",
   }
 }
 
-TEST_CASE("the EXR holds the radiosity of the elements, as floats, and nothing else", "[lit-scene]") {
+TEST_CASE("writeLitScene writes the radiosity of the elements to the EXR, as floats, and nothing else", "[lit-scene]") {
   const TemporaryFolder folder;
   TiledRoom room(1);
   std::vector<glm::dvec3> radiosity;
@@ -146,7 +147,7 @@ TEST_CASE("the EXR holds the radiosity of the elements, as floats, and nothing e
   }
 }
 
-TEST_CASE("the PNG holds filtered radiosity with the ambient estimate, exposed", "[lit-scene]") {
+TEST_CASE("writeLitScene writes filtered radiosity with the ambient estimate, exposed, to the PNG", "[lit-scene]") {
   const TemporaryFolder folder;
   Discretization discretization;
   addGrid(discretization, 3, 1);
@@ -157,7 +158,7 @@ TEST_CASE("the PNG holds filtered radiosity with the ambient estimate, exposed",
   writeSolution(folder.path, scene, discretization, solution, 0.5);
   const Image texture = readImage(folder.path / "wall.png");
   REQUIRE(texture.width == 5);
-  // (1 2 1) over 0 1 0 leaves 1/3, 1/2, 1/3 at the three texels; the ambient estimate adds 0.2, 0.1, 0.
+  // (1 2 1) over 0 1 0 gives 1/3, 1/2, 1/3 at the three texels; the ambient estimate adds 0.2, 0.1, 0.
   const std::vector<double> filtered{1.0 / 3, 1.0 / 3, 0.5, 1.0 / 3, 1.0 / 3};
   for (std::size_t pixel = 0; pixel < texture.pixels.size(); ++pixel) {
     const double b = filtered[pixel % 5];
@@ -166,7 +167,7 @@ TEST_CASE("the PNG holds filtered radiosity with the ambient estimate, exposed",
   }
 }
 
-TEST_CASE("surfaces of one texel are Gouraud shaded where their corners differ", "[lit-scene]") {
+TEST_CASE("writeLitScene makes surfaces of one texel Gouraud shaded if their corners differ", "[lit-scene]") {
   const TemporaryFolder folder;
   const Scene scene =
       sceneOf({parallelogram("a", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}), parallelogram("b", {1, 0, 0}, {1, 0, 0}, {0, 1, 0}),
@@ -184,7 +185,7 @@ TEST_CASE("surfaces of one texel are Gouraud shaded where their corners differ",
   const auto isClose = [](const glm::dvec3& colour, double expected) {
     return glm::distance(colour, glm::dvec3(kd * expected)) < 1e-14;
   };
-  // The corners at x = 0 are a's alone. At (1,0) meet one triangle of a and two of b, at (1,1) two and one.
+  // The corners at x = 0 belong only to a. At (1,0) one triangle of a meets two of b, at (1,1) two and one.
   const glm::dvec3 alone = unlitColour(lit, {.surface = 0, .triangle = 0, .weights = {1, 0, 0}});
   const glm::dvec3 below = unlitColour(lit, {.surface = 0, .triangle = 0, .weights = {0, 1, 0}});
   const glm::dvec3 above = unlitColour(lit, {.surface = 0, .triangle = 0, .weights = {0, 0, 1}});
@@ -193,7 +194,7 @@ TEST_CASE("surfaces of one texel are Gouraud shaded where their corners differ",
   CHECK(isClose(above, quantized((2 * 0.2 + 0.5) / 3)));
 }
 
-TEST_CASE("names that files and groups cannot have are replaced", "[lit-scene]") {
+TEST_CASE("writeLitScene replaces names that files and groups cannot have", "[lit-scene]") {
   const TemporaryFolder folder;
   Discretization discretization;
   std::vector<Surface> surfaces;
@@ -213,7 +214,7 @@ TEST_CASE("names that files and groups cannot have are replaced", "[lit-scene]")
   for (const Material& material : lit.materials) CHECK(material.reflectanceMap);
 }
 
-TEST_CASE("a lit scene is the same bytes again", "[lit-scene]") {
+TEST_CASE("writeLitScene writes the same bytes again", "[lit-scene]") {
   const TemporaryFolder folder;
   const TiledRoom room(2);
   const std::vector<glm::dvec3> radiosity(room.discretization.elements.size(), glm::dvec3(1.0 / 3));
@@ -225,7 +226,7 @@ TEST_CASE("a lit scene is the same bytes again", "[lit-scene]") {
     REQUIRE(textOf(entry.path()) == textOf(folder.path / "b" / entry.path().filename()));
 }
 
-TEST_CASE("a folder that is not there is the user's fault", "[lit-scene]") {
+TEST_CASE("writeLitScene throws InputError for a missing folder", "[lit-scene]") {
   const TemporaryFolder folder;
   const TiledRoom room(1);
   const std::vector<glm::dvec3> radiosity(room.discretization.elements.size());

@@ -1,4 +1,4 @@
-/// Quadtrees flattened into textures: exact for linear fields, continuous over leaves of any size.
+/// quadtreeTexels: exact for linear fields, continuous over leaves of any size.
 #include "radiosity/textures/quadtree_texture.h"
 
 #include <algorithm>
@@ -30,13 +30,13 @@ std::vector<glm::dvec3> texelsOf(const Discretization& discretization, const std
 
 }  // namespace
 
-TEST_CASE("a linear field is reproduced at every texel, over any balanced quadtree", "[texture]") {
+TEST_CASE("quadtreeTexels reproduce a linear field at each texel, over any balanced quadtree", "[texture]") {
   const Scene scene = square();
   std::mt19937 random(1);
   const auto linear = [](const glm::dvec2& place) { return glm::dvec3(2 + 3 * place.x - place.y, place.x, 5); };
   for (int round = 0; round < 30; ++round) {
     const Discretization discretization = randomLeaves(scene, random);
-    if (discretization.elements.size() == 1) continue;  // says nothing of slopes
+    if (discretization.elements.size() == 1) continue;  // has no slope
     std::vector<glm::dvec3> values;
     for (std::uint32_t e = 0; e < discretization.elements.size(); ++e)
       values.push_back(linear(glm::dvec2(elementCentre(scene, discretization, e).position)));
@@ -49,11 +49,11 @@ TEST_CASE("a linear field is reproduced at every texel, over any balanced quadtr
   }
 }
 
-TEST_CASE("texels beside each other differ by no more than the slopes between corners, across leaves too",
+TEST_CASE("quadtreeTexels of adjacent texels differ by no more than the slopes between corners, also across leaves",
           "[texture]") {
-  // Elements hold values up to 1, corners inside the chart means of them, and corners on its edge, carried there from
-  // at most as far again as they are off, values from 0 to 2. No leaf is smaller than a texel of the grid, so over one
-  // the texture changes by 2 at most along each axis, and between texels 16 times as fine by 2 / 16.
+  // Elements have values up to 1, and corners inside the chart are means of them. Corners on its edge are extrapolated
+  // by at most the same distance again, to values from 0 to 2. No leaf is smaller than a texel of the grid. So over a
+  // texel the texture changes by at most 2 along each axis, and by 2 / 16 between texels 16 times as fine.
   const Scene scene = square();
   std::mt19937 random(2);
   constexpr int times = 16, texels = side * times;
@@ -75,7 +75,7 @@ TEST_CASE("texels beside each other differ by no more than the slopes between co
   CHECK(largest > 0.5 / times);
 }
 
-TEST_CASE("over single texels the flattened quadtree is the triangle filter, but for the edges", "[texture]") {
+TEST_CASE("quadtreeTexels over single texels equal the triangle filter, except at edges", "[texture]") {
   const Scene scene = square();
   const Discretization discretization = discretize(scene, {.texels = side});
   std::mt19937 random(3);

@@ -1,4 +1,4 @@
-/// Radiosity textures: where charts lie in them, the filter, the border, exposure and Gouraud corners.
+/// Radiosity textures: places of charts, the filter, the border, exposure and Gouraud corners.
 #include "radiosity/textures/radiosity_texture.h"
 
 #include <array>
@@ -17,7 +17,7 @@ using namespace hemitex::tests;
 
 namespace {
 
-/// A scene of `count` unit quads and grids of texels for them.
+/// A scene of `count` unit quads with grids of texels.
 struct ChartScene {
   Scene scene;
   Discretization discretization;
@@ -60,11 +60,12 @@ bool isSame(const glm::dvec3& a, const glm::dvec3& b) { return glm::distance(a, 
 
 }  // namespace
 
-TEST_CASE("packed rectangles, equal ones among them, lie inside their pages and apart", "[texture]") {
+TEST_CASE("packRectangles puts rectangles, also equal ones, inside their pages without overlap", "[texture]") {
   std::mt19937 random(1);
   for (int round = 0; round < 20; ++round) {
     std::vector<RectangleSize> sizes;
-    const unsigned largest = round % 2 ? 70 : 4;  // of few sizes many are equal; of large ones some exceed the page
+    const unsigned largest =
+        round % 2 ? 70 : 4;  // small sizes give many equal rectangles; some large ones exceed the page
     for (unsigned i = 0; i < 20 + random() % 300; ++i)
       sizes.push_back({1 + static_cast<int>(random() % largest), 1 + static_cast<int>(random() % largest)});
     const Packing packing = packRectangles(sizes, 64);
@@ -86,7 +87,7 @@ TEST_CASE("packed rectangles, equal ones among them, lie inside their pages and 
   }
 }
 
-TEST_CASE("a page is the smallest power of two that holds what is left", "[texture]") {
+TEST_CASE("packRectangles makes the last page the smallest power of two that holds the rest", "[texture]") {
   const auto sides = [](std::size_t count, int side) {
     std::vector<int> result;
     for (const RectangleSize& page : packRectangles(std::vector<RectangleSize>(count, {side, side}), 64).pages) {
@@ -104,7 +105,7 @@ TEST_CASE("a page is the smallest power of two that holds what is left", "[textu
   CHECK(sides(0, 1).empty());
 }
 
-TEST_CASE("of equal rectangles the earlier lies lower, then further left", "[texture]") {
+TEST_CASE("packRectangles puts the earlier of equal rectangles lower, then further left", "[texture]") {
   const Packing packing = packRectangles(std::vector<RectangleSize>(4096, {1, 1}), 64);
   REQUIRE(packing.pages.size() == 1);
   for (int i = 0; i < 4096; ++i) {
@@ -113,14 +114,14 @@ TEST_CASE("of equal rectangles the earlier lies lower, then further left", "[tex
   }
 }
 
-TEST_CASE("names of surfaces become names of files, each once", "[texture]") {
+TEST_CASE("uniqueFileNames converts names of surfaces to different file names", "[texture]") {
   const std::vector<std::string> names =
       uniqueFileNames({"wall", "Wall", "a b/c#1", "wall-2", "", "..", "render", "\xc3\xa9"}, {"render"});
   CHECK(names == std::vector<std::string>{"wall", "Wall-2", "a_b_c_1", "wall-2-2", "_", "_..", "render-2", "__"});
   CHECK(uniqueFileNames({std::string(300, 'x')}).front().size() == 100);
 }
 
-TEST_CASE("few surfaces have textures of their own, many share them", "[texture]") {
+TEST_CASE("layOutTextures gives few surfaces their own textures, and many surfaces shared ones", "[texture]") {
   const ChartScene few = makeCharts(std::vector<glm::ivec2>(64, {4, 2}));
   const TextureLayout separate = layOutTextures(few.scene, few.discretization);
   CHECK(separate.textures.size() == 64);
@@ -136,7 +137,7 @@ TEST_CASE("few surfaces have textures of their own, many share them", "[texture]
   CHECK(packed.names[0] == "radiosity-1");
 }
 
-TEST_CASE("a chart larger than a shared texture has one of its own", "[texture]") {
+TEST_CASE("layOutTextures gives a chart larger than a shared texture its own texture", "[texture]") {
   const ChartScene charts = makeCharts({{4096, 1}, {1, 1}});
   const TextureLayout layout = layOutTextures(charts.scene, charts.discretization, 0);
   REQUIRE(layout.textures.size() == 2);
@@ -145,7 +146,7 @@ TEST_CASE("a chart larger than a shared texture has one of its own", "[texture]"
   CHECK(layout.textures[1].height == 3);
 }
 
-TEST_CASE("texel centres of a chart are pixel centres of its texture, which holds their elements", "[texture]") {
+TEST_CASE("radiosityTextures puts the elements at the pixel centres of their texels", "[texture]") {
   const ChartScene charts = makeCharts(randomGrids(100, 9));
   for (std::size_t limit : {std::size_t{0}, std::size_t{100}}) {
     const TextureLayout layout = layOutTextures(charts.scene, charts.discretization, limit);
@@ -168,7 +169,7 @@ TEST_CASE("texel centres of a chart are pixel centres of its texture, which hold
   }
 }
 
-TEST_CASE("the border repeats the edge, in filtered and unfiltered textures", "[texture]") {
+TEST_CASE("radiosityTextures and filteredTextures repeat the edge in the border", "[texture]") {
   const ChartScene charts = makeCharts({{5, 3}, {1, 1}, {1, 4}, {2, 2}});
   const TextureLayout layout = layOutTextures(charts.scene, charts.discretization, 0);
   const std::vector<glm::dvec3> values = elementValues(charts.discretization);
@@ -186,8 +187,9 @@ TEST_CASE("the border repeats the edge, in filtered and unfiltered textures", "[
     }
 }
 
-TEST_CASE("no lookup in a chart takes anything from its neighbours, by any filter and magnified", "[texture]") {
-  // Packed charts of constants so far apart that a trace of another shows; looked up bilinearly anywhere in [0, 1]^2.
+TEST_CASE("filteredTextures take no light from neighbouring charts, for all filters and magnifications", "[texture]") {
+  // Packed charts of constants so different that a trace of another is visible; sampled bilinearly anywhere in [0,
+  // 1]^2.
   const ChartScene charts = makeCharts(randomGrids(60, 6));
   const TextureLayout layout = layOutTextures(charts.scene, charts.discretization, 0);
   const std::array<double, 3> levels{0, 1, 1e30};
@@ -213,14 +215,14 @@ TEST_CASE("no lookup in a chart takes anything from its neighbours, by any filte
     }
 }
 
-TEST_CASE("a texture that could not be read back is refused", "[texture]") {
+TEST_CASE("filteredTextures refuse a texture that could not be read again", "[texture]") {
   const ChartScene charts = makeCharts({{1100, 1100}});
   const TextureLayout layout = layOutTextures(charts.scene, charts.discretization);
   CHECK_THROWS_AS(filteredTextures(charts.scene, charts.discretization, layout, {}, {TextureFilter::Triangle, 16}),
                   raster::InputError);
 }
 
-TEST_CASE("a texel without area shows its nearest element", "[texture]") {
+TEST_CASE("radiosityTextures show the nearest element at texels without area", "[texture]") {
   ChartScene charts{sceneOf({parallelogram("a", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})}), {}};
   addGrid(charts.discretization, 3, 2, {true, true, true, true, true, false});
   charts.discretization.grids[0].spill[5] = 4;
@@ -232,7 +234,7 @@ TEST_CASE("a texel without area shows its nearest element", "[texture]") {
   CHECK(pixelAt(filtered, 3, 2) == pixelAt(filtered, 2, 2));
 }
 
-TEST_CASE("filtering a constant gives the constant, at edges and around holes too", "[texture]") {
+TEST_CASE("filteredTextures of a constant are the constant, also at edges and around holes", "[texture]") {
   std::mt19937 random(3);
   ChartScene charts;
   std::vector<bool> covered;
@@ -248,10 +250,10 @@ TEST_CASE("filtering a constant gives the constant, at edges and around holes to
     for (const glm::dvec3& pixel : texture.pixels) REQUIRE(isSame(pixel, constant));
 }
 
-TEST_CASE("the filter spreads a texel as (1 2 1) x (1 2 1) / 16 and keeps its sum", "[texture]") {
+TEST_CASE("filteredTextures spread a texel as (1 2 1) x (1 2 1) / 16 and keep its sum", "[texture]") {
   const ChartScene charts = makeCharts({{7, 7}});
   std::vector<glm::dvec3> values(49, glm::dvec3(0.0));
-  values[3 * 7 + 2] = glm::dvec3(16, 32, 48);  // two texels from the edge: no weight is normalized anew
+  values[3 * 7 + 2] = glm::dvec3(16, 32, 48);  // two texels from the edge, so that weights are not normalized again
   const TextureLayout layout = layOutTextures(charts.scene, charts.discretization);
   const Image texture = filteredTextures(charts.scene, charts.discretization, layout, values)[0];
   glm::dvec3 sum(0.0);
@@ -264,7 +266,7 @@ TEST_CASE("the filter spreads a texel as (1 2 1) x (1 2 1) / 16 and keeps its su
   CHECK(pixelAt(texture, 5, 4) == glm::dvec3(0.0));
 }
 
-TEST_CASE("the ambient estimate is displayed times reflectance", "[texture]") {
+TEST_CASE("displayRadiosity adds the ambient estimate times reflectance", "[texture]") {
   ChartScene charts = makeCharts({{2, 1}});
   charts.scene.materials[0].reflectance = {0.5, 0.25, 0};
   Solution solution;
@@ -274,12 +276,13 @@ TEST_CASE("the ambient estimate is displayed times reflectance", "[texture]") {
         std::vector<glm::dvec3>{{5, 4, 3}, {4, 2, 0}});
 }
 
-TEST_CASE("the exposure shows the mean of what does not emit as 0.18", "[texture]") {
+TEST_CASE("defaultExposure shows the mean of elements that do not emit as 0.18", "[texture]") {
   ChartScene charts = makeCharts({{2, 1}, {1, 1}});
   charts.scene.materials = {Material{}, Material{.name = "light", .emission = glm::dvec3(0, 7, 0)}};
   charts.discretization.elements[1].area = 3;
   std::vector<glm::dvec3> values{{3, 0, 0}, {0, 6, 0}, {1000, 1000, 1000}};
-  // Without the light: bands averaged 1 on area 1 and 2 on area 3, a mean of 7/4. With all a mean of 1007/5.
+  // Without the light: the bands' averages are 1 on area 1 and 2 on area 3, with a mean of 7/4. With the light the mean
+  // is 1007/5.
   charts.scene.surfaces[1].material = 1;
   CHECK(defaultExposure(charts.scene, charts.discretization, values) == Approx(0.18 / 1.75).epsilon(1e-15));
   charts.scene.surfaces[0].material = 1;
@@ -287,9 +290,9 @@ TEST_CASE("the exposure shows the mean of what does not emit as 0.18", "[texture
   CHECK(defaultExposure(charts.scene, charts.discretization, std::vector<glm::dvec3>(3)) == 1);
 }
 
-TEST_CASE("corners average over smooth neighbours of their material by area", "[texture]") {
-  // Around the corner (1,0,0): a of area 1, b of area 2 beside it in the same plane, c bent by 90 degrees, d by about
-  // 11, e as b but of another material, and f as b but discretized.
+TEST_CASE("cornerRadiosity averages over smooth neighbours of the same material by area", "[texture]") {
+  // At the corner (1,0,0): a has area 1; b has area 2, beside it in the same plane; c is bent by 90 degrees; d is bent
+  // by about 11 degrees; e is as b but of another material; f is as b but discretized.
   const Surface a = parallelogram("a", {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   const Surface b = parallelogram("b", {1, 0, 0}, {2, 0, 0}, {0, 1, 0});
   const Surface c = parallelogram("c", {1, 0, 0}, {0, 0, 1}, {0, 1, 0});
@@ -306,14 +309,14 @@ TEST_CASE("corners average over smooth neighbours of their material by area", "[
 
   const auto corners = cornerRadiosity(scene, discretization, values);
   REQUIRE(corners.size() == 12);
-  // At (1,0,0) meet: one triangle of a (area 1/2, value 1), both of b (area 1 each, value 2), and the upper one of d
-  // (area sqrt(1.04)/2, value 8).
+  // At (1,0,0) meet: one triangle of a (area 1/2, value 1); both of b (area 1 each, value 2); the upper one of d (area
+  // sqrt(1.04)/2, value 8).
   const double slope = std::sqrt(1.04) / 2;
   const double expected = (0.5 * 1 + 2 * 2 + slope * 8) / (0.5 + 2 + slope);
   CHECK(corners[0][1].x == Approx(expected).epsilon(1e-14));
   CHECK(corners[2][0].x == Approx(expected).epsilon(1e-14));
-  CHECK(corners[0][0].x == 1);   // (0,0,0) is a's alone
+  CHECK(corners[0][0].x == 1);   // (0,0,0) belongs only to a
   CHECK(corners[4][0].x == 4);   // c is bent too far
-  CHECK(corners[8][0].x == 16);  // e is of another material
+  CHECK(corners[8][0].x == 16);  // e has another material
   CHECK(corners[10][0] == glm::dvec3(0.0));
 }

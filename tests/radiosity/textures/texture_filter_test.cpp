@@ -1,4 +1,4 @@
-/// Filters from elements to texels, magnified or not: what their kernels promise, and what all filters keep.
+/// Texture filters: properties of their kernels, and properties of all filters.
 #include "radiosity/textures/texture_filter.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ constexpr TextureFilter allFilters[] = {TextureFilter::OneToOne, TextureFilter::
 
 Scene square() { return sceneOf({parallelogram("square", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})}); }
 
-/// 2 + 3 x - y of places in [0, 1]^2.
+/// 2 + 3 x - y at places in [0, 1]^2.
 glm::dvec3 linear(const glm::dvec2& place) { return {2 + 3 * place.x - place.y, 1, place.y}; }
 
 std::vector<glm::dvec3> linearElements(const Scene& scene, const Discretization& discretization) {
@@ -51,7 +51,7 @@ double distanceFromLinear(const std::vector<glm::dvec3>& texels, int side, int m
 
 }  // namespace
 
-TEST_CASE("the weights of a kernel are not negative, sum to 1 and have their place as mean", "[texture]") {
+TEST_CASE("kernelWeight is not negative, and the weights sum to 1 and have their place as mean", "[texture]") {
   for (int step = 0; step < 100; ++step) {
     const double place = -0.5 + step / 100.0;
     for (const TextureFilter filter : smoothKernels) {
@@ -68,7 +68,7 @@ TEST_CASE("the weights of a kernel are not negative, sum to 1 and have their pla
   }
 }
 
-TEST_CASE("kernels on texels are 1 and (1 2 1) and (1 4 1)", "[texture]") {
+TEST_CASE("kernelWeight on texels is 1 and (1 2 1) and (1 4 1)", "[texture]") {
   CHECK(kernelWeight(TextureFilter::OneToOne, 0) == 1);
   CHECK(kernelWeight(TextureFilter::OneToOne, 1) == 0);
   CHECK(kernelWeight(TextureFilter::Triangle, 0) == 0.5);
@@ -81,7 +81,7 @@ TEST_CASE("kernels on texels are 1 and (1 2 1) and (1 4 1)", "[texture]") {
   CHECK(kernelWeight(TextureFilter::Bicubic, -2) == 0);
 }
 
-TEST_CASE("away from edges linear fields stay, magnified too", "[texture]") {
+TEST_CASE("filteredTexels keep linear fields away from edges, also magnified", "[texture]") {
   const Scene scene = square();
   const Discretization discretization = discretize(scene, {.texels = 9});
   const std::vector<glm::dvec3> values = linearElements(scene, discretization);
@@ -96,7 +96,8 @@ TEST_CASE("away from edges linear fields stay, magnified too", "[texture]") {
   }
 }
 
-TEST_CASE("one-to-one repeats elements, and bilinear is the same where nothing is magnified", "[texture]") {
+TEST_CASE("filteredTexels with one-to-one repeat elements, and with bilinear are the same without magnification",
+          "[texture]") {
   const Scene scene = sceneOf({lShape()});
   const Discretization discretization = discretize(scene, {.texels = 10});
   std::mt19937 random(1);
@@ -109,7 +110,8 @@ TEST_CASE("one-to-one repeats elements, and bilinear is the same where nothing i
         filteredTexels(scene, discretization, 0, values, {TextureFilter::OneToOne, 1}));
 }
 
-TEST_CASE("every filter keeps constants and writes every texel, on holes, slivers and quadtrees", "[texture]") {
+TEST_CASE("filteredTexels with all filters keep constants and write every texel, on holes, slivers and quadtrees",
+          "[texture]") {
   const Scene scene = sceneOf(tableOfSurfaces());
   std::mt19937 random(2);
   std::vector<Quadtree> trees;
@@ -125,7 +127,7 @@ TEST_CASE("every filter keeps constants and writes every texel, on holes, sliver
         const int times = 1 + int(random() % 4);
         for (const glm::dvec3& texel : filteredTexels(scene, discretization, s, constants, {filter, times}))
           REQUIRE(glm::all(glm::lessThanEqual(glm::abs(texel - constant), 1e-13 * constant)));
-        // Means stay among the values; a quadtree's edges may be carried beyond, but not below 0.
+        // Means stay in the range of the values. A quadtree's edges may be extrapolated beyond, but not below 0.
         const double least = filter == TextureFilter::Quadtree ? 0 : 1 - 1e-13;
         const double most = filter == TextureFilter::Quadtree ? 2000 : 1000 + 1e-10;
         for (const glm::dvec3& texel : filteredTexels(scene, discretization, s, values, {filter, times}))

@@ -1,4 +1,4 @@
-// Every iteration of a loop runs once, however they are spread over threads.
+// parallelFor runs each iteration once, however it distributes them over threads.
 #include "raster/base/parallel.h"
 
 #include <atomic>
@@ -7,7 +7,7 @@
 
 using namespace hemitex::raster;
 
-TEST_CASE("a loop calls its body once for every number below the count", "[parallel]") {
+TEST_CASE("parallelFor calls its body once for each number below the count", "[parallel]") {
   for (const int threads : {1, 2, 0})
     for (const std::size_t count : {0, 1, 2, 511, 512, 513, 100003}) {
       CAPTURE(threads, count);

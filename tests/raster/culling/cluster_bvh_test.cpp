@@ -1,4 +1,4 @@
-// The tree finds what asking every group finds, and no cluster stands outside of its group.
+// ClusterBvh::groupsIn finds the same groups as a test of each group.
 #include "raster/culling/cluster_bvh.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ using namespace hemitex::raster;
 
 namespace {
 
-/// So many clusters of a triangle each, one in twenty of them infinite.
+/// `count` clusters of one triangle each; one in twenty has an infinite box.
 std::vector<Cluster> scattered(std::size_t count) {
   DrawList list = tests::plainList();
   list.indexMaps.push_back({1, 1, {0}});
@@ -36,7 +36,7 @@ bool isInside(const Box& inner, const Box& outer) {
 
 }  // namespace
 
-TEST_CASE("the tree finds the groups of clusters that may cover a sample, in draw order", "[cluster_tree]") {
+TEST_CASE("ClusterBvh finds the groups of clusters that may cover a sample, in draw order", "[cluster_tree]") {
   for (const std::uint32_t count : {0, 1, 7, 8, 9, 64, 65, 1000}) {
     const std::vector<Cluster> clusters = scattered(count);
     REQUIRE(clusters.size() == count);

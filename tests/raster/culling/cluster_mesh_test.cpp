@@ -1,4 +1,4 @@
-// Cluster meshes hold the triangles of the draws, vertex by vertex.
+// meshOf keeps the triangles of the draws, vertex by vertex.
 #include "raster/culling/cluster_mesh.h"
 
 #include <catch2/catch.hpp>
@@ -11,7 +11,7 @@ using namespace hemitex::raster;
 
 namespace {
 
-/// A sheet of columns x rows squares, whose inner vertices six triangles share.
+/// A sheet of columns x rows squares, in which six triangles share each inner vertex.
 DrawList sheet(std::uint32_t columns, std::uint32_t rows) {
   DrawList list = tests::plainList();
   for (std::uint32_t j = 0; j <= rows; ++j)
@@ -31,7 +31,7 @@ DrawList sheet(std::uint32_t columns, std::uint32_t rows) {
 
 }  // namespace
 
-TEST_CASE("a cluster mesh has the corners of every triangle, and every vertex of a cluster once", "[cluster_mesh]") {
+TEST_CASE("ClusterMesh has the corners of each triangle, and each vertex of a cluster once", "[cluster_mesh]") {
   for (const DrawList& list : {sheet(16, 9), tests::crossingTriangles()}) {
     const std::vector<Cluster> clusters = clustersOf(list);
     const ClusterMesh mesh = meshOf(list, clusters);
@@ -55,9 +55,9 @@ TEST_CASE("a cluster mesh has the corners of every triangle, and every vertex of
 }
 
 // 32 triangles of a sheet 16 squares wide are one row of squares, with 2 x 17 vertices instead of 96.
-TEST_CASE("a sheet's clusters share vertices", "[cluster_mesh]") {
+TEST_CASE("meshOf merges the shared vertices of a sheet", "[cluster_mesh]") {
   const DrawList shared = sheet(16, 9);
-  DrawList apart = shared;  // with a vertex for every corner
+  DrawList apart = shared;  // with one vertex per corner
   apart.positions.clear();
   apart.texcoords.clear();
   for (std::uint32_t& index : apart.indices) {

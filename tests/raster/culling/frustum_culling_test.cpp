@@ -1,4 +1,4 @@
-// View bounds: what they say of a box holds for every triangle inside it.
+// The bounds of ViewBounds hold for each triangle inside a box.
 #include "raster/culling/frustum_culling.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using namespace hemitex::raster;
 
 namespace {
 
-/// Small clusters far and near, and around the eye; corners lie on the faces of their boxes.
+/// Small clusters far away, near, and around the eye; corners lie on the faces of their boxes.
 DrawList clouds() {
   DrawList list = tests::plainList();
   list.indexMaps.push_back({1, 1, {0}});
@@ -39,7 +39,7 @@ bool isInside(const Scissor& part, const ScreenTriangle& triangle) {
          triangle.firstRow >= part.row && triangle.endRow <= part.row + part.height;
 }
 
-/// The largest 1/w that binary64 finds at a covered sample.
+/// The largest 1/w at a covered sample, in double precision.
 double nearestSample(const ScreenTriangle& triangle) {
   double nearest = 0;
   for (int row = triangle.firstRow; row < triangle.endRow; ++row)
@@ -52,7 +52,7 @@ double nearestSample(const ScreenTriangle& triangle) {
 
 }  // namespace
 
-TEST_CASE("the triangles in a box lie in the part of the view and not before the depth that it is given", "[bounds]") {
+TEST_CASE("ViewBounds::placeOf bounds the pixels and the depth of the triangles in a box", "[bounds]") {
   const DrawList list = clouds();
   std::mt19937 random(6);
   int triangles = 0, bounded = 0;
@@ -85,20 +85,19 @@ TEST_CASE("the triangles in a box lie in the part of the view and not before the
   }
   CHECK(triangles > 1000);
   CHECK(bounded > 500);
-  // Not much larger than need be: on average, pixels and depths.
+  // The bounds must also be tight: on average, in pixels and in depth.
   CHECK(area < 1.6 * least);
   CHECK(loosest < 1.2 * bounded);
 }
 
-TEST_CASE("a box holds the samples that its corners are snapped onto, and no others", "[bounds]") {
-  // A flat box seen straight on, which begins in the middle of pixel 40 but for a fraction of a sub-pixel that is
-  // given.
+TEST_CASE("ViewBounds::placeOf holds the samples that corners of the box snap onto, and no others", "[bounds]") {
+  // A flat box seen straight on. It begins in the middle of pixel 40, less a given fraction of a sub-pixel.
   const Face face = tests::frontFace(64);
   const auto partOf = [&face](double subPixels, double pixels) {
     const double begin = (40.5 + subPixels / 256) / 32 - 1, end = begin + pixels / 32;
     return ViewBounds(face).placeOf({{begin, begin, 1}, {end, end, 1}}).part;
   };
-  // Up to half a sub-pixel beyond the sample, snapping takes it back onto it.
+  // A corner up to half a sub-pixel beyond the sample snaps onto it.
   for (const double subPixels : {-2.0, 0.0, 0.49}) {
     CHECK(partOf(subPixels, 0.25).column == 40);
     CHECK(partOf(subPixels, 0.25).width == 1);
@@ -109,7 +108,7 @@ TEST_CASE("a box holds the samples that its corners are snapped onto, and no oth
   CHECK(partOf(2, 3.25).height == 3);
 }
 
-TEST_CASE("bounds hold where the vertex stage computes with binary32's least numbers", "[bounds]") {
+TEST_CASE("ViewBounds holds where the vertex stage computes with subnormal binary32 numbers", "[bounds]") {
   for (const int exponent : {-130, -144, -146, -147}) {
     DrawList list = clouds();
     const float scale = std::ldexp(1.0F, exponent);
@@ -148,7 +147,7 @@ TEST_CASE("bounds hold where the vertex stage computes with binary32's least num
   }
 }
 
-TEST_CASE("nothing shows of a box behind the near plane or beside the view, only of one that is in it", "[bounds]") {
+TEST_CASE("ViewBounds::mayShow is false behind the near plane and beside the view, and true inside", "[bounds]") {
   const ViewBounds bounds(tests::frontFace(64));
   const auto widthOf = [&bounds](const glm::dvec3& low, const glm::dvec3& high) {
     return bounds.placeOf({low, high}).part.width;
@@ -159,7 +158,7 @@ TEST_CASE("nothing shows of a box behind the near plane or beside the view, only
   CHECK(widthOf({-1, -1, -2}, {1, 1, 2}) == 64);
 }
 
-TEST_CASE("a box with a value that is not finite may be anywhere in the view", "[bounds]") {
+TEST_CASE("ViewBounds lets a box with a value that is not finite be anywhere in the view", "[bounds]") {
   const double infinity = std::numeric_limits<double>::infinity();
   const Face face = tests::frontFace(64);
   const Box box{glm::dvec3(-infinity), glm::dvec3(infinity)};

@@ -1,4 +1,4 @@
-// Clusters: what is left out before the vertex stage, no pixel can tell.
+// Culling clusters before the vertex stage changes no pixel.
 #include "raster/culling/triangle_cluster.h"
 
 #include <catch2/catch.hpp>
@@ -15,7 +15,7 @@ using tests::plainList;
 
 namespace {
 
-/// Draws around the eye, some of them through it, each of so many triangles near to each other.
+/// Draws around the eye, some of them through it, each with `triangles` triangles near to each other.
 DrawList cloud(int draws, int triangles, unsigned seed) {
   DrawList list = plainList();
   std::mt19937 random(seed);
@@ -48,7 +48,7 @@ Scissor randomScissor(std::mt19937& random, int resolution) {
 
 }  // namespace
 
-TEST_CASE("clusters cover the triangles of the draws in order, each once", "[cluster]") {
+TEST_CASE("clustersOf covers the triangles of the draws in order, each once", "[cluster]") {
   for (const DrawList& list : {cloud(10, 100, 1), withMap(cloud(10, 100, 1)), cloud(500, 2, 4)}) {
     std::uint32_t next = 0;
     for (const Cluster& cluster : clustersOf(list))
@@ -65,13 +65,13 @@ TEST_CASE("clusters cover the triangles of the draws in order, each once", "[clu
   }
 }
 
-TEST_CASE("the pieces of a mesh share clusters of 32 triangles, and draws with a map have their own", "[cluster]") {
+TEST_CASE("clustersOf puts pieces of a mesh into clusters of 32 triangles, and draws with a map into their own",
+          "[cluster]") {
   CHECK(clustersOf(cloud(500, 2, 4)).size() == 32);
   CHECK(clustersOf(withMap(cloud(500, 2, 4))).size() == 500);
 }
 
-TEST_CASE("a cluster that may not cover a sample has no screen triangle, and most of those without have none looked at",
-          "[cluster]") {
+TEST_CASE("ViewBounds culls only clusters without screen triangles, and most of those", "[cluster]") {
   std::mt19937 random(7);
   int without = 0, leftOut = 0;
   for (const DrawList& list : {withMap(cloud(1000, 1, 2)), cloud(30, 70, 3)}) {
@@ -92,12 +92,12 @@ TEST_CASE("a cluster that may not cover a sample has no screen triangle, and mos
       }
     }
   }
-  // Boxes reach farther than triangles: a count, far from nothing and from everything.
+  // Boxes extend beyond triangles, so that only a share is culled: more than three quarters.
   CHECK(leftOut > without * 3 / 4);
   CHECK(leftOut <= without);
 }
 
-TEST_CASE("a cluster with a value that is not finite is never left out", "[cluster]") {
+TEST_CASE("ViewBounds never culls a cluster with a value that is not finite", "[cluster]") {
   const float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   for (const float value : {infinity, -infinity, nan, 2e15F}) {
     DrawList list = plainList();

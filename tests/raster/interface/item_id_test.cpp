@@ -1,4 +1,4 @@
-// The item IDs of the texture-blend path, over whole ranges.
+// blend, pack and the formats, over whole ranges of item IDs.
 #include "raster/interface/item_id.h"
 
 #include <algorithm>
@@ -13,9 +13,9 @@ const IdFormat rgb8{{8, 8, 8}};
 
 }  // namespace
 
-TEST_CASE("the named formats have the widths their names say", "[item_id]") {
+TEST_CASE("formatNamed gives the widths that the names contain", "[item_id]") {
   for (const std::string& name : formatNames()) {
-    int bits = 0;  // the sum of the numbers in the name: r5g6b5 has 5 + 6 + 5 bits
+    int bits = 0;  // the sum of the digits in the name: r5g6b5 has 5 + 6 + 5 bits
     int number = 0;
     for (const char c : name + " ") {
       if (c >= '0' && c <= '9') {
@@ -32,7 +32,7 @@ TEST_CASE("the named formats have the widths their names say", "[item_id]") {
   CHECK_FALSE(formatNamed("r9g9b9e5"));
 }
 
-TEST_CASE("the reserved item IDs are the two at the top of the range", "[item_id]") {
+TEST_CASE("backgroundId and backId are the two largest item IDs", "[item_id]") {
   CHECK(backgroundId({{8, 8, 8}}) == 0xffffffu);
   CHECK(backId({{8, 8, 8}}) == 0xfffffeu);
   CHECK(backgroundId({{32}}) == 0xffffffffu);
@@ -40,7 +40,7 @@ TEST_CASE("the reserved item IDs are the two at the top of the range", "[item_id
   CHECK(backgroundId({{5, 6, 5}}) == 0xffffu);
 }
 
-TEST_CASE("a clamped add saturates each channel alone, for all byte pairs of every channel", "[item_id]") {
+TEST_CASE("blend with ClampedAdd saturates each channel alone, for all byte pairs of each channel", "[item_id]") {
   for (int channel = 0; channel < 3; ++channel) {
     const int shift = 8 * channel;
     // Neighbouring channels hold 0x12 + 0x34 = 0x46: a carry or a borrow would show there.
@@ -57,7 +57,7 @@ TEST_CASE("a clamped add saturates each channel alone, for all byte pairs of eve
   }
 }
 
-TEST_CASE("a clamped add saturates unequal channels at their own maxima", "[item_id]") {
+TEST_CASE("blend with ClampedAdd saturates channels of different widths at their own maxima", "[item_id]") {
   const IdFormat format{{5, 6, 5}};
   bool holds = true;
   for (ItemId a = 0; a < 64; ++a)
@@ -70,29 +70,29 @@ TEST_CASE("a clamped add saturates unequal channels at their own maxima", "[item
   CHECK(holds);
 }
 
-TEST_CASE("integer add carries across channels and wraps at the item ID's width", "[item_id]") {
+TEST_CASE("blend with IntegerAdd carries across channels and wraps at the width of the item ID", "[item_id]") {
   CHECK(blend(rgb8, Blend::IntegerAdd, 0x0000ff, 1) == 0x000100);
   CHECK(blend(rgb8, Blend::IntegerAdd, 0xffffff, 2) == 1);
   CHECK(blend({{32}}, Blend::IntegerAdd, 0xffffffff, 2) == 1);
   CHECK(blend(rgb8, Blend::Replace, 0x123456, 0x654321) == 0x654321);
 }
 
-TEST_CASE("every surface and element of a 24-bit item ID with k = 12 comes back from its item ID", "[item_id]") {
+TEST_CASE("unpack is the inverse of pack for all surfaces and elements of a 24-bit item ID with k = 12", "[item_id]") {
   bool holds = true;
   for (ItemId surface = 0; surface < 4096; ++surface)
     for (ItemId element = 0; element < 4096; ++element) {
       const ItemId id = pack({surface, element}, 12);
       holds &= unpack(id, 12) == SurfaceElement{surface, element};
-      // The aligned offset and the index have no bit in common, so the blend unit's add is a plain or.
+      // The aligned offset and the index have no common bit, so that adding them is a bitwise or.
       holds &= blend(rgb8, Blend::ClampedAdd, surface << 12, element) == id;
       holds &= blend(rgb8, Blend::IntegerAdd, surface << 12, element) == id;
     }
   CHECK(holds);
 }
 
-TEST_CASE("the clamp destroys the two item IDs of an unaligned offset that need a carry", "[item_id]") {
+TEST_CASE("blend with ClampedAdd loses the two item IDs of an unaligned offset that need a carry", "[item_id]") {
   // Offset 254 and a 2 x 2 index map: the item IDs should be 254, 255, 256, 257. The last two carry out of the low
-  // channel, which the clamp forbids: both become 255, so two elements are lost and a third gets all their pixels.
+  // channel, which the clamp prevents. Both become 255: two elements are lost, and a third gets all their pixels.
   std::vector<ItemId> clamped, added;
   for (ItemId texel = 0; texel < 4; ++texel) {
     clamped.push_back(blend(rgb8, Blend::ClampedAdd, 254, texel));
@@ -102,8 +102,8 @@ TEST_CASE("the clamp destroys the two item IDs of an unaligned offset that need 
   CHECK(clamped == std::vector<ItemId>{254, 255, 255, 255});
 }
 
-TEST_CASE("a clamped add equals the integer sum exactly where no channel overflows", "[item_id]") {
-  // For all offsets of 16 bits against the largest 8-bit index map: destroyed are the item IDs whose low byte carries.
+TEST_CASE("blend with ClampedAdd equals the integer sum exactly where no channel overflows", "[item_id]") {
+  // All offsets of 16 bits with the largest 8-bit index map: item IDs whose low byte carries are lost.
   const IdFormat format{{8, 8}};
   bool holds = true;
   for (ItemId offset = 0; offset < 65280; ++offset)

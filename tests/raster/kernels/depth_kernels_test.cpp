@@ -1,4 +1,4 @@
-// The depth kernels of every instruction set compute what the plain ones do, bit for bit.
+// The depth kernels of each instruction set give the same results as the scalar kernels, bit for bit.
 #include "raster/kernels/depth_kernels.h"
 
 #include <algorithm>
@@ -18,8 +18,8 @@ struct Drawn {
   raster::UndecidedPixels undecided;
 };
 
-/// Each triangle twice, so that its second time is undecided wherever it is in front; triangle t has the numbers 2 t
-/// and 2 t + 1.
+/// Each triangle twice, so that the second is undecided wherever it is in front. Triangle t has the numbers 2 t and 2 t
+/// + 1.
 Drawn draw(const raster::DepthKernels& kernels, const std::vector<raster::ScreenTriangle>& triangles,
            const raster::Face& face) {
   Drawn drawn;
@@ -32,9 +32,9 @@ Drawn draw(const raster::DepthKernels& kernels, const std::vector<raster::Screen
 
 }  // namespace
 
-TEST_CASE("the depth test is the same bits with every instruction set", "[kernels]") {
+TEST_CASE("DepthKernels::offer gives the same bits with each instruction set", "[kernels]") {
   raster::DrawList list = crossingTriangles();
-  // Wide ones in front of all, with a side along a row of samples, which belongs to one of them.
+  // Wide triangles in front of all, with a shared side along a row of samples, which belongs to one of them.
   const auto near = [](float x, float y) { return glm::vec3(x, y, 1) / 64.0F; };
   for (const float y : {-0.9F, 0.9F})
     addTriangle(list, {near(-0.9F, 1.0F / 128), near(0.9F, 1.0F / 128), near(0.1F, y)}, {{0, 0}, {1, 0}, {0, 1}});
@@ -53,8 +53,8 @@ TEST_CASE("the depth test is the same bits with every instruction set", "[kernel
   }
 }
 
-TEST_CASE("runs end where another triangle is shown, with every instruction set", "[kernels]") {
-  // Runs of 1, 2, 3, ... pixels; what lies behind `end` goes on with the last.
+TEST_CASE("DepthKernels::endOfRun stops at another triangle, with each instruction set", "[kernels]") {
+  // Runs of 1, 2, 3, ... pixels; values behind `end` repeat the last one.
   std::vector<std::uint32_t> triangles;
   for (std::uint32_t length = 1; length < 40; ++length) triangles.insert(triangles.end(), length, length % 2);
   const auto size = static_cast<int>(triangles.size());
@@ -70,7 +70,7 @@ TEST_CASE("runs end where another triangle is shown, with every instruction set"
   }
 }
 
-TEST_CASE("a part of the depth buffer hides what is behind all of its pixels, with every instruction set",
+TEST_CASE("DepthKernels::isHidden holds where all pixels of a part are nearer, with each instruction set",
           "[kernels]") {
   const raster::Face face = frontFace(64);
   raster::DepthBuffer buffer;

@@ -1,4 +1,4 @@
-// Changes between item IDs: as a look at each pair of neighbours tells, with every instruction set.
+// findChanges equals a comparison of each pair of neighbours, with each instruction set.
 #include "raster/kernels/run_kernels.h"
 
 #include <catch2/catch.hpp>
@@ -17,8 +17,9 @@ std::vector<raster::RunKernels> allKernels() {
 
 }  // namespace
 
-TEST_CASE("a bit is set where an item ID differs from the one before it, for rows of every length", "[kernels]") {
-  // Runs of 1, 2, 3 ... item IDs, whose highest bit alone differs in every other run.
+TEST_CASE("RunKernels::findChanges sets a bit where an item ID differs from the one before, for rows of all lengths",
+          "[kernels]") {
+  // Runs of 1, 2, 3 ... item IDs; every other run differs only in the highest bit.
   std::vector<ItemId> ids{7};
   for (ItemId run = 0; ids.size() < 400; ++run) ids.insert(ids.end(), run % 9, run % 2 == 0 ? 7U : 0x80000007U);
   for (const raster::RunKernels& kernels : allKernels()) {
@@ -30,7 +31,7 @@ TEST_CASE("a bit is set where an item ID differs from the one before it, for row
         for (std::size_t i = 0; i < count; ++i)
           if (ids[first + i] != ids[first + i - 1]) expected[i / 64] |= std::uint64_t{1} << i % 64;
         kernels.findChanges(ids.data() + first, count, changes.data());
-        // Nothing is written behind.
+        // Nothing is written behind the end.
         expected.push_back(0x123);
         REQUIRE(changes == expected);
       }

@@ -1,5 +1,5 @@
-// The small triangle kernels of every instruction set compute what the plain ones do, bit for bit, and the plain ones
-// find what screen triangles show.
+// The kernels for small triangles give the same results with each instruction set, bit for bit, and the same samples as
+// screen triangles.
 #include "raster/kernels/small_triangle_kernels.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::vector<Face> faces() {
   return all;
 }
 
-/// A part of the mesh as a face sees it.
+/// A part of the mesh in the view of a face.
 struct Seen {
   PlacedVertices placed;
   std::uint32_t small;
@@ -33,7 +33,7 @@ struct Seen {
       : small(plainVertexKernels().place(mesh, part, face, placed).small) {}
 };
 
-/// Triangle, row, column, the bits of 1/w, and the texel: in an order of their own, not that of the kernel.
+/// Triangle, row, column, bits of 1/w, texel: sorted, because the kernels return samples in any order.
 using Sample = std::tuple<std::int32_t, int, int, std::uint64_t, std::int32_t>;
 
 std::vector<Sample> sorted(const SmallSamples& samples) {
@@ -58,7 +58,8 @@ std::vector<std::pair<int, int>> coveredBy(const ScreenTriangle& triangle) {
 
 }  // namespace
 
-TEST_CASE("small triangles have the same samples with every instruction set", "[small_triangle_kernels]") {
+TEST_CASE("SmallTriangleKernels::findSamples gives the same samples with each instruction set",
+          "[small_triangle_kernels]") {
   const DrawList list = tests::smallTriangles(600);
   const ClusterMesh mesh = meshOf(list, clustersOf(list));
   std::size_t samples = 0;
@@ -82,7 +83,8 @@ TEST_CASE("small triangles have the same samples with every instruction set", "[
   CHECK(samples > 20000);
 }
 
-TEST_CASE("a small triangle covers the samples of its screen triangle and has its texels", "[small_triangle_kernels]") {
+TEST_CASE("SmallTriangleKernels::findSamples gives the samples and texels of the screen triangle",
+          "[small_triangle_kernels]") {
   const DrawList list = tests::smallTriangles(600);
   const std::vector<Cluster> clusters = clustersOf(list);
   const ClusterMesh mesh = meshOf(list, clusters);

@@ -1,4 +1,4 @@
-// The texel kernels of every instruction set compute what the plain ones do, bit for bit.
+// The texel kernels of each instruction set give the same results as the scalar kernels, bit for bit.
 #include "raster/kernels/texel_kernels.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ bool isCovered(const raster::ScreenTriangle& triangle, int column, int row) {
                      [=](const raster::Edge& edge) { return edge.at(column, row) >= (edge.inclusive ? 0 : 1); });
 }
 
-/// What a face shows of triangles, by their numbers.
+/// The triangle numbers that a face shows.
 raster::DepthBuffer drawn(const std::vector<raster::ScreenTriangle>& triangles, const raster::Face& face) {
   raster::DepthBuffer buffer;
   raster::UndecidedPixels undecided;
@@ -31,14 +31,14 @@ raster::DepthBuffer drawn(const std::vector<raster::ScreenTriangle>& triangles, 
   return buffer;
 }
 
-/// What kernels find in a run.
+/// The results of a kernel for a run.
 struct Texels {
   std::vector<std::uint32_t> texels;
   std::vector<std::pair<int, int>> undecided;
 };
 
 Texels texelsOf(const raster::TexelKernels& kernels, const raster::PixelRun& run, const raster::TexelPlanes& planes) {
-  // Behind the run stands what kernels may take for a texel that is still open.
+  // Behind the run, the mark that kernels use for an open texel.
   Texels found{std::vector<std::uint32_t>(static_cast<std::size_t>(run.count + raster::maxLanes), 0xffffffff), {}};
   raster::UndecidedPixels undecided;
   kernels.findTexels(run, planes, 7, found.texels.data(), undecided);
@@ -50,7 +50,7 @@ Texels texelsOf(const raster::TexelKernels& kernels, const raster::PixelRun& run
   return found;
 }
 
-/// Holds the texels of each run that a face shows against those of the plain kernels; returns the longest run.
+/// Compares the texels of each run of a face with those of the scalar kernels; returns the longest run.
 int compareTexels(const raster::DrawList& list, const raster::Face& face,
                   const std::vector<std::pair<int, int>>& maps) {
   const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
@@ -81,12 +81,14 @@ int compareTexels(const raster::DrawList& list, const raster::Face& face,
 
 }  // namespace
 
-TEST_CASE("texels are the same with every instruction set, for runs of every length", "[kernels]") {
+TEST_CASE("TexelKernels::findTexels gives the same texels with each instruction set, for runs of all lengths",
+          "[kernels]") {
   compareTexels(crossingTriangles(), frontFace(64), {{16, 16}, {1, 5}, {1024, 1}, {65536, 32768}});
 }
 
-TEST_CASE("texels are the same with every instruction set, along walls steep and flat", "[kernels]") {
-  // Each wall fills the view; its depth grows from left to right, its coordinates leave the map on both sides.
+TEST_CASE("TexelKernels::findTexels gives the same texels with each instruction set, along steep and flat walls",
+          "[kernels]") {
+  // Each wall fills the view. Its depth grows from left to right, and its coordinates leave the map on both sides.
   raster::Face face = frontFace(256);
   face.scissor.height = 24;
   for (const float depth : {1.0F, 1.5F, 4.0F, 20.0F, 300.0F})
@@ -100,7 +102,7 @@ TEST_CASE("texels are the same with every instruction set, along walls steep and
     }
 }
 
-TEST_CASE("a single texel is everywhere, however large coordinates are", "[kernels]") {
+TEST_CASE("TexelKernels::findTexels finds a single texel everywhere, however large the coordinates", "[kernels]") {
   raster::DrawList list = plainList();
   addDraw(list, 0);
   addTriangle(list, {{-1, -1, 1}, {3, -1, 1}, {-1, 3, 1}}, {{-1e18F, 0}, {1e18F, 1e18F}, {7, -1e18F}});
@@ -118,9 +120,12 @@ TEST_CASE("a single texel is everywhere, however large coordinates are", "[kerne
   }
 }
 
-TEST_CASE("a texel beside a border is the exact one or undecided, with every instruction set", "[kernels]") {
-  // Walls as above. Coordinates are moved so that a pixel of a run, often the first or the last, where 1/w differs most
-  // from that in the middle, lies 2^-6 to 2^-25 texels from a border: far off what rounding can do and close to it.
+TEST_CASE(
+    "TexelKernels::findTexels beside a border gives the exact texel or an undecided one, with each instruction set",
+    "[kernels]") {
+  // Walls as above. Coordinates are shifted so that a pixel of a run lies 2^-6 to 2^-25 texels from a border. That is
+  // from well above to close to the rounding error. The pixel is often the first or the last, where 1/w differs most
+  // from the middle.
   raster::Face face = frontFace(256);
   face.scissor.height = 4;
   std::mt19937 random(4);
@@ -168,11 +173,11 @@ TEST_CASE("a texel beside a border is the exact one or undecided, with every ins
   CHECK(open > 0);
 }
 
-TEST_CASE("exact quotients give the texels of the exact fallback, with every instruction set", "[kernels]") {
+TEST_CASE("TexelKernels::findExactTexels gives the texels of texelExactly, with each instruction set", "[kernels]") {
   const raster::Face face = frontFace(64);
   raster::DrawList list = plainList();
   addDraw(list, 0);
-  // Corners at halves of pixels, texels that begin at samples, straight on and across depths of few bits.
+  // Corners at half pixels and texels that begin at samples; seen straight on, and with different short depths.
   for (const float depth : {1.0F, 2.5F}) {
     const auto point = [&](float column, float row, float w) {
       return glm::vec3((column / 32 - 1) * w, (row / 32 - 1) * w, w);

@@ -1,4 +1,4 @@
-// The vertex kernels of every instruction set compute what the plain ones do, bit for bit.
+// The vertex kernels of each instruction set give the same results as the scalar kernels, bit for bit.
 #include "raster/kernels/vertex_kernels.h"
 
 #include <algorithm>
@@ -14,8 +14,8 @@ using namespace hemitex::raster;
 
 namespace {
 
-/// Triangles around the eye and far beyond what binary32 holds, a draw each of 1 to 32 of them, with vertices on the
-/// near plane, on the sides of the view and of the guard band.
+/// Draws of 1 to 32 triangles around the eye and far beyond the range of binary32. Some vertices lie on the near plane,
+/// on the sides of the view and on those of the guard band.
 DrawList allAround() {
   std::mt19937 random(3);
   DrawList list = tests::plainList();
@@ -38,7 +38,7 @@ DrawList allAround() {
   return list;
 }
 
-/// All that `place` says of a part, floats as bits.
+/// All results of `place` for a part; floats as bits.
 std::vector<std::uint32_t> placed(const VertexKernels& kernels, const ClusterMesh& mesh, const ClusterPart& part,
                                   const Face& face) {
   PlacedVertices vertices;
@@ -66,7 +66,7 @@ std::vector<Face> faces() {
 
 }  // namespace
 
-TEST_CASE("vertices are placed the same with every instruction set", "[vertex_kernels]") {
+TEST_CASE("VertexKernels::place gives the same vertices with each instruction set", "[vertex_kernels]") {
   const DrawList list = allAround();
   const ClusterMesh mesh = meshOf(list, clustersOf(list));
   std::uint32_t whole = 0, cut = 0, small = 0, sides = 0;
@@ -89,7 +89,8 @@ TEST_CASE("vertices are placed the same with every instruction set", "[vertex_ke
   CHECK(sides == (beyondAny | notInside));
 }
 
-TEST_CASE("a vertex that is inside is placed as the rules place it", "[vertex_kernels]") {
+TEST_CASE("VertexKernels::place transforms and snaps a vertex inside the half-spaces as docs/item-buffers.md defines",
+          "[vertex_kernels]") {
   const DrawList list = allAround();
   const ClusterMesh mesh = meshOf(list, clustersOf(list));
   const Face face = tests::frontFace(128);

@@ -1,4 +1,4 @@
-// The exact fallback against the same formulas in integers without bound, sample by sample.
+// The exact decisions compared with the same formulas in unbounded integers, sample by sample.
 #include "raster/setup/exact_interpolation.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 using Integer = boost::multiprecision::cpp_int;
 using Rational = boost::multiprecision::cpp_rational;
 
-/// Raster rules, 6, item ID for item ID.
+/// docs/item-buffers.md, "depth", literally.
 Rational inverseDepth(const ScreenTriangle& triangle, int column, int row) {
   Rational sum = 0;
   for (std::size_t k = 0; k < 3; ++k)
@@ -50,7 +50,7 @@ int texelOf(const ExactQuotient& exact, const ScreenTriangle& triangle, int size
   return static_cast<int>(std::clamp(std::floor(numerator / denominator), 0.0, size - 1.0));
 }
 
-/// What the numbers of a triangle are like: of few bits or of all that binary32 or clipping (binary64) gives.
+/// The number of bits of the values: few, all of binary32, or all of double precision as after clipping.
 enum class Digits { Few, Single, Double };
 
 double number(std::mt19937& random, Digits digits, float low, float high) {
@@ -63,7 +63,7 @@ struct Sample {
   int column, row;
 };
 
-/// Some samples inside a triangle or on its edges, three in all; none where it covers fewer.
+/// Three samples inside a triangle or on its edges; none if it covers fewer.
 std::vector<Sample> samplesOf(const ScreenTriangle& triangle, std::mt19937& random) {
   std::vector<Sample> samples;
   for (int row = triangle.firstRow; row < triangle.endRow; ++row)
@@ -80,10 +80,10 @@ std::vector<Sample> samplesOf(const ScreenTriangle& triangle, std::mt19937& rand
 struct Kind {
   const char* name;
   Digits digits;
-  bool straight;      ///< one w
-  float depths;       ///< the largest over the least
-  float coordinates;  ///< u and v reach so far
-  bool isShort;       ///< some quotients fit binary64
+  bool straight;      ///< one w for all corners
+  float depths;       ///< ratio of the largest to the smallest depth
+  float coordinates;  ///< largest absolute value of u and v
+  bool isShort;       ///< some quotients fit into double precision
 };
 
 const std::vector<Kind> kinds = {{"a wall of round numbers, straight on", Digits::Few, true, 1, 2, true},
@@ -95,7 +95,7 @@ const std::vector<Kind> kinds = {{"a wall of round numbers, straight on", Digits
                                  {"depths from near to far", Digits::Double, false, 1e9F, 1, false},
                                  {"wide coordinates", Digits::Single, false, 3, 1e12F, false}};
 
-/// A triangle of a kind; `columns` becomes where its corners were snapped to, from 0 to 1 over the picture.
+/// A triangle of a kind. `columns` receives the snapped columns of its corners, from 0 to 1 across the picture.
 ScreenTriangle randomTriangle(std::mt19937& random, const Kind& kind, std::array<double, 3>* columns = nullptr) {
   const Face face = tests::frontFace(32);
   ScreenTriangle triangle;
@@ -119,7 +119,7 @@ ScreenTriangle randomTriangle(std::mt19937& random, const Kind& kind, std::array
 
 }  // namespace
 
-TEST_CASE("a texel decided exactly is the one of the rules, whatever the numbers", "[exact]") {
+TEST_CASE("texelExactly gives the texel of the definition, for all kinds of numbers", "[exact]") {
   std::mt19937 random(2002);
   for (const Kind& kind : kinds) {
     INFO(kind.name);
@@ -145,8 +145,8 @@ TEST_CASE("a texel decided exactly is the one of the rules, whatever the numbers
   }
 }
 
-// Texels of half a pixel whose borders lie on the samples, and a coordinate that is the same border everywhere.
-TEST_CASE("a sample on a border belongs to the texel that begins there", "[exact]") {
+// Texels of half a pixel whose borders lie on samples, and a coordinate that is on the same border everywhere.
+TEST_CASE("texelExactly gives a sample on a border the texel that begins there", "[exact]") {
   std::mt19937 random(11);
   int wrong = 0, samples = 0;
   for (const Kind& kind : kinds)
@@ -169,9 +169,9 @@ TEST_CASE("a sample on a border belongs to the texel that begins there", "[exact
   CHECK(wrong == 0);
 }
 
-// A coordinate is moved by a constant so that a sample of the triangle comes as near to a texel's border as binary64
-// allows: its value there is rounded and taken away.
-TEST_CASE("texels are decided next to borders", "[exact]") {
+// A coordinate is shifted so that a sample of the triangle is as near to a texel border as double precision allows: its
+// rounded value there is subtracted.
+TEST_CASE("texelExactly decides texels next to borders", "[exact]") {
   std::mt19937 random(17);
   int below = 0, above = 0, wrong = 0;
   for (const Kind& kind : kinds) {
@@ -194,7 +194,7 @@ TEST_CASE("texels are decided next to borders", "[exact]") {
   CHECK(wrong == 0);
 }
 
-TEST_CASE("the nearer of two triangles is the one of the rules, and equal depths are a tie", "[exact]") {
+TEST_CASE("isNearerExactly finds the nearer of two triangles, and equal depths are a tie", "[exact]") {
   std::mt19937 random(5);
   int ties = 0, nearer = 0, wrong = 0;
   const auto compare = [&](const ScreenTriangle& a, const ScreenTriangle& b, int column, int row) {
@@ -207,7 +207,7 @@ TEST_CASE("the nearer of two triangles is the one of the rules, and equal depths
   for (const Kind& kind : kinds)
     for (int t = 0; t < 50; ++t) {
       const ScreenTriangle triangle = randomTriangle(random, kind), other = randomTriangle(random, kind);
-      // The same corners in another order, one of them moved in depth, and all in one depth.
+      // The same corners in another order, one of them with another depth, and all with one depth.
       ScreenTriangle reversed = triangle, moved = triangle, straight = triangle;
       std::swap(reversed.edges[0], reversed.edges[2]);
       std::swap(reversed.w[0], reversed.w[2]);

@@ -1,4 +1,4 @@
-// The vertex stage and clipping: what stays, where edges are cut, and that neighbours are cut alike.
+// transform and clip: kept vertices, crossings on edges, and equal crossings for neighbours.
 #include "raster/setup/vertex_stage.h"
 
 #include <catch2/catch.hpp>
@@ -22,7 +22,7 @@ double fanArea(const raster::ClippedPolygon& polygon) {
 
 }  // namespace
 
-TEST_CASE("the vertex stage is the rows of the view times the offset from the eye", "[clip]") {
+TEST_CASE("transform multiplies the rows of the view with the offset from the eye", "[clip]") {
   raster::Face face = tests::frontFace(64);
   face.eye = {1, 2, 3};
   face.x = {0, 0, 1};
@@ -36,7 +36,7 @@ TEST_CASE("the vertex stage is the rows of the view times the offset from the ey
   CHECK(vertex.v == 0.75);
 }
 
-TEST_CASE("a triangle inside all half-spaces is kept as it is", "[clip]") {
+TEST_CASE("clip keeps a triangle inside all half-spaces unchanged", "[clip]") {
   const std::array<ViewVertex, 3> triangle{{{0, 0, 1, 0, 0}, {8, 0, 1, 1, 0}, {0, -8, 1, 0, 1}}};
   const raster::ClippedPolygon polygon = raster::clip(triangle, 1);
   REQUIRE(polygon.count == 3);
@@ -46,8 +46,8 @@ TEST_CASE("a triangle inside all half-spaces is kept as it is", "[clip]") {
   }
 }
 
-TEST_CASE("the near plane cuts an edge where w = n, and writes n there exactly", "[clip]") {
-  // From (0, 0, w = 2) to w = -1 and w = -2: w = 0.5 is reached after 1/2 and 3/8 of the way.
+TEST_CASE("clip cuts an edge at the near plane where w = n, and stores exactly n", "[clip]") {
+  // From (0, 0, w = 2) to w = -1 and w = -2: w = 0.5 is at 1/2 and 3/8 of the way.
   const std::array<ViewVertex, 3> triangle{{{0, 0, 2, 0, 0}, {3, 0, -1, 1, 0}, {0, 2, -2, 0, 1}}};
   const raster::ClippedPolygon polygon = raster::clip(triangle, 0.5);
   REQUIRE(polygon.count == 3);
@@ -59,8 +59,8 @@ TEST_CASE("the near plane cuts an edge where w = n, and writes n there exactly",
   CHECK(polygon.vertices[2].v == 0.375);
 }
 
-TEST_CASE("the clipped polygon starts at the first vertex that the walk emits", "[clip]") {
-  // The first vertex is behind the near plane: the walk emits the crossing on the edge v0 v1 first, then v1.
+TEST_CASE("clip starts the polygon at the first vertex that its loop emits", "[clip]") {
+  // The first vertex is behind the near plane: the loop emits the crossing on the edge v0 v1 first, then v1.
   const std::array<ViewVertex, 3> triangle{{{0, 0, -1, 0, 0}, {1, 0, 3, 1, 0}, {0, 1, 3, 0, 1}}};
   const raster::ClippedPolygon polygon = raster::clip(triangle, 1);
   REQUIRE(polygon.count == 4);
@@ -71,13 +71,13 @@ TEST_CASE("the clipped polygon starts at the first vertex that the walk emits", 
   CHECK(polygon.vertices[3].w == 1);
 }
 
-TEST_CASE("a triangle around the view is cut to the guard band's square", "[clip]") {
+TEST_CASE("clip cuts a triangle around the view to the square of the guard band", "[clip]") {
   // At w = 1 the guard band is the square of side 16 around the axis: doubled area 512.
   const std::array<ViewVertex, 3> triangle{{{-100, -100, 1, 0, 0}, {300, -100, 1, 0, 0}, {-100, 300, 1, 0, 0}}};
   CHECK(fanArea(raster::clip(triangle, 0.1)) == Approx(512).epsilon(1e-12));
 }
 
-TEST_CASE("an edge is cut at the same point from both of its triangles", "[clip]") {
+TEST_CASE("clip cuts an edge at the same point for both of its triangles", "[clip]") {
   std::mt19937 random(7);
   bool holds = true;
   for (int repeat = 0; repeat < 2000; ++repeat) {
@@ -94,7 +94,7 @@ TEST_CASE("an edge is cut at the same point from both of its triangles", "[clip]
         if (const ViewVertex& p = polygon.vertices[k]; p.w == 2) found.push_back({p.x, p.y, p.u, p.v});
       return found;
     };
-    // Only the near plane at w = 2 cuts: |x|, |y| <= 10 < 8 * 2 keeps everything in the guard band.
+    // Only the near plane at w = 2 cuts: |x|, |y| <= 10 < 8 * 2 is inside the guard band.
     const auto one = crossings(raster::clip({{inside, outside, left}}, 2));
     const auto two = crossings(raster::clip({{outside, inside, right}}, 2));
     bool shared = false;

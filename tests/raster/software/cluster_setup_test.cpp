@@ -24,7 +24,7 @@ bool isSame(const ScreenTriangle& a, const ScreenTriangle& b) {
          a.firstColumn == b.firstColumn && a.endColumn == b.endColumn;
 }
 
-/// Triangles without an index map, so that clusters have many runs; some with a coordinate that is not finite.
+/// Draws without an index map, so that clusters have many runs. Some triangles have a coordinate that is not finite.
 DrawList manyDraws() {
   DrawList list = tests::crossingTriangles();
   const std::vector<Draw> draws = list.draws;
@@ -39,7 +39,7 @@ DrawList manyDraws() {
   return list;
 }
 
-/// Appends the small triangles as screen triangles, too, and puts all in draw order; returns how many were small.
+/// Appends the small triangles as screen triangles and sorts all in draw order; returns the number of small ones.
 std::size_t setUpSmall(const ClusterMesh& mesh, const Cluster& cluster, const ClusterPart& part, std::uint32_t small,
                        const PlacedVertices& placed, const Face& face, std::vector<ScreenTriangle>& triangles) {
   const std::size_t before = triangles.size();
@@ -57,7 +57,8 @@ std::size_t setUpSmall(const ClusterMesh& mesh, const Cluster& cluster, const Cl
 
 }  // namespace
 
-TEST_CASE("a cluster's screen triangles are those of its runs, with every instruction set", "[cluster_triangles]") {
+TEST_CASE("appendScreenTriangles of a cluster gives the screen triangles of its runs, with each instruction set",
+          "[cluster_triangles]") {
   std::vector<VertexKernels> all = simdVertexKernels();
   all.push_back(plainVertexKernels());
   const std::vector<std::uint32_t> skipped{0, 3, 31, 32, 33, 64, 500, 501, 502, 503, 1999};

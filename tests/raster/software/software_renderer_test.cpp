@@ -1,4 +1,4 @@
-// What every pixel is: coverage, depth, texels and item IDs of the reference renderer.
+// Coverage, depth, texels and item IDs of the pixels that SoftwareRenderer draws.
 #include "raster/software/software_renderer.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr ItemId background = 0xffffffff;
 
-/// How often the triangles of a list cover each pixel, drawn one by one.
+/// The number of triangles that cover each pixel, from drawing them one by one.
 std::vector<int> coverCounts(const raster::DrawList& list, const raster::Face& face) {
   std::vector<int> counts(static_cast<std::size_t>(face.scissor.width * face.scissor.height));
   for (std::uint32_t t = 0; t < list.indices.size() / 3; ++t) {
@@ -35,8 +35,8 @@ bool allAre(const std::vector<int>& counts, int value) {
   return std::all_of(counts.begin(), counts.end(), [value](int count) { return count == value; });
 }
 
-/// A square of `size` x `size` jittered cells, two triangles each, that covers more than the view. The jitter is small
-/// enough that every cell stays convex.
+/// A square of `size` x `size` jittered cells, two triangles each, larger than the view. With this small jitter all
+/// cells stay convex.
 raster::DrawList jitteredGrid(std::mt19937& random, int size, float depthSpread, bool flip) {
   raster::DrawList list = plainList();
   addDraw(list, 0);
@@ -72,8 +72,9 @@ std::uint64_t fnv1a(const std::vector<ItemId>& ids, std::uint64_t hash = 0xcbf29
 
 }  // namespace
 
-TEST_CASE("eight triangles around a pixel's centre cover it exactly once, in both windings", "[renderer]") {
-  // The fan's hub lies on the sample of pixel (8, 8) of 16 x 16, at (1/16, 1/16); all spokes pass through it.
+TEST_CASE("SoftwareRenderer covers a pixel once where eight triangles meet at its centre, in both windings",
+          "[renderer]") {
+  // The hub of the fan lies on the sample of pixel (8, 8) of 16 x 16, at (1/16, 1/16); all spokes pass through it.
   const float h = 1.0f / 16;
   for (const bool clockwise : {false, true})
     for (int rotation = 0; rotation < 3; ++rotation) {
@@ -89,14 +90,14 @@ TEST_CASE("eight triangles around a pixel's centre cover it exactly once, in bot
       }
       const std::vector<int> counts = coverCounts(list, frontFace(16));
       CHECK(counts[8 * 16 + 8] == 1);
-      // The fan is the square from pixel (4, 4) to (12, 12), its samples on the border: top and left count, the
-      // others do not, so 8 x 8 pixels are covered, each once.
+      // The fan is the square from pixel (4, 4) to (12, 12) with samples on its border. Those on the top and left edges
+      // are covered, the others are not: 8 x 8 pixels, each once.
       CHECK(std::count(counts.begin(), counts.end(), 1) == 64);
       CHECK(std::count(counts.begin(), counts.end(), 0) == 256 - 64);
     }
 }
 
-TEST_CASE("triangles that share edges cover each pixel exactly once", "[renderer]") {
+TEST_CASE("SoftwareRenderer covers each pixel exactly once where triangles share edges", "[renderer]") {
   std::mt19937 random(1);
   for (const bool flip : {false, true})
     for (const float depthSpread : {0.0f, 3.0f}) {
@@ -105,9 +106,9 @@ TEST_CASE("triangles that share edges cover each pixel exactly once", "[renderer
     }
 }
 
-TEST_CASE("sample positions on edges belong to the triangle whose top or left edge they are", "[renderer]") {
-  // Two triangles make the square [-1/2, 1/2]^2 of 4 x 4 pixels; samples lie at +-1/4 and +-3/4, so shift the square
-  // by 1/4: its borders then pass through the samples of columns and rows 1 and 3.
+TEST_CASE("SoftwareRenderer gives samples on edges to the triangle whose top or left edge they are on", "[renderer]") {
+  // Two triangles make the square [-1/2, 1/2]^2 of 4 x 4 pixels. Samples lie at +-1/4 and +-3/4, so shift the square by
+  // 1/4. Then its borders pass through the samples of columns and rows 1 and 3.
   raster::DrawList list = plainList();
   addDraw(list, 7);
   const float a = -0.25f, b = 0.75f;
@@ -122,7 +123,7 @@ TEST_CASE("sample positions on edges belong to the triangle whose top or left ed
     }
 }
 
-TEST_CASE("y = -w maps to row 0 and x = -w to column 0", "[renderer]") {
+TEST_CASE("SoftwareRenderer maps y = -w to row 0 and x = -w to column 0", "[renderer]") {
   raster::DrawList list = plainList();
   addDraw(list, 1);
   addTriangle(list, {{-1, -1, 1}, {-0.4f, -1, 1}, {-1, -0.4f, 1}});
@@ -132,7 +133,7 @@ TEST_CASE("y = -w maps to row 0 and x = -w to column 0", "[renderer]") {
   CHECK(buffer.ids[56] == background);
 }
 
-TEST_CASE("only the pixels of the scissor rectangle exist, and they are those of the whole face", "[renderer]") {
+TEST_CASE("SoftwareRenderer draws the pixels of the scissor rectangle as those of the whole face", "[renderer]") {
   std::mt19937 random(2);
   raster::DrawList list = jitteredGrid(random, 5, 2, true);
   list.draws.clear();
@@ -150,7 +151,7 @@ TEST_CASE("only the pixels of the scissor rectangle exist, and they are those of
   CHECK(holds);
 }
 
-TEST_CASE("the nearer triangle wins whatever the order, and the earlier one on a tie", "[renderer]") {
+TEST_CASE("SoftwareRenderer keeps the nearer triangle in any order, and the earlier one on a tie", "[renderer]") {
   const auto draw = [](std::initializer_list<float> depths) {
     raster::DrawList list = plainList();
     ItemId id = 0;
@@ -166,14 +167,15 @@ TEST_CASE("the nearer triangle wins whatever the order, and the earlier one on a
   CHECK(draw({1, 2}) == 0);
   CHECK(draw({1, 1}) == 0);
   CHECK(draw({3, 2, 2, 4}) == 1);
-  // One unit in the last place of binary32 decides.
+  // The depths differ by one unit in the last place of binary32.
   CHECK(draw({std::nextafter(2.0f, 3.0f), 2}) == 1);
   CHECK(draw({2, std::nextafter(2.0f, 3.0f)}) == 0);
 }
 
-// Clusters of surfaces with maps are their own, and the nearest are drawn first: here those of the later surfaces,
-// whose second triangles lie before the first ones, off to the side.
-TEST_CASE("on a tie the earlier surface keeps the pixel, though a later one was drawn before it", "[renderer]") {
+// Surfaces with maps have their own clusters, and the nearest clusters are drawn first. Here these belong to the later
+// surfaces: their second triangles lie in front of the first ones, off to the side.
+TEST_CASE("SoftwareRenderer keeps the earlier surface on a tie, even if a later one was drawn before it",
+          "[renderer]") {
   raster::DrawList list = plainList();
   list.indexMaps.push_back({1, 1, {0}});
   for (ItemId id = 0; id < 6; ++id) {
@@ -189,8 +191,9 @@ TEST_CASE("on a tie the earlier surface keeps the pixel, though a later one was 
         64 * 64);
 }
 
-TEST_CASE("coplanar triangles of different shape tie exactly where their depth is constant", "[renderer]") {
-  // Binary64 rounds 1/w differently for different triangles of one plane w = 0.3; exact arithmetic sees the tie.
+TEST_CASE("SoftwareRenderer finds ties of coplanar triangles exactly where their depth is constant", "[renderer]") {
+  // In double precision 1/w rounds differently for different triangles of the plane w = 0.3; exact arithmetic finds the
+  // tie.
   const float w = 0.3f;
   std::mt19937 random(3);
   bool holds = true;
@@ -209,17 +212,17 @@ TEST_CASE("coplanar triangles of different shape tie exactly where their depth i
   CHECK(holds);
 }
 
-TEST_CASE("a triangle that faces away draws the back item ID, untextured, for mirrored views too", "[renderer]") {
+TEST_CASE("SoftwareRenderer draws back-facing triangles with the back item ID, also in mirrored views", "[renderer]") {
   raster::DrawList list;
   list.format = {{8, 8, 8}};
   list.indexMaps.push_back({1, 1, {5}});
   addDraw(list, 0x100, 0xfffffe, 0);
   addTriangle(list, {{-1, -1, 1}, {3, -1, 1}, {-1, 3, 1}});
   raster::Face face = frontFace(4);
-  // Seen with x right and rows downwards the corners wind clockwise, which faces a viewer whose rows grow along +y in
-  // a right-handed frame: the determinant is +1, the snapped area is positive, equal signs, so this is the back.
+  // With x to the right and rows downwards, the corners wind clockwise. The determinant is +1 and the snapped area is
+  // positive. Equal signs mean back-facing.
   CHECK(drawOne(list, face).ids[0] == 0xfffffe);
-  face.x = -face.x;  // the picture is mirrored, the surface is not turned
+  face.x = -face.x;  // mirrors the picture, not the surface
   CHECK(drawOne(list, face).ids[0] == 0xfffffe);
   std::swap(list.indices[0], list.indices[1]);
   CHECK(drawOne(list, face).ids[0] == 0x105);
@@ -230,7 +233,7 @@ TEST_CASE("a triangle that faces away draws the back item ID, untextured, for mi
   CHECK(drawOne(list, face).ids[0] == 0x105);
 }
 
-TEST_CASE("a pixel's facing is the side of the plane on which the eye lies", "[renderer]") {
+TEST_CASE("SoftwareRenderer determines the facing by the side of the plane on which the eye lies", "[renderer]") {
   // The normal of a counter-clockwise triangle points at a viewer for whom (p - eye) . normal < 0.
   std::mt19937 random(11);
   bool holds = true;
@@ -249,10 +252,10 @@ TEST_CASE("a pixel's facing is the side of the plane on which the eye lies", "[r
   CHECK(holds);
 }
 
-TEST_CASE("a texel border that falls on pixel samples gives each sample the texel that begins there", "[renderer]") {
-  // A wall seen straight on covers the view with u = (x + 1)/2, and a map of N columns. With R = N pixels the border
-  // k/N lies at x = 2k/N - 1, between samples; shifting the wall by half a pixel puts every border on a sample:
-  // sample i then has u = (i + 1)/N, exactly the lower border of texel i + 1.
+TEST_CASE("SoftwareRenderer gives a sample on a texel border the texel that begins there", "[renderer]") {
+  // A wall seen straight on covers the view with u = (x + 1)/2 and a map of N columns. With R = N pixels the border k/N
+  // lies at x = 2k/N - 1, between samples. Shifting the wall by half a pixel puts each border on a sample: sample i
+  // then has u = (i + 1)/N, exactly the lower border of texel i + 1.
   const int n = 64;
   raster::DrawList list = plainList();
   list.indexMaps.push_back(countingMap(n, 1));
@@ -268,8 +271,9 @@ TEST_CASE("a texel border that falls on pixel samples gives each sample the texe
   CHECK(holds);
 }
 
-TEST_CASE("depth, texel and coverage equal their rational definition on random triangles", "[renderer]") {
-  // The brute-force twin: raster rules 4 to 6 spelled out in rational numbers for unclipped triangles.
+TEST_CASE("SoftwareRenderer equals the rational definition of depth, texel and coverage on random triangles",
+          "[renderer]") {
+  // docs/item-buffers.md, "cover" to "texel", in rational numbers for unclipped triangles.
   using Rational = boost::multiprecision::cpp_rational;
   const int resolution = 16, mapSize = 23;
   std::mt19937 random(5);
@@ -283,7 +287,7 @@ TEST_CASE("depth, texel and coverage equal their rational definition on random t
     std::array<glm::vec2, 3> t;
     for (std::size_t k = 0; k < 3; ++k) {
       const float w = uniform(random, 0.5f, repeat % 2 == 0 ? 1.0f : 40.0f);
-      // Half of the vertices lie on multiples of half a sub-pixel, half of the coordinates on texel borders.
+      // Half of the vertices lie on multiples of half a sub-pixel, and half of the coordinates on texel borders.
       const auto grid = [&](float x) { return k != 0 ? x : std::nearbyint(x * 4096) / 4096; };
       p[k] = {grid(uniform(random, -2, 2)) * w, grid(uniform(random, -2, 2)) * w, w};
       const auto border = [&](float x) { return k == 1 ? x : std::nearbyint(x * mapSize) / mapSize; };
@@ -340,7 +344,7 @@ TEST_CASE("depth, texel and coverage equal their rational definition on random t
   CHECK(texelHolds);
 }
 
-TEST_CASE("skipped triangles leave no pixel, the others are as before", "[renderer]") {
+TEST_CASE("SoftwareRenderer leaves out skipped triangles and draws the others as before", "[renderer]") {
   std::mt19937 random(4);
   const raster::DrawList list = jitteredGrid(random, 4, 1, false);
   std::vector<std::uint32_t> skipped{0, 3, 4, 17, 31};
@@ -351,7 +355,7 @@ TEST_CASE("skipped triangles leave no pixel, the others are as before", "[render
   CHECK(drawOne(list, frontFace(32), skipped).ids == drawOne(rest, frontFace(32)).ids);
 }
 
-TEST_CASE("triangles with values that are not finite are dropped", "[renderer]") {
+TEST_CASE("SoftwareRenderer drops and counts triangles with values that are not finite", "[renderer]") {
   raster::DrawList list = plainList();
   addDraw(list, 0);
   const float nan = std::numeric_limits<float>::quiet_NaN(), huge = std::numeric_limits<float>::max();
@@ -365,7 +369,7 @@ TEST_CASE("triangles with values that are not finite are dropped", "[renderer]")
   CHECK(std::count(buffer.ids.begin(), buffer.ids.end(), background) == 16);
 }
 
-TEST_CASE("item buffers are the pinned bits for any number of threads", "[renderer]") {
+TEST_CASE("SoftwareRenderer draws pinned bits with any number of threads", "[renderer]") {
   const raster::DrawList list = crossingTriangles();
   const std::array<raster::Face, 3> faces = threeFaces();
   std::vector<std::uint64_t> hashes;
@@ -381,7 +385,7 @@ TEST_CASE("item buffers are the pinned bits for any number of threads", "[render
   CHECK(hashes[0] == 0x371ce9d26ebca796u);
 }
 
-/// The faces' item IDs, each copied when it is said to be there; how often that was said.
+/// The item IDs of each face, copied when drawEach reports the face, and the number of reports.
 struct Told {
   std::vector<raster::ItemBuffer> buffers;
   std::vector<std::atomic<int>> times;
@@ -411,11 +415,11 @@ TEST_CASE("draw calls drawn(f) once for each face, when its buffer is complete",
   }
 }
 
-TEST_CASE("what item buffers held before does not matter", "[renderer]") {
+TEST_CASE("ItemBufferRenderer::draw ignores previous contents of the buffers", "[renderer]") {
   const std::array<raster::Face, 3> faces = threeFaces();
   raster::SoftwareRenderer renderer(crossingTriangles());
   std::vector<raster::ItemBuffer> buffers(5, {7, 1, std::vector<raster::ItemId>(7, 12345)});
-  // More, fewer, larger and smaller ones than before.
+  // More, fewer, larger and smaller buffers than before.
   for (const std::size_t first : {2, 0, 1}) {
     const std::span<const raster::Face> some = std::span(faces).subspan(first);
     draw(renderer, some, {}, buffers);
@@ -429,16 +433,16 @@ TEST_CASE("what item buffers held before does not matter", "[renderer]") {
   }
 }
 
-TEST_CASE("an index map has at most 2^31 texels, whose numbers every kernel holds", "[renderer]") {
+TEST_CASE("validate accepts index maps of at most 2^31 texels, whose numbers all kernels can store", "[renderer]") {
   raster::DrawList list = plainList();
   list.indexMaps.push_back({65536, 32769, {}});
   CHECK_THROWS_WITH(raster::validate(list), Catch::Contains("2^31"));
-  // As many as there may be; only their item IDs are missing.
+  // The largest size, without its item IDs.
   list.indexMaps[0] = {65536, 32768, {}};
   CHECK_THROWS_WITH(raster::validate(list), Catch::Contains("width x height item IDs"));
 }
 
-TEST_CASE("draw lists and faces that break the rules are input errors", "[renderer]") {
+TEST_CASE("validate throws InputError for draw lists and faces that break the rules", "[renderer]") {
   const auto list = [] {
     raster::DrawList good;
     good.format = {{8, 8, 8}};

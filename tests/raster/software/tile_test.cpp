@@ -1,4 +1,4 @@
-// Tiles are the same whatever instruction sets they are drawn with.
+// drawTile gives the same pixels with all instruction sets.
 #include "raster/software/tile.h"
 
 #include <catch2/catch.hpp>
@@ -11,7 +11,7 @@
 using namespace hemitex;
 using namespace hemitex::tests;
 
-TEST_CASE("there are kernels of every instruction set, once", "[kernels]") {
+TEST_CASE("simdDepthKernels and the other lists have the kernels of each instruction set once", "[kernels]") {
   std::set<std::string> names;
   for (const raster::DepthKernels& kernels : raster::simdDepthKernels()) names.insert(kernels.name);
   CHECK(names.size() == raster::simdDepthKernels().size());
@@ -21,7 +21,7 @@ TEST_CASE("there are kernels of every instruction set, once", "[kernels]") {
   CHECK(raster::simdRunKernels().size() == names.size());
 }
 
-TEST_CASE("item buffers are the same with every instruction set", "[kernels]") {
+TEST_CASE("drawTile gives the same item buffers with each instruction set", "[kernels]") {
   const std::vector<raster::Face> faces = facesAndParts();
   for (const raster::DrawList& list : {crossingTriangles(), smallTriangles(200)}) {
     const auto ids = [&](const raster::TileKernels& kernels) {

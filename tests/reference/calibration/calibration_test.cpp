@@ -1,4 +1,4 @@
-// Calibration: devices of known profiles, drawn at random within them, are found again.
+// calibrate finds the profiles of simulated devices with random errors within these profiles.
 #include "reference/calibration/calibration.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::vector<raster::ItemBuffer> drawByRules(const reference::ProbingSet& probes)
   return answers;
 }
 
-/// Devices of every snapping, of either edge rule, of texel precisions from coarse to exact and of every depth format.
+/// Devices of all snappings, both edge rules, texel precisions from coarse to exact, and all depth formats.
 std::vector<SimulatedDevice> devices() {
   std::vector<SimulatedDevice> devices;
   for (int bits = 4; bits <= 12; ++bits)
@@ -44,7 +44,7 @@ std::vector<SimulatedDevice> devices() {
       SimulatedDevice device;
       device.profile.subpixelBits = bits;
       device.profile.snapRounding = rounding;
-      // Neither step shares a factor with the counts of what it walks through, and they do not walk together.
+      // The steps share no factor with the counts of their ranges, and differ from each other.
       device.profile.texelPrecision = std::ldexp(1 + number % 4 / 4.0, -4 - number * 5 % 13);
       constexpr DepthFormat formats[] = {DepthFormat::Float32, DepthFormat::Unorm24, DepthFormat::Unorm16};
       device.profile.depthFormat = formats[(number + number / 6) % 3];
@@ -58,7 +58,7 @@ std::vector<SimulatedDevice> devices() {
 
 }  // namespace
 
-TEST_CASE("every two snappings give different answers for sure, whatever the edge rule", "[calibration]") {
+TEST_CASE("coverageOf differs for any two snappings on some probe, for both edge rules", "[calibration]") {
   const reference::ProbingSet probes = reference::makeProbes();
   const auto sureAnswers = [&](int bits, SnapRounding rounding) {
     std::vector<Coverage> coverage;
@@ -82,8 +82,8 @@ TEST_CASE("every two snappings give different answers for sure, whatever the edg
   CHECK(fewest > 20);
 }
 
-TEST_CASE("the probes are the same on every machine", "[calibration]") {
-  // Answers that were drawn from one build's probes are read by another.
+TEST_CASE("makeProbes gives the same probes on all machines", "[calibration]") {
+  // Answers drawn with one build's probes may be read by another build.
   std::vector<raster::ItemId> bits;
   for (const reference::TestVector& vector : vectorsOf(reference::makeProbes())) {
     for (const glm::vec3& position : vector.list.positions)
@@ -94,7 +94,7 @@ TEST_CASE("the probes are the same on every machine", "[calibration]") {
   CHECK(reference::idsHash(bits) == "0ba27cbf9780b694");
 }
 
-TEST_CASE("the reference renderer calibrates to the raster rules", "[calibration]") {
+TEST_CASE("calibrate finds the rules of the reference renderer", "[calibration]") {
   const reference::ProbingSet probes = reference::makeProbes();
   const Calibration calibration = calibrate(probes, drawByRules(probes));
   CHECK(calibration.faults.empty());
@@ -105,7 +105,7 @@ TEST_CASE("the reference renderer calibrates to the raster rules", "[calibration
   CHECK(calibration.profile.depthFormat == DepthFormat::Float32);
 }
 
-TEST_CASE("the profile of a device is found again from its answers", "[calibration]") {
+TEST_CASE("calibrate finds the profile of a device from its answers", "[calibration]") {
   const reference::ProbingSet probes = reference::makeProbes();
   for (const SimulatedDevice& device : devices()) {
     const Calibration calibration = calibrate(probes, drawProbes(device, probes));
@@ -121,7 +121,7 @@ TEST_CASE("the profile of a device is found again from its answers", "[calibrati
   }
 }
 
-TEST_CASE("under the profile that was found no vector of the suite has errors", "[calibration]") {
+TEST_CASE("judge with the calibrated profile finds no errors in any vector of the suite", "[calibration]") {
   const reference::ProbingSet probes = reference::makeProbes();
   const std::vector<reference::TestVector> suite = reference::wholeSuite(HEMITEX_DATA);
   const std::vector<SimulatedDevice> all = devices();
@@ -138,11 +138,11 @@ TEST_CASE("under the profile that was found no vector of the suite has errors", 
       for (std::size_t k = 1; k < counts.size(); ++k) explained += counts[k];
     }
   }
-  // The devices do err: otherwise nothing was tested.
+  // Makes sure that the devices have errors that need the profile.
   CHECK(explained > 1000);
 }
 
-TEST_CASE("a device that only rounds is told apart by its depth format alone", "[calibration]") {
+TEST_CASE("calibrate finds only the depth format for a device that only rounds depths", "[calibration]") {
   const reference::ProbingSet probes = reference::makeProbes();
   for (const DepthFormat format : {DepthFormat::Float32, DepthFormat::Unorm24, DepthFormat::Unorm16}) {
     SimulatedDevice device;
@@ -157,7 +157,7 @@ TEST_CASE("a device that only rounds is told apart by its depth format alone", "
   }
 }
 
-TEST_CASE("what no profile explains is said, not made up", "[calibration]") {
+TEST_CASE("calibrate reports answers that no profile explains", "[calibration]") {
   const reference::ProbingSet probes = reference::makeProbes();
   const auto faultsOf = [&](const std::vector<raster::ItemBuffer>& answers) {
     std::string faults;
@@ -169,7 +169,7 @@ TEST_CASE("what no profile explains is said, not made up", "[calibration]") {
   CHECK(faultsOf(right) == "");
   CHECK(faultsOf(drawProbes({.profile = {}, .shift = 1}, probes)) == "coverage ");
   CHECK(faultsOf(drawProbes({.profile = {}, .texelShift = 0.5}, probes)) == "texels ");
-  // One sample that a triangle covers far from any edge, one stranger, and a depth test that is off.
+  // A sample that a triangle covers far from any edge is missing, an unknown item ID, and a wrong depth test.
   std::vector<raster::ItemBuffer> hole = right;
   for (std::size_t pixel = 0; pixel < 256; ++pixel) {
     const reference::CoverageProbe& probe = probes.coverage[0].pixels[pixel];

@@ -1,4 +1,4 @@
-// Form factors to disks, against the book's formulas in 100 digits and against brute force.
+// Form factors to disks, compared with the textbook formulas in 100 digits and with quadrature.
 #include "reference/closed_forms/disks.h"
 
 #include <algorithm>
@@ -34,8 +34,8 @@ double bookPerpendicular(const Digits100& radius, const Digits100& gap, const Di
   return static_cast<double>(h / 2 * (z / sqrt(z * z - 4 * r * r) - 1));
 }
 
-/// cos cos / (pi r^2) over a disk in the plane z = gap, from the origin, the disk's axis at x = offset: Gauss' rule
-/// along the radius, 64 equal steps around, which is as good for a periodic function.
+/// cos cos / (pi r^2) over a disk in the plane z = gap, from the origin, with the disk's axis at x = offset. Gauss'
+/// rule along the radius, and 64 equal steps around, which is as accurate for a periodic function.
 double bruteForceDisk(const glm::dvec3& normal, double radius, double gap, double offset) {
   return boost::math::quadrature::gauss<double, 20>::integrate(
       [&](double distance) {
@@ -52,7 +52,7 @@ double bruteForceDisk(const glm::dvec3& normal, double radius, double gap, doubl
 
 }  // namespace
 
-TEST_CASE("coaxial disks have the book's form factor at any radii, gap and scale", "[form factors]") {
+TEST_CASE("coaxialDisks equals the book's form factor for all radii, gaps and scales", "[form factors]") {
   double worst = 0;
   for (const double from : lengths)
     for (const double to : lengths)
@@ -63,7 +63,10 @@ TEST_CASE("coaxial disks have the book's form factor at any radii, gap and scale
   CHECK(worst < 1e-14);
 }
 
-TEST_CASE("an element has the book's form factors to disks at any radius, gap, offset and scale", "[form factors]") {
+TEST_CASE(
+    "elementToParallelDisk and elementToPerpendicularDisk equal the book's form factors for all radii, gaps, offsets "
+    "and scales",
+    "[form factors]") {
   double worstParallel = 0, worstPerpendicular = 0;
   for (const double radius : lengths)
     for (const double gap : lengths)
@@ -79,7 +82,7 @@ TEST_CASE("an element has the book's form factors to disks at any radius, gap, o
   CHECK(worstPerpendicular < 1e-14);
 }
 
-TEST_CASE("an element's form factors to disks are those of brute force", "[form factors]") {
+TEST_CASE("elementToParallelDisk and elementToPerpendicularDisk equal quadrature", "[form factors]") {
   for (const double radius : {0.5, 1.0})
     for (const double offset : {1.0, 3.0}) {
       const double gap = 2;
@@ -90,7 +93,7 @@ TEST_CASE("an element's form factors to disks are those of brute force", "[form 
     }
 }
 
-TEST_CASE("the form factor between coaxial disks is the mean of that from the points of one", "[form factors]") {
+TEST_CASE("coaxialDisks is the mean of elementToParallelDisk over the points of one disk", "[form factors]") {
   for (const double gap : {1.0, 1e4}) {
     const double from = 1, to = 2;
     const auto ring = [&](double offset) { return 2 * offset * elementToParallelDisk(to, gap, offset); };
@@ -99,12 +102,12 @@ TEST_CASE("the form factor between coaxial disks is the mean of that from the po
   }
 }
 
-TEST_CASE("area times form factor is the same from disk to disk and back", "[form factors]") {
+TEST_CASE("coaxialDisks satisfies reciprocity", "[form factors]") {
   for (const double from : lengths)
     for (const double to : lengths)
       CHECK(relativeError(from * from * coaxialDisks(from, to, 0.7), to * to * coaxialDisks(to, from, 0.7)) < 1e-14);
 }
 
-TEST_CASE("on its axis an element sees a disk as the squared sine of its half angle", "[form factors]") {
+TEST_CASE("elementToParallelDisk on the axis is the squared sine of the half angle", "[form factors]") {
   for (const double gap : lengths) CHECK(relativeError(elementToParallelDisk(1, gap, 0), 1 / (1 + gap * gap)) < 1e-14);
 }

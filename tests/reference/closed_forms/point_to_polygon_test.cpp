@@ -1,4 +1,4 @@
-// The form factor from a point to a polygon, against the closed forms of rectangles, brute force, and identities.
+// pointToPolygon compared with closed forms of rectangles, quadrature, and identities.
 #include "reference/closed_forms/point_to_polygon.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ glm::dvec3 randomDirection(std::mt19937& random) {
   return glm::normalize(glm::dvec3(x, y, z));
 }
 
-/// Coordinates of few enough digits that sums of them are exact.
+/// Coordinates with so few digits that their sums are exact.
 glm::dvec3 rounded(const glm::dvec3& v) { return glm::round(std::ldexp(1.0, 45) * v) / std::ldexp(1.0, 45); }
 
 glm::dvec3 randomPoint(std::mt19937& random) {
@@ -58,7 +58,8 @@ glm::dvec3 randomPoint(std::mt19937& random) {
 
 }  // namespace
 
-TEST_CASE("points see rectangles as the closed forms say, at any distance, width, offset and scale", "[form factors]") {
+TEST_CASE("pointToPolygon equals the closed forms of rectangles, at all distances, widths, offsets and scales",
+          "[form factors]") {
   double worst = 0;
   for (const double distance : distances)
     for (const double width : widths)
@@ -77,7 +78,7 @@ TEST_CASE("points see rectangles as the closed forms say, at any distance, width
   CHECK(worst < 2e-10);
 }
 
-TEST_CASE("what is below the horizon is cut off, however little is above it", "[form factors]") {
+TEST_CASE("pointToPolygon clips the part below the horizon, however little is above it", "[form factors]") {
   double worst = 0;
   for (const double elevation : {1.0, 1e-3, 1e-6, 1e-9, 1e-11})
     for (const double distance : {1e-3, 1.0, 1e4})
@@ -94,20 +95,20 @@ TEST_CASE("what is below the horizon is cut off, however little is above it", "[
   CHECK(worst < 2e-10);
 }
 
-TEST_CASE("a triangle of which only the tip rises above the horizon is that tip", "[form factors]") {
-  // Corners at z = -1 and a tip at z = h: the cut is at 1/(1 + h) of the sides. Written out, the cut triangle has its
-  // corners rounded, by 1e-16 of sides of about h.
+TEST_CASE("pointToPolygon of a triangle with only its tip above the horizon is that of the tip", "[form factors]") {
+  // Corners at z = -1 and a tip at z = h: the cut is at 1/(1 + h) of the sides. The corners of the clipped triangle are
+  // rounded by 1e-16, relative to sides of about h.
   for (const double h : {1.0, 1e-3, 1e-6}) {
     const double t = h / (1 + h);
     const std::vector<glm::dvec3> whole{{-1, 2, -1}, {1, 2, -1}, {0, 2, h}}, tip{{-t, 2, 0}, {t, 2, 0}, {0, 2, h}};
     CHECK(relativeError(pointToPolygon(origin, up, whole), pointToPolygon(origin, up, tip)) < 1e-9);
-    // Small as the tip is, all of it is at a distance of 2, at a height of h/3 on average: area cos cos / (pi r^2).
+    // The small tip is at a distance of 2, at a height of h/3 on average: area cos cos / (pi r^2).
     if (h < 1e-2)
       CHECK(relativeError(pointToPolygon(origin, up, tip), t * h * (h / 3 / 2) / (4 * std::numbers::pi)) < h * h);
   }
 }
 
-TEST_CASE("points see parallelograms of any slant as brute force says", "[form factors]") {
+TEST_CASE("pointToPolygon of parallelograms of any slant equals quadrature", "[form factors]") {
   std::mt19937 random(1);
   double worst = 0;
   for (const double distance : {4.0, 100.0, 1e4})
@@ -116,7 +117,7 @@ TEST_CASE("points see parallelograms of any slant as brute force says", "[form f
         const glm::dvec3 normal = randomDirection(random), towards = randomDirection(random);
         Parallelogram to{{}, rounded(randomDirection(random)), rounded(width * randomDirection(random))};
         if (glm::dot(to.areaVector(), towards) > 0) to = to.reversed();
-        // Brute force knows no horizon, and is inexact where the parallelogram is nearly edge-on or degenerate.
+        // The quadrature knows no horizon, and is inaccurate if the parallelogram is nearly edge-on or degenerate.
         if (glm::dot(normal, towards) < 0.3 || glm::dot(to.areaVector(), towards) > -0.1 * width) continue;
         const glm::dvec3 point = -distance * towards;
         worst =
@@ -125,7 +126,7 @@ TEST_CASE("points see parallelograms of any slant as brute force says", "[form f
   CHECK(worst < 2e-10);
 }
 
-TEST_CASE("from any point inside a box, in any direction, the form factors of its faces sum to 1", "[form factors]") {
+TEST_CASE("pointToPolygon of the faces of a box sums to 1 from any point inside", "[form factors]") {
   std::mt19937 random(2);
   double worst = 0;
   for (const glm::dvec3& size : {glm::dvec3(1), glm::dvec3(1, 1e-3, 1), glm::dvec3(1, 1e3, 1e-3), glm::dvec3(1e6)})
@@ -138,7 +139,7 @@ TEST_CASE("from any point inside a box, in any direction, the form factors of it
   CHECK(worst < 1e-12);
 }
 
-TEST_CASE("an element on the floor of a box sees its walls and ceiling, and of its neighbours nothing",
+TEST_CASE("pointToPolygon from the floor of a box sees its walls and ceiling, and no coplanar faces",
           "[form factors]") {
   for (const glm::dvec2& at : {glm::dvec2(0.5, 0.5), glm::dvec2(1e-6, 0.3), glm::dvec2(1 - 1e-9, 1e-12)}) {
     double sum = 0;
@@ -148,7 +149,7 @@ TEST_CASE("an element on the floor of a box sees its walls and ceiling, and of i
   }
 }
 
-TEST_CASE("a polygon cut in two is seen as its parts, wherever its corners begin", "[form factors]") {
+TEST_CASE("pointToPolygon of a polygon is the sum of its parts, for any first corner", "[form factors]") {
   const Parallelogram to{{-0.4, 0.3, -0.2}, {1, 0.5, 0.25}, {-0.5, 1, 1}};
   const glm::dvec3 normal = glm::normalize(glm::dvec3(-0.2, 0.4, 1)), point(0.1, 0.2, -2);
   const double whole = pointToPolygon(point, normal, to.reversed().corners());
@@ -163,8 +164,8 @@ TEST_CASE("a polygon cut in two is seen as its parts, wherever its corners begin
   CHECK(relativeError(pointToPolygon(point, normal, corners), whole) < 1e-13);
 }
 
-TEST_CASE("a point all but in a polygon sees nothing but it", "[form factors]") {
-  // On the axis of a square of half side 1 what is missed is below that of the inscribed disk: h^2 / (1 + h^2).
+TEST_CASE("pointToPolygon from a point almost in a polygon is 1", "[form factors]") {
+  // On the axis of a square of half side 1 the difference from 1 is below that of the inscribed disk: h^2 / (1 + h^2).
   for (const double height : {1e-3, 1e-6, 1e-12}) {
     const double seen = fromOrigin(ceilingOf(rectangle(-1, 1, -1, 1), height));
     CHECK(seen <= 1);
@@ -172,7 +173,7 @@ TEST_CASE("a point all but in a polygon sees nothing but it", "[form factors]") 
   }
 }
 
-TEST_CASE("a polygon edge-on, behind, or with its back to the point is not seen", "[form factors]") {
+TEST_CASE("pointToPolygon is 0 for a polygon edge-on, behind the point, or facing away", "[form factors]") {
   const Parallelogram wall = wallOf(rectangle(-1, 1, 0, 1), 1);
   CHECK(fromOrigin(wall) > 0);
   CHECK(fromOrigin(wall.reversed()) == 0);
@@ -184,7 +185,7 @@ TEST_CASE("a polygon edge-on, behind, or with its back to the point is not seen"
   CHECK(pointToPolygon({0.3, 1, 0.5}, {0, -1, 0}, wall.corners()) == 0);
 }
 
-TEST_CASE("a polygon in the horizon is not seen, whatever the rounding of its slant", "[form factors]") {
+TEST_CASE("pointToPolygon is 0 for a polygon in the horizon, for any rounding of its slant", "[form factors]") {
   std::mt19937 random(5);
   for (int i = 0; i < 200; ++i) {
     const glm::dvec3 normal = randomDirection(random), u = glm::normalize(glm::cross(normal, randomDirection(random)));
@@ -194,9 +195,8 @@ TEST_CASE("a polygon in the horizon is not seen, whatever the rounding of its sl
   }
 }
 
-TEST_CASE("a point that comes close to an upright polygon's edge comes to see half of its sky filled",
-          "[form factors]") {
-  // Of an endless wall at any distance; of one from -1 to 1 and 1 high it lacks about the distance.
+TEST_CASE("pointToPolygon near an upright polygon's edge tends to one half", "[form factors]") {
+  // An infinite wall gives one half at any distance. A wall from -1 to 1 of height 1 misses about the distance.
   const Parallelogram wall = wallOf(rectangle(-1, 1, 0, 1), 1);
   for (const double gap : {1e-3, 1e-9, 1e-15}) {
     const double seen = pointToPolygon({0.3, 1 - gap, 0}, up, wall.corners());
@@ -205,8 +205,8 @@ TEST_CASE("a point that comes close to an upright polygon's edge comes to see ha
   }
 }
 
-TEST_CASE("an absolute error that is allowed is kept to, and the cost of many digits saved", "[form factors]") {
-  // A triangle of a square that hangs low over the point, seen from under the other half: little and uncertain.
+TEST_CASE("pointToPolygon keeps a given absolute error, and avoids arithmetic with many digits", "[form factors]") {
+  // A triangle of a square that hangs low over the point, seen from under the other half: small and inaccurate.
   for (const double gap : {1e-2, 1e-4, 1e-6})
     for (const double allowed : {1e-13, 1e-10, 1e-7})
       for (int i = 0; i < 20; ++i) {

@@ -1,4 +1,4 @@
-// The form factor between polygons, against the closed forms of rectangles, brute force, and closed solids.
+// polygonToPolygon compared with closed forms of rectangles, quadrature, and closed solids.
 #include "reference/closed_forms/polygon_to_polygon.h"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ double areaOf(const Polygon& polygon) {
   return glm::length(sum) / 2;
 }
 
-/// The sums of form factors from each face of a closed convex solid to the others: how far the worst is from 1.
+/// The largest difference from 1 of the sum of form factors from a face of a closed convex solid to the others.
 double worstClosure(const std::vector<Polygon>& faces) {
   double worst = 0;
   for (const Polygon& from : faces) {
@@ -84,7 +84,8 @@ const std::vector<double> scales{1, 1e-6, 1e6};
 
 }  // namespace
 
-TEST_CASE("equal parallel squares exchange what the closed form says, at any gap and scale", "[form factors]") {
+TEST_CASE("polygonToPolygon of equal parallel squares equals the closed form, at all gaps and scales",
+          "[form factors]") {
   const AxisRectangle square = rectangle(0, 1, 0, 1);
   for (const double gap : gaps)
     for (const double scale : scales) {
@@ -94,7 +95,8 @@ TEST_CASE("equal parallel squares exchange what the closed form says, at any gap
     }
 }
 
-TEST_CASE("unequal parallel rectangles exchange what the closed form says, also slivers", "[form factors]") {
+TEST_CASE("polygonToPolygon of unequal parallel rectangles equals the closed form, also for slivers",
+          "[form factors]") {
   const std::vector<std::array<AxisRectangle, 2>> pairs{
       {rectangle(0, 1, 0, 1), rectangle(-1, 0.5, 0.25, 1)},
       {rectangle(0, 1, 0, 1), rectangle(1, 2, 1, 3)},  // a corner above a corner
@@ -108,7 +110,8 @@ TEST_CASE("unequal parallel rectangles exchange what the closed form says, also 
                           parallelRectangles(from, to, gap)) < 1e-10);
 }
 
-TEST_CASE("rectangles at a right angle exchange what the closed form says, whatever they share", "[form factors]") {
+TEST_CASE("polygonToPolygon of rectangles at a right angle equals the closed form, whatever they share",
+          "[form factors]") {
   const std::vector<std::array<AxisRectangle, 2>> pairs{
       {rectangle(0, 1, 0, 1), rectangle(0, 1, 0, 1)},     // an edge
       {rectangle(0, 1, 0, 1), rectangle(0.25, 3, 0, 2)},  // a part of an edge
@@ -124,9 +127,9 @@ TEST_CASE("rectangles at a right angle exchange what the closed form says, whate
     CHECK(relativeError(polygonToPolygon(floorOf(from), wallOf(to)), perpendicularRectangles(from, to)) < 1e-10);
 }
 
-TEST_CASE("polygons turned, moved and scaled together exchange the same", "[form factors]") {
-  // Turned coordinates are rounded: by 1e-16 of the sizes, so that what is exchanged over a gap of 1e-3 moves by 1e-13
-  // or so, and moved by 1000, by 1e-10.
+TEST_CASE("polygonToPolygon does not change if both polygons are rotated, moved and scaled", "[form factors]") {
+  // Rotated coordinates are rounded by 1e-16 of the sizes. So the form factor over a gap of 1e-3 changes by about
+  // 1e-13, and after a move by 1000 by 1e-10.
   const double angle = 0.7;
   const glm::dmat3 aboutZ{{std::cos(angle), std::sin(angle), 0}, {-std::sin(angle), std::cos(angle), 0}, {0, 0, 1}};
   const glm::dmat3 aboutX{{1, 0, 0}, {0, std::cos(angle), std::sin(angle)}, {0, -std::sin(angle), std::cos(angle)}};
@@ -142,7 +145,7 @@ TEST_CASE("polygons turned, moved and scaled together exchange the same", "[form
   }
 }
 
-TEST_CASE("parallelograms apart exchange what brute force says", "[form factors]") {
+TEST_CASE("polygonToPolygon of distant parallelograms equals quadrature", "[form factors]") {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> coordinate(-1, 1);
   const auto direction = [&] {
@@ -162,13 +165,14 @@ TEST_CASE("parallelograms apart exchange what brute force says", "[form factors]
   CHECK(count > 10);
 }
 
-TEST_CASE("the faces of a wedge exchange all their light, at dihedral angles from 1 to 179 degrees", "[form factors]") {
+TEST_CASE("polygonToPolygon of the faces of a wedge sums to 1, at dihedral angles from 1 to 179 degrees",
+          "[form factors]") {
   for (const double degrees : {1.0, 5.0, 30.0, 90.0, 120.0, 175.0, 179.0})
     for (const double length : {1.0, 30.0}) CHECK(worstClosure(wedge(degrees, length)) < 1e-11);
 }
 
-TEST_CASE("the two long sides of an endless wedge exchange what Hottel's crossed strings say", "[form factors]") {
-  // F = 1 - sin(angle/2) for sides of length 1. Of a wedge of length L, ends and all, the rest is of the order 1/L.
+TEST_CASE("polygonToPolygon of the long sides of a wedge tends to Hottel's crossed strings", "[form factors]") {
+  // F = 1 - sin(angle/2) for sides of length 1. For a wedge of length L with its ends, the rest is of the order 1/L.
   for (const double degrees : {1.0, 60.0, 120.0, 179.0}) {
     const std::vector<Polygon> faces = wedge(degrees, 1e4);
     const double expected = 1 - std::sin(degrees * std::numbers::pi / 360);
@@ -177,7 +181,7 @@ TEST_CASE("the two long sides of an endless wedge exchange what Hottel's crossed
   }
 }
 
-TEST_CASE("the faces of any tetrahedron exchange all their light", "[form factors]") {
+TEST_CASE("polygonToPolygon of the faces of any tetrahedron sums to 1", "[form factors]") {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> coordinate(-1, 1);
   for (const double flat : {1.0, 0.1, 1e-3})
@@ -191,14 +195,14 @@ TEST_CASE("the faces of any tetrahedron exchange all their light", "[form factor
     }
 }
 
-TEST_CASE("each face of a regular tetrahedron sends a third to each other", "[form factors]") {
+TEST_CASE("polygonToPolygon between faces of a regular tetrahedron is a third", "[form factors]") {
   const std::vector<Polygon> faces = tetrahedron({{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}});
   for (const Polygon& from : faces)
     for (const Polygon& to : faces)
       if (&from != &to) CHECK(relativeError(polygonToPolygon(from, to), 1.0 / 3) < 1e-13);
 }
 
-TEST_CASE("area times form factor is the same from polygon to polygon and back", "[form factors]") {
+TEST_CASE("polygonToPolygon satisfies reciprocity", "[form factors]") {
   const Polygon triangle{{0, 0, 0}, {2, 0, 0}, {0, 1, 0}};
   const Polygon pentagon{{0, 0, 0.5}, {0, 1, 1}, {0.5, 2, 1.5}, {1, 1, 1}, {1, 0, 0.5}};
   for (const Polygon& to :
@@ -209,7 +213,7 @@ TEST_CASE("area times form factor is the same from polygon to polygon and back",
   }
 }
 
-TEST_CASE("a polygon cut in two receives what its parts receive", "[form factors]") {
+TEST_CASE("polygonToPolygon to a polygon is the sum of that to its parts", "[form factors]") {
   const Polygon floor = floorOf(rectangle(0, 1, 0, 1));
   const Polygon roof{{0, 1, 0.1}, {1, 1, 0.1}, {1, 0, 2}, {0, 0, 2}};
   const Polygon lower{roof[0], roof[1], roof[2]}, upper{roof[0], roof[2], roof[3]};
@@ -217,16 +221,16 @@ TEST_CASE("a polygon cut in two receives what its parts receive", "[form factors
         1e-13);
 }
 
-TEST_CASE("only what is in front of each other exchanges light", "[form factors]") {
-  // A wall that goes on below the floor, and a floor that goes on behind the wall: what is in front is the closed
-  // form's, but the whole area of the floor counts.
+TEST_CASE("polygonToPolygon counts only the parts in front of each other", "[form factors]") {
+  // A wall that continues below the floor, and a floor that continues behind the wall. The parts in front have the
+  // closed form, but the whole area of the floor counts.
   const Polygon floor = floorOf(rectangle(0, 1, -1, 1)), wall = wallOf(rectangle(0, 1, -3, 1));
   const double quarter = perpendicularRectangles(rectangle(0, 1, 0, 1), rectangle(0, 1, 0, 1));
   CHECK(relativeError(polygonToPolygon(floor, wall), quarter / 2) < 1e-12);
   CHECK(relativeError(polygonToPolygon(wall, floor), quarter / 4) < 1e-12);
 }
 
-TEST_CASE("coplanar polygons, and backs, exchange nothing", "[form factors]") {
+TEST_CASE("polygonToPolygon is 0 for coplanar polygons, and for backs", "[form factors]") {
   const Polygon floor = floorOf(rectangle(0, 1, 0, 1)), ceiling = reversed(floorOf(rectangle(0, 1, 0, 1), 1));
   CHECK(polygonToPolygon(floor, ceiling) > 0);
   CHECK(polygonToPolygon(reversed(floor), ceiling) == 0);
@@ -235,7 +239,7 @@ TEST_CASE("coplanar polygons, and backs, exchange nothing", "[form factors]") {
   CHECK(polygonToPolygon(floor, floor) == 0);
 }
 
-TEST_CASE("a plane cut into pieces exchanges nothing, whatever the rounding of its slant", "[form factors]") {
+TEST_CASE("polygonToPolygon is 0 between pieces of one plane, for any rounding of its slant", "[form factors]") {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> angle(0, 2 * std::numbers::pi);
   for (int i = 0; i < 100; ++i) {

@@ -1,4 +1,4 @@
-// Form factors of rectangles along the axes, against the book's formulas in 100 digits and against brute force.
+// Form factors of axis-parallel rectangles, compared with the textbook formulas in 100 digits and with quadrature.
 #include "reference/closed_forms/rectangles.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -58,7 +58,7 @@ Parallelogram wallOf(const AxisRectangle& r, double y) {
   return {{r.first.low, y, r.second.low}, {0, 0, r.second.high - r.second.low}, {r.first.high - r.first.low, 0, 0}};
 }
 
-/// Pairs that do not share an edge and are not of a size, wide enough apart for brute force.
+/// Pairs of different sizes without a common edge, far enough apart for the quadrature.
 const std::vector<std::array<AxisRectangle, 2>> unequalPairs{
     {rectangle(0, 1, 0, 1), rectangle(-1, 0.5, 0.25, 1)},
     {rectangle(0, 1, 0.5, 1), rectangle(2, 3, 1.25, 2)},
@@ -68,7 +68,8 @@ const std::vector<std::array<AxisRectangle, 2>> unequalPairs{
 
 }  // namespace
 
-TEST_CASE("equal parallel rectangles have the book's form factor at any gap, width and scale", "[form factors]") {
+TEST_CASE("parallelRectangles of equal rectangles equals the book's form factor for all gaps, widths and scales",
+          "[form factors]") {
   double worst = 0;
   for (const double gap : gaps)
     for (const double width : widths)
@@ -80,7 +81,7 @@ TEST_CASE("equal parallel rectangles have the book's form factor at any gap, wid
   CHECK(worst < 1e-15);
 }
 
-TEST_CASE("rectangles with a common edge have the book's form factor at any width, height and scale",
+TEST_CASE("perpendicularRectangles with a common edge equals the book's form factor for all widths, heights and scales",
           "[form factors]") {
   double worst = 0;
   for (const double width : gaps)
@@ -92,19 +93,20 @@ TEST_CASE("rectangles with a common edge have the book's form factor at any widt
   CHECK(worst < 1e-15);
 }
 
-TEST_CASE("unequal rectangles anywhere have the form factor of brute force", "[form factors]") {
+TEST_CASE("parallelRectangles and perpendicularRectangles of unequal rectangles equal quadrature", "[form factors]") {
   for (const auto& [from, to] : unequalPairs) {
     for (const double gap : {2.0, 10.0, 1e4})
       CHECK(relativeError(parallelRectangles(from, to, gap), bruteForce(floorOf(from), ceilingOf(to, gap))) < 1e-12);
   }
-  // The wall is at y = 0, so these start a little way off it; the first pair would be too near for brute force.
+  // The wall is at y = 0, so these start at a small distance from it; the first pair would be too near for the
+  // quadrature.
   for (std::size_t i = 1; i < unequalPairs.size(); ++i) {
     const auto& [from, to] = unequalPairs[i];
     CHECK(relativeError(perpendicularRectangles(from, to), bruteForce(floorOf(from), wallOf(to, 0))) < 1e-12);
   }
 }
 
-TEST_CASE("an element's form factors to rectangles are those of brute force", "[form factors]") {
+TEST_CASE("elementToParallelRectangle and elementToPerpendicularRectangle equal quadrature", "[form factors]") {
   const glm::dvec3 origin(0), up(0, 0, 1);
   for (const AxisRectangle& to : {rectangle(-0.5, 1, 0, 0.5), rectangle(2, 3, 0.5, 0.500001)})
     for (const double distance : {3.0, 1e4}) {
@@ -115,16 +117,17 @@ TEST_CASE("an element's form factors to rectangles are those of brute force", "[
     }
 }
 
-TEST_CASE("an element's form factors to rectangles are the limits of those of small rectangles", "[form factors]") {
-  // A square of side s about the point differs from it by terms in s^2: here by 1e-12 or less of gaps of 1 and more.
+TEST_CASE("elementToParallelRectangle and elementToPerpendicularRectangle are the limits for small rectangles",
+          "[form factors]") {
+  // A square of side s about the point differs by terms in s^2: here by at most 1e-12 for gaps of 1 and more.
   const double s = 1e-6;
   const AxisRectangle to = rectangle(-0.5, 1, 0.25, 2), small = rectangle(-s / 2, s / 2, 1 - s / 2, 1 + s / 2);
-  const AxisRectangle seen = rectangle(-0.5, 1, -0.75, 1);  // `to` from (0, 1)
+  const AxisRectangle seen = rectangle(-0.5, 1, -0.75, 1);  // `to` seen from (0, 1)
   CHECK(relativeError(elementToParallelRectangle(seen, 1), parallelRectangles(small, to, 1)) < 1e-11);
   CHECK(relativeError(elementToPerpendicularRectangle(to, 1), perpendicularRectangles(small, to)) < 1e-11);
 }
 
-TEST_CASE("area times form factor is the same from rectangle to rectangle and back", "[form factors]") {
+TEST_CASE("parallelRectangles and perpendicularRectangles satisfy reciprocity", "[form factors]") {
   for (const auto& [from, to] : unequalPairs) {
     for (const double gap : gaps)
       CHECK(relativeError(areaOf(from) * parallelRectangles(from, to, gap),
@@ -134,7 +137,8 @@ TEST_CASE("area times form factor is the same from rectangle to rectangle and ba
   }
 }
 
-TEST_CASE("a rectangle cut in two receives what its parts receive", "[form factors]") {
+TEST_CASE("parallelRectangles and perpendicularRectangles to a rectangle are the sums of those to its parts",
+          "[form factors]") {
   const AxisRectangle from = rectangle(0, 1, 0, 1), left = rectangle(-1, 0.3, 0, 2), right = rectangle(0.3, 1.5, 0, 2);
   const AxisRectangle whole = rectangle(-1, 1.5, 0, 2);
   for (const double gap : gaps)
@@ -144,7 +148,7 @@ TEST_CASE("a rectangle cut in two receives what its parts receive", "[form facto
                       perpendicularRectangles(from, whole)) < 1e-15);
 }
 
-TEST_CASE("from each face of a box the form factors to the other five sum to 1", "[form factors]") {
+TEST_CASE("parallelRectangles and perpendicularRectangles from each face of a box sum to 1", "[form factors]") {
   for (const double width : {1.0, 1e-3, 1e-6, 1e4})
     for (const double height : {1.0, 1e-6, 1e4}) {
       // From the floor, 1 x width: the ceiling, and two walls along each of its sides.
@@ -156,16 +160,17 @@ TEST_CASE("from each face of a box the form factors to the other five sum to 1",
     }
 }
 
-TEST_CASE("rectangles far away have the form factor area cos cos over pi times squared distance", "[form factors]") {
-  // At a distance d of squares of side 1 the point rule is right to terms in 1/d^2: here 1e-8.
+TEST_CASE("parallelRectangles and perpendicularRectangles far away equal area cos cos over pi times squared distance",
+          "[form factors]") {
+  // For squares of side 1 at a distance d, the point rule is accurate to terms in 1/d^2: here 1e-8.
   const AxisRectangle square = rectangle(0, 1, 0, 1), aside = rectangle(1e4, 1e4 + 1, 1e4, 1e4 + 1);
   CHECK(relativeError(parallelRectangles(square, square, 1e4), 1 / (std::numbers::pi * 1e8)) < 2e-8);
-  // Seen at a slant: r^2 = 3e8, both cosines 1/sqrt(3).
+  // At a slant: r^2 = 3e8, both cosines 1/sqrt(3).
   CHECK(relativeError(parallelRectangles(square, aside, 1e4), 1.0 / 3 / (std::numbers::pi * 3e8)) < 2e-8);
 }
 
-TEST_CASE("plates that all but touch see nothing but each other", "[form factors]") {
-  // What is lost at the gap's rim is below perimeter times gap over area.
+TEST_CASE("parallelRectangles of plates that almost touch is 1", "[form factors]") {
+  // The light lost at the gap's rim is below perimeter times gap over area.
   const AxisRectangle square = rectangle(0, 1, 0, 1);
   CHECK(parallelRectangles(square, square, 1e-12) < 1);
   CHECK(parallelRectangles(square, square, 1e-12) > 1 - 4e-12);

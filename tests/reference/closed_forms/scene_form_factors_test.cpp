@@ -1,4 +1,4 @@
-// Rows of form factors in closed form, on a cube, where every factor is known.
+// analyticRow on a cube, where all form factors are known.
 #include "reference/closed_forms/scene_form_factors.h"
 
 #include <catch2/catch.hpp>
@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint32_t floorSurface = 2, ceilingSurface = 3;
 constexpr int texels = 4;
 
-/// A cube, each face a surface of one element, and of several.
+/// A cube; each face is a surface of one element, and of several.
 struct Cube {
   Scene scene = closedCube(glm::dvec3(0.5), glm::dvec3(1));
   Discretization whole = discretize(scene, {.texels = 1}), fine = discretize(scene, {.texels = texels});
@@ -35,7 +35,7 @@ AxisRectangle texelOf(std::uint32_t surface, std::uint32_t texel) {
 
 }  // namespace
 
-TEST_CASE("a surface of a cube sends its light to the elements as the closed forms say", "[form factors]") {
+TEST_CASE("analyticRow of a surface of a cube equals the closed forms", "[form factors]") {
   const Cube cube;
   const std::vector<std::uint32_t> from = elementsOfSurface(cube.whole, floorSurface);
   const std::vector<double> row = analyticRow(cube.wholePieces, from, cube.finePieces);
@@ -50,7 +50,7 @@ TEST_CASE("a surface of a cube sends its light to the elements as the closed for
   }
 }
 
-TEST_CASE("an element of a cube sends its light to the other surfaces, all of it", "[form factors]") {
+TEST_CASE("analyticRow of an element of a cube to the other surfaces sums to 1", "[form factors]") {
   const Cube cube;
   for (const std::uint32_t surface : {floorSurface, ceilingSurface})
     for (const std::uint32_t from : elementsOfSurface(cube.fine, surface)) {
@@ -61,7 +61,7 @@ TEST_CASE("an element of a cube sends its light to the other surfaces, all of it
     }
 }
 
-TEST_CASE("elements together send the mean of what they send alone", "[form factors]") {
+TEST_CASE("analyticRow of several elements is the mean of their rows", "[form factors]") {
   const Cube cube;
   const std::vector<std::uint32_t> from = elementsOfSurface(cube.fine, floorSurface);
   const std::vector<double> together =

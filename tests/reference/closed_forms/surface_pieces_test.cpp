@@ -1,4 +1,4 @@
-// Pieces of surfaces: their areas are the elements', and the index map agrees with them on every point.
+// surfacePieces: the areas of pieces are those of elements, and index maps agree at all points.
 #include "reference/closed_forms/surface_pieces.h"
 
 #include <catch2/catch.hpp>
@@ -23,8 +23,8 @@ double area(const SurfacePiece& piece) {
 
 }  // namespace
 
-// Corners are rounded to 1e-16 of the scene, and the longest element is as long as it.
-TEST_CASE("the pieces of an element have its area", "[pieces]") {
+// Corners are rounded to 1e-16 of the scene, and the longest element is as long as the scene.
+TEST_CASE("surfacePieces give the pieces of an element its area", "[pieces]") {
   const Scene scene = tests::sceneOf(tests::tableOfSurfaces());
   const Discretization discretization = discretize(scene, {.texels = 7});
   const SurfacePieces pieces = surfacePieces(scene, discretization);
@@ -39,7 +39,7 @@ TEST_CASE("the pieces of an element have its area", "[pieces]") {
   }
 }
 
-TEST_CASE("every point of a piece shows the piece's element", "[pieces]") {
+TEST_CASE("elementAt each point of a piece is the piece's element", "[pieces]") {
   const Scene scene = tests::sceneOf(tests::tableOfSurfaces());
   const Discretization discretization = discretize(scene, {.texels = 7});
   const SurfacePieces pieces = surfacePieces(scene, discretization);
@@ -58,7 +58,7 @@ TEST_CASE("every point of a piece shows the piece's element", "[pieces]") {
       const glm::dvec3 n = glm::cross(u, v);
       const glm::dvec2 weights(glm::dot(glm::cross(d, v), n) / glm::dot(n, n),
                                glm::dot(glm::cross(u, d), n) / glm::dot(n, n));
-      if (area(piece) < 1e-9) continue;  // thinner than the rounding of those weights
+      if (area(piece) < 1e-9) continue;  // thinner than the rounding error of those weights
       ++checked;
       CHECK(elementAt(triangle, discretization.grids[s], weights) == piece.element);
     }

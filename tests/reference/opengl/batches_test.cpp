@@ -1,4 +1,4 @@
-// What is drawn with one call is known without a device: which vertices, and in how many runs.
+// batchesOf needs no device: vertices and runs per call.
 #include "reference/opengl/batches.h"
 
 #include <algorithm>
@@ -32,7 +32,8 @@ bool never(const raster::Draw&, const raster::Draw&) { return false; }
 
 }  // namespace
 
-TEST_CASE("whatever is left out and joined, batches have each other vertex once and in order", "[opengl]") {
+TEST_CASE("batchesOf has each vertex that is not skipped once and in order, for any skipped triangles and joins",
+          "[opengl]") {
   const raster::DrawList list = threeDraws();
   for (std::uint32_t set = 0; set < 1u << 9; ++set) {
     std::vector<std::uint32_t> skipped;
@@ -49,7 +50,7 @@ TEST_CASE("whatever is left out and joined, batches have each other vertex once 
   }
 }
 
-TEST_CASE("draws that join are one batch with one run, cut where a triangle is left out", "[opengl]") {
+TEST_CASE("batchesOf makes one batch of draws that join, with one run that is cut at skipped triangles", "[opengl]") {
   const raster::DrawList list = threeDraws();
   const auto whole = batchesOf(list, {}, always);
   REQUIRE(whole.size() == 1);
@@ -70,7 +71,7 @@ TEST_CASE("draws that join are one batch with one run, cut where a triangle is l
   CHECK(apart[1].runs.first == std::vector<GLint>{15});
 }
 
-TEST_CASE("the vertices of draws lie one after the other, wherever their triangles are in the list", "[opengl]") {
+TEST_CASE("batchesOf numbers the vertices draw after draw, wherever their triangles are in the list", "[opengl]") {
   raster::DrawList list = threeDraws();
   std::swap(list.draws[0], list.draws[2]);  // triangles 6 to 8 are vertices 0 to 8
   const std::vector<std::uint32_t> skipped{0, 7};

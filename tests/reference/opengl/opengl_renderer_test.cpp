@@ -1,5 +1,5 @@
-// A real device, whichever EGL finds: the verdicts on both of its paths, and a scene lit by it. Where there is none,
-// every test says that it was skipped.
+// OpenGlRenderer on a real device: verdicts on both of its paths, and a scene that it lights. Without a device, each
+// test reports that it was skipped.
 #include "reference/opengl/opengl_renderer.h"
 
 #include <algorithm>
@@ -57,7 +57,7 @@ raster::DrawList without(const raster::DrawList& list, std::span<const std::uint
   return rest;
 }
 
-/// Pixels that show something by the rules or on the device, and how many of them are right.
+/// Pixels that are not background by the rules or on the device, and how many of them are exact.
 struct Tally {
   std::uint64_t covered = 0, exact = 0;
 };
@@ -74,10 +74,10 @@ Tally tallyOf(const TestVector& vector, const reference::Verdict& verdict) {
   return tally;
 }
 
-/// How many pixels of the vector "depth-steps" a depth buffer of n/w in binary32 can get right. The two triangles of
-/// pixel p have the depths w = (1 + (p mod 16)/16) 2^(p/16) and the next binary32 number, the nearer first for even p.
-/// In the upper half of [1, 2) binary32 numbers are denser than their inverses, which n, a power of two, only scales:
-/// where two inverses round to one number the first triangle wins, rightly or not.
+/// The number of pixels of the vector "depth-steps" that a depth buffer of n/w in binary32 can show exactly. The two
+/// triangles of pixel p have the depths w = (1 + (p mod 16)/16) 2^(p/16) and the next binary32 number; for even p the
+/// nearer one comes first. In the upper half of [1, 2) binary32 numbers are denser than their inverses, which n, a
+/// power of two, only scales. If two inverses round to one number, the first triangle wins, right or wrong.
 std::uint64_t depthStepsInBinary32() {
   std::uint64_t right = 0;
   for (int p = 0; p < 256; ++p) {
@@ -87,7 +87,7 @@ std::uint64_t depthStepsInBinary32() {
   return right;
 }
 
-/// Draws the suite and judges it as a device of the default profile, which has 8 bits of sub-pixel and depths in
+/// Draws the suite and judges it with the default profile, which has 8 bits of sub-pixel precision and depths in
 /// binary32, as Mesa's llvmpipe does. Returns the names of the vectors that the path does not draw.
 std::vector<std::string> judgeSuite(OpenGlPath path) {
   Tally suite;
@@ -119,7 +119,7 @@ std::vector<std::string> judgeSuite(OpenGlPath path) {
 
 constexpr std::array<OpenGlPath, 2> paths{OpenGlPath::FixedFunction, OpenGlPath::Shader};
 
-/// Draws on the device, judges every item buffer, and gathers the item IDs that stand in explained pixels.
+/// Draws on the device, judges each item buffer, and collects the item IDs of explained pixels.
 class JudgedRenderer final : public raster::ItemBufferRenderer {
  public:
   JudgedRenderer(const raster::DrawList& list, OpenGlPath path) : list_(list), device_(list, path) {}
@@ -137,7 +137,7 @@ class JudgedRenderer final : public raster::ItemBufferRenderer {
         if (face.pixels[p] != PixelVerdict::Exact) explained.insert({face.expected.ids[p], face.found.ids[p]});
   }
 
-  std::set<raster::ItemId> explained;  ///< what the rules or the device show there
+  std::set<raster::ItemId> explained;  ///< item IDs of the rules and of the device
 
  private:
   raster::DrawList list_;
@@ -146,21 +146,22 @@ class JudgedRenderer final : public raster::ItemBufferRenderer {
 
 }  // namespace
 
-TEST_CASE("the fixed-function path draws all of the suite that bytes can add, without an error", "[opengl]") {
+TEST_CASE("OpenGlRenderer with fixed function draws all vectors of the suite that bytes can add, without errors",
+          "[opengl]") {
   if (!hasDevice()) return;
-  // Sums with carries between bytes, or clamped at other borders than theirs.
+  // Sums with carries between bytes, or with clamping at other bits.
   CHECK(judgeSuite(OpenGlPath::FixedFunction) ==
         std::vector<std::string>{"layout-r5g6b5", "layout-r10g10b10a2", "layout-r32ui", "layout-3-1-7-2",
                                  "integer-add-24", "integer-add-32", "unaligned-integer-add", "edge-texels-added",
                                  "scene-paper-room-tilted"});
 }
 
-TEST_CASE("the shader path draws the whole suite without an error", "[opengl]") {
+TEST_CASE("OpenGlRenderer with shaders draws the whole suite without errors", "[opengl]") {
   if (!hasDevice()) return;
   CHECK(judgeSuite(OpenGlPath::Shader).empty());
 }
 
-TEST_CASE("a device leaves out the triangles that it is told to skip", "[opengl]") {
+TEST_CASE("OpenGlRenderer leaves out skipped triangles", "[opengl]") {
   if (!hasDevice()) return;
   const std::vector<TestVector> suite = reference::vectorSuite();
   TestVector vector = *std::find_if(suite.begin(), suite.end(), [](const auto& v) { return v.name == "five-faces"; });
@@ -176,7 +177,7 @@ TEST_CASE("a device leaves out the triangles that it is told to skip", "[opengl]
   }
 }
 
-TEST_CASE("a device drops triangles with a value that is not finite", "[opengl]") {
+TEST_CASE("OpenGlRenderer drops triangles with a value that is not finite", "[opengl]") {
   if (!hasDevice()) return;
   constexpr float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   raster::DrawList list = tests::plainList();
@@ -192,7 +193,7 @@ TEST_CASE("a device drops triangles with a value that is not finite", "[opengl]"
     addWall(1, {-3, 9, 1}, {value, 1});
     addWall(1, {-3, 9, 1}, {0, value});
   }
-  addWall(1, {3e38f, 9, 1}, {0, 1});  // finite, but twice as much is not
+  addWall(1, {3e38f, 9, 1}, {0, 1});  // finite, but twice the value is not
   addWall(1, {-3, 9, 3e38f}, {0, 1});
   addWall(2, {-6, 18, 2}, {0, 1});
   raster::Face face = tests::frontFace(16);
@@ -202,7 +203,7 @@ TEST_CASE("a device drops triangles with a value that is not finite", "[opengl]"
   for (const OpenGlPath path : paths) CHECK(render(OpenGlRenderer(list, path), {&face, 1}, {}).front().ids == expected);
 }
 
-TEST_CASE("a device says what it cannot draw", "[opengl]") {
+TEST_CASE("OpenGlRenderer throws InputError for lists that the device cannot draw", "[opengl]") {
   if (!hasDevice()) return;
   const auto refusal = [](const raster::DrawList& list, OpenGlPath path) -> std::string {
     try {
@@ -232,7 +233,8 @@ TEST_CASE("a device says what it cannot draw", "[opengl]") {
   CHECK_THROWS_AS(render(renderer, {&odd, 1}, {}), raster::InputError);
 }
 
-TEST_CASE("the Cornell box is the same lit by a device, outside explained pixels to a thousandth", "[opengl]") {
+TEST_CASE("OpenGlRenderer lights the Cornell box like SoftwareRenderer, except in explained pixels, to a thousandth",
+          "[opengl]") {
   if (!hasDevice()) return;
   const radiosity::Scene scene = radiosity::loadScene(std::string(HEMITEX_DATA) + "/cornell-box.obj");
   const radiosity::Discretization discretization = radiosity::discretize(scene, {.texels = 8, .patch = 4});
@@ -249,7 +251,7 @@ TEST_CASE("the Cornell box is the same lit by a device, outside explained pixels
     JudgedRenderer device(list, path);
     const radiosity::Solution found = solutionOf(device);
     CHECK(found.shots == expected.shots);
-    // An explained pixel takes flux from one element and gives it to another; the rest see it only reflected.
+    // An explained pixel moves flux from one element to another; the other elements receive only its reflection.
     std::set<std::uint32_t> touched;
     for (const raster::ItemId id : device.explained)
       if (const auto element = elementOf(discretization, layout, id)) touched.insert(*element);

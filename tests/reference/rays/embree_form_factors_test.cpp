@@ -1,4 +1,4 @@
-// Rows by packets of rays: closed forms, the slow rays, exact sums, and starts that meet nothing of their own.
+// RayRows: closed forms, RayFormFactors, exact sums, and starts that meet no adjacent surface.
 #include "reference/rays/embree_form_factors.h"
 
 #include <atomic>
@@ -44,14 +44,14 @@ std::vector<double> factors(const World& world, const FormFactorRow& row) {
   return result;
 }
 
-/// The standard deviation of a form factor by so many rays, were they independent.
+/// The standard deviation of a form factor with this number of independent rays.
 double byChance(double factor, int rays) { return std::sqrt(factor * (1 - factor) / rays); }
 
 bool areEqual(const FormFactorRow& a, const FormFactorRow& b) {
   return a.elements == b.elements && a.shares == b.shares && a.background == b.background && a.back == b.back;
 }
 
-/// Turned about z and then about x, by angles in radians.
+/// Rotated about z and then about x, by angles in radians.
 Scene turned(Scene scene, double aboutZ, double aboutX) {
   const double a = std::cos(aboutZ), b = std::sin(aboutZ), c = std::cos(aboutX), d = std::sin(aboutX);
   const glm::dmat3 first(a, b, 0, -b, a, 0, 0, 0, 1), then(1, 0, 0, 0, c, d, 0, -d, c);
@@ -63,7 +63,7 @@ Scene turned(Scene scene, double aboutZ, double aboutX) {
 
 }  // namespace
 
-TEST_CASE("a row by rays is exactly one, and every share a whole number of rays", "[ray rows]") {
+TEST_CASE("RayRows give rows of exactly one, with shares that are integer numbers of rays", "[ray rows]") {
   const World world(tests::furnishedRoom(), 4, 2);
   for (const RayStart start : bothStarts)
     for (const int rays : {16, 1 << 11}) {
@@ -80,10 +80,10 @@ TEST_CASE("a row by rays is exactly one, and every share a whole number of rays"
     }
 }
 
-TEST_CASE("rows by rays are the closed forms, better than by chance", "[ray rows]") {
-  // A closed cube of 6 x 9 elements. From a patch's centre a value is off by less than four standard deviations of
-  // chance; rays that are spread evenly err by chance only along the outlines of elements, so that in the root mean
-  // square they halve what chance would do.
+TEST_CASE("RayRows equal the closed forms, with smaller errors than random rays", "[ray rows]") {
+  // A closed cube of 6 x 9 elements. The error from a patch's centre is below four standard deviations of random rays.
+  // Rays of low discrepancy have random errors only along the outlines of elements. So their root mean square error is
+  // half of that of random rays.
   constexpr int rays = 1 << 14;
   const World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 3);
   const SurfacePieces pieces = surfacePieces(world.scene, world.discretization);
@@ -105,9 +105,9 @@ TEST_CASE("rows by rays are the closed forms, better than by chance", "[ray rows
   CHECK(std::sqrt(squares / expected) < 0.5);
 }
 
-TEST_CASE("rays spread over an area take the mean of its points", "[ray rows]") {
+TEST_CASE("RayRows with starts over an area give the mean over its points", "[ray rows]") {
   // Parallel unit squares, Howell C-11, and a blocker over half of them that hides exactly a half (see
-  // monte_carlo_form_factors_test.cpp), from its back: what it hides, it absorbs.
+  // monte_carlo_form_factors_test.cpp), seen from its back. It absorbs what it hides.
   constexpr int rays = 1 << 16;
   const AxisRectangle square{{0, 1}, {0, 1}};
   for (const double gap : {0.1, 1.0}) {
@@ -119,15 +119,15 @@ TEST_CASE("rays spread over an area take the mean of its points", "[ray rows]") 
     CHECK(std::abs(factors(world, row)[1] - open / 2) <= 4 * byChance(open / 2, rays));
     const double toBlocker = parallelRectangles(square, {{-9, 0.5}, {-9, 11}}, gap / 2);
     CHECK(std::abs(formFactor(row.back) - toBlocker) <= 4 * byChance(toBlocker, rays));
-    // All from the centre: half of what a point sees.
+    // All from the centre: half of the point's form factor.
     const double point = elementToParallelRectangle({{-0.5, 0.5}, {-0.5, 0.5}}, gap);
     const FormFactorRow centre = world.rows(rays, RayStart::Centre).ofPatch(0);
     CHECK(std::abs(factors(world, centre)[1] - point / 2) <= 4 * byChance(point / 2, rays));
   }
 }
 
-TEST_CASE("the fast rays measure what the slow ones do", "[ray rows]") {
-  // Standard errors of the slow ones are larger than those of as many fast rays, of which there are four times as many.
+TEST_CASE("RayRows agree with RayFormFactors", "[ray rows]") {
+  // The standard errors of RayFormFactors are larger than those of the four times as many rays of RayRows.
   constexpr int samples = 1 << 13;
   const World world(tests::furnishedRoom(), 4, 2);
   const RayFormFactors slow(world.scene, world.discretization);
@@ -156,9 +156,9 @@ TEST_CASE("the fast rays measure what the slow ones do", "[ray rows]") {
   CHECK(beyond <= values / 500);
 }
 
-TEST_CASE("no ray meets what it starts on, nor the back of a wall beside its start", "[ray rows]") {
-  // A room turned every way, so that rounding to binary32 puts edges on either side of each other. Starts lie all over
-  // its faces, up to their edges.
+TEST_CASE("RayRows never meet the start surface, or the back of a wall beside the start", "[ray rows]") {
+  // A room rotated in many ways, so that rounding to binary32 puts edges on either side of each other. Starts lie all
+  // over its faces, up to their edges.
   for (int turn = 0; turn < 32; ++turn) {
     const World world(turned(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 0.1 + 0.2 * turn, 0.7 * turn));
     RayRows rows = world.rows(1 << 12, RayStart::Area);
@@ -173,8 +173,8 @@ TEST_CASE("no ray meets what it starts on, nor the back of a wall beside its sta
   }
 }
 
-TEST_CASE("no ray slips between the triangles of a closed room", "[ray rows]") {
-  // A cube whose faces are cut into 2 x 32 x 32 triangles, turned so that hardly a corner is a binary32 number.
+TEST_CASE("RayRows lose no ray between the triangles of a closed room", "[ray rows]") {
+  // A cube whose faces are cut into 2 x 32 x 32 triangles, rotated so that almost no corner is exact in binary32.
   constexpr int steps = 32;
   std::vector<Surface> surfaces;
   for (const Surface& face : tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)).surfaces) {
@@ -204,9 +204,9 @@ TEST_CASE("no ray slips between the triangles of a closed room", "[ray rows]") {
   }
 }
 
-TEST_CASE("a receiver of less light than a ray is missed, or gets all that a ray carries", "[ray rows]") {
-  // Squares of side a at (x, y, 1) facing down get a^2 cos^4 / pi of the light of the point below the origin; with
-  // their size, 1e-8 each.
+TEST_CASE("RayRows miss a receiver of less light than a ray, or give it all the light of a ray", "[ray rows]") {
+  // Squares of side a at (x, y, 1) facing down receive a^2 cos^4 / pi of the light of the point below the origin: with
+  // this side, 1e-8 each.
   std::vector<Surface> surfaces{tests::parallelogram("floor", {-0.5, -0.5, 0}, {1, 0, 0}, {0, 1, 0})};
   for (int i = 0; i < 100; ++i) {
     const double x = -0.45 + 0.1 * (i % 10), y = -0.45 + 0.1 * (i / 10);
@@ -221,8 +221,9 @@ TEST_CASE("a receiver of less light than a ray is missed, or gets all that a ray
   for (const std::uint64_t share : row.shares) CHECK(share == wholeShare / rays);
 }
 
-TEST_CASE("slivers of a millionth of their length are met as often as others", "[ray rows]") {
-  // 64 strips that cross over the middle of a floor: to the point there a few 1e-5 of its light, known in closed form.
+TEST_CASE("RayRows meet slivers of a millionth of their length as often as others", "[ray rows]") {
+  // 64 strips that cross over the middle of a floor. The point there sends them a few 1e-5 of its light, known in
+  // closed form.
   constexpr double width = 1e-6;
   std::vector<Surface> surfaces{tests::parallelogram("floor", {-0.5, -0.5, 0}, {1, 0, 0}, {0, 1, 0})};
   for (int i = 0; i < 64; ++i) {
@@ -242,8 +243,8 @@ TEST_CASE("slivers of a millionth of their length are met as often as others", "
   CHECK(row.back == 0);
 }
 
-TEST_CASE("in two-sided scenes rays of packets pass backs, whose twins are met", "[ray rows]") {
-  // A sheet half way between two squares, with a twin: each square sees one side of it, as large as itself.
+TEST_CASE("RayRows in two-sided scenes pass backs and meet their twins", "[ray rows]") {
+  // A sheet halfway between two squares, with a twin: each square sees one side of it, as large as itself.
   constexpr int rays = 1 << 14;
   const AxisRectangle square{{0, 1}, {0, 1}};
   Scene scene = tests::sceneOf({tests::parallelogram("under", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
@@ -265,9 +266,9 @@ TEST_CASE("in two-sided scenes rays of packets pass backs, whose twins are met",
     CHECK(rows.ofPatch(from).elements == std::vector{to});
 }
 
-TEST_CASE("rows by rays are the same bits for any number of threads", "[ray rows]") {
-  // Bumps of some thousand triangles on top of each other: which of them a ray meets is up to Embree's tree, and that
-  // must not depend on who builds it.
+TEST_CASE("RayRows give the same bits for any number of threads", "[ray rows]") {
+  // Coincident bumps of some thousand triangles. Embree's tree decides which of them a ray meets, and that must not
+  // depend on the threads that build it.
   Surface first = tests::bump(40), second = first;
   second.name = second.family = "again";
   Scene scene = tests::sceneOf({first, second, tests::parallelogram("lid", {0, 0, 2}, {0, 2, 0}, {3, 0, 0})});
@@ -289,8 +290,8 @@ TEST_CASE("rows by rays are the same bits for any number of threads", "[ray rows
   }
 }
 
-TEST_CASE("packets of rays leave the arithmetic of the threads as it was", "[ray rows]") {
-  // Embree computes with subnormal numbers flushed to 0; no thread of the program may be left so.
+TEST_CASE("RayRows leave the floating-point mode of all threads unchanged", "[ray rows]") {
+  // Embree flushes subnormal numbers to 0; no thread of the program may keep that mode.
   const World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)));
   world.rows(1 << 14, RayStart::Centre).ofPatch(0);
   std::atomic<int> flushed = 0;

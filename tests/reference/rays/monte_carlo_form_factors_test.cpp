@@ -1,4 +1,4 @@
-// Rays against closed forms: both estimators, with and without blockers, and the standard errors that they claim.
+// RayFormFactors compared with closed forms: both estimators, with and without blockers, and their standard errors.
 #include "reference/rays/monte_carlo_form_factors.h"
 
 #include <catch2/catch.hpp>
@@ -67,9 +67,9 @@ Case unblocked(const std::string& name, const Surface& from, const Surface& to, 
   return {name, {from, to}, exact, exact, isClose};
 }
 
-/// Unit squares at a gap and, half way, a blocker of zero thickness over `covered` of them. A line between the squares
-/// passes the middle plane at the mean of its ends, whose distribution is symmetric in x and in y: a blocker over all
-/// x < 1/2 hides exactly half, one over x, y < 1/2 a quarter.
+/// Unit squares at a gap and, halfway, a blocker of zero thickness over `covered`. A line between the squares passes
+/// the middle plane at the mean of its ends, whose distribution is symmetric in x and in y. So a blocker over all x <
+/// 1/2 hides exactly half, and one over x, y < 1/2 a quarter.
 Case blocked(const std::string& name, double gap, const AxisRectangle& covered, double share) {
   return {name + " at a gap of " + std::to_string(gap),
           {facingUp(unitSquare), facingDown(unitSquare, gap), facingDown(covered, gap / 2)},
@@ -128,7 +128,7 @@ bool sameBits(const MeasuredRow& a, const MeasuredRow& b) {
 
 }  // namespace
 
-TEST_CASE("rays agree with closed forms within their standard errors", "[ray form factors]") {
+TEST_CASE("RayFormFactors agree with closed forms within their standard errors", "[ray form factors]") {
   for (const Case& example : tableOfCases())
     for (const Estimator estimator : bothEstimators) {
       const Measurement estimate = measured(example, estimator, {1 << 13});
@@ -137,9 +137,9 @@ TEST_CASE("rays agree with closed forms within their standard errors", "[ray for
     }
 }
 
-TEST_CASE("rays agree with closed forms from every element to every element", "[ray form factors]") {
-  // 5 x 5 elements on each of two squares: 1250 values an estimator. Of normal errors whose standard deviations were
-  // taken from 32 values, 4e-4 are beyond 4 of those. The smallest factor, 0.002, still gets 30 rays.
+TEST_CASE("RayFormFactors agree with closed forms from each element to each element", "[ray form factors]") {
+  // 5 x 5 elements on each of two squares: 1250 values per estimator. The standard deviations are from 32 values, so
+  // 4e-4 of normal errors are beyond 4 of those. The smallest factor, 0.002, still gets 30 rays.
   constexpr int n = 5;
   const auto part = [](int i) { return Interval{double(i) / n, double(i + 1) / n}; };
   const World parallel(tests::sceneOf({facingUp(unitSquare), facingDown(unitSquare, 0.4)}), n);
@@ -164,9 +164,9 @@ TEST_CASE("rays agree with closed forms from every element to every element", "[
   }
 }
 
-TEST_CASE("standard errors are as large as the errors", "[ray form factors]") {
+TEST_CASE("RayFormFactors give standard errors as large as the errors", "[ray form factors]") {
   // Over 150 seeds the squared errors over the squared standard errors sum to 150 on average, with a deviation of
-  // sqrt(2 * 150) if the errors are normal; four of those to either side.
+  // sqrt(2 * 150) for normal errors. The test allows four of those to either side.
   constexpr int seeds = 150;
   for (const Case& example : {unblocked("parallel", facingUp(unitSquare), facingDown(unitSquare, 1),
                                         parallelRectangles(unitSquare, unitSquare, 1)),
@@ -190,8 +190,8 @@ TEST_CASE("standard errors are as large as the errors", "[ray form factors]") {
     }
 }
 
-TEST_CASE("more samples bring smaller errors, faster than chance", "[ray form factors]") {
-  // Sixteen times the samples divide an error of chance by 4; low-discrepancy points do better where all is smooth.
+TEST_CASE("RayFormFactors with more samples have smaller errors, better than random rays", "[ray form factors]") {
+  // Sixteen times the samples divide a random error by 4; low-discrepancy points do better for smooth integrands.
   const Case smooth = unblocked("parallel", facingUp(unitSquare), facingDown(unitSquare, 1),
                                 parallelRectangles(unitSquare, unitSquare, 1));
   const auto gain = [&](Estimator estimator) {
@@ -199,15 +199,18 @@ TEST_CASE("more samples bring smaller errors, faster than chance", "[ray form fa
   };
   CHECK(gain(&RayFormFactors::overHemisphere) > 4.5);
   CHECK(gain(&RayFormFactors::aimed) > 12);
-  // The hemisphere's rays: standard deviation sqrt(F (1 - F) / samples) by chance.
+  // The standard deviation of random rays over the hemisphere: sqrt(F (1 - F) / samples).
   const double chance = std::sqrt(smooth.exact * (1 - smooth.exact) / (1 << 15));
   CHECK(measured(smooth, &RayFormFactors::overHemisphere, {1 << 15}).standardError < 0.6 * chance);
   CHECK(measured(smooth, &RayFormFactors::aimed, {1 << 16}).value == Approx(smooth.exact).epsilon(1e-5));
 }
 
-TEST_CASE("a million samples: the hemisphere to 2e-4, aimed rays to 1e-4 of the value", "[.full]") {
-  // Of the hemisphere that is twice the standard error or more, so one case in twenty may be beyond. What blockers hide
-  // is as exact as what they hide it of.
+TEST_CASE(
+    "RayFormFactors with a million samples have errors of 2e-4 over the hemisphere, and 1e-4 of the value with aimed "
+    "rays",
+    "[.full]") {
+  // Over the hemisphere that is at least twice the standard error, so that one case in twenty may be beyond. Aimed rays
+  // are as accurate with blockers.
   std::size_t beyond = 0;
   const std::vector<Case> cases = tableOfCases();
   for (const Case& example : cases) {
@@ -224,7 +227,7 @@ TEST_CASE("a million samples: the hemisphere to 2e-4, aimed rays to 1e-4 of the 
   CHECK(beyond <= cases.size() / 20);
 }
 
-TEST_CASE("rays are the same bits for any number of threads", "[ray form factors]") {
+TEST_CASE("RayFormFactors give the same bits for any number of threads", "[ray form factors]") {
   const auto rows = [](int threads) {
     const raster::ThreadLimit limit(threads);
     const World world(tests::furnishedRoom(), 3);
@@ -240,11 +243,11 @@ TEST_CASE("rays are the same bits for any number of threads", "[ray form factors
   }
 }
 
-TEST_CASE("a scene that is moved or scaled has the same form factors, to the bit where its numbers are exact",
+TEST_CASE("RayFormFactors do not change for moved or scaled scenes, to the bit where coordinates are exact",
           "[ray form factors]") {
   const auto rows = [](double scale, double offset) {
     Scene scene = tests::furnishedRoom();
-    scene.surfaces.pop_back();  // the sheet, whose corners are no binary fractions
+    scene.surfaces.pop_back();  // the sheet, whose corners are not binary fractions
     for (Surface& surface : scene.surfaces)
       for (Triangle& triangle : surface.triangles)
         for (glm::dvec3& corner : triangle.position) corner = scale * corner + offset;
@@ -262,7 +265,7 @@ TEST_CASE("a scene that is moved or scaled has the same form factors, to the bit
   }
 }
 
-TEST_CASE("in a closed room nothing is lost but to backs", "[ray form factors]") {
+TEST_CASE("RayFormFactors in a closed room lose light only to backs", "[ray form factors]") {
   const World world(tests::furnishedRoom(), 2);
   const Receivers receivers = everyElement(world.discretization);
   for (std::uint32_t surface = 0; surface < world.scene.surfaces.size(); ++surface) {
@@ -272,22 +275,22 @@ TEST_CASE("in a closed room nothing is lost but to backs", "[ray form factors]")
     INFO(world.scene.surfaces[surface].name);
     CHECK(row.background.value == 0);
     CHECK(sum == Approx(1).epsilon(1e-14));
-    // Aimed rays find the background as what is left of 1.
+    // Aimed rays compute the background as the difference from 1.
     const MeasuredRow aimed = world.rays.aimed(world.surface(surface), receivers, {1 << 11});
     CHECK(agrees(aimed.background, 0));
     CHECK(aimed.background.standardError < 0.02);
     CHECK(std::abs(aimed.back.value - row.back.value) <
           4 * std::hypot(aimed.back.standardError, row.back.standardError) + 1e-9);
   }
-  // Without blockers that is the closed forms' own sum, exact at every point.
+  // Without blockers that is the sum of the closed forms, exact at each point.
   const World empty(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 3);
   const MeasuredRow row = empty.rays.aimed(empty.element(0), everyElement(empty.discretization), {1 << 9});
   CHECK(std::abs(row.background.value) < 1e-9);
   CHECK(row.background.standardError < 1e-9);
 }
 
-TEST_CASE("what leaves one surface for another is what would come back", "[ray form factors]") {
-  // Reciprocity: area times form factor is the same both ways.
+TEST_CASE("RayFormFactors satisfy reciprocity", "[ray form factors]") {
+  // Reciprocity: area times form factor is the same in both directions.
   const World world(tests::furnishedRoom());
   const Receivers receivers = everyElement(world.discretization);
   const std::size_t count = receivers.count;
@@ -307,7 +310,7 @@ TEST_CASE("what leaves one surface for another is what would come back", "[ray f
   }
 }
 
-TEST_CASE("a point's factors are the closed forms of the elements it sees", "[ray form factors]") {
+TEST_CASE("RayFormFactors of a point are the closed forms of the visible elements", "[ray form factors]") {
   const World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 3);
   const SurfacePoint place = elementCentre(world.scene, world.discretization, 2 * 9 + 1);
   const RaySource raySource = pointRaySource(world.scene, 2, place);
@@ -324,7 +327,7 @@ TEST_CASE("a point's factors are the closed forms of the elements it sees", "[ra
   }
 }
 
-TEST_CASE("a patch's factors are the means of its elements' by area", "[ray form factors]") {
+TEST_CASE("RayFormFactors of a patch are the area-weighted means of those of its elements", "[ray form factors]") {
   const World world(tests::furnishedRoom(), 3, 2);
   const Patch& patch = world.discretization.patches[4];
   const std::vector<std::uint32_t> elements = elementsOfPatch(world.discretization, 4);
@@ -350,7 +353,8 @@ TEST_CASE("a patch's factors are the means of its elements' by area", "[ray form
   CHECK(beyond == 0);
 }
 
-TEST_CASE("receivers may be groups of elements, and one alone gets what it gets among all", "[ray form factors]") {
+TEST_CASE("RayFormFactors to a group of elements are sums, and those to one element do not depend on the others",
+          "[ray form factors]") {
   const World world(tests::furnishedRoom(), 2);
   const Receivers every = everyElement(world.discretization);
   Receivers families{2, std::vector<std::uint32_t>(every.count, Receivers::none)};
@@ -369,8 +373,8 @@ TEST_CASE("receivers may be groups of elements, and one alone gets what it gets 
   }
 }
 
-TEST_CASE("in two-sided scenes both sides receive and nothing meets a back", "[ray form factors]") {
-  // A sheet half way between two squares, with a twin: each square sees one side of it.
+TEST_CASE("RayFormFactors in two-sided scenes reach both sides and meet no back", "[ray form factors]") {
+  // A sheet halfway between two squares, with a twin: each square sees one side of it.
   Scene scene = tests::sceneOf({facingUp(unitSquare), facingDown(unitSquare, 1), facingDown(unitSquare, 0.5),
                                 tests::parallelogram("twin", {0, 0, 0.5}, {1, 0, 0}, {0, 1, 0})});
   scene.surfaces[2].twin = 3;
@@ -387,8 +391,8 @@ TEST_CASE("in two-sided scenes both sides receive and nothing meets a back", "[r
     }
 }
 
-TEST_CASE("a receiver that no ray met may still be worth two", "[ray form factors]") {
-  // A square of a thousandth of the side: 3e-7 of the light, of which 1024 rays show nothing.
+TEST_CASE("RayFormFactors to a receiver that no ray met have an error of two rays", "[ray form factors]") {
+  // A square of a thousandth of the side: 3e-7 of the light, which 1024 rays miss.
   const Interval side{0.5, 0.501};
   const double exact = parallelRectangles(unitSquare, {side, side}, 0.5);
   const Measurement estimate = measured(unblocked("tiny", facingUp(unitSquare), facingDown({side, side}, 0.5), exact),
@@ -397,11 +401,11 @@ TEST_CASE("a receiver that no ray met may still be worth two", "[ray form factor
   CHECK(estimate.standardError == 2.0 / 1024);
 }
 
-TEST_CASE("gaps of a millionth of the side lose no light", "[ray form factors]") {
+TEST_CASE("RayFormFactors lose no light in gaps of a millionth of the side", "[ray form factors]") {
   const double gap = 1e-6, exact = parallelRectangles(unitSquare, unitSquare, gap);
   const Case close = unblocked("close", facingUp(unitSquare), facingDown(unitSquare, gap), exact);
   CHECK(std::abs(measured(close, &RayFormFactors::overHemisphere, {1 << 14}).value - exact) < 1e-4);
-  // What leaves between the rims leaves from a strip that few points lie in, if any.
+  // Light leaves between the rims from a strip that contains few points or none.
   for (const double narrow : {1e-6, 1e-5, 1e-4}) {
     const double closed = parallelRectangles(unitSquare, unitSquare, narrow);
     const Measurement aimed =

@@ -1,4 +1,4 @@
-// Rays through pixels: the triangles that the rasterizer shows there.
+// PixelRays meet the triangles that the rasterizer shows.
 #include "reference/rays/pixel_rays.h"
 
 #include <catch2/catch.hpp>
@@ -15,7 +15,7 @@ using namespace hemitex::reference;
 
 namespace {
 
-/// Every triangle with its own number as its item ID, whichever way it faces.
+/// Each triangle with its number as item ID, for both facings.
 raster::DrawList numbered(raster::DrawList list) {
   list.format = *raster::formatNamed("r32ui");
   list.indexMaps.clear();
@@ -26,9 +26,9 @@ raster::DrawList numbered(raster::DrawList list) {
 
 }  // namespace
 
-TEST_CASE("rays through pixels meet the triangles that the rasterizer shows", "[pixel_rays]") {
-  // Rays start and go where samples are; they differ where snapping to 1/256 pixel moves an edge over a sample. Edges
-  // run through a few of a hundred pixels, and of those few in a hundred are so close.
+TEST_CASE("PixelRays meet the triangles that SoftwareRenderer shows", "[pixel_rays]") {
+  // Rays pass through the samples. Results differ only where snapping to 1/256 pixel moves an edge over a sample. Edges
+  // pass through a few percent of pixels, and a few percent of those are that close.
   const radiosity::Scene scene = radiosity::loadScene(HEMITEX_DATA "/cornell-box.obj");
   const radiosity::Discretization discretization = radiosity::discretize(scene, {.texels = 1});
   const raster::DrawList list =
@@ -37,7 +37,7 @@ TEST_CASE("rays through pixels meet the triangles that the rasterizer shows", "[
   const PixelRays rays(list);
   raster::SoftwareRenderer renderer(list);
   std::vector<raster::ItemBuffer> met;
-  for (const int resolution : {100, 26, 64}) {  // packets of 4 x 4 fit the last alone
+  for (const int resolution : {100, 26, 64}) {  // packets of 4 x 4 divide only the last
     const std::vector<raster::Face> faces =
         radiosity::facesOver(radiosity::hemicubeFaces(resolution), eye, {0, 1, 0}, {0, 0, 1}, 1e-4 * scene.extent);
     const std::vector<raster::ItemBuffer> drawn = render(renderer, faces, {});

@@ -1,4 +1,4 @@
-// Rays: the nearest triangle as brute force finds it, no gaps between neighbours, and the epsilon rule.
+// RayCaster: the nearest triangle of a search through all, no gaps between neighbours, and the epsilon rule.
 #include "reference/rays/ray_caster.h"
 
 #include <atomic>
@@ -17,14 +17,14 @@ using namespace hemitex::radiosity;
 
 namespace {
 
-/// Scenes of single triangles, whose charts play no part here.
+/// Scenes of single triangles; their charts are not used.
 Scene triangles(const std::vector<std::array<glm::dvec3, 3>>& corners) {
   std::vector<Triangle> list;
   for (const auto& corner : corners) list.push_back({corner, {}, {}});
   return tests::sceneOf({tests::surfaceOf("triangles", std::move(list))});
 }
 
-/// The frame of the scene is that of the file in a scene with this corner and its opposite.
+/// A triangle that makes the frame of the scene equal to that of the file, together with its opposite.
 const std::array<glm::dvec3, 3> frameCorner{glm::dvec3(0.5, 0, 0), {0.5, 1e-3, 0}, {0.5, 0, 1e-3}};
 const std::array<glm::dvec3, 3> oppositeCorner{glm::dvec3(-0.5, 0, 0), {-0.5, -1e-3, 0}, {-0.5, 0, -1e-3}};
 
@@ -49,7 +49,7 @@ std::optional<glm::dvec3> solve(const std::array<glm::dvec3, 3>& corner, const g
   return tuv;
 }
 
-/// Two triangles in the plane z = 0 over the unit square, facing up, and what hangs over them.
+/// Two triangles in the plane z = 0 over the unit square, facing up, and surfaces above them.
 Scene floorWith(std::vector<Surface> surfaces) {
   surfaces.insert(surfaces.begin(), tests::parallelogram("floor", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
   return tests::sceneOf(std::move(surfaces));
@@ -64,7 +64,7 @@ Scene moved(Scene scene, const glm::dvec3& by) {
 
 }  // namespace
 
-TEST_CASE("a ray meets the nearest triangle, as a look at all of them says", "[rays]") {
+TEST_CASE("RayCaster::firstHit finds the nearest triangle of a search through all", "[rays]") {
   Random random;
   std::vector<std::array<glm::dvec3, 3>> soup;
   for (int i = 0; i < 300; ++i) {
@@ -99,9 +99,9 @@ TEST_CASE("a ray meets the nearest triangle, as a look at all of them says", "[r
   CHECK(met > 5000);
 }
 
-TEST_CASE("no ray slips between triangles that share an edge", "[rays]") {
-  // A closed box of many triangles, turned so that nothing lies on an axis; rays go for points of the edges and for the
-  // corners themselves.
+TEST_CASE("RayCaster::firstHit lets no ray pass between triangles that share an edge", "[rays]") {
+  // A closed box of many triangles, rotated so that nothing is axis-parallel; rays aim at points of the edges and at
+  // the corners.
   std::vector<std::array<glm::dvec3, 3>> shell;
   Random random;
   const glm::dvec3 x = random.direction(), y = glm::normalize(glm::cross(x, random.direction())), z = glm::cross(x, y);
@@ -133,7 +133,7 @@ TEST_CASE("no ray slips between triangles that share an edge", "[rays]") {
   CHECK(slipped == 0);
 }
 
-TEST_CASE("distances count in steps of epsilon, and at distance 0 nothing is met", "[rays]") {
+TEST_CASE("RayCaster::firstHit rounds distances to epsilon, and meets nothing at distance 0", "[rays]") {
   // The frame of this scene is the file's: its bounds run from -0.5 to 0.5 along x and are thin.
   const auto gap = [](double distance) {
     Scene scene = triangles({frameCorner,
@@ -150,8 +150,8 @@ TEST_CASE("distances count in steps of epsilon, and at distance 0 nothing is met
   CHECK_FALSE(gap(-rayEpsilon));
 }
 
-TEST_CASE("of coincident surfaces the first in the scene's order is met", "[rays]") {
-  // The same tilted square twice, its corners in every order and either way round: the distances differ in rounding.
+TEST_CASE("RayCaster::firstHit of coincident surfaces finds the first in the scene's order", "[rays]") {
+  // The same tilted square twice, with corners in any order and both windings, so that distances differ by rounding.
   Random random;
   for (int turn = 0; turn < 100; ++turn) {
     const glm::dvec3 place = random.point(-1, 1), u = random.direction(),
@@ -175,9 +175,9 @@ TEST_CASE("of coincident surfaces the first in the scene's order is met", "[rays
   }
 }
 
-TEST_CASE("surfaces that touch neither leak nor hit themselves", "[rays]") {
-  // The floor of a closed room, started on as near to the walls and to its own diagonal as a millionth of a millionth:
-  // every ray meets the inside of a wall. A second piece of floor beside it and nothing above: every ray leaves.
+TEST_CASE("RayCaster::firstHit of touching surfaces has no leaks and no self-intersections", "[rays]") {
+  // Starts on the floor of a closed room, as near as 1e-12 to the walls and to its own diagonal: every ray meets the
+  // inside of a wall. A second piece of floor beside it with nothing above: every ray leaves.
   const Scene room = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
   const Scene open = floorWith({tests::parallelogram("beside", {1, 0, 0}, {1, 0, 0}, {0, 1, 0}),
                                 tests::parallelogram("below", {0.5, 0, 0}, {0, 0, -1}, {0, 1, 0})});
@@ -210,7 +210,7 @@ TEST_CASE("surfaces that touch neither leak nor hit themselves", "[rays]") {
   }
 }
 
-TEST_CASE("in two-sided scenes rays pass the backs of surfaces, whose twins are met", "[rays]") {
+TEST_CASE("RayCaster::firstHit in two-sided scenes passes backs and meets their twins", "[rays]") {
   Scene scene = tests::sceneOf({tests::parallelogram("front", {0, 0, 1}, {1, 0, 0}, {0, 1, 0}),
                                 tests::parallelogram("back", {0, 0, 1}, {0, 1, 0}, {1, 0, 0}),
                                 tests::parallelogram("floor", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})});
@@ -227,8 +227,8 @@ TEST_CASE("in two-sided scenes rays pass the backs of surfaces, whose twins are 
   CHECK(twoSided->front);
 }
 
-TEST_CASE("Embree leaves the arithmetic of the threads as it was", "[rays]") {
-  // Embree computes with subnormal numbers flushed to 0; no thread of the program may be left so.
+TEST_CASE("RayCaster leaves the floating-point mode of all threads unchanged", "[rays]") {
+  // Embree flushes subnormal numbers to 0; no thread of the program may keep that mode.
   const Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
   const RayCaster rays(scene);
   std::atomic<int> flushed = 0;

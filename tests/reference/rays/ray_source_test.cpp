@@ -1,4 +1,4 @@
-// RaySources: points of equal density over the area, points put where they belong.
+// Ray sources: points of uniform density over the area, at the right places.
 #include "reference/rays/ray_source.h"
 
 #include <catch2/catch.hpp>
@@ -16,9 +16,9 @@ using namespace hemitex;
 using namespace hemitex::reference;
 using namespace hemitex::radiosity;
 
-TEST_CASE("equal areas of a raySource get equal numbers of points", "[raySource]") {
-  // A net of 2^12 points on the triangles of a warped quad and of a patch of it: each triangle's number of points is
-  // its share of the area but for less than two, since it takes an interval of one coordinate.
+TEST_CASE("shootingPoint gives equal areas equal numbers of points", "[raySource]") {
+  // A net of 2^12 points on the triangles of a warped quad and of a patch of it. A triangle is an interval of one
+  // coordinate, so its number of points differs from its share of the area by less than two.
   const Scene scene = tests::sceneOf({tests::quad("warped", {{{0, 0, 0}, {2, 0, 1}, {2, 3, -1}, {0, 1, 2}}})});
   const Discretization discretization = discretize(scene, {.texels = 4, .patch = 2});
   const SurfacePieces pieces = surfacePieces(scene, discretization);
@@ -50,8 +50,8 @@ TEST_CASE("equal areas of a raySource get equal numbers of points", "[raySource]
   }
 }
 
-TEST_CASE("the points of a triangle have its centroid and its second moments", "[raySource]") {
-  // Over a triangle the mean of the weights is 1/3, of their squares 1/6 and of their products 1/12.
+TEST_CASE("shootingPoint gives points with the centroid and the second moments of a triangle", "[raySource]") {
+  // Over a triangle the mean of the weights is 1/3, that of their squares 1/6 and that of their products 1/12.
   const RaySource raySource{{{{glm::dvec3(1, 0, 0), {0, 1, 0}, {0, 0, 1}}, glm::normalize(glm::dvec3(1)), 0}}, {1.0}};
   const SamplePoints points(1 << 14, 0);
   glm::dvec3 mean(0), squares(0), products(0);
@@ -69,7 +69,8 @@ TEST_CASE("the points of a triangle have its centroid and its second moments", "
   }
 }
 
-TEST_CASE("a single point stands in the plane of its triangle and off its edges, far from zero, too", "[raySource]") {
+TEST_CASE("pointRaySource puts a point into the plane of its triangle and off its edges, also far from zero",
+          "[raySource]") {
   for (const double distance : {0.0, 1e6, 1e8}) {
     INFO("moved by " << distance);
     Scene scene = tests::sceneOf({tests::parallelogram("tilted", glm::dvec3(distance), {1, 0.3, 0.2}, {-0.1, 1, 0.4})});

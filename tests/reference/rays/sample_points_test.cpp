@@ -1,4 +1,4 @@
-// Low-discrepancy points: every randomization is a net, and the standard error is that of a mean.
+// SamplePoints: each randomization is a net, and the standard error is that of a mean.
 #include "reference/rays/sample_points.h"
 
 #include <catch2/catch.hpp>
@@ -8,9 +8,10 @@
 
 using namespace hemitex::reference;
 
-TEST_CASE("every randomization of 2^m points has one in each of the 2^m boxes of any shape", "[samples]") {
-  // Sobol's first two coordinates are a (0, m, 2)-net in base 2, in every alignment of boxes 2^-a x 2^-(m - a); a
-  // digital shift keeps that. All four coordinates are nets by themselves.
+TEST_CASE("SamplePoints of 2^m points have one in each of the 2^m boxes of any shape, for each randomization",
+          "[samples]") {
+  // Sobol's first two coordinates are a (0, m, 2)-net in base 2, for all boxes 2^-a x 2^-(m - a), and a digital shift
+  // preserves that. Each of the four coordinates is a net by itself.
   constexpr int m = 10;
   const SamplePoints points(1 << m, 7);
   for (std::size_t r = 0; r < randomizations; ++r) {
@@ -32,7 +33,7 @@ TEST_CASE("every randomization of 2^m points has one in each of the 2^m boxes of
   }
 }
 
-TEST_CASE("no two randomizations, of one seed or of others, share a shift", "[samples]") {
+TEST_CASE("SamplePoints have different shifts for all randomizations and seeds", "[samples]") {
   std::set<SamplePoint> first;
   for (std::uint32_t seed = 0; seed < 100; ++seed) {
     const SamplePoints points(1, seed);
@@ -45,7 +46,7 @@ TEST_CASE("no two randomizations, of one seed or of others, share a shift", "[sa
   CHECK(first.size() == 100 * randomizations);
 }
 
-TEST_CASE("the standard error is that of the mean", "[samples]") {
+TEST_CASE("meanOf gives the standard error of the mean", "[samples]") {
   // Of 1, 2, 3, 4: variance 5/3, over four values.
   const Measurement mean = meanOf(std::vector<double>{1, 2, 3, 4});
   CHECK(mean.value == 2.5);

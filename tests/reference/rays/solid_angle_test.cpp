@@ -1,4 +1,4 @@
-// Directions into polygons: solid angles that are known, evenly spread, and an average that has a closed form.
+// Directions into polygons: known solid angles, uniform density, and an average with a closed form.
 #include "reference/rays/solid_angle.h"
 
 #include <catch2/catch.hpp>
@@ -24,7 +24,7 @@ struct Random {
   }
 };
 
-/// By how much a direction lies outside the planes through the origin and the edges; 0 inside.
+/// The distance of a direction outside the planes through the origin and the edges; 0 inside.
 double outside(const SphericalTriangle& triangle, const glm::dvec3& direction) {
   const double winding = glm::dot(triangle[0], glm::cross(triangle[1], triangle[2])) > 0 ? 1 : -1;
   double distance = 0;
@@ -37,7 +37,7 @@ double outside(const SphericalTriangle& triangle, const glm::dvec3& direction) {
 
 }  // namespace
 
-TEST_CASE("solid angles that are known by symmetry", "[solid angle]") {
+TEST_CASE("solidAngle equals the values known by symmetry", "[solid angle]") {
   const glm::dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
   CHECK(solidAngle({x, y, z}) == Approx(M_PI / 2).epsilon(1e-15));  // an eighth of the sphere
   CHECK(solidAngle({x, z, y}) == Approx(M_PI / 2).epsilon(1e-15));
@@ -46,9 +46,9 @@ TEST_CASE("solid angles that are known by symmetry", "[solid angle]") {
   CHECK(solidAngle({z, glm::normalize(z + 1e-5 * x), glm::normalize(z + 1e-5 * y)}) == Approx(0.5e-10).epsilon(1e-9));
 }
 
-TEST_CASE("directions fill a spherical triangle evenly", "[solid angle]") {
-  // Cut in two from the first corner to a point of the opposite side: each part gets its share of a net of 2^12 points,
-  // but for those on a cut that crosses the net. Large triangles, small ones and slivers.
+TEST_CASE("directionIn fills a spherical triangle uniformly", "[solid angle]") {
+  // The triangle is cut from the first corner to a point of the opposite side. Each part gets its share of a net of
+  // 2^12 points, except for points on a cut that crosses the net. Large triangles, small ones and slivers.
   Random random;
   const SamplePoints points(1 << 12, 3);
   for (std::size_t repeat = 0; repeat < 60; ++repeat) {
@@ -79,9 +79,9 @@ TEST_CASE("directions fill a spherical triangle evenly", "[solid angle]") {
   }
 }
 
-TEST_CASE("the mean cosine over the directions into a polygon is its form factor", "[solid angle]") {
-  // F = 1/pi times the integral of the cosine over the polygon's solid angle, which Lambert's formula gives; near, far,
-  // large, small and thin polygons, sampled by solid angle and by area.
+TEST_CASE("aimInto gives directions into a polygon whose mean cosine is its form factor", "[solid angle]") {
+  // F = 1/pi times the integral of the cosine over the polygon's solid angle, from Lambert's formula. Near, far, large,
+  // small and thin polygons, sampled by solid angle and by area.
   Random random;
   const SamplePoints points(1 << 14, 0);
   int byArea = 0;
@@ -89,12 +89,12 @@ TEST_CASE("the mean cosine over the directions into a polygon is its form factor
     const double height = std::pow(10.0, random.uniform(-3, 5)), size = std::pow(10.0, random.uniform(-3, 0.5));
     std::vector<glm::dvec3> polygon;
     const int corners = 3 + repeat % 5;
-    for (int k = 0; k < corners; ++k) {  // clockwise from above: seen from below it winds the other way
+    for (int k = 0; k < corners; ++k) {  // clockwise from above, which is counter-clockwise from below
       const double angle = -2 * M_PI * (k + 0.3) / corners;
       polygon.emplace_back(0.3 + size * std::cos(angle), 0.2 + 0.6 * size * std::sin(angle), height);
     }
     const glm::dvec3 point(0), normal = glm::normalize(glm::dvec3(0.2, -0.1, 1));
-    double sum = 0, farthest = 0;  // outside the polygon, in its size
+    double sum = 0, farthest = 0;  // distance outside the polygon, relative to its size
     for (std::size_t i = 0; i < points.count(); ++i) {
       const SamplePoint sample = points.at(0, i);
       const Aim aim = aimInto(polygon, point, sample[0], sample[1]);
@@ -113,9 +113,9 @@ TEST_CASE("the mean cosine over the directions into a polygon is its form factor
   CHECK(byArea > 0);
 }
 
-TEST_CASE("every direction into a sliver lies inside it, however near it is", "[solid angle]") {
-  // Half a strip of length 1, as far away as it is wide: seen under a tenth of all directions, its ends all but
-  // opposite. A ray that went along its border would as well meet the other half.
+TEST_CASE("aimInto gives directions inside a sliver, however near it is", "[solid angle]") {
+  // Half a strip of length 1, as far away as it is wide: it fills a tenth of all directions, and its ends are almost
+  // opposite. A ray along its border could meet the other half.
   const SamplePoints points(1 << 14, 0);
   for (const double width : {1e-3, 1e-6, 1e-8}) {
     const std::vector<glm::dvec3> sliver{{-0.3, -width, width}, {0.7, width, width}, {0.7, -width, width}};

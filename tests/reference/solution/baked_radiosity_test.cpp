@@ -1,4 +1,4 @@
-// Light tracing, held against closed forms.
+// bakedRadiosity (light tracing) compared with closed forms.
 #include "reference/solution/baked_radiosity.h"
 
 #include <catch2/catch.hpp>
@@ -18,7 +18,7 @@ using namespace hemitex::radiosity;
 
 namespace {
 
-/// Four standard errors: one of some 10,000 checks would fail by chance, and seeds are fixed.
+/// Four standard errors. One of about 10,000 random checks would fail; the seeds are fixed.
 constexpr double deviations = 4;
 
 glm::dvec3 fluxOf(const BakedRadiosity& baked) {
@@ -36,7 +36,7 @@ Scene lampOverFloor() {
   return scene;
 }
 
-/// A closed room of 4 m x 3 m x 2 m, all of which emits, with a box on its floor. The box [low, low + size] has a
+/// A closed room of 4 m x 3 m x 2 m that emits everywhere, with a box on its floor. The box [low, low + size] has a
 /// bottom or none.
 Scene roomWithBox(const glm::dvec3& low, const glm::dvec3& size, bool hasBottom) {
   std::vector<Surface> surfaces = tests::box("room", {0, 0, 0}, {4, 3, 2}, true);
@@ -69,7 +69,7 @@ TEST_CASE("bakedRadiosity of a furnace is E over 1 minus r, within its standard 
       CHECK(baked.radiosityError[e][band] < 0.05 * exact[band]);
     }
   }
-  // The mean square of 288 deviations in standard errors is 1, give or take 0.1 (more, as bands share paths).
+  // The mean square of 288 deviations in standard errors is 1, with an error of 0.1 (more, because bands share paths).
   CHECK(squares / 288 == Approx(1).margin(0.35));
   const glm::dvec3 flux = fluxOf(baked);
   for (int band = 0; band < 3; ++band) CHECK(flux[band] == Approx(6 * exact[band]).epsilon(3e-3));
@@ -91,7 +91,7 @@ TEST_CASE("bakedRadiosity of a floor under a light is the closed form", "[baked]
   CHECK(baked.radiosity.back() == glm::dvec3(1, 2, 4));
 }
 
-TEST_CASE("bakedRadiosity exposes a floor but for the footprint of a box that stands on it", "[baked]") {
+TEST_CASE("bakedRadiosity exposes a floor except for the footprint of a box that stands on it", "[baked]") {
   const bool hasBottom = GENERATE(false, true);
   const Scene scene = roomWithBox({1, 1, 0}, {1.1, 0.7, 0.9}, hasBottom);
   const Discretization discretization = discretizeUnburied(scene, {.texels = 8});
@@ -100,7 +100,7 @@ TEST_CASE("bakedRadiosity exposes a floor but for the footprint of a box that st
   CHECK(exposedAreaOf(scene, baked, "room1") == Approx(12).epsilon(1e-12));
   CHECK(exposedAreaOf(scene, baked, "box1") == Approx(1.1 * 0.7).epsilon(1e-12));
   if (hasBottom) CHECK(exposedAreaOf(scene, baked, "box0") == 0);
-  // Two elements of the floor lie wholly under the box, where nothing leaves them.
+  // Two elements of the floor lie completely under the box, where no light leaves them.
   int dark = 0;
   for (std::size_t e = 0; e < 64; ++e) {
     if (baked.exposedArea[e] > 0) continue;
@@ -111,7 +111,7 @@ TEST_CASE("bakedRadiosity exposes a floor but for the footprint of a box that st
   CHECK(dark == 2);
 }
 
-TEST_CASE("bakedRadiosity exposes what hovers, and not what is sunk into the floor", "[baked]") {
+TEST_CASE("bakedRadiosity exposes hovering objects, and not parts sunk into the floor", "[baked]") {
   const Scene hovering = roomWithBox({1, 1, 1e-3}, {1, 1, 1}, true);
   const BakedRadiosity one =
       bakedRadiosity(hovering, discretizeUnburied(hovering, {.texels = 2}), {.paths = 32, .points = 32});
@@ -124,7 +124,7 @@ TEST_CASE("bakedRadiosity exposes what hovers, and not what is sunk into the flo
   CHECK(exposedAreaOf(sunk, other, "box2") == Approx(0.75).margin(5e-3));
 }
 
-// In a closed room what is emitted is what is absorbed, element by element the arriving flux times 1 - r.
+// In a closed room the emitted flux equals the absorbed flux, which is the arriving flux times 1 - r per element.
 TEST_CASE("bakedRadiosity keeps the balance of energy in a closed room with a box", "[baked]") {
   const Scene scene = roomWithBox({1, 1, 0}, {1, 1, 1}, false);
   const Discretization discretization = discretizeUnburied(scene, {.texels = 4});
@@ -150,7 +150,7 @@ TEST_CASE("bakedRadiosity gives the same bits for any number of threads, and oth
   CHECK(fluxes(1, 1) != one);
 }
 
-TEST_CASE("bakedRadiosity refuses other numbers than 32 times a power of two", "[baked]") {
+TEST_CASE("bakedRadiosity throws InputError for numbers other than 32 times a power of two", "[baked]") {
   const Scene scene = lampOverFloor();
   const Discretization discretization = discretizeUnburied(scene, {.texels = 1});
   for (const int paths : {0, 31, 96, 100})
@@ -180,7 +180,7 @@ TEST_CASE("bakedRadiosity buries the space that a box encloses with the floor an
   CHECK(exposedAreaOf(scene, baked, "box1") == Approx(0.75).epsilon(1e-12));
 }
 
-// The table was made by hand (tests/truth/main.cpp); areas are those of the scene, less where things touch.
+// The table was made manually (tests/truth/main.cpp); areas are those of the scene without common areas.
 TEST_CASE("readTruthTable reads the truth of the furnished room, whose errors are as small as promised", "[baked]") {
   const tests::TruthTable table = tests::readTruthTable(HEMITEX_DATA "/furnished-room.truth.csv");
   const Scene scene = loadScene(HEMITEX_DATA "/furnished-room.obj");

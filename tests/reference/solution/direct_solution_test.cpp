@@ -1,4 +1,4 @@
-// The algebraic solution against closed forms, and progressive refinement against the algebraic solution.
+// solveDirectly compared with closed forms, and progressive refinement compared with solveDirectly.
 #include "reference/solution/direct_solution.h"
 
 #include <catch2/catch.hpp>
@@ -22,13 +22,14 @@ using reference::solveDirectly;
 
 namespace {
 
-/// A closed enclosure: areas, and form factors that obey reciprocity (A_i F_ij is symmetric) and whose rows sum to 1.
+/// A closed enclosure: areas, and form factors that satisfy reciprocity (A_i F_ij is symmetric) and whose rows sum to
+/// 1.
 struct Enclosure {
   std::vector<double> areas;
   FormFactorMatrix matrix;
 };
 
-/// Any symmetric exchange areas do; an element's area is what it exchanges with all.
+/// Any symmetric exchange areas are valid; an element's area is the sum of its exchange areas.
 Enclosure anyEnclosure(std::size_t size) {
   std::mt19937 random(7);
   Enclosure enclosure{std::vector<double>(size), {size, std::vector<double>(size * size)}};
@@ -45,9 +46,9 @@ Enclosure anyEnclosure(std::size_t size) {
 
 }  // namespace
 
-TEST_CASE("two elements that face each other exchange light as in the closed form", "[algebra]") {
-  // flux_1 = e_1 + r_1 F_21 flux_2 and the same with 1 and 2 exchanged, so
-  // flux_1 = (e_1 + r_1 F_21 e_2) / (1 - r_1 r_2 F_12 F_21).
+TEST_CASE("solveDirectly of two elements that face each other equals the closed form", "[algebra]") {
+  // flux_1 = e_1 + r_1 F_21 flux_2, and the same with 1 and 2 exchanged. So flux_1 = (e_1 + r_1 F_21 e_2) / (1 - r_1
+  // r_2 F_12 F_21).
   const double f12 = 0.25, f21 = 0.125;
   const std::vector<glm::dvec3> emitted{{1, 0, 2}, {0, 3, 5}}, reflectance{{0.5, 0.25, 0}, {0.75, 0.5, 0.9999}};
   const DirectSolution solution = solveDirectly({2, {0, f12, f21, 0}}, emitted, reflectance);
@@ -59,8 +60,8 @@ TEST_CASE("two elements that face each other exchange light as in the closed for
   }
 }
 
-TEST_CASE("in a closed enclosure of one emission and reflectance radiosity is E over 1 minus r", "[algebra]") {
-  // Each element sends E A / (1 - r); by reciprocity the sum over i of F_ij A_i is A_j, so the equations hold.
+TEST_CASE("solveDirectly of a closed enclosure of one emission and reflectance gives E over 1 minus r", "[algebra]") {
+  // Each element sends E A / (1 - r). By reciprocity the sum over i of F_ij A_i is A_j, so the equations hold.
   const Enclosure enclosure = anyEnclosure(60);
   std::vector<glm::dvec3> emitted;
   for (const double area : enclosure.areas) emitted.push_back(area * glm::dvec3(2, 1, 0.5));
@@ -75,9 +76,9 @@ TEST_CASE("in a closed enclosure of one emission and reflectance radiosity is E 
             Approx(emitted[e][band] / (1 - reflectance[band])).epsilon(1e-14 / (1 - reflectance[band])));
 }
 
-TEST_CASE("in a sphere a lit cap lights all else alike", "[algebra]") {
-  // Every element of a sphere sends the share A_j / A to element j. With a cap of area share f that emits E, all else
-  // has the radiosity r H where H = f E + r H: r f E / (1 - r).
+TEST_CASE("solveDirectly of a sphere with an emitting cap lights all other elements equally", "[algebra]") {
+  // Each element of a sphere sends the share A_j / A to element j. With a cap of area share f that emits E, all others
+  // have the radiosity r H where H = f E + r H: r f E / (1 - r).
   const std::vector<double> share{0.05, 0.15, 0.3, 0.5};
   FormFactorMatrix matrix{4, {}};
   for (std::size_t i = 0; i < 4; ++i) matrix.factors.insert(matrix.factors.end(), share.begin(), share.end());
@@ -88,7 +89,7 @@ TEST_CASE("in a sphere a lit cap lights all else alike", "[algebra]") {
     CHECK(solution.flux[e].x / share[e] == Approx(reflectance * 0.05 / (1 - reflectance)).epsilon(1e-13));
 }
 
-TEST_CASE("progressive refinement comes to the algebraic solution of its own rows", "[algebra]") {
+TEST_CASE("solve converges to solveDirectly with its own rows", "[algebra]") {
   radiosity::Scene scene = tests::closedCube({0.7, 0.5, 0.2}, glm::dvec3(0));
   scene.materials.push_back(tests::material("lamp", glm::dvec3(0.3), {5, 4, 3}));
   scene.surfaces.front().material = 1;
@@ -110,8 +111,8 @@ TEST_CASE("progressive refinement comes to the algebraic solution of its own row
   for (const double residual : {1e-2, 1e-4, 1e-8}) {
     const radiosity::Solution solution =
         solve(scene, discretization, [&](std::uint32_t patch) { return rows.ofPatch(patch); }, {.residual = residual});
-    // What is unshot still arrives somewhere and is reflected, all in all at most r/(1 - r) times; the sum of area
-    // times truth is at least what was emitted.
+    // Unshot light still arrives and is reflected, in total at most r/(1 - r) times. The sum of area times truth is at
+    // least the emitted flux.
     const double error = reference::errorOf(discretization, solution.radiosity, truth).fluxWeighted;
     INFO(residual << " " << error);
     CHECK(error <= residual * 0.7 / (1 - 0.7) + 1e-13);

@@ -1,4 +1,4 @@
-// The checks of a matrix of form factors find what was made wrong in one that is right.
+// checkMatrix finds errors added to a valid matrix.
 #include "reference/solution/form_factor_matrix.h"
 
 #include <catch2/catch.hpp>
@@ -6,7 +6,7 @@
 
 using namespace hemitex::reference;
 
-TEST_CASE("a reciprocal, closed matrix passes, and each fault is measured", "[matrix checks]") {
+TEST_CASE("checkMatrix accepts a reciprocal, closed matrix, and measures each error", "[matrix checks]") {
   // Areas 1, 2, 4 and A_i F_ij = A_j F_ji = 0.25, 0.5, 0.75; the diagonal closes the rows.
   const std::vector<double> area{1, 2, 4};
   const FormFactorMatrix matrix{3, {0.25, 0.25, 0.5, 0.125, 0.5, 0.375, 0.125, 0.1875, 0.6875}};
@@ -16,7 +16,7 @@ TEST_CASE("a reciprocal, closed matrix passes, and each fault is measured", "[ma
   CHECK(right.reciprocity == 0);
 
   FormFactorMatrix wrong = matrix;
-  wrong.factors[2 * 3 + 1] += 0.125;  // from 2 to 1: 4 * 0.125 of flux that does not come back, over the area 2
+  wrong.factors[2 * 3 + 1] += 0.125;  // from 2 to 1: 4 * 0.125 of flux without a counterpart, over the area 2
   const MatrixChecks found = checkMatrix(wrong, area);
   CHECK(found.reciprocity == 0.25);
   CHECK(found.from == 2);

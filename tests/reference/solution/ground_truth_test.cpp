@@ -1,4 +1,4 @@
-// The truth of whole scenes, where it is known by other means.
+// trueRadiosity of scenes with known solutions.
 #include "reference/solution/ground_truth.h"
 
 #include <catch2/catch.hpp>
@@ -31,9 +31,9 @@ Scene twoSquares() {
 
 }  // namespace
 
-TEST_CASE("the truth of a furnace is E over 1 minus r, within the error that it expects", "[truth]") {
-  // A closed cube in which everything emits E and reflects r has the radiosity B = E + r B everywhere. Every ray
-  // arrives somewhere, so flux is right to rounding however few there are; its places are not.
+TEST_CASE("trueRadiosity of a furnace is E over 1 minus r, within its expected error", "[truth]") {
+  // A closed cube in which all surfaces emit E and reflect r has the radiosity B = E + r B everywhere. Each ray arrives
+  // at an element, so that the total flux is exact for any number of rays; its distribution is not.
   const Scene scene = tests::closedCube(glm::dvec3(0.25, 0.5, 0.75), glm::dvec3(1, 2, 3));
   const Discretization discretization = discretize(scene, {.texels = 4});
   const TrueRadiosity truth = trueRadiosity(scene, discretization, {1 << 12});
@@ -42,13 +42,13 @@ TEST_CASE("the truth of a furnace is E over 1 minus r, within the error that it 
   glm::dvec3 flux(0);
   for (std::size_t e = 0; e < exact.size(); ++e) flux += discretization.elements[e].area * truth.radiosity[e];
   for (int band = 0; band < 3; ++band) CHECK(flux[band] == Approx(6 * exact[0][band]).epsilon(1e-12));
-  // Two means of 96 sizes of errors: within a factor of 1.5. What is reflected again comes evenly and adds little.
+  // Two means of 96 absolute errors agree within a factor of 1.5. Light reflected again is uniform and adds little.
   CHECK(error.fluxWeighted > 0);
   CHECK(error.fluxWeighted < 1.5 * truth.error.fluxWeighted);
   CHECK(error.fluxWeighted > truth.error.fluxWeighted / 1.5);
 }
 
-TEST_CASE("the truth of two squares is their closed form", "[truth]") {
+TEST_CASE("trueRadiosity of two squares is their closed form", "[truth]") {
   // B1 = E + r1 F B2 and B2 = r2 F B1, for undivided squares: B1 = E / (1 - r1 r2 F^2).
   const AxisRectangle square{{0, 1}, {0, 1}};
   const double factor = parallelRectangles(square, square, 1);
@@ -62,16 +62,16 @@ TEST_CASE("the truth of two squares is their closed form", "[truth]") {
   }
 }
 
-TEST_CASE("sixteen times the samples expect a fourth of the error or less", "[truth]") {
+TEST_CASE("trueRadiosity with sixteen times the samples expects at most a fourth of the error", "[truth]") {
   const Scene scene = twoSquares();
   const double few = truthOf(scene, 4, {1 << 11}).error.fluxWeighted;
   const double many = truthOf(scene, 4, {1 << 15}).error.fluxWeighted;
   CHECK(many < few / 3);
 }
 
-TEST_CASE("the expected error is that of other seeds, and the spread that of the matrix", "[truth]") {
-  // Two independent truths differ by root 2 times the error of each. Where flux is spread unevenly (the upper square
-  // emits nothing) it is the emitter's rays that decide.
+TEST_CASE("trueRadiosity expects the error found with other seeds, and the spread that of the matrix", "[truth]") {
+  // Two independent results differ by root 2 times the error of each. With an uneven distribution of flux (the upper
+  // square emits nothing), the emitter's rays determine the error.
   const TrueRadiosity one = truthOf(twoSquares(), 6, {1 << 10, 1}), other = truthOf(twoSquares(), 6, {1 << 10, 2});
   const Discretization discretization = discretize(twoSquares(), {.texels = 6});
   const double differs = errorOf(discretization, one.radiosity, other.radiosity).fluxWeighted / std::sqrt(2.0);
@@ -82,11 +82,11 @@ TEST_CASE("the expected error is that of other seeds, and the spread that of the
     squares += std::pow(one.matrix.factors[i] - other.matrix.factors[i], 2);
     expected += std::pow(one.spread.factors[i], 2) + std::pow(other.spread.factors[i], 2);
   }
-  // Root mean squares over some 2600 pairs that see each other.
+  // Root mean squares over about 2600 pairs that see each other.
   CHECK(std::sqrt(squares) == Approx(std::sqrt(expected)).epsilon(0.1));
 }
 
-TEST_CASE("the truth is the same bits for any number of threads, and other bits for other seeds", "[truth]") {
+TEST_CASE("trueRadiosity gives the same bits for any number of threads, and other bits for other seeds", "[truth]") {
   const Scene scene = twoSquares();
   const auto radiosity = [&](int threads, std::uint32_t seed) {
     const raster::ThreadLimit limit(threads);
@@ -97,8 +97,8 @@ TEST_CASE("the truth is the same bits for any number of threads, and other bits 
   CHECK(radiosity(1, 1) != one);
 }
 
-TEST_CASE("more than 5000 elements are refused with advice", "[truth]") {
-  // Two squares of 51 x 51 texels have 5202.
+TEST_CASE("trueRadiosity throws InputError with advice for more than 5000 elements", "[truth]") {
+  // Two squares of 51 x 51 texels have 5202 elements.
   CHECK_THROWS_WITH(truthOf(twoSquares(), 51, {64}),
                     Catch::Contains("5202 elements") && Catch::Contains("use fewer texels"));
 }

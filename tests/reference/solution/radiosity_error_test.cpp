@@ -1,4 +1,4 @@
-// The error measures of a solution, on numbers that can be checked by hand.
+// Error measures of solutions, with numbers that can be checked by hand.
 #include "reference/solution/radiosity_error.h"
 
 #include <catch2/catch.hpp>
@@ -25,10 +25,10 @@ radiosity::Discretization threeElements() {
 
 }  // namespace
 
-TEST_CASE("errors of radiosity are weighted by area and relative to the truth", "[algebra]") {
+TEST_CASE("errorOf weights errors by area, relative to the truth", "[algebra]") {
   const radiosity::Discretization discretization = threeElements();
   const std::vector<glm::dvec3> truth{{1, 1, 0}, {0, 2, 0}, {2, 1, 1}};  // bands sum to 2, 2, 4
-  const std::vector<glm::dvec3> found{{2, 0, 0}, {0, 2, 0}, {2, 2, 1}};  // off by 2 (signs do not cancel), 0, 1
+  const std::vector<glm::dvec3> found{{2, 0, 0}, {0, 2, 0}, {2, 2, 1}};  // errors of 2 (signs do not cancel), 0, 1
   // Flux is 2 + 6 + 16 = 24 over an area of 8, on average 3.
   const reference::RadiosityError all = reference::errorOf(discretization, found, truth);
   CHECK(all.fluxWeighted == Approx((1 * 2 + 4 * 1) / 24.0));
@@ -44,18 +44,19 @@ TEST_CASE("errors of radiosity are weighted by area and relative to the truth", 
   CHECK(reference::errorsByElement(found, truth) == std::vector<double>{1, 0, 0.25});
 }
 
-TEST_CASE("an element that is rightly dark has no error, one that should be dark an infinite one", "[algebra]") {
+TEST_CASE("errorsByElement is 0 for an element that is dark in both, and infinite for one that should be dark",
+          "[algebra]") {
   const std::vector<glm::dvec3> truth{glm::dvec3(0), glm::dvec3(0), glm::dvec3(1)};
   const std::vector<glm::dvec3> found{glm::dvec3(0), glm::dvec3(1), glm::dvec3(1)};
   CHECK(reference::errorsByElement(found, truth) == std::vector<double>{0, HUGE_VAL, 0});
   CHECK(reference::errorOf(threeElements(), truth, truth).fluxWeighted == 0);
 }
 
-TEST_CASE("the error across grids counts what coarse texels cannot show", "[algebra]") {
-  // One surface whose radiosity rises along its columns, x = 1/16, 3/16, ... 15/16 in eight columns; the coarse
-  // solution is right: its columns hold the means of 8/n fine ones. Each coarse column of width 2h = 1/n has fine ones
-  // evenly at both sides of its mean. Eight columns over four miss 1/16 everywhere; over two, 1/16 and 3/16, on average
-  // 1/8; over one, 1/16, 3/16, 5/16, 7/16, on average 1/4. The mean of the truth is 1/2.
+TEST_CASE("onOtherGrids counts the error of constant coarse elements", "[algebra]") {
+  // One surface with a radiosity that rises along its columns: x = 1/16, 3/16, ... 15/16 in eight columns. The coarse
+  // solution is exact: its columns have the means of 8/n fine ones. Each coarse column of width 2h = 1/n has fine ones
+  // on both sides of its mean. Over four coarse columns the error is 1/16 everywhere. Over two it is 1/16 and 3/16, on
+  // average 1/8. Over one it is 1/16, 3/16, 5/16, 7/16, on average 1/4. The mean of the truth is 1/2.
   const radiosity::Scene scene = tests::sceneOf({tests::parallelogram("ramp", {0, 0, 0}, {2, 0, 0}, {0, 3, 0})});
   const radiosity::Discretization fine = radiosity::discretize(scene, {.texels = 8});
   const auto ramp = [](const radiosity::Discretization& discretization) {
@@ -72,7 +73,7 @@ TEST_CASE("the error across grids counts what coarse texels cannot show", "[alge
     const std::vector<glm::dvec3> found = reference::onOtherGrids(coarse, ramp(coarse), fine);
     CHECK(reference::errorOf(fine, found, truth).fluxWeighted == Approx(missed / 0.5).margin(1e-15));
   }
-  // The other way round the centre of the only texel lies in column and row 4 of 0 ... 7.
+  // In the other direction, the centre of the only texel lies in column and row 4 of 0 ... 7.
   const radiosity::Discretization one = radiosity::discretize(scene, {.texels = 1});
   CHECK(reference::onOtherGrids(fine, truth, one) == std::vector<glm::dvec3>{glm::dvec3(9 / 16.0)});
 }

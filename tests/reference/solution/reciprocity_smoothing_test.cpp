@@ -1,4 +1,4 @@
-// Smoothing: reciprocal afterwards, sums kept, nothing moved without need, and nearer to the truth.
+// smoothed: reciprocity, sums kept, minimal changes, and smaller errors.
 #include "reference/solution/reciprocity_smoothing.h"
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t size = 6;
 
-/// A closed, reciprocal matrix: any symmetric exchange, here a random one with some zeros, if the areas are its row
-/// sums.
+/// A closed, reciprocal matrix: any symmetric exchange is valid if the areas are its row sums. Here it is random with
+/// some zeros.
 struct Truth {
   FormFactorMatrix matrix{size, std::vector<double>(size* size)};
   std::vector<double> area = std::vector<double>(size);
@@ -37,7 +37,7 @@ Truth truth(std::mt19937& random) {
   return result;
 }
 
-/// Errors of 1 % of each value, the rows closed again, as rays close them.
+/// Errors of 1 % of each value; the rows are closed again, as with rays.
 FormFactorMatrix measured(const Truth& right, std::mt19937& random) {
   std::normal_distribution<double> error(0, 0.01);
   FormFactorMatrix matrix = right.matrix;
@@ -51,7 +51,7 @@ FormFactorMatrix measured(const Truth& right, std::mt19937& random) {
 
 }  // namespace
 
-TEST_CASE("a smoothed matrix is reciprocal and keeps its row sums and its zeros", "[smoothing]") {
+TEST_CASE("smoothed gives a reciprocal matrix with the same row sums and zeros", "[smoothing]") {
   std::mt19937 random(3);
   for (int repeat = 0; repeat < 50; ++repeat) {
     const Truth right = truth(random);
@@ -65,14 +65,14 @@ TEST_CASE("a smoothed matrix is reciprocal and keeps its row sums and its zeros"
   }
 }
 
-TEST_CASE("what is reciprocal already is not moved", "[smoothing]") {
+TEST_CASE("smoothed does not change a reciprocal matrix", "[smoothing]") {
   std::mt19937 random(4);
   const Truth right = truth(random);
   CHECK(difference(smoothed(right.matrix, right.area), right.matrix).largest < 1e-14);
 }
 
-TEST_CASE("no other matrix with the same sums is nearer to the mean of both ways", "[smoothing]") {
-  // Adding to S_ab and S_cd what is taken from S_bc and S_da keeps every sum. Along such a change the derivative of
+TEST_CASE("smoothed gives the matrix with these sums that is nearest to the mean of both directions", "[smoothing]") {
+  // Adding to S_ab and S_cd what is subtracted from S_bc and S_da keeps all sums. Along such a change the derivative of
   // sum (S - M)^2 / M, twice (S - M) / M with alternating signs, is 0 at the minimum.
   std::mt19937 random(5);
   const Truth right = truth(random);
@@ -94,7 +94,7 @@ TEST_CASE("no other matrix with the same sums is nearer to the mean of both ways
   CHECK(checked > 20);
 }
 
-TEST_CASE("smoothing brings errors of chance nearer to the truth", "[smoothing]") {
+TEST_CASE("smoothed reduces random errors", "[smoothing]") {
   std::mt19937 random(6);
   double raw = 0, smooth = 0;
   for (int repeat = 0; repeat < 200; ++repeat) {
@@ -103,12 +103,12 @@ TEST_CASE("smoothing brings errors of chance nearer to the truth", "[smoothing]"
     raw += std::pow(difference(matrix, right.matrix).rootMeanSquare, 2);
     smooth += std::pow(difference(smoothed(matrix, right.area), right.matrix).rootMeanSquare, 2);
   }
-  // Two measurements of each value have half the variance of one; the sums are known besides.
+  // Two measurements of each value have half the variance of one, and the sums are known in addition.
   CHECK(smooth < 0.5 * raw);
 }
 
-TEST_CASE("a surface however small keeps its row sum", "[smoothing]") {
-  // Six surfaces, one of which shrinks, all that it exchanges with it.
+TEST_CASE("smoothed keeps the row sum of any surface, however small", "[smoothing]") {
+  // Six surfaces; one of them shrinks, and its exchange with it.
   for (const double share : {1e-4, 1e-8, 1e-12, 1e-16, 1e-20}) {
     std::mt19937 random(7);
     Truth right = truth(random);
@@ -129,17 +129,17 @@ TEST_CASE("a surface however small keeps its row sum", "[smoothing]") {
   }
 }
 
-TEST_CASE("nothing is smoothed to below 0", "[smoothing]") {
-  // With one number a pair, three sums t say all: S_12 = (t_1 + t_2 - t_3) / 2, here -0.2. Without that pair the third
-  // row asks for more than the others give. What they miss is c (s_1, s_2, -s_3), s the sums of the mean of both ways,
-  // with c = (t_1 + t_2 - t_3) / (s_1 + s_2 + s_3) = -0.4 / 1.8.
+TEST_CASE("smoothed gives no value below 0", "[smoothing]") {
+  // With one number per pair, three sums t determine all: S_12 = (t_1 + t_2 - t_3) / 2, here -0.2. Without that pair
+  // the third row needs more than the others have. Their errors are c (s_1, s_2, -s_3), with s the sums of the mean of
+  // both directions, and c = (t_1 + t_2 - t_3) / (s_1 + s_2 + s_3) = -0.4 / 1.8.
   const std::vector<double> area{1, 1, 1};
   const FormFactorMatrix smooth = smoothed({3, {0, 0.1, 0.3, 0.1, 0, 0.3, 0.6, 0.6, 0}}, area);
   CHECK(smooth.factors[1] == 0);
   CHECK(smooth.factors[2] == Approx(0.4 + 0.4 / 1.8 * 0.45).epsilon(1e-14));
   CHECK(smooth.factors[5] == Approx(smooth.factors[2]).epsilon(1e-14));
 
-  // 64 rays a row between surfaces of areas 1 to 1000 are often as coarse as that.
+  // 64 rays per row between surfaces of areas 1 to 1000 often have such errors.
   std::mt19937 random(8);
   std::uniform_real_distribution<double> uniform(0, 1);
   for (int repeat = 0; repeat < 200; ++repeat) {
@@ -157,7 +157,7 @@ TEST_CASE("nothing is smoothed to below 0", "[smoothing]") {
   }
 }
 
-TEST_CASE("two surfaces that see only each other get the mean of both ways", "[smoothing]") {
+TEST_CASE("smoothed gives two surfaces that see only each other the mean of both directions", "[smoothing]") {
   const FormFactorMatrix smooth = smoothed({2, {0, 0.25, 0.15, 0}}, std::vector<double>{1, 2});
   CHECK(smooth.factors[1] == Approx(0.275).epsilon(1e-14));  // (1 * 0.25 + 2 * 0.15) / 2
   CHECK(smooth.factors[2] == Approx(0.1375).epsilon(1e-14));

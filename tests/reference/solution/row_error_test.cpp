@@ -1,5 +1,5 @@
-// The error measures of rows, on numbers that can be checked by hand and on a matrix that every grid has in closed
-// form.
+// Error measures of rows, with numbers that can be checked by hand, and with a matrix that has a closed form on all
+// grids.
 #include "reference/solution/row_error.h"
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ using namespace hemitex::reference;
 
 namespace {
 
-/// On the inside of a sphere every element sends to every other, and to itself, in proportion to its area alone.
+/// On the inside of a sphere each element sends to all others, and to itself, in proportion to area.
 FormFactorMatrix asInASphere(const radiosity::Discretization& discretization) {
   const std::size_t size = discretization.elements.size();
   double area = 0;
@@ -27,10 +27,10 @@ FormFactorMatrix asInASphere(const radiosity::Discretization& discretization) {
 
 }  // namespace
 
-TEST_CASE("errors of rows are weighted with the flux that goes by them", "[tradeoff]") {
-  // Two patches that see two elements, and a third that shoots nothing, so that its row may be anything.
+TEST_CASE("rowError weights rows by the flux that they carry", "[tradeoff]") {
+  // Two patches that see two elements, and a third that shoots nothing, so that its row does not matter.
   const PatchRows truth{2, {0.5, 0.25, 0, 1, 0.5, 0.5}};
-  const PatchRows found{2, {0.25, 0.5, 0, 0.875, 0, 0}};  // off by 0.25, 0.25; 0, 0.125
+  const PatchRows found{2, {0.25, 0.5, 0, 0.875, 0, 0}};  // errors of 0.25, 0.25; 0, 0.125
   const RowError error = rowError(found, truth, std::vector<double>{1, 3, 0});
   CHECK(error.relativeL1 == Approx((1 * 0.5 + 3 * 0.125) / (1 * 0.75 + 3 * 1)));
   CHECK(error.rms == Approx(std::sqrt((1 * 2 * 0.0625 + 3 * 0.015625) / (2 * (1 + 3)))));
@@ -38,9 +38,9 @@ TEST_CASE("errors of rows are weighted with the flux that goes by them", "[trade
   CHECK(rowError(truth, truth, std::vector<double>{1, 3, 0}).relativeL1 == 0);
 }
 
-TEST_CASE("the rows of coarse patches are sums and averages of the fine matrix", "[tradeoff]") {
-  // Summed over where light arrives, the factors of a sphere are again the areas of coarse elements over the whole,
-  // from wherever it leaves. 12 texels divide into 6, 4 and 1.
+TEST_CASE("patchRows of coarse patches are sums and averages of the fine matrix", "[tradeoff]") {
+  // For a sphere, sums over receiving elements are again the areas of coarse elements over the whole area, for all
+  // sources. 12 texels divide into 6, 4 and 1.
   const radiosity::Scene scene = tests::sceneOf({tests::parallelogram("a", {0, 0, 0}, {2, 0, 0}, {0, 3, 0}),
                                                  tests::parallelogram("b", {0, 0, 1}, {0, 1, 0}, {1, 0, 0})});
   const radiosity::Discretization fine = radiosity::discretize(scene, {.texels = 12, .patch = 5});
@@ -53,7 +53,7 @@ TEST_CASE("the rows of coarse patches are sums and averages of the fine matrix",
     for (std::size_t i = 0; i < rows.factors.size(); ++i)
       CHECK(rows.factors[i] == Approx(coarse.elements[i % rows.elements].area / 7).epsilon(1e-12));
   }
-  // A matrix that is no product: from element e everything goes to element e. A patch sends to each of its own elements
+  // A matrix without symmetry: from element e all light goes to element e. A patch sends to each of its own elements
   // that element's share of its area.
   FormFactorMatrix identity{fine.elements.size(), std::vector<double>(fine.elements.size() * fine.elements.size())};
   for (std::size_t e = 0; e < identity.size; ++e) identity.factors[e * identity.size + e] = 1;
@@ -64,7 +64,7 @@ TEST_CASE("the rows of coarse patches are sums and averages of the fine matrix",
       CHECK(rows.factors[p * rows.elements + e] == Approx(coarse.patchOf[e] == p ? 0.25 : 0));
 }
 
-TEST_CASE("rows of shares become rows of factors, and zeros where none was asked for", "[tradeoff]") {
+TEST_CASE("patchRows converts shares to factors, and gives zeros for missing rows", "[tradeoff]") {
   const radiosity::Scene scene = tests::sceneOf({tests::parallelogram("a", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})});
   const radiosity::Discretization discretization = radiosity::discretize(scene, {.texels = 2, .patch = 1});
   std::vector<std::optional<radiosity::FormFactorRow>> rows(4);
