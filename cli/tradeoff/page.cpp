@@ -36,7 +36,7 @@ glm::dvec3 linear(const Colour& colour) {
 }
 
 glm::dvec3 falseColour(const glm::dvec3& found, const glm::dvec3& truth) {
-  const double whole = truth.x + truth.y + truth.z, difference = found.x + found.y + found.z - whole;
+  const double whole = radiosity::bandSum(truth), difference = radiosity::bandSum(found) - whole;
   const double size = std::abs(difference);
   const auto band = static_cast<std::size_t>(
       std::count_if(bandEnds.begin(), bandEnds.end(), [&](double end) { return size > end * whole; }));

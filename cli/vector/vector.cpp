@@ -96,9 +96,7 @@ struct RenderOptions {
 
 void renderVector(const RenderOptions& options, const Context& context) {
   reference::TestVector vector = reference::readVector(options.input);
-  std::vector<raster::Face> faces;
-  for (const reference::VectorFace& face : vector.faces) faces.push_back(face.face);
-  const std::vector<raster::ItemBuffer> buffers = render(*makeRenderer(vector.list, options.device), faces, {});
+  const std::vector<raster::ItemBuffer> buffers = render(*makeRenderer(vector.list, options.device), facesOf(vector));
   for (std::size_t f = 0; f < buffers.size(); ++f) vector.faces[f].hash = reference::idsHash(buffers[f].ids);
   Staging staging(options.output);
   reference::writeVector(staging.folder(), vector, buffers);

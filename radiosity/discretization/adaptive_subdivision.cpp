@@ -12,8 +12,6 @@
 namespace hemitex::radiosity {
 namespace {
 
-double bandSum(const glm::dvec3& value) { return value.x + value.y + value.z; }
-
 /// The element of each leaf, at its lowest texel; nothing for leaves without area.
 std::vector<std::optional<std::uint32_t>> elementsOfLeaves(const Discretization& discretization, const Grid& grid) {
   std::vector<std::optional<std::uint32_t>> elements(grid.spill.size());

@@ -25,7 +25,7 @@ void addPixels(const IdLookup& slots, const ItemId* ids, const std::uint64_t* be
   std::uint64_t begin = before[0];
   for (std::size_t pixel = 1; pixel < count; pixel += pixelsAtOnce) {
     const std::size_t some = std::min(pixelsAtOnce, count - pixel);
-    raster::bestRunKernels().findChanges(ids + pixel, some, changes.data());
+    raster::bestKernels<raster::RunKernels>().findChanges(ids + pixel, some, changes.data());
     for (std::size_t first = 0; first < some; first += raster::changesAtOnce)
       for (std::uint64_t ends = changes[first / raster::changesAtOnce]; ends != 0; ends &= ends - 1) {
         const std::size_t end = pixel + first + static_cast<std::size_t>(std::countr_zero(ends));

@@ -6,13 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <numbers>
 #include <vector>
 
 #include "radiosity/projection/fixed_point.h"
 
 namespace hemitex::radiosity {
 
-inline constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// Gauss-Legendre nodes and weights of four points on [0, 1].
 struct GaussRule {

@@ -64,6 +64,9 @@ glm::dvec3 normal(const Triangle& triangle);
 /// The number of triangles of all surfaces. Triangles are numbered through the scene, surface by surface.
 std::size_t triangleCount(const Scene& scene);
 
+/// The sum over the RGB bands.
+inline double bandSum(const glm::dvec3& bands) { return bands.x + bands.y + bands.z; }
+
 /// Sets the origin and the extent of a scene that has a surface.
 void measureBounds(Scene& scene);
 

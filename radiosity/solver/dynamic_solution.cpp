@@ -8,7 +8,7 @@
 #include "radiosity/discretization/edited_discretization.h"
 #include "radiosity/discretization/grid_size.h"
 #include "radiosity/discretization/patch_points.h"
-#include "radiosity/solver/kahan_sum.h"
+#include "radiosity/scene/scene.h"
 #include "radiosity/solver/row_update.h"
 
 namespace hemitex::radiosity {

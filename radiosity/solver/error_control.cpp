@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "radiosity/solver/kahan_sum.h"
+#include "radiosity/scene/scene.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {

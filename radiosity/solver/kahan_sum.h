@@ -5,8 +5,6 @@
 
 namespace hemitex::radiosity {
 
-inline double bandSum(const glm::dvec3& flux) { return flux.x + flux.y + flux.z; }
-
 /// A compensated sum (Kahan 1965), accurate to the last digit for any number of terms; `rest_` holds the rounding error
 /// so far.
 class KahanSum {

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-#include "radiosity/solver/kahan_sum.h"
+#include "radiosity/scene/scene.h"
 
 namespace hemitex::radiosity {
 namespace {

@@ -95,7 +95,7 @@ std::optional<double> meanRadiosity(const Scene& scene, const Discretization& di
   for (std::uint32_t e = 0; e < discretization.elements.size(); ++e) {
     if (!withEmitters && !isZero(emission(scene, discretization, e))) continue;
     const glm::dvec3& b = radiosity[e];
-    flux += discretization.elements[e].area * ((b.x + b.y + b.z) / 3);
+    flux += discretization.elements[e].area * (bandSum(b) / 3);
     totalArea += discretization.elements[e].area;
   }
   return totalArea > 0 ? std::optional(flux / totalArea) : std::nullopt;

@@ -63,13 +63,10 @@ void listUndecidedSamples(const ScreenTriangle& triangle, std::uint32_t number, 
     }
 }
 
-const DepthKernels& plainDepthKernels() {
-  static const DepthKernels kernels{"plain", offer, isHidden, endOfRun};
+template <>
+const DepthKernels& scalarKernels<DepthKernels>() {
+  static const DepthKernels kernels{"scalar", offer, isHidden, endOfRun};
   return kernels;
-}
-
-const DepthKernels& bestDepthKernels() {
-  return simdDepthKernels().empty() ? plainDepthKernels() : simdDepthKernels().front();
 }
 
 }  // namespace hemitex::raster

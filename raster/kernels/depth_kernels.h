@@ -12,12 +12,13 @@
 
 #include "raster/interface/face.h"
 #include "raster/kernels/depth_buffer.h"
+#include "raster/kernels/kernel_lists.h"
 #include "raster/setup/triangle_setup.h"
 
 namespace hemitex::raster {
 
 struct DepthKernels {
-  std::string name;  ///< "plain" for scalar, or the name of an instruction set
+  std::string name;  ///< "scalar", or the name of an instruction set
 
   /// Depth test of the covered samples of a triangle: the larger 1/w wins. Rows and columns of the triangle must lie in
   /// the scissor rectangle of the buffer, and the buffer must not contain `number` before. Appends the samples that are
@@ -32,12 +33,10 @@ struct DepthKernels {
   int (*endOfRun)(const std::uint32_t* triangles, int first, int end);
 };
 
-/// The scalar kernels, the specification of the others.
-const DepthKernels& plainDepthKernels();
-/// The kernels for all instruction sets of this processor, fastest first; empty in a build without SIMD.
-const std::vector<DepthKernels>& simdDepthKernels();
-/// The first of simdDepthKernels(), or the scalar kernels.
-const DepthKernels& bestDepthKernels();
+template <>
+const DepthKernels& scalarKernels<DepthKernels>();
+template <>
+const std::vector<DepthKernels>& simdKernels<DepthKernels>();
 
 /// Appends the samples of a triangle whose depth test against the buffer is not resolved in double precision. No other
 /// triangle in the buffer may have its number.

@@ -240,7 +240,8 @@ HWY_EXPORT(kernels);
 
 }  // namespace
 
-const std::vector<DepthKernels>& simdDepthKernels() {
+template <>
+const std::vector<DepthKernels>& simdKernels<DepthKernels>() {
   static const std::vector<DepthKernels> all =
       ofEveryInstructionSet<DepthKernels>([] { return HWY_DYNAMIC_DISPATCH(kernels)(); });
   return all;

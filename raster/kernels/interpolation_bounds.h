@@ -42,7 +42,7 @@ inline EdgeValues edgeRowSteps(const ScreenTriangle& triangle) {
 /// The smallest edge values at covered samples, which are integers: 0 on an inclusive edge, else 1.
 inline EdgeValues minCovered(const ScreenTriangle& triangle) {
   EdgeValues least;
-  for (std::size_t k = 0; k < 3; ++k) least[k] = triangle.edges[k].inclusive ? 0 : 1;
+  for (std::size_t k = 0; k < 3; ++k) least[k] = static_cast<double>(triangle.edges[k].minCovered());
   return least;
 }
 

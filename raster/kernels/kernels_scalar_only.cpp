@@ -6,20 +6,35 @@
 #include "raster/kernels/vertex_kernels.h"
 
 namespace hemitex::raster {
-namespace {
 
-template <typename Kernels>
-const std::vector<Kernels>& none() {
-  static const std::vector<Kernels> empty;
-  return empty;
+template <>
+const std::vector<VertexKernels>& simdKernels<VertexKernels>() {
+  static const std::vector<VertexKernels> none;
+  return none;
 }
 
-}  // namespace
+template <>
+const std::vector<SmallTriangleKernels>& simdKernels<SmallTriangleKernels>() {
+  static const std::vector<SmallTriangleKernels> none;
+  return none;
+}
 
-const std::vector<VertexKernels>& simdVertexKernels() { return none<VertexKernels>(); }
-const std::vector<SmallTriangleKernels>& simdSmallTriangleKernels() { return none<SmallTriangleKernels>(); }
-const std::vector<DepthKernels>& simdDepthKernels() { return none<DepthKernels>(); }
-const std::vector<TexelKernels>& simdTexelKernels() { return none<TexelKernels>(); }
-const std::vector<RunKernels>& simdRunKernels() { return none<RunKernels>(); }
+template <>
+const std::vector<DepthKernels>& simdKernels<DepthKernels>() {
+  static const std::vector<DepthKernels> none;
+  return none;
+}
+
+template <>
+const std::vector<TexelKernels>& simdKernels<TexelKernels>() {
+  static const std::vector<TexelKernels> none;
+  return none;
+}
+
+template <>
+const std::vector<RunKernels>& simdKernels<RunKernels>() {
+  static const std::vector<RunKernels> none;
+  return none;
+}
 
 }  // namespace hemitex::raster

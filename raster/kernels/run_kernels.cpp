@@ -14,11 +14,10 @@ void findChanges(const ItemId* ids, std::size_t count, std::uint64_t* changes) {
 
 }  // namespace
 
-const RunKernels& plainRunKernels() {
-  static const RunKernels kernels{"plain", findChanges};
+template <>
+const RunKernels& scalarKernels<RunKernels>() {
+  static const RunKernels kernels{"scalar", findChanges};
   return kernels;
 }
-
-const RunKernels& bestRunKernels() { return simdRunKernels().empty() ? plainRunKernels() : simdRunKernels().front(); }
 
 }  // namespace hemitex::raster

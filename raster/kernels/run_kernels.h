@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "raster/interface/item_id.h"
+#include "raster/kernels/kernel_lists.h"
 
 namespace hemitex::raster {
 
@@ -15,18 +16,16 @@ namespace hemitex::raster {
 inline constexpr std::size_t changesAtOnce = 64;
 
 struct RunKernels {
-  std::string name;  ///< "plain" for scalar, or the name of an instruction set
+  std::string name;  ///< "scalar", or the name of an instruction set
 
   /// Sets bit i % 64 of changes[i / 64] if ids[i] differs from ids[i - 1], else clears it. ids[-1] must be readable.
   /// Bits from `count` on are cleared.
   void (*findChanges)(const ItemId* ids, std::size_t count, std::uint64_t* changes);
 };
 
-/// The scalar kernels, the specification of the others.
-const RunKernels& plainRunKernels();
-/// The kernels for all instruction sets of this processor, fastest first; empty in a build without SIMD.
-const std::vector<RunKernels>& simdRunKernels();
-/// The first of simdRunKernels(), or the scalar kernels.
-const RunKernels& bestRunKernels();
+template <>
+const RunKernels& scalarKernels<RunKernels>();
+template <>
+const std::vector<RunKernels>& simdKernels<RunKernels>();
 
 }  // namespace hemitex::raster

@@ -33,7 +33,7 @@ void findChanges(const ItemId* ids, std::size_t count, std::uint64_t* changes) {
     for (std::size_t i = 0; i < changesAtOnce; i += lanes) bits |= changesOfVector(ids + first + i) << i;
     *changes++ = bits;
   }
-  plainRunKernels().findChanges(ids + first, count - first, changes);
+  scalarKernels<RunKernels>().findChanges(ids + first, count - first, changes);
 }
 
 RunKernels runKernels() { return {hwy::TargetName(HWY_TARGET), findChanges}; }
@@ -50,7 +50,8 @@ HWY_EXPORT(runKernels);
 
 }  // namespace
 
-const std::vector<RunKernels>& simdRunKernels() {
+template <>
+const std::vector<RunKernels>& simdKernels<RunKernels>() {
   static const std::vector<RunKernels> all =
       ofEveryInstructionSet<RunKernels>([] { return HWY_DYNAMIC_DISPATCH(runKernels)(); });
   return all;

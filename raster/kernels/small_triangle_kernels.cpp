@@ -12,14 +12,8 @@ namespace {
 template <typename Value>
 using Corners = std::array<Value, 3>;
 
-struct Range {
-  int first, end;
-};
-
-/// The pixels of [first, first + count) whose samples lie between the smallest and the largest of three snapped values.
-Range samplesIn(const Corners<std::int32_t>& values, int first, int count) {
-  const auto [least, largest] = std::minmax({values[0], values[1], values[2]});
-  return {std::max((least + 127) >> 8, first), std::min((largest + 128) >> 8, first + count)};
+PixelRange samplesIn(const Corners<std::int32_t>& values, int first, int count) {
+  return samplesBetween(values[0], values[1], values[2], first, first + count);
 }
 
 /// Positions of corners relative to the sample of a pixel.
@@ -80,8 +74,8 @@ void findSamples(const SmallTriangles& triangles, std::uint32_t t, const Scissor
     u[k] = texcoord.x;
     v[k] = texcoord.y;
   }
-  const Range columns = samplesIn(across, scissor.column, scissor.width);
-  const Range rows = samplesIn(down, scissor.row, scissor.height);
+  const PixelRange columns = samplesIn(across, scissor.column, scissor.width);
+  const PixelRange rows = samplesIn(down, scissor.row, scissor.height);
   for (int row = rows.first; row < rows.end; ++row)
     for (int column = columns.first; column < columns.end; ++column) {
       const Corners<std::int32_t> x = fromSample(across, column), y = fromSample(down, row);
@@ -115,13 +109,10 @@ void findSamples(const SmallTriangles& triangles, const Scissor& part, SmallSamp
 
 }  // namespace
 
-const SmallTriangleKernels& plainSmallTriangleKernels() {
-  static const SmallTriangleKernels kernels{"plain", findSamples};
+template <>
+const SmallTriangleKernels& scalarKernels<SmallTriangleKernels>() {
+  static const SmallTriangleKernels kernels{"scalar", findSamples};
   return kernels;
-}
-
-const SmallTriangleKernels& bestSmallTriangleKernels() {
-  return simdSmallTriangleKernels().empty() ? plainSmallTriangleKernels() : simdSmallTriangleKernels().front();
 }
 
 }  // namespace hemitex::raster

@@ -18,6 +18,7 @@
 
 #include "raster/culling/cluster_mesh.h"
 #include "raster/interface/face.h"
+#include "raster/kernels/kernel_lists.h"
 #include "raster/kernels/vertex_kernels.h"
 
 namespace hemitex::raster {
@@ -50,17 +51,15 @@ struct SmallSamples {
 };
 
 struct SmallTriangleKernels {
-  std::string name;  ///< "plain" for scalar, or the name of an instruction set
+  std::string name;  ///< "scalar", or the name of an instruction set
 
   /// Finds the samples of the triangles in a part of a face, in any order.
   void (*findSamples)(const SmallTriangles& triangles, const Scissor& part, SmallSamples& samples);
 };
 
-/// The scalar kernels, the specification of the others.
-const SmallTriangleKernels& plainSmallTriangleKernels();
-/// The kernels for all instruction sets of this processor, fastest first; empty in a build without SIMD.
-const std::vector<SmallTriangleKernels>& simdSmallTriangleKernels();
-/// The first of simdSmallTriangleKernels(), or the scalar kernels.
-const SmallTriangleKernels& bestSmallTriangleKernels();
+template <>
+const SmallTriangleKernels& scalarKernels<SmallTriangleKernels>();
+template <>
+const std::vector<SmallTriangleKernels>& simdKernels<SmallTriangleKernels>();
 
 }  // namespace hemitex::raster

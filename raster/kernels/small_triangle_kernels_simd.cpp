@@ -273,7 +273,8 @@ HWY_EXPORT(smallTriangleKernels);
 
 }  // namespace
 
-const std::vector<SmallTriangleKernels>& simdSmallTriangleKernels() {
+template <>
+const std::vector<SmallTriangleKernels>& simdKernels<SmallTriangleKernels>() {
   static const std::vector<SmallTriangleKernels> all =
       ofEveryInstructionSet<SmallTriangleKernels>([] { return HWY_DYNAMIC_DISPATCH(smallTriangleKernels)(); });
   return all;

@@ -89,13 +89,10 @@ TexelPlanes::TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHe
   rounding = std::max(across.rounding, along.rounding);
 }
 
-const TexelKernels& plainTexelKernels() {
-  static const TexelKernels kernels{"plain", findTexels, findExactTexels};
+template <>
+const TexelKernels& scalarKernels<TexelKernels>() {
+  static const TexelKernels kernels{"scalar", findTexels, findExactTexels};
   return kernels;
-}
-
-const TexelKernels& bestTexelKernels() {
-  return simdTexelKernels().empty() ? plainTexelKernels() : simdTexelKernels().front();
 }
 
 }  // namespace hemitex::raster

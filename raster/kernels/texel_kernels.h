@@ -11,6 +11,7 @@
 
 #include "raster/kernels/depth_buffer.h"
 #include "raster/kernels/interpolation_bounds.h"
+#include "raster/kernels/kernel_lists.h"
 #include "raster/setup/exact_interpolation.h"
 #include "raster/setup/triangle_setup.h"
 
@@ -65,7 +66,7 @@ struct ExactLine {
 };
 
 struct TexelKernels {
-  std::string name;  ///< "plain" for scalar, or the name of an instruction set
+  std::string name;  ///< "scalar", or the name of an instruction set
 
   /// The texels of a run: `base` + row * width + column each. Appends the pixels whose texels are not resolved in
   /// double precision; their entries of `texels` are unspecified. Kernels may write up to maxLanes texels behind the
@@ -78,11 +79,9 @@ struct TexelKernels {
                           std::uint32_t* texels);
 };
 
-/// The scalar kernels, the specification of the others.
-const TexelKernels& plainTexelKernels();
-/// The kernels for all instruction sets of this processor, fastest first; empty in a build without SIMD.
-const std::vector<TexelKernels>& simdTexelKernels();
-/// The first of simdTexelKernels(), or the scalar kernels.
-const TexelKernels& bestTexelKernels();
+template <>
+const TexelKernels& scalarKernels<TexelKernels>();
+template <>
+const std::vector<TexelKernels>& simdKernels<TexelKernels>();
 
 }  // namespace hemitex::raster

@@ -282,7 +282,8 @@ HWY_EXPORT(kernels);
 
 }  // namespace
 
-const std::vector<TexelKernels>& simdTexelKernels() {
+template <>
+const std::vector<TexelKernels>& simdKernels<TexelKernels>() {
   static const std::vector<TexelKernels> all =
       ofEveryInstructionSet<TexelKernels>([] { return HWY_DYNAMIC_DISPATCH(kernels)(); });
   return all;

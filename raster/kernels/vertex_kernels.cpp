@@ -31,20 +31,16 @@ void placeVertices(const ClusterMesh& mesh, const ClusterPart& part, const Face&
   }
 }
 
-/// The smallest and the largest of three snapped values.
-struct Span {
-  std::int32_t least, largest;
+/// Whether the sample of a pixel of [first, first + count) lies between three snapped values.
+bool holdSample(const std::array<std::int32_t, 3>& values, int first, int count) {
+  const PixelRange range = samplesBetween(values[0], values[1], values[2], first, first + count);
+  return range.first < range.end;
+}
 
-  explicit Span(const std::array<std::int32_t, 3>& values)
-      : least(*std::min_element(values.begin(), values.end())),
-        largest(*std::max_element(values.begin(), values.end())) {}
-
-  /// Whether the sample of a pixel of [first, first + count) lies between them.
-  bool holdsSample(int first, int count) const {
-    return std::max((least + 127) >> 8, first) < std::min((largest + 128) >> 8, first + count);
-  }
-  bool isSmall() const { return largest - least < smallSpan; }
-};
+bool areSmall(const std::array<std::int32_t, 3>& values) {
+  const auto [least, largest] = std::minmax({values[0], values[1], values[2]});
+  return largest - least < smallSpan;
+}
 
 TriangleSets place(const ClusterMesh& mesh, const ClusterPart& part, const Face& face, PlacedVertices& placed) {
   placeVertices(mesh, part, face, placed);
@@ -57,26 +53,23 @@ TriangleSets place(const ClusterMesh& mesh, const ClusterPart& part, const Face&
       sets.cut |= 1U << t;
       continue;
     }
-    const Span across({placed.across[a], placed.across[b], placed.across[c]});
-    const Span down({placed.down[a], placed.down[b], placed.down[c]});
-    if (!across.holdsSample(face.scissor.column, face.scissor.width) ||
-        !down.holdsSample(face.scissor.row, face.scissor.height))
+    const std::array across{placed.across[a], placed.across[b], placed.across[c]};
+    const std::array down{placed.down[a], placed.down[b], placed.down[c]};
+    if (!holdSample(across, face.scissor.column, face.scissor.width) ||
+        !holdSample(down, face.scissor.row, face.scissor.height))
       continue;
     sets.whole |= 1U << t;
-    if (across.isSmall() && down.isSmall()) sets.small |= 1U << t;
+    if (areSmall(across) && areSmall(down)) sets.small |= 1U << t;
   }
   return sets;
 }
 
 }  // namespace
 
-const VertexKernels& plainVertexKernels() {
-  static const VertexKernels kernels{"plain", place};
+template <>
+const VertexKernels& scalarKernels<VertexKernels>() {
+  static const VertexKernels kernels{"scalar", place};
   return kernels;
-}
-
-const VertexKernels& bestVertexKernels() {
-  return simdVertexKernels().empty() ? plainVertexKernels() : simdVertexKernels().front();
 }
 
 }  // namespace hemitex::raster

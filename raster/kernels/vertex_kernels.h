@@ -10,6 +10,7 @@
 
 #include "raster/culling/cluster_mesh.h"
 #include "raster/interface/face.h"
+#include "raster/kernels/kernel_lists.h"
 
 namespace hemitex::raster {
 
@@ -40,18 +41,16 @@ struct TriangleSets {
 };
 
 struct VertexKernels {
-  std::string name;  ///< "plain" for scalar, or the name of an instruction set
+  std::string name;  ///< "scalar", or the name of an instruction set
 
   /// Transforms the vertices of a part of a mesh and classifies its triangles. Triangles in neither set cover no
   /// sample.
   TriangleSets (*place)(const ClusterMesh& mesh, const ClusterPart& part, const Face& face, PlacedVertices& placed);
 };
 
-/// The scalar kernels, the specification of the others.
-const VertexKernels& plainVertexKernels();
-/// The kernels for all instruction sets of this processor, fastest first; empty in a build without SIMD.
-const std::vector<VertexKernels>& simdVertexKernels();
-/// The first of simdVertexKernels(), or the scalar kernels.
-const VertexKernels& bestVertexKernels();
+template <>
+const VertexKernels& scalarKernels<VertexKernels>();
+template <>
+const std::vector<VertexKernels>& simdKernels<VertexKernels>();
 
 }  // namespace hemitex::raster

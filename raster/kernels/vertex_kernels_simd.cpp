@@ -59,7 +59,7 @@ struct VertexStage {
     const Float across = hn::Abs(x), down = hn::Abs(y);
     const auto finite = hn::And(hn::And(hn::IsFinite(x), hn::IsFinite(y)), hn::IsFinite(w));
     const auto inFront = hn::And(finite, hn::Ge(w, all(face.nearDistance)));
-    const Float guard = hn::Mul(all(8.0F), w), width = hn::Mul(all(2.0F), hn::Abs(w));
+    const Float guard = hn::Mul(all(static_cast<float>(guardBand)), w), width = hn::Mul(all(2.0F), hn::Abs(w));
     const auto inside = hn::And(inFront, hn::And(hn::Le(across, guard), hn::Le(down, guard)));
     const auto wideX = hn::And(finite, hn::Gt(across, width)), wideY = hn::And(finite, hn::Gt(down, width));
     const Float zero = hn::Zero(floats);
@@ -155,7 +155,8 @@ HWY_EXPORT(vertexKernels);
 
 }  // namespace
 
-const std::vector<VertexKernels>& simdVertexKernels() {
+template <>
+const std::vector<VertexKernels>& simdKernels<VertexKernels>() {
   static const std::vector<VertexKernels> all =
       ofEveryInstructionSet<VertexKernels>([] { return HWY_DYNAMIC_DISPATCH(vertexKernels)(); });
   return all;

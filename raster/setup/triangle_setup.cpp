@@ -7,9 +7,8 @@
 namespace hemitex::raster {
 namespace {
 
-constexpr int subPixelBits = 8;
-constexpr std::int64_t subPixels = 1 << subPixelBits;  // per pixel side
-constexpr std::int64_t sample = subPixels / 2;         // the sample of a pixel is its centre
+constexpr std::int64_t subPixels = 256;         // per pixel side
+constexpr std::int64_t sample = subPixels / 2;  // the sample of a pixel is its centre
 
 std::int64_t cross(const SnappedPoint& origin, const SnappedPoint& p, const SnappedPoint& q) {
   return (p.x - origin.x) * (q.y - origin.y) - (p.y - origin.y) * (q.x - origin.x);
@@ -26,22 +25,10 @@ inline Edge makeEdge(const SnappedPoint& p, const SnappedPoint& q, std::int64_t 
   return {a * subPixels, b * subPixels, c, isLeft || isTop};
 }
 
-/// The pixels [first, end) whose samples can lie between two sub-pixel positions.
-void pixelRange(std::int64_t low, std::int64_t high, int scissorFirst, int scissorEnd, int& first, int& end) {
-  first = static_cast<int>(std::max<std::int64_t>(scissorFirst, (low + subPixels - 1 - sample) >> subPixelBits));
-  end = static_cast<int>(std::min<std::int64_t>(scissorEnd, ((high - sample) >> subPixelBits) + 1));
-}
-
 /// Whether the bounds hold so few samples that testing all of them first is cheapest.
 bool isSmall(const ScreenTriangle& triangle) {
   constexpr int few = 4;
   return (triangle.endColumn - triangle.firstColumn) * (triangle.endRow - triangle.firstRow) <= few;
-}
-
-bool covers(const ScreenTriangle& triangle, int column, int row) {
-  for (const Edge& edge : triangle.edges)
-    if (edge.at(column, row) < (edge.inclusive ? 0 : 1)) return false;
-  return true;
 }
 
 bool coversAny(const ScreenTriangle& triangle) {
@@ -84,12 +71,18 @@ void appendScreenTriangle(const DrawList& list, const Face& face, bool mirrored,
 
 }  // namespace
 
+bool covers(const ScreenTriangle& triangle, int column, int row) {
+  for (const Edge& edge : triangle.edges)
+    if (edge.at(column, row) < edge.minCovered()) return false;
+  return true;
+}
+
 std::int64_t snap(double q, int resolution) {
   // Doubles from 2^52 on are integers, so that adding and subtracting 1.5 * 2^52 rounds as nearbyint does, without a
   // call.
   constexpr double integers = 0x1.8p52;
   // The clamp removes the rounding error of clipping to the guard band.
-  const double position = (std::clamp(q, -8.0, 8.0) + 1) * (128.0 * resolution);
+  const double position = (std::clamp(q, -guardBand, guardBand) + 1) * (128.0 * resolution);
   return static_cast<std::int64_t>((position + integers) - integers);
 }
 
@@ -107,12 +100,12 @@ bool makeScreenTriangle(const Scissor& scissor, const std::array<SnappedPoint, 3
   const std::int64_t area = cross(s[0], s[1], s[2]);
   if (area == 0) return false;
 
-  const auto least = [](std::int64_t a, std::int64_t b, std::int64_t c) { return std::min(std::min(a, b), c); };
-  const auto largest = [](std::int64_t a, std::int64_t b, std::int64_t c) { return std::max(std::max(a, b), c); };
-  pixelRange(least(s[0].x, s[1].x, s[2].x), largest(s[0].x, s[1].x, s[2].x), scissor.column,
-             scissor.column + scissor.width, triangle.firstColumn, triangle.endColumn);
-  pixelRange(least(s[0].y, s[1].y, s[2].y), largest(s[0].y, s[1].y, s[2].y), scissor.row, scissor.row + scissor.height,
-             triangle.firstRow, triangle.endRow);
+  const PixelRange columns = samplesBetween(s[0].x, s[1].x, s[2].x, scissor.column, scissor.column + scissor.width);
+  const PixelRange rows = samplesBetween(s[0].y, s[1].y, s[2].y, scissor.row, scissor.row + scissor.height);
+  triangle.firstColumn = columns.first;
+  triangle.endColumn = columns.end;
+  triangle.firstRow = rows.first;
+  triangle.endRow = rows.end;
   if (triangle.firstColumn >= triangle.endColumn || triangle.firstRow >= triangle.endRow) return false;
   const std::int64_t orientation = area > 0 ? 1 : -1;
   triangle.edges[0] = makeEdge(s[1], s[2], orientation);

@@ -3,6 +3,7 @@
 /// them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -21,7 +22,23 @@ struct Edge {
   bool inclusive;  ///< a top or left edge: samples on it are covered
 
   std::int64_t at(int column, int row) const { return a * column + b * row + c; }
+  /// The smallest value at covered samples, as values are integers.
+  std::int64_t minCovered() const { return inclusive ? 0 : 1; }
 };
+
+/// The pixels [first, end).
+struct PixelRange {
+  int first, end;
+};
+
+/// The pixels of [first, end) whose samples lie between the smallest and the largest of three snapped positions, in
+/// 1/256 pixel. The sample of pixel i is at 256 i + 128.
+template <typename Integer>
+PixelRange samplesBetween(Integer a, Integer b, Integer c, int first, int end) {
+  const Integer low = std::min(std::min(a, b), c), high = std::max(std::max(a, b), c);
+  return {static_cast<int>(std::max<Integer>(first, (low + 127) >> 8)),
+          static_cast<int>(std::min<Integer>(end, (high + 128) >> 8))};
+}
 
 struct ScreenTriangle {
   std::array<Edge, 3> edges;
@@ -36,6 +53,9 @@ struct ScreenTriangle {
   int firstRow, endRow;  ///< rows that may hold covered samples, inside the scissor rectangle
   int firstColumn, endColumn;
 };
+
+/// Whether the triangle covers the sample of a pixel.
+bool covers(const ScreenTriangle& triangle, int column, int row);
 
 /// The sub-pixel position of q = x/w or y/w in 1/256 pixel (docs/item-buffers.md, "snap").
 std::int64_t snap(double q, int resolution);

@@ -44,7 +44,6 @@ ClippedPolygon clip(const ClippedPolygon& polygon, HalfSpace halfSpace, double n
 }  // namespace
 
 double distance(HalfSpace halfSpace, const ViewVertex& p, double nearDistance) {
-  constexpr double guardBand = 8;
   switch (halfSpace) {
     case HalfSpace::Near:
       return p.w - nearDistance;

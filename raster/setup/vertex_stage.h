@@ -29,6 +29,9 @@ ViewVertex transform(const Face& face, const glm::vec3& position, const glm::vec
 
 bool isFinite(const ViewVertex& vertex);
 
+/// Vertices are clipped at |x| = 8w and |y| = 8w.
+inline constexpr double guardBand = 8;
+
 /// The half-spaces for clipping: w >= n, x <= 8w, -x <= 8w, y <= 8w, -y <= 8w.
 enum class HalfSpace { Near, Right, Left, Top, Bottom };
 /// In the order of clipping.

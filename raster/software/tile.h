@@ -40,10 +40,10 @@ struct TileMemory {
 
 /// The kernels for drawing a tile; by default the fastest.
 struct TileKernels {
-  const VertexKernels& vertices = bestVertexKernels();
-  const SmallTriangleKernels& smallTriangles = bestSmallTriangleKernels();
-  const DepthKernels& depth = bestDepthKernels();
-  const TexelKernels& texels = bestTexelKernels();
+  const VertexKernels& vertices = bestKernels<VertexKernels>();
+  const SmallTriangleKernels& smallTriangles = bestKernels<SmallTriangleKernels>();
+  const DepthKernels& depth = bestKernels<DepthKernels>();
+  const TexelKernels& texels = bestKernels<TexelKernels>();
 };
 
 /// Draws the part of a face in its scissor rectangle: one item ID per pixel, row by row from `ids` on, `pitch` item IDs

@@ -206,9 +206,8 @@ StagedDevice withReadBack(const ReadBack& readBack) {
 }
 
 PlacedVector placeVector(const TestVector& vector) {
-  PlacedVector placed{vector.list, {}, {}, {}};
+  PlacedVector placed{vector.list, facesOf(vector), {}, {}};
   for (const VectorFace& face : vector.faces) {
-    placed.faces.push_back(face.face);
     placed.triangles.push_back(placeFace(vector.list, face.face));
     placed.buffers.push_back(drawFace(StagedDevice{}, vector.list, face.face, placed.triangles.back()));
   }

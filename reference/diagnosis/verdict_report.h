@@ -57,11 +57,14 @@ std::optional<CommonFault> commonFault(std::span<const Report> reports);
 /// "linear filtering, named by 3 of 4 failing vectors: set both filters ...".
 std::string toText(const CommonFault& common);
 
-/// A JSON object: `vector`, `pass`, `pixels` (a count for each verdict's name), `faces` (the same with `name`, `width`
-/// and `height`), `errors` with `face`, `column`, `row`, `kind`, `expected`, `found`, `expected_from`,
-/// `found_from`, `triangle` and `texel` (null where there is none), and `diagnosis`, a list with `fault`, `variant`,
-/// `agreement` and `advice`: empty without a known fault, several where they are indistinguishable. An exact report
-/// has `reference`, too: `pixels` and `differing`.
+/// A JSON object with the keys
+///
+/// - `vector`, `pass`, `pixels` (a count per verdict), `faces` (the same with `name`, `width` and `height`),
+/// - `errors`: `face`, `column`, `row`, `kind`, `expected`, `found`, `expected_from`, `found_from`, `triangle`, `texel`
+///   (null where there is none),
+/// - `diagnosis`: `fault`, `variant`, `agreement`, `advice`; empty without a known fault, several indistinguishable
+/// ones,
+/// - `reference`: `pixels` and `differing`; only of an exact report.
 std::string toJson(const Report& report);
 
 /// A JSON object for several vectors: `pass`, `pixels` of all, `vectors` (an object as above for each), and

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/gtc/bitfield.hpp>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "radiosity/discretization/patch_points.h"
@@ -20,7 +21,7 @@
 namespace hemitex::reference {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr std::size_t packetSize = 16;
 /// Packets per task.
 constexpr std::size_t packetsAtOnce = 64;

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <numeric>
 
 #include "raster/base/parallel.h"
@@ -14,7 +15,7 @@
 namespace hemitex::reference {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 /// Error of the closed forms, as a share of all light; far below that of rays.
 constexpr double closedFormError = 1e-10;
 /// A receiver that no ray met may still have the light of this number of rays.

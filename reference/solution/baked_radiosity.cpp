@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <random>
 #include <string>
@@ -18,7 +19,7 @@
 namespace hemitex::reference {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 /// Maximum probability that a path survives a bounce, for any reflectance.
 constexpr double maxSurvival = 0.99;
 constexpr int maxBounces = 1024;
@@ -36,7 +37,7 @@ class Random {
   std::mt19937 random_;
 };
 
-double total(const glm::dvec3& bands) { return bands.r + bands.g + bands.b; }
+using radiosity::bandSum;
 
 /// Cosine-distributed about a normal: a point of the unit disk, projected up to the hemisphere (Malley 1988).
 glm::dvec3 cosineDirection(const glm::dvec3& normal, double x, double y) {
@@ -103,7 +104,7 @@ class Tracer {
     const SamplePoints points(count, 2 * seed);
     Random random(2 * seed + 1);
     const RaySource raySource = areaRaySource(pieces_, std::array{element});
-    const bool emits = total(radiosity::emission(scene_, discretization_, element)) > 0;
+    const bool emits = bandSum(radiosity::emission(scene_, discretization_, element)) > 0;
     std::array<double, randomizations> shares{};
     for (std::size_t r = 0; r < randomizations; ++r)
       for (std::size_t i = 0; i < count; ++i) {
@@ -119,9 +120,9 @@ class Tracer {
     double sum = 0;
     for (std::uint32_t e = 0; e < discretization_.elements.size(); ++e) {
       const glm::dvec3 emission = radiosity::emission(scene_, discretization_, e);
-      if (total(emission) == 0) continue;
-      sum += discretization_.elements[e].area * total(emission);
-      lights_.push_back({areaRaySource(pieces_, std::array{e}), emission / total(emission), sum});
+      if (bandSum(emission) == 0) continue;
+      sum += discretization_.elements[e].area * bandSum(emission);
+      lights_.push_back({areaRaySource(pieces_, std::array{e}), emission / bandSum(emission), sum});
     }
     for (Light& light : lights_) {
       light.upTo /= sum;

@@ -44,7 +44,7 @@ std::vector<double> roughFlux(const radiosity::Scene& scene, const radiosity::Di
       flux[e] = emitted[e] + reflectance(scene, discretization, e) * flux[e];
   }
   std::vector<double> sums;
-  for (const glm::dvec3& value : flux) sums.push_back(value.x + value.y + value.z);
+  for (const glm::dvec3& value : flux) sums.push_back(radiosity::bandSum(value));
   return sums;
 }
 

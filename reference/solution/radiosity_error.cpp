@@ -7,9 +7,7 @@
 namespace hemitex::reference {
 namespace {
 
-double bandSum(const glm::dvec3& value) { return value.x + value.y + value.z; }
-
-double difference(const glm::dvec3& a, const glm::dvec3& b) { return bandSum(glm::abs(a - b)); }
+double difference(const glm::dvec3& a, const glm::dvec3& b) { return radiosity::bandSum(glm::abs(a - b)); }
 
 /// The error of the elements [first, first + count).
 RadiosityError errorOfRange(const radiosity::Discretization& discretization, std::span<const glm::dvec3> found,
@@ -19,7 +17,7 @@ RadiosityError errorOfRange(const radiosity::Discretization& discretization, std
     const double elementArea = discretization.elements[e].area;
     const double error = difference(found[e], truth[e]);
     area += elementArea;
-    flux += elementArea * bandSum(truth[e]);
+    flux += elementArea * radiosity::bandSum(truth[e]);
     missed += elementArea * error;
     squares += elementArea * error * error;
     largest = std::max(largest, error);
@@ -77,7 +75,7 @@ std::vector<double> errorsByElement(std::span<const glm::dvec3> found, std::span
   std::vector<double> errors;
   for (std::size_t e = 0; e < found.size(); ++e) {
     const double error = difference(found[e], truth[e]);
-    errors.push_back(error == 0 ? 0 : error / bandSum(truth[e]));
+    errors.push_back(error == 0 ? 0 : error / radiosity::bandSum(truth[e]));
   }
   return errors;
 }

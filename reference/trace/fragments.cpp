@@ -10,13 +10,6 @@ namespace {
 
 using raster::ScreenTriangle;
 
-bool covers(const ScreenTriangle& triangle, int column, int row) {
-  return std::all_of(triangle.edges.begin(), triangle.edges.end(), [=](const raster::Edge& edge) {
-    const std::int64_t value = edge.at(column, row);
-    return value > 0 || (value == 0 && edge.inclusive);
-  });
-}
-
 /// Depth, coordinates and item ID of a triangle at a sample that it covers (raster rules, 6 and 7).
 Fragment fragmentOf(const raster::DrawList& list, const ScreenTriangle& triangle, int column, int row) {
   const raster::Draw& draw = list.draws[triangle.draw];

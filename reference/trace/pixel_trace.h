@@ -1,5 +1,5 @@
-/// Derives the item ID of one pixel by the raster rules, with every number from the vertices to the blend, so that a
-/// reader can check it by hand.
+/// Derives the item ID of one pixel by the raster rules, with every number from the vertices to the blend. A reader can
+/// check it by hand.
 #pragma once
 
 #include <array>

@@ -19,12 +19,12 @@ void addNumbered(raster::DrawList& list, int resolution, const std::array<glm::d
 
 /// Snapping to even, seen in one pixel for each k from 0 to 255: a corner has the fraction (k + 1/2)/256 of a pixel.
 ///
-/// With the sample as zero, and along the snapped axis in sub-pixels, the corner lies at d + 1/2 and snaps to the even
-/// one of d and d + 1; the pixel is cut in two by the edge from it through the sample's neighbourhood to a point
-/// opposite, so that moving the corner by one moves the edge at the sample by a half. For even k the edge passes
-/// through the sample where the corner is snapped to d, and the sample belongs to the far half; snapping to d + 1 would
-/// give it to the near half. For odd k the opposite point is nudged by one: the edge passes a half behind the sample,
-/// which belongs to the near half; snapping to d would move the edge onto the sample and give it to the far half.
+/// Let the sample be the origin of the snapped axis, in sub-pixels. The corner lies at d + 1/2 and snaps to the even
+/// one of d and d + 1. An edge from it through the sample's neighbourhood to an opposite point cuts the pixel in two.
+/// If the corner moves by one, the edge at the sample moves by a half. For even k the edge passes through the sample
+/// where the corner is snapped to d, and the sample belongs to the far half; snapping to d + 1 would give it to the
+/// near half. For odd k the opposite point is nudged by one: the edge passes a half behind the sample, which belongs to
+/// the near half; snapping to d would move the edge onto the sample and give it to the far half.
 ///
 /// Pixel k therefore holds 2k + 1, its far half, for even k, and 2k for odd k, and any other rounding changes it.
 TestVector snapping(const std::string& name, bool isRow) {

@@ -144,8 +144,8 @@ Mesh microGrid() {
   return mesh;
 }
 
-/// Four strips over the view: triangle t of a strip has the vertices t, t + 1 and t + 2 and a draw of its own, so that
-/// three draws share a vertex, and each vertex is the first, the second and the last of one triangle at most.
+/// Four strips over the view. Triangle t of a strip has the vertices t, t + 1 and t + 2 and its own draw. So three
+/// draws share a vertex, and each vertex is the first, the second and the last of at most one triangle.
 TestVector strips() {
   constexpr int resolution = 32;
   raster::DrawList list = plainList();

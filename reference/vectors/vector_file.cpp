@@ -244,6 +244,12 @@ std::vector<float> flatten(const std::vector<Vector>& values) {
 
 }  // namespace
 
+std::vector<raster::Face> facesOf(const TestVector& vector) {
+  std::vector<raster::Face> faces;
+  for (const VectorFace& face : vector.faces) faces.push_back(face.face);
+  return faces;
+}
+
 TestVector readVector(const filesystem::path& folder) {
   const filesystem::path file = folder / "vector.json";
   if (!filesystem::is_regular_file(file))

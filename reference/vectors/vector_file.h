@@ -30,6 +30,9 @@ struct TestVector {
   std::vector<VectorFace> faces;
 };
 
+/// The views of all faces of a vector.
+std::vector<raster::Face> facesOf(const TestVector& vector);
+
 /// Reads `folder/vector.json` and its arrays. Throws InputError with the name of the file if anything is missing, of
 /// the wrong size or type, or against the rules.
 TestVector readVector(const std::filesystem::path& folder);

@@ -28,9 +28,7 @@ std::vector<TestVector> vectorSuite() {
 }
 
 std::vector<raster::ItemBuffer> render(const TestVector& vector) {
-  std::vector<raster::Face> faces;
-  for (const VectorFace& face : vector.faces) faces.push_back(face.face);
-  return render(raster::SoftwareRenderer(vector.list), faces, {});
+  return render(raster::SoftwareRenderer(vector.list), facesOf(vector));
 }
 
 std::string idsHash(std::span<const raster::ItemBuffer> buffers) {

@@ -8,8 +8,6 @@ namespace {
 
 using raster::ViewVertex;
 
-constexpr double guardBand = 8;
-
 // --- reach of a vertex ---
 
 /// The sum of absolute values of the terms of a vertex stage: |X.x| (|P.x| + |E.x|) + ... Roundings are relative to it,

@@ -2,9 +2,9 @@
 /// other pixel is *explained* if a device within its profile may show the item ID, and an *error* otherwise (raster
 /// rules, 8). Item IDs are compared as integers: an item ID that is off by one names another element.
 ///
-/// A triangle that may cover the sample (triangle_bounds.h) explains the item IDs that it may produce, if its depth may
-/// pass the depth test against all guaranteed coverage of the sample. The background is explained without guaranteed
-/// coverage. Each bound is a worst case, so a device within the profile has no errors.
+/// A triangle that may cover the sample (triangle_bounds.h) explains the item IDs that it may produce. Its depth must
+/// be able to pass the depth test against all guaranteed coverage of the sample. The background is explained without
+/// guaranteed coverage. Each bound is a worst case, so a device within the profile has no errors.
 #pragma once
 
 #include <array>

@@ -7,7 +7,7 @@
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/scene/load_scene.h"
-#include "radiosity/solver/kahan_sum.h"
+#include "radiosity/scene/scene.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "tests/support/truth_table.h"
 

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "radiosity/solver/kahan_sum.h"
+#include "radiosity/scene/scene.h"
 
 using namespace hemitex::radiosity;
 

@@ -40,9 +40,9 @@ TEST_CASE("DepthKernels::offer gives the same bits with each instruction set", "
     addTriangle(list, {near(-0.9F, 1.0F / 128), near(0.9F, 1.0F / 128), near(0.1F, y)}, {{0, 0}, {1, 0}, {0, 1}});
   for (const raster::Face& face : facesAndParts()) {
     const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
-    const Drawn plain = draw(raster::plainDepthKernels(), triangles, face);
+    const Drawn plain = draw(raster::scalarKernels<raster::DepthKernels>(), triangles, face);
     CHECK(!plain.undecided.pixels.empty());
-    for (const raster::DepthKernels& kernels : raster::simdDepthKernels()) {
+    for (const raster::DepthKernels& kernels : raster::simdKernels<raster::DepthKernels>()) {
       INFO(kernels.name << ", " << face.scissor.width << " columns");
       const Drawn drawn = draw(kernels, triangles, face);
       CHECK(drawn.buffer.inverseDepth == plain.buffer.inverseDepth);
@@ -59,8 +59,8 @@ TEST_CASE("DepthKernels::endOfRun stops at another triangle, with each instructi
   for (std::uint32_t length = 1; length < 40; ++length) triangles.insert(triangles.end(), length, length % 2);
   const auto size = static_cast<int>(triangles.size());
   triangles.insert(triangles.end(), raster::maxLanes, triangles.back());
-  std::vector<raster::DepthKernels> all = raster::simdDepthKernels();
-  all.push_back(raster::plainDepthKernels());
+  std::vector<raster::DepthKernels> all = raster::simdKernels<raster::DepthKernels>();
+  all.push_back(raster::scalarKernels<raster::DepthKernels>());
   for (const raster::DepthKernels& kernels : all) {
     INFO(kernels.name);
     for (int end = size - 60; end <= size; ++end)
@@ -76,8 +76,8 @@ TEST_CASE("DepthKernels::isHidden holds where all pixels of a part are nearer, w
   raster::DepthBuffer buffer;
   buffer.clear(face.scissor);
   std::fill(buffer.inverseDepth.begin(), buffer.inverseDepth.end(), 3.0);
-  std::vector<raster::DepthKernels> all = raster::simdDepthKernels();
-  all.push_back(raster::plainDepthKernels());
+  std::vector<raster::DepthKernels> all = raster::simdKernels<raster::DepthKernels>();
+  all.push_back(raster::scalarKernels<raster::DepthKernels>());
   for (const raster::DepthKernels& kernels : all) {
     INFO(kernels.name);
     for (int width = 1; width < 20; ++width) {

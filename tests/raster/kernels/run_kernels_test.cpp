@@ -10,8 +10,8 @@ using raster::ItemId;
 namespace {
 
 std::vector<raster::RunKernels> allKernels() {
-  std::vector<raster::RunKernels> all = raster::simdRunKernels();
-  all.push_back(raster::plainRunKernels());
+  std::vector<raster::RunKernels> all = raster::simdKernels<raster::RunKernels>();
+  all.push_back(raster::scalarKernels<raster::RunKernels>());
   return all;
 }
 

@@ -30,7 +30,7 @@ struct Seen {
   std::uint32_t small;
 
   Seen(const ClusterMesh& mesh, const ClusterPart& part, const Face& face)
-      : small(plainVertexKernels().place(mesh, part, face, placed).small) {}
+      : small(scalarKernels<VertexKernels>().place(mesh, part, face, placed).small) {}
 };
 
 /// Triangle, row, column, bits of 1/w, texel: sorted, because the kernels return samples in any order.
@@ -69,9 +69,9 @@ TEST_CASE("SmallTriangleKernels::findSamples gives the same samples with each in
         const Seen seen(mesh, part, face);
         const SmallTriangles triangles{mesh, part, seen.placed, seen.small, columns, columns == 1 ? 1 : 5};
         SmallSamples plain;
-        plainSmallTriangleKernels().findSamples(triangles, face.scissor, plain);
+        scalarKernels<SmallTriangleKernels>().findSamples(triangles, face.scissor, plain);
         samples += plain.count;
-        for (const SmallTriangleKernels& kernels : simdSmallTriangleKernels()) {
+        for (const SmallTriangleKernels& kernels : simdKernels<SmallTriangleKernels>()) {
           INFO(kernels.name);
           SmallSamples found;
           kernels.findSamples(triangles, face.scissor, found);
@@ -105,8 +105,8 @@ TEST_CASE("SmallTriangleKernels::findSamples gives the samples and texels of the
         if (expected.empty()) ++empty;
         for (const int columns : {7, 1}) {
           SmallSamples found;
-          plainSmallTriangleKernels().findSamples({mesh, part, seen.placed, 1U << t, columns, rows}, face.scissor,
-                                                  found);
+          scalarKernels<SmallTriangleKernels>().findSamples({mesh, part, seen.placed, 1U << t, columns, rows},
+                                                            face.scissor, found);
           REQUIRE(found.count == expected.size());
           for (std::size_t i = 0; i < found.count; ++i) {
             const auto [row, column] = expected[i];

@@ -27,7 +27,7 @@ raster::DepthBuffer drawn(const std::vector<raster::ScreenTriangle>& triangles, 
   raster::UndecidedPixels undecided;
   buffer.clear(face.scissor);
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    raster::plainDepthKernels().offer(triangles[t], t, buffer, undecided);
+    raster::scalarKernels<raster::DepthKernels>().offer(triangles[t], t, buffer, undecided);
   return buffer;
 }
 
@@ -68,8 +68,8 @@ int compareTexels(const raster::DrawList& list, const raster::Face& face,
         const raster::PixelRun run{&triangles[number], row, first, end - first,
                                    buffer.inverseDepth.data() + begin + first};
         const raster::TexelPlanes planes(triangles[number], width, height);
-        const Texels plain = texelsOf(raster::plainTexelKernels(), run, planes);
-        for (const raster::TexelKernels& kernels : raster::simdTexelKernels()) {
+        const Texels plain = texelsOf(raster::scalarKernels<raster::TexelKernels>(), run, planes);
+        for (const raster::TexelKernels& kernels : raster::simdKernels<raster::TexelKernels>()) {
           INFO(kernels.name << ", row " << row << ", columns " << first << " to " << end);
           const Texels found = texelsOf(kernels, run, planes);
           REQUIRE(found.undecided == plain.undecided);
@@ -110,8 +110,8 @@ TEST_CASE("TexelKernels::findTexels finds a single texel everywhere, however lar
   const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
   const raster::DepthBuffer buffer = drawn(triangles, face);
   const raster::PixelRun run{triangles.data(), 3, 0, 64, buffer.inverseDepth.data() + buffer.rowAt(3)};
-  std::vector<raster::TexelKernels> all = raster::simdTexelKernels();
-  all.push_back(raster::plainTexelKernels());
+  std::vector<raster::TexelKernels> all = raster::simdKernels<raster::TexelKernels>();
+  all.push_back(raster::scalarKernels<raster::TexelKernels>());
   for (const raster::TexelKernels& kernels : all) {
     INFO(kernels.name);
     const Texels found = texelsOf(kernels, run, raster::TexelPlanes(triangles.front(), 1, 1));
@@ -144,7 +144,8 @@ TEST_CASE(
           const int row = below(4), first = below(100), count = times % 2 == 0 ? 256 - first : 20 + below(156 - 20);
           const std::size_t begin = buffer.pixelAt(first, row);
           REQUIRE(buffer.triangle[begin] == 0);
-          REQUIRE(raster::plainDepthKernels().endOfRun(buffer.triangle.data() + begin, 0, count) == count);
+          REQUIRE(raster::scalarKernels<raster::DepthKernels>().endOfRun(buffer.triangle.data() + begin, 0, count) ==
+                  count);
           const int at = times % 3 == 0 ? 0 : times % 3 == 1 ? count - 1 : below(count);
           raster::ScreenTriangle triangle = triangles.front();
           const raster::EdgeValues edge = raster::edgeValues(triangle, first + at, row);
@@ -158,7 +159,7 @@ TEST_CASE(
           const auto exact =
               static_cast<std::uint32_t>(7 + raster::texelExactly(triangle, triangle.v, 8, first + at, row) * size +
                                          raster::texelExactly(triangle, triangle.u, size, first + at, row));
-          for (const raster::TexelKernels& kernels : raster::simdTexelKernels()) {
+          for (const raster::TexelKernels& kernels : raster::simdKernels<raster::TexelKernels>()) {
             const Texels found = texelsOf(kernels, run, planes);
             const bool isOpen =
                 std::binary_search(found.undecided.begin(), found.undecided.end(), std::pair(row, first + at));
@@ -168,7 +169,7 @@ TEST_CASE(
           }
         }
       }
-  if (raster::simdTexelKernels().empty()) return;
+  if (raster::simdKernels<raster::TexelKernels>().empty()) return;
   CHECK(decided > 10 * open);
   CHECK(open > 0);
 }
@@ -185,8 +186,8 @@ TEST_CASE("TexelKernels::findExactTexels gives the texels of texelExactly, with 
     addTriangle(list, {point(0.5F, 0.5F, 1), point(48.5F, 3.5F, depth), point(7.5F, 60.5F, depth)},
                 {{-0.25F, 0}, {1, 0.5F}, {0.5F, 1.25F}});
   }
-  std::vector<raster::TexelKernels> all = raster::simdTexelKernels();
-  all.push_back(raster::plainTexelKernels());
+  std::vector<raster::TexelKernels> all = raster::simdKernels<raster::TexelKernels>();
+  all.push_back(raster::scalarKernels<raster::TexelKernels>());
   int runs = 0;
   for (const raster::ScreenTriangle& triangle : screenTriangles(list, face))
     for (const int size : {1, 16, 48})

@@ -72,8 +72,8 @@ TEST_CASE("VertexKernels::place gives the same vertices with each instruction se
   std::uint32_t whole = 0, cut = 0, small = 0, sides = 0;
   for (const Face& face : faces())
     for (const ClusterPart& part : mesh.parts) {
-      const std::vector<std::uint32_t> plain = placed(plainVertexKernels(), mesh, part, face);
-      for (const VertexKernels& kernels : simdVertexKernels()) {
+      const std::vector<std::uint32_t> plain = placed(scalarKernels<VertexKernels>(), mesh, part, face);
+      for (const VertexKernels& kernels : simdKernels<VertexKernels>()) {
         INFO(kernels.name << ", " << part.vertices << " vertices");
         REQUIRE(placed(kernels, mesh, part, face) == plain);
       }
@@ -97,7 +97,7 @@ TEST_CASE("VertexKernels::place transforms and snaps a vertex inside the half-sp
   int inside = 0;
   PlacedVertices vertices;
   for (const ClusterPart& part : mesh.parts) {
-    bestVertexKernels().place(mesh, part, face, vertices);
+    bestKernels<VertexKernels>().place(mesh, part, face, vertices);
     for (std::size_t i = 0; i < part.vertices; ++i) {
       const std::size_t v = part.firstVertex + i;
       const ViewVertex p = transform(face, {mesh.positions[0][v], mesh.positions[1][v], mesh.positions[2][v]}, {});

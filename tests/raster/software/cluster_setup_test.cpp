@@ -59,8 +59,8 @@ std::size_t setUpSmall(const ClusterMesh& mesh, const Cluster& cluster, const Cl
 
 TEST_CASE("appendScreenTriangles of a cluster gives the screen triangles of its runs, with each instruction set",
           "[cluster_triangles]") {
-  std::vector<VertexKernels> all = simdVertexKernels();
-  all.push_back(plainVertexKernels());
+  std::vector<VertexKernels> all = simdKernels<VertexKernels>();
+  all.push_back(scalarKernels<VertexKernels>());
   const std::vector<std::uint32_t> skipped{0, 3, 31, 32, 33, 64, 500, 501, 502, 503, 1999};
   for (const DrawList& list : {tests::crossingTriangles(), manyDraws()}) {
     const std::vector<Cluster> clusters = clustersOf(list);

@@ -11,14 +11,14 @@
 using namespace hemitex;
 using namespace hemitex::tests;
 
-TEST_CASE("simdDepthKernels and the other lists have the kernels of each instruction set once", "[kernels]") {
+TEST_CASE("simdKernels has the kernels of each instruction set once", "[kernels]") {
   std::set<std::string> names;
-  for (const raster::DepthKernels& kernels : raster::simdDepthKernels()) names.insert(kernels.name);
-  CHECK(names.size() == raster::simdDepthKernels().size());
-  CHECK(raster::simdVertexKernels().size() == names.size());
-  CHECK(raster::simdSmallTriangleKernels().size() == names.size());
-  CHECK(raster::simdTexelKernels().size() == names.size());
-  CHECK(raster::simdRunKernels().size() == names.size());
+  for (const raster::DepthKernels& kernels : raster::simdKernels<raster::DepthKernels>()) names.insert(kernels.name);
+  CHECK(names.size() == raster::simdKernels<raster::DepthKernels>().size());
+  CHECK(raster::simdKernels<raster::VertexKernels>().size() == names.size());
+  CHECK(raster::simdKernels<raster::SmallTriangleKernels>().size() == names.size());
+  CHECK(raster::simdKernels<raster::TexelKernels>().size() == names.size());
+  CHECK(raster::simdKernels<raster::RunKernels>().size() == names.size());
 }
 
 TEST_CASE("drawTile gives the same item buffers with each instruction set", "[kernels]") {
@@ -30,11 +30,13 @@ TEST_CASE("drawTile gives the same item buffers with each instruction set", "[ke
         all.insert(all.end(), buffer.ids.begin(), buffer.ids.end());
       return all;
     };
-    const std::vector<raster::ItemId> plain = ids({raster::plainVertexKernels(), raster::plainSmallTriangleKernels(),
-                                                   raster::plainDepthKernels(), raster::plainTexelKernels()});
-    for (std::size_t k = 0; k < raster::simdDepthKernels().size(); ++k) {
-      const raster::TileKernels kernels{raster::simdVertexKernels()[k], raster::simdSmallTriangleKernels()[k],
-                                        raster::simdDepthKernels()[k], raster::simdTexelKernels()[k]};
+    const std::vector<raster::ItemId> plain =
+        ids({raster::scalarKernels<raster::VertexKernels>(), raster::scalarKernels<raster::SmallTriangleKernels>(),
+             raster::scalarKernels<raster::DepthKernels>(), raster::scalarKernels<raster::TexelKernels>()});
+    for (std::size_t k = 0; k < raster::simdKernels<raster::DepthKernels>().size(); ++k) {
+      const raster::TileKernels kernels{
+          raster::simdKernels<raster::VertexKernels>()[k], raster::simdKernels<raster::SmallTriangleKernels>()[k],
+          raster::simdKernels<raster::DepthKernels>()[k], raster::simdKernels<raster::TexelKernels>()[k]};
       INFO(kernels.depth.name);
       for (const std::string& name : {kernels.vertices.name, kernels.smallTriangles.name, kernels.texels.name})
         CHECK(name == kernels.depth.name);

@@ -37,12 +37,6 @@ bool hasDevice() {
   return device.has_value();
 }
 
-std::vector<raster::Face> facesOf(const TestVector& vector) {
-  std::vector<raster::Face> faces;
-  for (const reference::VectorFace& face : vector.faces) faces.push_back(face.face);
-  return faces;
-}
-
 /// The list without some of its triangles.
 raster::DrawList without(const raster::DrawList& list, std::span<const std::uint32_t> skipped) {
   raster::DrawList rest = list;
