@@ -75,8 +75,8 @@ struct Derivation {
   std::optional<RunnerUp> runnerUp;
 };
 
-/// How pixel (column, row) of the viewport gets its item ID; nothing where it holds the background. `fragments` are
-/// those at the pixel (fragmentsAt).
+/// Derives the item ID of pixel (column, row) of the viewport; nothing for a background pixel. `fragments` are those at
+/// the pixel (fragmentsAt).
 std::optional<Derivation> derive(const raster::DrawList& list, const raster::Face& face,
                                  const std::vector<Fragment>& fragments, int column, int row);
 

@@ -30,10 +30,10 @@ std::string toText(const ErrorPixel& error) {
 }
 
 ErrorPixel errorAt(const raster::DrawList& list, const std::string& face,
-                   std::span<const raster::ScreenTriangle> triangles, int column, int row, raster::ItemId found) {
+                   std::span<const raster::ScreenTriangle> triangles, int column, int row, raster::ItemId expected,
+                   raster::ItemId found) {
   const std::vector<Fragment> fragments = fragmentsAt(list, triangles, column, row);
   const std::optional<Fragment> visible = fragments.empty() ? std::nullopt : std::optional(fragments.front());
-  const raster::ItemId expected = visible ? visible->id : raster::backgroundId(list.format);
   const std::optional<std::uint32_t> draw = visible ? std::optional(visible->draw) : std::nullopt;
   const IdOrigin expectedOrigin = originOf(list, expected, draw), foundOrigin = originOf(list, found, draw);
   const ErrorKind kind = kindOf(list, visible, foundOrigin);
@@ -41,7 +41,10 @@ ErrorPixel errorAt(const raster::DrawList& list, const std::string& face,
 }
 
 ErrorPixel errorAt(const raster::DrawList& list, const VectorFace& face, int column, int row, raster::ItemId found) {
-  return errorAt(list, face.name, screenTriangles(list, face.face), column, row, found);
+  const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face.face);
+  const std::vector<Fragment> fragments = fragmentsAt(list, triangles, column, row);
+  const raster::ItemId expected = fragments.empty() ? raster::backgroundId(list.format) : fragments.front().id;
+  return errorAt(list, face.name, triangles, column, row, expected, found);
 }
 
 std::vector<ErrorPixel> firstErrors(const TestVector& vector, const Verdict& verdict, std::size_t count) {
@@ -55,7 +58,8 @@ std::vector<ErrorPixel> firstErrors(const TestVector& vector, const Verdict& ver
       if (face.pixels[pixel] != PixelVerdict::Error) continue;
       const int column = face.scissor.column + static_cast<int>(pixel % width);
       const int row = face.scissor.row + static_cast<int>(pixel / width);
-      errors.push_back(errorAt(vector.list, face.name, triangles, column, row, face.found.ids[pixel]));
+      errors.push_back(
+          errorAt(vector.list, face.name, triangles, column, row, face.expected.ids[pixel], face.found.ids[pixel]));
     }
   }
   return errors;

@@ -45,12 +45,13 @@ struct ErrorPixel {
 /// One line, without the face's name.
 std::string toText(const ErrorPixel& error);
 
-/// The error at a pixel of the viewport of the face named `face`, where a device drew the item ID `found`. `triangles`
-/// are the screen triangles of that face (fragments.h).
+/// The error at a pixel of the viewport of the face named `face`, where a device drew `found` instead of `expected`.
+/// `triangles` are the screen triangles of that face (fragments.h).
 ErrorPixel errorAt(const raster::DrawList& list, const std::string& face,
-                   std::span<const raster::ScreenTriangle> triangles, int column, int row, raster::ItemId found);
+                   std::span<const raster::ScreenTriangle> triangles, int column, int row, raster::ItemId expected,
+                   raster::ItemId found);
 
-/// The same for a single pixel: sets up all triangles of the face.
+/// The same for a single pixel, with the expected item ID of the rules: sets up all triangles of the face.
 ErrorPixel errorAt(const raster::DrawList& list, const VectorFace& face, int column, int row, raster::ItemId found);
 
 /// The first errors, face by face and row by row, at most `count` of them.

@@ -27,6 +27,15 @@ TEST_CASE("errorAt classifies what the device shows in place of the expected ite
   CHECK(kindAt(7, 1, 0x110) == ErrorKind::ForeignId);
 }
 
+TEST_CASE("errorAt reports the expected item ID that it is given", "[verdict]") {
+  const JudgedWall wall;
+  const auto triangles = reference::screenTriangles(wall.vector.list, wall.vector.faces[0].face);
+  const reference::ErrorPixel error = reference::errorAt(wall.vector.list, "top", triangles, 1, 1, 0x105, 0x10f);
+  CHECK(error.expected == 0x105);
+  CHECK(toText(error.expectedOrigin) == "draw 0 texel 1,1");
+  CHECK(error.found == 0x10f);
+}
+
 TEST_CASE("errorAt prefers the visible draw where several draws give an item ID", "[verdict]") {
   // Draw 1 gives the item IDs of draw 0, and lies before it.
   JudgedWall wall;
