@@ -147,7 +147,8 @@ LitScene makeLitScene(const Scene& scene, const Discretization& discretization,
                       const std::vector<glm::dvec3>& displayed, double exposure, const TextureSettings& textures) {
   std::vector<glm::dvec3> exposed = displayed;
   for (glm::dvec3& value : exposed) value *= exposure;
-  LitScene lit{{.surfaces = scene.surfaces}, layOutTextures(scene, discretization)};
+  LitScene lit{{}, layOutTextures(scene, discretization)};
+  lit.scene.surfaces = scene.surfaces;
   lit.scene.materials = litMaterials(lit.layout);
   lit.scene.images = quantized(filteredTextures(scene, discretization, lit.layout, exposed, textures));
   const GouraudCorners gouraud(scene, discretization, exposed);

@@ -57,7 +57,7 @@ struct Placement {
   /// The error of q = x/w in sub-pixels: that of x and of w, then of the division and the viewport.
   double error(double q, const ViewVertex& sizes) const {
     const double slack = depthSlack(sizes);
-    if (slack >= 0.5) return 2 * guardBand * subPixels;
+    if (slack >= 0.5) return 2 * raster::guardBand * subPixels;
     const double relative = (roundoff * sizes.u / sizes.w + std::abs(q) * slack) / (1 - slack);
     return subPixels * (relative + roundoff * (std::abs(q) + 1));
   }
@@ -66,7 +66,7 @@ struct Placement {
     DeviceVertex vertex{view, {}, {}};
     const glm::dvec2 q(view.x / view.w, view.y / view.w);
     for (int axis = 0; axis < 2; ++axis) {
-      const double position = (std::clamp(q[axis], -guardBand, guardBand) + 1) * subPixels;
+      const double position = (std::clamp(q[axis], -raster::guardBand, raster::guardBand) + 1) * subPixels;
       const double offBy = error(q[axis], sizes);
       vertex.position[axis] = std::nearbyint(position);
       vertex.reach[axis] =
