@@ -98,8 +98,8 @@ std::vector<Group> shelf() {
   return groups;
 }
 
-/// A closed crate in the corner of two walls, one on it without bottom, and a free-standing block rotated by the angle
-/// of the triangle 7, 24, 25.
+/// A closed crate in the corner of two walls and one on it without bottom. A free-standing block is rotated by the
+/// angle of the triangle 7, 24, 25.
 std::vector<Group> crates() {
   std::vector<Group> groups = faceGroups("crate", "pine", {{1.3, 0, -2.5}, {2, 0.6, -1.8}});
   append(groups, faceGroups("upper-crate", "red", {{1.45, 0.6, -2.4}, {1.95, 1, -1.95}}, {Side::Bottom}));

@@ -1,4 +1,5 @@
-/// Shares of the flux that leaves a patch, in fixed point: integers, so that no order of summation changes a sum.
+/// Shares of the flux leaving a patch in fixed point. Shares are integers, so that the order of summation does not
+/// change a sum.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,8 @@ namespace hemitex::radiosity {
 inline constexpr int shareBits = 60;
 inline constexpr std::uint64_t wholeShare = std::uint64_t{1} << shareBits;
 
-/// The form factor of a share, in [0, 1]. As a signed number it is an instruction, as an unsigned one several.
+/// The form factor of a share, in [0, 1]. Signed integers convert to double with one instruction, unsigned ones need
+/// several.
 inline double formFactor(std::uint64_t share) {
   return static_cast<double>(static_cast<std::int64_t>(share)) / static_cast<double>(wholeShare);
 }

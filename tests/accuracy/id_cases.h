@@ -17,8 +17,8 @@ struct IdCase {
 /// One case for each k from 1 to 31.
 std::vector<IdCase> idCases();
 
-/// Whether each texel's item ID, drawn with a clamped add, is offset + texel and decodes to that texel, from the first
-/// to the last usable item ID. The two reserved item IDs must decode to nothing.
+/// Whether each usable item ID, drawn with a clamped add, is offset + texel and decodes to that texel. The two reserved
+/// item IDs must decode to nothing.
 bool isOneToOne(const IdCase& example);
 
 }  // namespace hemitex::accuracy

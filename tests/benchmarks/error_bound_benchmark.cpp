@@ -1,5 +1,5 @@
-/// The cost of a bound on the error. For each scene and bound, compares the time of `solve --max-error`, including the
-/// choice of settings, with the cheapest setting of `tradeoff` that keeps the bound, and prints the true error of both.
+/// The cost of a bound on the error. For each scene and bound, compares `solve --max-error`, including the choice of
+/// settings, with the cheapest setting of `tradeoff` that keeps the bound. Prints the time and the true error of both.
 /// The reference is light tracing. Prints one line per scene and bound, and how often bounds were kept; times are
 /// processor seconds.
 #include <algorithm>
