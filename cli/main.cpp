@@ -1,6 +1,7 @@
 /// hemitex, the program: radiosity on the command line. Results go to stdout, everything else to stderr; the exit code
 /// is 0 where all went well, 1 where a comparison failed, 2 where the input or the usage is wrong, 3 where the fault is
 /// ours.
+#include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
@@ -28,7 +29,8 @@ void addGlobalOptions(CLI::App& program, cli::Context& context) {
   CLI::Option* quiet = program.add_flag_callback("-q,--quiet", setVerbosity(Verbosity::Quiet), "say errors only");
   program.add_flag_callback("-v,--verbose", setVerbosity(Verbosity::Verbose), "say more")->excludes(quiet);
   program.add_flag("--json", context.json, "print one JSON object instead of text");
-  cli::addInteger(program, "--threads", context.threads, 0, maxThreads, "threads at most (default 0: all cores)");
+  cli::addInteger(cli::Command(program), "--threads", context.threads, 0, maxThreads,
+                  "threads at most (default 0: all cores)");
   program.set_version_flag("--version", "hemitex " HEMITEX_VERSION);
 }
 
@@ -38,13 +40,14 @@ int run(int argc, char** argv, cli::Context& context) {
   program.fallthrough();
   program.footer("Every command takes -q, -v, --json, --threads N, --help and --version, before or after its name.");
   addGlobalOptions(program, context);
-  cli::addSolve(program, context);
-  cli::addRender(program, context);
-  cli::addFormFactors(program, context);
-  cli::addTradeoff(program, context);
-  cli::addPaper(program, context);
-  cli::addBench(program, context);
-  cli::addVector(program, context);
+  const cli::Command commands(program);
+  cli::addSolve(commands, context);
+  cli::addRender(commands, context);
+  cli::addFormFactors(commands, context);
+  cli::addTradeoff(commands, context);
+  cli::addPaper(commands, context);
+  cli::addBench(commands, context);
+  cli::addVector(commands, context);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& helpOrVersion) {

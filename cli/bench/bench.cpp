@@ -127,26 +127,26 @@ void bench(const BenchOptions& options, Context& context) {
 
 }  // namespace
 
-void addBench(CLI::App& program, Context& context) {
+void addBench(Command program, Context& context) {
   const auto options = std::make_shared<BenchOptions>();
-  CLI::App* command = program.add_subcommand("bench",
+  const Command command = program.addCommand("bench",
                                              "Speed, beside meshing, Embree and OpenGL; some minutes' "
                                              "work on one thread, or as many as --threads says");
-  command->add_option("SCENE", options->scenes,
-                      "Wavefront OBJ files, for their runs alone (default: the paper's room, the Cornell box and "
-                      "the gallery, also cut into up to 1,000,000 triangles, and all else that is measured)");
-  addResolutions(*command, options->resolutions);
+  const auto readScenes = [options](const std::vector<std::string>& texts) {
+    options->scenes.assign(texts.begin(), texts.end());
+  };
+  command.addTexts("SCENE", "TEXT",
+                   "Wavefront OBJ files, for their runs alone (default: the paper's room, the Cornell box and "
+                   "the gallery, also cut into up to 1,000,000 triangles, and all else that is measured)",
+                   readScenes);
+  addResolutions(command, options->resolutions);
   const auto readTriangles = [options](const std::vector<std::string>& texts) {
     for (const std::string& text : texts)
       options->triangles.push_back(static_cast<std::size_t>(integerOption("--triangles", text, 1, 100000000)));
   };
-  command
-      ->add_option_function<std::vector<std::string>>("--triangles", readTriangles,
-                                                      "cut the scenes into so many triangles, too (repeatable)")
-      ->allow_extra_args(false)
-      ->type_name("N");
-  command->add_option("-o,--output", options->output, "folder for report.html, bench.json and tables.md");
-  command->callback([options, &context] { context.command = [options, &context] { bench(*options, context); }; });
+  command.addTexts("--triangles", "N", "cut the scenes into so many triangles, too (repeatable)", readTriangles);
+  command.addPath("-o,--output", options->output, "folder for report.html, bench.json and tables.md");
+  command.onRead([options, &context] { context.command = [options, &context] { bench(*options, context); }; });
 }
 
 }  // namespace hemitex::cli

@@ -45,22 +45,21 @@ CameraOptions readViewFile(const std::filesystem::path& file) {
 
 }  // namespace
 
-void addCameraOptions(CLI::App& app, CameraOptions& options) {
+void addCameraOptions(Command command, CameraOptions& options) {
   addVectorOption(
-      app, "--eye", options.eye,
+      command, "--eye", options.eye,
       "where the camera stands (default: as SCENE.view.json says, else a view of the whole room or object)");
-  addVectorOption(app, "--look-at", options.lookAt, "a point in the middle of the picture");
-  addVectorOption(app, "--up", options.up, "what is up in the picture");
-  addPositive(app, "--fov", options.fov, 180.0, "vertical field of view in degrees");
+  addVectorOption(command, "--look-at", options.lookAt, "a point in the middle of the picture");
+  addVectorOption(command, "--up", options.up, "what is up in the picture");
+  addPositive(command, "--fov", options.fov, 180.0, "vertical field of view in degrees");
   const auto readSize = [&options](const std::string& text) {
     const std::size_t cross = text.find('x');
-    if (cross == std::string::npos) throw CLI::ValidationError("--size", "`" + text + "` is not WxH");
+    if (cross == std::string::npos) usageError("--size", "`" + text + "` is not WxH");
     options.width = integerOption("--size", text.substr(0, cross), 1, largestSide);
     options.height = integerOption("--size", text.substr(cross + 1), 1, largestSide);
   };
-  app.add_option_function<std::string>("--size", readSize, "of the picture in pixels (default 800x600)")
-      ->type_name("WxH");
-  addPositive(app, "--exposure", options.exposure, std::numeric_limits<double>::infinity(),
+  command.addText("--size", "WxH", "of the picture in pixels (default 800x600)", readSize);
+  addPositive(command, "--exposure", options.exposure, std::numeric_limits<double>::infinity(),
               "factor on radiosity (default: the mean of what does not emit shows as 0.18)");
 }
 

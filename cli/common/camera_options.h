@@ -2,12 +2,12 @@
 /// sees most of the scene; each of eye, look_at, up and fov on its own.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "cli/common/command_line.h"
 #include "radiosity/pictures/camera.h"
 #include "radiosity/scene/scene.h"
 
@@ -20,7 +20,7 @@ struct CameraOptions {
   int height = 600;
   std::optional<double> exposure;
 };
-void addCameraOptions(CLI::App& app, CameraOptions& options);
+void addCameraOptions(Command command, CameraOptions& options);
 
 /// Throws InputError where the view file is malformed, or the camera has no direction.
 radiosity::Camera cameraOf(const CameraOptions& options, const radiosity::Scene& scene,

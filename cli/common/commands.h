@@ -1,24 +1,22 @@
 /// The commands of the program, one file each: what the command line holds, what is called, what is printed.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "cli/common/options.h"
 
 namespace hemitex::cli {
 
 /// Each adds its command to the program. `context` outlives the program's line.
-void addSolve(CLI::App& program, Context& context);
-void addRender(CLI::App& program, Context& context);
-void addFormFactors(CLI::App& program, Context& context);
-void addTradeoff(CLI::App& program, Context& context);
-void addPaper(CLI::App& program, Context& context);
-void addBench(CLI::App& program, Context& context);
-void addVector(CLI::App& program, Context& context);
+void addSolve(Command program, Context& context);
+void addRender(Command program, Context& context);
+void addFormFactors(Command program, Context& context);
+void addTradeoff(Command program, Context& context);
+void addPaper(Command program, Context& context);
+void addBench(Command program, Context& context);
+void addVector(Command program, Context& context);
 /// Commands of `vector`.
-void addVectorSuite(CLI::App& vector, Context& context);
-void addVectorCheck(CLI::App& vector, Context& context);
-void addVectorExplain(CLI::App& vector, Context& context);
-void addVectorCalibrate(CLI::App& vector, Context& context);
+void addVectorSuite(Command vector, Context& context);
+void addVectorCheck(Command vector, Context& context);
+void addVectorExplain(Command vector, Context& context);
+void addVectorCalibrate(Command vector, Context& context);
 
 }  // namespace hemitex::cli

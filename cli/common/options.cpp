@@ -16,7 +16,7 @@ constexpr int largestResolution = 4096;
 
 int resolutionOption(const std::string& text) {
   const int value = integerOption("--resolution", text, 2, largestResolution);
-  if (value % 2 != 0) throw CLI::ValidationError("--resolution", "`" + text + "` is not even");
+  if (value % 2 != 0) usageError("--resolution", "`" + text + "` is not even");
   return value;
 }
 
@@ -28,33 +28,33 @@ int integerOption(const std::string& name, const std::string& text, int low, int
   const std::string range = high == std::numeric_limits<int>::max()
                                 ? "of at least " + std::to_string(low)
                                 : "from " + std::to_string(low) + " to " + std::to_string(high);
-  throw CLI::ValidationError(name, "`" + text + "` is not a whole number " + range);
+  usageError(name, "`" + text + "` is not a whole number " + range);
 }
 
 double positiveOption(const std::string& name, const std::string& text, double limit) {
   const std::optional<double> value = parseNumber(text);
   if (value && *value > 0 && *value < limit) return *value;
   const std::string below = limit < std::numeric_limits<double>::infinity() ? " and below " + toText(limit) : "";
-  throw CLI::ValidationError(name, "`" + text + "` is not a number above 0" + below);
+  usageError(name, "`" + text + "` is not a number above 0" + below);
 }
 
 glm::dvec3 vectorOption(const std::string& name, const std::string& text) {
   const std::optional<glm::dvec3> value = parseVector(text);
   if (value) return *value;
-  throw CLI::ValidationError(name, "`" + text + "` is not a vector x,y,z of three finite numbers");
+  usageError(name, "`" + text + "` is not a vector x,y,z of three finite numbers");
 }
 
-void addSceneOptions(CLI::App& app, SceneOptions& options) {
+void addSceneOptions(Command command, SceneOptions& options) {
   using radiosity::Charts;
   using radiosity::EmissionUnit;
-  app.add_option("SCENE", options.file, "Wavefront OBJ file")->required();
-  addChoice<Charts>(app, "--charts", options.settings.charts,
+  command.addPath("SCENE", options.file, "Wavefront OBJ file").required();
+  addChoice<Charts>(command, "--charts", options.settings.charts,
                     {{"auto", Charts::Auto}, {"file", Charts::File}, {"planar", Charts::Planar}},
                     "where charts come from (default auto)");
-  addPositive(app, "--max-reflectance", options.settings.maxReflectance, 1.0,
+  addPositive(command, "--max-reflectance", options.settings.maxReflectance, 1.0,
               "what a reflectance of 1 or more is lowered to (default 0.9999)");
-  app.add_flag("--two-sided", options.settings.twoSided, "give each side of every face a surface of its own");
-  addChoice<EmissionUnit>(app, "--emission", options.settings.emission,
+  command.addFlag("--two-sided", options.settings.twoSided, "give each side of every face a surface of its own");
+  addChoice<EmissionUnit>(command, "--emission", options.settings.emission,
                           {{"radiosity", EmissionUnit::Radiosity}, {"radiance", EmissionUnit::Radiance}},
                           "unit of Ke: radiosity in W/m^2, or radiance in W/(m^2 sr), which is multiplied by pi "
                           "(default radiosity)");
@@ -68,27 +68,25 @@ radiosity::Scene sceneOf(const SceneOptions& options, Console& console) {
   return scene;
 }
 
-void addDiscretizationOptions(CLI::App& app, radiosity::DiscretizationSettings& settings) {
-  CLI::Option* texels = addInteger(app, "--texels", settings.texels, 1, largestTexels,
+void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings& settings) {
+  const Option texels = addInteger(command, "--texels", settings.texels, 1, largestTexels,
                                    "texels along every surface's side (default: a size that follows the scene)");
-  addPositive(app, "--texel-size", settings.texelSize, std::numeric_limits<double>::infinity(),
+  addPositive(command, "--texel-size", settings.texelSize, std::numeric_limits<double>::infinity(),
               "instead: the side of a texel in the scene's units")
-      ->excludes(texels);
+      .excludes(texels);
   const auto readSurfaces = [&settings](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) {
       const std::size_t equals = text.rfind('=');
-      if (equals == std::string::npos || equals == 0)
-        throw CLI::ValidationError("--surface", "`" + text + "` is not NAME=N");
+      if (equals == std::string::npos || equals == 0) usageError("--surface", "`" + text + "` is not NAME=N");
       settings.surfaceTexels[text.substr(0, equals)] =
           integerOption("--surface", text.substr(equals + 1), 1, largestTexels);
     }
   };
-  app.add_option_function<std::vector<std::string>>("--surface", readSurfaces,
-                                                    "texels along the side of one surface (repeatable; 1: not "
-                                                    "discretized)")
-      ->allow_extra_args(false)
-      ->type_name("NAME=N");
-  addInteger(app, "--patch", settings.patch, 1, largestTexels, "elements along a patch's side (default 4)");
+  command.addTexts("--surface", "NAME=N",
+                   "texels along the side of one surface (repeatable; 1: not "
+                   "discretized)",
+                   readSurfaces);
+  addInteger(command, "--patch", settings.patch, 1, largestTexels, "elements along a patch's side (default 4)");
 }
 
 radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettings& settings,
@@ -97,32 +95,30 @@ radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettin
   return radiosity::discretize(scene, settings);
 }
 
-void addIdOptions(CLI::App& app, radiosity::IdSettings& settings) {
+void addIdOptions(Command command, radiosity::IdSettings& settings) {
   using radiosity::IndexMaps;
   using raster::Blend;
   std::vector<std::pair<std::string, std::string>> formats;
   for (const std::string& name : raster::formatNames()) formats.emplace_back(name, name);
-  addChoice<std::string>(app, "--format", settings.format, formats, "channels of an item ID (default r8g8b8a8)");
+  addChoice<std::string>(command, "--format", settings.format, formats, "channels of an item ID (default r8g8b8a8)");
   addChoice<IndexMaps>(
-      app, "--index-maps", settings.indexMaps,
+      command, "--index-maps", settings.indexMaps,
       {{"shared", IndexMaps::Shared}, {"packed", IndexMaps::Packed}, {"unique", IndexMaps::Unique}},
       "one map for all surfaces of a size and an offset a surface; surfaces packed into pages and an offset a page; or "
       "a map a surface and no offsets (default shared)");
   const auto readPage = [&settings](const std::string& text) {
     const int page = integerOption("--page", text, 1, largestTexels);
-    if (!std::has_single_bit(static_cast<unsigned>(page)))
-      throw CLI::ValidationError("--page", "`" + text + "` is not a power of two");
+    if (!std::has_single_bit(static_cast<unsigned>(page))) usageError("--page", "`" + text + "` is not a power of two");
     settings.page = page;
   };
-  app.add_option_function<std::string>("--page", readPage,
-                                       "texels along the side of a packed page (default 64, or what the largest "
-                                       "surface needs); with shared maps, of one map for all surfaces")
-      ->type_name("N");
-  addChoice<Blend>(app, "--blend", settings.blend,
+  command.addText("--page", "N",
+                  "texels along the side of a packed page (default 64, or what the largest "
+                  "surface needs); with shared maps, of one map for all surfaces",
+                  readPage);
+  addChoice<Blend>(command, "--blend", settings.blend,
                    {{"clamped-add", Blend::ClampedAdd}, {"integer-add", Blend::IntegerAdd}},
                    "how offset and index are added (default clamped-add)");
-  app.add_flag_callback(
-      "--no-align", [&settings] { settings.aligned = false; }, "pack the offsets without alignment");
+  command.addFlag("--no-align", "pack the offsets without alignment", [&settings] { settings.aligned = false; });
 }
 
 std::string nameOf(radiosity::IndexMaps indexMaps) {
@@ -150,39 +146,36 @@ radiosity::IdLayout layoutOf(const radiosity::IdSettings& settings, const radios
   return layout;
 }
 
-CLI::Option* addResolution(CLI::App& app, int& resolution) {
+Option addResolution(Command command, int& resolution) {
   const auto read = [&resolution](const std::string& text) { resolution = resolutionOption(text); };
-  return app.add_option_function<std::string>("--resolution", read, "pixels along the side of a face (default 256)")
-      ->type_name("R");
+  return command.addText("--resolution", "R", "pixels along the side of a face (default 256)", read);
 }
 
-CLI::Option* addResolutions(CLI::App& app, std::vector<int>& resolutions) {
+Option addResolutions(Command command, std::vector<int>& resolutions) {
   const auto read = [&resolutions](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) resolutions.push_back(resolutionOption(text));
   };
-  return app
-      .add_option_function<std::vector<std::string>>("--resolution", read,
-                                                     "pixels along the side of a face (repeatable; default 128, 256, "
-                                                     "512 and 1024)")
-      ->allow_extra_args(false)
-      ->type_name("R");
+  return command.addTexts("--resolution", "R",
+                          "pixels along the side of a face (repeatable; default 128, 256, "
+                          "512 and 1024)",
+                          read);
 }
 
-void addDrawingOptions(CLI::App& app, radiosity::DrawingSettings& settings) {
+void addDrawingOptions(Command command, radiosity::DrawingSettings& settings) {
   using radiosity::ElementsBy;
   using radiosity::Orientation;
   addChoice<ElementsBy>(
-      app, "--discretize", settings.elementsBy, {{"texture", ElementsBy::Texture}, {"mesh", ElementsBy::Mesh}},
+      command, "--discretize", settings.elementsBy, {{"texture", ElementsBy::Texture}, {"mesh", ElementsBy::Mesh}},
       "elements are texels of index maps, or polygons that the surfaces are cut into (default texture)");
-  addResolution(app, settings.resolution);
-  addChoice<Orientation>(app, "--orientation", settings.orientation,
+  addResolution(command, settings.resolution);
+  addChoice<Orientation>(command, "--orientation", settings.orientation,
                          {{"aligned", Orientation::Aligned}, {"turned", Orientation::Turned}},
                          "projections all alike, or each turned about its normal (default turned)");
-  addPositive(app, "--split", settings.split, std::numeric_limits<double>::infinity(),
+  addPositive(command, "--split", settings.split, std::numeric_limits<double>::infinity(),
               "quarter patches while more than this share of their light would go elsewhere from other points of them, "
               "bright ones sooner (default 0.003); 1 or more splits none");
   addPositive(
-      app, "--pixels-per-element", settings.pixelsPerElement, std::numeric_limits<double>::infinity(),
+      command, "--pixels-per-element", settings.pixelsPerElement, std::numeric_limits<double>::infinity(),
       "coarser index maps, shot by shot, where a surface covers fewer pixels than this for each of its elements "
       "in view (default: none; 4 is worth it where elements are small for the pixels)");
 }
@@ -208,14 +201,13 @@ std::vector<std::string> drawingOptionNames() {
           "--page",       "--blend",      "--no-align"};
 }
 
-void refuseUnused(const CLI::App& app, const std::vector<std::string>& options, const std::string& method) {
+void refuseUnused(Command command, const std::vector<std::string>& options, const std::string& method) {
   for (const std::string& option : options)
-    if (app.get_option(option)->count() > 0)
-      throw CLI::ValidationError(option, "has no use with --method " + method + "; leave one of them out");
+    if (command.isGiven(option)) usageError(option, "has no use with --method " + method + "; leave one of them out");
 }
 
-CLI::Option* addOutput(CLI::App& app, std::filesystem::path& output, const std::string& help) {
-  return app.add_option("-o,--output", output, help)->required();
+Option addOutput(Command command, std::filesystem::path& output, const std::string& help) {
+  return command.addPath("-o,--output", output, help).required();
 }
 
 }  // namespace hemitex::cli

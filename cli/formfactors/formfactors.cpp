@@ -194,40 +194,40 @@ void print(const FormFactorOptions& options, Context& context) {
 
 }  // namespace
 
-void addFormFactors(CLI::App& program, Context& context) {
+void addFormFactors(Command program, Context& context) {
   const auto options = std::make_shared<FormFactorOptions>();
-  CLI::App* command = program.add_subcommand("formfactors", "Form factors from a surface, as CSV");
-  addSceneOptions(*command, options->scene);
-  CLI::Option* from =
-      command->add_option("--from", options->from, "where the light leaves")->type_name("SURFACE[:COL,ROW]");
-  CLI::Option* bySurface = command->add_flag("--by-surface", options->bySurface, "add up the elements of a surface");
-  CLI::Option* all = command->add_flag("--all", options->all, "from every surface to every surface");
-  all->needs(bySurface)->excludes(from);
-  command->add_flag("--smooth", options->smooth, "move the matrix to reciprocity, least squares; its row sums stay")
-      ->needs(all);
-  addChoice<std::string>(*command, "--method", options->method,
+  const Command command = program.addCommand("formfactors", "Form factors from a surface, as CSV");
+  addSceneOptions(command, options->scene);
+  const Option from = command.addText("--from", "SURFACE[:COL,ROW]", "where the light leaves",
+                                      [options](const std::string& text) { options->from = text; });
+  const Option bySurface = command.addFlag("--by-surface", options->bySurface, "add up the elements of a surface");
+  const Option all = command.addFlag("--all", options->all, "from every surface to every surface");
+  all.needs(bySurface).excludes(from);
+  command.addFlag("--smooth", options->smooth, "move the matrix to reciprocity, least squares; its row sums stay")
+      .needs(all);
+  addChoice<std::string>(command, "--method", options->method,
                          {{"hemicube", "hemicube"},
                           {"single-plane", "single-plane"},
                           {"tetrahedron", "tetrahedron"},
                           {"rays", "rays"},
                           {"analytic", "analytic"}},
                          "how they are found (default hemicube)");
-  addDrawingOptions(*command, options->drawing);
-  addInteger(*command, "--samples", options->rays.samples, 64, 1 << 28,
+  addDrawingOptions(command, options->drawing);
+  addInteger(command, "--samples", options->rays.samples, 64, 1 << 28,
              "rays a row, or with --aimed points that they leave from (default 65536)");
-  command->add_flag("--aimed", options->rays.aimed,
-                    "rays: aim at each receiver, from closed forms, instead of all over the hemisphere; slow for many");
-  addDiscretizationOptions(*command, options->discretization);
-  addIdOptions(*command, options->id);
-  command->callback([options, command, &context] {
-    if (options->from.empty() && !options->all) throw CLI::RequiredError("--from, or --all --by-surface,");
+  command.addFlag("--aimed", options->rays.aimed,
+                  "rays: aim at each receiver, from closed forms, instead of all over the hemisphere; slow for many");
+  addDiscretizationOptions(command, options->discretization);
+  addIdOptions(command, options->id);
+  command.onRead([options, command, &context] {
+    if (options->from.empty() && !options->all) usageError("--from", "is required, or --all --by-surface");
     const auto projection = projectionNamed(options->method);
     if (projection) options->drawing.projection = *projection;
     if (!projection) {
-      refuseUnused(*command, drawingOptionNames(), options->method);
-      refuseUnused(*command, {"--split"}, options->method);
+      refuseUnused(command, drawingOptionNames(), options->method);
+      refuseUnused(command, {"--split"}, options->method);
     }
-    if (options->method != "rays") refuseUnused(*command, {"--samples", "--aimed"}, options->method);
+    if (options->method != "rays") refuseUnused(command, {"--samples", "--aimed"}, options->method);
     context.command = [options, &context] { print(*options, context); };
   });
 }

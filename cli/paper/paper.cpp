@@ -51,12 +51,12 @@ void makePaper(const std::filesystem::path& output, Context& context) {
 
 }  // namespace
 
-void addPaper(CLI::App& program, Context& context) {
+void addPaper(Command program, Context& context) {
   const auto output = std::make_shared<std::filesystem::path>();
-  CLI::App* command =
-      program.add_subcommand("paper", "Make the tables and figures of the paper again, some minutes' work");
-  addOutput(*command, *output, "folder for report.html, paper.json and the pictures");
-  command->callback([output, &context] { context.command = [output, &context] { makePaper(*output, context); }; });
+  const Command command =
+      program.addCommand("paper", "Make the tables and figures of the paper again, some minutes' work");
+  addOutput(command, *output, "folder for report.html, paper.json and the pictures");
+  command.onRead([output, &context] { context.command = [output, &context] { makePaper(*output, context); }; });
 }
 
 }  // namespace hemitex::cli

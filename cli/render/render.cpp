@@ -166,15 +166,13 @@ void render(const RenderOptions& options, Context& context) {
 
 }  // namespace
 
-void addRender(CLI::App& program, Context& context) {
+void addRender(Command program, Context& context) {
   const auto options = std::make_shared<RenderOptions>();
   options->show = radiosityView;
-  CLI::App* command = program.add_subcommand("render", "Draw a picture of a scene, solved or not");
-  addSceneOptions(*command, options->scene);
-  addOutput(*command, options->output, "the picture, a PNG file")->check([](const std::string& name) {
-    return std::filesystem::path(name).extension() == ".png" ? "" : "the name of the picture has to end in .png";
-  });
-  addChoice<View>(*command, "--show", options->show,
+  const Command command = program.addCommand("render", "Draw a picture of a scene, solved or not");
+  addSceneOptions(command, options->scene);
+  addOutput(command, options->output, "the picture, a PNG file");
+  addChoice<View>(command, "--show", options->show,
                   {{"radiosity", radiosityView},
                    {"elements", elementView},
                    {"ids", idView<radiosity::idPicture>},
@@ -187,16 +185,17 @@ void addRender(CLI::App& program, Context& context) {
                    {"tetrahedron", projectionView<radiosity::ProjectionKind::CubicTetrahedron>},
                    {"map", indexMapView}},
                   "what the picture shows (default radiosity)");
-  addChoice<bool>(*command, "--discretize", options->mesh, {{"texture", false}, {"mesh", true}},
+  addChoice<bool>(command, "--discretize", options->mesh, {{"texture", false}, {"mesh", true}},
                   "with --show wireframe: the polygons, or the mesh that regular meshing would make");
-  command->add_option("--from", options->from, "where the projection stands (default: the first surface that emits)")
-      ->type_name("SURFACE[:COL,ROW]");
-  addResolution(*command, options->resolution);
-  addCameraOptions(*command, options->camera);
-  addDiscretizationOptions(*command, options->discretization);
-  addIdOptions(*command, options->id);
-  command->callback([options, command, &context] {
-    for (const char* name : {"--texels", "--texel-size", "--surface"}) options->gridsGiven |= command->count(name) > 0;
+  command.addText("--from", "SURFACE[:COL,ROW]", "where the projection stands (default: the first surface that emits)",
+                  [options](const std::string& text) { options->from = text; });
+  addResolution(command, options->resolution);
+  addCameraOptions(command, options->camera);
+  addDiscretizationOptions(command, options->discretization);
+  addIdOptions(command, options->id);
+  command.onRead([options, command, &context] {
+    if (options->output.extension() != ".png") usageError("--output", "the name of the picture has to end in .png");
+    for (const char* name : {"--texels", "--texel-size", "--surface"}) options->gridsGiven |= command.isGiven(name);
     context.command = [options, &context] { render(*options, context); };
   });
 }

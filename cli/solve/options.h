@@ -31,11 +31,11 @@ struct SolveOptions {
 };
 
 /// `options` outlives the line of the program.
-void addSolveOptions(CLI::App& command, SolveOptions& options);
+void addSolveOptions(Command command, SolveOptions& options);
 
 /// What can only be said when the whole line is read: which projection draws, and what has no use beside what else was
-/// given. Throws CLI::ValidationError.
-void completeOptions(const CLI::App& command, SolveOptions& options);
+/// given. Throws a usage error.
+void completeOptions(Command command, SolveOptions& options);
 
 bool usesRays(const SolveOptions& options);
 

@@ -122,12 +122,12 @@ void solve(SolveOptions asked, Context& context) {
 
 }  // namespace
 
-void addSolve(CLI::App& program, Context& context) {
+void addSolve(Command program, Context& context) {
   const auto options = std::make_shared<SolveOptions>();
-  CLI::App* command = program.add_subcommand("solve", "Light a scene by progressive radiosity");
-  addSolveOptions(*command, *options);
-  command->callback([options, command, &context] {
-    completeOptions(*command, *options);
+  const Command command = program.addCommand("solve", "Light a scene by progressive radiosity");
+  addSolveOptions(command, *options);
+  command.onRead([options, command, &context] {
+    completeOptions(command, *options);
     context.command = [options, &context] { solve(*options, context); };
   });
 }

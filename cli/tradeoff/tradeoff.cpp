@@ -48,8 +48,7 @@ void requireDivisors(const std::vector<int>& texels) {
   const int finest = *std::max_element(texels.begin(), texels.end());
   for (const int number : texels)
     if (finest % number != 0)
-      throw CLI::ValidationError("--texels",
-                                 std::to_string(number) + " does not divide the finest, " + std::to_string(finest));
+      usageError("--texels", std::to_string(number) + " does not divide the finest, " + std::to_string(finest));
 }
 
 /// `NAME`, or `NAME=N,N,...` with settings.
@@ -63,11 +62,11 @@ reference::TradeMethod methodOption(const std::string& text, const std::vector<r
     method.measured = integersOption("--method", text.substr(name.size() + 1), method.least, method.most);
     for (const int setting : method.measured)
       if (!std::has_single_bit(static_cast<unsigned>(setting)))
-        throw CLI::ValidationError("--method", std::to_string(setting) + " is not a power of two");
+        usageError("--method", std::to_string(setting) + " is not a power of two");
     std::sort(method.measured.begin(), method.measured.end());
     return method;
   }
-  throw CLI::ValidationError("--method", "`" + name + "` is none of " + names);
+  usageError("--method", "`" + name + "` is none of " + names);
 }
 
 ordered_json settingsJson(const TradeoffOptions& options) {
@@ -154,40 +153,32 @@ void measure(const TradeoffOptions& options, Context& context) {
 
 }  // namespace
 
-void addTradeoff(CLI::App& program, Context& context) {
+void addTradeoff(Command program, Context& context) {
   const auto options = std::make_shared<TradeoffOptions>();
-  CLI::App* command = program.add_subcommand("tradeoff", "Measure what accuracy costs: every method against the truth");
-  addSceneOptions(*command, options->scene);
-  addOutput(*command, options->output, "folder for tradeoff.json, tradeoff.csv and report.html");
+  const Command command = program.addCommand("tradeoff", "Measure what accuracy costs: every method against the truth");
+  addSceneOptions(command, options->scene);
+  addOutput(command, options->output, "folder for tradeoff.json, tradeoff.csv and report.html");
   const auto readTexels = [options](const std::string& text) {
     options->texels = integersOption("--texels", text, 1, maxTexels);
     requireDivisors(options->texels);
   };
-  command
-      ->add_option_function<std::string>("--texels", readTexels,
-                                         "texels along a surface's side: first those on which all settings are "
-                                         "measured; the finest are the truth's (default 16,8,4)")
-      ->type_name("N,N,...");
+  command.addText("--texels", "N,N,...",
+                  "texels along a surface's side: first those on which all settings are "
+                  "measured; the finest are the truth's (default 16,8,4)",
+                  readTexels);
   const auto readPatches = [options](const std::string& text) {
     options->patches = integersOption("--patch", text, 1, maxTexels);
   };
-  command
-      ->add_option_function<std::string>("--patch", readPatches,
-                                         "elements along a patch's side, likewise (default 4,1,2,8)")
-      ->type_name("N,N,...");
+  command.addText("--patch", "N,N,...", "elements along a patch's side, likewise (default 4,1,2,8)", readPatches);
   const auto readMethods = [options](const std::vector<std::string>& texts) {
     std::vector<reference::TradeMethod> methods;
     for (const std::string& text : texts) methods.push_back(methodOption(text, reference::tradeMethods()));
     options->methods = std::move(methods);
   };
-  command
-      ->add_option_function<std::vector<std::string>>("--method", readMethods,
-                                                      "a method, and its settings (repeatable; default: all)")
-      ->allow_extra_args(false)
-      ->type_name("NAME[=N,...]");
-  addInteger(*command, "--samples", options->samples, 128, 1 << 20,
+  command.addTexts("--method", "NAME[=N,...]", "a method, and its settings (repeatable; default: all)", readMethods);
+  addInteger(command, "--samples", options->samples, 128, 1 << 20,
              "rays of the truth an element, on average (default 16384)");
-  command->callback([options, &context] { context.command = [options, &context] { measure(*options, context); }; });
+  command.onRead([options, &context] { context.command = [options, &context] { measure(*options, context); }; });
 }
 
 }  // namespace hemitex::cli

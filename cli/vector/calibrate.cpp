@@ -79,19 +79,19 @@ void calibrateDevice(const CalibrateOptions& options, Context& context) {
 
 }  // namespace
 
-void addVectorCalibrate(CLI::App& vector, Context& context) {
+void addVectorCalibrate(Command vector, Context& context) {
   const auto options = std::make_shared<CalibrateOptions>();
-  CLI::App* command = vector.add_subcommand("calibrate", "Measure the profile of a device, for vector check --profile");
-  CLI::Option* probes = command->add_option("--probes", options->probes, "write the probing vectors into this folder");
-  CLI::Option* folder = command->add_option("DIR", options->vectors, "folder of the probing vectors");
-  CLI::Option* candidate = command->add_option("--candidate", options->candidate, "folder with the device's item IDs");
-  CLI::Option* output = addOutput(*command, options->output, "the profile, as JSON")->required(false);
-  folder->needs(candidate, output)->excludes(probes);
-  candidate->needs(folder);
-  output->needs(folder);
-  command->callback([options, &context] {
+  const Command command = vector.addCommand("calibrate", "Measure the profile of a device, for vector check --profile");
+  const Option probes = command.addPath("--probes", options->probes, "write the probing vectors into this folder");
+  const Option folder = command.addPath("DIR", options->vectors, "folder of the probing vectors");
+  const Option candidate = command.addPath("--candidate", options->candidate, "folder with the device's item IDs");
+  const Option output = command.addPath("-o,--output", options->output, "the profile, as JSON");
+  folder.needs(candidate).needs(output).excludes(probes);
+  candidate.needs(folder);
+  output.needs(folder);
+  command.onRead([options, &context] {
     if (options->probes.empty() && options->vectors.empty())
-      throw CLI::ValidationError("calibrate", "give --probes FOLDER, or DIR with --candidate and -o");
+      usageError("calibrate", "give --probes FOLDER, or DIR with --candidate and -o");
     context.command = [options, &context] {
       if (options->vectors.empty())
         writeProbes(options->probes, context);

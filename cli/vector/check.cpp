@@ -140,26 +140,25 @@ void check(const CheckOptions& options, Context& context) {
 
 }  // namespace
 
-void addVectorCheck(CLI::App& vector, Context& context) {
+void addVectorCheck(Command vector, Context& context) {
   const auto options = std::make_shared<CheckOptions>();
-  CLI::App* command =
-      vector.add_subcommand("check", "Judge a device's item IDs: exact, explained, or an error (exit 1)");
-  command->add_option("DIR", options->vector, "folder of the vector, or of a suite of vectors")->required();
+  const Command command =
+      vector.addCommand("check", "Judge a device's item IDs: exact, explained, or an error (exit 1)");
+  command.addPath("DIR", options->vector, "folder of the vector, or of a suite of vectors").required();
   command
-      ->add_option("--candidate", options->candidate,
-                   "folder with the device's item IDs; for a suite, one folder per vector")
-      ->required();
-  command->add_option("--profile", options->profile,
-                      "allowed deviations of the device, as JSON (default: a Vulkan device)");
-  command->add_flag("--exact", options->isExact,
-                    "evaluate the rules in rational arithmetic, independently of the reference (slow)");
-  command->add_option("--junit", options->junit, "JUnit XML file: one test suite per vector, one test case per face");
-  command->add_option("--diff", options->picture,
-                      "PNG with expected, found and verdict side by side; for a suite, of its first failing vector");
-  command->add_option(
-      "--minimize", options->minimal,
-      "folder for one failing pixel with the fewest triangles; for a suite, of its first failing vector");
-  command->callback([options, &context] { context.command = [options, &context] { check(*options, context); }; });
+      .addPath("--candidate", options->candidate,
+               "folder with the device's item IDs; for a suite, one folder per vector")
+      .required();
+  command.addPath("--profile", options->profile,
+                  "allowed deviations of the device, as JSON (default: a Vulkan device)");
+  command.addFlag("--exact", options->isExact,
+                  "evaluate the rules in rational arithmetic, independently of the reference (slow)");
+  command.addPath("--junit", options->junit, "JUnit XML file: one test suite per vector, one test case per face");
+  command.addPath("--diff", options->picture,
+                  "PNG with expected, found and verdict side by side; for a suite, of its first failing vector");
+  command.addPath("--minimize", options->minimal,
+                  "folder for one failing pixel with the fewest triangles; for a suite, of its first failing vector");
+  command.onRead([options, &context] { context.command = [options, &context] { check(*options, context); }; });
 }
 
 }  // namespace hemitex::cli

@@ -30,7 +30,7 @@ Pixel pixelOption(const std::string& text) {
     const std::optional<int> row = parseInteger(text.substr(second + 1));
     if (column && row) return {text.substr(0, first), *column, *row};
   }
-  throw CLI::ValidationError("--pixel", "`" + text + "` is not FACE,COLUMN,ROW");
+  usageError("--pixel", "`" + text + "` is not FACE,COLUMN,ROW");
 }
 
 const reference::VectorFace& faceOf(const reference::TestVector& vector, const Pixel& pixel) {
@@ -101,19 +101,17 @@ void explain(const std::filesystem::path& folder, const Pixel& pixel, const Cont
 
 }  // namespace
 
-void addVectorExplain(CLI::App& vector, Context& context) {
+void addVectorExplain(Command vector, Context& context) {
   struct Options {
     std::filesystem::path folder;
     Pixel pixel;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* command = vector.add_subcommand("explain", "Derive the item ID of one pixel by the rules");
-  command->add_option("DIR", options->folder, "folder of the vector")->required();
+  const Command command = vector.addCommand("explain", "Derive the item ID of one pixel by the rules");
+  command.addPath("DIR", options->folder, "folder of the vector").required();
   const auto read = [options](const std::string& text) { options->pixel = pixelOption(text); };
-  command->add_option_function<std::string>("--pixel", read, "pixel of the viewport")
-      ->required()
-      ->type_name("FACE,COLUMN,ROW");
-  command->callback([options, &context] {
+  command.addText("--pixel", "FACE,COLUMN,ROW", "pixel of the viewport", read).required();
+  command.onRead([options, &context] {
     context.command = [options, &context] { explain(options->folder, options->pixel, context); };
   });
 }

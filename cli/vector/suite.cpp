@@ -38,11 +38,11 @@ void writeSuite(const filesystem::path& output, const Context& context) {
 
 }  // namespace
 
-void addVectorSuite(CLI::App& vector, Context& context) {
+void addVectorSuite(Command vector, Context& context) {
   const auto output = std::make_shared<filesystem::path>();
-  CLI::App* command = vector.add_subcommand("suite", "Write every test vector of the suite, one folder each");
-  addOutput(*command, *output, "folder for the vectors");
-  command->callback([output, &context] { context.command = [output, &context] { writeSuite(*output, context); }; });
+  const Command command = vector.addCommand("suite", "Write every test vector of the suite, one folder each");
+  addOutput(command, *output, "folder for the vectors");
+  command.onRead([output, &context] { context.command = [output, &context] { writeSuite(*output, context); }; });
 }
 
 }  // namespace hemitex::cli

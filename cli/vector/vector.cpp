@@ -105,55 +105,54 @@ void renderVector(const RenderOptions& options, const Context& context) {
   printFaces(vector, context);
 }
 
-void addStages(CLI::App& command, bool& stages) {
-  command.add_flag("--stages", stages,
-                   "also write the intermediate results between vertices and item IDs (stages.json)");
+void addStages(Command command, bool& stages) {
+  command.addFlag("--stages", stages,
+                  "also write the intermediate results between vertices and item IDs (stages.json)");
 }
 
-void addExport(CLI::App& parent, Context& context) {
+void addExport(Command parent, Context& context) {
   const auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = parent.add_subcommand("export", "Write a scene and the faces of a hemicube as a test vector");
-  addSceneOptions(*command, options->scene);
-  addVectorOption(*command, "--eye", options->eye, "eye of the hemicube")->required();
-  addVectorOption(*command, "--normal", options->normal, "direction of the top face")->required();
-  addVectorOption(*command, "--up", options->up, "up direction of the top face");
-  addResolution(*command, options->resolution);
-  addPositive(*command, "--near", options->nearDistance, std::numeric_limits<float>::max(),
+  const Command command = parent.addCommand("export", "Write a scene and the faces of a hemicube as a test vector");
+  addSceneOptions(command, options->scene);
+  addVectorOption(command, "--eye", options->eye, "eye of the hemicube").required();
+  addVectorOption(command, "--normal", options->normal, "direction of the top face").required();
+  addVectorOption(command, "--up", options->up, "up direction of the top face");
+  addResolution(command, options->resolution);
+  addPositive(command, "--near", options->nearDistance, std::numeric_limits<float>::max(),
               "near distance (default: one that clips no triangle)");
-  command->add_option("--name", options->name, "name of the vector (default: that of the scene)");
-  addDiscretizationOptions(*command, options->discretization);
-  addIdOptions(*command, options->id);
-  addStages(*command, options->stages);
-  addOutput(*command, options->output, "folder for the vector");
-  command->callback(
-      [options, &context] { context.command = [options, &context] { exportVector(*options, context); }; });
+  command.addText("--name", "TEXT", "name of the vector (default: that of the scene)",
+                  [options](const std::string& text) { options->name = text; });
+  addDiscretizationOptions(command, options->discretization);
+  addIdOptions(command, options->id);
+  addStages(command, options->stages);
+  addOutput(command, options->output, "folder for the vector");
+  command.onRead([options, &context] { context.command = [options, &context] { exportVector(*options, context); }; });
 }
 
-void addRenderVector(CLI::App& parent, Context& context) {
+void addRenderVector(Command parent, Context& context) {
   const auto options = std::make_shared<RenderOptions>();
-  CLI::App* command = parent.add_subcommand("render", "Draw a test vector: its item IDs and their hashes");
-  command->add_option("DIR", options->input, "folder of the vector")->required();
-  addChoice<Device>(*command, "--device", options->device,
+  const Command command = parent.addCommand("render", "Draw a test vector: its item IDs and their hashes");
+  command.addPath("DIR", options->input, "folder of the vector").required();
+  addChoice<Device>(command, "--device", options->device,
                     {{"software", Device::Software},
                      {"opengl", Device::OpenGl},
                      {"opengl-fixed-function", Device::OpenGlFixedFunction}},
                     "renderer (default: software, which follows the rules)");
-  addStages(*command, options->stages);
-  addOutput(*command, options->output, "folder for the vector with its item IDs; may be the same");
-  command->callback(
-      [options, &context] { context.command = [options, &context] { renderVector(*options, context); }; });
+  addStages(command, options->stages);
+  addOutput(command, options->output, "folder for the vector with its item IDs; may be the same");
+  command.onRead([options, &context] { context.command = [options, &context] { renderVector(*options, context); }; });
 }
 
 }  // namespace
 
-void addVector(CLI::App& program, Context& context) {
-  CLI::App* command = program.add_subcommand("vector", "Test vectors for rasterizer backends");
-  addExport(*command, context);
-  addRenderVector(*command, context);
-  addVectorSuite(*command, context);
-  addVectorCheck(*command, context);
-  addVectorExplain(*command, context);
-  addVectorCalibrate(*command, context);
+void addVector(Command program, Context& context) {
+  const Command command = program.addCommand("vector", "Test vectors for rasterizer backends");
+  addExport(command, context);
+  addRenderVector(command, context);
+  addVectorSuite(command, context);
+  addVectorCheck(command, context);
+  addVectorExplain(command, context);
+  addVectorCalibrate(command, context);
 }
 
 }  // namespace hemitex::cli
