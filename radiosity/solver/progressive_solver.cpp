@@ -32,10 +32,11 @@ std::vector<std::string> warningsOf(const Energy& energy) {
   const double lostToBacks = emitted > 0 ? bandSum(energy.lostToBacks) / emitted : 0;
   if (!(lostToBacks > maxLostToBacks)) return {};
   const int tenths = static_cast<int>(lostToBacks * 1000 + 0.5);
-  return {std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) +
-          " % of the emitted flux was absorbed by the backs of faces, which are in view of lit surfaces: either a face "
-          "is wound clockwise as seen from its lit side, or a surface is a single sheet that is seen from both sides, "
-          "which --two-sided lights on both"};
+  return {
+      std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) +
+      " % of the emitted flux was absorbed by the backs of faces, which lit surfaces see. Either a face is "
+      "wound clockwise as seen from its lit side, or light reaches both sides of a single sheet. Turn the face over, "
+      "or give each side a surface of its own"};
 }
 
 /// All emitted flux over the flux of a patch of weight 1.

@@ -20,7 +20,7 @@ void requireFewElements(const radiosity::Discretization& discretization) {
   if (count > maxTrueElements)
     throw raster::InputError("the scene has " + std::to_string(count) + " elements, and the truth is found for " +
                                  std::to_string(maxTrueElements) + " at most",
-                             "use fewer texels (--texels)");
+                             "use fewer texels");
 }
 
 /// The flux that arrives at each element, from the flux that leaves each.
