@@ -1,6 +1,6 @@
-/// hemitex, the program: radiosity on the command line. Results go to stdout, everything else to stderr; the exit code
-/// is 0 where all went well, 1 where a comparison failed, 2 where the input or the usage is wrong, 3 where the fault is
-/// ours.
+/// The program hemitex: reads the command line and runs a command. Results go to stdout, messages to stderr. The exit
+/// code is 0 if the command is done, 1 if a comparison failed, 2 if the input or the usage is wrong, and 3 for an
+/// internal error.
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdlib>
@@ -19,26 +19,29 @@ constexpr int comparisonFailed = 1;
 constexpr int badInput = 2;
 constexpr int ourFault = 3;
 constexpr int maxThreads = 4096;
-const std::string advice = "Run hemitex --help, or hemitex COMMAND --help.";
+const std::string advice = "Run `hemitex --help` or `hemitex COMMAND --help` for the options.";
 
 void addGlobalOptions(CLI::App& program, cli::Context& context) {
   using cli::Verbosity;
   const auto setVerbosity = [&context](Verbosity verbosity) {
     return [&context, verbosity] { context.console.verbosity = verbosity; };
   };
-  CLI::Option* quiet = program.add_flag_callback("-q,--quiet", setVerbosity(Verbosity::Quiet), "say errors only");
-  program.add_flag_callback("-v,--verbose", setVerbosity(Verbosity::Verbose), "say more")->excludes(quiet);
+  CLI::Option* quiet = program.add_flag_callback("-q,--quiet", setVerbosity(Verbosity::Quiet), "print errors only");
+  program.add_flag_callback("-v,--verbose", setVerbosity(Verbosity::Verbose), "print details of the run")
+      ->excludes(quiet);
   program.add_flag("--json", context.json, "print one JSON object instead of text");
   cli::addInteger(cli::Command(program), "--threads", context.threads, 0, maxThreads,
-                  "threads at most (default 0: all cores)");
+                  "maximum number of threads; 0 means all cores (default 0)");
   program.set_version_flag("--version", "hemitex " HEMITEX_VERSION);
 }
 
-/// Reads the line and does what it says.
+/// Reads the command line, runs its command and returns the exit code.
 int run(int argc, char** argv, cli::Context& context) {
-  CLI::App program("Texture-based hemicube radiosity: an OBJ scene goes in, a lit scene comes out.", "hemitex");
+  CLI::App program(
+      "hemitex computes the light of an OBJ scene by radiosity and writes the scene with its light in textures.",
+      "hemitex");
   program.fallthrough();
-  program.footer("Every command takes -q, -v, --json, --threads N, --help and --version, before or after its name.");
+  program.footer("The options -q, -v, --json, --threads N, --help and --version work before and after every command.");
   addGlobalOptions(program, context);
   const cli::Command commands(program);
   cli::addSolve(commands, context);
@@ -57,19 +60,20 @@ int run(int argc, char** argv, cli::Context& context) {
     return badInput;
   }
   if (!context.command) {
-    context.console.error("a command is needed\n" + advice);
+    context.console.error("no command is given\n" + advice);
     return badInput;
   }
   const raster::ThreadLimit limit(context.threads);
   context.command();
-  if (!std::cout.flush()) throw raster::InputError("standard output cannot be written");
+  if (!std::cout.flush())
+    throw raster::InputError("standard output cannot be written; check the disk or the pipe that it goes to");
   return context.failed ? comparisonFailed : 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGABRT, [](int) { std::_Exit(ourFault); });  // an assertion that failed
+  std::signal(SIGABRT, [](int) { std::_Exit(ourFault); });  // raised by a failed assertion
   cli::Context context;
   try {
     return run(argc, argv, context);
@@ -80,9 +84,10 @@ int main(int argc, char** argv) {
     context.console.error(error.what());
     return badInput;
   } catch (const std::bad_alloc&) {
-    context.console.error("out of memory; try fewer texels (--texels) or a smaller --row-cache");
+    context.console.error("out of memory; use fewer texels (--texels) or a smaller --row-cache");
   } catch (const std::exception& error) {
-    context.console.error(std::string("this is a fault of hemitex, not of the input: ") + error.what());
+    context.console.error(std::string("internal error of hemitex; please report it with the command line: ") +
+                          error.what());
   }
   return ourFault;
 }

@@ -12,7 +12,7 @@
 namespace hemitex::cli {
 namespace {
 
-/// Pictures are sampled 2 x 2 a pixel, and a view has at most 4096 samples a side.
+/// Pictures have 2 x 2 samples per pixel, and a view has at most 4096 samples per side.
 constexpr int largestSide = 2048;
 
 std::filesystem::path viewFileOf(const std::filesystem::path& sceneFile) {
@@ -25,7 +25,7 @@ std::optional<glm::dvec3> vectorAt(const nlohmann::json& view, const std::string
   return glm::dvec3(values[0], values[1], values[2]);
 }
 
-/// What a view file says, as if it stood on the command line; nothing where there is no such file.
+/// The camera options of a view file; empty options if the file does not exist.
 CameraOptions readViewFile(const std::filesystem::path& file) {
   CameraOptions view;
   const std::optional<std::string> text = raster::tryReadFile(file);
@@ -37,7 +37,7 @@ CameraOptions readViewFile(const std::filesystem::path& file) {
     view.up = vectorAt(json, "up");
     if (json.contains("fov")) view.fov = json.at("fov").get<double>();
   } catch (const nlohmann::json::exception& error) {
-    throw raster::InputError(file.string(), 0, std::string("is no view: ") + error.what(),
+    throw raster::InputError(file.string(), 0, std::string("is not a valid view: ") + error.what(),
                              "write {\"eye\": [x,y,z], \"look_at\": [x,y,z], \"up\": [x,y,z], \"fov\": degrees}");
   }
   return view;
@@ -48,19 +48,23 @@ CameraOptions readViewFile(const std::filesystem::path& file) {
 void addCameraOptions(Command command, CameraOptions& options) {
   addVectorOption(
       command, "--eye", options.eye,
-      "where the camera stands (default: as SCENE.view.json says, else a view of the whole room or object)");
-  addVectorOption(command, "--look-at", options.lookAt, "a point in the middle of the picture");
-  addVectorOption(command, "--up", options.up, "what is up in the picture");
-  addPositive(command, "--fov", options.fov, 180.0, "vertical field of view in degrees");
+      "position of the camera (default: from SCENE.view.json, else a position that shows most of the scene)");
+  addVectorOption(command, "--look-at", options.lookAt,
+                  "point that is shown in the middle of the picture (default: as for --eye)");
+  addVectorOption(command, "--up", options.up,
+                  "direction that points up in the picture (default: from SCENE.view.json, else the y axis)");
+  addPositive(command, "--fov", options.fov, 180.0,
+              "vertical field of view in degrees (default: from SCENE.view.json, else 50)");
   const auto readSize = [&options](const std::string& text) {
     const std::size_t cross = text.find('x');
-    if (cross == std::string::npos) usageError("--size", "`" + text + "` is not WxH");
+    if (cross == std::string::npos) usageError("--size", "`" + text + "` is not WIDTHxHEIGHT, such as 800x600");
     options.width = integerOption("--size", text.substr(0, cross), 1, largestSide);
     options.height = integerOption("--size", text.substr(cross + 1), 1, largestSide);
   };
-  command.addText("--size", "WxH", "of the picture in pixels (default 800x600)", readSize);
-  addPositive(command, "--exposure", options.exposure, std::numeric_limits<double>::infinity(),
-              "factor on radiosity (default: the mean of what does not emit shows as 0.18)");
+  command.addText("--size", "WxH", "width and height of the picture in pixels (default 800x600)", readSize);
+  addPositive(
+      command, "--exposure", options.exposure, std::numeric_limits<double>::infinity(),
+      "factor from radiosity to brightness (default: shows the mean radiosity of surfaces without emission as 0.18)");
 }
 
 radiosity::Camera cameraOf(const CameraOptions& options, const radiosity::Scene& scene,
@@ -73,7 +77,7 @@ radiosity::Camera cameraOf(const CameraOptions& options, const radiosity::Scene&
   camera.lookAt = lookAt.value_or(camera.lookAt);
   camera.up = options.up.value_or(view.up.value_or(camera.up));
   camera.fov = options.fov.value_or(view.fov.value_or(camera.fov));
-  radiosity::cameraFace(scene, camera, options.width, options.height);  // throws where the camera is no camera
+  radiosity::cameraFace(scene, camera, options.width, options.height);  // throws if the camera is invalid
   return camera;
 }
 

@@ -1,5 +1,6 @@
-/// The camera of pictures: given on the command line, else in the file SCENE.view.json beside the scene, else one that
-/// sees most of the scene; each of eye, look_at, up and fov on its own.
+/// The camera of pictures. Each of eye, look_at, up and fov comes from the command line, else from the file
+/// SCENE.view.json beside the scene. If the eye or look_at is still missing, a camera that shows most of the scene is
+/// chosen.
 #pragma once
 
 #include <filesystem>
@@ -16,17 +17,18 @@ namespace hemitex::cli {
 struct CameraOptions {
   std::optional<glm::dvec3> eye, lookAt, up;
   std::optional<double> fov;  ///< degrees, in (0, 180)
-  int width = 800;            ///< of the picture, in pixels
+  int width = 800;            ///< of the picture in pixels
   int height = 600;
   std::optional<double> exposure;
 };
 void addCameraOptions(Command command, CameraOptions& options);
 
-/// Throws InputError where the view file is malformed, or the camera has no direction.
+/// The camera for a scene and the options. Throws InputError if the view file is malformed or the camera has no
+/// direction.
 radiosity::Camera cameraOf(const CameraOptions& options, const radiosity::Scene& scene,
                            const std::filesystem::path& sceneFile);
 
-/// The camera as a view file holds it.
+/// The camera in the format of a view file.
 nlohmann::ordered_json toJson(const radiosity::Camera& camera);
 
 }  // namespace hemitex::cli

@@ -22,7 +22,7 @@ Option Command::addText(const std::string& name, const std::string& type, const 
 Option Command::addTexts(const std::string& name, const std::string& type, const std::string& help,
                          const std::function<void(const std::vector<std::string>&)>& read) const {
   CLI::Option* const option = app_->add_option_function<std::vector<std::string>>(name, read, help);
-  // An option takes one value each time, so that a positional argument may follow.
+  // Each use of an option takes one value, so that a positional argument may follow.
   if (name.starts_with('-')) option->allow_extra_args(false);
   return Option(*option->type_name(type));
 }

@@ -14,7 +14,7 @@ class Option;
 
 namespace hemitex::cli {
 
-/// The user's fault in the value of an option, or in what goes with it: exit code 2. Throws CLI::ValidationError.
+/// Reports a wrong value or combination of options; the program exits with code 2. Throws CLI::ValidationError.
 [[noreturn]] void usageError(const std::string& option, const std::string& problem);
 
 /// A handle to an option of a command.
@@ -23,9 +23,9 @@ class Option {
   explicit Option(CLI::Option& option) : option_(&option) {}
 
   Option required() const;
-  /// Only one of the two may be given.
+  /// At most one of the two options may be given.
   Option excludes(Option other) const;
-  /// May be given only with the other.
+  /// This option may be given only together with the other.
   Option needs(Option other) const;
 
  private:
@@ -39,23 +39,23 @@ class Command {
 
   Command addCommand(const std::string& name, const std::string& help) const;
 
-  /// An option with a value; `type` names the value in the help text. `read` gets the value, or throws by usageError.
-  /// A name without a dash is that of a positional argument.
+  /// Adds an option with a value; `type` names the value in the help text. `read` gets the value and calls usageError
+  /// if it is wrong. A name without a dash declares a positional argument.
   Option addText(const std::string& name, const std::string& type, const std::string& help,
                  const std::function<void(const std::string&)>& read) const;
-  /// The same, repeatable: `read` gets all values.
+  /// Adds a repeatable option; `read` gets all values.
   Option addTexts(const std::string& name, const std::string& type, const std::string& help,
                   const std::function<void(const std::vector<std::string>&)>& read) const;
   Option addPath(const std::string& name, std::filesystem::path& target, const std::string& help) const;
-  /// An option without a value. `action` is called when it is given.
+  /// Adds an option without a value; if it is given, `action` is called.
   Option addFlag(const std::string& name, const std::string& help, const std::function<void()>& action) const;
   Option addFlag(const std::string& name, bool& target, const std::string& help) const;
 
-  /// An option that was added before.
+  /// An option that this command already has.
   Option option(const std::string& name) const;
-  /// Whether an option was given, once the command line is read.
+  /// Whether an option was given; valid after the command line is read.
   bool isGiven(const std::string& name) const;
-  /// Calls `action` when the command line is read and holds the command.
+  /// Sets the function that is called after the command line is read, if it contains this command.
   void onRead(const std::function<void()>& action) const;
 
  private:

@@ -1,11 +1,11 @@
-/// The commands of the program, one file each: what the command line holds, what is called, what is printed.
+/// Declares the commands of the program. Each has its own file, with its options, calls and output.
 #pragma once
 
 #include "cli/common/options.h"
 
 namespace hemitex::cli {
 
-/// Each adds its command to the program. `context` outlives the program's line.
+/// Each function adds one command to the program. `context` must outlive the program.
 void addSolve(Command program, Context& context);
 void addRender(Command program, Context& context);
 void addFormFactors(Command program, Context& context);
@@ -13,7 +13,7 @@ void addTradeoff(Command program, Context& context);
 void addPaper(Command program, Context& context);
 void addBench(Command program, Context& context);
 void addVector(Command program, Context& context);
-/// Commands of `vector`.
+/// Subcommands of `vector`.
 void addVectorSuite(Command vector, Context& context);
 void addVectorCheck(Command vector, Context& context);
 void addVectorExplain(Command vector, Context& context);

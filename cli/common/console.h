@@ -1,4 +1,4 @@
-/// What the program says besides its results: messages and progress, all on stderr, so that stdout can be piped.
+/// Messages and progress of the program. All go to stderr, so that stdout holds only results and can be piped.
 #pragma once
 
 #include <chrono>
@@ -9,28 +9,28 @@ namespace hemitex::cli {
 
 enum class Verbosity {
   Quiet,    ///< errors only
-  Normal,   ///< warnings and what was done
-  Verbose,  ///< how it was done as well
+  Normal,   ///< errors, warnings and messages
+  Verbose,  ///< also details
 };
 
 class Console {
  public:
   Verbosity verbosity = Verbosity::Normal;
 
-  /// Errors are shown at any verbosity, warnings and messages unless quiet, details only when verbose.
+  /// Prints a line, if the verbosity allows it.
   void error(const std::string& text);
   void warning(const std::string& text);
   void warnings(const std::vector<std::string>& texts);
   void message(const std::string& text);
   void detail(const std::string& text);
 
-  /// Every warning so far, shown or not.
+  /// All warnings so far, printed or not.
   const std::vector<std::string>& given() const { return given_; }
 
-  /// A bar of `fraction` in [0, 1] with a text behind it; only where stderr is a terminal, and not faster than it
-  /// can be read. The next message wipes it.
+  /// Shows a progress bar of `fraction` in [0, 1] with a text, only if stderr is a terminal. The bar changes at most
+  /// every 0.1 s. The next message removes it.
   void progress(double fraction, const std::string& text);
-  /// Wipes the bar.
+  /// Removes the bar.
   void endProgress();
 
  private:

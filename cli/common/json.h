@@ -1,5 +1,5 @@
-/// JSON as the program writes it: keys in the order they were given, numbers that read back to the same bits, and names
-/// that are not UTF-8 mended instead of refused.
+/// JSON output. Keys keep their order, and numbers read back to the same bits. Bytes of names that are not valid UTF-8
+/// are replaced.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,7 +10,7 @@ namespace hemitex::cli {
 
 inline nlohmann::ordered_json toJson(const glm::dvec3& value) { return {value.x, value.y, value.z}; }
 
-/// The list of what `make` makes of each item.
+/// The JSON list of `make(item)` for each item.
 template <typename List, typename Make>
 nlohmann::ordered_json listOf(const List& list, const Make& make) {
   nlohmann::ordered_json result = nlohmann::ordered_json::array();

@@ -1,5 +1,5 @@
-/// Numbers as text. They are written as the shortest decimals that read back to the same bits, and read
-/// strictly: the whole text, finite, without a locale.
+/// Conversion between numbers and text, independent of the locale. Files get the shortest decimals that read back to
+/// the same bits; people get four significant digits.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,20 +9,20 @@
 
 namespace hemitex::cli {
 
-/// The finite number that `text` is, all of it; nothing for anything else (`nan`, `1e999`, `3 `, `0x1`).
+/// Reads a finite number. The whole text must be the number; nothing for `nan`, `1e999`, `3 ` or `0x1`.
 std::optional<double> parseNumber(std::string_view text);
-/// The same for a whole number that an int holds.
+/// Reads an integer in the range of int; nothing for any other text.
 std::optional<int> parseInteger(std::string_view text);
-/// `x,y,z`: exactly three finite numbers.
+/// Reads `x,y,z`, exactly three finite numbers; nothing for any other text.
 std::optional<glm::dvec3> parseVector(std::string_view text);
 
 /// The shortest decimal that reads back to the same number.
 std::string toText(double value);
 std::string toText(float value);
 
-/// A number for people: four significant digits.
+/// A number with four significant digits, for people.
 std::string roundedText(double value);
-/// A share of 1 for people: four significant digits, in percent.
+/// A share of 1 in percent with four significant digits, for people.
 std::string percentText(double share);
 
 }  // namespace hemitex::cli

@@ -5,7 +5,7 @@
 
 namespace hemitex::cli {
 
-/// Whether it is there an empty list tells.
+/// Tests the device with an empty draw list, because an OpenGL context is made only for a renderer.
 radiosity::RendererFactory openGlRenderers(Console& console, const std::string& without) {
   const auto make = [](const raster::DrawList& list) { return makeRenderer(list, Device::OpenGl); };
   try {

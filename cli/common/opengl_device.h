@@ -1,4 +1,4 @@
-/// OpenGL as one of several devices: commands that compare devices do without it where it is not there.
+/// OpenGL renderers for commands that compare devices and also work without OpenGL.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace hemitex::cli {
 
-/// Makes OpenGL renderers. Empty where there is no device; a message then says why, behind what there will not be.
+/// A function that makes OpenGL renderers. If there is no OpenGL device, prints `without` and the reason, and returns
+/// an empty function.
 radiosity::RendererFactory openGlRenderers(Console& console, const std::string& without);
 
 }  // namespace hemitex::cli

@@ -28,7 +28,7 @@ int integerOption(const std::string& name, const std::string& text, int low, int
   const std::string range = high == std::numeric_limits<int>::max()
                                 ? "of at least " + std::to_string(low)
                                 : "from " + std::to_string(low) + " to " + std::to_string(high);
-  usageError(name, "`" + text + "` is not a whole number " + range);
+  usageError(name, "`" + text + "` is not an integer " + range);
 }
 
 double positiveOption(const std::string& name, const std::string& text, double limit) {
@@ -50,14 +50,16 @@ void addSceneOptions(Command command, SceneOptions& options) {
   command.addPath("SCENE", options.file, "Wavefront OBJ file").required();
   addChoice<Charts>(command, "--charts", options.settings.charts,
                     {{"auto", Charts::Auto}, {"file", Charts::File}, {"planar", Charts::Planar}},
-                    "where charts come from (default auto)");
+                    "source of charts: the texture coordinates of the file (file), one per planar part (planar), or "
+                    "the coordinates if "
+                    "they form a chart, else planar parts (auto) (default auto)");
   addPositive(command, "--max-reflectance", options.settings.maxReflectance, 1.0,
-              "what a reflectance of 1 or more is lowered to (default 0.9999)");
-  command.addFlag("--two-sided", options.settings.twoSided, "give each side of every face a surface of its own");
+              "lower a reflectance of 1 or more to this value (default 0.9999)");
+  command.addFlag("--two-sided", options.settings.twoSided,
+                  "make one surface for each side of a face (default: the back of a face is black)");
   addChoice<EmissionUnit>(command, "--emission", options.settings.emission,
                           {{"radiosity", EmissionUnit::Radiosity}, {"radiance", EmissionUnit::Radiance}},
-                          "unit of Ke: radiosity in W/m^2, or radiance in W/(m^2 sr), which is multiplied by pi "
-                          "(default radiosity)");
+                          "unit of Ke: radiosity in W/m^2, or radiance in W/(m^2 sr) (default radiosity)");
 }
 
 radiosity::Scene sceneOf(const SceneOptions& options, Console& console) {
@@ -69,10 +71,11 @@ radiosity::Scene sceneOf(const SceneOptions& options, Console& console) {
 }
 
 void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings& settings) {
-  const Option texels = addInteger(command, "--texels", settings.texels, 1, largestTexels,
-                                   "texels along every surface's side (default: a size that follows the scene)");
+  const Option texels = addInteger(
+      command, "--texels", settings.texels, 1, largestTexels,
+      "divide every surface into N x N texels (default: by the size of the surface, about 90 texels on average)");
   addPositive(command, "--texel-size", settings.texelSize, std::numeric_limits<double>::infinity(),
-              "instead: the side of a texel in the scene's units")
+              "divide surfaces into texels of this side, in units of the scene, instead of --texels")
       .excludes(texels);
   const auto readSurfaces = [&settings](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) {
@@ -82,11 +85,10 @@ void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings
           integerOption("--surface", text.substr(equals + 1), 1, largestTexels);
     }
   };
-  command.addTexts("--surface", "NAME=N",
-                   "texels along the side of one surface (repeatable; 1: not "
-                   "discretized)",
+  command.addTexts("--surface", "NAME=N", "divide the surface NAME into N x N texels; 1 means one element (repeatable)",
                    readSurfaces);
-  addInteger(command, "--patch", settings.patch, 1, largestTexels, "elements along a patch's side (default 4)");
+  addInteger(command, "--patch", settings.patch, 1, largestTexels,
+             "let N x N elements shoot light together as one patch (default 4)");
 }
 
 radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettings& settings,
@@ -100,25 +102,28 @@ void addIdOptions(Command command, radiosity::IdSettings& settings) {
   using raster::Blend;
   std::vector<std::pair<std::string, std::string>> formats;
   for (const std::string& name : raster::formatNames()) formats.emplace_back(name, name);
-  addChoice<std::string>(command, "--format", settings.format, formats, "channels of an item ID (default r8g8b8a8)");
+  addChoice<std::string>(command, "--format", settings.format, formats,
+                         "channels and bits of an item ID (default r8g8b8a8)");
   addChoice<IndexMaps>(
       command, "--index-maps", settings.indexMaps,
       {{"shared", IndexMaps::Shared}, {"packed", IndexMaps::Packed}, {"unique", IndexMaps::Unique}},
-      "one map for all surfaces of a size and an offset a surface; surfaces packed into pages and an offset a page; or "
-      "a map a surface and no offsets (default shared)");
+      "how surfaces use index maps: one map per grid size and one offset per surface (shared), one offset per page of "
+      "many surfaces (packed), or one map per surface without offsets (unique) (default shared)");
   const auto readPage = [&settings](const std::string& text) {
     const int page = integerOption("--page", text, 1, largestTexels);
     if (!std::has_single_bit(static_cast<unsigned>(page))) usageError("--page", "`" + text + "` is not a power of two");
     settings.page = page;
   };
-  command.addText("--page", "N",
-                  "texels along the side of a packed page (default 64, or what the largest "
-                  "surface needs); with shared maps, of one map for all surfaces",
-                  readPage);
-  addChoice<Blend>(command, "--blend", settings.blend,
-                   {{"clamped-add", Blend::ClampedAdd}, {"integer-add", Blend::IntegerAdd}},
-                   "how offset and index are added (default clamped-add)");
-  command.addFlag("--no-align", "pack the offsets without alignment", [&settings] { settings.aligned = false; });
+  command.addText(
+      "--page", "N",
+      "texels along the side of a packed page (default 64, or more if the largest surface needs it); with shared "
+      "maps, use one map of this size for all surfaces",
+      readPage);
+  addChoice<Blend>(
+      command, "--blend", settings.blend, {{"clamped-add", Blend::ClampedAdd}, {"integer-add", Blend::IntegerAdd}},
+      "add offset and index per channel with clamping, as blend units do, or as integers (default clamped-add)");
+  command.addFlag("--no-align", "assign offsets without gaps; needs --blend integer-add",
+                  [&settings] { settings.aligned = false; });
 }
 
 std::string nameOf(radiosity::IndexMaps indexMaps) {
@@ -137,47 +142,50 @@ radiosity::IdLayout layoutOf(const radiosity::IdSettings& settings, const radios
                              Console& console) {
   const bool hasOffsets = settings.page || settings.blend != raster::Blend::ClampedAdd || !settings.aligned;
   if (settings.indexMaps == radiosity::IndexMaps::Unique && hasOffsets)
-    throw raster::InputError("unique index maps have no offsets", "leave out --page, --blend and --no-align");
+    throw raster::InputError("unique index maps have no offsets", "omit --page, --blend and --no-align");
   radiosity::IdLayout layout = radiosity::layOut(discretization, settings);
   if (!layout.aligned && layout.blend == raster::Blend::ClampedAdd)
     console.warning(
-        "offsets without alignment overflow the channels of a clamped add, and light goes to wrong elements; "
+        "offsets without alignment overflow the channels of a clamped add, so that wrong elements receive light; "
         "use --blend integer-add");
   return layout;
 }
 
 Option addResolution(Command command, int& resolution) {
   const auto read = [&resolution](const std::string& text) { resolution = resolutionOption(text); };
-  return command.addText("--resolution", "R", "pixels along the side of a face (default 256)", read);
+  return command.addText("--resolution", "R",
+                         "draw R x R pixels per face of the projection; an even number (default 256)", read);
 }
 
 Option addResolutions(Command command, std::vector<int>& resolutions) {
   const auto read = [&resolutions](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) resolutions.push_back(resolutionOption(text));
   };
-  return command.addTexts("--resolution", "R",
-                          "pixels along the side of a face (repeatable; default 128, 256, "
-                          "512 and 1024)",
-                          read);
+  return command.addTexts(
+      "--resolution", "R",
+      "draw R x R pixels per face of the hemicube; an even number (repeatable; default 128, 256, 512 and 1024)", read);
 }
 
 void addDrawingOptions(Command command, radiosity::DrawingSettings& settings) {
   using radiosity::ElementsBy;
   using radiosity::Orientation;
-  addChoice<ElementsBy>(
-      command, "--discretize", settings.elementsBy, {{"texture", ElementsBy::Texture}, {"mesh", ElementsBy::Mesh}},
-      "elements are texels of index maps, or polygons that the surfaces are cut into (default texture)");
+  addChoice<ElementsBy>(command, "--discretize", settings.elementsBy,
+                        {{"texture", ElementsBy::Texture}, {"mesh", ElementsBy::Mesh}},
+                        "draw surfaces with index maps, or cut them into one polygon per element (default texture)");
   addResolution(command, settings.resolution);
-  addChoice<Orientation>(command, "--orientation", settings.orientation,
-                         {{"aligned", Orientation::Aligned}, {"turned", Orientation::Turned}},
-                         "projections all alike, or each turned about its normal (default turned)");
-  addPositive(command, "--split", settings.split, std::numeric_limits<double>::infinity(),
-              "quarter patches while more than this share of their light would go elsewhere from other points of them, "
-              "bright ones sooner (default 0.003); 1 or more splits none");
+  addChoice<Orientation>(
+      command, "--orientation", settings.orientation,
+      {{"aligned", Orientation::Aligned}, {"turned", Orientation::Turned}},
+      "give all projections the same rotation, or rotate them per patch about the normal, which avoids aliasing "
+      "(default turned)");
+  addPositive(
+      command, "--split", settings.split, std::numeric_limits<double>::infinity(),
+      "subdivide a patch while more than this share of its flux would go elsewhere from other points of it; bright "
+      "patches are subdivided further; 1 means never (default 0.003)");
   addPositive(
       command, "--pixels-per-element", settings.pixelsPerElement, std::numeric_limits<double>::infinity(),
-      "coarser index maps, shot by shot, where a surface covers fewer pixels than this for each of its elements "
-      "in view (default: none; 4 is worth it where elements are small for the pixels)");
+      "use a coarser index map for a surface with fewer pixels per visible element than this; 4 reduces aliasing of "
+      "small elements (default 0: never)");
 }
 
 std::string nameOf(radiosity::Orientation orientation) {
@@ -203,7 +211,7 @@ std::vector<std::string> drawingOptionNames() {
 
 void refuseUnused(Command command, const std::vector<std::string>& options, const std::string& method) {
   for (const std::string& option : options)
-    if (command.isGiven(option)) usageError(option, "has no use with --method " + method + "; leave one of them out");
+    if (command.isGiven(option)) usageError(option, "is not used with --method " + method + "; omit one of them");
 }
 
 Option addOutput(Command command, std::filesystem::path& output, const std::string& help) {

@@ -1,5 +1,5 @@
-/// Options that several commands share: how they are read, checked and turned into what the library asks for. A value
-/// that is no number, or outside its range, is a usage error that names the option.
+/// Options that several commands share. Reads and checks values, and makes settings of the library from them. A wrong
+/// value is a usage error that names the option.
 #pragma once
 
 #include <filesystem>
@@ -22,24 +22,24 @@
 
 namespace hemitex::cli {
 
-/// What every command knows. A command that was given leaves its work in `command`, which the program calls once the
-/// whole line is read.
+/// The state that all commands share. The given command stores its work in `command`. The program calls it after the
+/// whole command line is read.
 struct Context {
   Console console;
   bool json = false;
   int threads = 0;  ///< 0: all cores
   std::function<void()> command;
-  bool failed = false;  ///< set by a command whose comparison or verification failed
+  bool failed = false;  ///< set by a command if its comparison or verification failed
 };
 
-/// The whole number in [low, high] that an option was given. Throws a usage error.
+/// Reads the value of an option as an integer in [low, high]. Throws a usage error.
 int integerOption(const std::string& name, const std::string& text, int low, int high);
-/// The number above 0 and below `limit` (which may be infinite) that an option was given. Throws a usage error.
+/// Reads the value of an option as a number above 0 and below `limit`, which may be infinite. Throws a usage error.
 double positiveOption(const std::string& name, const std::string& text, double limit);
-/// The vector that an option was given. Throws a usage error.
+/// Reads the value of an option as a vector `x,y,z`. Throws a usage error.
 glm::dvec3 vectorOption(const std::string& name, const std::string& text);
 
-/// An option with a whole number in [low, high]. `target` is an int or may hold one.
+/// Adds an option with an integer in [low, high]. `target` is an int or an optional int.
 template <typename Target>
 Option addInteger(Command command, const std::string& name, Target& target, int low, int high,
                   const std::string& help) {
@@ -49,21 +49,21 @@ Option addInteger(Command command, const std::string& name, Target& target, int 
   return command.addText(name, "N", help, read);
 }
 
-/// An option with a number above 0 and below `limit`. `target` is a double or may hold one.
+/// Adds an option with a number above 0 and below `limit`. `target` is a double or an optional double.
 template <typename Target>
 Option addPositive(Command command, const std::string& name, Target& target, double limit, const std::string& help) {
   const auto read = [&target, name, limit](const std::string& text) { target = positiveOption(name, text, limit); };
   return command.addText(name, "X", help, read);
 }
 
-/// An option with a vector `x,y,z`. `target` is a vector or may hold one.
+/// Adds an option with a vector `x,y,z`. `target` is a vector or an optional vector.
 template <typename Target>
 Option addVectorOption(Command command, const std::string& name, Target& target, const std::string& help) {
   const auto read = [&target, name](const std::string& text) { target = vectorOption(name, text); };
   return command.addText(name, "x,y,z", help, read);
 }
 
-/// An option with one of several words, each of which stands for a value.
+/// Adds an option with a list of names, one per value.
 template <typename Value>
 Option addChoice(Command command, const std::string& name, Value& target,
                  const std::vector<std::pair<std::string, Value>>& choices, const std::string& help) {
@@ -80,47 +80,48 @@ Option addChoice(Command command, const std::string& name, Value& target,
   return command.addText(name, words, help, read);
 }
 
-/// The scene, and how it is read.
+/// The file of the scene and the settings for reading it.
 struct SceneOptions {
   std::filesystem::path file;
   radiosity::SceneSettings settings;
 };
 void addSceneOptions(Command command, SceneOptions& options);
-/// The scene; what was mended in it is told as warnings.
+/// Loads the scene and prints its warnings.
 radiosity::Scene sceneOf(const SceneOptions& options, Console& console);
 
-/// How surfaces become elements and patches.
+/// Adds the options for dividing surfaces into elements and patches.
 void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings& settings);
-/// Throws InputError, with names that come near, where a surface that was named is not in the scene.
+/// Discretizes the scene. Throws InputError with similar names if the scene has no surface of a given name.
 radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettings& settings,
                                            const radiosity::Scene& scene);
 
-/// How elements become words.
+/// Adds the options for assigning item IDs to elements.
 void addIdOptions(Command command, radiosity::IdSettings& settings);
 std::string nameOf(radiosity::IndexMaps indexMaps);
-/// Throws InputError as radiosity::layOut, and where options of offsets come with unique index maps, which have none.
+/// The layout of item IDs. Throws InputError as radiosity::layOut, and if options for offsets are given with unique
+/// index maps, which have no offsets.
 radiosity::IdLayout layoutOf(const radiosity::IdSettings& settings, const radiosity::Discretization& discretization,
                              Console& console);
 
-/// `--resolution`: pixels along the side of a face, even, 2 to 4096.
+/// Adds `--resolution`: pixels along the side of a face, even, 2 to 4096.
 Option addResolution(Command command, int& resolution);
-/// The same, repeatable.
+/// Adds the repeatable option `--resolution`.
 Option addResolutions(Command command, std::vector<int>& resolutions);
 
-/// How projections look at the scene, all but which of them does.
+/// Adds the options of projections, except the choice of the projection.
 void addDrawingOptions(Command command, radiosity::DrawingSettings& settings);
 std::string nameOf(radiosity::Orientation orientation);
 std::string nameOf(radiosity::ElementsBy elementsBy);
 
-/// `--method` of what finds rows by drawing: `hemicube`, `single-plane` and `tetrahedron`; nothing for other methods.
+/// The projection of a `--method`: `hemicube`, `single-plane` or `tetrahedron`; nothing for methods that do not draw.
 std::optional<radiosity::ProjectionKind> projectionNamed(const std::string& method);
 
-/// What projections are drawn with: their options and those of words.
+/// The names of the options that only methods with projections use: of drawing and of item IDs.
 std::vector<std::string> drawingOptionNames();
-/// Throws a usage error where one of the options was given though a method has no use for it.
+/// Throws a usage error if one of the options was given; call it for options that a method does not use.
 void refuseUnused(Command command, const std::vector<std::string>& options, const std::string& method);
 
-/// `-o`, required.
+/// Adds the required option `-o`.
 Option addOutput(Command command, std::filesystem::path& output, const std::string& help);
 
 }  // namespace hemitex::cli

@@ -1,5 +1,5 @@
-/// What the program can draw item buffers on. Where it was built without libepoxy there is no OpenGL:
-/// renderers_opengl.cpp or renderers_software.cpp is this header's other half.
+/// Makes a renderer of item buffers for a device. CMake compiles renderers_opengl.cpp, or renderers_software.cpp if
+/// libepoxy is not installed.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace hemitex::cli {
 
 enum class Device { Software, OpenGl, OpenGlFixedFunction };
 
-/// A renderer of the list. Throws InputError where the device is not there, or cannot draw the list.
+/// A renderer of the draw list. Throws InputError if the device does not exist or cannot draw the list.
 std::unique_ptr<raster::ItemBufferRenderer> makeRenderer(const raster::DrawList& list, Device device);
 
 }  // namespace hemitex::cli

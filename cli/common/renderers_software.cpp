@@ -6,7 +6,7 @@ namespace hemitex::cli {
 
 std::unique_ptr<raster::ItemBufferRenderer> makeRenderer(const raster::DrawList& list, Device device) {
   if (device != Device::Software)
-    throw raster::InputError("this program was built without OpenGL", "install libepoxy-dev and build it again");
+    throw raster::InputError("this program was built without OpenGL", "install libepoxy-dev and build hemitex again");
   return std::make_unique<raster::SoftwareRenderer>(list);
 }
 

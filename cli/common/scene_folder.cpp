@@ -8,8 +8,8 @@ std::filesystem::path sceneFolder() {
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
   const std::filesystem::path folder = program.parent_path().parent_path() / "share" / "hemitex";
   if (!std::filesystem::is_directory(folder))
-    throw raster::InputError(folder.string(), 0, "the scenes that come with the program are not here",
-                             "keep the program where `cmake --install` puts it");
+    throw raster::InputError(folder.string(), 0, "does not exist, but should hold the scenes of the program",
+                             "run the program from the folder into which `cmake --install` puts it");
   return folder;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder that did not exist before, in `parent`.
+/// Creates a new folder in `parent`.
 fs::path createTemporary(const fs::path& parent, const std::string& name) {
   for (int attempt = 0;; ++attempt) {
     const fs::path folder = parent / ('.' + name + ".partial-" + std::to_string(attempt));
@@ -31,7 +31,7 @@ Staging::Staging(const fs::path& folder) {
       staged_ = createTemporary(final_.parent_path(), final_.filename().string());
     }
   } catch (const fs::filesystem_error& error) {
-    throw raster::InputError(folder.string(), 0, "nothing can be written here: " + error.code().message(),
+    throw raster::InputError(folder.string(), 0, "is not a folder that can be written: " + error.code().message(),
                              "choose another folder with -o");
   }
 }
@@ -50,12 +50,12 @@ void Staging::commit() {
     std::vector<fs::path> names;
     for (const fs::directory_entry& entry : fs::directory_iterator(staged_)) names.push_back(entry.path().filename());
     for (const fs::path& name : names) {
-      // A folder cannot be moved onto one that holds files.
+      // A folder cannot replace a folder that holds files.
       if (fs::is_directory(staged_ / name)) fs::remove_all(final_ / name);
       fs::rename(staged_ / name, final_ / name);
     }
   } catch (const fs::filesystem_error& error) {
-    throw raster::InputError(final_.string(), 0, "the result cannot be put here: " + error.code().message());
+    throw raster::InputError(final_.string(), 0, "the result cannot be moved here: " + error.code().message());
   }
 }
 

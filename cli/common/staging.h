@@ -1,25 +1,25 @@
-/// Results appear whole or not at all: files are written under a temporary name and moved into place when all of
-/// them are done. A run that fails leaves the old result, if there was one, as it was.
+/// Writes results completely or not at all. Files are written into a temporary folder and moved to their final names
+/// when all of them are complete. A run that fails does not change an old result.
 #pragma once
 
 #include <filesystem>
 
 namespace hemitex::cli {
 
-/// A temporary folder beside the files it will become: inside the result's folder where that exists, so that a move
-/// never crosses file systems, otherwise next to it.
+/// A temporary folder for the files of a result. It is inside the folder of the result if that exists, else beside it,
+/// so that a move never crosses file systems.
 class Staging {
  public:
-  /// Throws InputError where `folder` is no folder or nothing can be written there. Parents are created.
+  /// Creates the parents of `folder`. Throws InputError if `folder` is a file or cannot be written.
   explicit Staging(const std::filesystem::path& folder);
-  /// Removes what was not moved into place.
+  /// Removes files that were not moved.
   ~Staging();
   Staging(const Staging&) = delete;
   Staging& operator=(const Staging&) = delete;
 
-  /// Where to write the files.
+  /// The temporary folder.
   const std::filesystem::path& folder() const { return staged_; }
-  /// Moves the files to their final names; files and folders of the same names are replaced, others stay.
+  /// Moves the files to their final names. Files and folders of the same names are replaced; others stay.
   void commit();
 
  private:

@@ -17,14 +17,14 @@ std::vector<std::uint32_t> find(const radiosity::Scene& scene, const std::string
   return found;
 }
 
-/// The families nearest to a wrong name, quoted.
+/// The most similar names of families, quoted.
 std::string suggestions(const radiosity::Scene& scene, const std::string& wrong) {
   std::set<std::string> families;
   for (const radiosity::Surface& surface : scene.surfaces) families.insert(surface.family);
   return radiosity::nearestNames(families, wrong);
 }
 
-/// `COL,ROW`; nothing for anything else.
+/// Reads `COL,ROW`; nothing for any other text.
 std::optional<std::pair<int, int>> parseTexel(const std::string& text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos) return std::nullopt;
@@ -39,7 +39,7 @@ std::optional<std::pair<int, int>> parseTexel(const std::string& text) {
 std::vector<std::uint32_t> surfacesNamed(const radiosity::Scene& scene, const std::string& name) {
   std::vector<std::uint32_t> found = find(scene, name);
   if (found.empty())
-    throw raster::InputError("no surface is named `" + name + "`", "names that come near: " + suggestions(scene, name));
+    throw raster::InputError("no surface is named `" + name + "`", "similar names: " + suggestions(scene, name));
   return found;
 }
 
@@ -54,17 +54,18 @@ Source sourceNamed(const radiosity::Scene& scene, const radiosity::Discretizatio
   if (surfaces.size() > 1)
     throw raster::InputError(
         "`" + name + "` has " + std::to_string(surfaces.size()) + " parts",
-        "name the part that the texel belongs to: `" + scene.surfaces[surfaces[0]].name + "`, ...");
+        "give the name of the part with the texel: `" + scene.surfaces[surfaces[0]].name + "`, ...");
   const radiosity::Grid& grid = discretization.grids[surfaces[0]];
   const auto [column, row] = *texel;
   if (column < 0 || column >= grid.columns || row < 0 || row >= grid.rows)
     throw raster::InputError("`" + name + "` has no texel " + text.substr(colon + 1),
-                             "it has " + std::to_string(grid.columns) + " columns and " + std::to_string(grid.rows) +
-                                 " rows, counted from 0");
+                             "its grid has " + std::to_string(grid.columns) + " columns and " +
+                                 std::to_string(grid.rows) + " rows, numbered from 0");
   const auto index =
       static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(column);
   if (!grid.covered[index])
-    throw raster::InputError("texel " + text.substr(colon + 1) + " of `" + name + "` has no area on the surface");
+    throw raster::InputError("texel " + text.substr(colon + 1) + " of `" + name +
+                             "` lies outside the surface; choose another texel");
   return {surfaces, grid.spill[index]};
 }
 

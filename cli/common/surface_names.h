@@ -1,4 +1,4 @@
-/// Surfaces as the user names them: by the name of a surface or of its family, which means all its parts.
+/// Finds surfaces by name. A name is that of a surface, or of a family, which stands for all its parts.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,17 @@
 
 namespace hemitex::cli {
 
-/// The surfaces that a name means, ascending; at least one. Throws InputError, with the names that come nearest, where
-/// there is none.
+/// The surfaces with a name, ascending; at least one. Throws InputError with similar names if there is none.
 std::vector<std::uint32_t> surfacesNamed(const radiosity::Scene& scene, const std::string& name);
 
-/// Where form factors start: whole surfaces, or one texel of a surface.
+/// The source of form factors: whole surfaces, or one texel of a surface.
 struct Source {
   std::vector<std::uint32_t> surfaces;
-  std::optional<std::uint32_t> element = {};  ///< the element that the texel belongs to; none: the whole surfaces
+  std::optional<std::uint32_t> element = {};  ///< the element of the texel; without it, the whole surfaces
 };
 
-/// `SURFACE` or `SURFACE:COL,ROW`. Throws InputError where there is no such surface or texel, where the texel has no
-/// area on the surface, or where a texel of a surface of several parts is asked for.
+/// Reads `SURFACE` or `SURFACE:COL,ROW`. Throws InputError if the surface or texel does not exist, if the texel has no
+/// area, or if a texel is given for a name with several parts.
 Source sourceNamed(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                    const std::string& text);
 

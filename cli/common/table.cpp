@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// A field of a CSV file, quoted where it has to be.
+/// A field of a CSV file, quoted if it contains a separator.
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -49,7 +49,7 @@ Cell cellOf(const ordered_json& value) {
   return value.is_boolean() ? std::int64_t{value.get<bool>()} : value.get<std::int64_t>();
 }
 
-/// Puts the cells of an object behind others.
+/// Appends the cells of an object.
 void addCells(const ordered_json& object, const std::string& outer, std::vector<std::pair<std::string, Cell>>& cells) {
   for (const auto& [key, value] : object.items()) {
     if (value.is_object())

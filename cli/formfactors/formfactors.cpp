@@ -1,5 +1,5 @@
-/// `hemitex formfactors`: which share of the light that leaves a surface reaches which element, as CSV or JSON; for the
-/// matrix of all surfaces also what holds for every such matrix, and by how much this one misses it.
+/// `hemitex formfactors`: computes form factors from a surface to elements or surfaces, and prints them as CSV or JSON.
+/// For the matrix of all surfaces it also prints row sums and deviations from reciprocity.
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -40,7 +40,7 @@ RowMethod methodOf(const FormFactorOptions& options, const radiosity::Scene& sce
   return drawnMethod(scene, discretization, receivers, options.id, options.drawing, console);
 }
 
-/// What was asked for, beside the numbers.
+/// The settings that the JSON output repeats.
 nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
   if (options.method == "rays")
     return {{"method", options.method}, {"samples", options.rays.samples}, {"aimed", options.rays.aimed}};
@@ -53,7 +53,7 @@ nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
           {"pixels_per_element", options.drawing.pixelsPerElement}};
 }
 
-/// The columns behind those that say from where to where.
+/// Appends the values of a receiver, behind the columns that name it.
 void appendValue(std::vector<Cell>& cells, const Row& row, std::size_t receiver) {
   cells.emplace_back(row.formFactor[receiver]);
   if (!row.standardError.empty()) cells.emplace_back(row.standardError[receiver]);
@@ -64,7 +64,7 @@ std::vector<std::string> withValue(std::vector<std::string> columns, const Row& 
   return columns;
 }
 
-/// A table of form factors, one row a receiver: element by element, or family by family.
+/// A table of form factors, one row per receiver: elements or families.
 Table tableOf(const radiosity::Scene& scene, const radiosity::Discretization& discretization, const Row& row) {
   const auto cells = [&](std::size_t index) {
     const radiosity::Element& element = discretization.elements[index];
@@ -98,7 +98,8 @@ Table tableOf(const Families& families, const std::vector<Row>& matrix) {
 
 void tellCaptured(const Row& row, Console& console) {
   if (row.captured && *row.captured < 1)
-    console.message("the projection captures " + toText(*row.captured) + " of the light; the rest counts as leaving");
+    console.message("the projection captures " + percentText(*row.captured) +
+                    " of the light; the rest counts as leaving the scene");
 }
 
 void printRow(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
@@ -109,10 +110,10 @@ void printRow(const FormFactorOptions& options, Context& context, const radiosit
       options.bySurface ? familiesAsReceivers(discretization, families) : elementsAsReceivers(discretization);
   const Row row = methodOf(options, scene, discretization, receivers, context.console)(source);
   tellCaptured(row, context.console);
-  context.console.message(
-      "from " + options.from + ": " +
-      (row.background ? toText(*row.background) + " leaves the scene, " + toText(*row.back) + " meets backs of faces"
-                      : blockersIgnored));
+  context.console.message("from " + options.from + ": " +
+                          (row.background ? roundedText(*row.background) + " leaves the scene, " +
+                                                roundedText(*row.back) + " meets backs of faces"
+                                          : blockersIgnored));
   const Table table = options.bySurface ? tableOf(families, receivers, row) : tableOf(scene, discretization, row);
   if (!context.json) return writeCsv(std::cout, table);
   nlohmann::ordered_json result{{"from", options.from}};
@@ -130,7 +131,7 @@ reference::FormFactorMatrix factorsOf(const std::vector<Row>& matrix) {
   return factors;
 }
 
-/// Smooths the values; their standard errors stay those of the measurement.
+/// Smooths the values; standard errors stay those of the measurement.
 reference::MatrixDifference smooth(std::vector<Row>& matrix, const Receivers& receivers) {
   const reference::FormFactorMatrix raw = factorsOf(matrix);
   const reference::FormFactorMatrix result = reference::smoothed(raw, receivers.area);
@@ -145,14 +146,16 @@ void tellChecks(const std::vector<Row>& matrix, const reference::MatrixChecks& c
   const auto most = [&](std::optional<double> Row::*share) {
     const auto row =
         std::max_element(matrix.begin(), matrix.end(), [&](const Row& a, const Row& b) { return a.*share < b.*share; });
-    return toText(*((*row).*share)) + " (from " + families.names[static_cast<std::size_t>(row - matrix.begin())] + ")";
+    return roundedText(*((*row).*share)) + " (from " + families.names[static_cast<std::size_t>(row - matrix.begin())] +
+           ")";
   };
-  console.message("rows sum to " + toText(checks.smallestRowSum) + " ... " + toText(checks.largestRowSum));
+  console.message("rows sum to " + roundedText(checks.smallestRowSum) + " ... " + roundedText(checks.largestRowSum));
   console.message(matrix.front().background ? "at most " + most(&Row::background) + " leaves the scene, at most " +
                                                   most(&Row::back) + " meets backs of faces"
                                             : blockersIgnored);
-  console.message("reciprocity is missed by at most " + toText(checks.reciprocity) + " of the smaller area's light (" +
-                  families.names[checks.from] + ", " + families.names[checks.to] + ")");
+  console.message("reciprocity is missed by at most " + percentText(checks.reciprocity) +
+                  " of the flux of the smaller surface (" + families.names[checks.from] + ", " +
+                  families.names[checks.to] + ")");
 }
 
 void printMatrix(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
@@ -170,8 +173,8 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
   nlohmann::ordered_json result = settingsOf(options);
   if (options.smooth) {
     const reference::MatrixDifference moved = smooth(matrix, receivers);
-    context.console.message("smoothing moved form factors by at most " + toText(moved.largest) + ", by " +
-                            toText(moved.rootMeanSquare) + " in the root mean square");
+    context.console.message("smoothing moved form factors by at most " + roundedText(moved.largest) +
+                            ", root mean square " + roundedText(moved.rootMeanSquare));
     result["smoothing"] = {{"largest", moved.largest}, {"root_mean_square", moved.rootMeanSquare}};
   }
   const reference::MatrixChecks checks = reference::checkMatrix(factorsOf(matrix), receivers.area);
@@ -196,31 +199,38 @@ void print(const FormFactorOptions& options, Context& context) {
 
 void addFormFactors(Command program, Context& context) {
   const auto options = std::make_shared<FormFactorOptions>();
-  const Command command = program.addCommand("formfactors", "Form factors from a surface, as CSV");
+  const Command command = program.addCommand("formfactors", "Compute form factors from a surface to all others");
   addSceneOptions(command, options->scene);
-  const Option from = command.addText("--from", "SURFACE[:COL,ROW]", "where the light leaves",
-                                      [options](const std::string& text) { options->from = text; });
-  const Option bySurface = command.addFlag("--by-surface", options->bySurface, "add up the elements of a surface");
-  const Option all = command.addFlag("--all", options->all, "from every surface to every surface");
+  const Option from =
+      command.addText("--from", "SURFACE[:COL,ROW]", "surface, or texel of a surface, that the form factors start from",
+                      [options](const std::string& text) { options->from = text; });
+  const Option bySurface =
+      command.addFlag("--by-surface", options->bySurface, "print one sum per surface instead of one value per element");
+  const Option all = command.addFlag("--all", options->all, "print the matrix from every surface to every surface");
   all.needs(bySurface).excludes(from);
-  command.addFlag("--smooth", options->smooth, "move the matrix to reciprocity, least squares; its row sums stay")
+  command
+      .addFlag("--smooth", options->smooth,
+               "correct the matrix to exact reciprocity by least squares, with the same row sums")
       .needs(all);
-  addChoice<std::string>(command, "--method", options->method,
-                         {{"hemicube", "hemicube"},
-                          {"single-plane", "single-plane"},
-                          {"tetrahedron", "tetrahedron"},
-                          {"rays", "rays"},
-                          {"analytic", "analytic"}},
-                         "how they are found (default hemicube)");
+  addChoice<std::string>(
+      command, "--method", options->method,
+      {{"hemicube", "hemicube"},
+       {"single-plane", "single-plane"},
+       {"tetrahedron", "tetrahedron"},
+       {"rays", "rays"},
+       {"analytic", "analytic"}},
+      "projection or other method; analytic uses closed forms and ignores blockers (default hemicube)");
   addDrawingOptions(command, options->drawing);
   addInteger(command, "--samples", options->rays.samples, 64, 1 << 28,
-             "rays a row, or with --aimed points that they leave from (default 65536)");
-  command.addFlag("--aimed", options->rays.aimed,
-                  "rays: aim at each receiver, from closed forms, instead of all over the hemisphere; slow for many");
+             "rays per row; with --aimed, source points of rays (default 65536)");
+  command.addFlag(
+      "--aimed", options->rays.aimed,
+      "aim rays at each receiver instead of covering the hemisphere; accurate, but slow for many receivers");
   addDiscretizationOptions(command, options->discretization);
   addIdOptions(command, options->id);
   command.onRead([options, command, &context] {
-    if (options->from.empty() && !options->all) usageError("--from", "is required, or --all --by-surface");
+    if (options->from.empty() && !options->all)
+      usageError("--from", "is required; or print the matrix with --all --by-surface");
     const auto projection = projectionNamed(options->method);
     if (projection) options->drawing.projection = *projection;
     if (!projection) {

@@ -20,7 +20,7 @@ void addRow(Row& mean, const radiosity::FormFactorRow& row, const Receivers& rec
   *mean.back += weight * radiosity::formFactor(row.back);
 }
 
-/// The row of one element, from its centre, or of whole surfaces, averaged over their patches.
+/// The row of an element, from its centre, or of surfaces, averaged over their patches.
 Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
             radiosity::ProjectedFormFactors& rows, const Source& source, const Receivers& receivers) {
   Row mean{.formFactor = std::vector<double>(receivers.area.size(), 0.0),
@@ -46,7 +46,7 @@ Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& disc
   return mean;
 }
 
-/// Where whole surfaces receive, they are not cut into texels.
+/// The ray tracer and its geometry. If surfaces are receivers, they have one texel, because fewer pieces are faster.
 struct Rays {
   radiosity::Discretization receiving;
   reference::Receivers receivers;
@@ -61,7 +61,7 @@ struct Rays {
         shooting(reference::surfacePieces(scene, discretization)) {}
 };
 
-/// Whole surfaces are not cut into texels, neither where they shoot nor where they receive: fewer pieces, the same
+/// The polygons of surfaces and of texels. Closed forms use whole surfaces if possible: fewer pieces with the same
 /// sums.
 struct Polygons {
   radiosity::Discretization whole;

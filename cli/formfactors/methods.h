@@ -1,4 +1,4 @@
-/// The methods of `hemitex formfactors`: where a row of form factors comes from.
+/// The methods of `hemitex formfactors`: each computes rows of form factors.
 #pragma once
 
 #include <cstdint>
@@ -14,47 +14,47 @@
 
 namespace hemitex::cli {
 
-/// What the columns of the output stand for: elements, or families of surfaces.
+/// The receivers of form factors: elements, or families of surfaces.
 struct Receivers {
-  std::vector<std::uint32_t> ofElement;  ///< the receiver that each element belongs to
-  std::vector<std::uint32_t> ofSurface;  ///< the receiver that each surface belongs to; empty where they are elements
-  std::vector<double> area;              ///< one a receiver
+  std::vector<std::uint32_t> ofElement;  ///< the receiver of each element
+  std::vector<std::uint32_t> ofSurface;  ///< the receiver of each surface; empty if receivers are elements
+  std::vector<double> area;              ///< one per receiver, in squared units of the scene
 };
 
 Receivers elementsAsReceivers(const radiosity::Discretization& discretization);
 Receivers familiesAsReceivers(const radiosity::Discretization& discretization, const Families& families);
 
-/// A row of form factors, one a receiver.
+/// A row of form factors, one per receiver.
 struct Row {
   std::vector<double> formFactor;
-  std::vector<double> standardError;  ///< empty where the method has none
-  std::optional<double> background;   ///< left the scene; none where the method does not look at blockers
-  std::optional<double> back;         ///< absorbed by the backs of surfaces; likewise
-  std::optional<double> captured;     ///< by the projection, of all light; the rest is in `background`; none where the
-                                      ///< method does not draw
+  std::vector<double> standardError;  ///< one per receiver; empty if the method has none
+  std::optional<double> background;   ///< share that leaves the scene; none if the method ignores blockers
+  std::optional<double> back;         ///< share that meets backs of faces; none if the method ignores blockers
+  std::optional<double> captured;     ///< share that the projection captures; the rest is in `background`; none if
+                                      ///< the method does not draw
 };
 
-/// The row that leaves a source. Whatever it was made from outlives it.
+/// Computes the row of a source. Keeps references to the arguments of the function that made it.
 using RowMethod = std::function<Row(const Source&)>;
 
-/// A surface shoots from its patches, so its row is the mean of its patches' rows, weighted by their areas. Shares are
-/// integers and add up exactly within a row; only the mean over patches is taken in binary64, in the patches' order. A
-/// texel shoots from its centre, by an aligned projection.
+/// Draws projections. The row of a surface is the mean of the rows of its patches, weighted by area. Shares are
+/// integers, so sums within a row are exact. The mean over patches is in double precision, in the order of patches. The
+/// row of a texel is drawn from its centre, by an aligned projection.
 RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                       const Receivers& receivers, const radiosity::IdSettings& id,
                       const radiosity::DrawingSettings& settings, Console& console);
 
-/// How rays measure.
+/// Settings of the ray method.
 struct RayOptions {
   int samples = 1 << 16;
-  bool aimed = false;  ///< at each receiver; else over the hemisphere
+  bool aimed = false;  ///< rays aim at each receiver; otherwise they cover the hemisphere
 };
 
-/// Sources shoot from their whole area.
+/// Casts rays from the whole area of the source.
 RowMethod rayMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                     const Receivers& receivers, const RayOptions& options);
 
-/// Sources shoot from their whole area, and nothing stands in the way.
+/// Evaluates closed forms over the whole area of the source; ignores blockers.
 RowMethod analyticMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                          const Receivers& receivers);
 

@@ -1,5 +1,5 @@
-/// `hemitex render`: pictures of a scene, solved or not: its light, or how it is drawn into the hemicube (Figures 2 and
-/// 3 of Nielsen and Christensen 2002).
+/// `hemitex render`: draws pictures of a scene, solved or not. They show its light, item IDs, index maps or projections
+/// (Figures 2 and 3 of Nielsen and Christensen 2002).
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -27,19 +27,19 @@ namespace {
 using radiosity::Image;
 
 struct RenderOptions;
-/// What is drawn, and from where.
+/// The scene and the camera.
 struct Subject {
   radiosity::Scene scene;
   std::optional<SolvedFolder> solved;
   radiosity::Camera camera;
 };
-/// One of the things that a picture may show.
+/// A function that draws one kind of picture.
 using View = Image (*)(const RenderOptions&, const Subject&, Console&);
 
 struct RenderOptions {
   SceneOptions scene;
   radiosity::DiscretizationSettings discretization;
-  bool gridsGiven = false;  ///< the user said how many texels, so that a solved folder is not asked
+  bool gridsGiven = false;  ///< the user gave texels, which replace the grids of a solved folder
   radiosity::IdSettings id;
   CameraOptions camera;
   View show = nullptr;
@@ -55,21 +55,21 @@ Subject subjectOf(const RenderOptions& options, Console& console) {
   if (subject.solved)
     subject.solved->restoreCharts(subject.scene);
   else
-    console.warnings(subject.scene.warnings);  // a lit scene is white on purpose, not too reflective
+    console.warnings(subject.scene.warnings);  // a lit scene has reflectance 1 on purpose
   subject.camera = cameraOf(options.camera, subject.scene, options.scene.file);
   return subject;
 }
 
-/// The grids of a solved folder, unless the user asked for others.
+/// The grids of the solved folder, unless the user gave others.
 radiosity::Discretization shownDiscretization(const RenderOptions& options, const Subject& subject) {
   const bool asSolved = subject.solved && !options.gridsGiven;
   return discretizationOf(asSolved ? subject.solved->grids(subject.scene) : options.discretization, subject.scene);
 }
 
-/// Light as textures show it: bilinear.
+/// The light in display textures, with bilinear interpolation.
 Image radiosityView(const RenderOptions& options, const Subject& subject, Console& console) {
   const int width = options.camera.width, height = options.camera.height;
-  if (!subject.solved) console.message("the scene is not solved: this shows its reflectances");
+  if (!subject.solved) console.message("the scene is not solved; the picture shows its reflectances");
   if (!subject.solved || !options.camera.exposure)
     return radiosity::unlitPicture(subject.scene, subject.camera, width, height);
   radiosity::Scene exposed = subject.scene;
@@ -77,11 +77,11 @@ Image radiosityView(const RenderOptions& options, const Subject& subject, Consol
   return radiosity::unlitPicture(exposed, subject.camera, width, height);
 }
 
-/// Light as it was solved: one value an element (Figure 3).
+/// The light of each element, without filtering (Figure 3).
 Image elementView(const RenderOptions& options, const Subject& subject, Console&) {
   if (!subject.solved || options.gridsGiven)
-    throw raster::InputError(options.scene.file.string(), 0, "is not a solved scene, whose elements could be shown",
-                             "solve it first, and render scene.obj of its folder without options for texels");
+    throw raster::InputError(options.scene.file.string(), 0, "is not a solved scene",
+                             "solve it first, then render scene.obj of its folder without options for texels");
   const radiosity::Discretization discretization = shownDiscretization(options, subject);
   std::vector<glm::dvec3> values = subject.solved->radiosity(discretization);
   for (glm::dvec3& value : values) value *= options.camera.exposure.value_or(subject.solved->exposure());
@@ -89,7 +89,7 @@ Image elementView(const RenderOptions& options, const Subject& subject, Console&
                                    options.camera.height);
 }
 
-/// Figure 2 (a) to (c): index maps, offsets, or the item IDs that are their sums.
+/// Index maps, offsets, or item IDs, which are their sums (Figure 2 (a) to (c)).
 template <auto picture>
 Image idView(const RenderOptions& options, const Subject& subject, Console& console) {
   const radiosity::Discretization discretization = shownDiscretization(options, subject);
@@ -97,24 +97,28 @@ Image idView(const RenderOptions& options, const Subject& subject, Console& cons
                  options.camera.width, options.camera.height);
 }
 
-/// Where the blend made item IDs of other elements, and on how many pixels.
+/// Marks pixels where the blend gives the item ID of a wrong element.
 Image blendErrorView(const RenderOptions& options, const Subject& subject, Console& console) {
   const radiosity::Discretization discretization = shownDiscretization(options, subject);
   radiosity::BlendErrors errors =
       radiosity::blendErrorPicture(subject.scene, discretization, layoutOf(options.id, discretization, console),
                                    subject.camera, options.camera.width, options.camera.height);
-  if (errors.pixels > 0) console.warning(std::to_string(errors.pixels) + " pixels show item IDs of other elements");
+  if (errors.pixels > 0)
+    console.warning(
+        std::to_string(errors.pixels) +
+        " pixels have the item ID of a wrong element, because the blend overflows; align the offsets or use --blend "
+        "integer-add");
   return std::move(errors.picture);
 }
 
-/// Figure 2 (d) and (e).
+/// The edges of polygons or of the mesh of elements (Figure 2 (d) and (e)).
 Image wireframeView(const RenderOptions& options, const Subject& subject, Console&) {
   const int width = options.camera.width, height = options.camera.height;
   if (!options.mesh) return radiosity::wireframePicture(subject.scene, subject.camera, width, height);
   return radiosity::meshPicture(subject.scene, shownDiscretization(options, subject), subject.camera, width, height);
 }
 
-/// Figure 2 (f): the largest index map of the scene, as large as the picture allows.
+/// The largest index map of the scene, as large as fits the picture (Figure 2 (f)).
 Image indexMapView(const RenderOptions& options, const Subject& subject, Console&) {
   const radiosity::Discretization discretization = shownDiscretization(options, subject);
   const auto& largest = *std::max_element(
@@ -124,7 +128,7 @@ Image indexMapView(const RenderOptions& options, const Subject& subject, Console
   return radiosity::indexMapImage(largest.columns, largest.rows, std::max(side, 1));
 }
 
-/// The surface that shoots first, as far as materials tell: the first that emits, else the first.
+/// The first surface with emission in its material, else the first surface.
 std::uint32_t firstEmitter(const radiosity::Scene& scene) {
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
     if (scene.materials[static_cast<std::size_t>(scene.surfaces[s].material)].emission != glm::dvec3(0)) return s;
@@ -169,9 +173,9 @@ void render(const RenderOptions& options, Context& context) {
 void addRender(Command program, Context& context) {
   const auto options = std::make_shared<RenderOptions>();
   options->show = radiosityView;
-  const Command command = program.addCommand("render", "Draw a picture of a scene, solved or not");
+  const Command command = program.addCommand("render", "Draw a picture of a scene, of its light or of its item IDs");
   addSceneOptions(command, options->scene);
-  addOutput(command, options->output, "the picture, a PNG file");
+  addOutput(command, options->output, "write the picture into this PNG file");
   addChoice<View>(command, "--show", options->show,
                   {{"radiosity", radiosityView},
                    {"elements", elementView},
@@ -184,17 +188,21 @@ void addRender(Command program, Context& context) {
                    {"single-plane", projectionView<radiosity::ProjectionKind::SinglePlane>},
                    {"tetrahedron", projectionView<radiosity::ProjectionKind::CubicTetrahedron>},
                    {"map", indexMapView}},
-                  "what the picture shows (default radiosity)");
+                  "what the picture shows: display textures or the values of elements; item IDs, their index map and "
+                  "offsets; pixels "
+                  "with overflow of the blend; edges; the faces of a projection; the largest index map (default "
+                  "radiosity)");
   addChoice<bool>(command, "--discretize", options->mesh, {{"texture", false}, {"mesh", true}},
-                  "with --show wireframe: the polygons, or the mesh that regular meshing would make");
-  command.addText("--from", "SURFACE[:COL,ROW]", "where the projection stands (default: the first surface that emits)",
+                  "with --show wireframe, draw the edges of polygons, or of the mesh of elements (default texture)");
+  command.addText("--from", "SURFACE[:COL,ROW]",
+                  "surface or texel under the projection (default: the first surface with emission)",
                   [options](const std::string& text) { options->from = text; });
   addResolution(command, options->resolution);
   addCameraOptions(command, options->camera);
   addDiscretizationOptions(command, options->discretization);
   addIdOptions(command, options->id);
   command.onRead([options, command, &context] {
-    if (options->output.extension() != ".png") usageError("--output", "the name of the picture has to end in .png");
+    if (options->output.extension() != ".png") usageError("--output", "the name of the picture must end in .png");
     for (const char* name : {"--texels", "--texel-size", "--surface"}) options->gridsGiven |= command.isGiven(name);
     context.command = [options, &context] { render(*options, context); };
   });

@@ -15,14 +15,15 @@ namespace {
 
 using nlohmann::json;
 
-/// A number of texels or a place among them. Throws std::out_of_range where it is below `least`.
+/// Reads a number of texels. Throws std::out_of_range if it is below `least`.
 int texelsAt(const json& object, const char* key, int least) {
   const int value = object.at(key).get<int>();
   if (value < least) throw std::out_of_range(std::string(key) + " is below " + std::to_string(least));
   return value;
 }
 
-/// A coordinate of a texture as one of the chart at [start, start + length] of its `size` texels, as binary32.
+/// Maps a texture coordinate to the chart at texels [start, start + length] of `size`; rounded to binary32, as charts
+/// are.
 double chartCoordinate(double texture, int size, int start, int length) {
   const double chart = (texture * size - start) / length;
   return static_cast<float>(std::clamp(chart, 0.0, 1.0));
@@ -33,7 +34,7 @@ radiosity::Image scaled(radiosity::Image image, double factor) {
   return image;
 }
 
-/// An sRGB-encoded colour, its linear value multiplied.
+/// Multiplies the linear value of an sRGB-encoded colour.
 glm::dvec3 scaledColour(const glm::dvec3& encoded, double factor) {
   glm::dvec3 colour(0);
   for (int band = 0; band < 3; ++band)
@@ -57,7 +58,7 @@ std::optional<SolvedFolder> SolvedFolder::around(const std::filesystem::path& sc
     solved.settings_.patch = settings.at("patch").get<int>();
     if (const json& size = settings.at("texel_size"); !size.is_null()) solved.settings_.texelSize = size.get<double>();
     solved.exposure_ = settings.at("exposure").get<double>();
-    // The lit scene has a group for each surface, in their order; what has no chart may have come apart.
+    // The lit scene has one group per surface, in order. A group without a chart may have several planar parts.
     const json& surfaces = solution.at("surfaces");
     for (const std::uint32_t family : familiesOf(scene).ofSurface) {
       const json& surface = surfaces.at(family);
@@ -68,7 +69,7 @@ std::optional<SolvedFolder> SolvedFolder::around(const std::filesystem::path& sc
                                 texelsAt(surface, "rows", 1)});
     }
   } catch (const std::exception& error) {
-    throw raster::InputError(file.string(), 0, std::string("does not describe the scene beside it: ") + error.what(),
+    throw raster::InputError(file.string(), 0, std::string("does not belong to the scene beside it: ") + error.what(),
                              "solve the scene again");
   }
   return solved;
@@ -106,8 +107,8 @@ std::vector<glm::dvec3> SolvedFolder::radiosity(const radiosity::Discretization&
     const int column = place.column + static_cast<int>(element.texel % columns);
     const int row = image.height - 1 - place.row - static_cast<int>(element.texel / columns);
     if (column < 0 || column >= image.width || row < 0 || row >= image.height)
-      throw raster::InputError((folder_ / (place.texture + ".exr")).string(), 0, "is smaller than solution.json says",
-                               "solve the scene again");
+      throw raster::InputError((folder_ / (place.texture + ".exr")).string(), 0,
+                               "has fewer texels than solution.json gives", "solve the scene again");
     values.push_back(image.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
                                   static_cast<std::size_t>(column)]);
   }

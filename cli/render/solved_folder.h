@@ -1,6 +1,5 @@
-/// A solved folder, read back for pictures. Its scene.obj is a scene like any other, but its charts lie inside
-/// radiosity textures; solution.json says where, and which grid each surface had, so that pictures show what was
-/// solved.
+/// Reads a solved folder for pictures. The charts of its scene.obj are parts of radiosity textures. solution.json holds
+/// their places and grids, from which the solved charts are restored.
 #pragma once
 
 #include <filesystem>
@@ -16,23 +15,23 @@ namespace hemitex::cli {
 
 class SolvedFolder {
  public:
-  /// The folder that the file of a scene lies in; nothing where no solution.json stands beside it. Throws InputError
-  /// where that file is not what `solve` wrote for the scene.
+  /// The folder of a scene file; nothing if it has no solution.json. Throws InputError if that file does not belong to
+  /// the scene.
   static std::optional<SolvedFolder> around(const std::filesystem::path& sceneFile, const radiosity::Scene& scene);
 
-  /// Undoes the way into the textures: the charts are those that were solved.
+  /// Maps the charts from their places in the textures back to the unit square.
   void restoreCharts(radiosity::Scene& scene) const;
-  /// What makes the grids that were solved, once the charts are restored.
+  /// The settings that give the solved grids, after the charts are restored.
   radiosity::DiscretizationSettings grids(const radiosity::Scene& scene) const;
-  /// The radiosity of every element, from the EXR textures.
+  /// The radiosity of each element in W/m^2, from the EXR textures. Throws InputError if a texture is too small.
   std::vector<glm::dvec3> radiosity(const radiosity::Discretization& discretization) const;
-  /// Replaces what the scene displays by its radiosity times `exposure`.
+  /// Replaces the display textures and colours of the scene by its radiosity times `exposure`.
   void expose(radiosity::Scene& scene, double exposure) const;
-  /// The exposure of what it displays.
+  /// The exposure of the display textures.
   double exposure() const { return exposure_; }
 
  private:
-  /// Where a surface lies in its texture (see radiosity::TexturePlace), and its grid.
+  /// The place of a surface in its texture (see radiosity::TexturePlace), and its grid; all in texels.
   struct Place {
     std::string texture;
     int width = 0, height = 0;
@@ -41,7 +40,7 @@ class SolvedFolder {
   };
 
   std::filesystem::path folder_;
-  std::vector<Place> places_;  ///< one a surface of the scene
+  std::vector<Place> places_;  ///< one per surface of the scene
   radiosity::DiscretizationSettings settings_;
   double exposure_ = 1;
 };

@@ -20,11 +20,10 @@ using radiosity::Edit;
 using raster::InputError;
 
 const std::string form =
-    "write {\"frames\": [[{\"move\": NAME, \"by\": [x,y,z]}, ...], ...]}; edits are move, remove, restore, add, "
-    "emission "
-    "and reflectance";
+    "write {\"frames\": [[{\"move\": NAME, \"by\": [x,y,z]}, ...], ...]}; the edits are move, remove, restore, add, "
+    "emission and reflectance";
 
-/// The key beside the edit's own that says what is done, and whether it has to be there.
+/// The second key of an edit, which holds its argument; empty if the edit has none.
 struct EditForm {
   std::string argument;
   bool isRequired;
@@ -36,20 +35,22 @@ const std::map<std::string, EditForm>& editForms() {
   return forms;
 }
 
-/// Which edit an object is. Throws InputError where it is none, or has other keys than it should.
+/// The kind of an edit, which is one of its keys. Throws InputError for an unknown kind and for wrong keys.
 std::string kindOf(const json& object) {
-  if (!object.is_object() || object.empty()) throw InputError("an edit is no object: " + object.dump(), form);
+  if (!object.is_object() || object.empty())
+    throw InputError("an edit is not a JSON object with keys: " + object.dump(), form);
   std::string kind;
   for (const auto& [key, value] : object.items())
     if (editForms().contains(key))
-      kind = kind.empty() ? key : throw InputError("an edit is two: " + object.dump(), form);
+      kind = kind.empty() ? key
+                          : throw InputError("an edit is two edits at once; write two objects: " + object.dump(), form);
   std::set<std::string> known;
   for (const auto& [name, some] : editForms()) known.insert({name, some.argument});
   known.erase("");
   for (const auto& [key, value] : object.items())
     if (key != kind && (kind.empty() || key != editForms().at(kind).argument))
       throw InputError("`" + key + "` is no key of " + (kind.empty() ? "an edit" : "`" + kind + "`"),
-                       "keys that come near: " + radiosity::nearestNames(known, key));
+                       "similar keys: " + radiosity::nearestNames(known, key));
   const EditForm& found = editForms().at(kind);
   if (found.isRequired && !object.contains(found.argument))
     throw InputError("`" + kind + "` has no `" + found.argument + "`", form);
@@ -66,7 +67,7 @@ std::vector<std::string> namesOf(const json& value) {
   return value.is_array() ? value.get<std::vector<std::string>>() : std::vector{value.get<std::string>()};
 }
 
-/// Appends the edits of an object, one a name.
+/// Appends the edits of an object, one per name.
 void appendEdits(const json& object, const std::filesystem::path& folder, const radiosity::SceneSettings& settings,
                  std::vector<Edit>& edits) {
   const std::string kind = kindOf(object);
@@ -83,7 +84,7 @@ void appendEdits(const json& object, const std::filesystem::path& folder, const 
 }
 
 json framesOf(const std::filesystem::path& file) {
-  const json content = json::parse(raster::readFile(file, "give a file of edits"));
+  const json content = json::parse(raster::readFile(file, "give a JSON file of edits"));
   if (!content.is_object() || !content.contains("frames") || content.size() != 1 || !content.at("frames").is_array())
     throw InputError(file.string(), 0, "is no list of frames", form);
   return content.at("frames");
@@ -99,7 +100,7 @@ std::vector<Frame> readEdits(const std::filesystem::path& file, const radiosity:
     radiosity::EditedScene state{scene, {}, {}};
     for (const json& frame : framesOf(file)) {
       where = "frame " + std::to_string(frames.size() + 1) + ": ";
-      if (!frame.is_array()) throw InputError("it is no list of edits", form);
+      if (!frame.is_array()) throw InputError("the frame is not a list of edits", form);
       std::vector<Edit> edits;
       for (const json& object : frame) appendEdits(object, file.parent_path(), settings, edits);
       state = radiosity::edited(std::move(state.scene), std::move(state.removed), edits);
@@ -108,7 +109,7 @@ std::vector<Frame> readEdits(const std::filesystem::path& file, const radiosity:
   } catch (const json::exception& error) {
     throw InputError(file.string(), 0, where + error.what(), form);
   } catch (const InputError& error) {
-    // What is wrong with a file that is added says so itself.
+    // A message about an added file names that file already.
     if (!error.file().empty()) throw;
     throw InputError(file.string(), 0, where + error.what());
   }

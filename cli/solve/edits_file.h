@@ -7,8 +7,9 @@
 ///       [{"reflectance": ["wall-red", "wall-green"], "to": [0.7, 0.7, 0.7]}]
 ///     ]}
 ///
-/// A name is that of a surface or a family, or ends with `*` and means all whose names begin so; a list of names means
-/// all of them. Files are found beside the file of edits. Emissions have the unit of `Ke` in the scene (`--emission`).
+/// A name is that of a surface or a family. A name that ends with `*` stands for all names with this beginning, and a
+/// list of names for all its entries. Paths are relative to the file of edits. Emissions have the unit of `Ke` in the
+/// scene (`--emission`).
 #pragma once
 
 #include <filesystem>
@@ -22,13 +23,13 @@
 namespace hemitex::cli {
 
 struct Frame {
-  nlohmann::ordered_json written;  ///< the list as it stands in the file
+  nlohmann::ordered_json written;  ///< the JSON list of the file
   std::vector<radiosity::Edit> edits;
 };
 
-/// Throws InputError where the file cannot be read, is no such list of frames, has a key that no edit has, or an edit
-/// cannot be made, frame after frame, to the scene: names that it does not have, numbers out of range. `settings`
-/// say how files that are added are read, and in which unit emissions are.
+/// Reads the frames of a file and applies them to a copy of the scene, to find wrong names and numbers before the
+/// solution starts. `settings` hold the unit of emissions, and are used for reading added files. Throws InputError if
+/// the file cannot be read, has a wrong format or an unknown key, or if an edit is impossible.
 std::vector<Frame> readEdits(const std::filesystem::path& file, const radiosity::Scene& scene,
                              const radiosity::SceneSettings& settings);
 

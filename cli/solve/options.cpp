@@ -15,7 +15,7 @@ std::vector<std::pair<std::string, AskedFilter>> namedFilters() {
           {"quadtree", TextureFilter::Quadtree},   {"gouraud", TextureFilter::Gouraud}};
 }
 
-/// `--samples`: a power of two, so that every ray is a whole share of the light.
+/// Adds `--samples`, a power of two: then the share of each ray is an integer.
 void addSamples(Command command, int& samples) {
   const auto read = [&samples](const std::string& text) {
     const int value = integerOption("--samples", text, 64, 1 << 24);
@@ -23,86 +23,94 @@ void addSamples(Command command, int& samples) {
       usageError("--samples", "`" + text + "` is not a power of two");
     samples = value;
   };
-  command.addText("--samples", "N", "rays a patch, spread over it; a power of two (default 65536)", read);
+  command.addText("--samples", "N", "cast N rays per patch, with --method rays; a power of two (default 65536)", read);
 }
 
-/// What finds rows of form factors.
+/// Adds the options for computing form-factor rows.
 void addMethodOptions(Command command, SolveOptions& options) {
   addChoice<std::string>(
       command, "--method", options.method,
       {{"hemicube", "hemicube"}, {"single-plane", "single-plane"}, {"tetrahedron", "tetrahedron"}, {"rays", "rays"}},
-      "what finds form factors (default hemicube); what rays find differs between machines in the last digits");
+      "projection or rays for form factors; a ray result differs between machines in the last digits (default "
+      "hemicube)");
   addDrawingOptions(command, options.drawing);
   addSamples(command, options.samples);
 }
 
-/// When to stop, and what to keep until then.
+/// Adds the options for ending the solution and for memory.
 void addSolverOptions(Command command, radiosity::SolverSettings& settings) {
-  const Option residual = addPositive(command, "--residual", settings.residual, std::numeric_limits<double>::infinity(),
-                                      "stop when unshot over emitted flux is at most this (default 0.001)");
-  addInteger(command, "--shots", settings.shots, 0, std::numeric_limits<int>::max(), "stop after N shots")
+  const Option residual =
+      addPositive(command, "--residual", settings.residual, std::numeric_limits<double>::infinity(),
+                  "stop when the unshot flux is at most this share of the emitted flux (default 0.001)");
+  addInteger(command, "--shots", settings.shots, 0, std::numeric_limits<int>::max(),
+             "stop after N shots (default: see --residual)")
       .excludes(residual);
   const auto readCache = [&settings](const std::string& text) {
     const int mebibytes = integerOption("--row-cache", text, 0, std::numeric_limits<int>::max());
     settings.rowCacheBytes = static_cast<std::size_t>(mebibytes) << 20;
   };
-  command.addText("--row-cache", "MIB", "rows kept for later shots (default 1024)", readCache);
+  command.addText("--row-cache", "MIB",
+                  "keep up to MIB mebibytes of form-factor rows for later shots of the same patches (default 1024)",
+                  readCache);
 }
 
-/// Settings that are chosen: for a bound on the error, or where light changes.
+/// Adds the options that choose other settings: --max-error and --adaptive.
 void addChosenSettings(Command command, SolveOptions& options) {
   const Option maxError = addPositive(
       command, "--max-error", options.maxError, 1,
-      "let the error of the elements' radiosity be at most this share of all light, weighted by flux: resolution, "
-      "splits and residual are chosen for it");
+      "choose --resolution, --split and --residual so that the expected error of the flux is at most this share of "
+      "all flux, such as 0.01");
   for (const char* chosen :
        {"--resolution", "--orientation", "--split", "--pixels-per-element", "--residual", "--shots", "--samples"})
     maxError.excludes(command.option(chosen));
   const Option adaptive = addPositive(
       command, "--adaptive", options.adaptive, 1,
-      "quadtrees: from 4 x 4 elements a surface down to its --texels, a power of two, split each one whose area times "
-      "the change of radiosity across it is above this share of all light (0.0001 is a start)");
+      "subdivide elements in quadtrees where radiosity changes fast, from 4 x 4 elements per surface to at most its "
+      "--texels; an element is split if its area times the change across it is above this share of all flux; start "
+      "with 0.0001");
   for (const char* other : {"--texel-size", "--max-error"}) adaptive.excludes(command.option(other));
 }
 
-/// How radiosity becomes textures.
+/// Adds the options of display textures.
 void addTextureOptions(Command command, SolveOptions& options) {
-  addChoice<AskedFilter>(command, "--filter", options.filter, namedFilters(),
-                         "from elements to display textures: texels as they are, the 3 x 3 triangle filter, bilinear "
-                         "or by cubic B-splines between texels, bilinear between the corners of quadtree leaves, or "
-                         "elements as shaded polygons (default triangle, with --adaptive quadtree)");
-  addInteger(command, "--magnify", options.magnification, 1, radiosity::maxMagnification,
-             "texels of a display texture along the side of one of the grid (default 4 with bilinear, bicubic and "
-             "gouraud, else 1)");
+  addChoice<AskedFilter>(
+      command, "--filter", options.filter, namedFilters(),
+      "filter from elements to display textures: none (one-to-one), 3 x 3 triangle filter, bilinear or cubic "
+      "B-spline interpolation between texels, bilinear interpolation in quadtree leaves, or Gouraud "
+      "shading (default triangle; with --adaptive quadtree)");
+  addInteger(
+      command, "--magnify", options.magnification, 1, radiosity::maxMagnification,
+      "make display textures N times as wide and high as the grid (default 4 with bilinear, bicubic and gouraud, "
+      "else 1)");
 }
 
 void addEdits(Command command, std::filesystem::path& edits) {
   command
-      .addText("--edits", "FILE.json",
-               "frames of edits (objects that move, come or go, lights, reflectances); the solution is updated for "
-               "each, into a folder of its own",
-               [&edits](const std::string& text) { edits = text; })
+      .addText(
+          "--edits", "FILE.json",
+          "update the solution for each frame of edits in the file and write each frame into its own folder; edits "
+          "move, add and remove objects, or change lights and reflectances",
+          [&edits](const std::string& text) { edits = text; })
       .excludes(command.option("--adaptive"))
-      // Coarser maps move light beyond the pixels that bound what an edit changes.
+      // Coarser maps distribute light beyond the pixels of the changed region, so an update would miss changes.
       .excludes(command.option("--pixels-per-element"));
 }
 
-/// Filters between texels need texels that are elements.
+/// Throws a usage error for a filter between texels with quadtrees, whose elements are not texels.
 void validateFilter(const SolveOptions& options) {
   const TextureFilter filter = texturesOf(options).filter;
   const bool isOfTexels =
       filter == TextureFilter::Triangle || filter == TextureFilter::Bilinear || filter == TextureFilter::Bicubic;
   if (options.adaptive && isOfTexels)
-    usageError("--filter", "`" + nameOf(filter) +
-                               "` is between texels; with --adaptive use quadtree, "
-                               "gouraud or one-to-one");
+    usageError("--filter",
+               "`" + nameOf(filter) + "` filters between texels; with --adaptive use quadtree, gouraud or one-to-one");
 }
 
 }  // namespace
 
 void addSolveOptions(Command command, SolveOptions& options) {
   addSceneOptions(command, options.scene);
-  addOutput(command, options.output, "folder for the lit scene");
+  addOutput(command, options.output, "write the lit scene into this folder");
   addDiscretizationOptions(command, options.discretization);
   addMethodOptions(command, options);
   addIdOptions(command, options.id);
@@ -116,15 +124,15 @@ void addSolveOptions(Command command, SolveOptions& options) {
 void completeOptions(Command command, SolveOptions& options) {
   refuseUnused(command, usesRays(options) ? drawingOptionNames() : std::vector<std::string>{"--samples"},
                options.method);
-  // What is chosen are settings of hemicubes.
+  // --max-error chooses settings of hemicubes.
   if (options.method != "hemicube") refuseUnused(command, {"--max-error"}, options.method);
-  // Quadtrees stand over grids of one power of two.
+  // Quadtrees need grids of equal powers of two.
   if (options.adaptive && !options.discretization.texels) options.discretization.texels = 16;
   if (const auto projection = projectionNamed(options.method)) options.drawing.projection = *projection;
   validateFilter(options);
   if (usesRays(options)) refuseUnused(command, {"--edits"}, options.method);
   if (options.drawing.elementsBy == radiosity::ElementsBy::Mesh && !options.edits.empty())
-    usageError("--edits", "has no use with --discretize mesh; leave one of them out");
+    usageError("--edits", "is not used with --discretize mesh; omit one of them");
 }
 
 bool usesRays(const SolveOptions& options) { return options.method == "rays"; }

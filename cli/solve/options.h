@@ -1,4 +1,4 @@
-/// What `hemitex solve` is told: its options, how they are read, and which of them contradict each other.
+/// The options of `hemitex solve`: reads them and checks that they do not contradict each other.
 #pragma once
 
 #include <filesystem>
@@ -23,25 +23,26 @@ struct SolveOptions {
   radiosity::IdSettings id;
   radiosity::SolverSettings solver;
   std::optional<double> maxError;
-  std::optional<radiosity::TextureFilter> filter;  ///< see texturesOf for those not asked for
+  std::optional<radiosity::TextureFilter> filter;  ///< see texturesOf for the default
   std::optional<int> magnification;
   CameraOptions camera;
-  std::filesystem::path edits;  ///< none: empty
+  std::filesystem::path edits;  ///< empty if there are none
   std::filesystem::path output;
 };
 
-/// `options` outlives the line of the program.
+/// Adds the options to the command. `options` must outlive the program.
 void addSolveOptions(Command command, SolveOptions& options);
 
-/// What can only be said when the whole line is read: which projection draws, and what has no use beside what else was
-/// given. Throws a usage error.
+/// Completes and checks the options after the whole command line is read: sets the projection, and throws a usage error
+/// for contradicting options.
 void completeOptions(Command command, SolveOptions& options);
 
 bool usesRays(const SolveOptions& options);
 
-/// What was asked for, or what suits the elements: filters between texels are seen only where these are magnified.
+/// The given settings of textures, or their defaults. Filters that interpolate between texels are visible only with
+/// magnification, so they have a default above 1.
 radiosity::TextureSettings texturesOf(const SolveOptions& options);
-/// As `--filter` calls it.
+/// The name of a filter, as for `--filter`.
 std::string nameOf(radiosity::TextureFilter filter);
 
 }  // namespace hemitex::cli

@@ -24,14 +24,14 @@ std::string emissionName(radiosity::EmissionUnit unit) {
   return unit == radiosity::EmissionUnit::Radiosity ? "radiosity" : "radiance";
 }
 
-/// Only the surfaces whose texels were asked for, and these are square.
+/// The surfaces with given numbers of texels; the command line gives square grids only.
 ordered_json surfaceTexelsJson(const radiosity::DiscretizationSettings& settings) {
   ordered_json texels = ordered_json::object();
   for (const auto& [name, size] : settings.surfaceTexels) texels[name] = size.columns;
   return texels;
 }
 
-/// The settings that the answer depends on: no path, no thread count.
+/// The settings that the result depends on.
 ordered_json settingsJson(const Showing& showing) {
   const SolveOptions& options = showing.options;
   const radiosity::TextureSettings textures = texturesOf(options);
@@ -76,7 +76,7 @@ std::string shotsText(const ordered_json& solution, double seconds) {
          percentText(solution["residual"]) + " of the flux unshot\n";
 }
 
-/// A line per kind of flux: W in each band, and the share of the emitted flux over all bands.
+/// One line per kind of flux: W in each band, and the share of the emitted flux, summed over bands.
 std::string fluxText(const ordered_json& energy) {
   const auto sum = [](const ordered_json& bands) {
     return bands[0].get<double>() + bands[1].get<double>() + bands[2].get<double>();

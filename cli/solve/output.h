@@ -1,5 +1,4 @@
-/// What `hemitex solve` writes and prints: the folder of a lit scene, and what its solution.json and people are told of
-/// it.
+/// The output of `hemitex solve`: the folder of a lit scene, its solution.json and the summary for people.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +15,7 @@
 
 namespace hemitex::cli {
 
-/// A solution, and what it is one of.
+/// A solution with its scene and discretization.
 struct Lit {
   const radiosity::Scene& scene;
   const radiosity::Discretization& discretization;
@@ -25,23 +24,24 @@ struct Lit {
   std::vector<glm::dvec3> displayed = radiosity::displayRadiosity(scene, discretization, solution);
 };
 
-/// How solutions are shown: those of all frames alike.
+/// Settings for showing solutions, equal for all frames.
 struct Showing {
-  const SolveOptions& options;  ///< with what was chosen for a bound on the error
+  const SolveOptions& options;  ///< including settings chosen for --max-error
   const radiosity::Camera& camera;
   double exposure;
 };
 
+/// The given exposure, or the default for the solution.
 double exposureOf(const SolveOptions& options, const Lit& lit);
 
-/// Writes the lit scene for any viewer of OBJ files, its picture and its numbers, but for solution.json.
+/// Writes the lit scene, its picture and elements.csv, but not solution.json.
 void writeSolved(const std::filesystem::path& folder, const Lit& lit, const Showing& showing);
 
-/// What solution.json says but for times and warnings: the settings that the answer depends on (no path, no thread
-/// count), and the solution.
+/// The object of solution.json without times and warnings: the settings that the result depends on, and the solution.
+/// It contains no path and no thread count, so that equal results have equal files.
 nlohmann::ordered_json description(const Lit& lit, const Showing& showing);
 
-/// What solution.json says, for people: counts, times, and where the flux went.
+/// The summary of solution.json for people: counts, times and the balance of flux.
 std::string summary(const nlohmann::ordered_json& solution);
 
 }  // namespace hemitex::cli

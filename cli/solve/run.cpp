@@ -38,7 +38,7 @@ radiosity::Discretization discretizationFor(const SolveOptions& options, const r
 
 Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radiosity::Discretization discretization,
                 const radiosity::IdLayout& layout, Console& console) {
-  // Also where rays find the rows: they are split where hemicubes are.
+  // Also used with rays, because patches are split by hemicubes for both methods.
   radiosity::SceneFormFactors drawn(scene, std::move(discretization), layout, options.drawing);
   const auto solveBy = [&](auto& rows) {
     const auto rowOf = [&rows](std::uint32_t patch) { return rows.ofPatch(patch); };

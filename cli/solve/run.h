@@ -1,5 +1,4 @@
-/// What `hemitex solve` does between reading a scene and writing it lit: settings are chosen where a bound on the error
-/// asks for that, surfaces become elements, patches shoot.
+/// The computation of `hemitex solve`: discretizes the scene, solves it, and chooses settings for a bound on the error.
 #pragma once
 
 #include <memory>
@@ -15,39 +14,41 @@
 
 namespace hemitex::cli {
 
-/// Elements: texels, or leaves of quadtrees that solutions have refined.
+/// The discretization by texels, or by quadtrees that are refined with solutions.
 radiosity::Discretization discretizationFor(const SolveOptions& options, const radiosity::Scene& scene,
                                             Console& console);
 
-/// A solution, and the discretization whose patches shot.
+/// A solution and its discretization, with patches as split during the solution.
 struct Solved {
   radiosity::Discretization discretization;
   radiosity::Solution solution;
-  double captured = 1;  ///< of the light that leaves a patch, by what finds rows; the rest is lost
+  double captured = 1;  ///< share of the light of a patch that the projection captures; the rest is lost
 };
 
+/// Solves the scene.
 Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radiosity::Discretization discretization,
                 const radiosity::IdLayout& layout, Console& console);
 
-/// A solution within a bound on the error, and the settings that were chosen for it.
+/// A solution within a bound on the error, with the settings chosen for it.
 struct BoundedSolution {
   SolveOptions options;
   Solved solved = {};
   double expectedError = 0;
 };
 
-/// Where a bound on the error was asked for: settings are chosen so that the solution keeps it.
+/// Solves within --max-error; nothing if the option is not given. Throws InputError if the bound cannot be reached.
 std::optional<BoundedSolution> solvedWithin(const SolveOptions& asked, const radiosity::Scene& scene,
                                             const radiosity::Discretization& discretization,
                                             const radiosity::IdLayout& layout, Console& console);
 
-/// A solution that follows edits, and what it is before the first of them. `options` and `console` outlive it.
+/// Solves the scene for later edits. `options` and `console` must outlive the result.
 std::unique_ptr<radiosity::DynamicSolution> dynamicSolution(const SolveOptions& options, const radiosity::Scene& scene,
                                                             radiosity::Discretization discretization, Console& console);
+/// The current state of a dynamic solution.
 Solved solvedBy(const radiosity::DynamicSolution& dynamic);
 
-/// How far the solution is: shots done of those asked for, or the residual's way down, on a logarithmic scale. Both
-/// arguments outlive it.
+/// Shows the progress of a solution: the share of the requested shots, or of the residual's decrease on a logarithmic
+/// scale. Both arguments must outlive the result.
 radiosity::Progress progressOf(const radiosity::SolverSettings& settings, Console& console);
 
 }  // namespace hemitex::cli

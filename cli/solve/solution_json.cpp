@@ -44,7 +44,7 @@ double areaOf(const radiosity::Discretization& discretization, const radiosity::
   return area;
 }
 
-/// Texels that lie inside solids wholly.
+/// Number of texels completely inside solids.
 std::uint64_t buriedTexels(const radiosity::Discretization& discretization) {
   std::uint64_t buried = 0;
   for (const radiosity::Grid& grid : discretization.grids) buried += grid.buried;

@@ -1,5 +1,5 @@
-/// What a solved folder says in numbers: solution.json (the settings, what they led to and where the light went) and
-/// elements.csv (the radiosity of every element).
+/// The numbers of a solved folder: solution.json (settings, counts and the balance of flux) and elements.csv (the
+/// radiosity of each element).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,14 +12,14 @@
 
 namespace hemitex::cli {
 
-/// One row an element, in the order of surfaces and, within one, of texels: the column and row of its own texel (of a
-/// quadtree's leaf the first that has area), its centre and normal, its area and its radiosity. All referenced objects
-/// must outlive the table.
+/// One row per element, ordered by surface and texel: the column and row of its own texel, centre, normal, area and
+/// radiosity in W/m^2. For a quadtree leaf the texel is the first with area. All referenced objects must outlive the
+/// table.
 Table elementTable(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                    const radiosity::Solution& solution);
 
-/// The object of solution.json, but for settings, times and warnings: the surfaces with their grids and their places in
-/// the radiosity textures, counts, residual, energy.
+/// The object of solution.json without settings, times and warnings: surfaces with their grids and places in the
+/// radiosity textures, counts, residual and energy.
 nlohmann::ordered_json describe(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                                 const radiosity::IdLayout& layout, const radiosity::Solution& solution);
 

@@ -1,5 +1,5 @@
-/// `hemitex solve`: progressive radiosity. An OBJ scene goes in; a folder comes out that holds the lit scene for any
-/// viewer of OBJ files, a picture of it, and the numbers.
+/// `hemitex solve`: computes the light of an OBJ scene by progressive radiosity. Writes a folder with the lit scene for
+/// OBJ viewers, a picture and the numbers.
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -20,10 +20,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Seconds that the parts of a run took.
+/// Seconds of the parts of a run.
 class Laps {
  public:
-  /// The time since the last lap goes to `name`.
+  /// Stores the time since the last lap under `name`.
   void lap(const std::string& name) {
     times_[name] = watch_.seconds();
     watch_ = reference::Stopwatch();
@@ -43,7 +43,7 @@ ordered_json toJson(const radiosity::UpdateCost& cost) {
           {"started_over", cost.startedOver}};
 }
 
-/// The update of one frame: its folder beside those of the others, and what the index of all says of it.
+/// Updates the solution for a frame and writes its folder. Returns the entry of the frame in the main solution.json.
 ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number, const Frame& frame,
                         radiosity::DynamicSolution& dynamic, const Showing& showing, Console& console) {
   Laps laps;
@@ -70,12 +70,12 @@ ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number,
           {"times", laps.times()}};
 }
 
-/// What is told of a solution beside its numbers.
+/// Prints the warnings of a solution.
 void warnOf(const Solved& solved, Console& console) {
   console.warnings(solved.solution.warnings);
   if (solved.captured < 1)
     console.warning("the single plane captures " + percentText(solved.captured) +
-                    " of the flux that leaves a patch; the rest is lost, and the scene is darker");
+                    " of the flux of a patch; the rest is lost, so that the scene is too dark");
 }
 
 void solve(SolveOptions asked, Context& context) {
@@ -89,7 +89,7 @@ void solve(SolveOptions asked, Context& context) {
   const std::vector<Frame> frames =
       isEdited ? readEdits(asked.edits, scene, asked.scene.settings) : std::vector<Frame>();
   laps.lap("load_s");
-  Staging{asked.output};  // a folder that cannot be written is told before the work, not after it
+  Staging{asked.output};  // reports a folder that cannot be written before the work
   radiosity::Discretization unsplit = discretizationFor(asked, scene, console);
   const radiosity::IdLayout layout = layoutOf(asked.id, unsplit, console);
   laps.lap("discretize_s");
@@ -124,7 +124,7 @@ void solve(SolveOptions asked, Context& context) {
 
 void addSolve(Command program, Context& context) {
   const auto options = std::make_shared<SolveOptions>();
-  const Command command = program.addCommand("solve", "Light a scene by progressive radiosity");
+  const Command command = program.addCommand("solve", "Compute the light of a scene by progressive radiosity");
   addSolveOptions(command, *options);
   command.onRead([options, command, &context] {
     completeOptions(command, *options);
