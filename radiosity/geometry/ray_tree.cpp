@@ -68,9 +68,29 @@ void RayTree::build(std::uint32_t begin, std::uint32_t end) {
   build(half, end);
 }
 
+template <typename IsMet, typename IsNearer, typename Visit>
+void RayTree::walk(const IsMet& isMet, const IsNearer& isNearer, const Visit& visit) const {
+  if (leaves_.empty()) return;
+  // The tree halves at each level, so its depth is at most the number of bits of a triangle count.
+  std::array<std::uint32_t, 64> waiting;
+  std::size_t count = 0;
+  waiting[count++] = 0;
+  while (count > 0) {
+    const std::uint32_t number = waiting[--count];
+    const Node& node = nodes_[number];
+    if (!isMet(node)) continue;
+    for (std::uint32_t i = 0; i < node.triangles; ++i) visit(leaves_[node.second + i]);
+    if (node.triangles > 0) continue;
+    const bool isFirstNearer = isNearer(nodes_[number + 1], nodes_[node.second]);
+    waiting[count++] = isFirstNearer ? node.second : number + 1;
+    waiting[count++] = isFirstNearer ? number + 1 : node.second;
+  }
+}
+
 template <typename Meet>
 void RayTree::trace(const glm::dvec3& origin, const glm::dvec3& direction, double end, const Meet& meet) const {
   const glm::dvec3 inverse = inverseOf(direction);
+  const auto entryOf = [&](const Node& node) { return entry(node.low, node.high, origin, inverse, end); };
   const auto meetLeaf = [&](const Leaf& leaf) {
     // Moeller and Trumbore 1997.
     const glm::dvec3 p = glm::cross(direction, leaf.along2), offset = origin - leaf.corner;
@@ -83,22 +103,8 @@ void RayTree::trace(const glm::dvec3& origin, const glm::dvec3& direction, doubl
     if (v >= 0 && u + v <= 1 && t > 0 && t < end)
       meet(TriangleHit{leaf.surface, leaf.triangle, {u, v}, t, determinant > 0}, leaf, end);
   };
-  // The tree halves at each level, so its depth is at most the number of bits of a triangle count.
-  std::array<std::uint32_t, 64> waiting;
-  std::size_t count = 0;
-  waiting[count++] = 0;
-  while (count > 0) {
-    const std::uint32_t number = waiting[--count];
-    const Node& node = nodes_[number];
-    if (entry(node.low, node.high, origin, inverse, end) == std::numeric_limits<double>::infinity()) continue;
-    for (std::uint32_t i = 0; i < node.triangles; ++i) meetLeaf(leaves_[node.second + i]);
-    if (node.triangles > 0) continue;
-    const Node &first = nodes_[number + 1], &second = nodes_[node.second];
-    const bool isFirstNearer =
-        entry(first.low, first.high, origin, inverse, end) < entry(second.low, second.high, origin, inverse, end);
-    waiting[count++] = isFirstNearer ? node.second : number + 1;
-    waiting[count++] = isFirstNearer ? number + 1 : node.second;
-  }
+  walk([&](const Node& node) { return entryOf(node) < std::numeric_limits<double>::infinity(); },
+       [&](const Node& first, const Node& second) { return entryOf(first) < entryOf(second); }, meetLeaf);
 }
 
 std::optional<TriangleHit> RayTree::firstHit(const glm::dvec3& origin, const glm::dvec3& direction) const {
@@ -119,23 +125,13 @@ void RayTree::appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vec
     return otherLow.x <= high.x && otherLow.y <= high.y && otherLow.z <= high.z && otherHigh.x >= low.x &&
            otherHigh.y >= low.y && otherHigh.z >= low.z;
   };
-  std::array<std::uint32_t, 64> waiting;
-  std::size_t count = 0;
-  waiting[count++] = 0;
-  while (count > 0) {
-    const std::uint32_t number = waiting[--count];
-    const Node& node = nodes_[number];
-    if (!isNear(node.low, node.high)) continue;
-    for (std::uint32_t i = node.second; i < node.second + node.triangles; ++i) {
-      const Leaf& leaf = leaves_[i];
-      const glm::dvec3 b = leaf.corner + leaf.along1, c = leaf.corner + leaf.along2;
-      if (isNear(glm::min(glm::min(leaf.corner, b), c), glm::max(glm::max(leaf.corner, b), c)))
-        numbers.push_back(leaf.number);
-    }
-    if (node.triangles > 0) continue;
-    waiting[count++] = node.second;
-    waiting[count++] = number + 1;
-  }
+  const auto appendLeaf = [&](const Leaf& leaf) {
+    const glm::dvec3 b = leaf.corner + leaf.along1, c = leaf.corner + leaf.along2;
+    if (isNear(glm::min(glm::min(leaf.corner, b), c), glm::max(glm::max(leaf.corner, b), c)))
+      numbers.push_back(leaf.number);
+  };
+  walk([&](const Node& node) { return isNear(node.low, node.high); }, [](const Node&, const Node&) { return true; },
+       appendLeaf);
 }
 
 bool RayTree::meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine) const {

@@ -47,6 +47,10 @@ class RayTree {
     std::uint32_t triangles = 0;  ///< 0 for an inner node
   };
 
+  /// Calls visit(leaf) for the triangles of all leaf nodes that can be reached through nodes for which isMet(node) is
+  /// true. The first child of a node comes first if isNearer(first, second) is true.
+  template <typename IsMet, typename IsNearer, typename Visit>
+  void walk(const IsMet& isMet, const IsNearer& isNearer, const Visit& visit) const;
   /// Calls meet(hit, end) for triangles along the ray up to `end`, approximately in order of distance. The callback may
   /// reduce `end`.
   template <typename Meet>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -142,60 +141,59 @@ class NumberReader {
   int largestNormalLine_ = 0;  ///< 0: no face has a normal
 };
 
-/// The state of the tinyobjloader callbacks, which assign polygons to sections.
-struct StructureReader {
-  ObjFile& obj;
-  std::size_t polygon = 0;  ///< the next polygon
-  ObjSection current{"default", ""};
-  std::map<std::pair<std::string, std::string>, std::uint32_t> sections = {};
-  std::optional<std::uint32_t> section = {};  ///< of `current`, once a face uses it
+/// Parses the lines that assign polygons to sections, one by one with tinyobjloader.
+class StructureReader {
+ public:
+  explicit StructureReader(ObjFile& obj) : obj_(obj) {}
 
-  void addPolygon() {
-    if (!section) {
-      const auto known = sections.try_emplace({current.group, current.material}, obj.sections.size());
-      if (known.second) obj.sections.push_back(current);
-      section = known.first->second;
-    }
-    obj.polygons[polygon++].section = *section;
-  }
-  void setGroup(const std::string& name) {
-    current.group = name.empty() ? "default" : name;
-    section.reset();
-  }
-  void setMaterial(const std::string& name) {
-    current.material = name;
-    section.reset();
-  }
-};
-
-tinyobj::callback_t structureCallbacks() {
-  tinyobj::callback_t callbacks;
-  callbacks.index_cb = [](void* reader, tinyobj::index_t*, int) {
-    static_cast<StructureReader*>(reader)->addPolygon();
-  };
-  callbacks.usemtl_cb = [](void* reader, const char* name, int) {
-    static_cast<StructureReader*>(reader)->setMaterial(name);
-  };
-  callbacks.object_cb = [](void* reader, const char* name) { static_cast<StructureReader*>(reader)->setGroup(name); };
-  callbacks.group_cb = [](void* reader, const char** names, int count) {
-    std::string joined;
-    for (int i = 0; i < count; ++i) joined += (i > 0 ? " " : "") + std::string(names[i]);
-    static_cast<StructureReader*>(reader)->setGroup(joined);
-  };
-  return callbacks;
-}
-
-/// The lines that define the structure. Faces are reduced to dummy faces, because their numbers are already parsed.
-std::string structureText(const std::vector<TextLine>& lines) {
-  std::string text;
-  for (const TextLine& line : lines) {
-    if (line.keyword == "f") text += "f 1 1 1\n";
+  /// The line of a face is already parsed: its polygon is the last one.
+  void read(const TextLine& line) {
+    if (line.keyword == "f") obj_.polygons.back().section = sectionOfFace();
     if (line.keyword == "g" || line.keyword == "o" || line.keyword == "usemtl") {
-      text += std::string(line.keyword) + " " + std::string(line.rest) + "\n";
+      std::istringstream text(std::string(line.keyword) + " " + std::string(line.rest));
+      tinyobj::LoadObjWithCallback(text, callbacks(), this);
     }
   }
-  return text;
-}
+
+ private:
+  static tinyobj::callback_t callbacks() {
+    tinyobj::callback_t result;
+    result.usemtl_cb = [](void* reader, const char* name, int) {
+      static_cast<StructureReader*>(reader)->setMaterial(name);
+    };
+    result.object_cb = [](void* reader, const char* name) { static_cast<StructureReader*>(reader)->setGroup(name); };
+    result.group_cb = [](void* reader, const char** names, int count) {
+      std::string joined;
+      for (int i = 0; i < count; ++i) joined += (i > 0 ? " " : "") + std::string(names[i]);
+      static_cast<StructureReader*>(reader)->setGroup(joined);
+    };
+    return result;
+  }
+
+  void setGroup(const std::string& name) {
+    current_.group = name.empty() ? "default" : name;
+    section_.reset();
+  }
+
+  void setMaterial(const std::string& name) {
+    current_.material = name;
+    section_.reset();
+  }
+
+  std::uint32_t sectionOfFace() {
+    if (!section_) {
+      const auto known = sections_.try_emplace({current_.group, current_.material}, obj_.sections.size());
+      if (known.second) obj_.sections.push_back(current_);
+      section_ = known.first->second;
+    }
+    return *section_;
+  }
+
+  ObjFile& obj_;
+  ObjSection current_{"default", ""};
+  std::map<std::pair<std::string, std::string>, std::uint32_t> sections_;
+  std::optional<std::uint32_t> section_;  ///< of `current_`, once a face uses it
+};
 
 }  // namespace
 
@@ -204,19 +202,15 @@ ObjFile readObj(const std::filesystem::path& file) {
 }
 
 ObjFile parseObj(std::string_view text, const std::filesystem::path& file) {
-  const std::vector<TextLine> lines = splitLines(text);
   ObjFile obj;
   NumberReader numbers(file, obj);
-  for (const TextLine& line : lines) {
+  StructureReader structure(obj);
+  for (const TextLine& line : splitLines(text)) {
     numbers.read(line);
+    structure.read(line);
     if (line.keyword == "mtllib" && !line.rest.empty()) obj.materialLibraries.emplace_back(line.rest);
   }
   numbers.checkRanges();
-
-  std::istringstream structure(structureText(lines));
-  StructureReader reader{obj};
-  tinyobj::LoadObjWithCallback(structure, structureCallbacks(), &reader);
-  assert(reader.polygon == obj.polygons.size());
   return obj;
 }
 

@@ -1,0 +1,198 @@
+/// hemitex formfactors: rows and matrices by each method, and their checks.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "tests/support/shell.h"
+
+using namespace hemitex::tests;
+using nlohmann::json;
+
+TEST_CASE("hemitex formfactors from a surface of a closed room sum to 1", "[cli]") {
+  const Shell shell;
+  // A share has 60 bits and a double 53, so that each of up to 96 numbers has a rounding error of at most half of
+  // 2^-53.
+  for (const char* from : {"floor", "floor:3,0", "'ceiling/lamp'", "'back:1,2'"}) {
+    const auto lines =
+        linesOf(shell.output("formfactors room.obj --texels 4 --resolution 32 --from " + std::string(from)));
+    CHECK(lines.at(0) == "surface,column,row,area,form_factor");
+    REQUIRE(lines.size() == 1 + 96);
+    double sum = 0;
+    for (std::size_t i = 1; i < lines.size(); ++i) sum += lastNumber(lines[i]);
+    CHECK(sum == Approx(1).margin(96 * 1.2e-16));
+  }
+}
+
+TEST_CASE("hemitex formfactors --all prints the rows of its surfaces", "[cli]") {
+  const Shell shell;
+  const std::string settings = " --texels 4 --resolution 32 --by-surface";
+  const auto matrix = linesOf(shell.output("formfactors room.obj --all" + settings));
+  const auto row = linesOf(shell.output("formfactors room.obj --from left" + settings));
+  CHECK(matrix.at(0) == "from,to,form_factor");
+  CHECK(row.at(0) == "surface,area,form_factor");
+  REQUIRE(matrix.size() == 1 + 36);
+  REQUIRE(row.size() == 1 + 6);
+  for (std::size_t to = 0; to < 6; ++to) CHECK(lastNumber(matrix[1 + 6 + to]) == lastNumber(row[1 + to]));
+}
+
+TEST_CASE("hemitex formfactors --method rays prints standard errors", "[cli]") {
+  // The faces of a cube: 0.1998 to the opposite one (Howell C-11), and a quarter of the rest to each of the others.
+  const Shell shell;
+  for (const std::string settings : {"", " --aimed", " --texels 3"}) {
+    const auto lines =
+        linesOf(shell.output("formfactors room.obj --from floor --by-surface --method rays --samples 8192" + settings));
+    REQUIRE(lines.size() == 1 + 6);
+    CHECK(lines[0] == "surface,area,form_factor,standard_error");
+    for (const std::string& line : lines) {
+      if (line.starts_with("surface")) continue;
+      const double error = lastNumber(line), value = lastNumber(line.substr(0, line.rfind(',')));
+      const double exact = line.starts_with("floor") ? 0 : line.starts_with("ceiling") ? 0.199824896 : 0.200043776;
+      INFO(settings << ": " << line);
+      CHECK(std::abs(value - exact) <= 4 * error + 1e-9);
+      CHECK(error < 0.01);
+    }
+  }
+  const auto elements = linesOf(shell.output("formfactors room.obj --from floor:1,2 --texels 4 --method rays"));
+  CHECK(elements.at(0) == "surface,column,row,area,form_factor,standard_error");
+  CHECK(elements.size() == 1 + 96);
+  const json row = json::parse(shell.output("formfactors room.obj --from floor --by-surface --method rays --json"));
+  CHECK(row["samples"] == 65536);
+  CHECK(row["row"][1]["standard_error"].get<double>() > 0);
+}
+
+TEST_CASE("hemitex formfactors --method analytic equals the closed forms, and reports that blockers are ignored",
+          "[cli]") {
+  // Faces of a cube: Howell C-11 and C-14 with all lengths equal, from the mean over the floor or over one of its
+  // texels.
+  const Shell shell;
+  const Outcome outcome = shell.run("formfactors room.obj --from floor --by-surface --method analytic");
+  CHECK(outcome.exitCode == 0);
+  CHECK(outcome.err.find("blockers are not looked at") != std::string::npos);
+  const auto lines = linesOf(outcome.out);
+  REQUIRE(lines.size() == 1 + 6);
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const bool isFloor = lines[i].starts_with("floor"), isOpposite = lines[i].starts_with("ceiling");
+    const double exact = isFloor ? 0 : isOpposite ? 0.199824895698387 : 0.200043776075403;
+    INFO(lines[i]);
+    CHECK(lastNumber(lines[i]) == Approx(exact).epsilon(1e-9));
+  }
+  const json row = json::parse(shell.output("formfactors room.obj --from floor --method analytic --texels 1 --json"));
+  CHECK(row["blockers_ignored"] == true);
+  for (const char* from : {"floor", "floor:1,2"}) {
+    const auto elements =
+        linesOf(shell.output("formfactors room.obj --texels 4 --method analytic --from " + std::string(from)));
+    REQUIRE(elements.size() == 1 + 96);
+    double sum = 0;
+    for (std::size_t i = 1; i < elements.size(); ++i) sum += lastNumber(elements[i]);
+    CHECK(sum == Approx(1).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("hemitex formfactors of the paper's room: hemicubes and closed forms agree for unblocked surfaces", "[cli]") {
+  // From the light, no ray to these surfaces meets the box; a part of the floor is behind it. A hemicube of 256 pixels
+  // misses a few pixels along a surface's rim, each of up to 1/(pi 128^2) = 2e-5. The light shoots from 8 x 8 patches.
+  const Shell shell;
+  const std::string command =
+      "formfactors " HEMITEX_DATA "/paper-room.obj --texels 16 --patch 2 --from light --by-surface --json --method ";
+  const json analytic = json::parse(shell.output(command + "analytic"))["row"];
+  const json hemicube = json::parse(shell.output(command + "hemicube"))["row"];
+  REQUIRE(analytic.size() == 13);
+  for (std::size_t i = 0; i < analytic.size(); ++i) {
+    const auto name = analytic[i]["surface"].get<std::string>();
+    const double excess = analytic[i]["form_factor"].get<double>() - hemicube[i]["form_factor"].get<double>();
+    INFO(name << " " << excess);
+    if (name == "floor") CHECK(excess > 0.05);
+    for (const char* lit : {"wall-front", "wall-left", "ceiling", "box-top", "box-front", "box-left"})
+      if (name == lit) CHECK(std::abs(excess) < 2e-4);
+  }
+}
+
+TEST_CASE("hemitex formfactors and solve with other projections report the captured share", "[cli]") {
+  // A cubic tetrahedron sees the same as a hemicube. The plane, of half-width 4, captures 4/pi c atan(c) of the light
+  // with c = 4 / sqrt(17); in a closed room only the rest leaves.
+  const Shell shell;
+  const double c = 4 / std::sqrt(17.0), captured = 4 / M_PI * c * std::atan(c);
+  const auto row = [&](const std::string& method) {
+    return json::parse(shell.output("formfactors room.obj --from floor --by-surface --json --method " + method));
+  };
+  const json hemicube = row("hemicube"), tetrahedron = row("tetrahedron"), plane = row("single-plane");
+  CHECK(hemicube["captured"] == 1);
+  CHECK(tetrahedron["captured"] == 1);
+  CHECK(tetrahedron["background"] == 0);
+  CHECK(plane["captured"].get<double>() == Approx(captured).epsilon(1e-12));
+  CHECK(plane["background"].get<double>() == Approx(1 - captured).epsilon(1e-12));
+  for (std::size_t i = 0; i < hemicube["row"].size(); ++i)
+    CHECK(tetrahedron["row"][i]["form_factor"].get<double>() ==
+          Approx(hemicube["row"][i]["form_factor"].get<double>()).margin(1e-3));
+
+  const Outcome lossy = shell.run("solve room.obj -o plane --texels 4 --resolution 64 --method single-plane --json");
+  REQUIRE(lossy.exitCode == 0);
+  const json solution = json::parse(lossy.out);
+  CHECK(solution["settings"]["method"] == "single-plane");
+  CHECK(solution["captured"].get<double>() == Approx(captured).epsilon(1e-12));
+  CHECK(solution["warnings"].size() == 1);
+  CHECK(solution["energy"]["lost"][0].get<double>() > 0.04 * solution["energy"]["emitted"][0].get<double>());
+  const json whole =
+      json::parse(shell.output("solve room.obj -o all --texels 4 --resolution 64 --method tetrahedron --json"));
+  CHECK(whole["captured"] == 1);
+  CHECK(whole["warnings"].empty());
+  CHECK(whole["energy"]["lost"][0] == 0);
+}
+
+TEST_CASE("hemitex formfactors --pixels-per-element gives smoother rows", "[cli]") {
+  // A ceiling of 32 x 32 elements in at most 16 x 16 pixels: at most one element in four is met, but all blocks are.
+  const Shell shell;
+  const auto seen = [&](const std::string& options) {
+    const json result = json::parse(shell.output(
+        "formfactors room.obj --from floor:16,16 --texels 32 --resolution 16 --split 1 --json " + options));
+    double sum = result["background"].get<double>() + result["back"].get<double>();
+    int met = 0;
+    for (const json& element : result["row"]) {
+      sum += element["form_factor"].get<double>();
+      met += element["surface"] == "ceiling/lamp" && element["form_factor"].get<double>() > 0;
+    }
+    CHECK(sum == Approx(1).epsilon(1e-12));
+    return std::pair(met, result["pixels_per_element"].get<double>());
+  };
+  const auto [few, none] = seen("");
+  const auto [all, four] = seen("--pixels-per-element 4");
+  CHECK(none == 0);
+  CHECK(four == 4);
+  CHECK((few > 0 && few <= 256));
+  CHECK(all == 1024);
+}
+
+TEST_CASE("hemitex formfactors --all reports the checks of matrices", "[cli]") {
+  // In a closed cube rows sum to 1. The errors of rays, about 1e-3 each, and those of hemicubes break reciprocity.
+  const Shell shell;
+  for (const std::string method : {"rays", "hemicube"}) {
+    const std::string command = "formfactors room.obj --all --by-surface --json --method " + method;
+    const Outcome outcome = shell.run(command);
+    REQUIRE(outcome.exitCode == 0);
+    const json result = json::parse(outcome.out);
+    CHECK(result["matrix"].size() == 36);
+    CHECK(result["matrix"][1].contains("standard_error") == (method == "rays"));
+    CHECK(result["row_sums"][0].get<double>() == Approx(1).epsilon(1e-12));
+    CHECK(result["row_sums"][1].get<double>() == Approx(1).epsilon(1e-12));
+    CHECK(result["reciprocity"].get<double>() < 0.01);
+    CHECK(outcome.err.find("rows sum to ") != std::string::npos);
+    CHECK(outcome.err.find("at most 0 (from ") != std::string::npos);
+    CHECK(outcome.err.find("reciprocity is missed by at most ") != std::string::npos);
+    CHECK(shell.run(command + " -q").err.empty());
+
+    const Outcome smooth = shell.run(command + " --smooth");
+    CHECK(smooth.err.find("smoothing moved form factors by at most ") != std::string::npos);
+    const json smoothed = json::parse(smooth.out);
+    CHECK(smoothed["reciprocity"].get<double>() < 1e-12);
+    CHECK(smoothed["row_sums"][0].get<double>() == Approx(1).epsilon(1e-12));
+    double largest = 0;
+    for (std::size_t i = 0; i < 36; ++i)
+      largest = std::max(largest, std::abs(smoothed["matrix"][i]["form_factor"].get<double>() -
+                                           result["matrix"][i]["form_factor"].get<double>()));
+    CHECK(smoothed["smoothing"]["largest"].get<double>() == largest);
+    CHECK((largest > 1e-6 && largest < 0.01));
+  }
+}

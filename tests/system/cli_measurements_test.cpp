@@ -1,0 +1,106 @@
+/// hemitex bench and tradeoff: tables, objects and pages.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "tests/support/shell.h"
+
+using namespace hemitex::tests;
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// Removes the values that differ from run to run.
+json withoutTimes(json value) {
+  if (value.is_object()) value.erase("times");
+  for (json& part : value)
+    if (part.is_structured()) part = withoutTimes(part);
+  return value;
+}
+
+}  // namespace
+
+TEST_CASE("hemitex tradeoff writes a table, an object and a page, the same for any number of threads except times",
+          "[cli]") {
+  const Shell shell;
+  const std::string quick =
+      "tradeoff room.obj --texels 4,2 --patch 2,1 --samples 256 --method hemicube=32,64 --method centre-rays=64 ";
+  shell.output(quick + "-o one --threads 1");
+  const json result = json::parse(shell.output(quick + "-o three --threads 3 --json"));
+  const json one = json::parse(readAll(shell.file("one/tradeoff.json")));
+  CHECK(withoutTimes(one) == withoutTimes(result));
+  CHECK(result == json::parse(readAll(shell.file("three/tradeoff.json"))));
+  CHECK(std::distance(fs::directory_iterator(shell.file("one")), {}) == 3);
+
+  // Six faces: 4 x 4 texels in patches of 2 and 1, 2 x 2 in patches of 2 and 1. Hemicubes use both settings on the
+  // first, and on the others those up to the middle of two, which is the second. Rays use their only setting.
+  CHECK(result["scene"] == "room.obj");
+  CHECK(result["truth"]["elements"] == 96);
+  REQUIRE(result["choices"].size() == 4 * (2 + 1));
+  const auto lines = linesOf(readAll(shell.file("one/tradeoff.csv")));
+  REQUIRE(lines.size() == 1 + 4 * (2 + 1));
+  CHECK(lines[1].starts_with("hemicube,resolution,32,3072,4,2,96,24,"));
+  for (const json& choice : result["choices"]) {
+    CHECK(choice["radiosity_error"]["flux_weighted"] > 0);
+    CHECK(choice["row_error"]["relative_l1"] > 0);
+    CHECK(choice["bytes"]["rows"] > 0);
+    CHECK(choice["times"]["median_s"] > 0);
+  }
+  CHECK(result["same_points"]["hemicubes"].size() == 2);
+  CHECK(result["same_points"]["rays"].size() == 1);
+  // A run named for an error bound is within it, and on the Pareto front.
+  for (const json& level : result["times"]["within"]) {
+    if (level["choice"].is_null()) continue;
+    const json& choice = result["choices"][level["choice"].get<std::size_t>()];
+    CHECK(choice["radiosity_error"]["flux_weighted"] <= level["error"]);
+    CHECK(choice["times"]["pareto"] == true);
+  }
+  const std::string page = readAll(shell.file("one/report.html"));
+  CHECK(page.find("{{") == std::string::npos);
+  // The object of the page has pictures behind what the file has.
+  const std::string file = readAll(shell.file("one/tradeoff.json"));
+  CHECK(page.find(file.substr(0, file.rfind("\n}"))) != std::string::npos);
+}
+
+TEST_CASE("hemitex bench measures all documented times, for the original and the subdivided scene", "[cli]") {
+  const Shell shell;
+  const std::string out = shell.output("bench room.obj --resolution 16 --resolution 32 --triangles 100 --json -o out");
+  const json result = json::parse(out);
+  CHECK(readAll(shell.file("out/bench.json")) == out);
+  std::map<std::pair<int, int>, std::set<std::string>> found;
+  for (const json& run : result["runs"]) {
+    CHECK(run["scene"] == "room");
+    // Texels have the size for which 128 fit each of six equal squares. Sides of 8 and 16 are equally near to the root
+    // of 128; the smaller is taken.
+    CHECK(run["elements"] == 6 * 8 * 8);
+    CHECK(run["threads"] == 1);
+    CHECK(run["repeats"] == 11);
+    CHECK(run["min_ms"] > 0.0);
+    CHECK(run["median_ms"] >= run["min_ms"]);
+    CHECK(run.size() == 9);
+    found[{run["triangles"], run["resolution"]}].insert(run["what"].get<std::string>());
+  }
+  std::set<std::string> cut{"hemicube", "draw", "embree", "floor"};
+  if (!found.empty() && found.begin()->second.contains("opengl")) cut.insert("opengl");
+  std::set<std::string> whole = cut;
+  whole.insert({"hemicube-mesh", "shot", "solution"});
+  REQUIRE(found.size() == 4);
+  for (const auto& [place, what] : found) CHECK(what == (place.first == 12 ? whole : cut));
+  for (const char* key : {"two_cores", "memory"}) CHECK(result[key] == json::object());
+  for (const char* key : {"tied_wall", "growth", "equal_time_error", "solution_parts"})
+    CHECK(result[key] == json::array());
+  REQUIRE(result["crossover"].size() == 2);
+  CHECK(result["crossover"][0]["scene"] == "room");
+  // All but the four hemicubes, and the shots and solutions of the scene as it is.
+  CHECK(result["ratios"].size() == result["runs"].size() - 4 - 2 * 2);
+  const std::string page = readAll(shell.file("out/report.html"));
+  CHECK(page.find("{{") == std::string::npos);
+  CHECK(page.find(out) != std::string::npos);
+  CHECK(readAll(shell.file("out/tables.md")).find("| room | 12 | 384 | 16 | ") != std::string::npos);
+}

@@ -1,0 +1,243 @@
+/// hemitex solve: the written files, and the options that choose methods, edits, filters and errors.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "tests/support/shell.h"
+
+using namespace hemitex::tests;
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+TEST_CASE("hemitex solve --max-error chooses the settings and reports them", "[cli]") {
+  const Shell shell;
+  const std::string given = "solve room.obj --texels 4 --size 40x30 --json ";
+  const json loose = json::parse(shell.output(given + "--max-error 0.2 -o loose"));
+  const json tight = json::parse(shell.output(given + "--max-error 0.0005 -o tight"));
+  for (const json* solution : {&loose, &tight}) {
+    CHECK((*solution)["expected_error"] <= (*solution)["settings"]["max_error"]);
+    CHECK((*solution)["residual"] <= (*solution)["settings"]["residual"]);
+  }
+  CHECK(loose["settings"]["residual"] == 0.02);
+  CHECK(loose["settings"]["resolution"] <= tight["settings"]["resolution"]);
+  CHECK(loose["settings"]["split"] > tight["settings"]["split"]);
+  CHECK(shell.output("solve room.obj --texels 4 --size 40x30 --max-error 0.2 -o text").find("expected error") !=
+        std::string::npos);
+
+  // Out of reach: one message with a bound that can be reached, and nothing is left behind.
+  const Outcome outcome = shell.run("solve room.obj --texels 4 --max-error 1e-9 -o out");
+  CHECK(outcome.exitCode == 2);
+  CHECK(outcome.err.find("out of reach") != std::string::npos);
+  CHECK_FALSE(fs::exists(shell.file("out")));
+}
+
+TEST_CASE(
+    "hemitex solve --edits writes a folder per frame, the same for any number of threads, beside the first solution",
+    "[cli]") {
+  const Shell shell;
+  writeAll(shell.file("box.obj"), "v 0 -1 0\nv 0.5 -1 0\nv 0.5 0 0\nv 0 0 0\ng sheet\nf 1 2 3 4\n");
+  writeAll(shell.file("edits.json"), R"({"frames": [
+    [{"add": "box.obj"}, {"reflectance": ["left", "fr*"], "to": [0.2, 0.2, 0.2]}],
+    [{"move": "sheet", "by": [0.25, 0, 0.25]}],
+    [{"remove": "sheet"}, {"emission": "ceiling/lamp", "to": [0, 5, 5]}],
+    [{"restore": "sheet"}]]})");
+  shell.output(quickSolve + "-o without");
+  shell.output(quickSolve + "-o one --edits edits.json --threads 1");
+  shell.output(quickSolve + "-o two --edits edits.json --threads 2");
+  for (const char* name : {"elements.csv", "render.png", "scene.obj"})
+    CHECK(readAll(shell.file("one") / name) == readAll(shell.file("without") / name));
+  const auto withoutTimes = [&](const std::string& name) {
+    json solution = json::parse(readAll(shell.file(name + "/solution.json")));
+    solution.erase("times");
+    if (solution.contains("frames"))
+      for (json& frame : solution["frames"]) frame.erase("times");
+    return solution;
+  };
+  CHECK(withoutTimes("one") == withoutTimes("two"));
+  const json index = withoutTimes("one")["frames"];
+  REQUIRE(index.size() == 4);
+  for (int number = 1; number <= 4; ++number) {
+    const std::string folder = "/frame-" + std::to_string(number);
+    const json frame = withoutTimes("one" + folder);
+    CHECK(frame == withoutTimes("two" + folder));
+    CHECK(frame["settings"] == withoutTimes("without")["settings"]);
+    CHECK(frame["residual"] <= 0.001);
+    CHECK(index[static_cast<std::size_t>(number - 1)]["shots"] == frame["shots"]);
+    for (const char* name : {"/elements.csv", "/render.png"})
+      CHECK(readAll(shell.file("one" + folder + name)) == readAll(shell.file("two" + folder + name)));
+  }
+  CHECK(withoutTimes("one/frame-1")["surfaces"].size() == 7);
+  CHECK(withoutTimes("one/frame-3")["surfaces"].size() == 6);
+  CHECK(withoutTimes("one/frame-3")["energy"]["emitted"] == json({0.0, 20.0, 20.0}));
+}
+
+TEST_CASE("hemitex solve --emission radiance multiplies the emission of scenes, added files and edits by pi", "[cli]") {
+  const Shell shell;
+  writeAll(shell.file("lamp.obj"), "mtllib lamp.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\ng bulb\nusemtl bulb\nf 1 2 3\n");
+  writeAll(shell.file("lamp.mtl"), "newmtl bulb\nKd 0\nKe 2\n");
+  writeAll(shell.file("edits.json"),
+           R"({"frames": [[{"add": "lamp.obj"}, {"emission": "ceiling/lamp", "to": [0, 1, 2]}]]})");
+  const auto emitted = [&](const std::string& folder, const std::string& options) {
+    shell.output(quickSolve + "--edits edits.json -o " + folder + options);
+    std::vector<double> flux;
+    for (const std::string& name : {folder, folder + "/frame-1"}) {
+      const json solution = json::parse(readAll(shell.file(name + "/solution.json")));
+      CHECK(solution["settings"]["emission"] == (options.empty() ? "radiosity" : "radiance"));
+      for (const json& band : solution["energy"]["emitted"]) flux.push_back(band);
+    }
+    return flux;
+  };
+  const std::vector<double> radiosity = emitted("one", ""), radiance = emitted("two", " --emission radiance");
+  // The ceiling has an area of 4, the lamp of 1/2.
+  const std::vector<double> expected{40, 40, 40, 1, 5, 9};
+  REQUIRE(radiosity.size() == expected.size());
+  REQUIRE(radiance.size() == expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    CHECK(radiosity[i] == Approx(expected[i]));
+    CHECK(radiance[i] == Approx(expected[i] * std::numbers::pi));
+  }
+  CHECK(shell.run("solve room.obj -o out --emission lumen").exitCode == 2);
+}
+
+TEST_CASE("hemitex solve refuses a wrong file of edits first, with its frame and an advice", "[cli]") {
+  const Shell shell;
+  const auto [text, message] = GENERATE(table<std::string, std::string>({
+      {"", "edits.json: "},
+      {"[]", "is no list of frames"},
+      {R"({"frames": [[]], "speed": 2})", "is no list of frames"},
+      {R"({"frames": [[], [{"move": "flor", "by": [1, 0, 0]}]]})", "frame 2: no surface of the scene is named `flor`"},
+      {R"({"frames": [[{"move": "flor", "by": [1, 0, 0]}]]})", "`floor`"},
+      {R"({"frames": [[{"mov": "floor", "by": [1, 0, 0]}]]})", "`move`"},
+      {R"({"frames": [[{"move": "floor", "to": [1, 0, 0]}]]})", "`to` is no key of `move`"},
+      {R"({"frames": [[{"move": "floor"}]]})", "`move` has no `by`"},
+      {R"({"frames": [[{"move": "floor", "by": [1, 0]}]]})", "frame 1: "},
+      {R"({"frames": [[{"move": "floor", "remove": "floor", "by": [1, 0, 0]}]]})", "an edit is two"},
+      {R"({"frames": [[{"restore": "floor"}]]})", "nothing was removed"},
+      {R"({"frames": [[{"emission": "floor", "to": [-1, 0, 0]}]]})", "below 0"},
+      {R"({"frames": [[{"add": "none.obj"}]]})", "none.obj"},
+  }));
+  writeAll(shell.file("edits.json"), text);
+  const auto before = shell.files();
+  const Outcome outcome = shell.run(quickSolve + "-o out --edits edits.json");
+  INFO(text << '\n' << outcome.err);
+  CHECK(outcome.exitCode == 2);
+  CHECK(outcome.err.find(message) != std::string::npos);
+  CHECK(shell.files() == before);
+}
+
+TEST_CASE("hemitex solve treats a missing file of edits, and methods that cannot use edits, as bad usage", "[cli]") {
+  const Shell shell;
+  writeAll(shell.file("edits.json"), R"({"frames": []})");
+  for (const char* arguments :
+       {"none.json", "edits.json --method rays", "edits.json --discretize mesh", "edits.json --pixels-per-element 4"})
+    CHECK(shell.run(quickSolve + "-o out --edits " + arguments).exitCode == 2);
+}
+
+TEST_CASE("hemitex solve --discretize mesh gives the results of textures", "[cli]") {
+  const Shell shell;
+  const auto solutionBy = [&](const std::string& method) {
+    shell.output(quickSolve + "--discretize " + method + " -o " + method);
+    return json::parse(readAll(shell.file(method + "/solution.json")));
+  };
+  const json texture = solutionBy("texture"), mesh = solutionBy("mesh");
+  CHECK(texture["settings"]["discretize"] == "texture");
+  CHECK(mesh["settings"]["discretize"] == "mesh");
+  for (const char* count : {"elements", "patches", "phantoms"}) CHECK(texture[count] == mesh[count]);
+  // Pixels at the borders of elements may belong to either neighbour, but that loses no light.
+  for (std::size_t band = 0; band < 3; ++band) {
+    const double emitted = texture["energy"]["emitted"][band], a = texture["energy"]["absorbed"][band],
+                 b = mesh["energy"]["absorbed"][band];
+    CHECK(std::abs(a - b) <= 0.001 * emitted);
+  }
+  const std::string row = "formfactors room.obj --from floor --by-surface --resolution 64 ";
+  CHECK(linesOf(shell.output(row + "--discretize mesh")).size() == linesOf(shell.output(row)).size());
+}
+
+TEST_CASE("hemitex solve writes the documented files", "[cli]") {
+  const Shell shell;
+  shell.output(quickSolve + "--split 1 -o out");
+  for (const char* name : {"scene.obj", "scene.mtl", "render.png", "elements.csv", "solution.json", "scene.view.json"})
+    CHECK(fs::file_size(shell.file("out") / name) > 0);
+
+  // Six faces of 4 x 4 elements and area 4; the fifth field from the end is the area.
+  const auto lines = linesOf(readAll(shell.file("out/elements.csv")));
+  REQUIRE(lines.size() == 1 + 6 * 16);
+  CHECK(lines[0] == "surface,column,row,x,y,z,nx,ny,nz,area,b_r,b_g,b_b");
+  CHECK(lines[1].starts_with("floor,0,0,"));
+  CHECK(lines[2].starts_with("floor,1,0,"));
+  CHECK(lines[1 + 2 * 16].starts_with("\"right, with \"\"quotes\"\"\",0,0,"));
+
+  const json solution = json::parse(readAll(shell.file("out/solution.json")));
+  CHECK(solution["elements"] == 96);
+  CHECK(solution["patches"] == 24);
+  CHECK(solution["residual"] <= 0.001);
+  CHECK(solution["surfaces"].size() == 6);
+  CHECK(solution["settings"]["texels"] == 4);
+  // The lamp's 2 x 2 square emits 10 per unit of area in each band, and all emitted flux is accounted for.
+  for (int band = 0; band < 3; ++band) {
+    const auto& energy = solution["energy"];
+    CHECK(energy["emitted"][band].get<double>() == Approx(40).epsilon(1e-12));
+    const double accounted = energy["absorbed"][band].get<double>() + energy["unshot"][band].get<double>() +
+                             energy["lost"][band].get<double>();
+    CHECK(accounted == Approx(40).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("hemitex solve --method rays agrees with hemicubes within their errors", "[cli]") {
+  // Rays start all over a patch, but a hemicube lies over its centre; beside an edge they differ by 1 % of the light.
+  const Shell shell;
+  const std::string settings = "solve room.obj --texels 4 --patch 1 --size 40x30 --json ";
+  const json rays = json::parse(shell.output(settings + "--method rays --samples 16384 -o rays"));
+  const json hemicubes = json::parse(shell.output(settings + "--resolution 256 -o hemicubes"));
+  CHECK(rays["settings"]["method"] == "rays");
+  CHECK(rays["settings"]["samples"] == 16384);
+  CHECK(rays["settings"]["resolution"].is_null());
+  CHECK(hemicubes["settings"]["samples"].is_null());
+  CHECK(rays["energy"]["lost"] == json({0, 0, 0}));
+  const auto byRays = linesOf(readAll(shell.file("rays/elements.csv"))),
+             byHemicubes = linesOf(readAll(shell.file("hemicubes/elements.csv")));
+  REQUIRE(byRays.size() == byHemicubes.size());
+  double difference = 0, whole = 0;
+  for (std::size_t i = 1; i < byRays.size(); ++i) {
+    difference += std::abs(lastNumber(byRays[i]) - lastNumber(byHemicubes[i]));
+    whole += lastNumber(byHemicubes[i]);
+  }
+  CHECK(difference < 0.015 * whole);
+  CHECK(shell.output("solve --help").find("differs between machines") != std::string::npos);
+}
+
+TEST_CASE("hemitex solve --adaptive keeps elements together where light changes little", "[cli]") {
+  const Shell shell;
+  shell.output("solve room.obj --texels 16 --patch 4 --resolution 32 --size 40x30 --adaptive 0.001 -o out");
+  const json solution = json::parse(readAll(shell.file("out/solution.json")));
+  CHECK(solution["settings"]["adaptive"] == 0.001);
+  CHECK(solution["settings"]["filter"] == "quadtree");
+  // Six faces of at least 4 x 4 elements, at most 16 x 16.
+  const auto elements = solution["elements"].get<std::size_t>();
+  CHECK(elements > 6 * 16);
+  CHECK(elements < 6 * 16 * 16 / 2);
+  CHECK(linesOf(readAll(shell.file("out/elements.csv"))).size() == elements + 1);
+  CHECK(shell.run("solve room.obj --texels 12 --adaptive 0.01 -o none").exitCode == 2);
+  CHECK(shell.run("solve room.obj --texels 16 --filter quadtree --adaptive 0 -o none").exitCode == 2);
+  CHECK_FALSE(fs::exists(shell.file("none")));
+}
+
+TEST_CASE("hemitex solve --filter changes display textures and no measured values", "[cli]") {
+  const Shell shell;
+  for (const std::string filter : {"one-to-one", "triangle", "bilinear", "bicubic", "gouraud"}) {
+    shell.output(quickSolve + "--filter " + filter + " -o " + filter);
+    for (const std::string name : {"/elements.csv", "/floor.exr", "/scene.obj"})
+      CHECK(readAll(shell.file(filter + name)) == readAll(shell.file("one-to-one" + name)));
+    CHECK((readAll(shell.file(filter + "/floor.png")) == readAll(shell.file("one-to-one/floor.png"))) ==
+          (filter == "one-to-one"));
+    const json settings = json::parse(readAll(shell.file(filter + "/solution.json")))["settings"];
+    CHECK(settings["filter"] == filter);
+    CHECK(settings["magnify"] == (filter == "one-to-one" || filter == "triangle" ? 1 : 4));
+  }
+  for (const char* options : {"--filter none", "--filter bicubic --magnify 0", "--magnify 17"})
+    CHECK(shell.run(quickSolve + options + " -o none").exitCode == 2);
+}
