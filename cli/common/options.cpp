@@ -22,6 +22,40 @@ int resolutionOption(const std::string& text) {
 
 }  // namespace
 
+Choices<radiosity::Charts> chartsChoices() {
+  using radiosity::Charts;
+  return {{"auto", Charts::Auto}, {"file", Charts::File}, {"planar", Charts::Planar}};
+}
+
+Choices<radiosity::EmissionUnit> emissionChoices() {
+  using radiosity::EmissionUnit;
+  return {{"radiosity", EmissionUnit::Radiosity}, {"radiance", EmissionUnit::Radiance}};
+}
+
+Choices<radiosity::IndexMaps> indexMapsChoices() {
+  using radiosity::IndexMaps;
+  return {{"shared", IndexMaps::Shared}, {"packed", IndexMaps::Packed}, {"unique", IndexMaps::Unique}};
+}
+
+Choices<raster::Blend> blendChoices() {
+  return {{"clamped-add", raster::Blend::ClampedAdd}, {"integer-add", raster::Blend::IntegerAdd}};
+}
+
+Choices<radiosity::ElementsBy> elementsByChoices() {
+  return {{"texture", radiosity::ElementsBy::Texture}, {"mesh", radiosity::ElementsBy::Mesh}};
+}
+
+Choices<radiosity::Orientation> orientationChoices() {
+  return {{"aligned", radiosity::Orientation::Aligned}, {"turned", radiosity::Orientation::Turned}};
+}
+
+Choices<radiosity::ProjectionKind> projectionChoices() {
+  using radiosity::ProjectionKind;
+  return {{"hemicube", ProjectionKind::Hemicube},
+          {"single-plane", ProjectionKind::SinglePlane},
+          {"tetrahedron", ProjectionKind::CubicTetrahedron}};
+}
+
 int integerOption(const std::string& name, const std::string& text, int low, int high) {
   const std::optional<int> value = parseInteger(text);
   if (value && *value >= low && *value <= high) return *value;
@@ -45,21 +79,17 @@ glm::dvec3 vectorOption(const std::string& name, const std::string& text) {
 }
 
 void addSceneOptions(Command command, SceneOptions& options) {
-  using radiosity::Charts;
-  using radiosity::EmissionUnit;
   command.addPath("SCENE", options.file, "Wavefront OBJ file").required();
-  addChoice<Charts>(command, "--charts", options.settings.charts,
-                    {{"auto", Charts::Auto}, {"file", Charts::File}, {"planar", Charts::Planar}},
-                    "source of charts: the texture coordinates of the file (file), one per planar part (planar), or "
-                    "the coordinates if "
-                    "they form a chart, else planar parts (auto) (default auto)");
+  addChoice(command, "--charts", options.settings.charts, chartsChoices(),
+            "source of charts: the texture coordinates of the file (file), one per planar part (planar), or "
+            "the coordinates if "
+            "they form a chart, else planar parts (auto) (default auto)");
   addPositive(command, "--max-reflectance", options.settings.maxReflectance, 1.0,
               "lower a reflectance of 1 or more to this value (default 0.9999)");
   command.addFlag("--two-sided", options.settings.twoSided,
                   "make one surface for each side of a face (default: the back of a face is black)");
-  addChoice<EmissionUnit>(command, "--emission", options.settings.emission,
-                          {{"radiosity", EmissionUnit::Radiosity}, {"radiance", EmissionUnit::Radiance}},
-                          "unit of Ke: radiosity in W/m^2, or radiance in W/(m^2 sr) (default radiosity)");
+  addChoice(command, "--emission", options.settings.emission, emissionChoices(),
+            "unit of Ke: radiosity in W/m^2, or radiance in W/(m^2 sr) (default radiosity)");
 }
 
 radiosity::Scene sceneOf(const SceneOptions& options, Console& console) {
@@ -98,15 +128,12 @@ radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettin
 }
 
 void addIdOptions(Command command, radiosity::IdSettings& settings) {
-  using radiosity::IndexMaps;
-  using raster::Blend;
   std::vector<std::pair<std::string, std::string>> formats;
   for (const std::string& name : raster::formatNames()) formats.emplace_back(name, name);
   addChoice<std::string>(command, "--format", settings.format, formats,
                          "channels and bits of an item ID (default r8g8b8a8)");
-  addChoice<IndexMaps>(
-      command, "--index-maps", settings.indexMaps,
-      {{"shared", IndexMaps::Shared}, {"packed", IndexMaps::Packed}, {"unique", IndexMaps::Unique}},
+  addChoice(
+      command, "--index-maps", settings.indexMaps, indexMapsChoices(),
       "how surfaces use index maps: one map per grid size and one offset per surface (shared), one offset per page of "
       "many surfaces (packed), or one map per surface without offsets (unique) (default shared)");
   const auto readPage = [&settings](const std::string& text) {
@@ -119,23 +146,10 @@ void addIdOptions(Command command, radiosity::IdSettings& settings) {
       "texels along the side of a packed page (default 64, or more if the largest surface needs it); with shared "
       "maps, use one map of this size for all surfaces",
       readPage);
-  addChoice<Blend>(
-      command, "--blend", settings.blend, {{"clamped-add", Blend::ClampedAdd}, {"integer-add", Blend::IntegerAdd}},
-      "add offset and index per channel with clamping, as blend units do, or as integers (default clamped-add)");
+  addChoice(command, "--blend", settings.blend, blendChoices(),
+            "add offset and index per channel with clamping, as blend units do, or as integers (default clamped-add)");
   command.addFlag("--no-align", "assign offsets without gaps; needs --blend integer-add",
                   [&settings] { settings.aligned = false; });
-}
-
-std::string nameOf(radiosity::IndexMaps indexMaps) {
-  switch (indexMaps) {
-    case radiosity::IndexMaps::Shared:
-      return "shared";
-    case radiosity::IndexMaps::Packed:
-      return "packed";
-    case radiosity::IndexMaps::Unique:
-      return "unique";
-  }
-  return {};
 }
 
 radiosity::IdLayout layoutOf(const radiosity::IdSettings& settings, const radiosity::Discretization& discretization,
@@ -167,17 +181,12 @@ Option addResolutions(Command command, std::vector<int>& resolutions) {
 }
 
 void addDrawingOptions(Command command, radiosity::DrawingSettings& settings) {
-  using radiosity::ElementsBy;
-  using radiosity::Orientation;
-  addChoice<ElementsBy>(command, "--discretize", settings.elementsBy,
-                        {{"texture", ElementsBy::Texture}, {"mesh", ElementsBy::Mesh}},
-                        "draw surfaces with index maps, or cut them into one polygon per element (default texture)");
+  addChoice(command, "--discretize", settings.elementsBy, elementsByChoices(),
+            "draw surfaces with index maps, or cut them into one polygon per element (default texture)");
   addResolution(command, settings.resolution);
-  addChoice<Orientation>(
-      command, "--orientation", settings.orientation,
-      {{"aligned", Orientation::Aligned}, {"turned", Orientation::Turned}},
-      "give all projections the same rotation, or rotate them per patch about the normal, which avoids aliasing "
-      "(default turned)");
+  addChoice(command, "--orientation", settings.orientation, orientationChoices(),
+            "give all projections the same rotation, or rotate them per patch about the normal, which avoids aliasing "
+            "(default turned)");
   addPositive(
       command, "--split", settings.split, std::numeric_limits<double>::infinity(),
       "subdivide a patch while more than this share of its flux would go elsewhere from other points of it; bright "
@@ -188,19 +197,9 @@ void addDrawingOptions(Command command, radiosity::DrawingSettings& settings) {
       "small elements (default 0: never)");
 }
 
-std::string nameOf(radiosity::Orientation orientation) {
-  return orientation == radiosity::Orientation::Aligned ? "aligned" : "turned";
-}
-
-std::string nameOf(radiosity::ElementsBy elementsBy) {
-  return elementsBy == radiosity::ElementsBy::Texture ? "texture" : "mesh";
-}
-
 std::optional<radiosity::ProjectionKind> projectionNamed(const std::string& method) {
-  using radiosity::ProjectionKind;
-  if (method == "hemicube") return ProjectionKind::Hemicube;
-  if (method == "single-plane") return ProjectionKind::SinglePlane;
-  if (method == "tetrahedron") return ProjectionKind::CubicTetrahedron;
+  for (const auto& [name, kind] : projectionChoices())
+    if (name == method) return kind;
   return std::nullopt;
 }
 

@@ -63,10 +63,30 @@ Option addVectorOption(Command command, const std::string& name, Target& target,
   return command.addText(name, "x,y,z", help, read);
 }
 
+/// The names of values, for options and for JSON.
+template <typename Value>
+using Choices = std::vector<std::pair<std::string, Value>>;
+
+Choices<radiosity::Charts> chartsChoices();
+Choices<radiosity::EmissionUnit> emissionChoices();
+Choices<radiosity::IndexMaps> indexMapsChoices();
+Choices<raster::Blend> blendChoices();
+Choices<radiosity::ElementsBy> elementsByChoices();
+Choices<radiosity::Orientation> orientationChoices();
+Choices<radiosity::ProjectionKind> projectionChoices();
+
+/// The name of a value that is among the choices.
+template <typename Value>
+std::string nameOf(const Choices<Value>& choices, const Value& value) {
+  for (const auto& choice : choices)
+    if (choice.second == value) return choice.first;
+  return {};
+}
+
 /// Adds an option with a list of names, one per value.
 template <typename Value>
-Option addChoice(Command command, const std::string& name, Value& target,
-                 const std::vector<std::pair<std::string, Value>>& choices, const std::string& help) {
+Option addChoice(Command command, const std::string& name, Value& target, const Choices<Value>& choices,
+                 const std::string& help) {
   std::string words;
   for (const auto& choice : choices) words += (words.empty() ? "" : "|") + choice.first;
   const auto read = [&target, name, choices, words](const std::string& text) {
@@ -97,7 +117,6 @@ radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettin
 
 /// Adds the options for assigning item IDs to elements.
 void addIdOptions(Command command, radiosity::IdSettings& settings);
-std::string nameOf(radiosity::IndexMaps indexMaps);
 /// The layout of item IDs. Throws InputError as radiosity::layOut, and if options for offsets are given with unique
 /// index maps, which have no offsets.
 radiosity::IdLayout layoutOf(const radiosity::IdSettings& settings, const radiosity::Discretization& discretization,
@@ -110,8 +129,6 @@ Option addResolutions(Command command, std::vector<int>& resolutions);
 
 /// Adds the options of projections, except the choice of the projection.
 void addDrawingOptions(Command command, radiosity::DrawingSettings& settings);
-std::string nameOf(radiosity::Orientation orientation);
-std::string nameOf(radiosity::ElementsBy elementsBy);
 
 /// The projection of a `--method`: `hemicube`, `single-plane` or `tetrahedron`; nothing for methods that do not draw.
 std::optional<radiosity::ProjectionKind> projectionNamed(const std::string& method);

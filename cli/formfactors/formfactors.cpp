@@ -46,9 +46,9 @@ nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
     return {{"method", options.method}, {"samples", options.rays.samples}, {"aimed", options.rays.aimed}};
   if (options.method == "analytic") return {{"method", options.method}, {"blockers_ignored", true}};
   return {{"method", options.method},
-          {"discretize", nameOf(options.drawing.elementsBy)},
+          {"discretize", nameOf(elementsByChoices(), options.drawing.elementsBy)},
           {"resolution", options.drawing.resolution},
-          {"orientation", nameOf(options.drawing.orientation)},
+          {"orientation", nameOf(orientationChoices(), options.drawing.orientation)},
           {"split", options.drawing.split},
           {"pixels_per_element", options.drawing.pixelsPerElement}};
 }

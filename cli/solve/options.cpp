@@ -9,7 +9,7 @@ namespace {
 using radiosity::TextureFilter;
 using AskedFilter = std::optional<TextureFilter>;
 
-std::vector<std::pair<std::string, AskedFilter>> namedFilters() {
+Choices<AskedFilter> filterChoices() {
   return {{"one-to-one", TextureFilter::OneToOne}, {"triangle", TextureFilter::Triangle},
           {"bilinear", TextureFilter::Bilinear},   {"bicubic", TextureFilter::Bicubic},
           {"quadtree", TextureFilter::Quadtree},   {"gouraud", TextureFilter::Gouraud}};
@@ -74,7 +74,7 @@ void addChosenSettings(Command command, SolveOptions& options) {
 /// Adds the options of display textures.
 void addTextureOptions(Command command, SolveOptions& options) {
   addChoice<AskedFilter>(
-      command, "--filter", options.filter, namedFilters(),
+      command, "--filter", options.filter, filterChoices(),
       "filter from elements to display textures: none (one-to-one), 3 x 3 triangle filter, bilinear or cubic "
       "B-spline interpolation between texels, bilinear interpolation in quadtree leaves, or Gouraud "
       "shading (default triangle; with --adaptive quadtree)");
@@ -145,10 +145,6 @@ radiosity::TextureSettings texturesOf(const SolveOptions& options) {
   return {filter, options.magnification.value_or(isFiner ? 4 : 1)};
 }
 
-std::string nameOf(TextureFilter filter) {
-  for (const auto& [name, value] : namedFilters())
-    if (value == filter) return name;
-  return {};
-}
+std::string nameOf(TextureFilter filter) { return nameOf(filterChoices(), AskedFilter(filter)); }
 
 }  // namespace hemitex::cli

@@ -16,14 +16,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string chartsName(radiosity::Charts charts) {
-  return charts == radiosity::Charts::Auto ? "auto" : charts == radiosity::Charts::File ? "file" : "planar";
-}
-
-std::string emissionName(radiosity::EmissionUnit unit) {
-  return unit == radiosity::EmissionUnit::Radiosity ? "radiosity" : "radiance";
-}
-
 /// The surfaces with given numbers of texels; the command line gives square grids only.
 ordered_json surfaceTexelsJson(const radiosity::DiscretizationSettings& settings) {
   ordered_json texels = ordered_json::object();
@@ -39,27 +31,27 @@ ordered_json settingsJson(const Showing& showing) {
   const auto ofProjections = [&](const auto& value) {
     return usesRays(options) ? ordered_json() : ordered_json(value);
   };
-  return {{"charts", chartsName(options.scene.settings.charts)},
+  return {{"charts", nameOf(chartsChoices(), options.scene.settings.charts)},
           {"max_reflectance", options.scene.settings.maxReflectance},
           {"two_sided", options.scene.settings.twoSided},
-          {"emission", emissionName(options.scene.settings.emission)},
+          {"emission", nameOf(emissionChoices(), options.scene.settings.emission)},
           {"texels", orNull(options.discretization.texels)},
           {"texel_size", orNull(options.discretization.texelSize)},
           {"surface_texels", surfaceTexelsJson(options.discretization)},
           {"patch", options.discretization.patches ? ordered_json() : ordered_json(options.discretization.patch)},
           {"patches", orNull(options.discretization.patches)},
           {"adaptive", orNull(options.adaptive)},
-          {"discretize", ofProjections(nameOf(options.drawing.elementsBy))},
+          {"discretize", ofProjections(nameOf(elementsByChoices(), options.drawing.elementsBy))},
           {"method", options.method},
           {"resolution", ofProjections(options.drawing.resolution)},
-          {"orientation", ofProjections(nameOf(options.drawing.orientation))},
+          {"orientation", ofProjections(nameOf(orientationChoices(), options.drawing.orientation))},
           {"split", options.drawing.split},
           {"pixels_per_element", ofProjections(options.drawing.pixelsPerElement)},
           {"samples", usesRays(options) ? ordered_json(options.samples) : ordered_json()},
           {"format", options.id.format},
-          {"index_maps", nameOf(options.id.indexMaps)},
+          {"index_maps", nameOf(indexMapsChoices(), options.id.indexMaps)},
           {"page", orNull(options.id.page)},
-          {"blend", options.id.blend == raster::Blend::ClampedAdd ? "clamped-add" : "integer-add"},
+          {"blend", nameOf(blendChoices(), options.id.blend)},
           {"align", options.id.aligned},
           {"max_error", orNull(options.maxError)},
           {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
