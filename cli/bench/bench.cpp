@@ -136,7 +136,7 @@ void addBench(Command program, Context& context) {
     options->scenes.assign(texts.begin(), texts.end());
   };
   command.addTexts(
-      "SCENE", "TEXT",
+      "SCENE", "PATH",
       "measure the runs of these Wavefront OBJ files only (default: all measurements, with the room of the paper, the "
       "Cornell box and the gallery, also with up to 1,000,000 triangles)",
       readScenes);
@@ -145,10 +145,10 @@ void addBench(Command program, Context& context) {
     for (const std::string& text : texts)
       options->triangles.push_back(static_cast<std::size_t>(integerOption("--triangles", text, 1, 100000000)));
   };
-  command.addTexts(
-      "--triangles", "N",
-      "also measure the scenes cut into N triangles (repeatable; default 8000, 100000 and 1000000; for given files none)",
-      readTriangles);
+  command.addTexts("--triangles", "N",
+                   "also measure the scenes cut into N triangles (repeatable; default 8000, 100000 and 1000000; for "
+                   "given files none)",
+                   readTriangles);
   command.addPath("-o,--output", options->output,
                   "write report.html, bench.json and tables.md into this folder (default: no files)");
   command.onRead([options, &context] { context.command = [options, &context] { bench(*options, context); }; });

@@ -16,7 +16,7 @@ constexpr int largestResolution = 4096;
 
 int resolutionOption(const std::string& text) {
   const int value = integerOption("--resolution", text, 2, largestResolution);
-  if (value % 2 != 0) usageError("--resolution", "`" + text + "` is not even");
+  if (value % 2 != 0) usageError("--resolution", "`" + text + "` is not an even number");
   return value;
 }
 
@@ -48,11 +48,11 @@ void addSceneOptions(Command command, SceneOptions& options) {
   using radiosity::Charts;
   using radiosity::EmissionUnit;
   command.addPath("SCENE", options.file, "Wavefront OBJ file").required();
-  addChoice<Charts>(command, "--charts", options.settings.charts,
-                    {{"auto", Charts::Auto}, {"file", Charts::File}, {"planar", Charts::Planar}},
-                    "source of charts: the texture coordinates of the file (file), one per planar part (planar), or "
-                    "the coordinates if "
-                    "they form a chart, else planar parts (auto) (default auto)");
+  addChoice<Charts>(
+      command, "--charts", options.settings.charts,
+      {{"auto", Charts::Auto}, {"file", Charts::File}, {"planar", Charts::Planar}},
+      "take charts from the texture coordinates of the file (file), or make one per planar part (planar); auto "
+      "uses the coordinates that form a chart and planar parts otherwise (default auto)");
   addPositive(command, "--max-reflectance", options.settings.maxReflectance, 1.0,
               "lower a reflectance of 1 or more to this value (default 0.9999)");
   command.addFlag("--two-sided", options.settings.twoSided,
@@ -71,11 +71,11 @@ radiosity::Scene sceneOf(const SceneOptions& options, Console& console) {
 }
 
 void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings& settings) {
-  const Option texels = addInteger(
-      command, "--texels", settings.texels, 1, largestTexels,
-      "divide every surface into N x N texels (default: by the size of the surface, about 90 texels on average)");
+  const Option texels =
+      addInteger(command, "--texels", settings.texels, 1, largestTexels,
+                 "divide every surface into N x N texels (default: by its size, about 90 texels per surface)");
   addPositive(command, "--texel-size", settings.texelSize, std::numeric_limits<double>::infinity(),
-              "divide surfaces into texels of this side, in units of the scene, instead of --texels")
+              "divide surfaces into texels of this side, in units of the scene (default: see --texels)")
       .excludes(texels);
   const auto readSurfaces = [&settings](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) {
@@ -107,8 +107,8 @@ void addIdOptions(Command command, radiosity::IdSettings& settings) {
   addChoice<IndexMaps>(
       command, "--index-maps", settings.indexMaps,
       {{"shared", IndexMaps::Shared}, {"packed", IndexMaps::Packed}, {"unique", IndexMaps::Unique}},
-      "how surfaces use index maps: one map per grid size and one offset per surface (shared), one offset per page of "
-      "many surfaces (packed), or one map per surface without offsets (unique) (default shared)");
+      "use one map per grid size and one offset per surface (shared); one map and one offset per page of many surfaces "
+      "(packed); or one map per surface without offsets (unique) (default shared)");
   const auto readPage = [&settings](const std::string& text) {
     const int page = integerOption("--page", text, 1, largestTexels);
     if (!std::has_single_bit(static_cast<unsigned>(page))) usageError("--page", "`" + text + "` is not a power of two");
@@ -116,8 +116,8 @@ void addIdOptions(Command command, radiosity::IdSettings& settings) {
   };
   command.addText(
       "--page", "N",
-      "texels along the side of a packed page (default 64, or more if the largest surface needs it); with shared "
-      "maps, use one map of this size for all surfaces",
+      "let packed pages have N x N texels, a power of two (default 64, or more if the largest surface needs it). With "
+      "shared maps, use one map of N x N texels for all surfaces.",
       readPage);
   addChoice<Blend>(
       command, "--blend", settings.blend, {{"clamped-add", Blend::ClampedAdd}, {"integer-add", Blend::IntegerAdd}},
@@ -176,16 +176,16 @@ void addDrawingOptions(Command command, radiosity::DrawingSettings& settings) {
   addChoice<Orientation>(
       command, "--orientation", settings.orientation,
       {{"aligned", Orientation::Aligned}, {"turned", Orientation::Turned}},
-      "give all projections the same rotation, or rotate them per patch about the normal, which avoids aliasing "
-      "(default turned)");
+      "rotate projections about the normal, by a different angle per patch (turned) or not at all (aligned); turned "
+      "reduces aliasing (default turned)");
   addPositive(
       command, "--split", settings.split, std::numeric_limits<double>::infinity(),
-      "subdivide a patch while more than this share of its flux would go elsewhere from other points of it; bright "
-      "patches are subdivided further; 1 means never (default 0.003)");
+      "subdivide a patch while more than this share of its flux would go elsewhere from other points of it (default "
+      "0.003). Bright patches are subdivided further. 1 means no subdivision.");
   addPositive(
       command, "--pixels-per-element", settings.pixelsPerElement, std::numeric_limits<double>::infinity(),
-      "use a coarser index map for a surface with fewer pixels per visible element than this; 4 reduces aliasing of "
-      "small elements (default 0: never)");
+      "use a coarser index map for a surface that has fewer pixels per visible element than this (default: never). 4 "
+      "reduces the aliasing of small elements.");
 }
 
 std::string nameOf(radiosity::Orientation orientation) {
