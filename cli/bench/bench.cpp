@@ -1,4 +1,4 @@
-/// `hemitex bench`: measures the time of hemicubes beside that of regular meshing, Embree and OpenGL.
+/// `hemitex bench`: measures the time of hemicubes, regular meshing, Embree and OpenGL.
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -129,9 +129,9 @@ void bench(const BenchOptions& options, Context& context) {
 
 void addBench(Command program, Context& context) {
   const auto options = std::make_shared<BenchOptions>();
-  const Command command = program.addCommand(
-      "bench",
-      "Measure the speed of hemicubes beside meshing, Embree and OpenGL (takes minutes; default: on one thread)");
+  const Command command = program.addCommand("bench",
+                                             "Measure the speed of hemicubes compared with meshing, Embree and OpenGL "
+                                             "(takes minutes; default: on one thread)");
   const auto readScenes = [options](const std::vector<std::string>& texts) {
     options->scenes.assign(texts.begin(), texts.end());
   };

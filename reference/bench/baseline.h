@@ -1,6 +1,6 @@
 /// Baseline without geometry: a lower bound on the time of a hemicube. It clears buffers, in parts that stay in the
-/// cache. Then it reads the item IDs of a drawn patch once and sums the row run by run
-/// (radiosity/form_factors/item_buffer_sum.h), with one comparison per pixel of a run.
+/// cache. Then it reads the item IDs of a drawn patch once and sums the row by runs of equal item IDs, with one
+/// comparison per pixel (radiosity/form_factors/item_buffer_sum.h).
 #pragma once
 
 #include <cstddef>

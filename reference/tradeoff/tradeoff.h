@@ -34,8 +34,8 @@ struct TradeChoice {
   int texels = 16, patch = 4;
 };
 
-/// All settings of each method on grids with the first number of texels and the first patch size, and the first half of
-/// the settings (up to the middle one) on all other grids. Patches larger than a surface are omitted.
+/// All settings of each method on the first grid, which has the first number of texels and the first patch size. On all
+/// other grids, only the settings up to the middle of the list. Patches larger than a surface are omitted.
 std::vector<TradeChoice> tradeChoices(const std::vector<TradeMethod>& methods, const std::vector<int>& texels,
                                       const std::vector<int>& patches);
 
