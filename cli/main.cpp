@@ -1,6 +1,5 @@
-/// The program hemitex: reads the command line and runs a command. Results go to stdout, messages to stderr. The exit
-/// code is 0 if the command is done, 1 if a comparison failed, 2 if the input or the usage is wrong, and 3 for an
-/// internal error.
+/// The program hemitex: reads the command line and runs a command. Results go to stdout, messages to stderr. Exit
+/// codes: 0 done; 1 a comparison failed; 2 the input or the usage is wrong; 3 internal error.
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-/// `hemitex bench`: how fast hemicubes are, beside whatever else gives the same pixels.
+/// `hemitex bench`: measures the time of hemicubes, regular meshing, Embree and OpenGL.
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -25,7 +25,7 @@ namespace hemitex::cli {
 namespace {
 
 struct BenchOptions {
-  std::filesystem::path output;  ///< empty: none
+  std::filesystem::path output;  ///< empty if no files are written
   std::vector<std::filesystem::path> scenes;
   std::vector<int> resolutions;
   std::vector<std::size_t> triangles;
@@ -38,7 +38,7 @@ std::vector<reference::BenchScene> scenesOf(const BenchOptions& options) {
   for (const std::filesystem::path& file : options.scenes) {
     scenes.push_back(reference::benchScene(file));
     if (!names.insert(scenes.back().name).second)
-      throw raster::InputError(file.string() + ": another scene has the same name", "rename one of them");
+      throw raster::InputError(file.string() + ": another scene has the same name", "rename one of the files");
   }
   return scenes;
 }
@@ -48,29 +48,29 @@ reference::BenchSettings settingsOf(const BenchOptions& options, Context& contex
   if (!options.resolutions.empty()) settings.resolutions = options.resolutions;
   if (!options.triangles.empty() || !options.scenes.empty()) settings.triangles = options.triangles;
   settings.threads = std::max(1, context.threads);
-  // Mesa's rasterizer on the CPU reads it when the first context is made. Other devices do not.
+  // Mesa's CPU rasterizer reads this variable when the first context is made; other devices ignore it.
   setenv("LP_NUM_THREADS", std::to_string(settings.threads).c_str(), 1);
-  settings.openGl = openGlRenderers(context.console, "no times of OpenGL");
+  settings.openGl = openGlRenderers(context.console, "OpenGL is not measured");
   return settings;
 }
 
 using Progress = std::function<void(const std::string&)>;
 
-/// What is measured beside the runs, on the first two scenes of the program: the room and the Cornell box.
+/// Measures everything besides the runs, on the first two scenes of the program: the room and the Cornell box.
 void measureRest(reference::BenchReport& report, const std::vector<reference::BenchScene>& scenes, Context& context,
                  const reference::BenchSettings& settings, const Progress& progress) {
   constexpr int resolution = 512;
   const reference::BenchScene &room = scenes[0], &box = scenes[1];
   if (context.threads != 1 && std::thread::hardware_concurrency() > 1) {
-    progress("two cores");
+    progress("two threads");
     report.cores = reference::coreGains(room, resolution, 40, settings.repeats);
   }
   const raster::ThreadLimit limit(settings.threads);
-  progress("walls");
+  progress("exact arithmetic");
   for (const int side : {32, resolution}) report.walls.push_back(reference::wallTimes(side, settings.repeats));
   constexpr std::array<int, 4> sides{16, 64, 256, 1024};
   for (const reference::BenchScene* scene : {&room, &box}) {
-    progress("growth, " + scene->name);
+    progress("finer elements, " + scene->name);
     report.growth.push_back(
         {scene->name, resolution, reference::growthOf(scene->scene, sides, resolution, settings.repeats)});
   }
@@ -86,7 +86,7 @@ void measureRest(reference::BenchReport& report, const std::vector<reference::Be
     const auto errors = equalTimeErrors(scene->name, compareRows(scene->scene, discretization, rows));
     report.errors.insert(report.errors.end(), errors.begin(), errors.end());
   }
-  // A million elements in all.
+  // About a million elements in the scene.
   const int texels = static_cast<int>(std::ceil(1000 / std::sqrt(static_cast<double>(box.scene.surfaces.size()))));
   progress("memory");
   report.memory = reference::solutionMemory(box.scene, texels, resolution);
@@ -105,7 +105,7 @@ void writeFiles(const nlohmann::ordered_json& result, const std::filesystem::pat
 
 void bench(const BenchOptions& options, Context& context) {
   Console& console = context.console;
-  if (!options.output.empty()) Staging{options.output};  // what cannot be written is told before the work
+  if (!options.output.empty()) Staging{options.output};  // reports a folder that cannot be written before the work
   const std::vector<reference::BenchScene> scenes = scenesOf(options);
   const reference::BenchSettings settings = settingsOf(options, context);
   reference::BenchReport report;
@@ -130,22 +130,27 @@ void bench(const BenchOptions& options, Context& context) {
 void addBench(Command program, Context& context) {
   const auto options = std::make_shared<BenchOptions>();
   const Command command = program.addCommand("bench",
-                                             "Speed, beside meshing, Embree and OpenGL; some minutes' "
-                                             "work on one thread, or as many as --threads says");
+                                             "Measure the speed of hemicubes compared with meshing, Embree and OpenGL "
+                                             "(takes minutes; default: on one thread)");
   const auto readScenes = [options](const std::vector<std::string>& texts) {
     options->scenes.assign(texts.begin(), texts.end());
   };
-  command.addTexts("SCENE", "TEXT",
-                   "Wavefront OBJ files, for their runs alone (default: the paper's room, the Cornell box and "
-                   "the gallery, also cut into up to 1,000,000 triangles, and all else that is measured)",
-                   readScenes);
+  command.addTexts(
+      "SCENE", "PATH",
+      "measure the runs of these Wavefront OBJ files only (default: all measurements, with the room of the paper, the "
+      "Cornell box and the gallery, also with up to 1,000,000 triangles)",
+      readScenes);
   addResolutions(command, options->resolutions);
   const auto readTriangles = [options](const std::vector<std::string>& texts) {
     for (const std::string& text : texts)
       options->triangles.push_back(static_cast<std::size_t>(integerOption("--triangles", text, 1, 100000000)));
   };
-  command.addTexts("--triangles", "N", "cut the scenes into so many triangles, too (repeatable)", readTriangles);
-  command.addPath("-o,--output", options->output, "folder for report.html, bench.json and tables.md");
+  command.addTexts("--triangles", "N",
+                   "also measure the scenes cut into N triangles (repeatable; default 8000, 100000 and 1000000; for "
+                   "given files none)",
+                   readTriangles);
+  command.addPath("-o,--output", options->output,
+                  "write report.html, bench.json and tables.md into this folder (default: no files)");
   command.onRead([options, &context] { context.command = [options, &context] { bench(*options, context); }; });
 }
 

@@ -134,15 +134,17 @@ ordered_json toJson(const reference::BenchReport& report) {
 std::string benchText(const ordered_json& result) {
   std::ostringstream text;
   const auto add = [&text](const std::string& title, const ordered_json& list) { writeMarkdown(text, title, list); };
-  add("Milliseconds:", byPlace(result["runs"], "median_ms"));
-  add("Times as long as a hemicube:", byPlace(result["ratios"], "over_hemicube"));
-  add("The number of triangles from which Embree is faster:", result["crossover"]);
-  add("Errors of the rows of hemicubes and of rays in the same time:", result["equal_time_error"]);
-  add("Hemicubes as the elements along the side of every surface become more:", growthRows(result["growth"]));
-  add("A wall whose texel borders lie on samples, and the same wall moved by a third of a pixel:", result["tied_wall"]);
-  add("Times faster on two threads:", result["two_cores"]);
-  add("Parts of a solution:", result["solution_parts"]);
-  add("Memory of a solution, without the scene:", result["memory"]);
+  add("Times in milliseconds:", byPlace(result["runs"], "median_ms"));
+  add("Times over that of the hemicube:", byPlace(result["ratios"], "over_hemicube"));
+  add("Number of triangles from which Embree is faster:", result["crossover"]);
+  add("Errors of rows by hemicubes and by rays in the same time:", result["equal_time_error"]);
+  add("Times of a hemicube in milliseconds, by the number of elements along the side of each surface:",
+      growthRows(result["growth"]));
+  add("Exact arithmetic: a wall whose texel borders lie on samples, and the same wall moved by a third of a pixel:",
+      result["tied_wall"]);
+  add("Speed-up on two threads:", result["two_cores"]);
+  add("Parts of the time of a solution:", result["solution_parts"]);
+  add("Memory of a solution without the scene (the peak is that of the process):", result["memory"]);
   return text.str();
 }
 

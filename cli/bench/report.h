@@ -1,4 +1,4 @@
-/// What `hemitex bench` found, as JSON and as text.
+/// Writes the measurements of `hemitex bench` as JSON and Markdown.
 #pragma once
 
 #include "cli/common/json.h"
@@ -6,11 +6,11 @@
 
 namespace hemitex::cli {
 
-/// `runs` and, over the hemicube's, their `ratios`; what else was measured: `two_cores`, `tied_wall`, `growth`,
-/// `solution_parts`, `memory` and `equal_time_error`, empty where it was not; and `crossover`.
+/// An object with `runs`, their `ratios` over the hemicube, and `crossover`. The other measurements are `two_cores`,
+/// `tied_wall`, `growth`, `solution_parts`, `memory` and `equal_time_error`; empty if they were not made.
 nlohmann::ordered_json toJson(const reference::BenchReport& report);
 
-/// The tables of the object that toJson makes, in Markdown.
+/// The tables of this object in Markdown.
 std::string benchText(const nlohmann::ordered_json& result);
 
 }  // namespace hemitex::cli

@@ -28,7 +28,7 @@ Option Command::addTexts(const std::string& name, const std::string& type, const
 }
 
 Option Command::addPath(const std::string& name, std::filesystem::path& target, const std::string& help) const {
-  return addText(name, "TEXT", help, [&target](const std::string& text) { target = text; });
+  return addText(name, "PATH", help, [&target](const std::string& text) { target = text; });
 }
 
 Option Command::addFlag(const std::string& name, const std::string& help, const std::function<void()>& action) const {

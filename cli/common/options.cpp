@@ -16,7 +16,7 @@ constexpr int largestResolution = 4096;
 
 int resolutionOption(const std::string& text) {
   const int value = integerOption("--resolution", text, 2, largestResolution);
-  if (value % 2 != 0) usageError("--resolution", "`" + text + "` is not even");
+  if (value % 2 != 0) usageError("--resolution", "`" + text + "` is not an even number");
   return value;
 }
 
@@ -81,9 +81,8 @@ glm::dvec3 vectorOption(const std::string& name, const std::string& text) {
 void addSceneOptions(Command command, SceneOptions& options) {
   command.addPath("SCENE", options.file, "Wavefront OBJ file").required();
   addChoice(command, "--charts", options.settings.charts, chartsChoices(),
-            "source of charts: the texture coordinates of the file (file), one per planar part (planar), or "
-            "the coordinates if "
-            "they form a chart, else planar parts (auto) (default auto)");
+            "take charts from the texture coordinates of the file (file), or make one per planar part (planar); auto "
+            "uses the coordinates that form a chart and planar parts otherwise (default auto)");
   addPositive(command, "--max-reflectance", options.settings.maxReflectance, 1.0,
               "lower a reflectance of 1 or more to this value (default 0.9999)");
   command.addFlag("--two-sided", options.settings.twoSided,
@@ -101,11 +100,11 @@ radiosity::Scene sceneOf(const SceneOptions& options, Console& console) {
 }
 
 void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings& settings) {
-  const Option texels = addInteger(
-      command, "--texels", settings.texels, 1, largestTexels,
-      "divide every surface into N x N texels (default: by the size of the surface, about 90 texels on average)");
+  const Option texels =
+      addInteger(command, "--texels", settings.texels, 1, largestTexels,
+                 "divide every surface into N x N texels (default: by its size, about 90 texels per surface)");
   addPositive(command, "--texel-size", settings.texelSize, std::numeric_limits<double>::infinity(),
-              "divide surfaces into texels of this side, in units of the scene, instead of --texels")
+              "divide surfaces into texels of this side, in units of the scene (default: see --texels)")
       .excludes(texels);
   const auto readSurfaces = [&settings](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) {
@@ -134,8 +133,8 @@ void addIdOptions(Command command, radiosity::IdSettings& settings) {
                          "channels and bits of an item ID (default r8g8b8a8)");
   addChoice(
       command, "--index-maps", settings.indexMaps, indexMapsChoices(),
-      "how surfaces use index maps: one map per grid size and one offset per surface (shared), one offset per page of "
-      "many surfaces (packed), or one map per surface without offsets (unique) (default shared)");
+      "use one map per grid size and one offset per surface (shared); one map and one offset per page of many surfaces "
+      "(packed); or one map per surface without offsets (unique) (default shared)");
   const auto readPage = [&settings](const std::string& text) {
     const int page = integerOption("--page", text, 1, largestTexels);
     if (!std::has_single_bit(static_cast<unsigned>(page))) usageError("--page", "`" + text + "` is not a power of two");
@@ -143,8 +142,8 @@ void addIdOptions(Command command, radiosity::IdSettings& settings) {
   };
   command.addText(
       "--page", "N",
-      "texels along the side of a packed page (default 64, or more if the largest surface needs it); with shared "
-      "maps, use one map of this size for all surfaces",
+      "let packed pages have N x N texels, a power of two (default 64, or more if the largest surface needs it). With "
+      "shared maps, use one map of N x N texels for all surfaces.",
       readPage);
   addChoice(command, "--blend", settings.blend, blendChoices(),
             "add offset and index per channel with clamping, as blend units do, or as integers (default clamped-add)");
@@ -184,17 +183,18 @@ void addDrawingOptions(Command command, radiosity::DrawingSettings& settings) {
   addChoice(command, "--discretize", settings.elementsBy, elementsByChoices(),
             "draw surfaces with index maps, or cut them into one polygon per element (default texture)");
   addResolution(command, settings.resolution);
-  addChoice(command, "--orientation", settings.orientation, orientationChoices(),
-            "give all projections the same rotation, or rotate them per patch about the normal, which avoids aliasing "
-            "(default turned)");
+  addChoice(
+      command, "--orientation", settings.orientation, orientationChoices(),
+      "rotate projections about the normal, by a different angle per patch (turned) or not at all (aligned); turned "
+      "reduces aliasing (default turned)");
   addPositive(
       command, "--split", settings.split, std::numeric_limits<double>::infinity(),
-      "subdivide a patch while more than this share of its flux would go elsewhere from other points of it; bright "
-      "patches are subdivided further; 1 means never (default 0.003)");
+      "subdivide a patch while more than this share of its flux would go elsewhere from other points of it (default "
+      "0.003). Bright patches are subdivided further. 1 means no subdivision.");
   addPositive(
       command, "--pixels-per-element", settings.pixelsPerElement, std::numeric_limits<double>::infinity(),
-      "use a coarser index map for a surface with fewer pixels per visible element than this; 4 reduces aliasing of "
-      "small elements (default 0: never)");
+      "use a coarser index map for a surface that has fewer pixels per visible element than this (default: never). 4 "
+      "reduces the aliasing of small elements.");
 }
 
 std::optional<radiosity::ProjectionKind> projectionNamed(const std::string& method) {

@@ -20,8 +20,8 @@ struct Source {
   std::optional<std::uint32_t> element = {};  ///< the element of the texel; without it, the whole surfaces
 };
 
-/// Reads `SURFACE` or `SURFACE:COL,ROW`. Throws InputError if the surface or texel does not exist, if the texel has no
-/// area, or if a texel is given for a name with several parts.
+/// Reads `SURFACE` or `SURFACE:COL,ROW`. Throws InputError if there is no such surface, or no such texel with area.
+/// Also throws it for a texel of a name with several parts.
 Source sourceNamed(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                    const std::string& text);
 

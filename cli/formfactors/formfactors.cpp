@@ -111,9 +111,10 @@ void printRow(const FormFactorOptions& options, Context& context, const radiosit
   const Row row = methodOf(options, scene, discretization, receivers, context.console)(source);
   tellCaptured(row, context.console);
   context.console.message("from " + options.from + ": " +
-                          (row.background ? roundedText(*row.background) + " leaves the scene, " +
-                                                roundedText(*row.back) + " meets backs of faces"
-                                          : blockersIgnored));
+                          (row.background
+                               ? "the share of the light that leaves the scene is " + roundedText(*row.background) +
+                                     "; the share that meets backs of faces is " + roundedText(*row.back)
+                               : blockersIgnored));
   const Table table = options.bySurface ? tableOf(families, receivers, row) : tableOf(scene, discretization, row);
   if (!context.json) return writeCsv(std::cout, table);
   nlohmann::ordered_json result{{"from", options.from}};
@@ -150,11 +151,12 @@ void tellChecks(const std::vector<Row>& matrix, const reference::MatrixChecks& c
            ")";
   };
   console.message("rows sum to " + roundedText(checks.smallestRowSum) + " ... " + roundedText(checks.largestRowSum));
-  console.message(matrix.front().background ? "at most " + most(&Row::background) + " leaves the scene, at most " +
-                                                  most(&Row::back) + " meets backs of faces"
-                                            : blockersIgnored);
+  console.message(matrix.front().background
+                      ? "the share of the light that leaves the scene is at most " + most(&Row::background) +
+                            "; the share that meets backs of faces is at most " + most(&Row::back)
+                      : blockersIgnored);
   console.message("reciprocity is missed by at most " + percentText(checks.reciprocity) +
-                  " of the flux of the smaller surface (" + families.names[checks.from] + ", " +
+                  " of the flux of the smaller surface (" + families.names[checks.from] + " and " +
                   families.names[checks.to] + ")");
 }
 
@@ -219,13 +221,15 @@ void addFormFactors(Command program, Context& context) {
        {"tetrahedron", "tetrahedron"},
        {"rays", "rays"},
        {"analytic", "analytic"}},
-      "projection or other method; analytic uses closed forms and ignores blockers (default hemicube)");
+      "compute form factors with this projection, with rays or with closed forms (analytic), which ignore blockers "
+      "(default hemicube)");
   addDrawingOptions(command, options->drawing);
   addInteger(command, "--samples", options->rays.samples, 64, 1 << 28,
-             "rays per row; with --aimed, source points of rays (default 65536)");
+             "with --method rays, cast N rays per row; with --aimed, cast rays from N points (default 65536)");
   command.addFlag(
       "--aimed", options->rays.aimed,
-      "aim rays at each receiver instead of covering the hemisphere; accurate, but slow for many receivers");
+      "with --method rays, aim at each receiver instead of covering the hemisphere; accurate, but slow for many "
+      "receivers");
   addDiscretizationOptions(command, options->discretization);
   addIdOptions(command, options->id);
   command.onRead([options, command, &context] {

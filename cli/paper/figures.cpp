@@ -27,16 +27,16 @@ using radiosity::Scene;
 
 constexpr int width = 640, height = 480;
 
-/// Writes pictures, and keeps the list of them.
+/// Writes pictures and lists them.
 class Album {
  public:
   explicit Album(const std::filesystem::path& folder) : folder_(folder) {}
 
-  /// A panel of a figure of the paper.
+  /// Writes a panel of a figure of the paper.
   void addPanel(int figure, const std::string& panel, const Image& image, const std::string& caption) {
     add(figure, panel, "figure-" + std::to_string(figure) + panel + ".png", image, caption);
   }
-  /// A picture that the paper has not.
+  /// Writes a picture that the paper does not have.
   void addOwn(const std::string& name, const Image& image, const std::string& caption) {
     add(0, name, name + ".png", image, caption);
   }
@@ -53,7 +53,7 @@ class Album {
   ordered_json list_ = ordered_json::array();
 };
 
-/// A scene of the program's folder with its camera.
+/// A scene of the scene folder with its camera.
 struct Stage {
   Scene scene;
   Camera camera;
@@ -69,7 +69,7 @@ Stage stageOf(const std::filesystem::path& folder, const std::string& name) {
   return stage;
 }
 
-/// What a solution shows, one value an element, exposed for the eye.
+/// A solution for display: one exposed radiosity per element.
 struct Shown {
   Discretization discretization;
   std::vector<glm::dvec3> values;
@@ -77,7 +77,7 @@ struct Shown {
 
 Shown solved(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
              const radiosity::SolverSettings& settings) {
-  // As in the paper no patch is split. Looking for those that should be takes a drawing of each.
+  // As in the paper, no patch is split. The test for splits draws each patch once and would take most of the time.
   radiosity::SceneFormFactors drawn(scene, discretization, layout, {.resolution = 128, .split = 1});
   const auto rowOf = [&drawn](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
   const radiosity::Solution solution = radiosity::solve(scene, drawn.discretization(), rowOf, settings);
@@ -99,23 +99,23 @@ const reference::PaperLevel& mediumOf(const reference::PaperScene& scene) {
 void addFigure2(Album& album, const Stage& stage) {
   constexpr int mapSide = 8;
   const auto& [scene, camera] = stage;
-  // 439 elements. One index map serves all surfaces.
+  // 439 elements, with one index map for all surfaces.
   const Discretization discretization = radiosity::discretize(scene, reference::roomElements(8, 3, 2));
   const IdLayout layout = radiosity::layOut(discretization, {.page = mapSide});
   album.addPanel(2, "a", radiosity::indexMapPicture(scene, discretization, layout, camera, width, height),
-                 "Index maps laid over the surfaces: the level of a texel is its number in the map.");
+                 "Index maps on the surfaces. The grey level of a texel is its index.");
   album.addPanel(2, "b", radiosity::offsetPicture(scene, discretization, layout, camera, width, height),
-                 "The offset of each surface, one colour each.");
-  album.addPanel(2, "c", radiosity::idPicture(scene, discretization, layout, camera, width, height),
-                 "What the hemicube draws: offset and index added, (a) + (b). Every element has a number of its own.");
+                 "The offset of each surface, in one colour per surface.");
+  album.addPanel(
+      2, "c", radiosity::idPicture(scene, discretization, layout, camera, width, height),
+      "Item IDs, which the hemicube draws: the sums of index and offset, (a) + (b). Each element has its own item ID.");
   album.addPanel(2, "d", radiosity::wireframePicture(scene, camera, width, height),
-                 "What is drawn for it: 13 quads, however many elements there are.");
-  album.addPanel(2, "e", radiosity::meshPicture(scene, discretization, camera, width, height),
-                 "What regular meshing draws for the same elements: " + std::to_string(discretization.elements.size()) +
-                     " quads.");
+                 "The polygons that are drawn: 13 quads for any number of elements.");
+  album.addPanel(
+      2, "e", radiosity::meshPicture(scene, discretization, camera, width, height),
+      "Regular meshing draws the same elements with " + std::to_string(discretization.elements.size()) + " quads.");
   album.addPanel(2, "f", radiosity::indexMapImage(mapSide, mapSide, height / mapSide),
-                 "The one index map, 8 x 8 texels, that serves all surfaces. Where a surface has fewer elements the "
-                 "rest of it is left over.");
+                 "The index map of all surfaces, with 8 x 8 texels. A surface with fewer elements uses a part of it.");
 }
 
 void addFigure3(Album& album, const std::filesystem::path& sceneFolder, const reference::PaperScene& simple,
@@ -124,7 +124,7 @@ void addFigure3(Album& album, const std::filesystem::path& sceneFolder, const re
   album.addPanel(
       3, "a",
       unfiltered(simple.scene, solved(simple.scene, medium.discretization, medium.layout, {.residual = 0.01}), camera),
-      "The scene of Figure 2, medium: one texel an element, without filtering.");
+      "The scene of Figure 2 at the medium level: one texel per element, without filtering.");
   const auto addScene = [&](const std::string& panel, const std::string& name, int texels, const std::string& caption) {
     const Stage stage = stageOf(sceneFolder, name);
     const Discretization discretization = radiosity::discretize(stage.scene, {.texels = texels, .patch = 4});
@@ -132,11 +132,11 @@ void addFigure3(Album& album, const std::filesystem::path& sceneFolder, const re
     album.addPanel(3, panel, unfiltered(stage.scene, shown, stage.camera), caption);
   };
   addScene("b", "pyramid-room", 16,
-           "Surfaces that are no rectangles: the sides of a pyramid, and the floor around it.");
-  addScene("c", "curved-room", 24, "A curved surface of 5000 triangles is one surface under one index map.");
+           "Surfaces that are not rectangles: the sides of a pyramid and the floor around it.");
+  addScene("c", "curved-room", 24, "A curved surface of 5000 triangles is one surface with one index map.");
 }
 
-/// A page of the packed solution: the light of the elements whose texels lie there, black where none does.
+/// A page of the packed solution: the radiosity of the element of each texel, black for texels without element.
 Image packedPage(const Shown& shown, const IdLayout& layout, std::size_t page) {
   const int columns = layout.pages[page].columns, rows = layout.pages[page].rows;
   Image image{columns, rows,
@@ -155,7 +155,7 @@ Image packedPage(const Shown& shown, const IdLayout& layout, std::size_t page) {
   return image;
 }
 
-/// Pictures of one size side by side, four in a row, with a grey line between them.
+/// Arranges pictures in rows of four, with grey lines between them.
 Image sheetOf(const std::vector<Image>& pages) {
   constexpr int inRow = 4, gap = 4;
   int largest = 0;
@@ -177,40 +177,42 @@ void addFigure4(Album& album, const reference::PaperScene& complex, const Camera
   const reference::PaperLevel& medium = mediumOf(complex);
   const Shown shown = solved(complex.scene, medium.discretization, medium.layout, {.shots = shots});
   album.addPanel(4, "a", unfiltered(complex.scene, shown, camera),
-                 "The complex scene, 8088 triangles, medium, without filtering: a vaulted hall between a library and a "
-                 "picture gallery.");
+                 "The complex scene of 8088 triangles at the medium level, without filtering: a vaulted hall between a "
+                 "library and a picture gallery.");
   album.addPanel(4, "b",
                  radiosity::idPicture(complex.scene, medium.discretization, medium.layout, camera, width, height),
-                 "What the hemicube draws: surfaces of one page of elements share a colour, its offset.");
+                 "Item IDs, which the hemicube draws. Surfaces of the same page have the same offset and colour.");
   const auto closeUp = [&](const std::string& panel, const glm::dvec3& eye, const glm::dvec3& lookAt, double fov,
                            const std::string& caption) {
     album.addPanel(4, panel, unfiltered(complex.scene, shown, {.eye = eye, .lookAt = lookAt, .fov = fov}), caption);
   };
-  closeUp("c", {1.7, 1.5, 4.5}, {-0.2, 0.75, 2.2}, 42, "A table in the light of its lamp, and chairs.");
-  closeUp("d", {-4.3, 1.7, 0.3}, {-6.6, 1.35, -2}, 45, "Built-in shelves: every book is a surface of its own.");
+  closeUp("c", {1.7, 1.5, 4.5}, {-0.2, 0.75, 2.2}, 42, "A table with its lamp, and chairs.");
+  closeUp("d", {-4.3, 1.7, 0.3}, {-6.6, 1.35, -2}, 45, "Shelves in which each book is a surface.");
   closeUp("e", {4.6, 1.7, 1.2}, {6.4, 1.5, -5.5}, 50, "The gallery, the portal to the round room, and a vase.");
   std::vector<Image> pages;
   for (std::size_t page = 0; page < medium.layout.pages.size(); ++page)
     pages.push_back(packedPage(shown, medium.layout, page));
   const std::string count = std::to_string(pages.size()), side = std::to_string(pages[0].width);
   album.addPanel(4, "f", sheetOf(pages),
-                 "The light of all surfaces in " + count + " radiosity textures of " + side + " x " + side +
+                 "The radiosity of all surfaces in " + count + " radiosity textures of " + side + " x " + side +
                      " texels. Black texels belong to no surface.");
   for (std::size_t page = 0; page < pages.size(); ++page)
     album.addPanel(4, "f-" + std::to_string(page + 1), pages[page],
                    "Texture " + std::to_string(page + 1) + " of " + count + ".");
 }
 
-/// What clamped adds make of offsets that follow each other without gaps: maps of 12 x 12 texels soon have offsets
-/// whose sums with an index pass 255.
+/// Shows the errors of clamped adds for offsets without alignment. Maps of 12 x 12 texels have offsets whose sums with
+/// an index exceed 255.
 void addWrongAnswers(Album& album, const Stage& stage, const Discretization& discretization) {
   const IdLayout layout = radiosity::layOut(discretization, {.aligned = false});
   const radiosity::BlendErrors errors =
       radiosity::blendErrorPicture(stage.scene, discretization, layout, stage.camera, width, height);
-  album.addOwn("wrong-answers", errors.picture,
-               "Offsets packed without gaps, added colour by colour without carry: " + std::to_string(errors.pixels) +
-                   " of " + std::to_string(width * height) +
-                   " pixels, magenta here, name a wrong element. With aligned offsets or integer adds none does.");
+  album.addOwn(
+      "wrong-answers", errors.picture,
+      "Offsets without gaps, added per channel with clamping: " + std::to_string(errors.pixels) + " of " +
+          std::to_string(width * height) +
+          " pixels, shown in magenta, have the item ID of a wrong element. With aligned offsets or integer adds no "
+          "pixel is wrong.");
 }
 
 void addPlant(Album& album, const std::filesystem::path& sceneFolder) {
@@ -219,7 +221,7 @@ void addPlant(Album& album, const std::filesystem::path& sceneFolder) {
   const Shown shown = solved(stage.scene, discretization, radiosity::layOut(discretization), {.shots = 200});
   album.addOwn("plant", unfiltered(stage.scene, shown, stage.camera),
                "Plants of 1000 leaves, " + std::to_string(radiosity::triangleCount(stage.scene)) +
-                   " triangles: each side of a leaf is a surface and an element already, so there is nothing to mesh.");
+                   " triangles. Each side of a leaf is a surface with one element, so meshing adds no polygons.");
 }
 
 const reference::PaperScene& sceneNamed(const std::vector<reference::PaperScene>& scenes, const std::string& name) {
@@ -241,7 +243,7 @@ ordered_json writePaperFigures(const std::filesystem::path& sceneFolder,
   addFigure3(album, sceneFolder, sceneNamed(scenes, reference::simpleScene), room.camera);
   progress("Figure 4");
   addFigure4(album, sceneNamed(scenes, reference::complexScene), stageOf(sceneFolder, "gallery").camera);
-  progress("what the paper does not show");
+  progress("further pictures");
   addWrongAnswers(album, room, mediumOf(sceneNamed(scenes, reference::simpleScene)).discretization);
   addPlant(album, sceneFolder);
   return album.list();

@@ -1,4 +1,4 @@
-/// `hemitex paper`: the tables and figures of Nielsen and Christensen (2002), made again.
+/// `hemitex paper`: measures the tables of Nielsen and Christensen (2002) again and draws the figures.
 #include <iostream>
 #include <memory>
 
@@ -18,10 +18,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The reference renderer and, where there is one, OpenGL.
+/// The reference renderer and, if there is a device, OpenGL.
 std::vector<reference::PaperDevice> devices(Console& console) {
   std::vector<reference::PaperDevice> devices{{"software", radiosity::softwareRenderer}};
-  const radiosity::RendererFactory openGl = openGlRenderers(console, "no hardware columns");
+  const radiosity::RendererFactory openGl = openGlRenderers(console, "the tables have no hardware columns");
   if (openGl) devices.push_back({"opengl", openGl, 500000});
   return devices;
 }
@@ -29,9 +29,9 @@ std::vector<reference::PaperDevice> devices(Console& console) {
 void makePaper(const std::filesystem::path& output, Context& context) {
   Console& console = context.console;
   const reference::Stopwatch all;
-  Staging{output};  // a folder that cannot be written is told before the work, not after it
+  Staging{output};  // reports a folder that cannot be written before the work
   const auto progress = [&console](double fraction, const std::string& what) { console.progress(fraction, what); };
-  // As the machine of the paper had it: what is done on more threads would hide what is done on one.
+  // The paper measured on one processor. More threads would hide the cost of the serial parts.
   const raster::ThreadLimit oneProcessor(1);
   const std::vector<reference::PaperScene> scenes = reference::paperScenes(sceneFolder());
   const std::vector<reference::PaperRun> runs = reference::measurePaperRuns(scenes, devices(console), {}, progress);
@@ -54,8 +54,8 @@ void makePaper(const std::filesystem::path& output, Context& context) {
 void addPaper(Command program, Context& context) {
   const auto output = std::make_shared<std::filesystem::path>();
   const Command command =
-      program.addCommand("paper", "Make the tables and figures of the paper again, some minutes' work");
-  addOutput(command, *output, "folder for report.html, paper.json and the pictures");
+      program.addCommand("paper", "Measure the tables of the paper again and draw its figures (takes minutes)");
+  addOutput(command, *output, "write report.html, paper.json and the pictures into this folder");
   command.onRead([output, &context] { context.command = [output, &context] { makePaper(*output, context); }; });
 }
 

@@ -55,9 +55,11 @@ ordered_json paperJson(const std::vector<reference::PaperRun>& runs) {
 
 std::string paperText(const ordered_json& result) {
   std::ostringstream text;
-  writeMarkdown(text, "Solutions, and the seconds of the paper:", result["runs"]);
-  writeMarkdown(text, "Regular meshing over textures, and the same ratio of the paper:", result["speed_ups"]);
-  writeMarkdown(text, "The fine level over the coarse one, and the same ratio of the paper:", result["growth"]);
+  writeMarkdown(text, "Times of solutions in seconds, and those of the paper:", result["runs"]);
+  writeMarkdown(text,
+                "Time of regular meshing over that of textures, and the same ratio of the paper:", result["speed_ups"]);
+  writeMarkdown(
+      text, "Time of the fine level over that of the coarse level, and the same ratio of the paper:", result["growth"]);
   return text.str();
 }
 

@@ -1,4 +1,4 @@
-/// What `hemitex paper` found, as JSON, text and page: the runs, the paper's own figures beside them, and their ratios.
+/// Writes the runs of `hemitex paper` and their ratios, beside the values of the paper, as JSON, Markdown and HTML.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +10,15 @@
 
 namespace hemitex::cli {
 
-/// An object with the lists `runs`, `speed_ups` and `growth`. The paper's figures stand under `paper`, and are null
-/// where it has none or the text lost them.
+/// An object with the lists `runs`, `speed_ups` and `growth`. The values of the paper are under `paper`; they are null
+/// if the paper has none or if they are illegible in our copy.
 nlohmann::ordered_json paperJson(const std::vector<reference::PaperRun>& runs);
 
-/// The tables of this object, in Markdown.
+/// The tables of this object in Markdown.
 std::string paperText(const nlohmann::ordered_json& result);
 
-/// The page of this object, which has the lists `phantoms` and `figures` as well (figures.h). The files of the figures
-/// lie in `folder`.
+/// The HTML page of this object with its lists `phantoms` and `figures` (figures.h). Reads the files of the figures
+/// from `folder`.
 std::string paperPage(nlohmann::ordered_json result, const std::filesystem::path& folder);
 
 }  // namespace hemitex::cli

@@ -176,22 +176,23 @@ void addRender(Command program, Context& context) {
   const Command command = program.addCommand("render", "Draw a picture of a scene, of its light or of its item IDs");
   addSceneOptions(command, options->scene);
   addOutput(command, options->output, "write the picture into this PNG file");
-  addChoice<View>(command, "--show", options->show,
-                  {{"radiosity", radiosityView},
-                   {"elements", elementView},
-                   {"ids", idView<radiosity::idPicture>},
-                   {"index-map", idView<radiosity::indexMapPicture>},
-                   {"offsets", idView<radiosity::offsetPicture>},
-                   {"blend-errors", blendErrorView},
-                   {"wireframe", wireframeView},
-                   {"hemicube", projectionView<radiosity::ProjectionKind::Hemicube>},
-                   {"single-plane", projectionView<radiosity::ProjectionKind::SinglePlane>},
-                   {"tetrahedron", projectionView<radiosity::ProjectionKind::CubicTetrahedron>},
-                   {"map", indexMapView}},
-                  "what the picture shows: display textures or the values of elements; item IDs, their index map and "
-                  "offsets; pixels "
-                  "with overflow of the blend; edges; the faces of a projection; the largest index map (default "
-                  "radiosity)");
+  addChoice<View>(
+      command, "--show", options->show,
+      {{"radiosity", radiosityView},
+       {"elements", elementView},
+       {"ids", idView<radiosity::idPicture>},
+       {"index-map", idView<radiosity::indexMapPicture>},
+       {"offsets", idView<radiosity::offsetPicture>},
+       {"blend-errors", blendErrorView},
+       {"wireframe", wireframeView},
+       {"hemicube", projectionView<radiosity::ProjectionKind::Hemicube>},
+       {"single-plane", projectionView<radiosity::ProjectionKind::SinglePlane>},
+       {"tetrahedron", projectionView<radiosity::ProjectionKind::CubicTetrahedron>},
+       {"map", indexMapView}},
+      "show the light of display textures (radiosity) or of elements; item IDs, their index map or their offsets; "
+      "pixels "
+      "where the blend overflows (blend-errors); the edges of polygons (wireframe); the faces of a projection; "
+      "or the largest index map (map) (default radiosity)");
   addChoice<bool>(command, "--discretize", options->mesh, {{"texture", false}, {"mesh", true}},
                   "with --show wireframe, draw the edges of polygons, or of the mesh of elements (default texture)");
   command.addText("--from", "SURFACE[:COL,ROW]",

@@ -1,4 +1,4 @@
-/// Files that are built into the program, so that its pages need nothing else.
+/// The texts of files that are compiled into the program, so that its pages need no other files.
 #pragma once
 
 namespace hemitex::cli {

@@ -1,4 +1,4 @@
-/// HTML pages that need no network: one file with its plots (Chart.js), its numbers and its pictures inside.
+/// Makes HTML pages that need no network: one file contains script, plot library, numbers and pictures.
 #pragma once
 
 #include <filesystem>
@@ -7,11 +7,11 @@
 
 namespace hemitex::cli {
 
-/// A page from its title, its own style, its content and its script, behind what all pages share: page_style.css,
-/// page_script.js, Chart.js, and `result`, the object that the page shows.
+/// A complete page. `page` holds title, style, content and script; `result` is the object that the script shows. Adds
+/// page_style.css, page_script.js and Chart.js, which all pages share.
 std::string completePage(const std::string& page, const nlohmann::ordered_json& result);
 
-/// A file's bytes as letters, for a picture inside a page.
+/// The bytes of a file in base64, for a picture inside a page. Throws InputError if the file cannot be read.
 std::string base64OfFile(const std::filesystem::path& file);
 
 }  // namespace hemitex::cli

@@ -1,6 +1,6 @@
 "use strict";
-// What the pages of `hemitex bench`, `hemitex tradeoff` and `hemitex paper` share. It comes before all other scripts, so
-// that no fault of theirs is missed.
+// The common functions of the pages of `hemitex bench`, `hemitex tradeoff` and `hemitex paper`. This script comes first,
+// so that it records the errors of all others.
 
 const faults = [];
 addEventListener("error", event => faults.push(event.message));
@@ -11,7 +11,7 @@ const readResult = () => JSON.parse(byId("result").textContent);
 const distinct = values => [...new Set(values)];
 const byX = points => points.sort((a, b) => a.x - b.x);
 
-/// How numbers are said with so many digits.
+/// Formats numbers with this number of significant digits.
 function numbers(digits) {
   const short = value => String(Number(value.toPrecision(digits)));
   return {
@@ -29,8 +29,8 @@ function element(parent, tag, text, className) {
   return made;
 }
 
-/// Fills the table with this id. A cell is a text, or an object with a text, a small text below it and a class; `classOf`
-/// gives the class of a row.
+/// Fills the table with this id. A cell is a text, or an object with a text, a small text below it and a class. `classOf`
+/// returns the class of a row.
 function table(id, head, rows, classOf = () => "") {
   const made = byId(id);
   const top = element(made, "tr");
@@ -45,7 +45,7 @@ function table(id, head, rows, classOf = () => "") {
   });
 }
 
-/// A figure with a PNG file, given as letters.
+/// Adds a figure with a PNG file, given in base64.
 function picture(parent, png, alt, caption) {
   const figure = element(parent, "figure");
   const image = element(figure, "img");
@@ -54,14 +54,14 @@ function picture(parent, png, alt, caption) {
   element(figure, "figcaption", caption);
 }
 
-/// Charts are there at once and as large as their places.
+/// Draws charts without animation, in the size of their elements.
 function setUpCharts() {
   Chart.defaults.animation = false;
   Chart.defaults.maintainAspectRatio = false;
   Chart.defaults.font.size = 13;
 }
 
-/// The ticks of a logarithmic axis: powers of ten, and 2 and 5 times them where the axis is short.
+/// The ticks of a logarithmic axis: powers of ten and, on short axes, 2 and 5 times these.
 function ticks(format) {
   return {
     autoSkip: false, maxRotation: 0,
@@ -76,16 +76,16 @@ function ticks(format) {
 const axis = (text, format, limits) => ({ ...limits, type: "logarithmic", title: { display: true, text },
                                           ticks: ticks(format), grid: { color: "#eee" } });
 
-/// A curve through points {x, y, label}; the label is shown under the pointer.
+/// A curve through points {x, y, label}; the tooltip shows the label.
 const line = (label, color, data, more) => ({ label, data, showLine: true, borderColor: color, backgroundColor: color,
                                               borderWidth: 2, pointRadius: 4, ...more });
-/// A second kind of curve: its points are squares, which the legend shows.
+/// The style of a second kind of curve, with square points so that the legend differs.
 const dashed = { borderDash: [6, 4], pointStyle: "rect" };
 
-/// Points and painted pixels of each plot, by the id of its canvas.
+/// Number of points and of painted pixels of each plot, by the id of its canvas.
 const drawn = {};
 
-/// A plot in a new canvas with an id, inside the element with the id `parent`. `x` and `y` are the arguments of `axis`.
+/// Adds a plot in a new canvas with an id to the element `parent`. `x` and `y` are the arguments of `axis`.
 function plot(parent, id, title, x, y, datasets) {
   const canvas = element(element(byId(parent), "div", undefined, "plot"), "canvas");
   canvas.id = id;
@@ -108,7 +108,7 @@ function plot(parent, id, title, x, y, datasets) {
   drawn[canvas.id] = { points, painted };
 }
 
-/// What came of it, for those who check the page without looking at it (tests/page_check.cmake).
+/// Writes the errors and counts into the page, for tests/pages/page_check.cmake.
 function tellDrawn() {
   const report = element(document.body, "pre", JSON.stringify({ faults, drawn, pictures: document.images.length }));
   report.id = "drawn";

@@ -31,8 +31,8 @@ void addMethodOptions(Command command, SolveOptions& options) {
   addChoice<std::string>(
       command, "--method", options.method,
       {{"hemicube", "hemicube"}, {"single-plane", "single-plane"}, {"tetrahedron", "tetrahedron"}, {"rays", "rays"}},
-      "projection or rays for form factors; a ray result differs between machines in the last digits (default "
-      "hemicube)");
+      "compute form factors with this projection or with rays (default hemicube). The result of rays differs between "
+      "machines in the last digits.");
   addDrawingOptions(command, options.drawing);
   addSamples(command, options.samples);
 }
@@ -50,7 +50,7 @@ void addSolverOptions(Command command, radiosity::SolverSettings& settings) {
     settings.rowCacheBytes = static_cast<std::size_t>(mebibytes) << 20;
   };
   command.addText("--row-cache", "MIB",
-                  "keep up to MIB mebibytes of form-factor rows for later shots of the same patches (default 1024)",
+                  "keep at most MIB mebibytes of form-factor rows for later shots of the same patches (default 1024)",
                   readCache);
 }
 
@@ -58,16 +58,16 @@ void addSolverOptions(Command command, radiosity::SolverSettings& settings) {
 void addChosenSettings(Command command, SolveOptions& options) {
   const Option maxError = addPositive(
       command, "--max-error", options.maxError, 1,
-      "choose --resolution, --split and --residual so that the expected error of the flux is at most this share of "
-      "all flux, such as 0.01");
+      "choose --resolution, --split and --residual so that the expected error is at most this share of all flux, such "
+      "as 0.01 (default: use the given values)");
   for (const char* chosen :
        {"--resolution", "--orientation", "--split", "--pixels-per-element", "--residual", "--shots", "--samples"})
     maxError.excludes(command.option(chosen));
   const Option adaptive = addPositive(
       command, "--adaptive", options.adaptive, 1,
-      "subdivide elements in quadtrees where radiosity changes fast, from 4 x 4 elements per surface to at most its "
-      "--texels; an element is split if its area times the change across it is above this share of all flux; start "
-      "with 0.0001");
+      "subdivide elements in quadtrees where radiosity changes fast, from 4 x 4 elements per surface to its --texels "
+      "(default: no quadtrees). An element is split if its area times the change across it is above this share of all "
+      "flux. 0.0001 is a good start.");
   for (const char* other : {"--texel-size", "--max-error"}) adaptive.excludes(command.option(other));
 }
 
@@ -75,9 +75,9 @@ void addChosenSettings(Command command, SolveOptions& options) {
 void addTextureOptions(Command command, SolveOptions& options) {
   addChoice<AskedFilter>(
       command, "--filter", options.filter, filterChoices(),
-      "filter from elements to display textures: none (one-to-one), 3 x 3 triangle filter, bilinear or cubic "
-      "B-spline interpolation between texels, bilinear interpolation in quadtree leaves, or Gouraud "
-      "shading (default triangle; with --adaptive quadtree)");
+      "interpolate elements in display textures: none (one-to-one), by a 3 x 3 triangle filter, bilinear or cubic "
+      "B-splines between texels, bilinear in quadtree leaves, or Gouraud shading (default triangle; "
+      "with --adaptive quadtree)");
   addInteger(
       command, "--magnify", options.magnification, 1, radiosity::maxMagnification,
       "make display textures N times as wide and high as the grid (default 4 with bilinear, bicubic and gouraud, "
@@ -86,11 +86,11 @@ void addTextureOptions(Command command, SolveOptions& options) {
 
 void addEdits(Command command, std::filesystem::path& edits) {
   command
-      .addText(
-          "--edits", "FILE.json",
-          "update the solution for each frame of edits in the file and write each frame into its own folder; edits "
-          "move, add and remove objects, or change lights and reflectances",
-          [&edits](const std::string& text) { edits = text; })
+      .addText("--edits", "FILE.json",
+               "update the solution for each frame of edits in the file, and write each frame into its own folder. "
+               "Edits move, "
+               "add and remove objects, or change lights and reflectances.",
+               [&edits](const std::string& text) { edits = text; })
       .excludes(command.option("--adaptive"))
       // Coarser maps distribute light beyond the pixels of the changed region, so an update would miss changes.
       .excludes(command.option("--pixels-per-element"));

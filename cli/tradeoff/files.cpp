@@ -48,7 +48,7 @@ ordered_json toJson(const std::vector<reference::RowQuality>& qualities) {
   });
 }
 
-/// Hemicubes beside the error of rays in the same time.
+/// The qualities of hemicubes, each with the error of rays in the same time.
 ordered_json toJson(const std::vector<reference::RowQuality>& hemicubes,
                     const std::vector<reference::RowQuality>& rays) {
   ordered_json list = toJson(hemicubes);
@@ -67,10 +67,10 @@ ordered_json toJson(const reference::RowComparison& comparison) {
           {"rays", toJson(comparison.rays)}};
 }
 
-/// The errors that the fastest choices are named for.
+/// The bounds on the error of the table of fastest choices.
 constexpr double errorLevels[] = {0.1, 0.05, 0.03, 0.02, 0.01};
 
-/// The fastest choice with at most this error; nothing where none is so good.
+/// The fastest choice with at most this error; nothing if every choice has a larger error.
 std::optional<std::size_t> fastestWithin(const Tradeoff& tradeoff, double error) {
   std::optional<std::size_t> fastest;
   for (std::size_t i = 0; i < tradeoff.measurements.size(); ++i) {
@@ -135,10 +135,10 @@ std::string tradeoffText(const ordered_json& result) {
     return cells;
   };
   ordered_json rows = listOf(result["times"]["within"], row);
-  rows.push_back({{"error at most", "the truth itself, by chance"},
+  rows.push_back({{"error at most", "statistical error of the truth"},
                   {"error", result["truth"]["radiosity_error"]["flux_weighted"]}});
   std::ostringstream text;
-  writeMarkdown(text, "The fastest choices:", rows);
+  writeMarkdown(text, "Fastest choice for each bound on the error:", rows);
   return text.str();
 }
 

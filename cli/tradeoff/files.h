@@ -1,24 +1,29 @@
-/// What `hemitex tradeoff` found, as files: JSON, CSV and a page.
+/// Writes the measurements of `hemitex tradeoff` as JSON, CSV and Markdown.
 ///
-/// tradeoff.json: `scene`, the name of its file; `settings`; `truth` (`elements`, `radiosity_error` and `row_error` as
-/// expected by chance); `choices`, one object each:
+/// tradeoff.json holds:
 ///
-///     method, setting, value     the method, and its number with what that is called
-///     directions                 pixels or rays a row
-///     texels, patch              along a surface's side, and of these along a patch's side
-///     elements, patches, rows, shots   rows: patches that shot
-///     row_error                  relative_l1, rms, maximum (see reference/solution/row_error.h)
-///     radiosity_error            flux_weighted, rms, maximum (see reference/solution/radiosity_error.h)
-///     bytes                      buffer, rows, elements (see reference/tradeoff/tradeoff.h)
-///     times                      median_s, rounds_s, and what depends on them: pareto, whether it is on the front
+/// - `scene`: the name of its file; `settings`; `warnings`;
+/// - `truth`: `elements`, and its expected statistical errors `radiosity_error` and `row_error`;
+/// - `choices`: one object per choice, with the keys
 ///
-/// `same_points`: rows of hemicubes and rays from the same points (see reference/bench/equal_time_error.h): `points`,
-/// `truth_error`, and in `hemicubes`, `turned_hemicubes` and `rays` objects with `size`, `error` and `times` (`row_s`,
-/// and of hemicubes `error_of_rays` in the same time, or null); null where one of the two is not measured. `warnings`.
-/// And `times`: `truth_s`, `all_s`, `threads` (0: all), and `within`, for some errors the number of the fastest choice
-/// that is at most so far off, or null. Without what is named `times` it is the same for every run.
+///       method, setting, value     the method, the name of its setting, and the value
+///       directions                 pixels or rays per row
+///       texels, patch              texels along a surface's side, and along a patch's side
+///       elements, patches, rows, shots   rows: number of patches that shot
+///       row_error                  relative_l1, rms, maximum (see reference/solution/row_error.h)
+///       radiosity_error            flux_weighted, rms, maximum (see reference/solution/radiosity_error.h)
+///       bytes                      buffer, rows, elements (see reference/tradeoff/tradeoff.h)
+///       times                      median_s, rounds_s, and pareto: whether it is on the Pareto front
 ///
-/// tradeoff.csv: the choices, one a line.
+/// - `same_points`: rows of hemicubes and rays from the same points (see reference/bench/equal_time_error.h), with
+///   `points` and `truth_error`. `hemicubes`, `turned_hemicubes` and `rays` are lists of objects with `size`, `error`
+///   and `times`: `row_s` and, for hemicubes, `error_of_rays` in the same time, or null. Null if hemicubes or rays are
+///   not measured;
+/// - `times`: `truth_s`, `all_s`, `threads` (0: all cores), and `within`: for several bounds on the error the index of
+/// the
+///   fastest choice, or null.
+///
+/// Except for the keys `times`, every run gives the same file. tradeoff.csv has one line per choice.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -32,7 +37,7 @@
 
 namespace hemitex::cli {
 
-/// What was measured, of which scene.
+/// The measurements and their scene.
 struct Tradeoff {
   const radiosity::Scene& scene;
   const radiosity::Discretization& fine;  ///< the elements of the truth
@@ -40,14 +45,14 @@ struct Tradeoff {
   const std::vector<reference::TradeMethod>& methods;
   std::vector<reference::TradeMeasurement> measurements;
   reference::RowError truthRowError;
-  std::optional<reference::RowComparison> samePoints;  ///< of hemicubes and rays, where both are measured
+  std::optional<reference::RowComparison> samePoints;  ///< of hemicubes and rays, if both are measured
 };
 
-/// `truth`, `choices`, `same_points` and `within`.
+/// An object with `truth`, `choices`, `same_points` and `times`.
 nlohmann::ordered_json toJson(const Tradeoff& tradeoff);
-/// Of the list `choices` of that object: the CSV has its values in the same order, and the number of rounds.
+/// The table of tradeoff.csv from the list `choices`, with its values in the same order and the number of rounds.
 Table choiceTable(const nlohmann::ordered_json& choices);
-/// The fastest choices of that object, in Markdown.
+/// The table of the fastest choices in Markdown.
 std::string tradeoffText(const nlohmann::ordered_json& result);
 
 }  // namespace hemitex::cli

@@ -19,11 +19,10 @@ using reference::TradeMeasurement;
 
 constexpr int pictureWidth = 480, pictureHeight = 360;
 
-/// A colour of the legend, sRGB-encoded.
+/// An sRGB-encoded colour of the legend.
 using Colour = std::array<int, 3>;
 
-/// Sizes of relative errors and, for those up to each and for those beyond the last, the colours of what is too bright
-/// and of what is too dark.
+/// Upper ends of the bands of relative errors. The colours have one more entry, for errors beyond the last end.
 constexpr std::array<double, 5> bandEnds{0.003, 0.01, 0.03, 0.1, 0.3};
 constexpr std::array<Colour, 6> tooBright{
     {{247, 247, 247}, {253, 228, 205}, {250, 190, 145}, {235, 130, 90}, {200, 60, 50}, {120, 10, 30}}};
@@ -43,7 +42,7 @@ glm::dvec3 falseColour(const glm::dvec3& found, const glm::dvec3& truth) {
   return linear((difference > 0 ? tooBright : tooDark)[band]);
 }
 
-/// An image as the letters of a PNG file.
+/// The base64 text of a PNG file of an image.
 std::string pngLetters(const radiosity::Image& image, const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "picture.png";
   radiosity::writePng(file, image);
@@ -87,7 +86,7 @@ std::vector<glm::dvec3> falseColours(const Tradeoff& tradeoff, const TradeMeasur
   return colours;
 }
 
-/// The choices on the Pareto front, by their times.
+/// The choices on the Pareto front, by ascending time.
 std::vector<std::size_t> front(const Tradeoff& tradeoff) {
   std::vector<std::size_t> choices;
   for (std::size_t i = 0; i < tradeoff.measurements.size(); ++i)
@@ -101,18 +100,18 @@ std::vector<std::size_t> front(const Tradeoff& tradeoff) {
 ordered_json picturesOf(const Tradeoff& tradeoff, const radiosity::Camera& camera,
                         const std::filesystem::path& folder) {
   Pictures pictures(tradeoff, camera, folder);
-  pictures.add("The truth", exposedTruth(tradeoff), {});
+  pictures.add("True radiosity", exposedTruth(tradeoff), {});
   const std::vector<std::size_t> choices = front(tradeoff);
   const auto addError = [&](const std::string& title, std::size_t choice) {
     pictures.add(title, falseColours(tradeoff, tradeoff.measurements[choice]), choice);
   };
-  addError("The fastest", choices.front());
-  if (choices.size() > 2) addError("In the middle", choices[choices.size() / 2]);
-  if (choices.size() > 1) addError("The most exact", choices.back());
+  addError("Errors of the fastest choice", choices.front());
+  if (choices.size() > 2) addError("Errors of the middle choice", choices[choices.size() / 2]);
+  if (choices.size() > 1) addError("Errors of the most accurate choice", choices.back());
   return pictures.list();
 }
 
-/// From much too dark to much too bright.
+/// The bands from too dark to too bright.
 ordered_json legend() {
   ordered_json bands = ordered_json::array();
   for (std::size_t i = tooDark.size(); i-- > 1;) bands.push_back(tooDark[i]);

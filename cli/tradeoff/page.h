@@ -1,4 +1,4 @@
-/// The page of `hemitex tradeoff`, cli/tradeoff/report.html with its numbers and pictures (cli/report/html_page.h).
+/// Makes the HTML page of `hemitex tradeoff` from cli/tradeoff/report.html, numbers and pictures.
 #pragma once
 
 #include <filesystem>
@@ -10,9 +10,8 @@
 
 namespace hemitex::cli {
 
-/// `result` is the object of tradeoff.json. Pictures show the truth, and where the errors sit of three choices on the
-/// Pareto front: the fastest, one in the middle, the most exact. They are written into `folder` on the way, and
-/// removed.
+/// `result` is the object of tradeoff.json. The pictures show the truth and the errors of three choices on the Pareto
+/// front: the fastest, the middle and the most accurate. Writes temporary files into `folder`.
 std::string tradeoffPage(const Tradeoff& tradeoff, const radiosity::Camera& camera, nlohmann::ordered_json result,
                          const std::filesystem::path& folder);
 

@@ -1,5 +1,5 @@
-/// `hemitex tradeoff`: what accuracy costs on a scene. Every method at its settings, on several grids, against the
-/// truth: numbers, and a page with plots and with pictures of where the error sits.
+/// `hemitex tradeoff`: measures time and error of every method on a scene. Compares all settings and several grids with
+/// the true radiosity, and writes numbers and a page with plots and error pictures.
 #include "reference/tradeoff/tradeoff.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ constexpr int maxTexels = 4096;
 
 constexpr int maxSamePointsResolution = 1024, maxSamePointsRays = 1 << 22;
 
-/// `16,8,4`.
+/// Reads a list such as `16,8,4`.
 std::vector<int> integersOption(const std::string& name, const std::string& text, int low, int high) {
   std::vector<int> numbers;
   std::istringstream stream(text + ',');
@@ -43,15 +43,15 @@ std::vector<int> integersOption(const std::string& name, const std::string& text
   return numbers;
 }
 
-/// True rows of coarse elements are sums over fine ones, so coarse grids have to consist of fine ones.
+/// True rows of coarse elements are sums over fine elements, so the finest grid must subdivide all others.
 void requireDivisors(const std::vector<int>& texels) {
   const int finest = *std::max_element(texels.begin(), texels.end());
   for (const int number : texels)
     if (finest % number != 0)
-      usageError("--texels", std::to_string(number) + " does not divide the finest, " + std::to_string(finest));
+      usageError("--texels", std::to_string(number) + " does not divide the largest number, " + std::to_string(finest));
 }
 
-/// `NAME`, or `NAME=N,N,...` with settings.
+/// Reads `NAME`, or `NAME=N,N,...` with settings.
 reference::TradeMethod methodOption(const std::string& text, const std::vector<reference::TradeMethod>& all) {
   const std::string name = text.substr(0, text.find('='));
   std::string names;
@@ -78,8 +78,9 @@ ordered_json settingsJson(const TradeoffOptions& options) {
           {"methods", std::move(methods)}};
 }
 
-/// Hemicubes and rays from the same points, at the settings of these methods, and with as many rays as take the time of
-/// the finest; nothing where one of them was not asked for. Yet finer hemicubes would take longer than all the rest.
+/// Compares hemicubes and rays from the same points, at the settings of the methods. Adds a number of rays that takes
+/// as long as the finest hemicube, and omits finer hemicubes, which would take most of the time. Nothing if hemicubes
+/// or rays are not measured.
 std::optional<reference::RowComparison> comparisonOf(const std::vector<reference::TradeMethod>& methods,
                                                      const radiosity::Scene& scene,
                                                      const radiosity::Discretization& discretization) {
@@ -98,7 +99,7 @@ std::optional<reference::RowComparison> comparisonOf(const std::vector<reference
   return reference::compareRows(scene, discretization, settings);
 }
 
-/// All that is measured against the truth, which is of the fine grids.
+/// Measures all choices against the truth, which has the fine grids.
 Tradeoff measuredAgainst(const reference::TrueRadiosity& truth, const radiosity::Scene& scene,
                          const radiosity::Discretization& fine, const TradeoffOptions& options, Console& console) {
   const auto progress = [&console](std::size_t done, std::size_t count) {
@@ -124,13 +125,13 @@ void measure(const TradeoffOptions& options, Context& context) {
   const radiosity::Scene scene = sceneOf(options.scene, console);
   radiosity::requireEmission(scene, options.scene.file);
   const radiosity::Camera camera = cameraOf({}, scene, options.scene.file);
-  Staging{options.output};  // a folder that cannot be written is told before the work, not after it
+  Staging{options.output};  // reports a folder that cannot be written before the work
   const int finest = *std::max_element(options.texels.begin(), options.texels.end());
   const radiosity::Discretization fine =
       radiosity::discretize(scene, {.texels = finest, .patch = options.patches.front()});
 
   const reference::Stopwatch truthTime;
-  console.progress(0, "the truth");
+  console.progress(0, "true radiosity");
   const reference::TrueRadiosity truth = reference::trueRadiosity(scene, fine, {.samples = options.samples});
   const double truthSeconds = truthTime.seconds();
   const Tradeoff tradeoff = measuredAgainst(truth, scene, fine, options, console);
@@ -155,29 +156,36 @@ void measure(const TradeoffOptions& options, Context& context) {
 
 void addTradeoff(Command program, Context& context) {
   const auto options = std::make_shared<TradeoffOptions>();
-  const Command command = program.addCommand("tradeoff", "Measure what accuracy costs: every method against the truth");
+  const Command command =
+      program.addCommand("tradeoff", "Measure time and error of every method on a scene (takes minutes)");
   addSceneOptions(command, options->scene);
-  addOutput(command, options->output, "folder for tradeoff.json, tradeoff.csv and report.html");
+  addOutput(command, options->output, "write tradeoff.json, tradeoff.csv and report.html into this folder");
   const auto readTexels = [options](const std::string& text) {
     options->texels = integersOption("--texels", text, 1, maxTexels);
     requireDivisors(options->texels);
   };
-  command.addText("--texels", "N,N,...",
-                  "texels along a surface's side: first those on which all settings are "
-                  "measured; the finest are the truth's (default 16,8,4)",
-                  readTexels);
+  command.addText(
+      "--texels", "N,N,...",
+      "divide every surface into N x N texels, for each N; all settings are measured with the first N, and the truth "
+      "has the largest N (default 16,8,4)",
+      readTexels);
   const auto readPatches = [options](const std::string& text) {
     options->patches = integersOption("--patch", text, 1, maxTexels);
   };
-  command.addText("--patch", "N,N,...", "elements along a patch's side, likewise (default 4,1,2,8)", readPatches);
+  command.addText(
+      "--patch", "N,N,...",
+      "let N x N elements shoot as one patch, for each N; all settings are measured with the first N (default 4,1,2,8)",
+      readPatches);
   const auto readMethods = [options](const std::vector<std::string>& texts) {
     std::vector<reference::TradeMethod> methods;
     for (const std::string& text : texts) methods.push_back(methodOption(text, reference::tradeMethods()));
     options->methods = std::move(methods);
   };
-  command.addTexts("--method", "NAME[=N,...]", "a method, and its settings (repeatable; default: all)", readMethods);
+  command.addTexts("--method", "NAME[=N,...]",
+                   "measure this method, at these resolutions or numbers of rays (repeatable; default: all methods)",
+                   readMethods);
   addInteger(command, "--samples", options->samples, 128, 1 << 20,
-             "rays of the truth an element, on average (default 16384)");
+             "compute the truth with N rays per element on average (default 16384)");
   command.onRead([options, &context] { context.command = [options, &context] { measure(*options, context); }; });
 }
 

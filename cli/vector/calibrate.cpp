@@ -83,9 +83,10 @@ void addVectorCalibrate(Command vector, Context& context) {
   const auto options = std::make_shared<CalibrateOptions>();
   const Command command = vector.addCommand("calibrate", "Measure the profile of a device, for vector check --profile");
   const Option probes = command.addPath("--probes", options->probes, "write the probing vectors into this folder");
-  const Option folder = command.addPath("DIR", options->vectors, "folder of the probing vectors");
+  const Option folder =
+      command.addPath("DIR", options->vectors, "folder of the probing vectors, written with --probes");
   const Option candidate = command.addPath("--candidate", options->candidate, "folder with the device's item IDs");
-  const Option output = command.addPath("-o,--output", options->output, "the profile, as JSON");
+  const Option output = command.addPath("-o,--output", options->output, "write the profile into this JSON file");
   folder.needs(candidate).needs(output).excludes(probes);
   candidate.needs(folder);
   output.needs(folder);

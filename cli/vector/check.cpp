@@ -142,22 +142,26 @@ void check(const CheckOptions& options, Context& context) {
 
 void addVectorCheck(Command vector, Context& context) {
   const auto options = std::make_shared<CheckOptions>();
-  const Command command =
-      vector.addCommand("check", "Judge a device's item IDs: exact, explained, or an error (exit 1)");
+  const Command command = vector.addCommand(
+      "check", "Compare the item IDs of a device with the raster rules (exit code 1 if a pixel is an error)");
   command.addPath("DIR", options->vector, "folder of the vector, or of a suite of vectors").required();
   command
       .addPath("--candidate", options->candidate,
                "folder with the device's item IDs; for a suite, one folder per vector")
       .required();
   command.addPath("--profile", options->profile,
-                  "allowed deviations of the device, as JSON (default: a Vulkan device)");
+                  "JSON file with the permitted deviations of the device (default: those of the Vulkan class)");
   command.addFlag("--exact", options->isExact,
                   "evaluate the rules in rational arithmetic, independently of the reference (slow)");
-  command.addPath("--junit", options->junit, "JUnit XML file: one test suite per vector, one test case per face");
-  command.addPath("--diff", options->picture,
-                  "PNG with expected, found and verdict side by side; for a suite, of its first failing vector");
-  command.addPath("--minimize", options->minimal,
-                  "folder for one failing pixel with the fewest triangles; for a suite, of its first failing vector");
+  command.addPath("--junit", options->junit,
+                  "write a JUnit XML file with one test suite per vector and one test case per face");
+  command.addPath(
+      "--diff", options->picture,
+      "write a PNG file with expected, found and verdict side by side; for a suite, of the first failing vector");
+  command.addPath(
+      "--minimize", options->minimal,
+      "write one failing pixel with as few triangles as possible into this folder, as a vector; for a suite, of the "
+      "first failing vector");
   command.onRead([options, &context] { context.command = [options, &context] { check(*options, context); }; });
 }
 

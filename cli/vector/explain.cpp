@@ -39,17 +39,17 @@ const reference::VectorFace& faceOf(const reference::TestVector& vector, const P
     if (face.name == pixel.face) return face;
     names += (names.empty() ? "" : ", ") + face.name;
   }
-  throw raster::InputError("the vector has no face \"" + pixel.face + "\"", "it has " + names);
+  throw raster::InputError("--pixel: the vector has no face \"" + pixel.face + "\"", "it has " + names);
 }
 
 void requireInside(const raster::Scissor& scissor, const Pixel& pixel) {
   if (pixel.column >= scissor.column && pixel.column < scissor.column + scissor.width && pixel.row >= scissor.row &&
       pixel.row < scissor.row + scissor.height)
     return;
-  throw raster::InputError("the face has no pixel " + std::to_string(pixel.column) + "," + std::to_string(pixel.row),
-                           "its columns begin at " + std::to_string(scissor.column) + ", its rows at " +
-                               std::to_string(scissor.row) + ", and there are " + std::to_string(scissor.width) +
-                               " x " + std::to_string(scissor.height));
+  throw raster::InputError(
+      "--pixel: the face has no pixel " + std::to_string(pixel.column) + "," + std::to_string(pixel.row),
+      "its first column is " + std::to_string(scissor.column) + ", its first row " + std::to_string(scissor.row) +
+          ", and its size " + std::to_string(scissor.width) + " x " + std::to_string(scissor.height));
 }
 
 /// The triangles that cover the pixel, nearest first.
@@ -107,10 +107,14 @@ void addVectorExplain(Command vector, Context& context) {
     Pixel pixel;
   };
   const auto options = std::make_shared<Options>();
-  const Command command = vector.addCommand("explain", "Derive the item ID of one pixel by the rules");
+  const Command command =
+      vector.addCommand("explain", "Derive the item ID of one pixel by the raster rules, step by step");
   command.addPath("DIR", options->folder, "folder of the vector").required();
   const auto read = [options](const std::string& text) { options->pixel = pixelOption(text); };
-  command.addText("--pixel", "FACE,COLUMN,ROW", "pixel of the viewport", read).required();
+  command
+      .addText("--pixel", "FACE,COLUMN,ROW", "pixel to explain: name of a face, and column and row in its viewport",
+               read)
+      .required();
   command.onRead([options, &context] {
     context.command = [options, &context] { explain(options->folder, options->pixel, context); };
   });

@@ -41,7 +41,7 @@ void writeSuite(const filesystem::path& output, const Context& context) {
 void addVectorSuite(Command vector, Context& context) {
   const auto output = std::make_shared<filesystem::path>();
   const Command command = vector.addCommand("suite", "Write every test vector of the suite, one folder each");
-  addOutput(command, *output, "folder for the vectors");
+  addOutput(command, *output, "write the vectors into this folder");
   command.onRead([output, &context] { context.command = [output, &context] { writeSuite(*output, context); }; });
 }
 

@@ -36,7 +36,7 @@ struct ExportOptions {
   bool stages = false;
 };
 
-/// Sides have the names of their directions in a view of the top face with `up` upwards.
+/// The sides are named by their directions in a view of the top face with `up` upwards.
 constexpr std::array<const char*, 5> faceNames = {"top", "side-right", "side-up", "side-left", "side-down"};
 
 reference::TestVector vectorOf(const ExportOptions& options, Console& console) {
@@ -44,7 +44,8 @@ reference::TestVector vectorOf(const ExportOptions& options, Console& console) {
   const radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
   const radiosity::IdLayout layout = layoutOf(options.id, discretization, console);
   const double length = glm::length(options.normal);
-  if (!(length > 0) || !std::isfinite(length)) throw raster::InputError("--normal has no direction");
+  if (!(length > 0) || !std::isfinite(length))
+    throw raster::InputError("--normal has no direction; give a vector that is not zero");
 
   reference::TestVector vector;
   vector.name = options.name.empty() ? options.scene.file.stem().string() : options.name;
@@ -114,32 +115,32 @@ void addExport(Command parent, Context& context) {
   const auto options = std::make_shared<ExportOptions>();
   const Command command = parent.addCommand("export", "Write a scene and the faces of a hemicube as a test vector");
   addSceneOptions(command, options->scene);
-  addVectorOption(command, "--eye", options->eye, "eye of the hemicube").required();
+  addVectorOption(command, "--eye", options->eye, "position of the eye of the hemicube").required();
   addVectorOption(command, "--normal", options->normal, "direction of the top face").required();
-  addVectorOption(command, "--up", options->up, "up direction of the top face");
+  addVectorOption(command, "--up", options->up, "up direction of the top face (default: derived from the normal)");
   addResolution(command, options->resolution);
   addPositive(command, "--near", options->nearDistance, std::numeric_limits<float>::max(),
-              "near distance (default: one that clips no triangle)");
-  command.addText("--name", "TEXT", "name of the vector (default: that of the scene)",
+              "near distance, in units of the scene (default: one that clips no triangle)");
+  command.addText("--name", "TEXT", "name of the vector (default: the name of the scene file)",
                   [options](const std::string& text) { options->name = text; });
   addDiscretizationOptions(command, options->discretization);
   addIdOptions(command, options->id);
   addStages(command, options->stages);
-  addOutput(command, options->output, "folder for the vector");
+  addOutput(command, options->output, "write the vector into this folder");
   command.onRead([options, &context] { context.command = [options, &context] { exportVector(*options, context); }; });
 }
 
 void addRenderVector(Command parent, Context& context) {
   const auto options = std::make_shared<RenderOptions>();
-  const Command command = parent.addCommand("render", "Draw a test vector: its item IDs and their hashes");
+  const Command command = parent.addCommand("render", "Draw the item IDs of a test vector by the raster rules");
   command.addPath("DIR", options->input, "folder of the vector").required();
   addChoice<Device>(command, "--device", options->device,
                     {{"software", Device::Software},
                      {"opengl", Device::OpenGl},
                      {"opengl-fixed-function", Device::OpenGlFixedFunction}},
-                    "renderer (default: software, which follows the rules)");
+                    "draw with this renderer; software follows the raster rules exactly (default software)");
   addStages(command, options->stages);
-  addOutput(command, options->output, "folder for the vector with its item IDs; may be the same");
+  addOutput(command, options->output, "write the vector with its item IDs into this folder, which may be DIR");
   command.onRead([options, &context] { context.command = [options, &context] { renderVector(*options, context); }; });
 }
 

@@ -7,7 +7,7 @@
 namespace hemitex::reference {
 namespace {
 
-/// Pixels that a thread clears at once.
+/// Pixels per part; its buffers stay in the cache of a thread.
 constexpr std::size_t part = 32768;
 
 std::size_t pixelCount(const radiosity::Projection& projection) {

@@ -1,6 +1,6 @@
-/// The floor under the time of a hemicube: what is left where there is no geometry. Buffers are cleared, in parts that
-/// stay in the cache, item IDs are read once, and a row is summed run by run
-/// (radiosity/form_factors/item_buffer_sum.h): a pixel of a run costs a comparison.
+/// Baseline without geometry: a lower bound on the time of a hemicube. It clears buffers, in parts that stay in the
+/// cache. Then it reads the item IDs of a drawn patch once and sums the row by runs of equal item IDs, with one
+/// comparison per pixel (radiosity/form_factors/item_buffer_sum.h).
 #pragma once
 
 #include <cstddef>
@@ -17,19 +17,19 @@
 
 namespace hemitex::reference {
 
-/// What the reference renderer clears for a pixel beside its item ID: the depth and the triangle that it shows so far.
+/// Bytes per pixel that the reference renderer clears besides the item ID: depth and visible triangle.
 inline constexpr std::size_t fragmentBytes = 12;
 
 class BenchFloor {
  public:
-  /// All must outlive this one.
+  /// All arguments must outlive this object.
   BenchFloor(const radiosity::Discretization& discretization, const radiosity::IdLayout& layout,
              const radiosity::Projection& projection);
 
-  /// Clears as much as drawing the projection's faces does, then sums the row of item IDs that were drawn before, an
-  /// item buffer a face. The row that the item IDs stand for, without what the projection does not capture.
+  /// Clears as many bytes as drawing the faces of the projection, then sums the row of item IDs drawn before, one item
+  /// buffer per face. Returns the row without the light that the projection does not capture.
   radiosity::FormFactorRow row(std::span<const raster::ItemBuffer> ids);
-  /// The same row, with nothing cleared before.
+  /// Returns the same row without clearing.
   radiosity::FormFactorRow sum(std::span<const raster::ItemBuffer> ids);
 
  private:

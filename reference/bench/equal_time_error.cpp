@@ -19,10 +19,10 @@ namespace {
 
 using RowOfPatch = std::function<radiosity::FormFactorRow(std::uint32_t)>;
 
-/// A way to find rows, and what was measured of it.
+/// A method that computes rows, and its measured quality.
 struct Contender {
   RowOfPatch rowOf;
-  std::vector<RowQuality>& group;  ///< that it is one of
+  std::vector<RowQuality>& group;  ///< receives the quality
   RowQuality quality;
 };
 

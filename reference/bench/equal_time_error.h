@@ -1,6 +1,6 @@
-/// Hemicubes and rays at equal time: rows of form factors from the same points, each against the true row of its point,
-/// with the time that it took. What a hemicube is worth is what as many rays as fit into its time are not
-/// (errorAtTime).
+/// Compares the errors of hemicubes and rays at equal time. Both compute rows of form factors from the same points. The
+/// error of a row is its distance to the true row of its point. errorAtTime gives the error of as many rays as take the
+/// time of a hemicube.
 #pragma once
 
 #include <cstdint>
@@ -14,39 +14,39 @@
 
 namespace hemitex::reference {
 
-/// The sum over all elements of |F - truth|: 0 for the truth, 2 for a row that sees only what is not there.
+/// The sum of |F - truth| over all elements: 0 for the truth, 2 for a row that sees only invisible elements.
 double distanceToTruth(const radiosity::FormFactorRow& row, const MeasuredRow& truth);
 
-/// Up to `count` patches, spread evenly over all of them, ascending.
+/// Up to `count` patches, spread evenly over all patches, ascending.
 std::vector<std::uint32_t> spreadPatches(const radiosity::Discretization& discretization, std::size_t count);
 
-/// What rows of one size cost, and how good they are, in the mean over the points.
+/// The time and error of rows of one size; means over the points.
 struct RowQuality {
-  int size = 0;        ///< pixels along the side of a hemicube, or rays a row
-  double seconds = 0;  ///< a row; the median over the repeats
+  int size = 0;        ///< pixels along the side of a hemicube, or rays per row
+  double seconds = 0;  ///< per row; median of the repetitions
   double error = 0;    ///< see distanceToTruth
 };
 
-/// The error at a time, between the qualities of ascending sizes that were measured around it: a straight line in the
-/// logarithms of both. Nothing where all of them took longer, or none did.
+/// The error at a time, interpolated between qualities of ascending sizes, linearly in the logarithms of time and
+/// error. Nothing if the time is outside the measured range.
 std::optional<double> errorAtTime(const std::vector<RowQuality>& qualities, double seconds);
 
 struct RowComparisonSettings {
-  std::vector<int> hemicubes = {128, 256, 512, 1024};        ///< resolutions of those that stand all alike
-  std::vector<int> turnedHemicubes = {128, 256, 512, 1024};  ///< and of those that are turned (see Orientation)
+  std::vector<int> hemicubes = {128, 256, 512, 1024};        ///< resolutions of hemicubes with equal rotation
+  std::vector<int> turnedHemicubes = {128, 256, 512, 1024};  ///< and with rotation per patch (see Orientation)
   std::vector<int> rays = {1 << 10, 1 << 12, 1 << 14, 1 << 16, 1 << 18, 1 << 20, 1 << 22};
   std::size_t points = 24;
-  int truthSamples = 1 << 10;  ///< of the aimed rays that true rows are measured with
+  int truthSamples = 1 << 10;  ///< of the aimed rays for true rows
   int repeats = 5;
 };
 
 struct RowComparison {
-  std::vector<std::uint32_t> patches;  ///< from whose centres all rows leave
-  double truthError = 0;               ///< of the true rows themselves: the sum of their standard errors, the mean
+  std::vector<std::uint32_t> patches;  ///< all rows start from their centres
+  double truthError = 0;               ///< of the true rows: the sum of standard errors, mean over the points
   std::vector<RowQuality> hemicubes, turnedHemicubes, rays;
 };
 
-/// All sizes are timed in interleaved repetitions (timing.h).
+/// Measures all sizes in interleaved repetitions (timing.h).
 RowComparison compareRows(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                           const RowComparisonSettings& settings = {});
 

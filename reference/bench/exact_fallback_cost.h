@@ -1,5 +1,5 @@
-/// A wall that floating point cannot decide: every sample lies on the borders of four texels. What exact arithmetic
-/// costs there, beside the same wall where no sample lies on a border.
+/// Measures the time of exact arithmetic. In the worst case every sample of a wall lies on the borders of four texels,
+/// so that floating point cannot select a texel. The control is the same wall with no sample on a border.
 #pragma once
 
 #include "raster/interface/draw_list.h"
@@ -7,15 +7,16 @@
 
 namespace hemitex::reference {
 
-/// The wall of the vector borders-on-samples (suite_texels.cpp): seen straight on by frontFace(resolution, 0.5),
-/// a texel a pixel, moved to the right and down by so many pixels. `resolution` is a power of two.
+/// The wall of the vector borders-on-samples (suite_texels.cpp), parallel to the face frontFace(resolution, 0.5), with
+/// one texel per pixel. It is moved to the right and down by `moved` pixels. `resolution` must be a power of two.
 raster::DrawList tiedWall(int resolution, double moved);
 
 struct WallTimes {
   int resolution = 0;
-  Timing tied, moved;  ///< drawing the wall, and the same moved by a third of a pixel
+  Timing tied, moved;  ///< worst case; control: moved by a third of a pixel
 };
 
+/// Measures both walls.
 WallTimes wallTimes(int resolution, int repeats);
 
 }  // namespace hemitex::reference

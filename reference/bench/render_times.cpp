@@ -22,10 +22,10 @@ using radiosity::ElementsBy;
 using radiosity::ProjectedFormFactors;
 using radiosity::View;
 
-/// A repeat is the mean over so many patches of a scene as it is, and one of a scene that was cut.
+/// Patches per repetition for an original scene; a subdivided scene takes one.
 constexpr std::size_t patchesAtOnce = 3;
 
-/// A scene with all that draws it or casts rays into it.
+/// A scene with its renderers and ray tracer.
 struct World {
   World(const radiosity::Scene& itsScene, const BenchScene& bench, bool hasMesh,
         const radiosity::RendererFactory& device)
@@ -44,18 +44,18 @@ struct World {
   PixelRays rays;
 };
 
-/// From so many triangles on OpenGL takes long, most of it for vertices at any resolution: the highest will do, where
-/// it has the least of a disadvantage.
+/// From this number of triangles on, OpenGL is measured at the highest resolution only. It spends most of its time on
+/// vertices at any resolution, so its ratio is best there.
 constexpr std::size_t slowTriangles = 100000;
 
-/// Something that is timed, and for how many calls of it a repeat counts.
+/// A measured task; one call of `call` counts as `calls` calls.
 struct Task {
   std::string what;
   std::function<void()> call;
   std::size_t calls = 1;
 };
 
-/// The tasks of a world at one resolution, and what they need.
+/// The tasks of a world at one resolution, and their data.
 class Tasks {
  public:
   Tasks(World& world, int resolution, std::size_t patches, bool withOpenGl)
@@ -70,7 +70,7 @@ class Tasks {
     add("hemicube", [this](std::size_t i) { rows_.ofPatch(patches_[i]); });
     add("draw", [this](std::size_t i) { draw(i); });
     add("embree", [this](std::size_t i) { world_.rays.cast(views_[i].faces, hits_); });
-    // Of one patch: item IDs of several would push each other out of the cache, where those of a hemicube are.
+    // One patch only: a hemicube finds its item IDs in the cache, but those of several patches do not fit there.
     tasks_.push_back({"floor", [this] { floor_.row(drawn_.front()); }});
     if (world.openGl && withOpenGl)
       add("opengl", [this](std::size_t i) { raster::draw(*world_.openGl, views_[i].faces, views_[i].skipped, ids_); });
@@ -85,14 +85,14 @@ class Tasks {
 
   const std::vector<Task>& tasks() const { return tasks_; }
   std::size_t patches() const { return patches_.size(); }
-  /// Of all patches: faces drawn and item IDs resolved; the rows summed of item IDs drawn before.
+  /// drawAll draws the faces of all patches and resolves item IDs. sumAll sums the rows from item IDs drawn before.
   void drawAll() {
     for (std::size_t i = 0; i < patches_.size(); ++i) draw(i);
   }
   void sumAll() {
     for (const std::vector<raster::ItemBuffer>& ids : drawn_) floor_.sum(ids);
   }
-  /// Of the solution: fewer than benchShots where no light is left.
+  /// Shots of the solution; fewer than benchShots if no light is left.
   int shots() const { return shots_; }
 
  private:
@@ -118,7 +118,7 @@ class Tasks {
   std::unique_ptr<ProjectedFormFactors> meshRows_;
   BenchFloor floor_;
   std::vector<View> views_;                             ///< one per patch
-  std::vector<std::vector<raster::ItemBuffer>> drawn_;  ///< of each view
+  std::vector<std::vector<raster::ItemBuffer>> drawn_;  ///< item buffers of each view
   std::vector<raster::ItemBuffer> ids_, hits_;
   std::vector<Task> tasks_;
   int shots_ = 0;

@@ -1,5 +1,5 @@
-/// How fast a hemicube is, beside whatever else gives the same pixels: regular meshing, Embree, OpenGL, and the floor
-/// under it all. Everything is timed in interleaved repetitions (timing.h) on the same number of threads.
+/// Measures the time of a hemicube beside that of regular meshing, Embree, OpenGL and the baseline without geometry,
+/// for the same pixels. All tasks run in interleaved repetitions (timing.h) on the same number of threads.
 #pragma once
 
 #include <cstdint>
@@ -19,43 +19,44 @@ struct BenchRun {
   std::size_t triangles = 0, elements = 0;
   int resolution = 0;
   int threads = 0;
-  /// What took the time, of the same patches but for solutions, which choose theirs:
-  /// - hemicube: from a patch to its row of form factors; five faces drawn, item IDs resolved, the row summed;
-  /// - hemicube-mesh: the same where elements are polygons;
-  /// - draw: faces drawn and item IDs resolved alone;
-  /// - embree: rays through the same pixels, which triangle each meets (pixel_rays.h);
-  /// - opengl: the faces drawn and read back, without the sum; from 100,000 triangles on, where it takes long, at the
-  ///   highest resolution alone;
-  /// - floor: buffers cleared and the row summed of item IDs drawn before, of the first patch (baseline.h);
-  /// - solution: so many shots by the solver, `benchShots`, or fewer where no light is left; shot: the mean one.
+  /// The measured task. All tasks use the same patches, except solutions, which choose their own:
+  /// - hemicube: from a patch to its row of form factors: draws five faces, resolves item IDs and sums the row;
+  /// - hemicube-mesh: the same with one polygon per element;
+  /// - draw: draws faces and resolves item IDs;
+  /// - embree: finds the nearest triangle of a ray through each of the same pixels (pixel_rays.h);
+  /// - opengl: draws the faces and reads them back, without the sum. From 100,000 triangles on it is slow, and is
+  ///   measured only at the highest resolution;
+  /// - floor: clears buffers and sums the row of the first patch from item IDs drawn before (baseline.h);
+  /// - solution: `benchShots` shots of the solver, or fewer if no light is left; shot: their mean.
   std::string what;
   Timing seconds;
 };
 
-/// Of a solution.
+/// Shots of a measured solution.
 inline constexpr int benchShots = 10;
 
 struct BenchSettings {
   std::vector<int> resolutions = {128, 256, 512, 1024};
-  /// Scenes of fewer triangles are also cut into so many (subdivided_scene.h), ascending.
+  /// Scenes with fewer triangles are also measured with these numbers of triangles (subdivided_scene.h); ascending.
   std::vector<std::size_t> triangles = {8000, 100000, 1000000};
   int threads = 1;
   int repeats = 11;
-  radiosity::RendererFactory openGl;  ///< empty where there is no device
+  radiosity::RendererFactory openGl;  ///< empty if there is no device
 };
 
-/// Of a scene as it is and cut, everything at every resolution; meshing and solutions of the scene as it is alone.
+/// Measures the original and the subdivided scenes at every resolution. Meshing and solutions are measured for the
+/// original scene only. `progress` is called with the name of each step.
 std::vector<BenchRun> benchRuns(const BenchScene& scene, const BenchSettings& settings,
                                 const std::function<void(const std::string&)>& progress);
 
-/// A hemicube of a scene whose surfaces have side x side elements each.
+/// Times of a hemicube in a scene with side x side elements per surface.
 struct GrowthPoint {
   int side = 0;
   std::size_t elements = 0;
-  Timing draw, row;  ///< faces drawn and item IDs resolved; their row summed
+  Timing draw, row;  ///< draw: draws faces and resolves item IDs; row: sums the row
 };
 
-/// One point per entry of `sides`, all in interleaved repetitions. Item IDs have 32 bits.
+/// Measures one point per entry of `sides`, all in interleaved repetitions. Item IDs have 32 bits.
 std::vector<GrowthPoint> growthOf(const radiosity::Scene& scene, std::span<const int> sides, int resolution,
                                   int repeats);
 

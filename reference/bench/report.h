@@ -1,4 +1,4 @@
-/// All that `hemitex bench` measures.
+/// All measurements of `hemitex bench`, and ratios and crossovers of its runs.
 #pragma once
 
 #include <optional>
@@ -13,14 +13,14 @@
 
 namespace hemitex::reference {
 
-/// Drawing and summing at rising numbers of elements.
+/// Times of drawing and summing for growing numbers of elements.
 struct BenchGrowth {
   std::string scene;
   int resolution = 0;
   std::vector<GrowthPoint> points;
 };
 
-/// A hemicube's row beside the row that rays find in the same time, from the same points: see distanceToTruth.
+/// The error of rows by hemicubes, and by rays from the same points in the same time (see distanceToTruth).
 struct EqualTimeError {
   std::string scene;
   int resolution = 0;
@@ -28,7 +28,7 @@ struct EqualTimeError {
   double hemicube = 0, rays = 0;
 };
 
-/// Empty where nothing was measured.
+/// Members are empty if they were not measured.
 struct BenchReport {
   std::vector<BenchRun> runs;
   std::optional<CoreGains> cores;
@@ -39,10 +39,11 @@ struct BenchReport {
   std::vector<EqualTimeError> errors;
 };
 
-/// Of every resolution of turned hemicubes, which solutions use, that rays were measured around.
+/// One entry per resolution of hemicubes that are rotated per patch, as in solutions. Omits times outside the range of
+/// the rays.
 std::vector<EqualTimeError> equalTimeErrors(const std::string& scene, const RowComparison& comparison);
 
-/// How many times as long a run takes as the hemicube of the same scene, number of triangles and resolution.
+/// The time of a run over that of the hemicube with the same scene, number of triangles and resolution.
 struct BenchRatio {
   std::string scene;
   std::size_t triangles = 0;
@@ -50,12 +51,11 @@ struct BenchRatio {
   std::string what;
   double overHemicube = 0;
 };
-/// Of all runs but hemicubes and solutions, which choose patches of their own.
+/// The ratios of all runs except hemicubes, and except solutions, which choose their own patches.
 std::vector<BenchRatio> benchRatios(const std::vector<BenchRun>& runs);
 
-/// The number of triangles from which on Embree is faster, between the two that were measured around it: a straight
-/// line in the logarithms of triangles and of the ratio of times. The fewest that were measured where Embree is always
-/// faster; nothing where it never is.
+/// The number of triangles from which on Embree is faster. Interpolates linearly between the logarithms of triangles
+/// and of ratios of times. The smallest measured number if Embree is always faster; nothing if it never is.
 struct Crossover {
   std::string scene;
   int resolution = 0;

@@ -1,4 +1,4 @@
-/// The scenes that speed is measured on, and how they are discretized.
+/// The scenes for measurements of speed, and their discretizations.
 #pragma once
 
 #include <filesystem>
@@ -13,28 +13,28 @@
 namespace hemitex::reference {
 
 struct BenchScene {
-  std::string name;  ///< of the file, without its ending
+  std::string name;  ///< of the file, without extension
   radiosity::Scene scene;
   radiosity::DiscretizationSettings elements;
   radiosity::IdSettings ids;
 };
 
-/// The elements of the paper's room: `wall` along the side of a wall, `boxFace` along that of a face of the box,
-/// `patch` along that of a patch; the light is one element.
+/// The elements of the room of the paper: `wall` along the side of a wall, `boxFace` along the side of a face of the
+/// box, and `patch` along the side of a patch. The light is one element.
 radiosity::DiscretizationSettings roomElements(int wall, int boxFace, int patch);
 
-/// The elements and IDs of a scene in eight packed pages of 64 x 64 texels, each split into subdivision x subdivision;
-/// patches have 4 x 4 of the texels that are not split.
+/// Packs a scene into eight pages of 64 x 64 texels, and divides each texel into subdivision x subdivision elements.
+/// Patches have 4 x 4 undivided texels.
 BenchScene packedScene(std::string name, radiosity::Scene scene, int subdivision);
 
-/// By the program's defaults. Throws InputError where nothing emits.
+/// Loads a scene with default settings. Throws InputError if nothing emits.
 BenchScene benchScene(const std::filesystem::path& file);
 
-/// The paper's room, the Cornell box and the gallery, which stands for the paper's complex scene, from the folder of
-/// the scenes that come with the program; the room and the gallery as finely as the paper's fine level.
+/// Loads the room of the paper, the Cornell box and the gallery from the folder of the program's scenes. The gallery
+/// replaces the complex scene of the paper. The room and the gallery are discretized as the fine level of the paper.
 std::vector<BenchScene> benchScenes(const std::filesystem::path& folder);
 
-/// Form factors from the patches as they are discretized: none is split. The scene must outlive the result.
+/// Form factors from patches without splitting. The scene must outlive the result.
 radiosity::SceneFormFactors unsplitFormFactors(
     const radiosity::Scene& scene, const radiosity::DiscretizationSettings& elements, const radiosity::IdSettings& ids,
     int resolution, const radiosity::RendererFactory& renderer = radiosity::softwareRenderer);

@@ -16,13 +16,13 @@
 namespace hemitex::reference {
 namespace {
 
-/// What the heap holds.
+/// Bytes that the heap holds.
 std::size_t heapBytes() {
   const struct mallinfo2 heap = mallinfo2();
   return heap.uordblks + heap.hblkhd;
 }
 
-/// Tells how large the heap is while item buffers are there.
+/// Records the heap size while item buffers exist.
 class HeapProbe final : public raster::ItemBufferRenderer {
  public:
   HeapProbe(std::unique_ptr<raster::ItemBufferRenderer> renderer, std::size_t& bytes)
@@ -61,7 +61,7 @@ SolutionParts solveOnce(const radiosity::Scene& scene, radiosity::SceneFormFacto
   return parts;
 }
 
-/// The heap while the second row of a solution is summed: with the item buffers and with the row.
+/// Heap size while the second row of a solution is summed, including item buffers and the row.
 std::size_t heapBytes(const radiosity::Scene& scene, int texels, int resolution) {
   std::size_t whileDrawn = 0;
   const auto probed = [&whileDrawn](raster::DrawList list) {
@@ -102,7 +102,7 @@ SolutionMemory solutionMemory(const radiosity::Scene& scene, int texels, int res
   const auto heap = [&](int ofTexels, int ofResolution) {
     return static_cast<double>(heapBytes(scene, ofTexels, ofResolution));
   };
-  // Few pixels beside the elements, so that what is seen of these adds little; and all elements beside the pixels.
+  // With few pixels, visible elements add little to the bytes per element.
   constexpr int fewPixels = 64;
   SolutionMemory memory;
   memory.bytesPerElement =

@@ -11,7 +11,7 @@ namespace {
 
 using radiosity::Triangle;
 
-/// A triangle on the way, and the one that follows it in the scene.
+/// A triangle of the result so far, and the index of its successor.
 struct Piece {
   Triangle triangle;
   std::size_t surface = 0;
@@ -27,8 +27,8 @@ std::vector<Piece> piecesOf(const radiosity::Scene& scene) {
   return pieces;
 }
 
-/// The longest edge of a piece: from `corner` to the next one. Pieces that share an edge compute the same length and
-/// middle, so that they follow each other in the order of cuts.
+/// The longest edge of a piece: from `corner` to the next corner. Pieces that share an edge compute the same length and
+/// middle, so that they are consecutive in the order of bisections.
 struct LongestEdge {
   double squaredLength = 0;
   glm::dvec3 middle;
@@ -66,7 +66,7 @@ glm::dvec2 onChartGrid(const glm::dvec2& chart) {
   return {rounded(chart.x), rounded(chart.y)};
 }
 
-/// The half of a triangle that has corner `kept` of the edge from `kept` to `moved`, which goes to the middle.
+/// The half of a triangle with corner `kept`: corner `moved` moves to the middle of the edge between both.
 Triangle half(Triangle triangle, std::size_t kept, std::size_t moved) {
   triangle.position[moved] = between(triangle.position[kept], triangle.position[moved]);
   triangle.chart[moved] = onChartGrid(between(triangle.chart[kept], triangle.chart[moved]));

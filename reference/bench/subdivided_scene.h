@@ -1,5 +1,5 @@
-/// A scene cut into more triangles: the same surfaces, charts and materials, so the same elements, and nothing to see
-/// but more corners. What a renderer pays for triangles shows where all else stays.
+/// Subdivides a scene into more triangles, to measure the time per triangle. Surfaces, charts and materials stay the
+/// same, so that elements also stay the same.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 
 namespace hemitex::reference {
 
-/// The scene with its longest edges cut in the middle, one after the other, until it has `triangles` of them or a few
-/// more: an edge is cut in all triangles that have it, so that none gets a corner of a neighbour on a side of its own.
-/// Halves stand where the whole one stood, so that triangles that follow each other are neighbours. A chart's new
-/// corners are rounded to multiples of 2^-24, as Triangle::chart asks for. A scene of more triangles stays as it is.
+/// Bisects the longest edge repeatedly, until the scene has at least `triangles` triangles. An edge is bisected in all
+/// triangles that share it, so that no vertex lies on an edge of a neighbour; the result may have a few more triangles.
+/// Both halves replace the triangle in the list, so that consecutive triangles are neighbours. New chart coordinates
+/// are rounded to multiples of 2^-24, as Triangle::chart requires. A scene with more triangles stays unchanged.
 radiosity::Scene finerScene(const radiosity::Scene& scene, std::size_t triangles);
 
 }  // namespace hemitex::reference

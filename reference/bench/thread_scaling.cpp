@@ -11,7 +11,7 @@
 namespace hemitex::reference {
 namespace {
 
-/// Independent chains of multiplications and additions in registers, in parts that any thread takes.
+/// Independent chains of multiplications and additions in registers, distributed over the threads.
 void multiplyAndAdd() {
   constexpr std::size_t parts = 64;
   constexpr int steps = 40000;

@@ -7,7 +7,7 @@
 namespace hemitex::reference {
 namespace {
 
-/// Seconds of the mean call, of as many calls as take `shortest` seconds.
+/// Mean seconds of a call, over as many calls as take `shortest` seconds.
 double secondsOf(const std::function<void()>& task, double shortest) {
   const Stopwatch watch;
   int calls = 0;

@@ -1,5 +1,5 @@
-/// Times that can be compared. Tasks run in interleaved repetitions, so that a disturbance of the machine hits all of
-/// them alike, and the median of the repetitions counts.
+/// Measures the times of tasks for comparison. Tasks run in interleaved repetitions, so that other load on the machine
+/// affects all of them equally. The result is the median of the repetitions.
 #pragma once
 
 #include <chrono>
@@ -10,7 +10,7 @@
 
 namespace hemitex::reference {
 
-/// Seconds since it was made.
+/// Measures seconds since its construction.
 class Stopwatch {
  public:
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
@@ -25,24 +25,24 @@ struct Timing {
   std::vector<double> repetitions;  ///< in the order in which they were measured
 };
 
-/// The time of one part of a call that has so many equal parts.
+/// The time of one of `parts` equal parts of a call.
 Timing operator/(const Timing& timing, double parts);
 
-/// `repetitions` has at least one entry.
+/// Median and minimum of `repetitions`, which must not be empty.
 Timing timingOf(std::vector<double> repetitions);
 
-/// `values` has at least one entry. The mean of the two middle values where their number is even.
+/// The median of `values`, which must not be empty; for an even number, the mean of the two middle values.
 double medianOf(std::vector<double> values);
 
-/// values[i] / others[i]; both have the same size.
+/// values[i] / others[i]; both must have the same size.
 std::vector<double> quotients(std::span<const double> values, std::span<const double> others);
 
-/// How many times as long one task takes as another of the same interleaved repetitions: the median of the ratios of
-/// each repetition. The ratio of the medians could compare a slow phase of the machine with a fast one.
+/// The time of one task over that of another: the median of the ratios of each interleaved repetition. The ratio of
+/// medians could compare a slow phase of the machine with a fast one.
 double ratioOf(const Timing& timing, const Timing& other);
 
-/// Runs the tasks 0, 1, ..., `tasks` - 1 and then all of them again, `repetitions` times (at least 1). `timed` runs a
-/// task in a repetition and returns its seconds. A task that takes more than `longTime` seconds is not repeated.
+/// Runs the tasks 0, 1, ..., `tasks` - 1 in this order, `repetitions` times (at least 1). `timed` runs a task in a
+/// repetition and returns its seconds. A task that takes more than `longTime` seconds is not repeated.
 std::vector<Timing> interleavedTimings(std::size_t tasks, int repetitions,
                                        const std::function<double(std::size_t task, int repetition)>& timed,
                                        double longTime = std::numeric_limits<double>::infinity());
@@ -50,8 +50,8 @@ std::vector<Timing> interleavedTimings(std::size_t tasks, int repetitions,
 /// Minimum duration of a repetition of a short task, in seconds.
 inline constexpr double shortestRepetition = 0.02;
 
-/// The same for short tasks, as a solution calls them: with warm caches and threads that are awake. Each task runs once
-/// before the measurement. A repetition calls its task until `shortest` seconds are over, and has the mean time.
+/// Measures short tasks as in a solution, with warm caches and running threads. Each task runs once before the
+/// measurement. A repetition calls its task until `shortest` seconds are over, and has the mean time of a call.
 std::vector<Timing> shortTaskTimings(std::span<const std::function<void()>> tasks, int repetitions,
                                      double shortest = shortestRepetition);
 

@@ -13,7 +13,7 @@
 namespace hemitex::reference {
 namespace {
 
-/// Passes on what is to be drawn, and says how long it took.
+/// Forwards drawing to another renderer and measures its time.
 class TimedRenderer final : public raster::ItemBufferRenderer {
  public:
   explicit TimedRenderer(raster::ItemBufferRenderer& renderer) : renderer_(renderer) {}
@@ -26,7 +26,7 @@ class TimedRenderer final : public raster::ItemBufferRenderer {
     raster::parallelFor(faces.size(), drawn);
   }
 
-  /// Of the last drawing.
+  /// Seconds of the last drawing.
   double seconds() const { return seconds_; }
 
  private:
@@ -34,7 +34,7 @@ class TimedRenderer final : public raster::ItemBufferRenderer {
   double seconds_ = 0;
 };
 
-/// What is timed: a cell of the tables.
+/// A measured cell of the tables.
 struct Cell {
   const PaperScene* scene = nullptr;
   const PaperLevel* level = nullptr;

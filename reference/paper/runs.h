@@ -1,6 +1,6 @@
-/// The runs behind Tables 1 and 2 of Nielsen and Christensen (2002), made again: a scene solved at three levels of
-/// discretization by textures and by regular meshing, on every device, at two hemicube resolutions, and what each part
-/// of the solution takes.
+/// Measures the runs of Tables 1 and 2 of Nielsen and Christensen (2002) again. Each scene is solved at three levels of
+/// discretization, by textures and by regular meshing, on every device and at two hemicube resolutions. A run has the
+/// times of the parts of a solution.
 #pragma once
 
 #include <cstdint>
@@ -29,16 +29,17 @@ struct PaperScene {
   int shots = 100;  ///< at least 1
 };
 
-/// Something that draws item buffers.
+/// A device that draws item buffers.
 struct PaperDevice {
   std::string name;  ///< software or opengl
   radiosity::RendererFactory makeRenderer;
-  /// No more shots by meshing than draw so many elements in all, but one: where there are many, it takes too long.
+  /// Maximum number of elements that all shots by meshing draw together; at least one shot is made. More would take too
+  /// long.
   std::size_t maxMeshElements = 5000000;
 };
 
-/// Seconds of a solution: all of it without loading and discretizing; of that, form factors, from a patch to its row;
-/// and of that, drawing and resolving item buffers.
+/// Seconds of a solution. `total` does not include loading and discretizing. `formFactors` is the part from patches to
+/// rows. `draw` is the part of it that draws and resolves item buffers.
 struct PaperTimes {
   double total = 0, formFactors = 0, draw = 0;
 };
@@ -56,23 +57,23 @@ struct PaperRun {
 struct PaperSettings {
   std::vector<int> resolutions = {128, 512};
   int repeats = 3;      ///< at least 1
-  double longTime = 5;  ///< a run that takes more seconds is not repeated
+  double longTime = 5;  ///< seconds; a longer run is not repeated
 };
 
-/// Every scene, device, method, level and resolution, in this order, in interleaved repetitions (timing.h). Times are
-/// medians: of each shot, since every repetition shoots the same patches, and of what is left of the total. One row is
+/// Measures every scene, device, method, level and resolution, in this order, in interleaved repetitions (timing.h).
+/// Every repetition shoots the same patches, so times are sums of the medians of each shot and of the rest. One row is
 /// drawn before the measurement.
 std::vector<PaperRun> measurePaperRuns(const std::vector<PaperScene>& scenes, const std::vector<PaperDevice>& devices,
                                        const PaperSettings& settings,
                                        const std::function<void(double fraction, const std::string& what)>& progress);
 
-/// The times of a solution, one entry a shot, and what is left of its total.
+/// Seconds of a solution: one entry per shot, and the rest of the total.
 struct ShotTimes {
   std::vector<double> formFactors, draw;
   double rest = 0;
 };
 
-/// The sums of the shots' medians; all have equally many shots.
+/// Sums of the medians of each shot. All repetitions must have the same number of shots.
 PaperTimes mediansOf(const std::vector<ShotTimes>& repeats);
 
 }  // namespace hemitex::reference

@@ -57,7 +57,7 @@ PaperTimes ratioPerShot(const PaperRun& a, const PaperRun& b) {
           a.seconds.draw / b.seconds.draw * shots};
 }
 
-/// Runs whose `member` is `value` over those that differ from them by `base` in its place alone.
+/// Ratios of runs whose `member` is `value` over the runs with `base` instead that are otherwise equal.
 std::vector<PaperRatio> ratios(const std::vector<PaperRun>& runs, std::string PaperRun::*member,
                                const std::string& value, const std::string& base) {
   const auto cell = [](const PaperRun& run) {

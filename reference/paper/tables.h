@@ -1,5 +1,5 @@
-/// Ratios of the runs of runs.h beside those of Nielsen and Christensen (2002): how much faster textures are than
-/// regular meshing, and by how much time grows from the coarse to the fine level.
+/// Computes ratios of the runs of runs.h, beside those of Nielsen and Christensen (2002): the speed-up of textures over
+/// regular meshing, and the growth of time from the coarse to the fine level.
 #pragma once
 
 #include <optional>
@@ -10,26 +10,27 @@
 
 namespace hemitex::reference {
 
-/// The scenes of the paper, by the names of our runs.
+/// The names of the scenes of the paper in our runs.
 inline const std::string simpleScene = "simple", complexScene = "complex";
 
-/// Seconds that the paper gives, on a Pentium III of 450 MHz. The text beside which this is made lost some numbers.
+/// Seconds in the paper, on a Pentium III of 450 MHz. A value is missing if it is illegible in our copy.
 struct PublishedTimes {
   std::optional<double> total, formFactors;
 };
 
-/// Of Table 1 (the simple scene) and Table 2 (the complex one). `device` software is its software vertex processing,
-/// opengl its hardware; resolution 128 its lower and 512 its higher one. Nothing where the paper has no such run.
+/// The times of Table 1 (simple scene) or Table 2 (complex scene) for a run. `device` software stands for software
+/// vertex processing, opengl for hardware. Resolutions 128 and 512 stand for the lower and the higher resolution of the
+/// paper. Nothing if the paper has no such run.
 std::optional<PublishedTimes> publishedTimes(const PaperRun& run);
 
-/// How many times as long a shot takes in one run as in another: runs that take too long have fewer shots.
+/// The time of a shot in one run over that in another. Ratios are per shot, because long runs have fewer shots.
 struct PaperRatio {
-  PaperRun run;  ///< the other one, which is compared with
+  PaperRun run;  ///< the other run, the denominator
   PaperTimes ratio;
-  PublishedTimes published;  ///< the same ratio of the paper's times
+  PublishedTimes published;  ///< the same ratio in the paper
 };
-/// Regular meshing over textures, and the fine level over the coarse one. In the order of the runs that are compared
-/// with; where the one to compare is missing, there is no ratio.
+/// Ratios of regular meshing over textures, and of the fine level over the coarse one. They are in the order of the
+/// denominators; a run without a counterpart has no ratio.
 std::vector<PaperRatio> speedUps(const std::vector<PaperRun>& runs);
 std::vector<PaperRatio> growths(const std::vector<PaperRun>& runs);
 

@@ -13,7 +13,7 @@ namespace {
 using radiosity::Discretization;
 using radiosity::Scene;
 
-/// What is drawn on over patches, how it stands, and which patches are split for it.
+/// A drawn method: projection, rotation and splitting of patches.
 struct DrawnStyle {
   std::string name;
   radiosity::ProjectionKind projection;
@@ -23,12 +23,12 @@ struct DrawnStyle {
   double pixelsPerElement = 0;  ///< see radiosity::ViewSettings
 };
 
-/// Of the faces of a projection: of a hemicube a square and four halves of it.
+/// Pixels of all faces of a projection; a hemicube has one square face and four halves.
 double pixelsOf(radiosity::ProjectionKind projection, int resolution) {
   return (projection == radiosity::ProjectionKind::SinglePlane ? 1.0 : 3.0) * resolution * resolution;
 }
 
-/// Those that stand for any direction: half of a cubic tetrahedron's and its diagonal do.
+/// Pixels with a delta form factor above 0; for a cubic tetrahedron these are half of each face and its diagonal.
 double directionsOf(radiosity::ProjectionKind projection, int resolution) {
   const double pixels = pixelsOf(projection, resolution);
   return projection == radiosity::ProjectionKind::CubicTetrahedron ? (pixels + 3.0 * resolution) / 2 : pixels;
@@ -58,7 +58,7 @@ TradeMethod rayMethod(const std::string& name, RayStart start) {
     const auto rayRows = std::make_shared<RayRows>(scene, *kept, RayRowSettings{rays, start});
     return {kept, [kept, rayRows](std::uint32_t patch) { return rayRows->ofPatch(patch); }};
   };
-  // A direction and a place to start from.
+  // A direction and a start point.
   const auto bytes = [](int rays) { return static_cast<std::size_t>(rays) * 5 * sizeof(float); };
   return {name,
           "rays",

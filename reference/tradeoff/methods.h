@@ -1,5 +1,5 @@
-/// The methods whose speed and accuracy are compared: each finds the rows of patches, at one setting that says how much
-/// it does. A new method is one more entry of the list.
+/// The methods that are compared in time and error. Each computes rows of patches and has one setting, its resolution
+/// or number of rays. To add a method, add an entry to the list.
 #pragma once
 
 #include <cstddef>
@@ -14,34 +14,37 @@
 
 namespace hemitex::reference {
 
-/// What finds rows, and splits patches on the way.
+/// Computes rows and, for some methods, splits patches.
 struct TradeRows {
-  std::shared_ptr<const radiosity::Discretization> discretization;  ///< whose patches are split
+  std::shared_ptr<const radiosity::Discretization> discretization;  ///< with split patches
   radiosity::RowSource rowOf;
   radiosity::PatchSplit split = {};
 };
 
 struct TradeMethod {
-  std::string name;                       ///< one item ID, as on the command line
-  std::string setting;                    ///< what its number is called; always a power of two
-  int least, most;                        ///< of the numbers that it can be given
-  std::vector<int> measured;              ///< the numbers that are compared where no others are asked for, ascending
-  std::function<double(int)> directions;  ///< in which a row looks, at a setting: pixels or rays
-  std::function<std::size_t(int)> bufferBytes;  ///< of item buffers, or of the rays of a row
-  /// Ready to find the rows of the patches of a discretization. The scene must outlive it.
+  std::string name;                             ///< as on the command line, without spaces
+  std::string setting;                          ///< name of the setting, whose value is a power of two
+  int least, most;                              ///< range of the setting
+  std::vector<int> measured;                    ///< default settings, ascending
+  std::function<double(int)> directions;        ///< pixels or rays per row, for a setting
+  std::function<std::size_t(int)> bufferBytes;  ///< bytes of item buffers, or of the rays of a row
+  /// Prepares to compute the rows of a discretization at a setting. The scene must outlive the result.
   std::function<TradeRows(const radiosity::Scene&, const radiosity::Discretization&, int)> rows;
 };
 
-/// - `hemicube`: from the centre of a patch, its setting the resolution.
-/// - `turned-hemicube`: each turned about its normal by an angle of its own.
-/// - `split-hemicube`: turned, and patches that are near to what they light are split (see
-/// radiosity/form_factors/patch_subdivision.h).
-/// - `single-plane`, `tetrahedron`: turned as well, on the faces of these projections (see
-/// radiosity/projection/single_plane.h and radiosity/projection/cubic_tetrahedron.h).
-/// - `levels-of-detail`: turned hemicubes, with coarser index maps where surfaces cover few pixels (see
-/// radiosity/form_factors/level_of_detail.h).
-/// - `centre-rays`: rays from the same points as hemicubes, so that what differs is how directions are looked into.
-/// - `area-rays`: rays from all over a patch.
+/// All methods:
+///
+/// - `hemicube`: from the centre of a patch; the setting is the resolution.
+/// - `turned-hemicube`: rotated per patch about its normal.
+/// - `split-hemicube`: rotated per patch; patches near to their receivers are split (see
+///   radiosity/form_factors/patch_subdivision.h).
+/// - `single-plane`, `tetrahedron`: rotated per patch, with these projections (see radiosity/projection/single_plane.h
+/// and
+///   radiosity/projection/cubic_tetrahedron.h).
+/// - `levels-of-detail`: rotated hemicubes with coarser index maps for surfaces that cover few pixels (see
+///   radiosity/form_factors/level_of_detail.h).
+/// - `centre-rays`: rays from the same points as hemicubes, to compare directions only.
+/// - `area-rays`: rays from the whole area of a patch.
 std::vector<TradeMethod> tradeMethods();
 
 }  // namespace hemitex::reference

@@ -9,7 +9,7 @@
 
 namespace hemitex::reference {
 
-/// By ascending cost a choice is on the front where its error is below that of all before it.
+/// In the order of ascending cost, a choice is on the front if its error is below those of all choices before it.
 std::vector<bool> paretoFront(std::span<const double> cost, std::span<const double> error) {
   assert(cost.size() == error.size());
   const auto choice = [&](std::size_t i) { return std::pair{cost[i], error[i]}; };

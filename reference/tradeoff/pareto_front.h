@@ -1,4 +1,4 @@
-/// The Pareto front: of many choices with a cost and an error, those that no other one beats.
+/// Computes the Pareto front of choices with a cost and an error.
 #pragma once
 
 #include <span>
@@ -6,8 +6,8 @@
 
 namespace hemitex::reference {
 
-/// Whether each choice is on the front: no other one costs as much or less and errs as much or less, one of them less.
-/// Equal choices are on it together. All numbers are finite.
+/// For each choice, whether it is on the front. A choice is not on the front if another one has at most the same cost
+/// and error, and a smaller cost or error. Equal choices have equal results. All numbers must be finite.
 std::vector<bool> paretoFront(std::span<const double> cost, std::span<const double> error);
 
 }  // namespace hemitex::reference

@@ -64,7 +64,7 @@ std::size_t bytesOf(const Discretization& discretization) {
   return bytes;
 }
 
-/// All results except times. The rows of patches that have not shot though there is light are asked for here.
+/// Computes all results except times. Rows of patches that did not shoot, but have true flux, are computed here.
 TradeMeasurement judge(const Discretization& fine, const TrueRadiosity& truth, const TradeMethod& method,
                        const TradeChoice& choice, TimedSolution& timed) {
   const Discretization& discretization = *timed.source.discretization;

@@ -1,4 +1,4 @@
-// The floor under a hemicube gives what the hemicube gives.
+// BenchFloor computes the same rows as hemicubes.
 #include "reference/bench/baseline.h"
 
 #include <catch2/catch.hpp>
@@ -13,8 +13,7 @@
 using namespace hemitex;
 using namespace hemitex::radiosity;
 
-TEST_CASE("the floor sums item IDs that were drawn to the row of their hemicube, whatever was summed before",
-          "[bench]") {
+TEST_CASE("BenchFloor::row of drawn item IDs is the row of their hemicube, after any other row", "[bench]") {
   const Scene scene = loadScene(HEMITEX_DATA "/cornell-box.obj");
   const Discretization discretization = discretize(scene, {.texels = 9});
   const IdLayout layout = layOut(discretization);

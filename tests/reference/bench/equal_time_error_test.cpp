@@ -1,4 +1,4 @@
-// Hemicubes and rays at equal time: what is compared, and that it is measured right. How fast either is, no test says.
+// Comparison of hemicubes and rays at equal time. Tests check errors, not times.
 #include "reference/bench/equal_time_error.h"
 
 #include <catch2/catch.hpp>
@@ -12,7 +12,7 @@ using namespace hemitex::reference;
 using radiosity::FormFactorRow;
 using radiosity::wholeShare;
 
-TEST_CASE("a row is as far from the truth as its values are in all", "[row comparison]") {
+TEST_CASE("distanceToTruth sums the distances of all values of a row", "[row comparison]") {
   MeasuredRow truth;
   truth.receivers = {{0.25, 0}, {0, 0}, {0.5, 0}, {0.25, 0}};
   CHECK(distanceToTruth({{0, 2, 3}, {wholeShare / 4, wholeShare / 2, wholeShare / 4}}, truth) == 0);
@@ -21,7 +21,7 @@ TEST_CASE("a row is as far from the truth as its values are in all", "[row compa
   CHECK(distanceToTruth({}, truth) == 1);
 }
 
-TEST_CASE("between the times that were measured the error is a power of time", "[row comparison]") {
+TEST_CASE("errorAtTime interpolates errors that are a power of time", "[row comparison]") {
   const auto error = [](double seconds) { return 0.01 * std::pow(seconds, -0.75); };
   std::vector<RowQuality> qualities;
   for (const double seconds : {0.001, 0.004, 0.03, 0.5}) qualities.push_back({1, seconds, error(seconds)});
@@ -31,7 +31,7 @@ TEST_CASE("between the times that were measured the error is a power of time", "
   CHECK_FALSE(errorAtTime(qualities, 0.51));
 }
 
-TEST_CASE("the patches that are compared are spread over all", "[row comparison]") {
+TEST_CASE("spreadPatches spreads its patches over all patches", "[row comparison]") {
   const radiosity::Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
   const auto discretization = radiosity::discretize(scene, {.texels = 4, .patch = 2});  // 24 patches
   CHECK(spreadPatches(discretization, 6) == std::vector<std::uint32_t>{2, 6, 10, 14, 18, 22});
@@ -39,8 +39,7 @@ TEST_CASE("the patches that are compared are spread over all", "[row comparison]
   CHECK(spreadPatches(discretization, 100).size() == 24);
 }
 
-TEST_CASE("hemicubes and rays are compared with the truth, by errors that are the same every time",
-          "[row comparison]") {
+TEST_CASE("compareRows gives the same errors in each run, smaller ones for more pixels or rays", "[row comparison]") {
   const radiosity::Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
   const auto discretization = radiosity::discretize(scene, {.texels = 4, .patch = 2});
   const RowComparisonSettings settings{.hemicubes = {32, 128},
@@ -52,7 +51,7 @@ TEST_CASE("hemicubes and rays are compared with the truth, by errors that are th
   const RowComparison first = compareRows(scene, discretization, settings),
                       second = compareRows(scene, discretization, settings);
   CHECK(first.patches.size() == 6);
-  CHECK(first.truthError < 1e-12);  // nothing stands in the way, so closed forms say all
+  CHECK(first.truthError < 1e-12);  // without blockers true rows are closed forms
   REQUIRE(first.hemicubes.size() == 2);
   REQUIRE(first.rays.size() == 3);
   REQUIRE(first.turnedHemicubes.size() == 1);
@@ -64,9 +63,9 @@ TEST_CASE("hemicubes and rays are compared with the truth, by errors that are th
       CHECK(a[i].error == b[i].error);
       CHECK(a[i].seconds > 0);
     }
-  // Pixels along the outlines of elements are all right or all wrong together, unless the hemicube is turned.
+  // Without rotation, the pixels along an outline of an element are wrong together.
   CHECK(first.turnedHemicubes[0].error < first.hemicubes[1].error);
-  // Errors fall with the pixels along a side, and faster than with the root of the number of rays.
+  // Errors fall with the number of pixels along a side. With rays they fall faster than the root of their number.
   CHECK(first.hemicubes[1].error < first.hemicubes[0].error / 3);
   CHECK(first.rays[1].error < first.rays[0].error / 8);
   CHECK(first.rays[2].error < first.rays[1].error / 4);

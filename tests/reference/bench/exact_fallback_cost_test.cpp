@@ -1,4 +1,4 @@
-// The wall that is timed is the one of the suite.
+// The walls whose drawing is timed.
 #include "reference/bench/exact_fallback_cost.h"
 
 #include <catch2/catch.hpp>
@@ -10,7 +10,7 @@
 using namespace hemitex;
 using namespace hemitex::reference;
 
-TEST_CASE("the tied wall is the vector borders-on-samples", "[bench]") {
+TEST_CASE("tiedWall is the vector borders-on-samples", "[bench]") {
   const std::vector<TestVector> vectors = texelVectors();
   const auto named = std::find_if(vectors.begin(), vectors.end(),
                                   [](const TestVector& vector) { return vector.name == "borders-on-samples"; });
@@ -22,9 +22,8 @@ TEST_CASE("the tied wall is the vector borders-on-samples", "[bench]") {
   CHECK(wall.indexMaps.at(0).ids == named->list.indexMaps.at(0).ids);
 }
 
-TEST_CASE("the wall that was moved shows the same texels, a third of a pixel from their borders", "[bench]") {
-  // Sample i lies at i + 1/2 pixels, the texel's border there; what was moved to the right by a third shows the texel
-  // before.
+TEST_CASE("tiedWall moved by a third of a pixel shows the same texels, moved by one pixel", "[bench]") {
+  // Sample i lies at i + 1/2 pixels, on the border of a texel. After the move to the right it shows the texel before.
   constexpr int resolution = 16;
   const raster::Face face = frontFace(resolution, 0.5f);
   const auto drawn = [&face](double moved) {

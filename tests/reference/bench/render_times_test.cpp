@@ -1,4 +1,4 @@
-// Hemicubes of a scene with more and more elements.
+// Times of hemicubes for growing numbers of elements.
 #include "reference/bench/render_times.h"
 
 #include <array>
@@ -8,7 +8,7 @@
 
 using namespace hemitex;
 
-TEST_CASE("growthOf measures with as many elements along a side as it is asked for", "[bench]") {
+TEST_CASE("growthOf measures each given number of elements along a side", "[bench]") {
   constexpr std::array<int, 3> sides{4, 8, 32};
   const auto points = reference::growthOf(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), sides, 16, 3);
   REQUIRE(points.size() == 3);

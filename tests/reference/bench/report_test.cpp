@@ -1,4 +1,4 @@
-// Ratios and crossovers of made-up times.
+// Ratios and crossovers of given times.
 #include "reference/bench/report.h"
 
 #include <catch2/catch.hpp>
@@ -7,8 +7,8 @@ using namespace hemitex::reference;
 
 namespace {
 
-/// The machine is half as fast in the last repetition, and in the second half of the one before. The ratios of each
-/// repetition are those of `seconds`, the ratios of medians are not.
+/// Times of a machine that is half as fast in the last repetition and in the second half of the one before. The median
+/// of the ratios is that of `seconds`; the ratio of medians is not.
 Timing disturbed(double seconds, bool isLate) { return timingOf({seconds, (isLate ? 2 : 1) * seconds, 2 * seconds}); }
 
 BenchRun run(const std::string& scene, std::size_t triangles, int resolution, const std::string& what,
@@ -33,8 +33,8 @@ TEST_CASE("benchRatios compares with the hemicube of the same scene, triangles a
   CHECK(ratios[2].overHemicube == Approx(0.25));
 }
 
-TEST_CASE("between two numbers of triangles Embree becomes faster where the line through both says so", "[bench]") {
-  // Two times slower at 100, two times faster at 10,000: equal at 1000.
+TEST_CASE("crossovers interpolates the number of triangles from which Embree is faster", "[bench]") {
+  // Embree takes twice the time at 100 triangles and half the time at 10,000, so the same time at 1000.
   std::vector<BenchRun> runs{run("a", 100, 64, "hemicube", 1),   run("a", 100, 64, "embree", 2),
                              run("a", 10000, 64, "hemicube", 2), run("a", 10000, 64, "embree", 1),
                              run("b", 100, 64, "hemicube", 1),   run("b", 100, 64, "embree", 0.5),

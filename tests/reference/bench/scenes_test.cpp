@@ -1,4 +1,4 @@
-// What speed is measured on.
+// The scenes for measurements of speed.
 #include "reference/bench/scenes.h"
 
 #include <catch2/catch.hpp>
@@ -10,11 +10,12 @@
 
 using namespace hemitex;
 
-TEST_CASE("a file of a user's own is no scene of the program's, whatever its name", "[bench]") {
+TEST_CASE("benchScene discretizes a file of the user by defaults, also if it has the name of a scene of benchScenes",
+          "[bench]") {
   const std::vector<reference::BenchScene> scenes = reference::benchScenes(HEMITEX_DATA);
   REQUIRE(scenes.size() == 3);
   CHECK(radiosity::discretize(scenes[0].scene, scenes[0].elements).elements.size() == 3841);
-  // Of the gallery's elements 3026 lie inside the solids that stand in it, wholly or for more than three quarters.
+  // 3026 elements of the gallery lie inside solids, completely or with more than three quarters of their area.
   CHECK(radiosity::discretizeUnburied(scenes[2].scene, scenes[2].elements).elements.size() == 408293);
   CHECK(radiosity::discretize(scenes[2].scene, scenes[2].elements).elements.size() == 408293 - 3026);
   const reference::BenchScene own = reference::benchScene(HEMITEX_DATA "/paper-room.obj");
@@ -22,7 +23,7 @@ TEST_CASE("a file of a user's own is no scene of the program's, whatever its nam
   CHECK(own.elements.surfaceTexels.empty());
 }
 
-TEST_CASE("a scene in which nothing emits has no solution to time", "[bench]") {
+TEST_CASE("benchScene refuses a scene without emission", "[bench]") {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path / "dark.obj";
   raster::writeFile(file, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

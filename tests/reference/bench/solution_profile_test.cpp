@@ -1,4 +1,4 @@
-// Memory that is measured is memory that is there.
+// Measured memory and parts of a solution.
 #include "reference/bench/solution_profile.h"
 
 #include <malloc.h>
@@ -16,7 +16,7 @@ using namespace hemitex;
 
 namespace {
 
-/// Whether the allocator says what the heap holds: that of the address sanitizer does not.
+/// Whether the allocator reports the heap size; that of the address sanitizer does not.
 bool heapIsTold() {
   const std::vector<std::byte> some(1000);
   return mallinfo2().uordblks > 0;
@@ -24,14 +24,14 @@ bool heapIsTold() {
 
 }  // namespace
 
-TEST_CASE("the memory of a solution holds what an element and a pixel must have", "[bench]") {
+TEST_CASE("solutionMemory includes the data of an element and of a pixel", "[bench]") {
   if (!heapIsTold()) {
-    WARN("skipped: the allocator does not say what the heap holds");
+    WARN("skipped: the allocator does not report the heap size");
     return;
   }
   const radiosity::Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
   const reference::SolutionMemory memory = reference::solutionMemory(scene, 128, 128);
-  // The element, its place in its patch, its texel's, and the light that it received; a pixel's item ID.
+  // The element, its number in its patch and in its texel, and its radiosity.
   const auto element = static_cast<double>(sizeof(radiosity::Element) + 4 + 4 + sizeof(glm::dvec3));
   CHECK(memory.bytesPerElement > element);
   CHECK(memory.bytesPerElement < 2 * element);
@@ -40,7 +40,7 @@ TEST_CASE("the memory of a solution holds what an element and a pixel must have"
   CHECK(static_cast<double>(memory.peakBytes) > 6 * 128 * 128 * element);
 }
 
-TEST_CASE("the parts of a solution are those of the shots asked for", "[bench]") {
+TEST_CASE("solutionParts measures the given number of shots", "[bench]") {
   const radiosity::Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
   const reference::SolutionParts parts = reference::solutionParts(scene, 8, 16, 5, 1);
   CHECK(parts.elements == 6 * 8 * 8);

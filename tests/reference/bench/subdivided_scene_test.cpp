@@ -1,4 +1,4 @@
-// Scenes cut into more triangles: nothing but the corners changes.
+// Subdivided scenes: only the triangles change.
 #include "reference/bench/subdivided_scene.h"
 
 #include <catch2/catch.hpp>
@@ -32,7 +32,7 @@ double areaOf(const Surface& surface) {
 using Point = std::tuple<double, double, double>;
 Point pointOf(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
-/// How often each edge of a surface is gone along, in the one direction less in the other.
+/// Number of triangles with each directed edge.
 std::map<std::pair<Point, Point>, int> edgesOf(const Surface& surface) {
   std::map<std::pair<Point, Point>, int> edges;
   for (const Triangle& triangle : surface.triangles)
@@ -43,8 +43,7 @@ std::map<std::pair<Point, Point>, int> edgesOf(const Surface& surface) {
 
 }  // namespace
 
-TEST_CASE("a scene that is cut has as many triangles as asked for or the few more that share the last edge",
-          "[finer_scene]") {
+TEST_CASE("finerScene gives the number of triangles, or up to three more, which share the last edge", "[finer_scene]") {
   const Scene scene = radiosity::loadScene(room);
   const std::size_t own = radiosity::triangleCount(scene);
   CHECK(radiosity::triangleCount(finerScene(scene, 1)) == own);
@@ -55,7 +54,7 @@ TEST_CASE("a scene that is cut has as many triangles as asked for or the few mor
   }
 }
 
-TEST_CASE("a scene that is cut keeps surfaces, areas, windings and elements", "[finer_scene]") {
+TEST_CASE("finerScene keeps surfaces, areas, windings and elements", "[finer_scene]") {
   const Scene scene = radiosity::loadScene(room), finer = finerScene(scene, 3000);
   REQUIRE(finer.surfaces.size() == scene.surfaces.size());
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
@@ -76,9 +75,8 @@ TEST_CASE("a scene that is cut keeps surfaces, areas, windings and elements", "[
   }
 }
 
-TEST_CASE("no corner of a cut triangle lies on a side of its neighbour", "[finer_scene]") {
-  // Of a square every edge is then shared by two triangles, which go along it in opposite directions, or part of the
-  // border, which is gone along once.
+TEST_CASE("finerScene leaves no vertex on an edge of a neighbour", "[finer_scene]") {
+  // Then each edge of a square is either shared by two triangles, in opposite directions, or part of the border.
   const Scene square = tests::sceneOf({tests::parallelogram("square", {0, 0, 0}, {3, 0, 0}, {0, 2, 0})});
   for (const std::size_t count : {3U, 7U, 50U, 333U}) {
     const Scene finer = finerScene(square, count);
@@ -97,9 +95,9 @@ TEST_CASE("no corner of a cut triangle lies on a side of its neighbour", "[finer
   }
 }
 
-TEST_CASE("triangles that follow each other in a scene that was cut are neighbours", "[finer_scene]") {
-  // 512 halves of a square have short sides of 1/16, and a half takes the place of the whole: from one to the next it
-  // is little more than that, while between any two of them it is half of the square.
+TEST_CASE("finerScene keeps neighbouring triangles together in the list", "[finer_scene]") {
+  // 512 equal triangles of a square have short sides of 1/16. The distance of consecutive triangles is about that,
+  // while the mean distance of any two triangles is half of the square.
   const Scene finer =
       finerScene(tests::sceneOf({tests::parallelogram("square", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})}), 512);
   const std::vector<Triangle>& triangles = finer.surfaces[0].triangles;
@@ -110,10 +108,10 @@ TEST_CASE("triangles that follow each other in a scene that was cut are neighbou
   CHECK(sum / 511 < 2.0 / 16);
 }
 
-TEST_CASE("a scene that is cut looks as it did but for pixels on borders", "[finer_scene]") {
-  // Cutting rounds new corners to binary32 and to sub-pixels of 1/256: only samples that close to a border between
-  // texels or surfaces may change. The borders of the room's 3841 texels meet less than half of the pixels, and of
-  // those one in fifty is so close.
+TEST_CASE("finerScene changes only pixels at borders", "[finer_scene]") {
+  // New corners are rounded to binary32 and to 1/256 pixel. So only samples within that distance of a border between
+  // texels or surfaces may change. Less than half of the pixels contain such a border, and in one of fifty of these the
+  // sample is so close.
   const Scene scene = radiosity::loadScene(room), finer = finerScene(scene, 1000);
   const radiosity::DiscretizationSettings settings{.texels = 12};
   const auto drawn = [&](const Scene& what) {

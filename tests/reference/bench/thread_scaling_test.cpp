@@ -1,4 +1,4 @@
-// What is compared with two threads runs on one.
+// Speed-ups from one to two threads.
 #include "reference/bench/thread_scaling.h"
 
 #include <atomic>
@@ -11,7 +11,7 @@
 using namespace hemitex;
 
 TEST_CASE("coreGains compares with arithmetic in each repetition", "[bench]") {
-  // The second core is only half there in a repetition, for arithmetic too.
+  // In one repetition the second core is half as fast, also for arithmetic.
   const reference::CoreGains gains = reference::coreGains({2, 2, 1}, {1.8, 0.9, 0.9}, {1, 2, 1});
   CHECK(gains.arithmetic == 2);
   CHECK(gains.hemicube == 0.9);
@@ -22,7 +22,7 @@ TEST_CASE("coreGains compares with arithmetic in each repetition", "[bench]") {
 
 TEST_CASE("gainsOfSecondCore runs each task on one thread and then on two, in interleaved repetitions", "[bench]") {
   constexpr int repeats = 2;
-  struct Turns {  // of a task, on one thread and on two; each has as many calls as the clock asks for
+  struct Turns {  // calls of a task, first on one thread and then on two; their number depends on the clock
     std::size_t task;
     bool beginOnOneThread;
     int calls = 0;
@@ -33,7 +33,7 @@ TEST_CASE("gainsOfSecondCore runs each task on one thread and then on two, in in
       const std::thread::id caller = std::this_thread::get_id();
       std::atomic<bool> stayed = true;
       raster::parallelFor(16, [&](std::size_t) {
-        // Another thread, were there one, would come meanwhile.
+        // A second thread would take the next part meanwhile.
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         if (std::this_thread::get_id() != caller) stayed = false;
       });
@@ -45,7 +45,7 @@ TEST_CASE("gainsOfSecondCore runs each task on one thread and then on two, in in
       reference::gainsOfSecondCore(std::vector<std::function<void()>>{task(0), task(1), task(2)}, repeats);
   REQUIRE(gains.size() == 3);
   for (const std::vector<double>& ofTask : gains) CHECK(ofTask.size() == repeats);
-  // Once before the clock runs, then the repeats.
+  // Once before the measurement, then the repetitions.
   REQUIRE(turns.size() == 3 * (1 + repeats));
   for (std::size_t i = 0; i < turns.size(); ++i) {
     CHECK(turns[i].task == i % 3);

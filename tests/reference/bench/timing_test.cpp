@@ -1,4 +1,4 @@
-// Which task runs when. How long it takes is no matter of a test.
+// The order and number of timed calls. Tests do not check durations.
 #include "reference/bench/timing.h"
 
 #include <catch2/catch.hpp>
@@ -27,13 +27,13 @@ TEST_CASE("shortTaskTimings calls a short task again until its repetition is lon
   const std::size_t turnOfA = calls.find('b', 2), a = turnOfA - 2, b = calls.size() - turnOfA;
   INFO(a << " and " << b << " calls");
   CHECK(calls == "ab" + std::string(a, 'a') + std::string(b, 'b'));
-  // Thousands fit into 50 ms; together they take that long, as the mean call says.
+  // Thousands of calls fit into 50 ms; the mean times their number is at least 50 ms.
   CHECK(a > 1);
   CHECK(b > 1);
   CHECK(timing.median * static_cast<double>(a) >= Approx(0.05));
 }
 
-TEST_CASE("interleavedTimings does not repeat a task that takes long", "[bench]") {
+TEST_CASE("interleavedTimings does not repeat a long task", "[bench]") {
   std::string calls;
   const std::vector<Timing> timings = interleavedTimings(
       3, 3,
@@ -56,8 +56,8 @@ TEST_CASE("timingOf has the median of the times, the mean of the middle two of a
 }
 
 TEST_CASE("ratioOf is the median of the ratios of each repetition", "[bench]") {
-  // One takes three times as long as the other. The machine is half as fast from the second of four repetitions
-  // on, the other task misses that in its own second one: the ratio of the medians would be 6 / 1.5.
+  // One task takes three times as long as the other. The machine is half as fast from the second of four repetitions
+  // on, but not yet for the other task in the second one. So the ratio of medians would be 6 / 1.5.
   const Timing timing = timingOf({3, 6, 6, 6}), other = timingOf({1, 1, 2, 2});
   CHECK(ratioOf(timing, other) == 3);
   CHECK(timing.median / other.median == 4);

@@ -1,5 +1,4 @@
-// The tables of `hemitex paper`: medians and ratios of a table of runs made up here, the JSON that holds them, and one
-// small real run.
+// The tables of `hemitex paper`: medians and ratios of given runs, their JSON, and a small measurement.
 #include "reference/paper/tables.h"
 
 #include <catch2/catch.hpp>
@@ -17,7 +16,8 @@ PaperRun run(const std::string& scene, const std::string& discretize, const std:
   return {scene, 8088, "software", discretize, level, resolution, 1000, shots, seconds};
 }
 
-/// Textures take 2 s for 100 shots, and a little more at the fine level; meshing takes 1 s for a shot there.
+/// At the coarse level textures take 2 s for 100 shots. At the fine level they take 4 s, and meshing takes 1 s per
+/// shot.
 std::vector<PaperRun> table() {
   return {run("complex", "texture", "coarse", 128, 100, {2, 1, 0.5}),
           run("complex", "texture", "fine", 128, 100, {4, 1.1, 0.51}),
@@ -30,8 +30,8 @@ std::vector<PaperRun> table() {
 
 }  // namespace
 
-TEST_CASE("A solution's times are sums of its shots' medians", "[paper]") {
-  // Shots of 1, 2 and 3 s; each repeat is disturbed in another of them, and the rest takes 5, 7 and 6 s.
+TEST_CASE("mediansOf sums the medians of each shot and of the rest", "[paper]") {
+  // Shots of 1, 2 and 3 s. Each repetition has a disturbance in a different shot. The rest takes 5, 7 and 6 s.
   const std::vector<ShotTimes> repeats{{.formFactors = {9, 2, 3}, .draw = {1, 1, 1}, .rest = 5},
                                        {.formFactors = {1, 9, 3}, .draw = {2, 0, 1}, .rest = 7},
                                        {.formFactors = {1, 2, 9}, .draw = {3, 1, 1}, .rest = 6}};
@@ -43,14 +43,14 @@ TEST_CASE("A solution's times are sums of its shots' medians", "[paper]") {
   CHECK(two.formFactors == 5 + 5.5 + 3);
 }
 
-TEST_CASE("Speed-ups and growth are ratios of the times a shot takes, beside those of the paper", "[paper]") {
+TEST_CASE("speedUps and growths are ratios of times per shot, beside those of the paper", "[paper]") {
   const std::vector<PaperRatio> speed = speedUps(table());
   REQUIRE(speed.size() == 2);
   CHECK(speed[0].run.level == "coarse");
   CHECK(speed[0].ratio.total == 4);
   CHECK(speed[0].ratio.formFactors == 6);
   CHECK(speed[0].ratio.draw == 10);
-  CHECK(speed[1].ratio.total == 25);  // 1 s a shot over 0.04 s
+  CHECK(speed[1].ratio.total == 25);  // 1 s per shot over 0.04 s
   CHECK(*speed[1].published.total == 193 / 14.5);
   CHECK(*speed[1].published.formFactors == 186 / 7.8);
 
@@ -65,7 +65,7 @@ TEST_CASE("Speed-ups and growth are ratios of the times a shot takes, beside tho
   CHECK(*growth[2].published.formFactors == 1);
 }
 
-TEST_CASE("Published times are those of the runs that the paper has", "[paper]") {
+TEST_CASE("publishedTimes has the runs of the paper", "[paper]") {
   CHECK(publishedTimes(run("simple", "mesh", "fine", 512, 100, {}))->total == 21.1);
   CHECK(publishedTimes(run("complex", "mesh", "fine", 128, 100, {}))->formFactors == 186);
   CHECK_FALSE(publishedTimes(run("complex", "mesh", "fine", 512, 100, {}))->total);
@@ -76,7 +76,7 @@ TEST_CASE("Published times are those of the runs that the paper has", "[paper]")
   CHECK_FALSE(publishedTimes(run("plant", "mesh", "coarse", 128, 100, {})));
 }
 
-TEST_CASE("paper.json holds runs and ratios, and null where the paper has nothing", "[paper]") {
+TEST_CASE("paperJson has runs and ratios, and null for values that the paper does not have", "[paper]") {
   const nlohmann::ordered_json json = cli::paperJson(table());
   REQUIRE(json["runs"].size() == 7);
   std::vector<std::string> keys;
@@ -92,7 +92,9 @@ TEST_CASE("paper.json holds runs and ratios, and null where the paper has nothin
   CHECK(json["growth"].size() == 3);
 }
 
-TEST_CASE("The paper's simple scene has its elements and patches, and its runs every cell of the table", "[paper]") {
+TEST_CASE(
+    "paperScenes has the elements and patches of the paper, and measurePaperRuns measures every cell of the table",
+    "[paper]") {
   std::vector<PaperScene> scenes = paperScenes(HEMITEX_DATA);
   PaperScene simple = scenes.front();
   REQUIRE(simple.levels.size() == 3);
@@ -108,7 +110,7 @@ TEST_CASE("The paper's simple scene has its elements and patches, and its runs e
   CHECK(radiosity::triangleCount(complex.scene) == 8088);
   for (const PaperLevel& level : complex.levels) {
     CHECK(level.layout.pages.size() == 8);
-    // A block of texels is no patch where all of it merged into neighbours, which happens at the finer level less.
+    // A block of texels that merged into its neighbours is not a patch. Fewer blocks merge at finer levels.
     CHECK(level.discretization.patches.size() >= complex.levels.front().discretization.patches.size());
     CHECK(double(level.discretization.patches.size()) <=
           1.01 * double(complex.levels.front().discretization.patches.size()));

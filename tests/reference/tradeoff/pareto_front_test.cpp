@@ -1,4 +1,4 @@
-// The Pareto front by its definition, pair by pair.
+// The Pareto front against its definition for pairs of choices.
 #include "reference/tradeoff/pareto_front.h"
 
 #include <catch2/catch.hpp>
@@ -21,7 +21,7 @@ std::vector<bool> byDefinition(const std::vector<double>& cost, const std::vecto
 
 }  // namespace
 
-TEST_CASE("the Pareto front is that of its definition, ties and equal choices as well", "[tradeoff]") {
+TEST_CASE("paretoFront agrees with its definition, also for ties and equal choices", "[tradeoff]") {
   std::mt19937 random(1);
   for (const unsigned values : {2U, 5U, 1000U})
     for (std::size_t size = 0; size < 40; ++size) {

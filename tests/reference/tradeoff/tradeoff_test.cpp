@@ -1,4 +1,4 @@
-// The measurement of methods, by methods whose errors are known.
+// The measurement of methods, tested with methods of known errors.
 #include "reference/tradeoff/tradeoff.h"
 
 #include <catch2/catch.hpp>
@@ -17,7 +17,7 @@ using radiosity::Scene;
 
 namespace {
 
-/// A closed cube with a lamp in its ceiling's place.
+/// A closed cube whose ceiling is a lamp.
 Scene litCube() {
   Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(0));
   scene.materials.push_back(tests::material("lamp", glm::dvec3(0), glm::dvec3(1, 2, 3)));
@@ -25,7 +25,7 @@ Scene litCube() {
   return scene;
 }
 
-/// The rows that a matrix holds, all of them times `factor`.
+/// A method whose rows are those of the true matrix, times `factor`.
 TradeMethod rowsOfTruth(const TrueRadiosity& truth, const Discretization& fine, double factor) {
   const auto rows = [&truth, &fine, factor](const Scene&, const Discretization& own, int) -> TradeRows {
     const auto all = std::make_shared<PatchRows>(patchRows(truth.matrix, fine, own));
@@ -62,35 +62,35 @@ struct Measured {
 
 }  // namespace
 
-TEST_CASE("a method that has the true rows has no error but what its grids cannot show", "[tradeoff]") {
+TEST_CASE("measureTradeoff finds only the error of the grids for a method with the true rows", "[tradeoff]") {
   const Measured measured;
   const std::vector<TradeMethod> methods{rowsOfTruth(measured.truth, measured.fine, 1 - 1e-15)};
   const std::vector<TradeMeasurement> found = measureTradeoff(measured.scene, measured.fine, measured.truth, methods,
                                                               {{0, 1, 4, 1}, {0, 1, 4, 4}, {0, 1, 2, 1}});
   for (const TradeMeasurement& measurement : found) CHECK(measurement.rowError.relativeL1 < 1e-12);
-  // With an element a patch it is the algebraic solution, but for the light that was not shot: 1e-4 of what is emitted.
+  // With one element per patch the only error is the unshot light, 1e-4 of the emitted flux.
   CHECK(found[0].error.fluxWeighted < 1e-4);
   CHECK(found[0].error.fluxWeighted > 0);
   CHECK(found[1].error.fluxWeighted > 2e-4);
-  // A coarse element has the mean of what its four fine ones have.
+  // A coarse element has the mean radiosity of its four fine elements.
   CHECK(found[2].error.fluxWeighted > 0.01);
   CHECK(found[2].elements == 24);
   CHECK(found[0].patches == 96);
 }
 
-TEST_CASE("rows of half the light are half wrong", "[tradeoff]") {
+TEST_CASE("measureTradeoff finds a relative row error of 1/2 for rows with half of the light", "[tradeoff]") {
   const Measured measured;
   const std::vector<TradeMethod> methods{rowsOfTruth(measured.truth, measured.fine, 0.5)};
   const TradeMeasurement found =
       measureTradeoff(measured.scene, measured.fine, measured.truth, methods, {{0, 1, 4, 2}}).front();
   CHECK(found.rowError.relativeL1 == Approx(0.5).epsilon(1e-12));
-  // All but the lamp is too dark by half or more. Of the lamp's light L the walls, which reflect half, send more than
-  // L/2 and no more than L/2 + L/4 + ... = L: of all light, between half of a third and all of a half is missing.
+  // All surfaces except the lamp are too dark by half or more. The walls reflect half of their light. For flux L of the
+  // lamp they send between L/2 and L/2 + L/4 + ... = L. So between 1/6 and 1/2 of all light is missing.
   CHECK(found.error.fluxWeighted > 1 / 6.0);
   CHECK(found.error.fluxWeighted < 0.5);
 }
 
-TEST_CASE("all but times is the same for any number of threads", "[tradeoff]") {
+TEST_CASE("measureTradeoff gives the same results, except times, for any number of threads", "[tradeoff]") {
   const Measured measured;
   const std::vector<TradeMethod> methods = tradeMethods();
   std::vector<TradeChoice> choices;
@@ -108,8 +108,8 @@ TEST_CASE("all but times is the same for any number of threads", "[tradeoff]") {
   }
 }
 
-TEST_CASE("more directions bring every method nearer to the truth", "[tradeoff]") {
-  // Elements as large as a fourth of a wall, of an empty cube: each has many of the directions.
+TEST_CASE("tradeMethods have smaller row errors with more directions", "[tradeoff]") {
+  // An empty cube with four elements per wall, so that each element has many directions.
   const Measured measured;
   const std::vector<TradeMethod> methods = tradeMethods();
   std::vector<TradeChoice> choices;
@@ -123,8 +123,8 @@ TEST_CASE("more directions bring every method nearer to the truth", "[tradeoff]"
   }
 }
 
-TEST_CASE("a method may split patches, and its rows are those of the parts", "[tradeoff]") {
-  // In a cube whose walls are one patch each, walls are too near to each other.
+TEST_CASE("measureTradeoff measures the rows of split patches for split-hemicube", "[tradeoff]") {
+  // In a cube with one patch per wall, patches are too near to their receivers.
   const Measured measured;
   std::vector<TradeMethod> methods = tradeMethods();
   std::erase_if(methods, [](const TradeMethod& method) { return method.name.find("hemicube") == std::string::npos; });
@@ -138,11 +138,11 @@ TEST_CASE("a method may split patches, and its rows are those of the parts", "[t
   CHECK(found[2].error.fluxWeighted < found[0].error.fluxWeighted / 2);
 }
 
-TEST_CASE("choices are all settings on the first grids, and those up to the middle on the others", "[tradeoff]") {
+TEST_CASE("tradeChoices has all settings on the first grid, and those up to the middle on the others", "[tradeoff]") {
   TradeMethod method = tradeMethods().front();
   method.measured = {32, 64, 128};
   const std::vector<TradeChoice> choices = tradeChoices({method}, {8, 2}, {4, 1});
-  // 8 texels have patches of 4 and 1, 2 texels of 1 alone.
+  // Grids of 8 texels have patches of 4 and of 1; grids of 2 texels have patches of 1 only.
   const std::vector<std::array<int, 3>> expected{{32, 8, 4}, {64, 8, 4}, {128, 8, 4}, {32, 8, 1},
                                                  {64, 8, 1}, {32, 2, 1}, {64, 2, 1}};
   REQUIRE(choices.size() == expected.size());
