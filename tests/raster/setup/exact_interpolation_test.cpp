@@ -133,7 +133,7 @@ TEST_CASE("texelExactly gives the texel of the definition, for all kinds of numb
             ++samples;
             wrong += texelExactly(triangle, coordinate, size, s.column, s.row) != expected;
             const auto exact = exactQuotient(triangle, coordinate, size);
-            quotients += exact_interpolation.has_value();
+            quotients += exact.has_value();
             if (exact) wrongQuotients += texelOf(*exact, triangle, size, s.column, s.row) != expected;
           }
     }
