@@ -115,7 +115,7 @@ void makeElements(const Surface& surface, std::uint32_t number, Discretization& 
   Grid& grid = part.grids.front();
   TexelAreas texels = texelAreas(surface, texelGrid(grid));
   coverOneAtLeast(texels);
-  grid.spill = spillTexels(grid.columns, grid.rows, texels.coverage);
+  grid.spill = mergeSlivers(grid.columns, grid.rows, texels.coverage);
   LeafTriangles triangles(surface, grid);
   std::vector<std::uint32_t> elementOf(grid.spill.size(), none);  // by the lowest texel of its leaf
   const auto elementAt = [&](std::uint32_t own) -> std::uint32_t& {

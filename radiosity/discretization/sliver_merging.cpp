@@ -114,15 +114,15 @@ class SliverMerging {
 
 }  // namespace
 
-std::vector<std::uint32_t> spillTexels(int columns, int rows, const std::vector<double>& coverage) {
+std::vector<std::uint32_t> mergeSlivers(int columns, int rows, const std::vector<double>& coverage) {
   SliverMerging merging(columns, rows, coverage);
   merging.run();
   const std::vector<std::uint32_t> own = merging.ownTexels();
   std::vector<bool> covered(coverage.size());
   for (std::size_t texel = 0; texel < coverage.size(); ++texel) covered[texel] = coverage[texel] > coverageNoise;
-  std::vector<std::uint32_t> spill = nearestCovered(columns, rows, covered);
-  for (std::uint32_t& texel : spill) texel = own[texel];
-  return spill;
+  std::vector<std::uint32_t> merged = nearestCovered(columns, rows, covered);
+  for (std::uint32_t& texel : merged) texel = own[texel];
+  return merged;
 }
 
 }  // namespace hemitex::radiosity

@@ -21,6 +21,6 @@ inline constexpr double sliverCoverage = 0.25;
 /// none of those has area, one of the four at its corners. The size of a neighbour is that of the group it has merged
 /// into. A group that covers a quarter or more merges no further. In the end each group covers at least a quarter,
 /// unless no neighbour has area. A group's own texel is the one with the largest coverage; of equals, the lowest.
-std::vector<std::uint32_t> spillTexels(int columns, int rows, const std::vector<double>& coverage);
+std::vector<std::uint32_t> mergeSlivers(int columns, int rows, const std::vector<double>& coverage);
 
 }  // namespace hemitex::radiosity

@@ -180,12 +180,4 @@ std::vector<std::uint32_t> PatchSubdivision::replace(std::uint32_t patch, const 
   return added;
 }
 
-Discretization splitPatches(const Scene& scene, Discretization discretization, const IdLayout& layout,
-                            raster::ItemBufferRenderer& renderer, double maxMisdirected) {
-  PatchSubdivision splitter(scene, discretization, layout, renderer, maxMisdirected);
-  const auto count = static_cast<std::uint32_t>(discretization.patches.size());
-  for (std::uint32_t patch = 0; patch < count; ++patch) splitter.split(patch, 1);
-  return discretization;
-}
-
 }  // namespace hemitex::radiosity

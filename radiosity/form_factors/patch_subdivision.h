@@ -78,8 +78,4 @@ class PatchSubdivision {
   double maxMisdirected_;
 };
 
-/// The discretization after splitting every patch with weight 1.
-Discretization splitPatches(const Scene& scene, Discretization discretization, const IdLayout& layout,
-                            raster::ItemBufferRenderer& renderer, double maxMisdirected);
-
 }  // namespace hemitex::radiosity

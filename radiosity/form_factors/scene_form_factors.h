@@ -29,7 +29,7 @@ enum class ElementsBy {
 struct DrawingSettings {
   int resolution = 256;  ///< pixels along the side of a face; even, 2 to 4096
   Orientation orientation = Orientation::Turned;
-  double split = defaultMaxMisdirected;  ///< see splitPatches; with 1 or more no patch is split
+  double split = defaultMaxMisdirected;  ///< see PatchSubdivision; with 1 or more no patch is split
   ElementsBy elementsBy = ElementsBy::Texture;
   ProjectionKind projection = ProjectionKind::Hemicube;
   double pixelsPerElement = 0;  ///< see ViewSettings

@@ -188,8 +188,6 @@ class Slicer {
 
 }  // namespace
 
-std::vector<std::vector<Slice>> triangleSlices(const Scene& scene) { return triangleSlices(scene, RayTree(scene)); }
-
 std::vector<std::vector<Slice>> triangleSlices(const Scene& scene, const RayTree& tree) {
   const Slicer slicer(scene, tree);
   std::vector<std::vector<Slice>> slices(triangleCount(scene));

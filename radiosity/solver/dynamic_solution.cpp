@@ -40,9 +40,9 @@ namespace {
 
 /// The largest stale light that one update may leave, as a share of what the residual still allows. It remains in all
 /// later frames.
-constexpr double shareLeftAstray = 0.1;
+constexpr double shareLeftStale = 0.1;
 /// The solution starts again when stale light exceeds this share of what the residual allows: after about ten frames.
-constexpr double maxAstray = 0.7;
+constexpr double maxStale = 0.7;
 
 /// The numbers of surfaces, patches and elements after an edit. Removed patches have none; removed elements share one
 /// number behind all others.
@@ -103,7 +103,7 @@ void receive(ShotLight& light, const FormFactorRow& row, const glm::dvec3& flux)
 /// The patches that keep their old rows: those with the smallest bounds of stale light, as many as allowed.
 struct LeftRows {
   std::vector<bool> isLeft;  ///< one per former patch
-  double astray = 0;
+  double stale = 0;
 };
 
 LeftRows leaveRows(const std::vector<double>& bounds, double allowed) {
@@ -113,8 +113,8 @@ LeftRows leaveRows(const std::vector<double>& bounds, double allowed) {
   std::sort(order.begin(), order.end());
   LeftRows left{std::vector<bool>(bounds.size())};
   for (const auto& [bound, patch] : order) {
-    if (left.astray + bound > allowed) break;
-    left.astray += bound;
+    if (left.stale + bound > allowed) break;
+    left.stale += bound;
     left.isLeft[patch] = true;
   }
   return left;
@@ -142,7 +142,7 @@ class LightUpdate {
     std::vector<double> bounds;
     for (std::size_t p = 0; p < shares.size(); ++p) bounds.push_back(2 * shares[p] * bandSum(glm::abs(light.shot[p])));
     const LeftRows left = leaveRows(bounds, mayLeave);
-    light_.astray += left.astray;
+    light_.stale += left.stale;
     for (std::uint32_t p = 0; p < shares.size(); ++p) {
       if (!numbers_.patch[p])
         takeBack(p, light.shot[p]);
@@ -175,7 +175,7 @@ class LightUpdate {
               std::vector<glm::dvec3>(gone_ + 1),
               light.lost,
               light.lostToBacks,
-              light.astray,
+              light.stale,
               light.lastEmitted};
     for (std::size_t p = 0; p < light.shot.size(); ++p)
       if (numbers_.patch[p]) light_.shot[*numbers_.patch[p]] = light.shot[p];
@@ -316,11 +316,11 @@ UpdateCost DynamicSolution::update(std::span<const Edit> edits, const Progress& 
   const double allowed = settings_.solver.residual * (emitted > 0 ? emitted : light_.lastEmitted);
   LightUpdate update(world_->scene, world_->drawn, next->scene, next->drawn, edit.origins, rows_,
                      settings_.solver.rowCacheBytes);
-  const bool startsOver = light_.astray > maxAstray * allowed;
+  const bool startsOver = light_.stale > maxStale * allowed;
   if (startsOver)
     update.keepRows();
   else
-    update.update(light_, shareLeftAstray * (allowed - light_.astray));
+    update.update(light_, shareLeftStale * (allowed - light_.stale));
   UpdateCost cost = update.cost();
   cost.startedOver = startsOver;
 

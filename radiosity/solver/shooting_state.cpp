@@ -251,7 +251,7 @@ glm::dvec3 ShootingState::absorbed() const {
 }
 
 double ShootingState::residual() const {
-  return light_.lastEmitted > 0 ? (bandSum(unshot_.sizes()) + light_.astray) / light_.lastEmitted : 0;
+  return light_.lastEmitted > 0 ? (bandSum(unshot_.sizes()) + light_.stale) / light_.lastEmitted : 0;
 }
 
 std::vector<glm::dvec3> ShootingState::radiosity() const& {

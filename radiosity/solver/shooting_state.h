@@ -46,7 +46,7 @@ struct ShotLight {
   glm::dvec3 lost{0.0};              ///< left the scene or was absorbed by backs
   glm::dvec3 lostToBacks{0.0};       ///< part of `lost` that backs absorbed
   /// Upper bound of stale flux, bands summed: it was shot along rows that were not updated. Part of the residual.
-  double astray = 0;
+  double stale = 0;
   double lastEmitted = 0;  ///< bands summed: the reference of the residual when nothing is emitted
 };
 

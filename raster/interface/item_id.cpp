@@ -68,16 +68,4 @@ ItemId blend(const IdFormat& format, Blend operation, ItemId offset, ItemId texe
   return 0;
 }
 
-ItemId pack(SurfaceElement value, int indexBits) {
-  assert(indexBits >= 0 && indexBits < 32);
-  assert(value.element >> indexBits == 0);
-  assert(((value.surface << indexBits) >> indexBits) == value.surface);
-  return value.surface << indexBits | value.element;
-}
-
-SurfaceElement unpack(ItemId id, int indexBits) {
-  assert(indexBits >= 0 && indexBits < 32);
-  return {id >> indexBits, id & ((ItemId{1} << indexBits) - 1)};
-}
-
 }  // namespace hemitex::raster

@@ -45,16 +45,4 @@ enum class Blend {
 /// The item ID of a textured fragment. `offset` and `texel` have m bits.
 ItemId blend(const IdFormat& format, Blend operation, ItemId offset, ItemId texel);
 
-/// The surface and the element that an aligned item ID encodes.
-struct SurfaceElement {
-  std::uint32_t surface;
-  std::uint32_t element;
-  bool operator==(const SurfaceElement&) const = default;
-};
-
-/// Returns `surface << indexBits | element`. The element must be below 2^indexBits, and the surface must fit above it.
-ItemId pack(SurfaceElement value, int indexBits);
-/// The inverse of pack.
-SurfaceElement unpack(ItemId id, int indexBits);
-
 }  // namespace hemitex::raster

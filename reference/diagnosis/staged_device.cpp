@@ -240,19 +240,4 @@ void drawOn(const StagedDevice& device, const PlacedVector& placed,
   }
 }
 
-std::vector<raster::ItemBuffer> drawOn(const StagedDevice& device, const TestVector& vector) {
-  std::vector<ItemId> ids;
-  drawOn(device, placeVector(vector), [&](const raster::ItemBuffer& part) {
-    ids.insert(ids.end(), part.ids.begin(), part.ids.end());
-    return true;
-  });
-  std::vector<raster::ItemBuffer> buffers;
-  auto next = ids.begin();
-  for (const VectorFace& face : vector.faces) {
-    buffers.emplace_back().resize(face.face.scissor);
-    for (ItemId& id : buffers.back().ids) id = *next++;
-  }
-  return buffers;
-}
-
 }  // namespace hemitex::reference

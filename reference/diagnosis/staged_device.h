@@ -105,12 +105,9 @@ struct PlacedVector {
 PlacedVector placeVector(const TestVector& vector);
 
 /// Draws the vector on a device. `wantsMore` gets the rows of each face from its first to its last, in the order of
-/// faces, some rows at a time; drawing ends where it returns false.
+/// faces, some rows at a time; drawing ends where it returns false. A device without faults gives the item IDs of the
+/// rules, except at samples within rounding of a texel border or of another depth.
 void drawOn(const StagedDevice& device, const PlacedVector& placed,
             const std::function<bool(const raster::ItemBuffer&)>& wantsMore);
-
-/// The item buffers of the vector's faces as the device draws them. A device without faults gives the item IDs of the
-/// rules, except at samples within rounding of a texel border or of another depth.
-std::vector<raster::ItemBuffer> drawOn(const StagedDevice& device, const TestVector& vector);
 
 }  // namespace hemitex::reference

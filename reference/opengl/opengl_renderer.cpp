@@ -143,12 +143,4 @@ void OpenGlRenderer::draw(std::span<const raster::Face> faces, std::span<const s
   raster::parallelFor(faces.size(), drawn);
 }
 
-std::optional<std::string> openGlDevice() {
-  const std::unique_ptr<OpenGlContext> context = OpenGlContext::create();
-  if (!context) return {};
-  const OpenGlContext::Use use(*context);
-  const auto text = [](GLenum name) { return std::string(reinterpret_cast<const char*>(glGetString(name))); };
-  return text(GL_VENDOR) + ", " + text(GL_RENDERER) + ", " + text(GL_VERSION);
-}
-
 }  // namespace hemitex::reference

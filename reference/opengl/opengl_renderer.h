@@ -14,9 +14,7 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "raster/interface/draw_list.h"
@@ -36,7 +34,7 @@ enum class OpenGlPath {
 
 class OpenGlRenderer final : public raster::ItemBufferRenderer {
  public:
-  /// Throws InputError if the list breaks the rules, there is no device (see openGlDevice), or an index map exceeds the
+  /// Throws InputError if the list breaks the rules, there is no device (see context.h), or an index map exceeds the
   /// device's textures. Also throws it if the path cannot draw the list. Fixed-function hardware adds only channels of
   /// 8 bits with clamping and, in any format, item IDs that share no bits.
   OpenGlRenderer(const raster::DrawList& list, OpenGlPath path);
@@ -51,9 +49,5 @@ class OpenGlRenderer final : public raster::ItemBufferRenderer {
   class Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
-
-/// Vendor, renderer and version of the device of OpenGlRenderer, as its driver names them; nothing if EGL finds no
-/// device with the compatibility profile of OpenGL 4.5.
-std::optional<std::string> openGlDevice();
 
 }  // namespace hemitex::reference

@@ -95,12 +95,6 @@ Receivers everyElement(const radiosity::Discretization& discretization) {
   return receivers;
 }
 
-Receivers onlyElement(const radiosity::Discretization& discretization, std::uint32_t element) {
-  Receivers receivers{1, std::vector<std::uint32_t>(discretization.elements.size(), Receivers::none)};
-  receivers.ofElement[element] = 0;
-  return receivers;
-}
-
 RayFormFactors::RayFormFactors(const radiosity::Scene& scene, const radiosity::Discretization& discretization)
     : scene_(scene), discretization_(discretization), rays_(scene), pieces_(surfacePieces(scene, discretization)) {
   for (std::uint32_t surface = 0; surface < scene.surfaces.size(); ++surface)

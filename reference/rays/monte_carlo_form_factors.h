@@ -43,8 +43,6 @@ struct Receivers {
 
 /// Each element is a receiver.
 Receivers everyElement(const radiosity::Discretization& discretization);
-/// One element is the receiver; light that reaches others counts as background.
-Receivers onlyElement(const radiosity::Discretization& discretization, std::uint32_t element);
 
 struct Sampling {
   int samples =

@@ -31,11 +31,4 @@ std::vector<glm::dvec3> onOtherGrids(const radiosity::Discretization& coarse, st
 RadiosityError errorOf(const radiosity::Discretization& discretization, std::span<const glm::dvec3> found,
                        std::span<const glm::dvec3> truth);
 
-/// The errors of the elements of each surface, one error per surface.
-std::vector<RadiosityError> errorsBySurface(const radiosity::Discretization& discretization,
-                                            std::span<const glm::dvec3> found, std::span<const glm::dvec3> truth);
-
-/// |b - truth| over truth of each element; infinite if only the truth is dark.
-std::vector<double> errorsByElement(std::span<const glm::dvec3> found, std::span<const glm::dvec3> truth);
-
 }  // namespace hemitex::reference

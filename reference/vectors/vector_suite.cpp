@@ -1,7 +1,5 @@
 #include "reference/vectors/vector_suite.h"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "raster/software/software_renderer.h"
@@ -35,17 +33,6 @@ std::string idsHash(std::span<const raster::ItemBuffer> buffers) {
   std::vector<raster::ItemId> ids;
   for (const raster::ItemBuffer& buffer : buffers) ids.insert(ids.end(), buffer.ids.begin(), buffer.ids.end());
   return idsHash(ids);
-}
-
-std::string suiteHashes(std::span<const TestVector> suite) {
-  std::string lines;
-  std::vector<raster::ItemBuffer> all;
-  for (const TestVector& vector : suite) {
-    std::vector<raster::ItemBuffer> buffers = render(vector);
-    lines += idsHash(buffers) + " " + vector.name + "\n";
-    std::move(buffers.begin(), buffers.end(), std::back_inserter(all));
-  }
-  return lines + idsHash(all) + " suite\n";
 }
 
 }  // namespace hemitex::reference

@@ -22,9 +22,6 @@ std::vector<raster::ItemBuffer> render(const TestVector& vector);
 /// idsHash over the item IDs of all faces, in their order.
 std::string idsHash(std::span<const raster::ItemBuffer> buffers);
 
-/// A line `hash name` per vector, in order, and a last line `hash suite` over the item IDs of all vectors.
-std::string suiteHashes(std::span<const TestVector> suite);
-
 /// The vectors of each theme, one source file per theme.
 std::vector<TestVector> meshVectors();      ///< triangles that share edges: every sample once
 std::vector<TestVector> coverageVectors();  ///< snapping, needles, clipping: which samples a triangle covers

@@ -10,6 +10,7 @@
 #include "tests/support/hand_scenes.h"
 #include "tests/support/hemicube_world.h"
 #include "tests/support/outline_bound.h"
+#include "tests/support/receivers.h"
 
 namespace hemitex::accuracy {
 namespace {
@@ -63,7 +64,7 @@ FormFactorAnswers answersTo(const FormFactorCase& extreme) {
   const reference::MeasuredRow everywhere =
       rays.overHemisphere(raySource, reference::everyElement(whole), {raySamples});
   return {reference::polygonToPolygon(quadOf(scene.surfaces[from]), quadOf(scene.surfaces[to])),
-          rays.aimed(raySource, reference::onlyElement(whole, to), {raySamples}).receivers[0],
+          rays.aimed(raySource, tests::onlyElement(whole, to), {raySamples}).receivers[0],
           everywhere.receivers[to],
           everywhere.background.value + everywhere.back.value,
           fromCentres(scene, to, 1),

@@ -3,13 +3,14 @@
 ///     hemitex_suite_hashes THREADS [VECTOR...]
 ///
 /// draws the vectors of vectorSuite() and those in the given folders, and prints suiteHashes.
+#include "tests/support/suite_hashes.h"
+
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
-#include "reference/vectors/vector_suite.h"
 
 using namespace hemitex;
 
@@ -22,7 +23,7 @@ int main(int count, char** arguments) {
     const raster::ThreadLimit limit(std::atoi(arguments[1]));
     std::vector<reference::TestVector> suite = reference::vectorSuite();
     for (int k = 2; k < count; ++k) suite.push_back(reference::readVector(arguments[k]));
-    std::fputs(reference::suiteHashes(suite).c_str(), stdout);
+    std::fputs(tests::suiteHashes(suite).c_str(), stdout);
     return 0;
   } catch (const raster::InputError& error) {
     std::fprintf(stderr, "%s\n", error.what());

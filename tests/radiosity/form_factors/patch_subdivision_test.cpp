@@ -24,8 +24,13 @@ Scene facingSquares(double gap) {
   return tests::finish(std::move(scene));
 }
 
-Discretization split(tests::HemicubeWorld& world, double maxReturning) {
-  return splitPatches(world.scene, world.discretization, world.layout, world.renderer, maxReturning);
+/// The discretization after splitting every patch with weight 1.
+Discretization splitPatches(tests::HemicubeWorld& world, double maxReturning) {
+  Discretization discretization = world.discretization;
+  PatchSubdivision subdivision(world.scene, discretization, world.layout, world.renderer, maxReturning);
+  const auto count = static_cast<std::uint32_t>(discretization.patches.size());
+  for (std::uint32_t patch = 0; patch < count; ++patch) subdivision.split(patch, 1);
+  return discretization;
 }
 
 /// The form factor between the two squares, by hemicubes over points x points of the first.
@@ -80,7 +85,7 @@ TEST_CASE("shootingBlocks: one point is too few for squares that face each other
   }
 }
 
-TEST_CASE("splitPatches brings the form factor of facing squares to the closed form, for all gaps",
+TEST_CASE("PatchSubdivision brings the form factor of facing squares to the closed form, for all gaps",
           "[patch_splitting]") {
   // From one point the form factor F has a relative error of about F (20 % at F = 0.2, 5.6 % at 0.0686, 2 % at 0.0190).
   // That equals the share F^2 of all light that returns, up to a tenth. With n x n parts, each has 1 / n^2 of the light
@@ -89,7 +94,7 @@ TEST_CASE("splitPatches brings the form factor of facing squares to the closed f
   for (const double gap : {4.0, 2.0, 1.0, 0.5, 0.25}) {
     CAPTURE(gap);
     tests::HemicubeWorld world(facingSquares(gap), 1, 1);
-    world.discretization = split(world, 0.002);
+    world.discretization = splitPatches(world, 0.002);
     const FormFactorRow row = ProjectedFormFactors(world.scene, world.discretization, world.layout, world.renderer,
                                                    {1024, Orientation::Turned})
                                   .ofPatch(0);
@@ -98,7 +103,7 @@ TEST_CASE("splitPatches brings the form factor of facing squares to the closed f
   }
 }
 
-TEST_CASE("splitPatches keeps the elements and distributes them to its patches", "[patch_splitting]") {
+TEST_CASE("PatchSubdivision keeps the elements and distributes them to its patches", "[patch_splitting]") {
   Scene rings;
   rings.materials.push_back(tests::material("grey", glm::dvec3(0.5), glm::dvec3(1)));
   rings.surfaces = {tests::ring(24), tests::parallelogram("over", {0, 0, 0.1}, {0, 1, 0}, {1, 0, 0})};
@@ -107,7 +112,7 @@ TEST_CASE("splitPatches keeps the elements and distributes them to its patches",
       for (const double maxReturning : {0.1, 0.02, 1e-6}) {
         CAPTURE(texels, maxReturning);
         tests::HemicubeWorld world(scene, texels, 4);
-        const Discretization after = split(world, maxReturning);
+        const Discretization after = splitPatches(world, maxReturning);
         checkPartition(after);
         CHECK(after.patches.size() >= world.discretization.patches.size());
         for (std::size_t e = 0; e < after.elements.size(); ++e)
@@ -119,17 +124,17 @@ TEST_CASE("splitPatches keeps the elements and distributes them to its patches",
       }
 }
 
-TEST_CASE("splitPatches with a limit of 1 splits nothing", "[patch_splitting]") {
+TEST_CASE("PatchSubdivision with a limit of 1 splits nothing", "[patch_splitting]") {
   tests::HemicubeWorld world(facingSquares(1e-3), 4, 2);
-  const Discretization after = split(world, 1);
+  const Discretization after = splitPatches(world, 1);
   CHECK(after.patches.size() == world.discretization.patches.size());
   for (const Patch& patch : after.patches) CHECK((patch.points == 1 && patch.halvings == 0));
 }
 
-TEST_CASE("splitPatches in a cube splits the patches along the edges and not those in the middle",
+TEST_CASE("PatchSubdivision in a cube splits the patches along the edges and not those in the middle",
           "[patch_splitting]") {
   tests::HemicubeWorld world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 16, 4);
-  const Discretization after = split(world, 0.03);
+  const Discretization after = splitPatches(world, 0.03);
   for (const Patch& patch : after.patches) {
     const bool isAtEdge =
         patch.column == 0 || patch.row == 0 || patch.column + patch.width == 16 || patch.row + patch.height == 16;
@@ -140,13 +145,13 @@ TEST_CASE("splitPatches in a cube splits the patches along the edges and not tho
   }
 }
 
-TEST_CASE("splitPatches reduces the error of the light in a cube", "[patch_splitting]") {
+TEST_CASE("PatchSubdivision reduces the error of the light in a cube", "[patch_splitting]") {
   // In a furnace each element has the same radiosity, E / (1 - r) = 2; the difference is the error. With one patch per
   // face, edges get too little light and middles too much. A quarter has a quarter of the flux and of the returning
   // share, so that patches half as wide need a sixteenth of the limit.
   const auto worst = [](double maxReturning) {
     tests::HemicubeWorld world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 8);
-    world.discretization = split(world, maxReturning);
+    world.discretization = splitPatches(world, maxReturning);
     ProjectedFormFactors rows(world.scene, world.discretization, world.layout, world.renderer,
                               {256, Orientation::Turned});
     const Solution solution =

@@ -9,6 +9,7 @@
 #include "reference/vectors/scene_vectors.h"
 #include "reference/vectors/vector_suite.h"
 #include "tests/support/injected_faults.h"
+#include "tests/support/staged_drawing.h"
 
 using namespace hemitex;
 using raster::ItemBuffer;
@@ -79,7 +80,7 @@ TEST_CASE("diagnose names the true fault where it names any", "[diagnosis]") {
     int accused = 0;
     for (const reference::Fault& fault : knownFaults(vector))
       for (const reference::Variant& variant : fault.variants) {
-        Buffers found = drawOn(variant.device, vector);
+        Buffers found = drawAll(variant.device, vector);
         disturb(found, random);
         const std::set<std::string> names = faultsNamed(vector, found);
         INFO(name << ": " << fault.name << ", " << variant.name << " is called "
@@ -98,7 +99,7 @@ TEST_CASE("diagnose names faults together that a vector cannot tell apart", "[di
   const TestVector& vector = named(suite, "minified");
   TestVector flipped = vector;
   flipped.faces[0].face.y = -flipped.faces[0].face.y;
-  CHECK(faultsNamed(vector, drawAll({}, flipped)) ==
+  CHECK(faultsNamed(vector, drawAll(SimulatedDevice{}, flipped)) ==
         std::set<std::string>{"y of the view flipped", "picture upside down", "index map upside down"});
 }
 
@@ -167,7 +168,7 @@ TEST_CASE("drawOn with a device without faults draws the item IDs of the rules",
   // Binary64 cannot decide every sample on a texel's border.
   std::uint64_t pixels = 0, different = 0;
   for (const TestVector& vector : wholeSuite()) {
-    const Buffers expected = reference::render(vector), found = drawOn(reference::StagedDevice{}, vector);
+    const Buffers expected = reference::render(vector), found = drawAll(reference::StagedDevice{}, vector);
     for (std::size_t f = 0; f < found.size(); ++f)
       for (std::size_t p = 0; p < found[f].ids.size(); ++p) {
         ++pixels;

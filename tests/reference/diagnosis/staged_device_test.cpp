@@ -5,10 +5,12 @@
 #include <catch2/catch.hpp>
 
 #include "reference/vectors/vector_suite.h"
+#include "tests/support/staged_drawing.h"
 
 using namespace hemitex;
 using reference::StagedDevice;
 using reference::TestVector;
+using tests::drawAll;
 
 namespace {
 
@@ -44,7 +46,7 @@ TEST_CASE("drawOn places triangles again where the upload splits draws, with the
   for (const char* name : {"five-faces", "shared-vertices", "perspective-clipped"}) {
     INFO(name);
     const TestVector vector = named(name);
-    CHECK(idsOf(drawOn(splitting, vector)) == idsOf(drawOn(StagedDevice{}, vector)));
+    CHECK(idsOf(drawAll(splitting, vector)) == idsOf(drawAll(StagedDevice{}, vector)));
   }
 }
 
@@ -58,7 +60,7 @@ TEST_CASE("drawOn with a camera draws what a vector with that view shows", "[dia
   const TestVector vector = named("five-faces");
   TestVector seen = vector;
   for (reference::VectorFace& face : seen.faces) face.face.y = -face.face.y;
-  CHECK(idsOf(drawOn(flipped, vector)) == idsOf(drawOn(StagedDevice{}, seen)));
+  CHECK(idsOf(drawAll(flipped, vector)) == idsOf(drawAll(StagedDevice{}, seen)));
 }
 
 TEST_CASE("withReadBack changes the item IDs of the rules as a device does that draws them itself", "[diagnosis]") {
@@ -68,9 +70,9 @@ TEST_CASE("withReadBack changes the item IDs of the rules as a device does that 
   StagedDevice drawing;
   drawing.readBack = reversed;
   const TestVector vector = named("five-faces");
-  const Ids rules = idsOf(drawOn(StagedDevice{}, vector)),
-            found = idsOf(drawOn(reference::withReadBack(reversed), vector));
-  CHECK(found == idsOf(drawOn(drawing, vector)));
+  const Ids rules = idsOf(drawAll(StagedDevice{}, vector)),
+            found = idsOf(drawAll(reference::withReadBack(reversed), vector));
+  CHECK(found == idsOf(drawAll(drawing, vector)));
   for (std::size_t f = 0; f < rules.size(); ++f)
     CHECK(std::equal(rules[f].begin(), rules[f].end(), found[f].rbegin(), found[f].rend()));
 }

@@ -13,6 +13,7 @@
 #include "reference/closed_forms/point_to_polygon.h"
 #include "reference/closed_forms/rectangles.h"
 #include "tests/support/hand_scenes.h"
+#include "tests/support/receivers.h"
 
 using namespace hemitex;
 using namespace hemitex::reference;
@@ -111,7 +112,7 @@ constexpr Estimator bothEstimators[] = {&RayFormFactors::overHemisphere, &RayFor
 
 Measurement measured(const Case& example, Estimator estimator, const Sampling& sampling) {
   const World world(tests::sceneOf(example.surfaces));
-  return (world.rays.*estimator)(world.surface(0), onlyElement(world.discretization, 1), sampling).receivers[0];
+  return (world.rays.*estimator)(world.surface(0), tests::onlyElement(world.discretization, 1), sampling).receivers[0];
 }
 
 bool agrees(const Measurement& estimate, double exact) {
@@ -178,7 +179,7 @@ TEST_CASE("RayFormFactors give standard errors as large as the errors", "[ray fo
       double squaredErrors = 0, variance = 0, bias = 0;
       for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
         const Measurement estimate =
-            (world.rays.*estimator)(world.surface(0), onlyElement(world.discretization, 1), {1 << 11, seed})
+            (world.rays.*estimator)(world.surface(0), tests::onlyElement(world.discretization, 1), {1 << 11, seed})
                 .receivers[0];
         squaredErrors += (estimate.value - example.exact) * (estimate.value - example.exact);
         variance += estimate.standardError * estimate.standardError;
@@ -363,7 +364,8 @@ TEST_CASE("RayFormFactors to a group of elements are sums, and those to one elem
     const auto row = [&](const Receivers& receivers) {
       return (world.rays.*estimator)(world.surface(1), receivers, {1 << 10});
     };
-    const MeasuredRow all = row(every), grouped = row(families), alone = row(onlyElement(world.discretization, 5));
+    const MeasuredRow all = row(every), grouped = row(families),
+                      alone = row(tests::onlyElement(world.discretization, 5));
     double sums[2] = {0, 0};
     for (std::uint32_t e = 0; e < every.count; ++e) sums[families.ofElement[e]] += all.receivers[e].value;
     CHECK(grouped.receivers[0].value == Approx(sums[0]).epsilon(1e-12));

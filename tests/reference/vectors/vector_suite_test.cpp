@@ -11,6 +11,7 @@
 #include "reference/trace/rational_rasterizer.h"
 #include "reference/vectors/scene_vectors.h"
 #include "tests/support/raster_scenes.h"
+#include "tests/support/suite_hashes.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace hemitex;
@@ -99,14 +100,14 @@ TEST_CASE("evaluateRules equals the renderer on every pixel of the suite", "[sui
   }
 }
 
-TEST_CASE("suiteHashes gives the pinned hashes with 1, 2 and 7 threads", "[suite]") {
+TEST_CASE("vectorSuite has the pinned hashes with 1, 2 and 7 threads", "[suite]") {
   // `hemitex_suite_hashes` prints this file anew where the suite grows.
   std::stringstream pinned;
   pinned << std::ifstream(HEMITEX_SUITE_HASHES).rdbuf();
   const std::vector<TestVector> suite = wholeSuite();
   for (const int threads : {1, 2, 7}) {
     const raster::ThreadLimit limit(threads);
-    CHECK(reference::suiteHashes(suite) == pinned.str());
+    CHECK(tests::suiteHashes(suite) == pinned.str());
   }
 }
 

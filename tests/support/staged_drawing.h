@@ -1,0 +1,27 @@
+/// Draws all faces of a vector on a staged device.
+#pragma once
+
+#include <vector>
+
+#include "reference/diagnosis/staged_device.h"
+
+namespace hemitex::tests {
+
+/// The item buffers of the vector's faces as the device draws them.
+inline std::vector<raster::ItemBuffer> drawAll(const reference::StagedDevice& device,
+                                               const reference::TestVector& vector) {
+  std::vector<raster::ItemId> ids;
+  drawOn(device, placeVector(vector), [&](const raster::ItemBuffer& part) {
+    ids.insert(ids.end(), part.ids.begin(), part.ids.end());
+    return true;
+  });
+  std::vector<raster::ItemBuffer> buffers;
+  auto next = ids.begin();
+  for (const reference::VectorFace& face : vector.faces) {
+    buffers.emplace_back().resize(face.face.scissor);
+    for (raster::ItemId& id : buffers.back().ids) id = *next++;
+  }
+  return buffers;
+}
+
+}  // namespace hemitex::tests
