@@ -78,7 +78,7 @@ std::string fluxText(const ordered_json& energy) {
   text << '\n' << std::left << std::setw(16) << "flux in W" << std::right;
   for (const char* title : {"red", "green", "blue", "of emitted"}) text << std::setw(12) << title;
   for (const auto& [name, bands] : energy.items()) {
-    text << '\n' << std::left << std::setw(16) << name << std::right;
+    text << '\n' << std::left << std::setw(16) << (name == "lost_to_backs" ? "  to backs" : name) << std::right;
     for (const ordered_json& flux : bands) text << std::setw(12) << roundedText(flux);
     text << std::setw(12) << (emitted > 0 ? percentText(sum(bands) / emitted) : "-");
   }

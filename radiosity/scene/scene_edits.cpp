@@ -38,7 +38,7 @@ std::vector<std::uint32_t> findOrFail(const std::vector<Surface>& surfaces, cons
   for (const Surface& surface : surfaces) families.insert(surface.family);
   throw InputError(
       "no surface " + where + " is named `" + name + "`",
-      families.empty() ? "nothing was removed so far" : "names that come near: " + nearestNames(families, name));
+      families.empty() ? "nothing was removed so far" : "similar names: " + nearestNames(families, name));
 }
 
 /// The numbers with those of their twins, ascending.
