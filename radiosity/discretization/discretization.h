@@ -7,9 +7,9 @@
 /// less than a quarter is a sliver and merges into its largest neighbour of the same surface. Otherwise its radiosity
 /// would be too large, because few quantized pixels would be divided by a tiny area.
 ///
-/// One table, the texel-to-element map (`spill`), maps each texel to the element that receives its light. That is its
-/// own element, the element it merged into, or the nearest element for a phantom. (A sample at a chart's border can
-/// select a phantom.)
+/// One table, the texel-to-element map (`elementOfTexel`), maps each texel to the element that receives its light. That
+/// is its own element, the element it merged into, or the nearest element for a phantom. (A sample at a chart's border
+/// can select a phantom.)
 ///
 /// A part of a surface inside a solid is not exposed (see exposure.h). It does not count in areas and centres, so that
 /// it neither receives nor sends light. A completely buried texel is a phantom; a texel of which less than a quarter is
@@ -60,12 +60,12 @@ struct Grid {
   std::uint32_t firstElement = 0, elementCount = 0;  ///< its elements, ordered by texel
   std::uint32_t firstPatch = 0, patchCount = 0;      ///< its original patches, consecutive
   std::vector<std::uint32_t> laterPatches = {};      ///< patches that were split from the original ones
-  std::vector<std::uint32_t> spill;       ///< columns * rows: the element that receives the light of each texel
-  std::vector<bool> covered;              ///< columns * rows: whether the texel has area
-  std::uint32_t phantoms = 0;             ///< number of texels without area
-  std::uint32_t buried = 0;               ///< number of those that have area only inside solids
-  std::vector<CutTexel> cutTexels = {};   ///< texels that are partly or completely buried, ascending
-  std::optional<Quadtree> quadtree = {};  ///< its leaves are the elements; without quadtree each texel is a leaf
+  std::vector<std::uint32_t> elementOfTexel;  ///< columns * rows: the element that receives the light of each texel
+  std::vector<bool> covered;                  ///< columns * rows: whether the texel has area
+  std::uint32_t phantoms = 0;                 ///< number of texels without area
+  std::uint32_t buried = 0;                   ///< number of those that have area only inside solids
+  std::vector<CutTexel> cutTexels = {};       ///< texels that are partly or completely buried, ascending
+  std::optional<Quadtree> quadtree = {};      ///< its leaves are the elements; without quadtree each texel is a leaf
 };
 
 /// The leaf that contains a texel. An element with this own texel consists of the leaf, except for slivers.

@@ -115,25 +115,25 @@ void makeElements(const Surface& surface, std::uint32_t number, Discretization& 
   Grid& grid = part.grids.front();
   TexelAreas texels = texelAreas(surface, texelGrid(grid));
   coverOneAtLeast(texels);
-  grid.spill = mergeSlivers(grid.columns, grid.rows, texels.coverage);
+  grid.elementOfTexel = mergeSlivers(grid.columns, grid.rows, texels.coverage);
   LeafTriangles triangles(surface, grid);
-  std::vector<std::uint32_t> elementOf(grid.spill.size(), none);  // by the lowest texel of its leaf
+  std::vector<std::uint32_t> elementOf(grid.elementOfTexel.size(), none);  // by the lowest texel of its leaf
   const auto elementAt = [&](std::uint32_t own) -> std::uint32_t& {
     return elementOf[lowestTexel(grid, leafOf(grid, own))];
   };
-  for (std::uint32_t texel = 0; texel < grid.spill.size(); ++texel) {
+  for (std::uint32_t texel = 0; texel < grid.elementOfTexel.size(); ++texel) {
     grid.covered.push_back(texels.coverage[texel] > coverageNoise);
     grid.phantoms += grid.covered[texel] ? 0 : 1;
     grid.buried += grid.covered[texel] || findCut(grid.cutTexels, texel) == nullptr ? 0 : 1;
-    if (grid.spill[texel] != texel || elementAt(texel) != none) continue;
+    if (grid.elementOfTexel[texel] != texel || elementAt(texel) != none) continue;
     elementAt(texel) = static_cast<std::uint32_t>(part.elements.size());
     const Leaf leaf = leafOf(grid, texel);
     part.elements.push_back({0, number, texel});
     part.triangleOf.push_back(leaf.side == 1 ? texels.triangle[texel] : triangles.of(leaf));
   }
-  for (std::uint32_t texel = 0; texel < grid.spill.size(); ++texel) {
-    grid.spill[texel] = elementAt(grid.spill[texel]);
-    part.elements[grid.spill[texel]].area += texels.area[texel];
+  for (std::uint32_t texel = 0; texel < grid.elementOfTexel.size(); ++texel) {
+    grid.elementOfTexel[texel] = elementAt(grid.elementOfTexel[texel]);
+    part.elements[grid.elementOfTexel[texel]].area += texels.area[texel];
   }
   grid.elementCount = static_cast<std::uint32_t>(part.elements.size());
 }
@@ -221,7 +221,7 @@ Discretization discretizeSurface(const Scene& scene, std::uint32_t number, const
   const Surface& surface = scene.surfaces[number];
   const GridSize size = gridSizeOf(surface, settings);
   Discretization part;
-  part.grids.push_back({.columns = size.columns, .rows = size.rows, .spill = {}, .covered = {}});
+  part.grids.push_back({.columns = size.columns, .rows = size.rows, .elementOfTexel = {}, .covered = {}});
   if (quadtree) part.grids.front().quadtree = *quadtree;
   part.grids.front().cutTexels = cut;
   makeElements(surface, number, part);
@@ -238,7 +238,7 @@ void append(Discretization& whole, Discretization part) {
   Grid& grid = part.grids.front();
   grid.firstElement = firstElement;
   grid.firstPatch = firstPatch;
-  for (std::uint32_t& element : grid.spill) element += firstElement;
+  for (std::uint32_t& element : grid.elementOfTexel) element += firstElement;
   for (std::uint32_t& patch : part.patchOf) patch += firstPatch;
   for (Patch& patch : part.patches) patch.firstElement += firstElement;
   for (std::uint32_t& element : part.patchElements) element += firstElement;

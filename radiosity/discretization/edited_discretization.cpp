@@ -61,7 +61,7 @@ void append(Discretization& whole, const Discretization& from, std::uint32_t num
       whole.patchOf[*e] = static_cast<std::uint32_t>(whole.patches.size());
     whole.patches.push_back(patch);
   }
-  for (std::uint32_t& element : grid.spill) element += elementShift;
+  for (std::uint32_t& element : grid.elementOfTexel) element += elementShift;
   grid.firstElement += elementShift;
   whole.grids.push_back(std::move(grid));
 }

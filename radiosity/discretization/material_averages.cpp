@@ -77,7 +77,7 @@ std::vector<glm::dvec3> averageOverElements(const Image& image, const Surface& s
   std::vector<double> weight(grid.elementCount);
   forEachExposedPiece(surface, texelGrid(grid), [&](std::size_t texel, std::uint32_t t, const Piece& piece) {
     const Triangle& triangle = surface.triangles[t];
-    const std::size_t element = grid.spill[texel] - grid.firstElement;
+    const std::size_t element = grid.elementOfTexel[texel] - grid.firstElement;
     const double pieceArea = share(piece) * area(triangle);
     const glm::dvec3 mean = isOnePixel(sized) ? sized.pixels[0] : meanOver(piece, nearTexcoords(triangle), sized);
     sum[element] += pieceArea * mean;

@@ -12,8 +12,8 @@ std::uint32_t texelCount(const Page& page) {
 
 /// Whether texel i is element firstElement + i for all texels.
 bool isPlain(const Grid& grid) {
-  for (std::uint32_t texel = 0; texel < grid.spill.size(); ++texel)
-    if (grid.spill[texel] != grid.firstElement + texel) return false;
+  for (std::uint32_t texel = 0; texel < grid.elementOfTexel.size(); ++texel)
+    if (grid.elementOfTexel[texel] != grid.firstElement + texel) return false;
   return true;
 }
 
@@ -73,7 +73,7 @@ void IdLookup::addPages(const Discretization& discretization, const IdLayout& la
       tables_.push_back(elementsOf(discretization, layout, page.offset, block.count));
       block.slots = tables_.back().data();
     } else if (!isPlain(grid)) {
-      block.slots = grid.spill.data();
+      block.slots = grid.elementOfTexel.data();
     }
     blocks_.push_back(block);
   }

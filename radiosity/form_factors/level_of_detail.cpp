@@ -41,7 +41,7 @@ std::vector<std::uint32_t> elementsIn(const Discretization& discretization, cons
   for (int row = block.first * side; row < std::min(grid.rows, (block.first + 1) * side); ++row)
     for (int column = block.second * side; column < std::min(grid.columns, (block.second + 1) * side); ++column) {
       const auto texel = static_cast<std::uint32_t>(row * grid.columns + column);
-      const std::uint32_t element = grid.spill[texel];
+      const std::uint32_t element = grid.elementOfTexel[texel];
       if (discretization.elements[element].texel == texel) elements.push_back(element);
     }
   return elements;

@@ -156,18 +156,18 @@ std::vector<std::uint32_t> packedElements(const Discretization& discretization, 
   for (std::size_t surface = 0; surface < discretization.grids.size(); ++surface) {
     const Grid& grid = discretization.grids[surface];
     const auto columns = static_cast<std::uint32_t>(grid.columns);
-    for (std::uint32_t texel = 0; texel < grid.spill.size(); ++texel)
-      elements[idOfTexel(layout, surface, texel % columns, texel / columns)] = grid.spill[texel];
+    for (std::uint32_t texel = 0; texel < grid.elementOfTexel.size(); ++texel)
+      elements[idOfTexel(layout, surface, texel % columns, texel / columns)] = grid.elementOfTexel[texel];
   }
   return elements;
 }
 
 std::optional<std::uint32_t> elementInOwnPage(const Grid& grid, const Page& page, std::uint32_t index) {
-  if (page.columns == grid.columns && page.rows == grid.rows) return grid.spill[index];
+  if (page.columns == grid.columns && page.rows == grid.rows) return grid.elementOfTexel[index];
   const auto columns = static_cast<std::uint32_t>(page.columns), gridColumns = static_cast<std::uint32_t>(grid.columns);
   const std::uint32_t column = index % columns, row = index / columns;
   if (column >= gridColumns || row >= static_cast<std::uint32_t>(grid.rows)) return std::nullopt;
-  return grid.spill[row * gridColumns + column];
+  return grid.elementOfTexel[row * gridColumns + column];
 }
 
 }  // namespace

@@ -116,7 +116,7 @@ class Mesher {
     const Grid& grid = discretization_.grids[surface];
     forEachCellOf(polygon, [&](std::int64_t column, std::int64_t row, const Piece& piece) {
       if (share(piece) == 0) return;
-      const std::uint32_t element = grid.spill[texelOfCell(column, row, grid.columns, grid.rows)];
+      const std::uint32_t element = grid.elementOfTexel[texelOfCell(column, row, grid.columns, grid.rows)];
       appendPiece(triangle, piece, idOf(discretization_, layout_, element));
     });
   }

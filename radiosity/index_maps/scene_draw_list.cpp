@@ -25,7 +25,7 @@ class IndexMapPool {
   /// The number of a surface's map; none if the offset alone is its item ID.
   std::optional<int> mapOf(const Grid& grid, const Page& page) {
     if (way_ == IndexMaps::Unique)
-      return grid.elementCount == 1 ? std::nullopt : std::optional(add({grid.columns, grid.rows, grid.spill}));
+      return grid.elementCount == 1 ? std::nullopt : std::optional(add({grid.columns, grid.rows, grid.elementOfTexel}));
     if (page.columns * page.rows == 1) return std::nullopt;
     const auto [size, isNew] = bySize_.try_emplace({page.columns, page.rows}, static_cast<int>(maps_.size()));
     return isNew ? add(countingMap(page)) : size->second;

@@ -72,8 +72,8 @@ std::uint32_t elementAt(const Scene& scene, const Discretization& discretization
   const glm::dvec2 chart = interpolate(triangleOf(scene, visible).chart, visible.weights);
   const int column = std::clamp(static_cast<int>(chart.x * grid.columns), 0, grid.columns - 1);
   const int row = std::clamp(static_cast<int>(chart.y * grid.rows), 0, grid.rows - 1);
-  return grid
-      .spill[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(column)];
+  return grid.elementOfTexel[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) +
+                             static_cast<std::size_t>(column)];
 }
 
 /// A line runs between two samples if these differ.

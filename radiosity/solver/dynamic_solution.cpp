@@ -234,7 +234,7 @@ class LightUpdate {
     if (shot == glm::dvec3(0)) return;
     const FormFactorRow* known = kept_.ofPatches.find(patch);
     receive(light_, renumbered(known != nullptr ? *known : before_.rows().ofPatch(patch)), -shot);
-    ++cost_.rowsTakenBack;
+    ++cost_.rowsRetracted;
   }
 
   /// Redirects the shot light of a patch along the change of its row.

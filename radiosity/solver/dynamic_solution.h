@@ -43,7 +43,7 @@ struct DynamicSettings {
 struct UpdateCost {
   int rowsInWindows = 0;     ///< rows of which only windows were drawn
   int rowsWhole = 0;         ///< rows that were drawn completely, before and after the edit
-  int rowsTakenBack = 0;     ///< retracted rows, of patches that moved or were removed
+  int rowsRetracted = 0;     ///< retracted rows, of patches that moved or were removed
   int rowsLeft = 0;          ///< stale rows, whose bound is part of the residual
   bool startedOver = false;  ///< solved again: too much stale light, or too little emission to allow for it
 };

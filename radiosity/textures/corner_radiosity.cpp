@@ -33,8 +33,8 @@ std::vector<Facet> collectFacets(const Scene& scene, const Discretization& discr
     const Grid& grid = discretization.grids[s];
     for (const Triangle& triangle : surface.triangles) {
       if (!isDiscretized(grid))
-        facets.push_back(
-            {number, &triangle, normal(triangle), area(triangle), surface.material, radiosity[grid.spill.front()]});
+        facets.push_back({number, &triangle, normal(triangle), area(triangle), surface.material,
+                          radiosity[grid.elementOfTexel.front()]});
       ++number;
     }
   }

@@ -29,7 +29,7 @@ std::vector<Polygon> polygonsOf(const Surface& surface, const Grid& grid) {
                 [&](std::int64_t column, std::int64_t row, const Piece& piece) {
                   if (share(piece) == 0) return;
                   const std::size_t texel = texelOfCell(column, row, grid.columns, grid.rows);
-                  Polygon polygon{texel, grid.spill[texel], {}};
+                  Polygon polygon{texel, grid.elementOfTexel[texel], {}};
                   for (std::size_t i = 0; i < piece.size; ++i) polygon.corners.push_back(piece.corners[i].grid);
                   polygons.push_back(std::move(polygon));
                 });
@@ -80,9 +80,9 @@ std::vector<glm::dvec3> gouraudTexels(const Surface& surface, const Grid& grid,
   const std::vector<Polygon> polygons = polygonsOf(surface, grid);
   const std::map<CornerKey, glm::dvec3> valueAt = cornerValues(polygons, radiosity);
   const auto columns = static_cast<std::size_t>(grid.columns), times = static_cast<std::size_t>(magnification);
-  std::vector<std::optional<glm::dvec3>> drawn(grid.spill.size() * times * times);
+  std::vector<std::optional<glm::dvec3>> drawn(grid.elementOfTexel.size() * times * times);
   std::vector<glm::dvec3> elsewhere;  // by texel of the grid
-  for (const std::uint32_t element : grid.spill) elsewhere.push_back(radiosity[element]);
+  for (const std::uint32_t element : grid.elementOfTexel) elsewhere.push_back(radiosity[element]);
   for (const Polygon& polygon : polygons) {
     std::vector<glm::dvec3> values;
     for (const glm::dvec2& corner : polygon.corners) values.push_back(valueAt.at(keyOf(corner)));

@@ -27,7 +27,7 @@ class CornerValues {
  public:
   CornerValues(const Discretization& discretization, const Grid& grid, const std::vector<glm::dvec3>& radiosity)
       : grid_(grid),
-        leafRadiosity_(grid.spill.size(), nullptr),
+        leafRadiosity_(grid.elementOfTexel.size(), nullptr),
         values_(static_cast<std::size_t>((grid.columns + 1) * (grid.rows + 1))) {
     for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e)
       leafRadiosity_[lowestTexel(leafOf(grid, discretization.elements[e].texel))] = &radiosity[e];
@@ -126,7 +126,7 @@ std::vector<glm::dvec3> quadtreeTexels(const Discretization& discretization, con
       const auto texel = static_cast<std::uint32_t>(j / magnification * grid.columns + i / magnification);
       const Leaf leaf = leafOf(grid, texel);
       if (!corners.hasArea(leaf)) {
-        texels.push_back(radiosity[grid.spill[texel]]);
+        texels.push_back(radiosity[grid.elementOfTexel[texel]]);
         continue;
       }
       const glm::dvec2 place = (glm::dvec2(i, j) + 0.5) / static_cast<double>(magnification);

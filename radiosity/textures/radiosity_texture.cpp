@@ -81,8 +81,8 @@ std::vector<Image> fillTextures(const Discretization& discretization, const Text
 
 std::vector<glm::dvec3> unfilteredTexels(const Grid& grid, const std::vector<glm::dvec3>& radiosity) {
   std::vector<glm::dvec3> texels;
-  texels.reserve(grid.spill.size());
-  for (std::uint32_t element : grid.spill) texels.push_back(radiosity[element]);
+  texels.reserve(grid.elementOfTexel.size());
+  for (std::uint32_t element : grid.elementOfTexel) texels.push_back(radiosity[element]);
   return texels;
 }
 

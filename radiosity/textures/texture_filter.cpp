@@ -36,7 +36,7 @@ glm::dvec3 weighted(const Grid& grid, const std::vector<glm::dvec3>& radiosity, 
       const auto texel = static_cast<std::size_t>(row * grid.columns + column);
       const double weight = columns.weight[i] * rows.weight[j];
       if (!grid.covered[texel] || weight == 0) continue;
-      sum += weight * radiosity[grid.spill[texel]];
+      sum += weight * radiosity[grid.elementOfTexel[texel]];
       weights += weight;
     }
   return sum / weights;
@@ -52,7 +52,7 @@ std::vector<glm::dvec3> byKernel(const Discretization& discretization, const Gri
       const auto texel = static_cast<std::size_t>(j / times * grid.columns + i / times);
       glm::dvec2 place(placeOf(i), placeOf(j));
       if (!grid.covered[texel]) {
-        const auto own = static_cast<int>(discretization.elements[grid.spill[texel]].texel);
+        const auto own = static_cast<int>(discretization.elements[grid.elementOfTexel[texel]].texel);
         place = glm::dvec2(own % grid.columns, own / grid.columns);
       }
       texels.push_back(weighted(grid, radiosity, tapsAt(settings.filter, place.x), tapsAt(settings.filter, place.y)));

@@ -30,8 +30,8 @@ void appendPieces(const radiosity::Scene& scene, const radiosity::Surface& surfa
   const auto append = [&](std::size_t texel, std::uint32_t t, const Piece& piece) {
     if (radiosity::share(piece) == 0) return;
     const Triangle& triangle = surface.triangles[t];
-    pieces.push_back(
-        {grid.spill[texel], first + t, radiosity::normal(triangle), cornersOf(inFrame(scene, triangle), piece)});
+    pieces.push_back({grid.elementOfTexel[texel], first + t, radiosity::normal(triangle),
+                      cornersOf(inFrame(scene, triangle), piece)});
   };
   radiosity::forEachExposedPiece(surface, radiosity::texelGrid(grid), append);
 }
@@ -68,7 +68,7 @@ std::uint32_t elementAt(const Triangle& triangle, const Grid& grid, const glm::d
   const glm::dvec2 place = texels[0] + weights.x * (texels[1] - texels[0]) + weights.y * (texels[2] - texels[0]);
   const auto column = static_cast<std::int64_t>(std::floor(place.x)),
              row = static_cast<std::int64_t>(std::floor(place.y));
-  return grid.spill[radiosity::texelOfCell(column, row, grid.columns, grid.rows)];
+  return grid.elementOfTexel[radiosity::texelOfCell(column, row, grid.columns, grid.rows)];
 }
 
 }  // namespace hemitex::reference

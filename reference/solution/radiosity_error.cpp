@@ -15,7 +15,7 @@ std::uint32_t elementAtCentre(const radiosity::Grid& grid, const radiosity::Grid
   const auto otherColumns = static_cast<std::uint32_t>(other.columns);
   const std::uint32_t column = along(texel % otherColumns, grid.columns, other.columns);
   const std::uint32_t row = along(texel / otherColumns, grid.rows, other.rows);
-  return grid.spill[row * static_cast<std::uint32_t>(grid.columns) + column];
+  return grid.elementOfTexel[row * static_cast<std::uint32_t>(grid.columns) + column];
 }
 
 }  // namespace

@@ -60,7 +60,8 @@ std::size_t bytesOf(const Rows& rows) {
 std::size_t bytesOf(const Discretization& discretization) {
   std::size_t bytes = discretization.elements.size() * (sizeof(radiosity::Element) + 2 * sizeof(glm::dvec3)) +
                       discretization.patches.size() * sizeof(radiosity::Patch);
-  for (const radiosity::Grid& grid : discretization.grids) bytes += grid.spill.size() * sizeof grid.spill[0];
+  for (const radiosity::Grid& grid : discretization.grids)
+    bytes += grid.elementOfTexel.size() * sizeof grid.elementOfTexel[0];
   return bytes;
 }
 

@@ -54,7 +54,7 @@ struct World {
     truth.resize(discretization.elements.size());
     for (std::size_t e = 0; e < unburied.elements.size(); ++e) {
       const radiosity::Element& element = unburied.elements[e];
-      truth[discretization.grids[element.surface].spill[element.texel]] += baked.flux[e];
+      truth[discretization.grids[element.surface].elementOfTexel[element.texel]] += baked.flux[e];
     }
     for (std::size_t e = 0; e < truth.size(); ++e) truth[e] /= discretization.elements[e].area;
   }

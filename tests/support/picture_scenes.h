@@ -42,8 +42,8 @@ inline void addGrid(radiosity::Discretization& discretization, int columns, int 
   grid.firstElement = static_cast<std::uint32_t>(discretization.elements.size());
   grid.covered = covered;
   for (std::uint32_t texel = 0; texel < covered.size(); ++texel) {
-    grid.spill.push_back(covered[texel] ? static_cast<std::uint32_t>(discretization.elements.size())
-                                        : grid.firstElement);
+    grid.elementOfTexel.push_back(covered[texel] ? static_cast<std::uint32_t>(discretization.elements.size())
+                                                 : grid.firstElement);
     if (!covered[texel]) {
       ++grid.phantoms;
       continue;

@@ -120,7 +120,7 @@ TEST_CASE("layOut uses as many item IDs as there are texels of surfaces, or elem
   const Scene scene = mixedScene();
   const Discretization discretization = mixedGrids(scene);
   std::size_t texels = 0;
-  for (const Grid& grid : discretization.grids) texels += grid.spill.size();
+  for (const Grid& grid : discretization.grids) texels += grid.elementOfTexel.size();
   REQUIRE(texels > discretization.elements.size());
   for (Way& way : allWays()) {
     way.ids.format = "r5g6b5";
@@ -257,10 +257,10 @@ TEST_CASE("layOut with unique maps lets texels share item IDs, so that elements 
                                           5, 5, 6, 6,  //
                                           5, 7, 6, 6};
   Grid& grid = discretization.grids[0];
-  grid.spill = shapes;
+  grid.elementOfTexel = shapes;
   grid.elementCount = 8;
   discretization.grids[1].firstElement = 8;
-  discretization.grids[1].spill = {8};
+  discretization.grids[1].elementOfTexel = {8};
   discretization.elements.clear();
   for (const std::uint32_t texel : {0u, 2u, 3u, 6u, 7u, 8u, 10u, 13u})
     discretization.elements.push_back({.area = 1, .surface = 0, .texel = texel});

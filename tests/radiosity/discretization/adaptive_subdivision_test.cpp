@@ -85,7 +85,7 @@ TEST_CASE("discretize with quadtrees of single texels equals discretize without 
   CHECK(both.ofLeaves.patchOf == both.ofTexels.patchOf);
   CHECK(both.ofLeaves.triangleOf == both.ofTexels.triangleOf);
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
-    CHECK(both.ofLeaves.grids[s].spill == both.ofTexels.grids[s].spill);
+    CHECK(both.ofLeaves.grids[s].elementOfTexel == both.ofTexels.grids[s].elementOfTexel);
   for (std::uint32_t e = 0; e < both.ofTexels.elements.size(); ++e) {
     const Element &a = both.ofLeaves.elements[e], &b = both.ofTexels.elements[e];
     CHECK((a.area == b.area && a.texel == b.texel));
@@ -109,7 +109,8 @@ TEST_CASE("discretize gives a leaf's element the sum of the elements of its texe
     CHECK(both.ofLeaves.elements[e].area == Approx(area[e]).epsilon(1e-12));
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
     for (std::size_t texel = 0; texel < texels * texels; ++texel)
-      REQUIRE(both.ofLeaves.grids[s].spill[texel] == leafElement[both.ofTexels.grids[s].spill[texel]]);
+      REQUIRE(both.ofLeaves.grids[s].elementOfTexel[texel] ==
+              leafElement[both.ofTexels.grids[s].elementOfTexel[texel]]);
 }
 
 TEST_CASE("elementCentre of a leaf is that of a texel of a coarser grid", "[adaptive]") {

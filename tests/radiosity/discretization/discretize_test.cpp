@@ -47,7 +47,7 @@ bool holds(const Patch& patch, const Grid& grid, std::uint32_t texel) {
 
 bool equal(const Discretization& a, const Discretization& b) {
   const auto sameGrid = [](const Grid& g, const Grid& h) {
-    return g.spill == h.spill && g.covered == h.covered && g.firstPatch == h.firstPatch;
+    return g.elementOfTexel == h.elementOfTexel && g.covered == h.covered && g.firstPatch == h.firstPatch;
   };
   const auto sameElement = [](const Element& e, const Element& f) {
     return e.area == f.area && e.surface == f.surface && e.texel == f.texel;
@@ -81,12 +81,12 @@ TEST_CASE("discretize gives elements the surface's area, and maps each texel to 
       const Grid& grid = discretization.grids[s];
       CHECK(sumOfAreas(discretization, s) == Approx(totalArea(scene.surfaces[s])).epsilon(1e-12));
       CHECK(std::uint32_t(std::count(grid.covered.begin(), grid.covered.end(), false)) == grid.phantoms);
-      for (const std::uint32_t number : grid.spill) {
+      for (const std::uint32_t number : grid.elementOfTexel) {
         REQUIRE(number - grid.firstElement < grid.elementCount);
         const Element& element = discretization.elements[number];
         REQUIRE(element.surface == s);
         REQUIRE(grid.covered[element.texel]);
-        REQUIRE(grid.spill[element.texel] == number);
+        REQUIRE(grid.elementOfTexel[element.texel] == number);
         REQUIRE(element.area > 0);
       }
     }
@@ -135,13 +135,13 @@ TEST_CASE("discretize covers each element at least a quarter of a texel, unless 
       const std::vector<double> coverage = texelAreas(scene.surfaces[s], texelGrid(grid)).coverage;
       std::vector<double> ofElement(grid.elementCount);
       for (std::size_t texel = 0; texel < coverage.size(); ++texel)
-        ofElement[grid.spill[texel] - grid.firstElement] += coverage[texel];
+        ofElement[grid.elementOfTexel[texel] - grid.firstElement] += coverage[texel];
       for (std::size_t texel = 0; texel < coverage.size(); ++texel) {
-        if (!grid.covered[texel] || ofElement[grid.spill[texel] - grid.firstElement] >= 0.25 - 1e-9) continue;
+        if (!grid.covered[texel] || ofElement[grid.elementOfTexel[texel] - grid.firstElement] >= 0.25 - 1e-9) continue;
         for (std::size_t other = 0; other < coverage.size(); ++other) {
           const int dx = int(other) % texels - int(texel) % texels, dy = int(other) / texels - int(texel) / texels;
           if (grid.covered[other] && std::abs(dx) <= 1 && std::abs(dy) <= 1)
-            REQUIRE(grid.spill[other] == grid.spill[texel]);
+            REQUIRE(grid.elementOfTexel[other] == grid.elementOfTexel[texel]);
         }
       }
     }

@@ -179,16 +179,16 @@ void checkCentres(const Scene& scene, const Discretization& discretization) {
   }
 }
 
-void checkSpill(const Scene& scene, const Discretization& discretization) {
+void checkElementOfTexel(const Scene& scene, const Discretization& discretization) {
   std::vector<double> areas(discretization.elements.size());
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const Grid& grid = discretization.grids[s];
     const TexelAreas texels = texelAreas(scene.surfaces[s], texelGrid(grid));
-    REQUIRE(grid.spill.size() == texels.area.size());
+    REQUIRE(grid.elementOfTexel.size() == texels.area.size());
     for (std::size_t texel = 0; texel < texels.area.size(); ++texel) {
-      REQUIRE(grid.spill[texel] >= grid.firstElement);
-      REQUIRE(grid.spill[texel] < grid.firstElement + grid.elementCount);
-      areas[grid.spill[texel]] += texels.area[texel];
+      REQUIRE(grid.elementOfTexel[texel] >= grid.firstElement);
+      REQUIRE(grid.elementOfTexel[texel] < grid.firstElement + grid.elementCount);
+      areas[grid.elementOfTexel[texel]] += texels.area[texel];
     }
   }
   for (std::size_t e = 0; e < areas.size(); ++e) {
@@ -221,7 +221,7 @@ bool areEqual(const Discretization& a, const Discretization& b) {
       return x.texel == y.texel &&
              std::equal(x.exposed.begin(), x.exposed.end(), y.exposed.begin(), y.exposed.end(), isSamePiece);
     };
-    if (a.grids[s].spill != b.grids[s].spill) return false;
+    if (a.grids[s].elementOfTexel != b.grids[s].elementOfTexel) return false;
     if (!std::equal(one.begin(), one.end(), other.begin(), other.end(), isSameCut)) return false;
   }
   return a.patchElements == b.patchElements && a.triangleOf == b.triangleOf;
@@ -569,7 +569,7 @@ TEST_CASE("discretize gives elements and patches centres that are exposed", "[ex
     const Discretization discretization = discretize(scene, {.texels = texels});
     REQUIRE(isCut(discretization));
     checkCentres(scene, discretization);
-    checkSpill(scene, discretization);
+    checkElementOfTexel(scene, discretization);
   }
   const Discretization coarse = discretize(scene, {.texels = 1});
   const glm::dvec3 centre = elementCentre(scene, coarse, 0).position;
@@ -680,7 +680,7 @@ TEST_CASE("discretize of random rooms gives exposed centres, and areas that incl
          {DiscretizationSettings{.texels = 5}, DiscretizationSettings{.texelSize = 0.2}}) {
       const Discretization discretization = discretize(scene, settings);
       checkCentres(scene, discretization);
-      checkSpill(scene, discretization);
+      checkElementOfTexel(scene, discretization);
     }
   }
 }

@@ -115,7 +115,7 @@ TEST_CASE("discretize makes elements of whole texels within a factor of two of t
     for (const Grid& grid : discretization.grids) {
       if (grid.columns < 2 || grid.rows < 2) continue;
       std::vector<int> texels(grid.elementCount);
-      for (const std::uint32_t element : grid.spill) ++texels[element - grid.firstElement];
+      for (const std::uint32_t element : grid.elementOfTexel) ++texels[element - grid.firstElement];
       for (std::uint32_t e = 0; e < grid.elementCount; ++e) {
         const Element& element = discretization.elements[grid.firstElement + e];
         if (texels[e] != 1) continue;

@@ -216,7 +216,7 @@ TEST_CASE("makeMeshedDraws gives the pieces of an element the area of its texels
       for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
         const radiosity::Grid& grid = world.discretization.grids[s];
         const auto whole = radiosity::texelAreas(scene.surfaces[s], {grid.columns, grid.rows, {}}).area;
-        for (std::size_t texel = 0; texel < whole.size(); ++texel) expected[grid.spill[texel]] += whole[texel];
+        for (std::size_t texel = 0; texel < whole.size(); ++texel) expected[grid.elementOfTexel[texel]] += whole[texel];
       }
       std::size_t wrong = 0;
       // Texels with almost no area have no pieces (coverageNoise), and areas are summed in double precision.

@@ -74,7 +74,7 @@ TEST_CASE("countPhantoms plus used item IDs fill the range of item IDs", "[phant
   const Scene scene = sceneOf({bump(3), lShape(), ring(8), flat("wall", rectangle({0, 0}, {0.75, 0.75}))});
   const Discretization discretization = discretize(scene, {.texels = 12, .surfaceTexels = {{"ring", 17}}});
   std::uint64_t covered = 0;
-  for (const Grid& grid : discretization.grids) covered += grid.spill.size() - grid.phantoms;
+  for (const Grid& grid : discretization.grids) covered += grid.elementOfTexel.size() - grid.phantoms;
   for (const IdSettings& ids :
        {IdSettings{}, IdSettings{"r8g8b8", Blend::IntegerAdd, false}, withPage(IndexMaps::Shared, 32),
         withPage(IndexMaps::Packed, 32), withPage(IndexMaps::Packed, 64)}) {

@@ -152,7 +152,7 @@ TEST_CASE("carried keeps elements, patches and rotations of kept surfaces, and d
       CHECK(element.area == whole.elements[old.firstElement + e].area);
       CHECK(carriedOver.patchOf[grid.firstElement + e] - grid.firstPatch ==
             whole.patchOf[old.firstElement + e] - old.firstPatch);
-      CHECK(grid.spill[element.texel] == grid.firstElement + e);
+      CHECK(grid.elementOfTexel[element.texel] == grid.firstElement + e);
     }
     for (std::uint32_t p = 0; p < grid.patchCount; ++p) {
       const Patch& patch = carriedOver.patches[grid.firstPatch + p];

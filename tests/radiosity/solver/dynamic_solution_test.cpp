@@ -184,9 +184,9 @@ TEST_CASE("DynamicSolution::update lights the floor under an object that moved a
   REQUIRE(fresh.scene().surfaces[0].name == dynamic->scene().surfaces[0].name);
   const Grid &grid = dynamic->discretization().grids[0], &freshGrid = fresh.discretization().grids[0];
   double different = 0, all = 0;
-  for (std::size_t texel = 0; texel < grid.spill.size(); ++texel) {
-    const double expected = fresh.solution().radiosity[freshGrid.spill[texel]].x;
-    different += std::abs(dynamic->solution().radiosity[grid.spill[texel]].x - expected);
+  for (std::size_t texel = 0; texel < grid.elementOfTexel.size(); ++texel) {
+    const double expected = fresh.solution().radiosity[freshGrid.elementOfTexel[texel]].x;
+    different += std::abs(dynamic->solution().radiosity[grid.elementOfTexel[texel]].x - expected);
     all += expected;
   }
   // Patches were split where the first solution was bright, and hemicubes of 48 pixels are coarse, so that both differ
@@ -228,7 +228,7 @@ TEST_CASE("DynamicSolution::update without an edit shoots and draws nothing", "[
   const Solution before = dynamic->solution();
   const UpdateCost cost = dynamic->update({});
   CHECK(dynamic->solution().shots == 0);
-  CHECK(cost.rowsInWindows + cost.rowsWhole + cost.rowsTakenBack + cost.rowsLeft == 0);
+  CHECK(cost.rowsInWindows + cost.rowsWhole + cost.rowsRetracted + cost.rowsLeft == 0);
   for (std::size_t e = 0; e < before.radiosity.size(); ++e)
     for (int band = 0; band < 3; ++band)
       CHECK(dynamic->solution().radiosity[e][band] == Approx(before.radiosity[e][band]).epsilon(1e-12));

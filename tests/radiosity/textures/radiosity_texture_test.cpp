@@ -225,7 +225,7 @@ TEST_CASE("filteredTextures refuse a texture that could not be read again", "[te
 TEST_CASE("radiosityTextures show the nearest element at texels without area", "[texture]") {
   ChartScene charts{sceneOf({parallelogram("a", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})}), {}};
   addGrid(charts.discretization, 3, 2, {true, true, true, true, true, false});
-  charts.discretization.grids[0].spill[5] = 4;
+  charts.discretization.grids[0].elementOfTexel[5] = 4;
   const TextureLayout layout = layOutTextures(charts.scene, charts.discretization);
   const std::vector<glm::dvec3> values = elementValues(charts.discretization);
   const Image plain = radiosityTextures(charts.discretization, layout, values)[0];

@@ -105,7 +105,7 @@ TEST_CASE("filteredTexels with one-to-one repeat elements, and with bilinear are
   const auto oneToOne = filteredTexels(scene, discretization, 0, values, {TextureFilter::OneToOne, 3});
   for (std::size_t j = 0; j < 30; ++j)
     for (std::size_t i = 0; i < 30; ++i)
-      CHECK(oneToOne[j * 30 + i] == values[discretization.grids[0].spill[j / 3 * 10 + i / 3]]);
+      CHECK(oneToOne[j * 30 + i] == values[discretization.grids[0].elementOfTexel[j / 3 * 10 + i / 3]]);
   CHECK(filteredTexels(scene, discretization, 0, values, {TextureFilter::Bilinear, 1}) ==
         filteredTexels(scene, discretization, 0, values, {TextureFilter::OneToOne, 1}));
 }
