@@ -66,7 +66,7 @@ Source sourceNamed(const radiosity::Scene& scene, const radiosity::Discretizatio
   if (!grid.covered[index])
     throw raster::InputError("texel " + text.substr(colon + 1) + " of `" + name +
                              "` lies outside the surface; choose another texel");
-  return {surfaces, grid.spill[index]};
+  return {surfaces, grid.elementOfTexel[index]};
 }
 
 Families familiesOf(const radiosity::Scene& scene) {

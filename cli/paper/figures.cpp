@@ -149,7 +149,7 @@ Image packedPage(const Shown& shown, const IdLayout& layout, std::size_t page) {
       if (!grid.covered[static_cast<std::size_t>(texel)]) continue;
       const int column = place.column + texel % grid.columns, row = place.row + texel / grid.columns;
       image.pixels[static_cast<std::size_t>((rows - 1 - row) * columns + column)] =
-          shown.values[grid.spill[static_cast<std::size_t>(texel)]];
+          shown.values[grid.elementOfTexel[static_cast<std::size_t>(texel)]];
     }
   }
   return image;

@@ -38,7 +38,7 @@ class Laps {
 ordered_json toJson(const radiosity::UpdateCost& cost) {
   return {{"in_windows", cost.rowsInWindows},
           {"whole", cost.rowsWhole},
-          {"taken_back", cost.rowsTakenBack},
+          {"taken_back", cost.rowsRetracted},
           {"left", cost.rowsLeft},
           {"started_over", cost.startedOver}};
 }
