@@ -18,5 +18,6 @@ void addVectorSuite(Command vector, Context& context);
 void addVectorCheck(Command vector, Context& context);
 void addVectorExplain(Command vector, Context& context);
 void addVectorCalibrate(Command vector, Context& context);
+void addVectorRandom(Command vector, Context& context);
 
 }  // namespace hemitex::cli

@@ -151,6 +151,7 @@ void addVector(Command program, Context& context) {
   addExport(command, context);
   addRenderVector(command, context);
   addVectorSuite(command, context);
+  addVectorRandom(command, context);
   addVectorCheck(command, context);
   addVectorExplain(command, context);
   addVectorCalibrate(command, context);

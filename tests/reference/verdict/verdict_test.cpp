@@ -5,11 +5,12 @@
 #include <catch2/catch.hpp>
 #include <functional>
 
+#include "reference/vectors/random_families.h"
+#include "reference/vectors/random_vectors.h"
 #include "reference/vectors/vector_suite.h"
 #include "reference/verdict/pixel_judge.h"
 #include "tests/support/judged_wall.h"
 #include "tests/support/simulated_device.h"
-#include "tests/support/triangle_families.h"
 
 using namespace hemitex;
 using reference::DeviceProfile;
@@ -70,40 +71,40 @@ std::vector<DeviceProfile> profiles() {
 }  // namespace
 
 TEST_CASE("judge finds every pixel exact that the rules draw", "[verdict]") {
-  std::mt19937 random(1);
-  for (const tests::TriangleFamily& family : tests::triangleFamilies()) {
-    const tests::DrawnCase drawn = family.make(random);
-    const auto counts = countsOf(drawn.list, drawn.face, tests::drawOne(drawn.list, drawn.face));
-    INFO(family.name);
-    CHECK(count(counts, PixelVerdict::Exact) == 256);
+  for (std::uint64_t k = 0; k < reference::randomFamilies().size(); ++k) {
+    const reference::TestVector vector = reference::interleavedRandomVector(1, k);
+    const reference::Verdict verdict = reference::judge(vector, reference::render(vector), {});
+    INFO(vector.name);
+    std::uint64_t pixels = 0;
+    for (const reference::FaceVerdict& face : verdict.faces) pixels += face.pixels.size();
+    CHECK(count(countVerdicts(verdict), PixelVerdict::Exact) == pixels);
   }
 }
 
 TEST_CASE("judge finds no error in a device within its profile", "[verdict]") {
-  std::mt19937 random(2);
   std::uint64_t explained = 0;
   for (const DeviceProfile& profile : profiles())
-    for (const tests::TriangleFamily& family : tests::triangleFamilies())
-      for (std::uint32_t draw = 0; draw < 40; ++draw) {
-        const tests::DrawnCase drawn = family.make(random);
-        const SimulatedDevice device{profile, draw, draw % 2 == 1};
-        const auto counts = countsOf(drawn.list, drawn.face, drawOn(device, drawn.list, drawn.face), profile);
-        INFO(family.name << ", draw " << draw << ", vertex error " << profile.vertexError << ", "
-                         << profile.subpixelBits << " bits");
-        CHECK(count(counts, PixelVerdict::Error) == 0);
-        explained += 256 - count(counts, PixelVerdict::Exact);
-      }
+    for (std::uint32_t draw = 0; draw < 40 * reference::randomFamilies().size(); ++draw) {
+      const reference::TestVector vector = reference::interleavedRandomVector(2, draw);
+      const raster::Face& face = vector.faces[0].face;
+      const SimulatedDevice device{profile, draw, draw % 2 == 1};
+      const raster::ItemBuffer found = drawOn(device, vector.list, face);
+      const auto counts = countsOf(vector.list, face, found, profile);
+      INFO(vector.name << ", draw " << draw << ", vertex error " << profile.vertexError << ", " << profile.subpixelBits
+                       << " bits");
+      CHECK(count(counts, PixelVerdict::Error) == 0);
+      explained += found.ids.size() - count(counts, PixelVerdict::Exact);
+    }
   // The devices do err: otherwise nothing was tested.
   CHECK(explained > 1000);
 }
 
 TEST_CASE("judge finds errors in a device three sub-pixels beyond its profile", "[verdict]") {
-  std::mt19937 random(3);
   std::uint64_t right = 0, wrong = 0;
-  for (int draw = 0; draw < 200; ++draw) {
-    const tests::DrawnCase drawn = tests::triangleFamilies().front().make(random);
-    right += errorsOf({{}, 1}, drawn.list, drawn.face);
-    wrong += errorsOf({.profile = {}, .seed = 1, .shift = 3}, drawn.list, drawn.face);
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const reference::TestVector vector = reference::randomVector(seed, "generic");
+    right += errorsOf({{}, 1}, vector.list, vector.faces[0].face);
+    wrong += errorsOf({.profile = {}, .seed = 1, .shift = 3}, vector.list, vector.faces[0].face);
   }
   CHECK(right == 0);
   CHECK(wrong > 0);
@@ -254,15 +255,15 @@ TEST_CASE("judge decides each pixel independently of tiles, neighbours and sciss
 }
 
 TEST_CASE("judge finds an error where only loose clipping explains and the profile forbids it", "[verdict]") {
-  std::mt19937 random(5);
   std::uint64_t loose = 0;
-  for (std::uint32_t draw = 0; draw < 200; ++draw) {
-    const tests::DrawnCase drawn = tests::triangleFamilies()[5].make(random);
-    const raster::ItemBuffer found = tests::drawOn({{}, draw, true}, drawn.list, drawn.face);
+  for (std::uint32_t seed = 0; seed < 200; ++seed) {
+    const reference::TestVector vector = reference::randomVector(seed, "guard-band");
+    const raster::Face& face = vector.faces[0].face;
+    const raster::ItemBuffer found = tests::drawOn({{}, seed, true}, vector.list, face);
     DeviceProfile forbidding;
     forbidding.looseClipping = false;
-    auto allowed = countsOf(drawn.list, drawn.face, found);
-    const auto forbidden = countsOf(drawn.list, drawn.face, found, forbidding);
+    auto allowed = countsOf(vector.list, face, found);
+    const auto forbidden = countsOf(vector.list, face, found, forbidding);
     CHECK(count(forbidden, PixelVerdict::LooseClipping) == 0);
     loose += count(allowed, PixelVerdict::LooseClipping);
     std::swap(allowed[static_cast<std::size_t>(PixelVerdict::LooseClipping)],

@@ -1,13 +1,16 @@
-// The triangle families contain the cases that they are named for, in sufficient numbers.
-#include "tests/support/triangle_families.h"
+// The random families contain the cases that they are named for, in sufficient numbers.
+#include "reference/vectors/random_families.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
+#include <set>
+#include <string>
 
 #include "raster/setup/exact_interpolation.h"
 #include "raster/setup/triangle_setup.h"
 #include "raster/setup/vertex_stage.h"
+#include "reference/vectors/random_vectors.h"
 
 using namespace hemitex;
 using raster::ScreenTriangle;
@@ -64,10 +67,10 @@ bool isOnBorder(const ScreenTriangle& triangle, const std::array<double, 3>& coo
          size;
 }
 
-void countSamples(const std::vector<ScreenTriangle>& triangles, const tests::DrawnCase& drawn, Counts& counts) {
-  const raster::IndexMap& map = drawn.list.indexMaps[0];
-  for (int row = 0; row < drawn.face.resolution; ++row)
-    for (int column = 0; column < drawn.face.resolution; ++column) {
+void countSamples(const std::vector<ScreenTriangle>& triangles, const raster::IndexMap& map, int resolution,
+                  Counts& counts) {
+  for (int row = 0; row < resolution; ++row)
+    for (int column = 0; column < resolution; ++column) {
       const ScreenTriangle* last = nullptr;
       for (const ScreenTriangle& triangle : triangles) {
         int edges = 0;
@@ -85,56 +88,93 @@ void countSamples(const std::vector<ScreenTriangle>& triangles, const tests::Dra
     }
 }
 
-void count(const tests::DrawnCase& drawn, Counts& counts) {
+/// For families of one face and one triangle per draw.
+void count(const raster::DrawList& list, const raster::Face& face, Counts& counts) {
   std::vector<ScreenTriangle> triangles;
-  for (std::uint32_t d = 0; d < drawn.list.draws.size(); ++d) {
-    const std::uint32_t t = drawn.list.draws[d].first / 3;
+  for (std::uint32_t d = 0; d < list.draws.size(); ++d) {
+    const std::uint32_t t = list.draws[d].first / 3;
     const raster::TriangleRun run{d, t, t + 1};
-    raster::appendScreenTriangles(drawn.list, drawn.face, {&run, 1}, {}, triangles);
+    raster::appendScreenTriangles(list, face, {&run, 1}, {}, triangles);
     std::array<ViewVertex, 3> corners;
     std::array<glm::dvec3, 3> positions;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t index = drawn.list.indices[3 * t + k];
-      positions[k] = drawn.list.positions[index];
-      corners[k] = raster::transform(drawn.face, drawn.list.positions[index], drawn.list.texcoords[index]);
+      const std::uint32_t index = list.indices[3 * t + k];
+      positions[k] = list.positions[index];
+      corners[k] = raster::transform(face, list.positions[index], list.texcoords[index]);
     }
-    countCorners(corners, drawn.face, counts);
+    countCorners(corners, face, counts);
     counts["slimmer than 2e-7"] += slimness(positions) < 2e-7;
     counts["a million from zero"] += glm::length(positions[0]) > 1e6;
   }
-  countSamples(triangles, drawn, counts);
+  countSamples(triangles, list.indexMaps[0], face.resolution, counts);
 }
 
 }  // namespace
 
-TEST_CASE("triangleFamilies contain the cases that they are named for", "[rational]") {
+TEST_CASE("randomFamilies contain the cases that they are named for", "[rational]") {
   struct Meeting {
     std::string family, what;
-    int least;
+    int min;
   };
   const std::vector<Meeting> meetings{
       {"generic", "samples in triangles", 10000},
-      {"sliver", "slimmer than 2e-7", 100},
-      {"corners and edges on samples", "samples on edges", 100},
-      {"corners and edges on samples", "samples on corners", 100},
-      {"corners and edges on samples", "coordinates on half sub-pixels", 100},
-      {"texel borders on samples", "samples on texel borders", 1000},
-      {"near plane", "cut by the near plane", 100},
-      {"near plane", "corners on the near plane", 10},
-      {"guard band", "cut by the guard band", 100},
-      {"guard band", "corners on the guard band", 10},
-      {"depth ratios of a million", "depth ratios of a million", 100},
-      {"coplanar overlaps", "samples at equal depths", 1000},
-      {"a million units from zero", "a million from zero", 100},
+      {"slivers", "slimmer than 2e-7", 100},
+      {"sample-ties", "samples on edges", 100},
+      {"sample-ties", "samples on corners", 100},
+      {"sample-ties", "coordinates on half sub-pixels", 100},
+      {"texel-borders", "samples on texel borders", 1000},
+      {"near-plane", "cut by the near plane", 100},
+      {"near-plane", "corners on the near plane", 10},
+      {"guard-band", "cut by the guard band", 100},
+      {"guard-band", "corners on the guard band", 10},
+      {"depth-ratios", "depth ratios of a million", 100},
+      {"depth-ties", "samples at equal depths", 1000},
+      {"far-from-zero", "a million from zero", 100},
   };
-  for (const tests::TriangleFamily& family : tests::triangleFamilies()) {
-    std::mt19937 random(2002);
+  for (const reference::RandomFamily& family : reference::randomFamilies()) {
     Counts counts;
-    for (int triangles = 0; triangles < 2240; triangles += family.trianglesPerCase) count(family.make(random), counts);
+    for (std::uint64_t seed = 0; seed < 560; ++seed) {
+      const reference::TestVector vector = reference::randomVector(seed, family.name);
+      count(vector.list, vector.faces[0].face, counts);
+    }
     std::string all;
     for (const auto& [what, number] : counts) all += what + ": " + std::to_string(number) + "\n";
     INFO(family.name << "\n" << all);
     for (const Meeting& meeting : meetings)
-      if (meeting.family == family.name) CHECK(counts[meeting.what] >= meeting.least);
+      if (meeting.family == family.name) CHECK(counts[meeting.what] >= meeting.min);
+  }
+}
+
+TEST_CASE("randomFamilies have unique names, at most ten triangles per drawing, and small faces", "[random]") {
+  std::set<std::string> names;
+  for (const reference::RandomFamily& family : reference::randomFamilies()) {
+    INFO(family.name);
+    CHECK(names.insert(family.name).second);
+    CHECK_FALSE(std::string(family.catches).empty());
+    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+      reference::Random random(seed);
+      const reference::Drawing drawing = family.make(random);
+      validate(drawing.list);
+      CHECK(drawing.list.indices.size() <= 30);
+      CHECK(drawing.faces.size() <= 3);
+      for (const raster::Face& face : drawing.faces) {
+        validate(face);
+        CHECK(face.resolution == 16);
+      }
+    }
+  }
+}
+
+TEST_CASE("Random gives the pinned numbers within their intervals", "[random]") {
+  reference::Random random(5489);
+  // The standard defines the 10,000th number of this seed: 9981545732273789042.
+  for (int k = 1; k < 10000; ++k) random.bits();
+  CHECK(random.bits() == 9981545732273789042u >> 32);
+  for (int k = 0; k < 10000; ++k) {
+    const float x = random.uniform(-1, 3);
+    CHECK((x >= -1 && x < 3));
+    const int n = random.between(-2, 5);
+    CHECK((n >= -2 && n <= 5));
+    CHECK(random.below(7) < 7);
   }
 }
