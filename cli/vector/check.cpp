@@ -19,7 +19,11 @@ void check(const CheckOptions& options, Context& context) {
   if (!std::filesystem::is_directory(options.candidate))
     throw raster::InputError(options.candidate.string(), 0, "is not a folder",
                              "name the folder with the device's item IDs");
-  writeResults(options.judging, suite, judgeCandidate(options.judging, suite, options.candidate), context);
+  const reference::DeviceProfile profile = profileOf(options.judging);
+  std::vector<reference::Report> reports;
+  for (const SuiteVector& vector : suite.vectors)
+    reports.push_back(judgeAnswer(options.judging, profile, vector, answerFolder(suite, vector, options.candidate)));
+  writeResults(options.judging, suite, reports, context);
 }
 
 }  // namespace

@@ -44,19 +44,6 @@ reference::Expectations expectationsOf(const fs::path& file, const fs::path& fol
   return reference::readExpectations(file, names);
 }
 
-Report judgeOne(const JudgingOptions& options, const reference::DeviceProfile& profile, const SuiteVector& vector,
-                const fs::path& folder) {
-  Report report{{vector.name, {}}, {}, {}};
-  report.isMissing = !fs::is_directory(folder);
-  if (!report.isMissing && !isUnsupported(vector)) {
-    const std::vector<raster::ItemBuffer> found = reference::readCandidate(folder, vector.vector);
-    const auto judge = options.isExact ? reference::reportExactly : reference::reportOn;
-    report = judge(vector.vector, found, profile);
-  }
-  report.expected = vector.expected;
-  return report;
-}
-
 /// Counts by verdict, with `size` rows.
 Table tableOf(const std::string& what, std::size_t size, const std::function<std::string(std::size_t)>& nameAt,
               const std::function<reference::VerdictCounts(std::size_t)>& countsAt) {
@@ -70,6 +57,13 @@ Table tableOf(const std::string& what, std::size_t size, const std::function<std
   return {columns, size, row};
 }
 
+/// The reason, and below it what the program said.
+std::string toText(const reference::DeviceFailure& device) {
+  std::string text = nameOf(reference::deviceFaultNames, device.fault) + ", " + device.message + '\n';
+  for (const std::string& line : device.process.lastLines) text += "  | " + line + '\n';
+  return text;
+}
+
 /// A line on a vector that was not judged or for which something is expected; empty for any other.
 std::string remarkOn(const Report& report) {
   const std::string& name = report.verdict.vector;
@@ -79,6 +73,8 @@ std::string remarkOn(const Report& report) {
       return "not judged: " + name + expected + '\n';
     case reference::Outcome::Missing:
       return "missing: " + name + " was not drawn" + expected + '\n';
+    case reference::Outcome::DeviceFailed:
+      return "device failed: " + name + expected + ": " + toText(*report.device);
     case reference::Outcome::Errors:
       return report.expected ? "known errors: " + name + expected + '\n' : "";
     case reference::Outcome::Pass:
@@ -158,8 +154,7 @@ void writeFiles(const JudgingOptions& options, const Suite& suite, const std::ve
   if (!options.picture.empty())
     radiosity::writePng(options.picture, toPicture(verdict, raster::backgroundId(vector.list.format)));
   if (options.minimal.empty() || !hasErrors(verdict)) return;
-  const auto profile = options.profile.empty() ? reference::DeviceProfile{} : reference::readProfile(options.profile);
-  writeMinimal(options.minimal, minimize(vector, verdict, profile));
+  writeMinimal(options.minimal, minimize(vector, verdict, profileOf(options)));
 }
 
 }  // namespace
@@ -186,7 +181,7 @@ Suite readSuite(const JudgingOptions& options) {
   const std::vector<fs::path> folders = vectorFolders(options.suite);
   suite.isSingle = folders == std::vector{options.suite};
   for (const fs::path& folder : folders)
-    suite.vectors.push_back({normalized(folder).filename(), reference::readVector(folder), {}});
+    suite.vectors.push_back({normalized(folder), normalized(folder).filename(), reference::readVector(folder), {}});
   const fs::path folder = normalized(options.suite);
   const auto expectations = expectationsOf(options.expectations, suite.isSingle ? folder.parent_path() : folder);
   for (SuiteVector& vector : suite.vectors)
@@ -202,12 +197,21 @@ bool isUnsupported(const SuiteVector& vector) {
   return vector.expected && vector.expected->expectation == reference::Expectation::Unsupported;
 }
 
-std::vector<Report> judgeCandidate(const JudgingOptions& options, const Suite& suite, const fs::path& candidate) {
-  const auto profile = options.profile.empty() ? reference::DeviceProfile{} : reference::readProfile(options.profile);
-  std::vector<Report> reports;
-  for (const SuiteVector& vector : suite.vectors)
-    reports.push_back(judgeOne(options, profile, vector, answerFolder(suite, vector, candidate)));
-  return reports;
+reference::DeviceProfile profileOf(const JudgingOptions& options) {
+  return options.profile.empty() ? reference::DeviceProfile{} : reference::readProfile(options.profile);
+}
+
+Report judgeAnswer(const JudgingOptions& options, const reference::DeviceProfile& profile, const SuiteVector& vector,
+                   const fs::path& folder) {
+  Report report{{vector.name, {}}, {}, {}};
+  report.isMissing = !fs::is_directory(folder);
+  if (!report.isMissing && !isUnsupported(vector)) {
+    const std::vector<raster::ItemBuffer> found = reference::readCandidate(folder, vector.vector);
+    const auto judge = options.isExact ? reference::reportExactly : reference::reportOn;
+    report = judge(vector.vector, found, profile);
+  }
+  report.expected = vector.expected;
+  return report;
 }
 
 void writeResults(const JudgingOptions& options, const Suite& suite, const std::vector<Report>& reports,

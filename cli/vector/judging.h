@@ -19,7 +19,8 @@ struct JudgingOptions {
 void addJudgingOptions(Command command, JudgingOptions& options);
 
 struct SuiteVector {
-  std::string name;  ///< of its folder
+  std::filesystem::path folder;  ///< absolute
+  std::string name;              ///< of the folder
   reference::TestVector vector;
   std::optional<reference::ExpectedResult> expected;
 };
@@ -39,10 +40,13 @@ std::filesystem::path answerFolder(const Suite& suite, const SuiteVector& vector
 
 bool isUnsupported(const SuiteVector& vector);
 
-/// The reports on all vectors of `candidate`, in the order of the suite. A vector without a folder is missing. Throws
-/// InputError for an item ID file that is missing or has the wrong size.
-std::vector<reference::Report> judgeCandidate(const JudgingOptions& options, const Suite& suite,
-                                              const std::filesystem::path& candidate);
+/// The default profile without an option.
+reference::DeviceProfile profileOf(const JudgingOptions& options);
+
+/// The report on a device's item IDs in `folder`. Without the folder the vector is missing; an unsupported vector is
+/// not judged. Throws InputError for an item ID file that is missing or has the wrong size.
+reference::Report judgeAnswer(const JudgingOptions& options, const reference::DeviceProfile& profile,
+                              const SuiteVector& vector, const std::filesystem::path& folder);
 
 /// Writes the requested files, prints the results, and sets `context.failed` if a result is not as expected.
 void writeResults(const JudgingOptions& options, const Suite& suite, const std::vector<reference::Report>& reports,

@@ -151,6 +151,7 @@ void addVector(Command program, Context& context) {
   addRenderVector(command, context);
   addVectorSuite(command, context);
   addVectorCheck(command, context);
+  addVectorRun(command, context);
   addVectorExplain(command, context);
   addVectorCalibrate(command, context);
 }

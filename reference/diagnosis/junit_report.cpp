@@ -27,10 +27,19 @@ TestCase caseOf(const Report& report, const FaceVerdict& face) {
   return result;
 }
 
+TestCase caseOf(const Report& report, const DeviceFailure& device) {
+  const std::string message = nameOf(deviceFaultNames, device.fault) + ": " + device.message;
+  if (report.expected) return {"all faces", "skipped", message + ", " + toText(*report.expected)};
+  TestCase result{"all faces", "failure", message};
+  for (const std::string& line : device.process.lastLines) result.text += line + '\n';
+  return result;
+}
+
 std::vector<TestCase> casesOf(const Report& report, bool isStrict) {
   const Outcome outcome = outcomeOf(report);
   if (outcome == Outcome::NotJudged) return {{"all faces", "skipped", toText(*report.expected)}};
   if (outcome == Outcome::Missing) return {{"all faces", "failure", "missing: the vector was not drawn"}};
+  if (report.device) return {caseOf(report, *report.device)};
   std::vector<TestCase> cases;
   for (const FaceVerdict& face : report.verdict.faces) cases.push_back(caseOf(report, face));
   if (isStrict && agreementOf(report) == Agreement::UnexpectedPass)

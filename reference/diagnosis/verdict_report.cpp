@@ -49,6 +49,20 @@ Json toJson(const std::optional<ExpectedResult>& expected) {
   return {{"result", nameOf(expectationNames, expected->expectation)}, {"reason", expected->reason}};
 }
 
+Json toJson(const DeviceFailure& device) {
+  const ProcessResult& process = device.process;
+  Json json{{"failure", nameOf(deviceFaultNames, device.fault)},
+            {"message", device.message},
+            {"exit_code", nullptr},
+            {"signal", nullptr},
+            {"stderr", process.lastLines}};
+  if (process.signal != 0)
+    json["signal"] = process.signal;
+  else
+    json["exit_code"] = process.exitCode;
+  return json;
+}
+
 Json jsonOf(const Report& report) {
   const Verdict& verdict = report.verdict;
   const Outcome outcome = outcomeOf(report);
@@ -67,6 +81,7 @@ Json jsonOf(const Report& report) {
     json["reference"] = {{"pixels", check->pixels}, {"differing", check->differing}};
   json["outcome"] = nameOf(outcomeNames, outcome);
   json["expected"] = toJson(report.expected);
+  if (report.device) json["device"] = toJson(*report.device);
   return json;
 }
 
@@ -122,6 +137,7 @@ Report reportExactly(const TestVector& vector, std::span<const raster::ItemBuffe
 Outcome outcomeOf(const Report& report) {
   if (report.expected && report.expected->expectation == Expectation::Unsupported) return Outcome::NotJudged;
   if (report.isMissing) return Outcome::Missing;
+  if (report.device) return Outcome::DeviceFailed;
   return hasErrors(report.verdict) ? Outcome::Errors : Outcome::Pass;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reference/diagnosis/diagnosis.h"
+#include "reference/verdict/device_process.h"
 #include "reference/verdict/error_pixel.h"
 #include "reference/verdict/expectations.h"
 
@@ -28,6 +29,7 @@ struct Report {
   std::optional<ReferenceCheck> reference = {};  ///< only in an exact report
   std::optional<ExpectedResult> expected = {};   ///< none: the vector is expected to pass
   bool isMissing = false;                        ///< the device did not draw the vector; no faces
+  std::optional<DeviceFailure> device = {};      ///< of the program that should have drawn the vector; no faces
 };
 
 Outcome outcomeOf(const Report& report);
@@ -73,8 +75,10 @@ std::string toText(const CommonFault& common);
 /// - `diagnosis`: `fault`, `variant`, `agreement`, `advice`; empty without a known fault, several indistinguishable
 /// ones,
 /// - `reference`: `pixels` and `differing`; only of an exact report,
-/// - `outcome`: `pass`, `errors`, `missing` or `not judged`, and `expected` with `result` and `reason`, null without an
-///   expectation.
+/// - `outcome`: `pass`, `errors`, `missing`, `device failed` or `not judged`, and `expected` with `result` and
+///   `reason`, null without an expectation,
+/// - `device`: `failure`, `message`, `exit_code`, `signal` (null where there is none), `stderr` (its last lines); only
+///   if the program of the device failed.
 std::string toJson(const Report& report);
 
 /// A JSON object for several vectors: `pass` (no result is an isFailure), `pixels` of all, `vectors` (an object as

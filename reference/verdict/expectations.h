@@ -15,7 +15,7 @@
 namespace hemitex::reference {
 
 enum class Expectation : std::uint8_t {
-  Fail,         ///< the vector has errors; without errors it is an unexpected pass
+  Fail,         ///< the vector has errors, or the device fails; without errors it is an unexpected pass
   Unsupported,  ///< the device cannot draw the vector; it is not judged and may be missing
   Flaky,        ///< the vector passes or has errors
 };
@@ -40,22 +40,25 @@ Expectations readExpectations(const std::filesystem::path& file, std::span<const
 
 /// What happened to a vector.
 enum class Outcome : std::uint8_t {
-  Pass,       ///< no errors
-  Errors,     ///< error pixels
-  Missing,    ///< no item buffers of the device
-  NotJudged,  ///< unsupported
+  Pass,          ///< no errors
+  Errors,        ///< error pixels
+  Missing,       ///< no item buffers of the device
+  DeviceFailed,  ///< the program of the device crashed, hung or wrote no item buffers
+  NotJudged,     ///< unsupported
 };
 
 /// In the order of the enum.
-constexpr std::array<Named<Outcome>, 4> outcomeNames{{{Outcome::Pass, "pass"},
+constexpr std::array<Named<Outcome>, 5> outcomeNames{{{Outcome::Pass, "pass"},
                                                       {Outcome::Errors, "errors"},
                                                       {Outcome::Missing, "missing"},
+                                                      {Outcome::DeviceFailed, "device failed"},
                                                       {Outcome::NotJudged, "not judged"}}};
 
 /// An outcome compared with its expectation.
 enum class Agreement : std::uint8_t { AsExpected, UnexpectedFailure, UnexpectedPass };
 
-/// A missing vector is a failure with any expectation except `unsupported`: nothing is known of the device.
+/// `fail` and `flaky` also cover a program that failed. A missing vector is a failure with any expectation except
+/// `unsupported`: nothing is known of the device.
 Agreement compare(Outcome outcome, const std::optional<ExpectedResult>& expected);
 
 /// "expected to fail: the driver rounds down", "unsupported: ..." or "flaky: ...".

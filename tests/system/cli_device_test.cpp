@@ -1,4 +1,5 @@
-/// hemitex as the author of a device uses it on a build server: expected results. Each test runs the built program.
+/// hemitex as the author of a device uses it on a build server: expected results, and programs that
+/// crash, hang or write wrong files. Each test runs the built program.
 #include <sys/wait.h>
 
 #include <catch2/catch.hpp>
@@ -118,4 +119,73 @@ TEST_CASE("hemitex vector check judges the vectors beside a missing one", "[cli]
   CHECK(unknown.exitCode == 2);
   CHECK(unknown.err.find("known.txt:2: the suite has no vector \"four-faces\"") != std::string::npos);
   CHECK(shop.run("check suite --candidate nowhere").exitCode == 2);
+}
+
+TEST_CASE("hemitex vector run starts a program per vector and judges its item IDs", "[cli]") {
+  const Workshop shop;
+  shop.write("copy.sh", "exec cp right/$(basename \"$1\")/* \"$2\"\n");
+  const std::string device = "run suite --device '/bin/sh \"copy.sh\" {vector} {output}'";
+  const Outcome right = shop.run(device + " -o mine --jobs 3");
+  INFO(right.err);
+  CHECK(right.exitCode == 0);
+  const Outcome check = shop.run("check suite --candidate mine");
+  CHECK(check.exitCode == 0);
+  CHECK(right.out == check.out);
+  CHECK(shop.run(device + " -o mine --json --jobs 1").out == shop.run("check suite --candidate mine --json").out);
+  CHECK(shop.run("run suite/five-faces --device 'sh copy.sh {vector} {output}' -o one").exitCode == 0);
+  CHECK(shop.run("check suite/five-faces --candidate one").exitCode == 0);
+
+  breakVector(shop.file("right/five-faces"));
+  CHECK(shop.run(device + " -o mine").exitCode == 1);
+  shop.write("known.txt", "five-faces fail bug 12\n");
+  CHECK(shop.run(device + " -o mine --expectations known.txt").exitCode == 0);
+  CHECK(shop.run(device + " -o suite").exitCode == 2);
+  CHECK(shop.run("run suite/five-faces --device true -o suite/five-faces/").exitCode == 2);
+  CHECK(shop.run("check suite --candidate suite").exitCode == 0);
+  CHECK(shop.run("run suite --device ./no-such-program -o mine").exitCode == 2);
+  CHECK(shop.run("run suite --device \"'open\" -o mine").exitCode == 2);
+  CHECK(shop.run(device + " -o mine --time-limit 0").exitCode == 2);
+}
+
+TEST_CASE("hemitex vector run makes a failing program the verdict of its vector", "[cli]") {
+  const Workshop shop;
+  shop.write("device.sh",
+             "echo drawing $1 >&2\n"
+             "case $1 in\n"
+             "  */five-faces) kill -SEGV $$ ;;\n"
+             "  */same-triangle) sleep 60 ;;\n"
+             "  */layout-r8g8b8a8) exit 3 ;;\n"
+             "esac\n");
+  const std::string device = "run suite --device 'sh device.sh {vector} {output}' -o mine --time-limit 0.5";
+  const Outcome failed = shop.run(device + " --json --junit report.xml");
+  CHECK(failed.exitCode == 1);
+  const json vectors = json::parse(failed.out)["vectors"];
+  REQUIRE(vectors.size() == 3);
+  CHECK(vectors[0]["device"]["failure"] == "crash");
+  CHECK(vectors[0]["device"]["signal"] == 11);
+  CHECK(vectors[0]["outcome"] == "device failed");
+  CHECK(vectors[1]["device"]["exit_code"] == 3);
+  CHECK(vectors[1]["device"]["stderr"][0].get<std::string>().find("/layout-r8g8b8a8") != std::string::npos);
+  CHECK(vectors[2]["device"]["failure"] == "time limit");
+  CHECK(readFile(shop.file("report.xml")).find("<failure message=\"exit code: ended with exit code 3\">drawing /") !=
+        std::string::npos);
+  CHECK(shop.run(device).says("\ndevice failed: layout-r8g8b8a8: exit code, ended with exit code 3\n  | drawing /"));
+
+  shop.write("known.txt", "five-faces fail crash\nsame-triangle unsupported hang\nlayout-r8g8b8a8 flaky exit\n");
+  CHECK(shop.run(device + " --expectations known.txt --strict").exitCode == 0);
+}
+
+TEST_CASE("hemitex vector run reports item ID files that are missing or have the wrong size", "[cli]") {
+  const Workshop shop;
+  shop.write("device.sh", "cp right/five-faces/* $2; case $1 in */five-faces) for f in $2/*; do echo >$f; done; esac");
+  const json report = json::parse(shop.run("run suite --device 'sh device.sh {vector} {output}' -o mine --json").out);
+  CHECK(report["pass"] == false);
+  CHECK(report["vectors"][0]["device"]["failure"] == "wrong size");
+  CHECK(report["vectors"][0]["pixels"]["error"] == 0);
+  const std::string one = "run suite/five-faces --device 'sh device.sh x {output}' -o one";
+  CHECK(shop.run(one).exitCode == 0);
+  // The item IDs of an earlier run do not stay.
+  const json missing = json::parse(shop.run("run suite/five-faces --device true -o one --json").out);
+  CHECK(missing["device"]["failure"] == "missing file");
+  CHECK(shop.run("check suite/five-faces --candidate one").exitCode == 2);
 }

@@ -63,6 +63,8 @@ TEST_CASE("compare tells unexpected failures and unexpected passes from expected
   CHECK(compare(Outcome::Pass, flaky) == Agreement::AsExpected);
   CHECK(compare(Outcome::Errors, flaky) == Agreement::AsExpected);
   CHECK(compare(Outcome::NotJudged, ExpectedResult{"near", Expectation::Unsupported, "x"}) == Agreement::AsExpected);
+  CHECK(compare(Outcome::DeviceFailed, {}) == Agreement::UnexpectedFailure);
+  CHECK(compare(Outcome::DeviceFailed, fail) == Agreement::AsExpected);
   CHECK(compare(Outcome::Missing, {}) == Agreement::UnexpectedFailure);
   CHECK(compare(Outcome::Missing, fail) == Agreement::UnexpectedFailure);
   CHECK(compare(Outcome::Missing, flaky) == Agreement::UnexpectedFailure);
