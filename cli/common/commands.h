@@ -16,6 +16,7 @@ void addVector(Command program, Context& context);
 /// Subcommands of `vector`.
 void addVectorSuite(Command vector, Context& context);
 void addVectorCheck(Command vector, Context& context);
+void addVectorRun(Command vector, Context& context);
 void addVectorExplain(Command vector, Context& context);
 void addVectorCalibrate(Command vector, Context& context);
 void addVectorRandom(Command vector, Context& context);

@@ -153,6 +153,7 @@ void addVector(Command program, Context& context) {
   addVectorSuite(command, context);
   addVectorRandom(command, context);
   addVectorCheck(command, context);
+  addVectorRun(command, context);
   addVectorExplain(command, context);
   addVectorCalibrate(command, context);
 }

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "raster/base/parallel.h"
-#include "reference/diagnosis/xml_text.h"
 #include "reference/trace/rational_rasterizer.h"
 #include "reference/vectors/vector_suite.h"
 
@@ -45,9 +44,29 @@ Json toJson(const Finding& finding) {
           {"advice", finding.advice}};
 }
 
+Json toJson(const std::optional<ExpectedResult>& expected) {
+  if (!expected) return nullptr;
+  return {{"result", nameOf(expectationNames, expected->expectation)}, {"reason", expected->reason}};
+}
+
+Json toJson(const DeviceFailure& device) {
+  const ProcessResult& process = device.process;
+  Json json{{"failure", nameOf(deviceFaultNames, device.fault)},
+            {"message", device.message},
+            {"exit_code", nullptr},
+            {"signal", nullptr},
+            {"stderr", process.lastLines}};
+  if (process.signal != 0)
+    json["signal"] = process.signal;
+  else
+    json["exit_code"] = process.exitCode;
+  return json;
+}
+
 Json jsonOf(const Report& report) {
   const Verdict& verdict = report.verdict;
-  Json json{{"vector", verdict.vector}, {"pass", !hasErrors(verdict)}, {"pixels", toJson(countVerdicts(verdict))}};
+  const Outcome outcome = outcomeOf(report);
+  Json json{{"vector", verdict.vector}, {"pass", outcome == Outcome::Pass}, {"pixels", toJson(countVerdicts(verdict))}};
   json["faces"] = Json::array();
   for (const FaceVerdict& face : verdict.faces) {
     Json entry{{"name", face.name}, {"width", face.scissor.width}, {"height", face.scissor.height}};
@@ -60,33 +79,13 @@ Json jsonOf(const Report& report) {
   for (const Finding& finding : report.findings) json["diagnosis"].push_back(toJson(finding));
   if (const auto& check = report.reference)
     json["reference"] = {{"pixels", check->pixels}, {"differing", check->differing}};
+  json["outcome"] = nameOf(outcomeNames, outcome);
+  json["expected"] = toJson(report.expected);
+  if (report.device) json["device"] = toJson(*report.device);
   return json;
 }
 
 std::string textOf(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
-
-/// The test suite of one vector.
-std::string testSuite(const Report& report) {
-  const Verdict& verdict = report.verdict;
-  const std::string diagnosis = report.findings.empty() ? "" : xmlText("diagnosis: " + toText(report.findings)) + '\n';
-  std::string cases;
-  int failures = 0;
-  for (const FaceVerdict& face : verdict.faces) {
-    const std::uint64_t wrong = countVerdicts(face)[static_cast<std::size_t>(PixelVerdict::Error)];
-    cases += "    <testcase classname=\"" + xmlText(verdict.vector) + "\" name=\"" + xmlText(face.name) + "\"";
-    if (wrong == 0) {
-      cases += "/>\n";
-      continue;
-    }
-    ++failures;
-    cases += ">\n      <failure message=\"" + std::to_string(wrong) + " pixels are errors\">" + diagnosis;
-    for (const ErrorPixel& error : report.errors)
-      if (error.face == face.name) cases += xmlText(toText(error)) + '\n';
-    cases += "</failure>\n    </testcase>\n";
-  }
-  return "  <testsuite name=\"" + xmlText(verdict.vector) + "\" tests=\"" + std::to_string(verdict.faces.size()) +
-         "\" failures=\"" + std::to_string(failures) + "\">\n" + cases + "  </testsuite>\n";
-}
 
 /// The item buffers of all faces by the independent evaluator. It evaluates each row by itself, on all threads.
 std::vector<raster::ItemBuffer> evaluateRows(const TestVector& vector) {
@@ -133,6 +132,20 @@ Report reportExactly(const TestVector& vector, std::span<const raster::ItemBuffe
   Report report = reportOn(vector, judge(vector, expected, found, profile));
   report.reference = compareReference(vector, expected);
   return report;
+}
+
+Outcome outcomeOf(const Report& report) {
+  if (report.expected && report.expected->expectation == Expectation::Unsupported) return Outcome::NotJudged;
+  if (report.isMissing) return Outcome::Missing;
+  if (report.device) return Outcome::DeviceFailed;
+  return hasErrors(report.verdict) ? Outcome::Errors : Outcome::Pass;
+}
+
+Agreement agreementOf(const Report& report) { return compare(outcomeOf(report), report.expected); }
+
+bool isFailure(const Report& report, bool isStrict) {
+  const Agreement agreement = agreementOf(report);
+  return agreement == Agreement::UnexpectedFailure || (isStrict && agreement == Agreement::UnexpectedPass);
 }
 
 ReferenceCheck checkReference(std::span<const Report> reports) {
@@ -187,7 +200,7 @@ std::string toText(const CommonFault& common) {
 
 std::string toJson(const Report& report) { return textOf(jsonOf(report)); }
 
-std::string toJson(std::span<const Report> reports) {
+std::string toJson(std::span<const Report> reports, bool isStrict) {
   Json vectors = Json::array();
   for (const Report& report : reports) vectors.push_back(jsonOf(report));
   const VerdictCounts sums = countVerdicts(reports);
@@ -196,14 +209,9 @@ std::string toJson(std::span<const Report> reports) {
     diagnosis = toJson(common->finding);
     diagnosis.update({{"vectors", common->vectors}, {"failures", common->failures}});
   }
-  const bool pass = sums[static_cast<std::size_t>(PixelVerdict::Error)] == 0;
+  const bool pass =
+      std::none_of(reports.begin(), reports.end(), [=](const Report& report) { return isFailure(report, isStrict); });
   return textOf({{"pass", pass}, {"pixels", toJson(sums)}, {"vectors", vectors}, {"diagnosis", diagnosis}});
-}
-
-std::string toJUnit(std::span<const Report> reports) {
-  std::string suites;
-  for (const Report& report : reports) suites += testSuite(report);
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n" + suites + "</testsuites>\n";
 }
 
 }  // namespace hemitex::reference

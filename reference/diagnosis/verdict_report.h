@@ -1,4 +1,4 @@
-/// Reports of verdicts: text, JSON, and JUnit XML for build servers.
+/// Reports of verdicts as text and JSON (JUnit XML: junit_report.h).
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "reference/diagnosis/diagnosis.h"
+#include "reference/verdict/device_process.h"
 #include "reference/verdict/error_pixel.h"
+#include "reference/verdict/expectations.h"
 
 namespace hemitex::reference {
 
@@ -25,7 +27,15 @@ struct Report {
   std::vector<ErrorPixel> errors;
   std::vector<Finding> findings;
   std::optional<ReferenceCheck> reference = {};  ///< only in an exact report
+  std::optional<ExpectedResult> expected = {};   ///< none: the vector is expected to pass
+  bool isMissing = false;                        ///< the device did not draw the vector; no faces
+  std::optional<DeviceFailure> device = {};      ///< of the program that should have drawn the vector; no faces
 };
+
+Outcome outcomeOf(const Report& report);
+Agreement agreementOf(const Report& report);
+/// Whether the result is not as expected. With `isStrict` an unexpected pass is a failure, too.
+bool isFailure(const Report& report, bool isStrict);
 
 /// The report on what a device drew: judge, firstErrors and diagnose.
 Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile);
@@ -64,14 +74,16 @@ std::string toText(const CommonFault& common);
 ///   (null where there is none),
 /// - `diagnosis`: `fault`, `variant`, `agreement`, `advice`; empty without a known fault, several indistinguishable
 /// ones,
-/// - `reference`: `pixels` and `differing`; only of an exact report.
+/// - `reference`: `pixels` and `differing`; only of an exact report,
+/// - `outcome`: `pass`, `errors`, `missing`, `device failed` or `not judged`, and `expected` with `result` and
+///   `reason`, null without an expectation,
+/// - `device`: `failure`, `message`, `exit_code`, `signal` (null where there is none), `stderr` (its last lines); only
+///   if the program of the device failed.
 std::string toJson(const Report& report);
 
-/// A JSON object for several vectors: `pass`, `pixels` of all, `vectors` (an object as above for each), and
-/// `diagnosis`: null, or `fault`, `variant`, `agreement`, `advice`, `vectors` and `failures` of the common fault.
-std::string toJson(std::span<const Report> reports);
-
-/// JUnit XML: each vector is a test suite, each face a test case. A face with errors fails and names the diagnosis.
-std::string toJUnit(std::span<const Report> reports);
+/// A JSON object for several vectors: `pass` (no result is an isFailure), `pixels` of all, `vectors` (an object as
+/// above for each), and `diagnosis`: null, or `fault`, `variant`, `agreement`, `advice`, `vectors` and `failures` of
+/// the common fault.
+std::string toJson(std::span<const Report> reports, bool isStrict = false);
 
 }  // namespace hemitex::reference

@@ -210,8 +210,9 @@ TEST_CASE("hemitex vector check judges a suite of vectors", "[cli]") {
 
   fs::remove_all(shell.file("device/far"));
   const Outcome missing = shell.run(check);
-  CHECK(missing.exitCode == 2);
-  CHECK(missing.err.find("has no folder for 1 of 2 vectors: far;") != std::string::npos);
+  CHECK(missing.exitCode == 1);
+  CHECK(missing.out.find("\nmissing: far was not drawn\n") != std::string::npos);
+  CHECK(shell.run("vector check suite --candidate nowhere").exitCode == 2);
   fs::create_directory(shell.file("empty"));
   CHECK(shell.run("vector check empty --candidate device").exitCode == 2);
 }

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "reference/diagnosis/junit_report.h"
 #include "tests/support/judged_wall.h"
 
 using namespace hemitex;
@@ -77,6 +78,42 @@ TEST_CASE("toJUnit makes each face a test case that fails where it has errors", 
   CHECK(xml.find("name=\"top\"/>") != std::string::npos);
   CHECK(xml.find("<failure message=\"1 pixels are errors\">pixel 5,4, foreign item ID: expected 266 (draw 0 ") !=
         std::string::npos);
+}
+
+TEST_CASE("toJUnit and toJson compare outcomes with their expectations", "[verdict]") {
+  using reference::Expectation;
+  JudgedWall right, wrong;
+  wrong.found[0].ids[0] = 0;
+  Report known{wrong.verdict(), {}, {}}, fixed{right.verdict(), {}, {}}, missing{{"gone", {}}, {}, {}};
+  known.expected = {"wall", Expectation::Fail, "bug 12"};
+  fixed.expected = known.expected;
+  missing.isMissing = true;
+  CHECK_FALSE(isFailure(known, true));
+  CHECK_FALSE(isFailure(fixed, false));
+  CHECK(isFailure(fixed, true));
+  CHECK(isFailure(missing, false));
+  const auto contains = [](const Report& report, bool isStrict, const std::string& text) {
+    return reference::toJUnit({&report, 1}, isStrict).find(text) != std::string::npos;
+  };
+  CHECK(contains(known, true, "failures=\"0\" skipped=\"1\">"));
+  CHECK(contains(known, true, "<skipped message=\"1 pixels are errors, expected to fail: bug 12\"></skipped>"));
+  CHECK(contains(fixed, false, "failures=\"0\">"));
+  CHECK(contains(fixed, true, "<failure message=\"unexpected pass, expected to fail: bug 12\">"));
+  CHECK(contains(missing, false, "<failure message=\"missing: the vector was not drawn\">"));
+
+  auto json = nlohmann::json::parse(reference::toJson(std::vector{known, missing}));
+  CHECK(json["pass"] == false);
+  CHECK(json["vectors"][0]["outcome"] == "errors");
+  CHECK(json["vectors"][0]["expected"] == nlohmann::json({{"result", "fail"}, {"reason", "bug 12"}}));
+  CHECK(json["vectors"][1]["outcome"] == "missing");
+  CHECK(json["vectors"][1]["pass"] == false);
+  CHECK(json["vectors"][1]["expected"].is_null());
+  missing.expected = {"gone", Expectation::Unsupported, "no carry"};
+  CHECK(contains(missing, true, "<skipped message=\"unsupported: no carry\">"));
+  json = nlohmann::json::parse(reference::toJson(std::vector{known, missing, fixed}));
+  CHECK(json["pass"] == true);
+  CHECK(json["vectors"][1]["outcome"] == "not judged");
+  CHECK(nlohmann::json::parse(reference::toJson(std::vector{fixed}, true))["pass"] == false);
 }
 
 TEST_CASE("commonFault names the fault that most of the failing vectors share", "[verdict]") {

@@ -53,8 +53,7 @@ TEST_CASE("minimize leaves one pixel and at most two triangles of a scene with o
   }
 }
 
-TEST_CASE("minimize leaves the missing triangle, or the extra one",
-          "[verdict]") {
+TEST_CASE("minimize leaves the missing triangle, or the extra one", "[verdict]") {
   tests::JudgedWall wall;
   raster::DrawList& list = wall.vector.list;
   tests::addDraw(list, 0x200);

@@ -1,0 +1,55 @@
+/// The common part of `vector check` and `vector run`: reads the suite and what is expected of the device, judges item
+/// buffers, and writes the results.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/common/options.h"
+#include "reference/diagnosis/verdict_report.h"
+
+namespace hemitex::cli {
+
+struct JudgingOptions {
+  std::filesystem::path suite, profile, expectations, junit, picture, minimal;
+  bool isExact = false, isStrict = false;
+};
+void addJudgingOptions(Command command, JudgingOptions& options);
+
+struct SuiteVector {
+  std::filesystem::path folder;  ///< absolute
+  std::string name;              ///< of the folder
+  reference::TestVector vector;
+  std::optional<reference::ExpectedResult> expected;
+};
+
+struct Suite {
+  std::vector<SuiteVector> vectors;  ///< in the order of their names
+  bool isSingle = false;             ///< the folder of one vector, not of several
+};
+
+/// Reads all vectors and expectations. The folder of one vector may share the expectations of the vectors beside it.
+/// Throws InputError for a folder without vectors and for wrong expectations.
+Suite readSuite(const JudgingOptions& options);
+
+/// The folder of a device's item IDs for a vector.
+std::filesystem::path answerFolder(const Suite& suite, const SuiteVector& vector,
+                                   const std::filesystem::path& candidate);
+
+bool isUnsupported(const SuiteVector& vector);
+
+/// The default profile without an option.
+reference::DeviceProfile profileOf(const JudgingOptions& options);
+
+/// The report on a device's item IDs in `folder`. Without the folder the vector is missing; an unsupported vector is
+/// not judged. Throws InputError for an item ID file that is missing or has the wrong size.
+reference::Report judgeAnswer(const JudgingOptions& options, const reference::DeviceProfile& profile,
+                              const SuiteVector& vector, const std::filesystem::path& folder);
+
+/// Writes the requested files, prints the results, and sets `context.failed` if a result is not as expected.
+void writeResults(const JudgingOptions& options, const Suite& suite, const std::vector<reference::Report>& reports,
+                  Context& context);
+
+}  // namespace hemitex::cli
