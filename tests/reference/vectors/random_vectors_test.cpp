@@ -17,6 +17,7 @@
 #include "reference/vectors/random_families.h"
 #include "reference/vectors/vector_suite.h"
 #include "reference/verdict/verdict.h"
+#include "tests/support/staged_drawing.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace hemitex;
@@ -102,7 +103,7 @@ Detections detectFaults(std::uint64_t count) {
         std::uint64_t& ofFault = detections.faults.try_emplace(fault.name, count + 1).first->second;
         std::uint64_t& ofVariant =
             detections.variants.try_emplace(fault.name + ", " + variant.name, count + 1).first->second;
-        if (ofVariant <= count || !hasErrors(judge(vector, drawOn(variant.device, vector), {}))) continue;
+        if (ofVariant <= count || !hasErrors(judge(vector, tests::drawAll(variant.device, vector), {}))) continue;
         ofVariant = k + 1;
         ofFault = std::min(ofFault, k + 1);
       }
@@ -202,7 +203,7 @@ TEST_CASE("randomPair gives different vectors with equal item buffers, most of w
 
 TEST_CASE("randomPair detects faults without expected item IDs", "[random]") {
   const auto equalWith = [](const reference::StagedDevice& device, reference::Relation relation) {
-    return equalPairs(relation, 100, [&](const TestVector& vector) { return drawOn(device, vector); });
+    return equalPairs(relation, 100, [&](const TestVector& vector) { return tests::drawAll(device, vector); });
   };
   reference::StagedDevice affine, withoutDepthTest;
   affine.weight = [](double) { return 1.0; };
