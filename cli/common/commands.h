@@ -19,6 +19,7 @@ void addVectorCheck(Command vector, Context& context);
 void addVectorRun(Command vector, Context& context);
 void addVectorExplain(Command vector, Context& context);
 void addVectorCalibrate(Command vector, Context& context);
+void addVectorVerify(Command vector, Context& context);
 void addVectorRandom(Command vector, Context& context);
 
 }  // namespace hemitex::cli

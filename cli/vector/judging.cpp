@@ -8,6 +8,7 @@
 #include "cli/common/table.h"
 #include "raster/base/file_io.h"
 #include "reference/diagnosis/junit_report.h"
+#include "reference/records/conformance_record.h"
 #include "reference/vectors/candidate.h"
 #include "reference/verdict/minimal_failure.h"
 #include "reference/verdict/verdict_picture.h"
@@ -129,6 +130,17 @@ void writeMinimal(const fs::path& folder, const reference::MinimalFailure& minim
   staging.commit();
 }
 
+reference::ConformanceRecord recordOf(const JudgingOptions& options, const Suite& suite,
+                                      const std::vector<Report>& reports) {
+  reference::ConformanceRecord record;
+  record.device = options.device;
+  record.driver = options.driver;
+  record.profile = profileOf(options);
+  for (std::size_t k = 0; k < reports.size(); ++k)
+    record.vectors.push_back(recordOf(reports[k], suite.vectors[k].folder));
+  return record;
+}
+
 /// The vector of the picture: the first with unexpected errors, else with errors, else with item buffers.
 std::optional<std::size_t> shownVector(const JudgingOptions& options, const std::vector<Report>& reports) {
   const auto hasFailed = [&](const Report& report) {
@@ -147,6 +159,7 @@ std::optional<std::size_t> shownVector(const JudgingOptions& options, const std:
 
 void writeFiles(const JudgingOptions& options, const Suite& suite, const std::vector<Report>& reports) {
   if (!options.junit.empty()) raster::writeFile(options.junit, toJUnit(reports, options.isStrict));
+  if (!options.record.empty()) raster::writeFile(options.record, toJson(recordOf(options, suite, reports)));
   const std::optional<std::size_t> shown = shownVector(options, reports);
   if (!shown) return;
   const reference::TestVector& vector = suite.vectors[*shown].vector;
@@ -179,6 +192,14 @@ void addJudgingOptions(Command command, JudgingOptions& options) {
       "--minimize", options.minimal,
       "write one failing pixel with as few triangles as possible into this folder, as a vector; for a suite, of the "
       "first failing vector");
+  const Option record = command.addPath("--record", options.record, "write a conformance record into this JSON file");
+  const auto text = [](std::string& target) { return [&target](const std::string& value) { target = value; }; };
+  const Option device = command.addText("--device-name", "NAME", "the device, for the record", text(options.device));
+  const Option driver =
+      command.addText("--driver", "NAME", "its driver and version, for the record", text(options.driver));
+  record.needs(device).needs(driver);
+  device.needs(record);
+  driver.needs(record);
 }
 
 Suite readSuite(const JudgingOptions& options) {

@@ -13,7 +13,8 @@
 namespace hemitex::cli {
 
 struct JudgingOptions {
-  std::filesystem::path suite, profile, expectations, junit, picture, minimal;
+  std::filesystem::path suite, profile, expectations, junit, picture, minimal, record;
+  std::string device, driver;  ///< names for the record
   bool isExact = false, isStrict = false;
 };
 void addJudgingOptions(Command command, JudgingOptions& options);

@@ -137,12 +137,17 @@ std::vector<reference::Report> judgeAll(const JudgingOptions& options, const Sui
   return reports;
 }
 
+fs::path canonicalPath(const fs::path& folder) {
+  const fs::path path = fs::weakly_canonical(folder);
+  return path.has_filename() ? path : path.parent_path();
+}
+
 /// The folders of the answers are replaced, so no vector may lie in them.
 void refuseToReplace(const Suite& suite, const fs::path& output) {
   for (const SuiteVector& answered : suite.vectors)
     for (const SuiteVector& vector : suite.vectors) {
-      const fs::path answer = fs::weakly_canonical(answerFolder(suite, answered, output) / "");
-      const fs::path relative = fs::weakly_canonical(vector.folder).lexically_relative(answer.parent_path());
+      const fs::path relative =
+          canonicalPath(vector.folder).lexically_relative(canonicalPath(answerFolder(suite, answered, output)));
       if (relative == "." || (!suite.isSingle && !relative.empty() && *relative.begin() != ".."))
         throw raster::InputError(output.string(), 0, "would replace the vector " + vector.folder.string(),
                                  "choose another folder");

@@ -156,6 +156,7 @@ void addVector(Command program, Context& context) {
   addVectorRun(command, context);
   addVectorExplain(command, context);
   addVectorCalibrate(command, context);
+  addVectorVerify(command, context);
 }
 
 }  // namespace hemitex::cli
