@@ -1,16 +1,14 @@
 /// `hemitex vector run` starts the program of a device for each vector and judges what it writes.
-#include <algorithm>
 #include <atomic>
 #include <csignal>
-#include <exception>
 #include <memory>
-#include <mutex>
 #include <thread>
 
 #include "cli/common/commands.h"
 #include "cli/common/staging.h"
 #include "cli/vector/judging.h"
 #include "raster/base/input_error.h"
+#include "raster/base/thread_group.h"
 #include "reference/verdict/device_process.h"
 
 namespace hemitex::cli {
@@ -55,27 +53,6 @@ class Interruption {
   Interruption& operator=(const Interruption&) = delete;
 };
 
-/// Calls body(0) to body(count - 1) on several threads. Throws the first exception, after all threads ended.
-void forEachJob(std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& body) {
-  std::atomic<std::size_t> next{0};
-  std::exception_ptr failure;
-  std::mutex mutex;
-  const auto work = [&] {
-    try {
-      for (std::size_t k = next++; k < count && !isInterrupted; k = next++) body(k);
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      if (!failure) failure = std::current_exception();
-      next = count;
-    }
-  };
-  {
-    std::vector<std::jthread> threads;
-    for (std::size_t k = 0; k < std::min(jobs, count); ++k) threads.emplace_back(work);
-  }
-  if (failure) std::rethrow_exception(failure);
-}
-
 /// What is wrong with the item ID files of a program that ended well.
 std::optional<DeviceFailure> checkFiles(const reference::TestVector& vector, const fs::path& folder,
                                         const reference::ProcessResult& process) {
@@ -109,9 +86,9 @@ std::vector<std::optional<DeviceFailure>> drawAll(const RunOptions& options, con
   const std::vector<std::string> command = reference::splitCommand(options.device);
   const auto jobs = options.jobs > 0 ? static_cast<unsigned>(options.jobs) : std::thread::hardware_concurrency();
   std::vector<std::optional<DeviceFailure>> failures(suite.vectors.size());
-  forEachJob(suite.vectors.size(), std::max(jobs, 1u), [&](std::size_t k) {
+  raster::forEachOnThreads(suite.vectors.size(), jobs, [&](std::size_t k) {
     const SuiteVector& vector = suite.vectors[k];
-    if (isUnsupported(vector)) return;
+    if (isInterrupted || isUnsupported(vector)) return;
     const fs::path output = answerFolder(suite, vector, folder);
     fs::create_directories(output);
     failures[k] = draw(options, command, vector, output);
