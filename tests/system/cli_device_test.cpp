@@ -212,3 +212,64 @@ TEST_CASE("hemitex vector verify computes the record of vector check again", "[c
         json({"the header differs from its hash", "same-triangle: is in the record, but not in the suite"}));
   CHECK(shop.run("verify known.txt --suite suite").exitCode == 2);
 }
+
+// The device shows 2 in place of every byte 1.
+TEST_CASE("hemitex vector run --minimize draws smaller vectors until nothing can go", "[cli]") {
+  const Workshop shop;
+  shop.write("device.sh", "'" HEMITEX_PROGRAM
+                          "' vector render \"$1\" -o \"$2\" >drawn.txt\n"
+                          "for f in \"$2\"/*.u32; do tr '\\001' '\\002' <\"$f\" >changed; mv changed \"$f\"; done\n");
+  const std::string run = "run suite --device 'sh device.sh {vector} {output}' -o mine --jobs 1 --minimize small";
+  CHECK(shop.run(run).exitCode == 1);
+  const reference::TestVector small = reference::readVector(shop.file("small"));
+  CHECK(small.list.indices.size() == 3);
+  CHECK(small.faces.size() == 1);
+  CHECK(small.faces[0].face.scissor.width * small.faces[0].face.scissor.height == 1);
+  CHECK(shop.run("check small --candidate small/candidate").exitCode == 1);
+  CHECK(shop.run("run small --device 'sh device.sh {vector} {output}' -o again").exitCode == 1);
+  CHECK(shop.run("check small --candidate again --junit report.xml").exitCode == 1);
+}
+
+TEST_CASE("hemitex vector run --minimize keeps what makes the program fail", "[cli]") {
+  const Workshop shop;
+  // The program crashes where a draw has an index map.
+  shop.write("device.sh",
+             "grep -q '\"index_map\": [0-9]' $1/vector.json && kill -SEGV $$; cp right/same-triangle/* $2\n");
+  const std::string run = "run suite --device 'sh device.sh {vector} {output}' -o mine --minimize small";
+  CHECK(shop.run(run).exitCode == 1);
+  const reference::TestVector small = reference::readVector(shop.file("small"));
+  CHECK(small.list.indices.size() == 3);
+  REQUIRE(small.list.indexMaps.size() == 1);
+  CHECK(small.list.indexMaps[0].ids.size() == 1);
+  CHECK_FALSE(std::filesystem::exists(shop.file("small/candidate")));
+}
+
+TEST_CASE("hemitex vector run --repeat finds item IDs that change from run to run", "[cli]") {
+  const Workshop shop;
+  // In the third run the first item ID is another one.
+  shop.write(
+      "device.sh",
+      "cp right/same-triangle/* $2; echo >>runs\n"
+      "if [ $(wc -l <runs) = 3 ]; then for f in $2/*; do printf ABCD | dd of=$f conv=notrunc status=none; done; fi\n");
+  const std::string run = "run suite/same-triangle --device 'sh device.sh {vector} {output}' -o mine ";
+  CHECK(shop.run(run + "--repeat 2").exitCode == 0);
+  shop.write("runs", "");
+  const Outcome found = shop.run(run + "--repeat 5 --junit report.xml");
+  CHECK(found.exitCode == 1);
+  CHECK(
+      says(found, "not deterministic: same-triangle: 1 of 5 runs differ from the most frequent item IDs, at 1 pixels"));
+  CHECK(readFile(shop.file("report.xml")).find("<failure message=\"not deterministic: 1 of 5 runs") !=
+        std::string::npos);
+  shop.write("runs", "");
+  const json report = json::parse(shop.run(run + "--repeat 5 --json").out);
+  CHECK(report["outcome"] == "not deterministic");
+  CHECK(report["repetition"]["answers"] == json({4, 1}));
+  CHECK(report["repetition"]["changing_pixels"] == 1);
+  // Expected, or in a program that crashes in one of its runs.
+  shop.write("runs", "");
+  shop.write("known.txt", "same-triangle flaky bug 15\n");
+  CHECK(shop.run(run + "--repeat 5 --expectations known.txt").exitCode == 0);
+  shop.write("device.sh", "cp right/same-triangle/* $2; echo >>runs; [ $(wc -l <runs) != 4 ]\n");
+  shop.write("runs", "");
+  CHECK(says(shop.run(run + "--repeat 5"), "ended with exit code 1, in run 4 of 5\n"));
+}
