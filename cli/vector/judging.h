@@ -14,7 +14,7 @@ namespace hemitex::cli {
 
 struct JudgingOptions {
   std::filesystem::path suite, profile, expectations, junit, picture, minimal;
-  bool isExact = false, isStrict = false;
+  bool isExact = false, isStrict = false, isDepthStrict = false;
 };
 void addJudgingOptions(Command command, JudgingOptions& options);
 

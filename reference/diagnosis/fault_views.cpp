@@ -89,6 +89,39 @@ StagedDevice withScissorAsViewport() {
   });
 }
 
+/// The viewport has `ratio` times its resolution. The pixels are read at the scissor rectangle's corner, or at that
+/// corner times the ratio. Beyond the viewport there is background.
+Variant withScaledViewport(const std::string& name, float ratio, bool isCornerScaled, raster::ItemId background) {
+  const auto firstPixel = [=](const Face& face) { return (isCornerScaled ? ratio : 1.0f) * cornerOf(face); };
+  StagedDevice device = withViews(
+      -1, [=](Face& face) { place(face, glm::vec2(1 / ratio), (firstPixel(face) - cornerOf(face)) / ratio); });
+  if (ratio < 1)
+    device.readBack = [=](const Face& face, raster::ItemBuffer& buffer) {
+      const glm::vec2 end = ratio * static_cast<float>(face.resolution) - firstPixel(face);
+      for (int row = 0, pixel = 0; row < buffer.height; ++row)
+        for (int column = 0; column < buffer.width; ++column, ++pixel)
+          if (static_cast<float>(column) >= end.x || static_cast<float>(row) >= end.y)
+            buffer.ids[static_cast<std::size_t>(pixel)] = background;
+    };
+  return {name, device};
+}
+
+std::vector<Variant> scaledViewports(raster::ItemId background) {
+  std::vector<Variant> variants;
+  for (const auto& [name, ratio] : {std::pair{"0.5", 0.5f},
+                                    {"0.75", 0.75f},
+                                    {"1.25", 1.25f},
+                                    {"1.5", 1.5f},
+                                    {"1.75", 1.75f},
+                                    {"2", 2.0f},
+                                    {"2.5", 2.5f},
+                                    {"3", 3.0f}})
+    for (const bool isCornerScaled : {false, true})
+      variants.push_back(withScaledViewport(name + std::string(isCornerScaled ? ", and the corner that is read" : ""),
+                                            ratio, isCornerScaled, background));
+  return variants;
+}
+
 /// Reads the pixels from the first corner of the viewport instead of the scissor rectangle's. A scissor test leaves
 /// background outside of the rectangle.
 std::vector<Variant> readBackFromFirst(raster::ItemId background) {
@@ -156,6 +189,9 @@ std::vector<Fault> viewFaults(const TestVector& vector) {
           {"viewport set to the scissor rectangle",
            "the viewport is resolution x resolution pixels: a side face keeps a part of it, not scaled",
            {{"", withScissorAsViewport()}}},
+          {"viewport scaled by a pixel ratio",
+           "the viewport is resolution x resolution pixels of the target: leave out the pixel ratio of the display",
+           scaledViewports(raster::backgroundId(vector.list.format))},
           {"scissor rectangle read back from the wrong corner",
            "read from column and row of the scissor rectangle, not from (0, 0)",
            readBackFromFirst(raster::backgroundId(vector.list.format))},

@@ -164,6 +164,34 @@ TestVector strips() {
                     std::move(list), {frontFace(resolution, 0.5f)});
 }
 
+/// A board of quads. Those of every other cell use the vertices from 65,536 on, drawn first, and the rest those from 0
+/// on, but for the last one, whose indices lie on either side of 65,536. Cut to 16 bits, an index of the former names a
+/// vertex of the latter. The vertices between are not used.
+TestVector manyVertices() {
+  constexpr int resolution = 32, cells = 8, cell = resolution / cells;
+  constexpr std::uint32_t overflow = 65536;
+  raster::DrawList list = plainList();
+  list.positions.resize(overflow + 2 * cells * cells);
+  list.texcoords.resize(list.positions.size());
+  const auto addCell = [&](int number, std::uint32_t first) {
+    const int column = number % cells * cell, row = number / cells * cell;
+    for (const auto& [k, x, y] : {std::array{0, 0, 0}, {1, cell, 0}, {2, cell, cell}, {3, 0, cell}})
+      list.positions[first + static_cast<std::uint32_t>(k)] = pixelPoint(resolution, {column + x, row + y});
+    addDraw(list, static_cast<raster::ItemId>(number));
+    for (const std::uint32_t k : {0u, 2u, 1u, 0u, 3u, 2u}) list.indices.push_back(first + k);
+    list.draws.back().count = 6;
+  };
+  const auto firstVertex = [](int number) { return static_cast<std::uint32_t>(number / 2 * 4); };
+  const auto isHigh = [](int number) { return (number + number / cells) % 2 == 0; };
+  addCell(cells * cells - 1, overflow - 2);
+  for (int number = 0; number < cells * cells - 1; ++number)
+    if (isHigh(number)) addCell(number, overflow + 4 + firstVertex(number));
+  for (int number = 0; number < cells * cells - 1; ++number)
+    if (!isHigh(number)) addCell(number, 4 + firstVertex(number));
+  return makeVector("many-vertices", "indices cut to 16 bits or to 8: there are more than 65,536 vertices",
+                    std::move(list), {frontFace(resolution, 0.5f)});
+}
+
 }  // namespace
 
 std::vector<TestVector> meshVectors() {
@@ -178,6 +206,7 @@ std::vector<TestVector> meshVectors() {
                 sampleGrid());
   addBothOrders(vectors, "micro-grid", "triangles smaller than a pixel lost, grown or drawn twice", 16, microGrid());
   vectors.push_back(strips());
+  vectors.push_back(manyVertices());
   return vectors;
 }
 

@@ -121,6 +121,30 @@ TestVector minified() {
                     {frontFace(resolution, 0.5f)});
 }
 
+/// 8 x 8 quads with one constant coordinate each, on the border of a texel: u in the upper half, v in the lower half.
+/// Depths are powers of two and coordinates multiples of 1/64, so that double precision interpolates without rounding.
+TestVector constantCoordinates() {
+  constexpr int resolution = 32, cell = 4;
+  raster::DrawList list = plainList();
+  list.indexMaps = {countingMap(64, 4), countingMap(4, 64)};
+  for (int number = 0; number < 64; ++number) {
+    const bool isU = number < 32;
+    const float constant = static_cast<float>(2 * (number % 32) + 1) / 64;
+    const glm::vec2 texcoord = isU ? glm::vec2(constant, 0.375f) : glm::vec2(0.375f, constant);
+    addDraw(list, isU ? 0 : mark, {}, isU ? 0 : 1);
+    std::array<glm::vec3, 4> corners;
+    for (int k = 0; k < 4; ++k) {
+      const glm::dvec2 pixel(number % 8 * cell + (k == 1 || k == 2 ? cell : 0), number / 8 * cell + k / 2 * cell);
+      corners[static_cast<std::size_t>(k)] =
+          pixelPoint(resolution, pixel, std::ldexp(1.0, (k * (2 * number + 1) + number) % 4));
+    }
+    addTriangle(list, {corners[0], corners[2], corners[1]}, {texcoord, texcoord, texcoord});
+    addTriangle(list, {corners[0], corners[3], corners[2]}, {texcoord, texcoord, texcoord});
+  }
+  return makeVector("constant-coordinates", "a coordinate that is equal at all corners and interpolated to just below",
+                    std::move(list), {frontFace(resolution, 0.5f)});
+}
+
 /// Sixteen draws with a map each, all of different sizes; two draws share one.
 TestVector manyMaps() {
   constexpr int resolution = 32;
@@ -141,7 +165,7 @@ std::vector<TestVector> texelVectors() {
   std::vector<TestVector> vectors;
   for (const int texels : {1, 3, 7, 100, 255, 256, 257, 1000, 1024}) vectors.push_back(borderSteps(texels));
   for (const auto& make : {perspectiveFloor, perspectiveTwist, perspectiveClipped, bordersOnSamples, clampedCoordinates,
-                           rectangularMap, magnified, minified, manyMaps})
+                           rectangularMap, magnified, minified, manyMaps, constantCoordinates})
     vectors.push_back(make());
   return vectors;
 }
