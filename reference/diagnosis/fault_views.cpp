@@ -73,7 +73,7 @@ std::vector<Variant> turns(const std::vector<VectorFace>& faces) {
   return variants;
 }
 
-/// Changes the view so that position p of the viewport, in pixels, shows the scene at stretch * p + shift.
+/// Changes the view so that what it shows at position p of the viewport, in pixels, moves to stretch * p + shift.
 void place(Face& face, const glm::vec2& stretch, const glm::vec2& shift) {
   const glm::vec2 middle = stretch + 2.0f * shift / static_cast<float>(face.resolution) - 1.0f;
   face.x = stretch.x * face.x + middle.x * face.w;
@@ -93,8 +93,8 @@ StagedDevice withScissorAsViewport() {
 /// corner times the ratio. Beyond the viewport there is background.
 Variant withScaledViewport(const std::string& name, float ratio, bool isCornerScaled, raster::ItemId background) {
   const auto firstPixel = [=](const Face& face) { return (isCornerScaled ? ratio : 1.0f) * cornerOf(face); };
-  StagedDevice device = withViews(
-      -1, [=](Face& face) { place(face, glm::vec2(1 / ratio), (firstPixel(face) - cornerOf(face)) / ratio); });
+  StagedDevice device =
+      withViews(-1, [=](Face& face) { place(face, glm::vec2(ratio), cornerOf(face) - firstPixel(face)); });
   if (ratio < 1)
     device.readBack = [=](const Face& face, raster::ItemBuffer& buffer) {
       const glm::vec2 end = ratio * static_cast<float>(face.resolution) - firstPixel(face);

@@ -164,30 +164,30 @@ TestVector strips() {
                     std::move(list), {frontFace(resolution, 0.5f)});
 }
 
-/// A board of quads. Those of every other cell use the vertices from 65,536 on, drawn first, and the rest those from 0
-/// on, but for the last one, whose indices lie on either side of 65,536. Cut to 16 bits, an index of the former names a
-/// vertex of the latter. The vertices between are not used.
+/// A board of quads whose vertices are the last ones of more than 65,536; those of the last quad lie on either side of
+/// 65,536. Cut to 16 bits or to 8, an index names one of the first vertices. They hold the board moved by one cell and
+/// nearer, and no index names them. The vertices between are not used either.
 TestVector manyVertices() {
-  constexpr int resolution = 32, cells = 8, cell = resolution / cells;
-  constexpr std::uint32_t overflow = 65536;
+  constexpr int resolution = 32, side = 8, cell = resolution / side;
+  constexpr std::uint32_t quads = side * side, overflow = 65536;
   raster::DrawList list = plainList();
-  list.positions.resize(overflow + 2 * cells * cells);
+  list.positions.resize(overflow + 4 * quads - 2);
   list.texcoords.resize(list.positions.size());
-  const auto addCell = [&](int number, std::uint32_t first) {
-    const int column = number % cells * cell, row = number / cells * cell;
-    for (const auto& [k, x, y] : {std::array{0, 0, 0}, {1, cell, 0}, {2, cell, cell}, {3, 0, cell}})
-      list.positions[first + static_cast<std::uint32_t>(k)] = pixelPoint(resolution, {column + x, row + y});
-    addDraw(list, static_cast<raster::ItemId>(number));
+  const auto corner = [&](std::uint32_t quad, std::uint32_t k, double w) {
+    const auto place = static_cast<int>(quad % quads);
+    const glm::dvec2 first(place % side * cell, place / side * cell);
+    return pixelPoint(resolution, first + glm::dvec2(k == 1 || k == 2 ? cell : 0, k > 1 ? cell : 0), w);
+  };
+  for (std::uint32_t quad = 0; quad < quads; ++quad) {
+    const std::uint32_t first = quad + 1 == quads ? overflow - 2 : overflow + 2 + 4 * quad;
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      list.positions[first + k] = corner(quad, k, 1);
+      if (first + k >= overflow) list.positions[first + k - overflow] = corner(quad + 1, k, 0.75);
+    }
+    addDraw(list, quad);
     for (const std::uint32_t k : {0u, 2u, 1u, 0u, 3u, 2u}) list.indices.push_back(first + k);
     list.draws.back().count = 6;
-  };
-  const auto firstVertex = [](int number) { return static_cast<std::uint32_t>(number / 2 * 4); };
-  const auto isHigh = [](int number) { return (number + number / cells) % 2 == 0; };
-  addCell(cells * cells - 1, overflow - 2);
-  for (int number = 0; number < cells * cells - 1; ++number)
-    if (isHigh(number)) addCell(number, overflow + 4 + firstVertex(number));
-  for (int number = 0; number < cells * cells - 1; ++number)
-    if (!isHigh(number)) addCell(number, 4 + firstVertex(number));
+  }
   return makeVector("many-vertices", "indices cut to 16 bits or to 8: there are more than 65,536 vertices",
                     std::move(list), {frontFace(resolution, 0.5f)});
 }

@@ -121,15 +121,17 @@ TestVector minified() {
                     {frontFace(resolution, 0.5f)});
 }
 
-/// 8 x 8 quads with one constant coordinate each, on the border of a texel: u in the upper half, v in the lower half.
-/// Depths are powers of two and coordinates multiples of 1/64, so that double precision interpolates without rounding.
+/// 8 x 8 quads of constant coordinates: in every other cell on the border of a texel, in the others a quarter of a
+/// texel beyond it; u in the upper half, v in the lower half. Depths are powers of two and coordinates multiples of
+/// 1/256, so that double precision interpolates without rounding.
 TestVector constantCoordinates() {
   constexpr int resolution = 32, cell = 4;
   raster::DrawList list = plainList();
   list.indexMaps = {countingMap(64, 4), countingMap(4, 64)};
   for (int number = 0; number < 64; ++number) {
     const bool isU = number < 32;
-    const float constant = static_cast<float>(2 * (number % 32) + 1) / 64;
+    const bool isOnBorder = (number + number / 8) % 2 == 0;
+    const float constant = static_cast<float>(4 * (2 * (number % 32) + 1) + (isOnBorder ? 0 : 1)) / 256;
     const glm::vec2 texcoord = isU ? glm::vec2(constant, 0.375f) : glm::vec2(0.375f, constant);
     addDraw(list, isU ? 0 : mark, {}, isU ? 0 : 1);
     std::array<glm::vec3, 4> corners;
@@ -142,6 +144,25 @@ TestVector constantCoordinates() {
     addTriangle(list, {corners[0], corners[3], corners[2]}, {texcoord, texcoord, texcoord});
   }
   return makeVector("constant-coordinates", "a coordinate that is equal at all corners and interpolated to just below",
+                    std::move(list), {frontFace(resolution, 0.5f)});
+}
+
+/// Rows of 32 pixels that show a map of 2000 texels from one end to the other: u in the upper half, v in the lower
+/// half. From 1/2 on, a half float holds less than one number per texel.
+TestVector fineCoordinates() {
+  constexpr int side = 32, resolution = side + 2, rows = side / 2;  // inside of the view, where nothing is clipped
+  raster::DrawList list = plainList();
+  list.indexMaps = {countingMap(2000, 1), countingMap(1, 2000)};
+  for (const bool isU : {true, false}) {
+    addDraw(list, isU ? 0 : mark, {}, isU ? 0 : 1);
+    for (int row = 0; row < rows; ++row) {
+      const int first = 1 + row + (isU ? 0 : rows);
+      const float low = (static_cast<float>(row) + 0.37f) / (rows + 1), high = low + 0.97f / (rows + 1);
+      addBlock(list, resolution, {1, first, 1 + side, first + 1}, 1,
+               isU ? Coordinates{{low, 0.5f}, {high, 0.5f}} : Coordinates{{0.5f, low}, {0.5f, high}});
+    }
+  }
+  return makeVector("fine-coordinates", "texture coordinates in half floats or in fixed point with too few bits",
                     std::move(list), {frontFace(resolution, 0.5f)});
 }
 
@@ -165,7 +186,7 @@ std::vector<TestVector> texelVectors() {
   std::vector<TestVector> vectors;
   for (const int texels : {1, 3, 7, 100, 255, 256, 257, 1000, 1024}) vectors.push_back(borderSteps(texels));
   for (const auto& make : {perspectiveFloor, perspectiveTwist, perspectiveClipped, bordersOnSamples, clampedCoordinates,
-                           rectangularMap, magnified, minified, manyMaps, constantCoordinates})
+                           rectangularMap, magnified, minified, manyMaps, constantCoordinates, fineCoordinates})
     vectors.push_back(make());
   return vectors;
 }
