@@ -178,15 +178,15 @@ TestVector frustumSheet() {
                     {frontFace(64, 0.05f)});
 }
 
-/// Strips that begin and end far outside of the view, at most six of its widths. Every third sample lies exactly on an
-/// edge between two of them, and belongs to the strip below it. Where a device cuts an edge at a side of the view, it
-/// snaps the new corner, moves the edge, and may give these samples to the strip above.
+/// Strips that begin and end outside of the view, up to two and a half of its widths away, inside the guard band. Every
+/// third sample lies exactly on an edge between two of them, and belongs to the strip below it. Where a device cuts an
+/// edge at a side of the view, it snaps the new corner, moves the edge, and may give these samples to the strip above.
 TestVector edgesBeyondTheView() {
   constexpr int resolution = 32;
   raster::DrawList list = plainList();
   for (int strip = -resolution; strip <= resolution; ++strip) {
     // Slope 1/3 through the sample (0, strip); the ends lie on samples as well.
-    const int left = -3 * (40 + (strip + resolution) % 7), right = 3 * (50 + (strip + resolution) % 11);
+    const int left = -3 * (20 + (strip + resolution) % 7), right = 3 * (20 + (strip + resolution) % 11);
     const auto point = [&](int column, int below) {
       return pixelPoint(resolution, {column + 0.5, strip + below + column / 3 + 0.5});
     };

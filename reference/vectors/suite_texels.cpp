@@ -147,21 +147,26 @@ TestVector constantCoordinates() {
                     std::move(list), {frontFace(resolution, 0.5f)});
 }
 
-/// Rows of 32 pixels that show a map of 2000 texels from one end to the other: u in the upper half, v in the lower
-/// half. From 1/2 on, a half float holds less than one number per texel.
+/// Lines of pixels that show every third texel of a map of 2000, a quarter of a texel or more away from borders: rows
+/// along u in the upper half, columns along v in the lower half. From 1/2 on, a half float holds less than one number
+/// per texel.
 TestVector fineCoordinates() {
-  constexpr int side = 32, resolution = side + 2, rows = side / 2;  // inside of the view, where nothing is clipped
+  constexpr int side = 32, resolution = side + 2;  // inside of the view, where nothing is clipped
+  constexpr int texels = 2000, step = 3;
   raster::DrawList list = plainList();
-  list.indexMaps = {countingMap(2000, 1), countingMap(1, 2000)};
-  for (const bool isU : {true, false}) {
-    addDraw(list, isU ? 0 : mark, {}, isU ? 0 : 1);
-    for (int row = 0; row < rows; ++row) {
-      const int first = 1 + row + (isU ? 0 : rows);
-      const float low = (static_cast<float>(row) + 0.37f) / (rows + 1), high = low + 0.97f / (rows + 1);
-      addBlock(list, resolution, {1, first, 1 + side, first + 1}, 1,
-               isU ? Coordinates{{low, 0.5f}, {high, 0.5f}} : Coordinates{{0.5f, low}, {0.5f, high}});
-    }
-  }
+  list.indexMaps = {countingMap(texels, 1), countingMap(1, texels)};
+  const auto addLine = [&](const Block& block, bool isU, int line, int lines) {
+    const int pixels = isU ? block.endColumn - block.firstColumn : block.endRow - block.firstRow;
+    const double start = 3 + texels / lines * line + 0.25 + line % 4 * 0.125 - 0.5 * step;
+    const auto low = static_cast<float>(start / texels), high = static_cast<float>((start + step * pixels) / texels);
+    const glm::vec2 first = isU ? glm::vec2(low, 0.5f) : glm::vec2(0.5f, low);
+    addBlock(list, resolution, block, 1, {first, isU ? glm::vec2(high, 0.5f) : glm::vec2(0.5f, high)});
+  };
+  addDraw(list, 0, {}, 0);
+  for (int row = 0; row < side / 2; ++row) addLine({1, 1 + row, 1 + side, 2 + row}, true, row, side / 2);
+  addDraw(list, mark, {}, 1);
+  for (int column = 0; column < side; ++column)
+    addLine({1 + column, 1 + side / 2, 2 + column, 1 + side}, false, column, side);
   return makeVector("fine-coordinates", "texture coordinates in half floats or in fixed point with too few bits",
                     std::move(list), {frontFace(resolution, 0.5f)});
 }
