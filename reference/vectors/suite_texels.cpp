@@ -147,12 +147,12 @@ TestVector constantCoordinates() {
                     std::move(list), {frontFace(resolution, 0.5f)});
 }
 
-/// Lines of pixels that show every third texel of a map of 2000, a quarter of a texel or more away from borders: rows
-/// along u in the upper half, columns along v in the lower half. From 1/2 on, a half float holds less than one number
-/// per texel.
+/// Lines of pixels that show every seventh texel of a map of 4000, a quarter of a texel or more away from borders: rows
+/// along u in the upper half, columns along v in the lower half. From 1/2 on, a half float holds one number per two
+/// texels.
 TestVector fineCoordinates() {
   constexpr int side = 32, resolution = side + 2;  // inside of the view, where nothing is clipped
-  constexpr int texels = 2000, step = 3;
+  constexpr int texels = 4000, step = 7;
   raster::DrawList list = plainList();
   list.indexMaps = {countingMap(texels, 1), countingMap(1, texels)};
   const auto addLine = [&](const Block& block, bool isU, int line, int lines) {
