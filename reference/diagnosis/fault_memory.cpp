@@ -138,10 +138,10 @@ std::vector<Variant> otherBackgrounds(const raster::IdFormat& format) {
   return variants;
 }
 
-/// Colours times their alpha, the fourth channel.
+/// Colours times their alpha, the fourth channel. Formats without one are uploaded as four bytes, whose alpha is zero.
 std::vector<Variant> premultiplications(const raster::IdFormat& format) {
-  const std::vector<Channel> channels = colourChannelsOf(format);
-  if (channels.size() < 4) return {};
+  std::vector<Channel> channels = colourChannelsOf(format);
+  if (channels.size() < 4) channels = channelsOf({{8, 8, 8, 8}});
   std::vector<Variant> variants = withAny([=](ItemId id) {
     const double alpha = channels[3].of(id) / static_cast<double>(channels[3].largest());
     return idOf(channels, [&](const Channel& channel) {

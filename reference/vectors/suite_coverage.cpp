@@ -179,8 +179,8 @@ TestVector frustumSheet() {
 }
 
 /// Strips that begin and end outside of the view, up to two and a half of its widths away, inside the guard band. Every
-/// third sample lies exactly on an edge between two of them, and belongs to the strip below it. Where a device cuts an
-/// edge at a side of the view, it snaps the new corner, moves the edge, and may give these samples to the strip above.
+/// third sample lies exactly on an edge between two of them, and belongs to the strip above it. Where a device cuts an
+/// edge at a side of the view, it snaps the new corner, moves the edge, and may give these samples to the strip below.
 TestVector edgesBeyondTheView() {
   constexpr int resolution = 32;
   raster::DrawList list = plainList();
