@@ -190,6 +190,8 @@ void addJudgingOptions(Command command, JudgingOptions& options) {
   command.addPath("DIR", options.suite, "folder of the vector, or of a suite of vectors").required();
   command.addPath("--profile", options.profile,
                   "JSON file with the permitted deviations of the device (default: those of the Vulkan class)");
+  command.addFlag("--strict-depth", options.isDepthStrict,
+                  "do not excuse equal depths: of two triangles with the same corners the first one drawn must stay");
   command.addFlag("--exact", options.isExact,
                   "evaluate the rules in rational arithmetic, independently of the reference (slow)");
   const Option expectations =
@@ -238,7 +240,10 @@ bool isUnsupported(const SuiteVector& vector) {
 }
 
 reference::DeviceProfile profileOf(const JudgingOptions& options) {
-  return options.profile.empty() ? reference::DeviceProfile{} : reference::readProfile(options.profile);
+  reference::DeviceProfile profile =
+      options.profile.empty() ? reference::DeviceProfile{} : reference::readProfile(options.profile);
+  profile.strictDepth |= options.isDepthStrict;
+  return profile;
 }
 
 Report judgeAnswer(const JudgingOptions& options, const reference::DeviceProfile& profile, const SuiteVector& vector,

@@ -16,7 +16,7 @@ namespace hemitex::cli {
 struct JudgingOptions {
   std::filesystem::path suite, profile, expectations, junit, picture, minimal, record;
   std::string device, driver;  ///< names for the record
-  bool isExact = false, isStrict = false;
+  bool isExact = false, isStrict = false, isDepthStrict = false;
 };
 void addJudgingOptions(Command command, JudgingOptions& options);
 

@@ -62,10 +62,11 @@ void count(const Case& given, const Variant& variant, std::size_t pixel, ItemId 
   const ItemId rules = given.rules[pixel], found = given.found[pixel];
   agreement.remaining -= given.mayAgree(pixel);
   agreement.exact += id == found;
-  // A change within rounding is not evidence.
-  if (!given.isError[pixel] && areLike(id, rules)) return;
+  // A change within rounding is not evidence, unless the device shows exactly this item ID.
+  const bool isChanged = !areLike(id, rules);
+  if (!given.isError[pixel] && !isChanged) return;
   ++agreement.pixels;
-  agreement.agreeing += id != rules && areLike(id, found);
+  agreement.agreeing += id != rules && (id == found || (isChanged && areLike(id, found)));
 }
 
 /// A variant with enough agreement.

@@ -30,10 +30,11 @@ struct Fault {
 std::vector<Fault> knownFaults(const TestVector& vector);
 
 /// The known faults by stage, one source file each.
-std::vector<Fault> viewFaults(const TestVector& vector);     ///< flipped, exchanged, rotated, moved views and pictures
-std::vector<Fault> sampleFaults(const TestVector& vector);   ///< facing, coverage and depth
-std::vector<Fault> textureFaults(const TestVector& vector);  ///< lookups in index maps
-std::vector<Fault> blendFaults(const TestVector& vector);    ///< offsets, and their blends with texels and the target
+std::vector<Fault> viewFaults(const TestVector& vector);      ///< flipped, exchanged, rotated, moved views and pictures
+std::vector<Fault> geometryFaults(const TestVector& vector);  ///< indices, transformation, clipping, snapping
+std::vector<Fault> sampleFaults(const TestVector& vector);    ///< facing, coverage and depth
+std::vector<Fault> textureFaults(const TestVector& vector);   ///< lookups in index maps
+std::vector<Fault> blendFaults(const TestVector& vector);     ///< offsets, and their blends with texels and the target
 std::vector<Fault> memoryFaults(
     const TestVector& vector);  ///< item IDs in memory: channels, bytes, bits, rows, colours
 

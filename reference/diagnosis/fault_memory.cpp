@@ -102,6 +102,21 @@ ItemId throughBinary32(ItemId id) {
   return static_cast<ItemId>(std::min(static_cast<double>(static_cast<float>(id)), 4294967295.0));
 }
 
+/// Item IDs in 8 or 16 bits, in each place that holds them.
+std::vector<Variant> fewerBits() {
+  std::vector<Variant> variants;
+  for (const int bits : {8, 16})
+    for (const bool isClamped : {false, true}) {
+      const ItemId largest = (ItemId{1} << bits) - 1;
+      const auto cut = [=](ItemId id) { return isClamped ? std::min(id, largest) : id & largest; };
+      for (Variant& variant : withAny(cut)) {
+        variant.name += ", " + std::to_string(bits) + (isClamped ? " bits, clamped" : " bits");
+        variants.push_back(std::move(variant));
+      }
+    }
+  return variants;
+}
+
 /// The item ID whose fourth channel is all ones and the others zero; nothing without a fourth channel.
 std::optional<ItemId> opaqueBlack(const raster::IdFormat& format) {
   const std::vector<Channel> channels = colourChannelsOf(format);
@@ -120,6 +135,21 @@ std::vector<Variant> otherBackgrounds(const raster::IdFormat& format) {
   const auto with = [=](ItemId clear) { return withIds([=](ItemId id) { return id == background ? clear : id; }); };
   std::vector<Variant> variants{{"zeros", with(0)}};
   if (const std::optional<ItemId> black = opaqueBlack(format)) variants.push_back({"opaque black", with(*black)});
+  return variants;
+}
+
+/// Colours times their alpha, the fourth channel. Formats without one are uploaded as four bytes, whose alpha is zero.
+std::vector<Variant> premultiplications(const raster::IdFormat& format) {
+  std::vector<Channel> channels = colourChannelsOf(format);
+  if (channels.size() < 4) channels = channelsOf({{8, 8, 8, 8}});
+  std::vector<Variant> variants = withAny([=](ItemId id) {
+    const double alpha = channels[3].of(id) / static_cast<double>(channels[3].largest());
+    return idOf(channels, [&](const Channel& channel) {
+      const ItemId value = channel.of(id);
+      return channel.shift == channels[3].shift ? value : static_cast<ItemId>(std::nearbyint(alpha * value));
+    });
+  });
+  for (Variant& variant : variants) variant.rounded = channels;
   return variants;
 }
 
@@ -256,6 +286,11 @@ std::vector<Fault> memoryFaults(const TestVector& vector) {
        byteOrders(format)},
       {"item IDs through binary32", "a binary32 holds 24 bits: pass larger item IDs as integers or as channels",
        withAny(throughBinary32)},
+      {"item IDs cut to fewer bits", "hold item IDs in as many bits as their format has: look at integer formats",
+       fewerBits()},
+      {"premultiplied alpha",
+       "the fourth channel is a part of the item ID: turn the multiplication of colours by alpha off",
+       premultiplications(format)},
       {"alpha forced to opaque",
        "the fourth channel is a part of the item ID: ask for formats with alpha, and write it", opaqueAlphas(format)},
       {"background not cleared", "clear the target to all ones, the background's item ID", otherBackgrounds(format)},

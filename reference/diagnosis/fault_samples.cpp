@@ -106,6 +106,14 @@ StagedDevice withTest(const std::function<bool(double, double)>& passes) {
   return device;
 }
 
+/// Depths n/w stay in the target.
+StagedDevice withDepthKept() {
+  StagedDevice device;
+  device.keepsDepth = true;
+  device.depth = [](double inverseW, double nearDistance) { return -nearDistance * inverseW; };
+  return device;
+}
+
 }  // namespace
 
 std::vector<Fault> sampleFaults(const TestVector& vector) {
@@ -136,7 +144,13 @@ std::vector<Fault> sampleFaults(const TestVector& vector) {
            {{"", withTest([](double, double) { return true; })}}},
           {"depth test reversed",
            "the nearer fragment wins: look at the comparison, the depth range and the depth clear",
-           {{"", withTest([](double depth, double stored) { return depth > stored; })}}}};
+           {{"", withTest([](double depth, double stored) { return depth > stored; })}}},
+          {"equal depths pass the depth test",
+           "at equal depths the triangle drawn first stays: compare with less or greater, without or equal",
+           {{"", withTest([](double depth, double stored) { return depth <= stored + 0x1p-40 * std::abs(stored); })}}},
+          {"depth not cleared between faces",
+           "clear the depth of the whole target before each face",
+           {{"", withDepthKept()}}}};
 }
 
 }  // namespace hemitex::reference

@@ -60,6 +60,42 @@ ItemId truncatedTexel(const IndexMap& map, const Lookup& lookup) {
   return nearestTexel(map, glm::floor(lookup.at * 256.0) / 256.0);
 }
 
+/// The nearest number of 11 significant bits (binary16); subnormal numbers and overflow included.
+double throughBinary16(double x) {
+  if (x == 0) return 0;
+  const double unit = std::ldexp(1.0, std::max(std::ilogb(x), -14) - 10);
+  const double rounded = std::nearbyint(x / unit) * unit;
+  return std::abs(rounded) < 65520 ? rounded : std::copysign(HUGE_VAL, x);
+}
+
+glm::dvec2 throughBinary16(const glm::dvec2& at) { return {throughBinary16(at.x), throughBinary16(at.y)}; }
+
+std::vector<Variant> halfFloats() {
+  StagedDevice atVertices;
+  atVertices.upload = [](raster::DrawList& list) {
+    for (glm::vec2& texcoord : list.texcoords) texcoord = glm::vec2(throughBinary16(glm::dvec2(texcoord)));
+  };
+  return {{"at vertices", atVertices},
+          {"at pixels", withFetch([](const IndexMap& map, const Lookup& lookup) {
+             return nearestTexel(map, throughBinary16(lookup.at));
+           })},
+          {"at pixels, and their products with the size of the map",
+           withFetch([](const IndexMap& map, const Lookup& lookup) {
+             return texelAt(map, glm::floor(throughBinary16(throughBinary16(lookup.at) * sizeOf(map))));
+           })}};
+}
+
+/// Coordinates that are smaller by a few units in the last place of binary32.
+std::vector<Variant> justBelow() {
+  std::vector<Variant> variants;
+  for (const int units : {1, 2, 4, 8})
+    variants.push_back(
+        {"by " + std::to_string(units) + " x 2^-24", withFetch([=](const IndexMap& map, const Lookup& l) {
+           return nearestTexel(map, l.at - glm::abs(l.at) * (units * 0x1p-24));
+         })});
+  return variants;
+}
+
 // --- filters ---
 
 /// Linear filter of the four texels around a point, clamped to the map.
@@ -174,6 +210,18 @@ Variant reordered(const std::string& name, const std::function<glm::dvec2(const 
   return {name, device};
 }
 
+/// Index maps column by column in memory, or u and v exchanged.
+std::vector<Variant> transposedMaps() {
+  return {reordered("stored column by column",
+                    [](const IndexMap& map, const glm::dvec2& texel) {
+                      const int k = static_cast<int>(texel.y) * map.width + static_cast<int>(texel.x);
+                      return glm::dvec2(k / map.height, k % map.height);
+                    }),
+          {"u and v exchanged", withFetch([](const IndexMap& map, const Lookup& lookup) {
+             return nearestTexel(map, {lookup.at.y, lookup.at.x});
+           })}};
+}
+
 /// Index maps with exchanged width and height.
 StagedDevice withSizesExchanged() {
   StagedDevice device;
@@ -187,35 +235,45 @@ StagedDevice withSizesExchanged() {
 
 std::vector<Fault> textureFaults(const TestVector& vector) {
   const raster::DrawList& list = vector.list;
-  return {{"affine instead of perspective interpolation",
-           "look for noperspective, or for a division by w before the device's own",
-           {{"", affine()}}},
-          {"linear filtering", "set the minifying and the magnifying filter to nearest", linearFilters(list.format)},
-          {"mipmapping", "set a minifying filter without mipmaps, and make no mipmaps", mipmappings(list)},
-          {"repeat instead of clamp",
-           "set the wrap mode of both coordinates to clamp to edge",
-           {{"repeated", withFetch(repeatedTexel)}, {"mirrored", withFetch(mirroredTexel)}}},
-          {"half-texel shift", "texel i covers i/N to (i + 1)/N: leave out any half texel of a filter or of Direct3D 9",
-           halfTexelShifts()},
-          {"truncated texture coordinates (16.8)",
-           "texture coordinates need more than 8 fractional bits",
-           {{"", withFetch(truncatedTexel)}}},
-          {"index map upside down",
-           "row 0 is at v = 0 and comes first: image libraries may reverse rows",
-           {{"rows reversed",
-             reordered("", [](const IndexMap& map,
-                              const glm::dvec2& texel) { return glm::dvec2(texel.x, map.height - 1 - texel.y); })
-                 .device},
-            {"columns reversed",
-             reordered("", [](const IndexMap& map,
-                              const glm::dvec2& texel) { return glm::dvec2(map.width - 1 - texel.x, texel.y); })
-                 .device}}},
-          {"width and height of the index map exchanged",
-           "a map has `height` rows of `width` item IDs: look at the size of the upload",
-           {{"", withSizesExchanged()}}},
-          {"index map not sampled",
-           "texel 0 everywhere: an incomplete texture, or one that is not bound, reads as zero",
-           {{"", withFetch([](const IndexMap&, const Lookup&) { return ItemId{0}; })}}}};
+  return {
+      {"affine instead of perspective interpolation",
+       "look for noperspective, or for a division by w before the device's own",
+       {{"", affine()}}},
+      {"linear filtering", "set the minifying and the magnifying filter to nearest", linearFilters(list.format)},
+      {"mipmapping", "set a minifying filter without mipmaps, and make no mipmaps", mipmappings(list)},
+      {"repeat instead of clamp",
+       "set the wrap mode of both coordinates to clamp to edge",
+       {{"repeated", withFetch(repeatedTexel)}, {"mirrored", withFetch(mirroredTexel)}}},
+      {"half-texel shift", "texel i covers i/N to (i + 1)/N: leave out any half texel of a filter or of Direct3D 9",
+       halfTexelShifts()},
+      {"truncated texture coordinates (16.8)",
+       "texture coordinates need more than 8 fractional bits",
+       {{"", withFetch(truncatedTexel)}}},
+      {"index map upside down",
+       "row 0 is at v = 0 and comes first: image libraries may reverse rows",
+       {{"rows reversed",
+         reordered("", [](const IndexMap& map,
+                          const glm::dvec2& texel) { return glm::dvec2(texel.x, map.height - 1 - texel.y); })
+             .device},
+        {"columns reversed",
+         reordered("", [](const IndexMap& map,
+                          const glm::dvec2& texel) { return glm::dvec2(map.width - 1 - texel.x, texel.y); })
+             .device}}},
+      {"texture coordinates in half floats",
+       "a half float has 11 significant bits: use 32-bit floats for attributes and high precision in shaders",
+       halfFloats()},
+      {"texture coordinates just below the exact ones",
+       "a coordinate that is equal at all corners must stay equal in between, or a sample on the border of a texel "
+       "shows the one before: interpolate in double precision, or pass texel numbers",
+       justBelow()},
+      {"index map transposed",
+       "a map is stored row by row, u along its width: look at the order of loops, and of u and v", transposedMaps()},
+      {"width and height of the index map exchanged",
+       "a map has `height` rows of `width` item IDs: look at the size of the upload",
+       {{"", withSizesExchanged()}}},
+      {"index map not sampled",
+       "texel 0 everywhere: an incomplete texture, or one that is not bound, reads as zero",
+       {{"", withFetch([](const IndexMap&, const Lookup&) { return ItemId{0}; })}}}};
 }
 
 }  // namespace hemitex::reference

@@ -73,7 +73,7 @@ std::vector<Variant> turns(const std::vector<VectorFace>& faces) {
   return variants;
 }
 
-/// Changes the view so that position p of the viewport, in pixels, shows the scene at stretch * p + shift.
+/// Changes the view so that what it shows at position p of the viewport, in pixels, moves to stretch * p + shift.
 void place(Face& face, const glm::vec2& stretch, const glm::vec2& shift) {
   const glm::vec2 middle = stretch + 2.0f * shift / static_cast<float>(face.resolution) - 1.0f;
   face.x = stretch.x * face.x + middle.x * face.w;
@@ -87,6 +87,39 @@ StagedDevice withScissorAsViewport() {
     const glm::vec2 size(face.scissor.width, face.scissor.height);
     place(face, size / static_cast<float>(face.resolution), cornerOf(face));
   });
+}
+
+/// The viewport has `ratio` times its resolution. The pixels are read at the scissor rectangle's corner, or at that
+/// corner times the ratio. Beyond the viewport there is background.
+Variant withScaledViewport(const std::string& name, float ratio, bool isCornerScaled, raster::ItemId background) {
+  const auto firstPixel = [=](const Face& face) { return (isCornerScaled ? ratio : 1.0f) * cornerOf(face); };
+  StagedDevice device =
+      withViews(-1, [=](Face& face) { place(face, glm::vec2(ratio), cornerOf(face) - firstPixel(face)); });
+  if (ratio < 1)
+    device.readBack = [=](const Face& face, raster::ItemBuffer& buffer) {
+      const glm::vec2 end = ratio * static_cast<float>(face.resolution) - firstPixel(face);
+      for (int row = 0, pixel = 0; row < buffer.height; ++row)
+        for (int column = 0; column < buffer.width; ++column, ++pixel)
+          if (static_cast<float>(column) >= end.x || static_cast<float>(row) >= end.y)
+            buffer.ids[static_cast<std::size_t>(pixel)] = background;
+    };
+  return {name, device};
+}
+
+std::vector<Variant> scaledViewports(raster::ItemId background) {
+  std::vector<Variant> variants;
+  for (const auto& [name, ratio] : {std::pair{"0.5", 0.5f},
+                                    {"0.75", 0.75f},
+                                    {"1.25", 1.25f},
+                                    {"1.5", 1.5f},
+                                    {"1.75", 1.75f},
+                                    {"2", 2.0f},
+                                    {"2.5", 2.5f},
+                                    {"3", 3.0f}})
+    for (const bool isCornerScaled : {false, true})
+      variants.push_back(withScaledViewport(name + std::string(isCornerScaled ? ", and the corner that is read" : ""),
+                                            ratio, isCornerScaled, background));
+  return variants;
 }
 
 /// Reads the pixels from the first corner of the viewport instead of the scissor rectangle's. A scissor test leaves
@@ -156,6 +189,9 @@ std::vector<Fault> viewFaults(const TestVector& vector) {
           {"viewport set to the scissor rectangle",
            "the viewport is resolution x resolution pixels: a side face keeps a part of it, not scaled",
            {{"", withScissorAsViewport()}}},
+          {"viewport scaled by a pixel ratio",
+           "the viewport is resolution x resolution pixels of the target: leave out the pixel ratio of the display",
+           scaledViewports(raster::backgroundId(vector.list.format))},
           {"scissor rectangle read back from the wrong corner",
            "read from column and row of the scissor rectangle, not from (0, 0)",
            readBackFromFirst(raster::backgroundId(vector.list.format))},

@@ -93,18 +93,46 @@ Lookup lookUp(const Setup& setup, const glm::dvec2& position) {
 }
 
 struct Sample {
-  bool isCovered = false;
+  bool hasDepth = false;  ///< without a depth, any fragment passes
   double depth = 0;
   ItemId id = 0;
 };
 
-/// Draws the pixels of one scissor rectangle.
+/// The samples of a rectangle of pixels, device.samples.size() per pixel.
+struct Samples {
+  raster::Scissor rectangle;
+  std::vector<Sample> samples;
+
+  std::size_t pixelAt(int column, int row) const {
+    return static_cast<std::size_t>(row - rectangle.row) * static_cast<std::size_t>(rectangle.width) +
+           static_cast<std::size_t>(column - rectangle.column);
+  }
+};
+
+/// Copies the depths of the pixels that both rectangles contain.
+void copyDepths(const Samples& from, Samples& to, std::size_t perPixel) {
+  const raster::Scissor &a = from.rectangle, &b = to.rectangle;
+  const int endColumn = std::min(a.column + a.width, b.column + b.width);
+  const int endRow = std::min(a.row + a.height, b.row + b.height);
+  for (int row = std::max(a.row, b.row); row < endRow; ++row)
+    for (int column = std::max(a.column, b.column); column < endColumn; ++column)
+      for (std::size_t s = 0; s < perPixel; ++s) {
+        const Sample& source = from.samples[from.pixelAt(column, row) * perPixel + s];
+        Sample& target = to.samples[to.pixelAt(column, row) * perPixel + s];
+        target.hasDepth = source.hasDepth;
+        target.depth = source.depth;
+      }
+}
+
+/// Draws the pixels of one scissor rectangle. `earlier` holds the samples whose depths stay in the target.
 class FaceDrawing {
  public:
-  FaceDrawing(const StagedDevice& device, const raster::DrawList& list, const raster::Face& view)
-      : device_(device), list_(list), view_(view) {
+  FaceDrawing(const StagedDevice& device, const raster::DrawList& list, const raster::Face& view,
+              std::span<const Samples> earlier)
+      : device_(device), list_(list), view_(view), target_{view.scissor, {}} {
     const auto pixels = static_cast<std::size_t>(view.scissor.width) * static_cast<std::size_t>(view.scissor.height);
-    samples_.assign(pixels * device.samples.size(), {false, 0, raster::backgroundId(list.format)});
+    target_.samples.assign(pixels * device.samples.size(), {false, 0, raster::backgroundId(list.format)});
+    for (const Samples& samples : earlier) copyDepths(samples, target_, device.samples.size());
   }
 
   void draw(const DeviceTriangle& triangle) {
@@ -121,25 +149,25 @@ class FaceDrawing {
   raster::ItemBuffer resolve() const {
     raster::ItemBuffer buffer{view_.scissor.width, view_.scissor.height, {}};
     std::vector<ItemId> ids(device_.samples.size());
-    for (std::size_t first = 0; first < samples_.size(); first += ids.size()) {
-      for (std::size_t s = 0; s < ids.size(); ++s) ids[s] = samples_[first + s].id;
+    for (std::size_t first = 0; first < target_.samples.size(); first += ids.size()) {
+      for (std::size_t s = 0; s < ids.size(); ++s) ids[s] = target_.samples[first + s].id;
       buffer.ids.push_back(device_.resolve(ids));
     }
     return buffer;
   }
 
+  const Samples& target() const { return target_; }
+
  private:
   void drawPixel(const Setup& setup, const raster::Draw& draw, Facing facing, int column, int row) {
     const glm::dvec2 corner(subPixels * column, subPixels * row);
-    const auto pixel =
-        static_cast<std::size_t>(row - view_.scissor.row) * static_cast<std::size_t>(view_.scissor.width) +
-        static_cast<std::size_t>(column - view_.scissor.column);
+    const std::size_t pixel = target_.pixelAt(column, row);
     for (std::size_t s = 0; s < device_.samples.size(); ++s) {
       const std::array<double, 3> edges = setup.edgesAt(corner + device_.samples[s]);
       if (!setup.covers(edges)) continue;
-      Sample& sample = samples_[pixel * device_.samples.size() + s];
+      Sample& sample = target_.samples[pixel * device_.samples.size() + s];
       const double depth = device_.depth(dot(edges, setup.inverseW), static_cast<double>(view_.nearDistance));
-      if (sample.isCovered && !device_.passes(depth, sample.depth)) continue;
+      if (sample.hasDepth && !device_.passes(depth, sample.depth)) continue;
       sample = {true, depth, device_.store(sample.id, shade(setup, draw, facing, corner + device_.shadingSample))};
     }
   }
@@ -154,10 +182,12 @@ class FaceDrawing {
   const StagedDevice& device_;
   const raster::DrawList& list_;
   const raster::Face& view_;
-  std::vector<Sample> samples_;  ///< device.samples.size() per pixel of the scissor rectangle
+  Samples target_;
 };
 
-std::vector<DeviceTriangle> placeFace(const raster::DrawList& list, const raster::Face& view) {
+std::vector<DeviceTriangle> placeFace(const StagedDevice& device, const raster::DrawList& list,
+                                      const raster::Face& view) {
+  if (device.geometry) return placeTriangles(*device.geometry, list, view);
   return placeTriangles(list, view, {}, false, [](const DeviceTriangle& triangle) { return triangle.area != 0; });
 }
 
@@ -166,11 +196,12 @@ bool isSameView(const raster::Face& a, const raster::Face& b) {
          a.resolution == b.resolution;
 }
 
-/// Whether the draws take the same triangles from the same index buffer.
+/// Whether the draws take the same triangles in the same order.
 bool haveSameTriangles(const raster::DrawList& a, const raster::DrawList& b) {
-  return std::equal(
-      a.draws.begin(), a.draws.end(), b.draws.begin(), b.draws.end(),
-      [](const raster::Draw& x, const raster::Draw& y) { return x.first == y.first && x.count == y.count; });
+  return a.indices == b.indices && a.texcoords == b.texcoords &&
+         std::equal(
+             a.draws.begin(), a.draws.end(), b.draws.begin(), b.draws.end(),
+             [](const raster::Draw& x, const raster::Draw& y) { return x.first == y.first && x.count == y.count; });
 }
 
 /// The view of face `f` through the device's camera.
@@ -182,10 +213,12 @@ raster::Face viewOf(const StagedDevice& device, const std::vector<raster::Face>&
   return view;
 }
 
+/// Draws the pixels of the view's scissor rectangle. `earlier` is the memory of a device that keeps depths.
 raster::ItemBuffer drawFace(const StagedDevice& device, const raster::DrawList& list, const raster::Face& view,
-                            const std::vector<DeviceTriangle>& triangles) {
-  FaceDrawing drawing(device, list, view);
+                            const std::vector<DeviceTriangle>& triangles, std::vector<Samples>& earlier) {
+  FaceDrawing drawing(device, list, view, earlier);
   for (const DeviceTriangle& triangle : triangles) drawing.draw(triangle);
+  if (device.keepsDepth) earlier.push_back(drawing.target());
   return drawing.resolve();
 }
 
@@ -207,9 +240,11 @@ StagedDevice withReadBack(const ReadBack& readBack) {
 
 PlacedVector placeVector(const TestVector& vector) {
   PlacedVector placed{vector.list, facesOf(vector), {}, {}};
+  const StagedDevice device;
+  std::vector<Samples> earlier;
   for (const VectorFace& face : vector.faces) {
-    placed.triangles.push_back(placeFace(vector.list, face.face));
-    placed.buffers.push_back(drawFace(StagedDevice{}, vector.list, face.face, placed.triangles.back()));
+    placed.triangles.push_back(placeFace(device, vector.list, face.face));
+    placed.buffers.push_back(drawFace(device, vector.list, face.face, placed.triangles.back(), earlier));
   }
   return placed;
 }
@@ -220,14 +255,16 @@ void drawOn(const StagedDevice& device, const PlacedVector& placed,
   raster::DrawList changed;
   if (device.upload) device.upload(changed = placed.list);
   const raster::DrawList& list = device.upload ? changed : placed.list;
-  const bool isSameMesh = haveSameTriangles(list, placed.list);
+  const bool isSameMesh = !device.geometry && (!device.upload || haveSameTriangles(list, placed.list));
+  std::vector<Samples> earlier;
   for (std::size_t f = 0; f < placed.faces.size(); ++f) {
     raster::Face view = viewOf(device, placed.faces, f);
     const bool isPlaced = isSameMesh && isSameView(view, placed.faces[f]);
-    const std::vector<DeviceTriangle> moved = isPlaced ? std::vector<DeviceTriangle>{} : placeFace(list, view);
+    const std::vector<DeviceTriangle> moved = isPlaced ? std::vector<DeviceTriangle>{} : placeFace(device, list, view);
     const std::vector<DeviceTriangle>& triangles = isPlaced ? placed.triangles[f] : moved;
     if (device.readBack) {
-      raster::ItemBuffer buffer = device.isDrawnByRules ? placed.buffers[f] : drawFace(device, list, view, triangles);
+      raster::ItemBuffer buffer =
+          device.isDrawnByRules ? placed.buffers[f] : drawFace(device, list, view, triangles, earlier);
       device.readBack(view, buffer);
       if (!wantsMore(buffer)) return;
       continue;
@@ -235,7 +272,7 @@ void drawOn(const StagedDevice& device, const PlacedVector& placed,
     const int endRow = view.scissor.row + view.scissor.height;
     for (; view.scissor.row < endRow; view.scissor.row += stripRows) {
       view.scissor.height = std::min(stripRows, endRow - view.scissor.row);
-      if (!wantsMore(drawFace(device, list, view, triangles))) return;
+      if (!wantsMore(drawFace(device, list, view, triangles, earlier))) return;
     }
   }
 }

@@ -1,7 +1,8 @@
 /// A simulated device in stages. It draws a test vector by the raster rules in double precision. Each stage is a
 /// function that a known fault (fault.h) may replace.
 ///
-///     upload -> camera -> clip, snap -> facing -> cover -> depth -> fetch -> blend -> store -> resolve -> read back
+///     upload -> camera -> transform, clip, snap -> facing -> cover -> depth -> fetch -> blend -> store -> resolve
+///     -> read back
 ///
 /// Lengths on the picture are sub-pixels, 1/256 pixel.
 #pragma once
@@ -9,9 +10,11 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "reference/diagnosis/staged_geometry.h"
 #include "reference/vectors/vector_file.h"
 #include "reference/verdict/triangle_bounds.h"
 
@@ -33,13 +36,15 @@ raster::ItemId nearestTexel(const raster::IndexMap& map, const glm::dvec2& at);
 /// Changes the item IDs of a face on their way to its file.
 using ReadBack = std::function<void(const raster::Face&, raster::ItemBuffer&)>;
 
-/// `upload`, `camera` and `readBack` may be empty, and then change nothing.
+/// `upload`, `camera`, `geometry` and `readBack` may be empty, and then change nothing.
 struct StagedDevice {
-  /// Changes the uploaded draws and index maps; vertices and indices stay.
+  /// Changes the uploaded draws, indices, texture coordinates and index maps; positions stay.
   std::function<void(raster::DrawList&)> upload;
 
   /// The view of face `f`; its resolution and scissor rectangle stay those of the face.
   std::function<raster::Face(std::span<const raster::Face>, std::size_t)> camera;
+
+  std::optional<StagedGeometry> geometry;
 
   /// The facing that the device assumes for a triangle, given its true facing and the view.
   std::function<Facing(Facing, const raster::Face&)> facing = [](Facing side, const raster::Face&) { return side; };
@@ -60,6 +65,9 @@ struct StagedDevice {
   std::function<bool(double, double)> passes = [](double incoming, double stored) {
     return incoming < stored - 0x1p-40 * std::abs(stored);
   };
+
+  /// Whether a face starts with the depths that earlier faces left in its pixels.
+  bool keepsDepth = false;
 
   /// The weight of a vertex at depth w in the interpolation of u and v.
   std::function<double(double)> weight = [](double w) { return 1 / w; };

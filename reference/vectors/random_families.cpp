@@ -144,6 +144,30 @@ Drawing farFromZero(Random& random) {
   return drawing;
 }
 
+/// Pairs of triangles on both sides of an edge that runs from sample to sample across the whole view and beyond, inside
+/// the guard band. It passes through every third sample of its way. Cut at a side of the view and snapped, it misses
+/// them.
+Drawing longEdges(Random& random) {
+  Drawing drawing = emptyDrawing(anyCountingMap(random));
+  for (int k = 0; k < 3; ++k) {
+    const int thirds = random.between(15, 36), first = -random.between(12, 50), slope = random.oneOf({-1, 1});
+    const int row = random.between(0, resolution - 1) + slope * (first - resolution / 2) / 3;
+    const double w = random.oneOf({0.5, 1.0, 2.0});
+    const bool isSteep = random.isOneIn(2);
+    const auto point = [&](int along, int across) {
+      const glm::dvec2 pixel(along + 0.5, across + 0.5);
+      return pixelPoint(resolution, isSteep ? glm::dvec2(pixel.y, pixel.x) : pixel, w);
+    };
+    const glm::vec3 start = point(first, row), end = point(first + 3 * thirds, row + slope * thirds);
+    const int middle = first + 3 * thirds / 2, distance = random.between(10, 30);
+    for (const int side : {-1, 1}) {
+      const Corners p{start, end, point(middle, row + slope * thirds / 2 + side * distance)};
+      add(drawing, p, anyTexCoords(random));
+    }
+  }
+  return drawing;
+}
+
 // --- depth ---
 
 /// Depths that differ by a factor of a million.
@@ -167,6 +191,16 @@ Drawing depthTies(Random& random) {
     return glm::vec3(x, static_cast<float>(random.between(-20, 20)) / 8, 1.5f + slope * x);
   };
   addFour(drawing, random, [&]() -> Corners { return {point(), point(), point()}; });
+  return drawing;
+}
+
+/// Pairs of triangles with the same corners in the same order, in random order of all triangles.
+Drawing equalDepths(Random& random) {
+  Drawing drawing = emptyDrawing(anyCountingMap(random));
+  const std::array<Corners, 3> corners{anyCorners(random), anyCorners(random), anyCorners(random)};
+  std::array<std::size_t, 6> order{0, 1, 2, 0, 1, 2};
+  for (std::uint32_t k = 5; k > 0; --k) std::swap(order[k], order[random.below(k + 1)]);
+  for (const std::size_t k : order) add(drawing, corners[k], anyTexCoords(random));
   return drawing;
 }
 
@@ -217,6 +251,31 @@ Drawing minifiedMaps(Random& random) {
     const Corners p = anyCorners(random);
     add(drawing, p, anyTexCoords(random, -2, 3));
   }
+  return drawing;
+}
+
+/// Triangles of constant coordinates on the border of a texel. Coordinates are multiples of 1/16 and depths powers of
+/// two, so that double precision interpolates without rounding.
+Drawing constantCoordinates(Random& random) {
+  Drawing drawing = emptyDrawing(countingMap(16, 16));
+  for (int k = 0; k < 4; ++k) {
+    Corners p;
+    for (glm::vec3& corner : p) {
+      const int x = random.between(-16, 16), y = random.between(-16, 16);
+      corner = seenAt({static_cast<float>(x) / 16, static_cast<float>(y) / 16, random.oneOf({0.5f, 1.0f, 2.0f, 4.0f})});
+    }
+    const float u = static_cast<float>(random.between(1, 15)) / 16;
+    const glm::vec2 t(u, static_cast<float>(random.between(1, 15)) / 16);
+    add(drawing, p, {t, t, t});
+  }
+  return drawing;
+}
+
+/// Maps of 2000 to 4000 texels along u or v.
+Drawing fineCoordinates(Random& random) {
+  const int size = random.between(2000, 4000);
+  Drawing drawing = emptyDrawing(random.isOneIn(2) ? countingMap(size, 1) : countingMap(1, size));
+  addFour(drawing, random, [&] { return anyCorners(random); });
   return drawing;
 }
 
@@ -288,6 +347,23 @@ Drawing sharedVertices(Random& random) {
     addDraw(list, number << 16, {}, 0);
     const std::uint32_t a = random.below(vertices), b = (a + 1 + random.below(2)) % vertices;
     list.indices.insert(list.indices.end(), {a, b, (a + 3 + random.below(3)) % vertices});
+    list.draws.back().count = 3;
+  }
+  return drawing;
+}
+
+/// Triangles with any of 320 vertices, most of which no triangle uses.
+Drawing manyVertices(Random& random) {
+  constexpr std::uint32_t vertices = 320;
+  Drawing drawing = emptyDrawing(anyCountingMap(random));
+  raster::DrawList& list = drawing.list;
+  for (std::uint32_t k = 0; k < vertices; ++k) {
+    list.positions.push_back(anyPoint(random));
+    list.texcoords.push_back({random.uniform(-0.2f, 1.2f), random.uniform(-0.2f, 1.2f)});
+  }
+  for (ItemId number = 0; number < 6; ++number) {
+    addDraw(list, number << 16, {}, 0);
+    for (int k = 0; k < 3; ++k) list.indices.push_back(random.below(vertices));
     list.draws.back().count = 3;
   }
   return drawing;
@@ -397,7 +473,12 @@ const std::vector<RandomFamily>& randomFamilies() {
       {"channel-sums", "carries between channels, lost bits, conversions of colours", channelSums},
       {"integer-sums", "clamping or lost carries of an integer add", integerSums},
       {"replaced-ids", "modulate or add where the texel replaces the offset", replacedIds},
-      {"aligned-ids", "offsets that are not aligned", alignedIds}};
+      {"aligned-ids", "offsets that are not aligned", alignedIds},
+      {"equal-depths", "triangles with the same corners: the first one stays", equalDepths},
+      {"many-vertices", "indices cut to 8 bits", manyVertices},
+      {"long-edges", "triangles cut at the sides of the view", longEdges},
+      {"constant-coordinates", "coordinates that are equal at all corners and rounded in between", constantCoordinates},
+      {"fine-coordinates", "texture coordinates with too few bits", fineCoordinates}};
   return families;
 }
 

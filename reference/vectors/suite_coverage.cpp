@@ -113,6 +113,33 @@ TestVector perspectiveSheet() {
                     list, {frontFace(64, 0.5f)});
 }
 
+/// Triangles of one or two pixels inside the view, whose corners lie anywhere between sub-pixels, as texels of one map.
+TestVector subPixelSheet() {
+  constexpr int cells = 24, resolution = 2 * cells + 4;
+  std::mt19937 random(24);
+  std::vector<glm::vec3> corners;
+  for (int corner = 0; corner < (cells + 1) * (cells + 1); ++corner) {
+    const auto across = [&](int cell) { return 2 + 2 * cell + static_cast<double>(uniform(random, -0.6f, 0.6f)); };
+    const double column = across(corner % (cells + 1)), row = across(corner / (cells + 1));
+    corners.push_back(pixelPoint(resolution, {column, row}));
+  }
+  raster::DrawList list = plainList();
+  list.indexMaps.push_back(countingMap(2 * cells, cells));
+  addDraw(list, 0, {}, 0);
+  for (std::size_t row = 0; row < cells; ++row)
+    for (std::size_t column = 0; column < cells; ++column) {
+      const std::size_t first = row * (cells + 1) + column, next = first + cells + 1;
+      const auto middle = [&](std::size_t texel) {
+        return glm::vec2((static_cast<float>(texel) + 0.5f) / (2 * cells), (static_cast<float>(row) + 0.5f) / cells);
+      };
+      const glm::vec2 upper = middle(2 * column), lower = middle(2 * column + 1);
+      addTriangle(list, {corners[first], corners[next + 1], corners[first + 1]}, {upper, upper, upper});
+      addTriangle(list, {corners[first], corners[next], corners[next + 1]}, {lower, lower, lower});
+    }
+  return makeVector("sub-pixel-sheet", "vertices snapped to fewer than 8 sub-pixel bits", std::move(list),
+                    {frontFace(resolution, 0.5f)});
+}
+
 /// A floor half a unit under the eye that reaches from behind the eye to 6 units ahead, cut at the near plane w = 1.5.
 TestVector nearPlaneSheet() {
   std::mt19937 random(15);
@@ -151,6 +178,25 @@ TestVector frustumSheet() {
                     {frontFace(64, 0.05f)});
 }
 
+/// Strips that begin and end outside of the view, up to two and a half of its widths away, inside the guard band. Every
+/// third sample lies exactly on an edge between two of them, and belongs to the strip above it. Where a device cuts an
+/// edge at a side of the view, it snaps the new corner, moves the edge, and may give these samples to the strip below.
+TestVector edgesBeyondTheView() {
+  constexpr int resolution = 32;
+  raster::DrawList list = plainList();
+  for (int strip = -resolution; strip <= resolution; ++strip) {
+    // Slope 1/3 through the sample (0, strip); the ends lie on samples as well.
+    const int left = -3 * (20 + (strip + resolution) % 7), right = 3 * (20 + (strip + resolution) % 11);
+    const auto point = [&](int column, int below) {
+      return pixelPoint(resolution, {column + 0.5, strip + below + column / 3 + 0.5});
+    };
+    addDraw(list, static_cast<raster::ItemId>(list.draws.size()));
+    addQuad(list, {point(left, 0), point(right, 0), point(right, 1), point(left, 1)});
+  }
+  return makeVector("edges-beyond-the-view", "triangles that the device clips at the sides of the view by itself",
+                    std::move(list), {frontFace(resolution, 0.5f)});
+}
+
 /// Triangles with none, one, two or three corners behind the near plane, some of them on it.
 TestVector behindTheEye() {
   std::mt19937 random(3);
@@ -182,7 +228,9 @@ std::vector<TestVector> coverageVectors() {
           nearPlaneSheet(),
           guardBandSheet(),
           frustumSheet(),
-          behindTheEye()};
+          behindTheEye(),
+          edgesBeyondTheView(),
+          subPixelSheet()};
 }
 
 }  // namespace hemitex::reference

@@ -147,6 +147,34 @@ TestVector depthRatio() {
                     std::move(list), {frontFace(resolution, 0.005f)});
 }
 
+/// 8 x 8 quads, each drawn twice with the same corners in the same order. Their depths are equal on any device, so the
+/// first one stays. In three quarters of the cells another quad comes before, between or after them, a third nearer or
+/// farther, which any depth format can tell.
+TestVector equalDepths(const std::string& name, bool isSloped) {
+  constexpr int resolution = 32, cell = 4;
+  raster::DrawList list = plainList();
+  const auto add = [&](int number, double distance) {
+    const double column = number % 8 * cell, row = number / 8 * cell;
+    const auto corner = [&](double x, double y, double slope) {
+      return pixelPoint(resolution, {column + x, row + y}, distance * (isSloped ? 1 + slope : 1));
+    };
+    addDraw(list, static_cast<raster::ItemId>(list.draws.size()));
+    addQuad(list, {corner(0, 0, 0.03), corner(cell, 0, 0.1), corner(cell, cell, 0.07), corner(0, cell, 0.01)});
+  };
+  for (int number = 0; number < 64; ++number) {
+    // Neighbours get all combinations, and depths whose inverses binary arithmetic cannot hold.
+    const int place = (number + number / 8) % 4;
+    const double w = 1 + 0.07 * number, other = number % 8 < 4 ? w / 1.5 : 1.5 * w;
+    if (place == 1) add(number, other);
+    add(number, w);
+    if (place == 2) add(number, other);
+    add(number, w);
+    if (place == 3) add(number, other);
+  }
+  return makeVector(name, "less-or-equal instead of less: item IDs of the second of two equal triangles",
+                    std::move(list), {frontFace(resolution, 0.5f)});
+}
+
 }  // namespace
 
 std::vector<TestVector> depthVectors() {
@@ -159,7 +187,9 @@ std::vector<TestVector> depthVectors() {
           depthRange(),
           depthStack(),
           crossing(),
-          depthRatio()};
+          depthRatio(),
+          equalDepths("equal-depths", false),
+          equalDepths("equal-depths-sloped", true)};
 }
 
 }  // namespace hemitex::reference

@@ -164,6 +164,34 @@ TestVector strips() {
                     std::move(list), {frontFace(resolution, 0.5f)});
 }
 
+/// A board of quads whose vertices are the last ones of more than 65,536; those of the last quad lie on either side of
+/// 65,536. Cut to 16 bits or to 8, an index names one of the first vertices. They hold the board moved by one cell and
+/// nearer, and no index names them. The vertices between are not used either.
+TestVector manyVertices() {
+  constexpr int resolution = 32, side = 8, cell = resolution / side;
+  constexpr std::uint32_t quads = side * side, overflow = 65536;
+  raster::DrawList list = plainList();
+  list.positions.resize(overflow + 4 * quads - 2);
+  list.texcoords.resize(list.positions.size());
+  const auto corner = [&](std::uint32_t quad, std::uint32_t k, double w) {
+    const auto place = static_cast<int>(quad % quads);
+    const glm::dvec2 first(place % side * cell, place / side * cell);
+    return pixelPoint(resolution, first + glm::dvec2(k == 1 || k == 2 ? cell : 0, k > 1 ? cell : 0), w);
+  };
+  for (std::uint32_t quad = 0; quad < quads; ++quad) {
+    const std::uint32_t first = quad + 1 == quads ? overflow - 2 : overflow + 2 + 4 * quad;
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      list.positions[first + k] = corner(quad, k, 1);
+      if (first + k >= overflow) list.positions[first + k - overflow] = corner(quad + 1, k, 0.75);
+    }
+    addDraw(list, quad);
+    for (const std::uint32_t k : {0u, 2u, 1u, 0u, 3u, 2u}) list.indices.push_back(first + k);
+    list.draws.back().count = 6;
+  }
+  return makeVector("many-vertices", "indices cut to 16 bits or to 8: there are more than 65,536 vertices",
+                    std::move(list), {frontFace(resolution, 0.5f)});
+}
+
 }  // namespace
 
 std::vector<TestVector> meshVectors() {
@@ -178,6 +206,7 @@ std::vector<TestVector> meshVectors() {
                 sampleGrid());
   addBothOrders(vectors, "micro-grid", "triangles smaller than a pixel lost, grown or drawn twice", 16, microGrid());
   vectors.push_back(strips());
+  vectors.push_back(manyVertices());
   return vectors;
 }
 

@@ -121,6 +121,56 @@ TestVector minified() {
                     {frontFace(resolution, 0.5f)});
 }
 
+/// 8 x 8 quads of constant coordinates: in every other cell on the border of a texel, in the others a quarter of a
+/// texel beyond it; u in the upper half, v in the lower half. Depths are powers of two and coordinates multiples of
+/// 1/256, so that double precision interpolates without rounding.
+TestVector constantCoordinates() {
+  constexpr int resolution = 32, cell = 4;
+  raster::DrawList list = plainList();
+  list.indexMaps = {countingMap(64, 4), countingMap(4, 64)};
+  for (int number = 0; number < 64; ++number) {
+    const bool isU = number < 32;
+    const bool isOnBorder = (number + number / 8) % 2 == 0;
+    const float constant = static_cast<float>(4 * (2 * (number % 32) + 1) + (isOnBorder ? 0 : 1)) / 256;
+    const glm::vec2 texcoord = isU ? glm::vec2(constant, 0.375f) : glm::vec2(0.375f, constant);
+    addDraw(list, isU ? 0 : mark, {}, isU ? 0 : 1);
+    std::array<glm::vec3, 4> corners;
+    for (int k = 0; k < 4; ++k) {
+      const glm::dvec2 pixel(number % 8 * cell + (k == 1 || k == 2 ? cell : 0), number / 8 * cell + k / 2 * cell);
+      corners[static_cast<std::size_t>(k)] =
+          pixelPoint(resolution, pixel, std::ldexp(1.0, (k * (2 * number + 1) + number) % 4));
+    }
+    addTriangle(list, {corners[0], corners[2], corners[1]}, {texcoord, texcoord, texcoord});
+    addTriangle(list, {corners[0], corners[3], corners[2]}, {texcoord, texcoord, texcoord});
+  }
+  return makeVector("constant-coordinates", "a coordinate that is equal at all corners and interpolated to just below",
+                    std::move(list), {frontFace(resolution, 0.5f)});
+}
+
+/// Lines of pixels that show every seventh texel of a map of 4000, a quarter of a texel or more away from borders: rows
+/// along u in the upper half, columns along v in the lower half. From 1/2 on, a half float holds one number per two
+/// texels.
+TestVector fineCoordinates() {
+  constexpr int side = 32, resolution = side + 2;  // inside of the view, where nothing is clipped
+  constexpr int texels = 4000, step = 7;
+  raster::DrawList list = plainList();
+  list.indexMaps = {countingMap(texels, 1), countingMap(1, texels)};
+  const auto addLine = [&](const Block& block, bool isU, int line, int lines) {
+    const int pixels = isU ? block.endColumn - block.firstColumn : block.endRow - block.firstRow;
+    const double start = 3 + texels / lines * line + 0.25 + line % 4 * 0.125 - 0.5 * step;
+    const auto low = static_cast<float>(start / texels), high = static_cast<float>((start + step * pixels) / texels);
+    const glm::vec2 first = isU ? glm::vec2(low, 0.5f) : glm::vec2(0.5f, low);
+    addBlock(list, resolution, block, 1, {first, isU ? glm::vec2(high, 0.5f) : glm::vec2(0.5f, high)});
+  };
+  addDraw(list, 0, {}, 0);
+  for (int row = 0; row < side / 2; ++row) addLine({1, 1 + row, 1 + side, 2 + row}, true, row, side / 2);
+  addDraw(list, mark, {}, 1);
+  for (int column = 0; column < side; ++column)
+    addLine({1 + column, 1 + side / 2, 2 + column, 1 + side}, false, column, side);
+  return makeVector("fine-coordinates", "texture coordinates in half floats or in fixed point with too few bits",
+                    std::move(list), {frontFace(resolution, 0.5f)});
+}
+
 /// Sixteen draws with a map each, all of different sizes; two draws share one.
 TestVector manyMaps() {
   constexpr int resolution = 32;
@@ -141,7 +191,7 @@ std::vector<TestVector> texelVectors() {
   std::vector<TestVector> vectors;
   for (const int texels : {1, 3, 7, 100, 255, 256, 257, 1000, 1024}) vectors.push_back(borderSteps(texels));
   for (const auto& make : {perspectiveFloor, perspectiveTwist, perspectiveClipped, bordersOnSamples, clampedCoordinates,
-                           rectangularMap, magnified, minified, manyMaps})
+                           rectangularMap, magnified, minified, manyMaps, constantCoordinates, fineCoordinates})
     vectors.push_back(make());
   return vectors;
 }

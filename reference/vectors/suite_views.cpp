@@ -154,6 +154,31 @@ TestVector narrowView() {
                     std::move(list), {face});
 }
 
+/// A crumpled wall around the origin from a rotated view, whose eye is 4 units in front of it. The rows of the view as
+/// columns, and the transposed 4x4 matrix with z = n, show a part of the wall, too.
+TestVector rotatedView() {
+  constexpr int cells = 12;
+  const glm::vec3 right = glm::vec3(6, -3, 2) / 7.0f, rows = glm::vec3(2, 6, 3) / 7.0f,
+                  forward = glm::vec3(-3, -2, 6) / 7.0f;
+  std::mt19937 random(49);
+  std::vector<glm::vec3> corners;
+  for (int corner = 0; corner < (cells + 1) * (cells + 1); ++corner) {
+    const auto across = [&](int cell) { return static_cast<float>(cell - cells / 2) + uniform(random, -0.3f, 0.3f); };
+    const float x = across(corner % (cells + 1)), y = across(corner / (cells + 1)), z = uniform(random, -0.5f, 0.5f);
+    corners.push_back(x * right + y * rows + z * forward);
+  }
+  raster::DrawList list = plainList();
+  for (std::size_t row = 0; row < cells; ++row)
+    for (std::size_t column = 0; column < cells; ++column) {
+      const std::size_t first = row * (cells + 1) + column, next = first + cells + 1;
+      addDraw(list, static_cast<raster::ItemId>(list.draws.size() + 1) << 24);
+      addQuad(list, {corners[first], corners[first + 1], corners[next + 1], corners[next]});
+    }
+  const Face face{-4.0f * forward, right, rows, forward, 0.5f, 32, {0, 0, 32, 32}};
+  return makeVector("rotated-view", "matrices transposed, with the eye subtracted before or as a part of the matrix",
+                    std::move(list), {face});
+}
+
 }  // namespace
 
 std::vector<TestVector> viewVectors() {
@@ -166,7 +191,8 @@ std::vector<TestVector> viewVectors() {
           narrowView(),
           scissors(),
           smallestViewport(),
-          largestViewport()};
+          largestViewport(),
+          rotatedView()};
 }
 
 }  // namespace hemitex::reference

@@ -53,6 +53,7 @@ void readField(const Json& value, const std::string& key, DeviceProfile& profile
   if (key == "depth_format") return readChoice(value, key, depthFormatNames, profile.depthFormat);
   if (key == "depth_tolerance") return readBound(value, key, profile.depthTolerance);
   if (key == "loose_clipping") return readFlag(value, key, profile.looseClipping);
+  if (key == "strict_depth") return readFlag(value, key, profile.strictDepth);
   throw InputError("\"" + key + "\" is not a key of a device profile");
 }
 
@@ -78,7 +79,8 @@ std::string toJson(const DeviceProfile& profile) {
                   {"texel_precision", profile.texelPrecision},
                   {"depth_format", nameOf(depthFormatNames, profile.depthFormat)},
                   {"depth_tolerance", profile.depthTolerance},
-                  {"loose_clipping", profile.looseClipping}};
+                  {"loose_clipping", profile.looseClipping},
+                  {"strict_depth", profile.strictDepth}};
   return json.dump(2) + "\n";
 }
 

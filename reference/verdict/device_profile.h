@@ -32,6 +32,9 @@ struct DeviceProfile {
   double depthTolerance = 4;  ///< error of a stored depth, in units in the last place of 1
   /// Whether a device may clip triangles at other planes, or in binary32.
   bool looseClipping = true;
+  /// Whether the first of two triangles with the same corners in the same order must stay. Any device computes equal
+  /// depths for them; other equal depths may be rounded differently.
+  bool strictDepth = false;
 
   bool operator==(const DeviceProfile&) const = default;
 };
@@ -41,8 +44,8 @@ double depthError(const DeviceProfile& profile);
 
 /// Reads a JSON object with any of the keys `vertex_error`, `subpixel_bits`, `snap_rounding` ("nearest", "truncate"),
 /// `edge_rule` ("top-left", "any"), `texel_precision`, `depth_format` ("float32", "unorm24", "unorm16"),
-/// `depth_tolerance`, `loose_clipping`; an absent key keeps its default. Throws InputError for an unknown key, a value
-/// of the wrong type or out of range, and a file that cannot be read.
+/// `depth_tolerance`, `loose_clipping`, `strict_depth`; an absent key keeps its default. Throws InputError for an
+/// unknown key, a value of the wrong type or out of range, and a file that cannot be read.
 DeviceProfile readProfile(const std::filesystem::path& file);
 
 /// The same from the text of such a file.

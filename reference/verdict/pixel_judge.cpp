@@ -159,6 +159,20 @@ bool mayGive(const Judge& judge, const Candidate& candidate, ItemId id) {
                       id);
 }
 
+bool haveSameCorners(const DeviceTriangle& a, const DeviceTriangle& b) {
+  return std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(),
+                    [](const DeviceVertex& p, const DeviceVertex& q) {
+                      return p.view.x == q.view.x && p.view.y == q.view.y && p.view.w == q.view.w;
+                    });
+}
+
+/// Whether an earlier candidate has the same corners. Then it covers the same samples at the same depths on every
+/// device, and where equal depths keep the first triangle, this one is never visible.
+bool hasEarlierTwin(const std::vector<Candidate>& candidates, const Candidate& candidate) {
+  return std::any_of(candidates.data(), &candidate,
+                     [&](const Candidate& earlier) { return haveSameCorners(*earlier.triangle, *candidate.triangle); });
+}
+
 /// The candidate that the rules show; null for the background.
 const Candidate* expectedOf(const std::vector<Candidate>& candidates, const glm::dvec2& sample) {
   const Candidate* expected = nullptr;
@@ -194,6 +208,7 @@ PixelVerdict judgeId(const Judge& judge, std::span<const DeviceTriangle* const> 
   for (const Candidate& candidate : candidates) {
     const double nearest = candidate.nearest() + judge.depthTolerance;
     if (nearest < certain || !mayGive(judge, candidate, found)) continue;
+    if (judge.profile.strictDepth && hasEarlierTwin(candidates, candidate)) continue;
     // Rounding may exchange coplanar triangles in expectedOf. Without a texel to differ in, this one won by depth.
     const bool hasTexel = judge.list.draws[candidate.triangle->draw].indexMap.has_value();
     if (&candidate == expected) return hasTexel ? PixelVerdict::Texel : PixelVerdict::Depth;

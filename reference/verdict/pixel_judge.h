@@ -39,7 +39,7 @@ struct Judge {
 Judge makeJudge(const raster::DrawList& list, const raster::Face& face, const DeviceProfile& profile);
 
 /// Coverage, Texel, Depth or Error for an item ID that differs from the rules' at a sample. `triangles` holds at least
-/// all triangles that may cover the sample.
+/// all triangles that may cover the sample, in draw order.
 PixelVerdict judgeId(const Judge& judge, std::span<const DeviceTriangle* const> triangles, const glm::dvec2& sample,
                      raster::ItemId found);
 

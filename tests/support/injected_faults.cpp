@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/gtc/packing.hpp>
 
 namespace hemitex::tests {
 
@@ -25,6 +26,11 @@ Injection onDevice(const std::string& fault, const std::string& vector,
             spoil(device);
             return drawAll(device, right);
           }};
+}
+
+Injection under(const reference::DeviceProfile& profile, Injection injection) {
+  injection.profile = profile;
+  return injection;
 }
 
 /// A fault in the input.
@@ -101,6 +107,26 @@ Buffers firstPixelsOfTargets(const TestVector& vector, const SimulatedDevice& de
   return buffers;
 }
 
+/// The viewport is `ratio` times as large, in a target as large as before.
+Buffers zoomed(const TestVector& vector, SimulatedDevice device, double ratio) {
+  device.vertex = [=](raster::ViewVertex& v) {
+    v.x = ratio * (v.x + v.w) - v.w;
+    v.y = ratio * (v.y + v.w) - v.w;
+  };
+  return drawAll(device, vector);
+}
+
+/// The target is twice as large, too, and so are the scissor rectangles; but the pixels are read as if it were not.
+Buffers firstPixelsOfZoomed(const TestVector& vector, const SimulatedDevice& device) {
+  TestVector twice = vector;
+  for (reference::VectorFace& face : twice.faces) {
+    face.face.resolution *= 2;
+    face.face.scissor.column *= 2;
+    face.face.scissor.row *= 2;
+  }
+  return drawAll(device, twice);
+}
+
 std::vector<Injection> viewInjections() {
   const auto flippedRows = [](TestVector& vector) {
     for (reference::VectorFace& face : vector.faces) face.face.y = -face.face.y;
@@ -138,6 +164,9 @@ std::vector<Injection> viewInjections() {
                     top.x = -top.y;
                     top.y = x;
                   }),
+          {"viewport scaled by a pixel ratio", "five-faces",
+           [](const TestVector& vector, const SimulatedDevice& device) { return zoomed(vector, device, 1.5); }},
+          {"viewport scaled by a pixel ratio", "scissors", firstPixelsOfZoomed},
           {"viewport set to the scissor rectangle", "scissors", scissorAsViewport},
           {"viewport set to the scissor rectangle", "five-faces", scissorAsViewport},
           onInput("scissor rectangle read back from the wrong corner", "scissors",
@@ -149,6 +178,110 @@ std::vector<Injection> viewInjections() {
           onInput("a face's own eye ignored", "odd-faces", [](TestVector& vector) {
             for (reference::VectorFace& face : vector.faces) face.face.eye = vector.faces[0].face.eye;
           })};
+}
+
+// --- indices, transformation, clipping, snapping ---
+
+/// Draws each face through a list whose positions are already clip coordinates.
+Buffers throughMatrix(const TestVector& vector, const SimulatedDevice& device,
+                      const std::function<glm::dmat4(const raster::Face&)>& matrixOf) {
+  Buffers buffers;
+  for (const reference::VectorFace& drawn : vector.faces) {
+    const glm::dmat4 matrix = matrixOf(drawn.face);
+    raster::DrawList list = vector.list;
+    list.positions.clear();
+    list.texcoords.clear();
+    list.indices.clear();
+    raster::Face plain = drawn.face;
+    plain.eye = {0, 0, 0};
+    plain.x = {1, 0, 0};
+    plain.y = {0, 1, 0};
+    plain.w = {0, 0, 1};
+    plain.nearDistance = 1e-4f;
+    if (raster::determinant(drawn.face) < 0) plain.x = -plain.x;
+    struct Corner {
+      glm::dvec3 position;
+      glm::dvec2 texcoord;
+      double at;
+    };
+    for (raster::Draw& draw : list.draws) {
+      const std::uint32_t first = draw.first;
+      draw.first = static_cast<std::uint32_t>(list.indices.size());
+      for (std::uint32_t t = first; t < first + draw.count; t += 3) {
+        std::vector<Corner> polygon;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+          const std::uint32_t index = vector.list.indices[t + k];
+          polygon.push_back({glm::dvec3(vector.list.positions[index]), glm::dvec2(vector.list.texcoords[index]), 0});
+        }
+        // z >= 0 and w - z >= 0, in object space.
+        for (const bool isFar : {false, true}) {
+          for (Corner& corner : polygon) {
+            const glm::dvec4 p = matrix * glm::dvec4(corner.position, 1);
+            corner.at = isFar ? p.w - p.z : p.z;
+          }
+          std::vector<Corner> inside;
+          for (std::size_t k = 0; k < polygon.size(); ++k) {
+            const Corner &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+            if (a.at >= 0) inside.push_back(a);
+            if ((a.at < 0) == (b.at < 0)) continue;
+            const double part = a.at / (a.at - b.at);
+            inside.push_back({glm::mix(a.position, b.position, part), glm::mix(a.texcoord, b.texcoord, part), 0});
+          }
+          polygon = inside;
+        }
+        for (std::size_t k = 2; k < polygon.size(); ++k)
+          for (const std::size_t corner : {std::size_t{0}, k - 1, k}) {
+            const glm::dvec4 p = matrix * glm::dvec4(polygon[corner].position, 1);
+            list.indices.push_back(static_cast<std::uint32_t>(list.positions.size()));
+            list.positions.push_back(glm::vec3(plain.x.x * p.x, p.y, p.w));
+            list.texcoords.push_back(glm::vec2(polygon[corner].texcoord));
+          }
+      }
+      draw.count = static_cast<std::uint32_t>(list.indices.size()) - draw.first;
+    }
+    buffers.push_back(drawOn(device, list, plain));
+  }
+  return buffers;
+}
+
+/// Rows for a column-major mat4, which the device then takes as columns.
+glm::dmat4 rowsAsColumns(const raster::Face& face) {
+  const auto row = [&](const glm::dvec3& axis) { return glm::dvec4(axis, -glm::dot(axis, glm::dvec3(face.eye))); };
+  return {row(face.x), row(face.y), glm::dvec4(0, 0, 0, face.nearDistance), row(face.w)};
+}
+
+template <typename Unsigned>
+void cutIndices(TestVector& vector) {
+  for (std::uint32_t& index : vector.list.indices) index = static_cast<Unsigned>(index);
+}
+
+std::vector<Injection> geometryInjections() {
+  reference::DeviceProfile clippedByRules;
+  clippedByRules.looseClipping = false;
+  const auto cutAtView = [](SimulatedDevice& device) { device.cutsAtView = true; };
+  const auto snapTo4Bits = [](SimulatedDevice& device) { device.profile.subpixelBits = 4; };
+  return {onInput("indices cut to fewer bits", "many-vertices", cutIndices<std::uint16_t>),
+          onInput("indices cut to fewer bits", "fans-later-nearer", cutIndices<std::uint8_t>),
+          onInput("matrix transposed", "five-faces-tilted",
+                  [](TestVector& vector) {
+                    for (reference::VectorFace& face : vector.faces) {
+                      const glm::mat3 rows(face.face.x, face.face.y, face.face.w), columns = glm::transpose(rows);
+                      face.face.x = columns[0];
+                      face.face.y = columns[1];
+                      face.face.w = columns[2];
+                    }
+                  }),
+          {"matrix transposed", "rotated-view",
+           [](const TestVector& vector, const SimulatedDevice& device) {
+             return throughMatrix(vector, device, rowsAsColumns);
+           }},
+          under(clippedByRules, onDevice("clipping at other planes", "edges-beyond-the-view", cutAtView)),
+          onInput("clipping at other planes", "near-plane-sheet",
+                  [](TestVector& vector) {
+                    for (reference::VectorFace& face : vector.faces) face.face.nearDistance /= 2;
+                  }),
+          onDevice("vertices snapped to fewer bits", "sub-pixel-sheet", snapTo4Bits),
+          onDevice("vertices snapped to fewer bits", "perspective-sheet", snapTo4Bits)};
 }
 
 // --- coverage and depth ---
@@ -185,8 +318,21 @@ Buffers turnedInMirror(const TestVector& vector, const SimulatedDevice& device) 
   return buffers;
 }
 
+/// All faces are drawn into one target whose depths are cleared once.
+Buffers withDepthsKept(const TestVector& vector, const SimulatedDevice& device) {
+  Buffers buffers;
+  TargetDepths depths;
+  for (const reference::VectorFace& face : vector.faces)
+    buffers.push_back(drawOn(device, vector.list, face.face, depths));
+  return buffers;
+}
+
 std::vector<Injection> sampleInjections() {
-  return {onIds("triangles missing", "five-faces", everyId([](ItemId) { return 0xffffffffu; })),
+  reference::DeviceProfile strict;
+  strict.strictDepth = true;
+  strict.depthTolerance = 0.5;  // only rounding, which is the same for equal triangles
+  const auto orEqual = [](SimulatedDevice& device) { device.passes = std::less_equal<double>(); };
+  return {onIds("triangles missing", "rotated-view", everyId([](ItemId) { return 0xffffffffu; })),
           onInput("front and back exchanged", "backs", turnTriangles),
           {"front and back exchanged", "backs", turnedInMirror},
           onDevice("wrong fill rule", "sample-grid-later-nearer",
@@ -204,7 +350,11 @@ std::vector<Injection> sampleInjections() {
           onDevice("depth test off", "depth-stack",
                    [](SimulatedDevice& device) { device.passes = [](double, double) { return true; }; }),
           onDevice("depth test reversed", "depth-stack",
-                   [](SimulatedDevice& device) { device.passes = std::greater<double>(); })};
+                   [](SimulatedDevice& device) { device.passes = std::greater<double>(); }),
+          under(strict, onDevice("equal depths pass the depth test", "equal-depths", orEqual)),
+          under(strict, onDevice("equal depths pass the depth test", "equal-depths-sloped", orEqual)),
+          {"depth not cleared between faces", "five-faces", withDepthsKept},
+          {"depth not cleared between faces", "five-faces-tilted", withDepthsKept}};
 }
 
 // --- textures ---
@@ -234,7 +384,19 @@ ItemId thirdLevel(const raster::IndexMap& map, const glm::dvec2& at) {
   return static_cast<ItemId>(std::lround((first.y + 3.5) * map.width + first.x + 3.5));
 }
 
+float throughBinary16(float x) { return glm::unpackHalf1x16(glm::packHalf1x16(x)); }
+
 std::vector<Injection> textureInjections() {
+  reference::DeviceProfile exact;
+  exact.texelPrecision = 0;
+  const auto inHalfFloats = [](const raster::IndexMap& map, const glm::dvec2& at) {
+    return texelOf(map, static_cast<double>(throughBinary16(static_cast<float>(at.x / map.width))) * map.width,
+                   static_cast<double>(throughBinary16(static_cast<float>(at.y / map.height))) * map.height);
+  };
+  const auto justBelow = [](const raster::IndexMap& map, const glm::dvec2& at) {
+    const auto below = [](double x) { return static_cast<double>(std::nextafter(static_cast<float>(x), -1.0f)); };
+    return texelOf(map, below(at.x), below(at.y));
+  };
   const auto fetching = [](const auto& fetch) { return [=](SimulatedDevice& device) { device.fetch = fetch; }; };
   const auto repeated = [](const raster::IndexMap& map, const glm::dvec2& at) {
     const auto wrapped = [](double texel, int size) { return texel - size * std::floor(texel / size); };
@@ -262,7 +424,24 @@ std::vector<Injection> textureInjections() {
                         std::swap_ranges(end - map.width, end, map.ids.begin() + (map.ids.end() - end));
                   }),
           onDevice("width and height of the index map exchanged", "rectangular-map", fetching(cutAtHeight)),
-          onDevice("index map not sampled", "five-faces",
+          onInput("texture coordinates in half floats", "fine-coordinates",
+                  [](TestVector& vector) {
+                    for (glm::vec2& t : vector.list.texcoords) t = {throughBinary16(t.x), throughBinary16(t.y)};
+                  }),
+          onDevice("texture coordinates in half floats", "fine-coordinates", fetching(inHalfFloats)),
+          under(exact,
+                onDevice("texture coordinates just below the exact ones", "constant-coordinates", fetching(justBelow))),
+          onInput("index map transposed", "five-faces",
+                  [](TestVector& vector) {
+                    raster::IndexMap& map = vector.list.indexMaps[0];
+                    const std::vector<ItemId> columns = map.ids;  // 3 texels each
+                    for (std::size_t k = 0; k < 15; ++k) map.ids[k] = columns[k % 3 * 5 + k / 3];
+                  }),
+          onDevice("index map transposed", "perspective-twist",
+                   fetching([](const raster::IndexMap& map, const glm::dvec2& at) {
+                     return texelOf(map, at.y / map.height * map.width, at.x / map.width * map.height);
+                   })),
+          onDevice("index map not sampled", "byte-pairs",
                    fetching([](const raster::IndexMap&, const glm::dvec2&) { return ItemId{0}; }))};
 }
 
@@ -336,9 +515,30 @@ ItemId throughBinary32(ItemId id) {
   return static_cast<ItemId>(std::min(std::nearbyint(id / unit) * unit, 4294967295.0));
 }
 
+ItemId premultiplied(ItemId id) {
+  const ItemId alpha = id >> 24;
+  return bytewise([=](ItemId shift) { return shift == 24 ? alpha : (byteAt(id, shift) * alpha + 127) / 255; });
+}
+
 std::vector<Injection> memoryInjections() {
   const std::string layout = "layout-r8g8b8a8";
-  return {onInput("channels swapped in the texture (BGRA)", layout,
+  const auto premultiplyMaps = [](TestVector& vector) {
+    for (raster::IndexMap& map : vector.list.indexMaps)
+      for (ItemId& id : map.ids) id = premultiplied(id);
+  };
+  return {onInput("premultiplied alpha", "byte-pairs", premultiplyMaps),
+          onInput("premultiplied alpha", layout, premultiplyMaps),
+          onIds("premultiplied alpha", layout, everyId(premultiplied)),
+          onInput("item IDs cut to fewer bits", "unique-maps",
+                  [](TestVector& vector) {
+                    for (raster::IndexMap& map : vector.list.indexMaps)
+                      for (ItemId& id : map.ids) id &= 0xffff;
+                  }),
+          onInput("item IDs cut to fewer bits", "single-elements",
+                  [](TestVector& vector) {
+                    for (raster::Draw& draw : vector.list.draws) draw.offset &= 0xffff;
+                  }),
+          onInput("channels swapped in the texture (BGRA)", layout,
                   [](TestVector& vector) {
                     for (raster::IndexMap& map : vector.list.indexMaps)
                       for (ItemId& id : map.ids) id = bgra(id);
@@ -371,7 +571,8 @@ std::vector<Injection> memoryInjections() {
 
 std::vector<Injection> injectedFaults() {
   std::vector<Injection> all;
-  for (const auto& some : {viewInjections, sampleInjections, textureInjections, blendInjections, memoryInjections})
+  for (const auto& some :
+       {viewInjections, geometryInjections, sampleInjections, textureInjections, blendInjections, memoryInjections})
     for (Injection& injection : some()) all.push_back(std::move(injection));
   return all;
 }

@@ -20,6 +20,7 @@ Buffers drawAll(const SimulatedDevice& device, const reference::TestVector& vect
 struct Injection {
   std::string fault, vector;  ///< their names
   std::function<Buffers(const reference::TestVector&, SimulatedDevice)> draw;
+  reference::DeviceProfile profile = {};  ///< of the device; it must exclude the effect of the fault
 };
 
 /// At least one injection for each fault that a diagnosis knows.

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <utility>
 
 #include "raster/interface/draw_list.h"
 #include "raster/interface/face.h"
@@ -31,6 +33,13 @@ struct SimulatedDevice {
       store{};  ///< of the target's item ID and the fragment's
 };
 
+/// The depths that a target holds, by column and row; a pixel without one was cleared.
+using TargetDepths = std::map<std::pair<int, int>, double>;
+
 raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face);
+
+/// The same with a target that holds depths before and after.
+raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face,
+                          TargetDepths& depths);
 
 }  // namespace hemitex::tests

@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "reference/vectors/candidate.h"
 #include "reference/vectors/draw_list_builder.h"
 #include "reference/vectors/vector_file.h"
+#include "reference/vectors/vector_suite.h"
 #include "tests/support/shell.h"
 
 using namespace hemitex::tests;
@@ -260,6 +262,23 @@ TEST_CASE("hemitex vector check names a systematic fault", "[cli]") {
   const json report = json::parse(shell.run("vector check vector --candidate device --json").out);
   REQUIRE(report["diagnosis"].size() == 1);
   CHECK(report["diagnosis"][0]["fault"] == "byte order");
+}
+
+TEST_CASE("hemitex vector check --strict-depth names less-or-equal, which the rounding of depths excuses otherwise",
+          "[cli]") {
+  namespace reference = hemitex::reference;
+  const Shell shell;
+  shell.output("vector suite -o suite");
+  reference::TestVector vector = reference::readVector(shell.file("suite/equal-depths"));
+  std::reverse(vector.list.draws.begin(), vector.list.draws.end());  // keeps the last of equal depths
+  fs::create_directory(shell.file("device"));
+  reference::writeCandidate(shell.file("device"), vector, reference::render(vector));
+  const std::string check = "vector check suite/equal-depths --candidate device";
+  CHECK(json::parse(shell.output(check + " --json"))["pixels"]["depth"] == 640);
+  const Outcome strict = shell.run(check + " --strict-depth");
+  CHECK(strict.exitCode == 1);
+  CHECK(strict.out.find("\ndiagnosis: equal depths pass the depth test (100.0 % agreement): ") != std::string::npos);
+  CHECK(shell.run("vector check suite/equal-depths --candidate suite/equal-depths --strict-depth").exitCode == 0);
 }
 
 TEST_CASE("hemitex vector check passes the reference, fails on one wrong item ID, and refuses a short file", "[cli]") {

@@ -86,3 +86,24 @@ TEST_CASE("drawOn ends where no more rows are wanted", "[diagnosis]") {
   });
   CHECK(parts == 2);
 }
+
+TEST_CASE("drawOn with the default StagedGeometry draws the item IDs of the rules", "[diagnosis]") {
+  StagedDevice device;
+  device.geometry = reference::StagedGeometry();
+  for (const char* name : {"five-faces-tilted", "frustum-sheet", "guard-band-sheet", "perspective-clipped", "backs"}) {
+    INFO(name);
+    const TestVector vector = named(name);
+    CHECK(idsOf(drawAll(device, vector)) == idsOf(drawAll(StagedDevice{}, vector)));
+  }
+}
+
+TEST_CASE("drawOn with keepsDepth hides what lies behind the faces before", "[diagnosis]") {
+  StagedDevice device;
+  device.keepsDepth = true;
+  TestVector vector = named("depth-stack");
+  vector.faces.push_back(vector.faces[0]);
+  const Ids once = idsOf(drawAll(StagedDevice{}, vector)), kept = idsOf(drawAll(device, vector));
+  CHECK(kept[0] == once[0]);
+  // Nothing is nearer than itself.
+  CHECK(std::count(kept[1].begin(), kept[1].end(), 0xffffffff) == static_cast<std::ptrdiff_t>(kept[1].size()));
+}

@@ -301,6 +301,85 @@ TEST_CASE("vectorSuite: of coplanar surfaces the first one drawn is visible", "[
   }
 }
 
+TEST_CASE("vectorSuite: of two triangles with the same corners the first one is visible, and nearer ones before it",
+          "[suite]") {
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  for (const char* name : {"equal-depths", "equal-depths-sloped"}) {
+    // A cell has two draws, or three in three of four cells; of these the odd one is nearer in columns 0 to 3.
+    ItemId first = 0;
+    const std::vector<ItemId> ids = idsOf(named(suite, name));
+    bool holds = true;
+    for (std::size_t cell = 0; cell < 64; ++cell) {
+      const std::size_t place = (cell + cell / 8) % 4;
+      const bool isOtherNearer = cell % 8 < 4;
+      const std::array<ItemId, 4> nearest{0, isOtherNearer ? 0u : 1u, isOtherNearer ? 1u : 0u, isOtherNearer ? 2u : 0u};
+      for (std::size_t p = 0; p < 16; ++p)
+        holds &= ids[(cell / 8 * 4 + p / 4) * 32 + cell % 8 * 4 + p % 4] == first + nearest[place];
+      first += place == 0 ? 2 : 3;
+    }
+    INFO(name);
+    CHECK(holds);
+  }
+}
+
+TEST_CASE("vectorSuite: the many vertices show a board, and another one with indices of 16 or 8 bits", "[suite]") {
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  const TestVector& vector = named(suite, "many-vertices");
+  CHECK(vector.list.positions.size() > 65536);
+  const auto ofBoard = [](std::size_t p) { return static_cast<ItemId>(p / 32 / 4 * 8 + p % 32 / 4); };
+  const std::vector<ItemId> ids = idsOf(vector);
+  bool holds = true;
+  for (std::size_t p = 0; p < ids.size(); ++p) holds &= ids[p] == ofBoard(p);
+  CHECK(holds);
+  for (const std::uint32_t mask : {0xffffu, 0xffu}) {
+    TestVector cut = vector;
+    for (std::uint32_t& index : cut.list.indices) index &= mask;
+    const std::vector<ItemId> found = idsOf(cut);
+    holds = true;
+    for (std::size_t p = 0; p < ids.size(); ++p) holds &= found[p] == ids[p] - 1 || ids[p] == 0;
+    CHECK(holds);
+  }
+}
+
+TEST_CASE("vectorSuite: samples on the edges beyond the view belong to the strip above", "[suite]") {
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  const std::vector<ItemId> ids = idsOf(named(suite, "edges-beyond-the-view"));
+  bool holds = true;
+  for (int p = 0; p < 1024; ++p) {
+    const double strip =
+        std::ceil(p / 32 - p % 32 / 3.0 - 1e-9) - 1;  // its upper edge passes through the sample (0, strip)
+    holds &= ids[static_cast<std::size_t>(p)] == static_cast<ItemId>(strip + 32);
+  }
+  CHECK(holds);
+}
+
+TEST_CASE("vectorSuite: the sub-pixel sheet and the rotated view have no holes", "[suite]") {
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  const std::vector<ItemId> sheet = idsOf(named(suite, "sub-pixel-sheet")), view = idsOf(named(suite, "rotated-view"));
+  for (std::size_t row = 4; row < 48; ++row)
+    CHECK(std::count(&sheet[row * 52 + 4], &sheet[row * 52 + 48], 0xffffffff) == 0);
+  CHECK(std::count(view.begin(), view.end(), 0xffffffff) == 0);
+}
+
+TEST_CASE("vectorSuite: the constant and the fine coordinates show the texels of their closed forms", "[suite]") {
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  const std::vector<ItemId> constant = idsOf(named(suite, "constant-coordinates"));
+  bool holds = true;
+  for (ItemId p = 0; p < 1024; ++p) {
+    const ItemId cell = p / 32 / 4 * 8 + p % 32 / 4, texel = 2 * (cell % 32) + 1;
+    holds &= constant[p] == (cell < 32 ? 64 + texel : 0x10000 + 4 * texel + 1);
+  }
+  CHECK(holds);
+  const std::vector<ItemId> fine = idsOf(named(suite, "fine-coordinates"));
+  holds = true;
+  for (ItemId row = 0; row < 32; ++row)
+    for (ItemId column = 0; column < 32; ++column) {
+      const ItemId texel = row < 16 ? 3 + 250 * row + 7 * column : 0x10000 + 3 + 125 * column + 7 * (row - 16);
+      holds &= fine[(row + 1) * 34 + column + 1] == texel;
+    }
+  CHECK(holds);
+}
+
 TEST_CASE("vectorSuite: of two adjacent binary32 depths the smaller is visible", "[suite]") {
   const std::vector<TestVector> suite = reference::vectorSuite();
   for (const char* name : {"depth-steps", "depth-range"}) {

@@ -16,7 +16,7 @@ TEST_CASE("readProfile keeps the default of each absent key", "[verdict]") {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path / "profile.json";
   std::ofstream(file) << R"({"subpixel_bits": 4, "snap_rounding": "truncate", "edge_rule": "any", "vertex_error": 2.5,
-                            "depth_format": "unorm16", "loose_clipping": false})";
+                            "depth_format": "unorm16", "loose_clipping": false, "strict_depth": true})";
   const reference::DeviceProfile profile = reference::readProfile(file);
   CHECK(profile.subpixelBits == 4);
   CHECK(profile.snapRounding == reference::SnapRounding::Truncate);
@@ -60,7 +60,7 @@ TEST_CASE("readProfile throws for an unknown key or a wrong value", "[verdict]")
        {R"({"subpixel_bit": 8})", R"({"subpixel_bits": 8.5})", R"({"subpixel_bits": 3})", R"({"subpixel_bits": 13})",
         R"({"subpixel_bits": "8"})", R"({"vertex_error": -1})", R"({"vertex_error": 1e999})",
         R"({"texel_precision": null})", R"({"snap_rounding": "up"})", R"({"edge_rule": 1})",
-        R"({"depth_format": "float"})", R"({"loose_clipping": 1})", R"([])", R"({)", ""}) {
+        R"({"depth_format": "float"})", R"({"loose_clipping": 1})", R"({"strict_depth": null})", R"([])", R"({)", ""}) {
     std::ofstream(file) << json;
     INFO(json);
     CHECK_THROWS_AS(reference::readProfile(file), InputError);

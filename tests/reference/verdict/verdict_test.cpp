@@ -313,3 +313,40 @@ TEST_CASE("judge compares with the expected item buffers that it is given", "[ve
   CHECK(countVerdicts(verdict)[0] == 95);
   CHECK(verdict.faces[1].pixels[3] != PixelVerdict::Exact);
 }
+
+TEST_CASE("judge with strictDepth finds a device whose equal depths pass, in every depth format", "[verdict]") {
+  for (const reference::DepthFormat format :
+       {reference::DepthFormat::Float32, reference::DepthFormat::Unorm24, reference::DepthFormat::Unorm16})
+    for (const reference::TestVector& vector : reference::vectorSuite()) {
+      if (vector.name != "equal-depths" && vector.name != "equal-depths-sloped") continue;
+      INFO(vector.name << ", format " << static_cast<int>(format));
+      const raster::Face& face = vector.faces[0].face;
+      DeviceProfile profile;
+      profile.depthFormat = format;
+      profile.depthTolerance = 0.5;  // only rounding, which is the same for equal triangles
+      SimulatedDevice less, lessOrEqual;
+      less.profile = lessOrEqual.profile = profile;
+      lessOrEqual.passes = std::less_equal<double>();
+      const raster::ItemBuffer right = drawOn(less, vector.list, face), wrong = drawOn(lessOrEqual, vector.list, face);
+      CHECK(right.ids == reference::render(vector)[0].ids);
+      CHECK(count(countsOf(vector.list, face, wrong, profile), PixelVerdict::Depth) == 640);
+      profile.strictDepth = true;
+      CHECK(count(countsOf(vector.list, face, right, profile), PixelVerdict::Exact) == 1024);
+      CHECK(count(countsOf(vector.list, face, wrong, profile), PixelVerdict::Error) == 640);
+    }
+}
+
+TEST_CASE("judge with strictDepth excuses ties of triangles with other corners", "[verdict]") {
+  // The reverse order of draws keeps the last of equal depths.
+  for (const reference::TestVector& vector : reference::vectorSuite()) {
+    reference::TestVector reversed = vector;
+    std::reverse(reversed.list.draws.begin(), reversed.list.draws.end());
+    DeviceProfile strict;
+    strict.strictDepth = true;
+    INFO(vector.name);
+    const std::vector<raster::ItemBuffer> found = reference::render(reversed);
+    CHECK(!hasErrors(reference::judge(vector, found, {})));
+    const bool hasTwins = vector.name == "equal-depths" || vector.name == "equal-depths-sloped";
+    CHECK(hasErrors(reference::judge(vector, found, strict)) == hasTwins);
+  }
+}
