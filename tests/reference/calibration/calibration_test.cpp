@@ -91,7 +91,7 @@ TEST_CASE("makeProbes gives the same probes on all machines", "[calibration]") {
     for (const glm::vec2& texcoord : vector.list.texcoords)
       for (int k = 0; k < 2; ++k) bits.push_back(std::bit_cast<raster::ItemId>(texcoord[k]));
   }
-  CHECK(reference::idsHash(bits) == "0ba27cbf9780b694");
+  CHECK(reference::idsHash(bits) == "39be11ede5a707a4");
 }
 
 TEST_CASE("calibrate finds the rules of the reference renderer", "[calibration]") {
@@ -102,8 +102,49 @@ TEST_CASE("calibrate finds the rules of the reference renderer", "[calibration]"
   CHECK(calibration.profile.snapRounding == SnapRounding::Nearest);
   CHECK(calibration.profile.edgeRule == EdgeRule::TopLeft);
   CHECK(calibration.profile.texelPrecision == 0);
+  CHECK(calibration.profile.interpolationError == 0);
   CHECK(calibration.profile.depthFormat == DepthFormat::Float32);
 }
+
+TEST_CASE("experiment", "[.exp]") {
+  const reference::ProbingSet probes = reference::makeProbes();
+  const std::vector<reference::TestVector> suite = reference::wholeSuite(HEMITEX_DATA);
+  for (const tests::Interpolation interpolation :
+       {tests::Interpolation::Exact, tests::Interpolation::Barycentric32, tests::Interpolation::Planes32})
+    for (const int bits : {4, 8})
+      for (const double vertexError : {0.0, 8.0}) {
+        SimulatedDevice device;
+        device.profile.subpixelBits = bits;
+        device.profile.vertexError = vertexError;
+        device.profile.texelPrecision = 0;
+        device.profile.depthTolerance = 1;
+        device.interpolation = interpolation;
+        const Calibration calibration = calibrate(probes, drawProbes(device, probes));
+        std::printf("interp %d bits %d verr %g: bits %d p %g c %g faults %zu\n", (int)interpolation, bits, vertexError,
+                    calibration.profile.subpixelBits, calibration.profile.texelPrecision,
+                    calibration.profile.interpolationError, calibration.faults.size());
+        for (int k = 0; k < 4; ++k) {
+          DeviceProfile profile = calibration.profile;
+          if (k == 0) profile = {};
+          if (k == 2) profile.interpolationError = 0;
+          if (k == 3) profile.interpolationError /= 4;
+          std::uint64_t errors = 0, texel = 0;
+          std::string names;
+          for (const reference::TestVector& vector : suite) {
+            std::vector<raster::ItemBuffer> found;
+            for (const reference::VectorFace& face : vector.faces)
+              found.push_back(drawOn(device, vector.list, face.face));
+            const reference::VerdictCounts counts = countVerdicts(judge(vector, found, profile));
+            errors += counts[5];
+            texel += counts[2];
+            if (counts[5]) names += vector.name + ":" + std::to_string(counts[5]) + " ";
+          }
+          std::printf("   %s errors %llu texel %llu %s\n",
+                      k == 0 ? "default" : k == 1 ? "calibrated" : k == 2 ? "without c" : "c/4", (unsigned long long)errors, (unsigned long long)texel, k == 0 ? "" : names.c_str());
+        }
+      }
+}
+
 
 TEST_CASE("calibrate finds the profile of a device from its answers", "[calibration]") {
   const reference::ProbingSet probes = reference::makeProbes();
@@ -164,7 +205,7 @@ TEST_CASE("calibrate reports answers that no profile explains", "[calibration]")
     for (const std::string& fault : calibrate(probes, answers).faults) faults += fault.substr(0, fault.find(':')) + " ";
     return faults;
   };
-  const std::size_t depths = probes.coverage.size() + probes.texels.size();
+  const std::size_t depths = probes.coverage.size() + probes.texels.size() + probes.interpolation.size();
   const std::vector<raster::ItemBuffer> right = drawByRules(probes);
   CHECK(faultsOf(right) == "");
   CHECK(faultsOf(drawProbes({.profile = {}, .shift = 1}, probes)) == "coverage ");
