@@ -94,25 +94,31 @@ CoverageFit fitCoverage(const ProbingSet& probes, std::span<const ItemBuffer> an
   return *best;
 }
 
-void calibrateCoverage(const ProbingSet& probes, std::span<const ItemBuffer> answers, Calibration& calibration) {
+/// False if the rows are not in order, so that other probes show nothing.
+bool calibrateCoverage(const ProbingSet& probes, std::span<const ItemBuffer> answers, Calibration& calibration) {
   const CoverageFit fit = fitCoverage(probes, answers, {});
   calibration.profile.subpixelBits = fit.snapping.bits;
   calibration.profile.snapRounding = fit.snapping.rounding;
   calibration.profile.edgeRule = fit.contradictions.onEdges == 0 ? EdgeRule::TopLeft : EdgeRule::Any;
-  if (fit.fitsAll()) return;
+  if (fit.fitsAll()) return true;
   // The edge rule Any would hide a picture that is upside down twice.
   const auto fits = [&](const RowOrder& order) { return fitCoverage(probes, answers, order).fitsAll(); };
-  if (fits({.isUpsideDown = true}))
-    calibration.faults.push_back(
+  if (fits({.isUpsideDown = true})) {
+    calibration.faults.emplace_back(
         "coverage: samples on edges belong to bottom edges instead of top edges, as if the picture is drawn upside "
         "down and its rows are reversed on readback; negate y in the vertex stage instead of reversing rows");
-  else if (fits({.isReversed = true}) || fits({.isReversed = true, .isUpsideDown = true}))
-    calibration.faults.push_back(
+    return false;
+  }
+  if (fits({.isReversed = true}) || fits({.isReversed = true, .isUpsideDown = true})) {
+    calibration.faults.emplace_back(
         "coverage: the rows are in reverse order; row 0 of the picture is y/w = -1, so negate y in the vertex stage or "
         "read the rows from the other end");
-  else if (fit.contradictions.sure > 0)
+    return false;
+  }
+  if (fit.contradictions.sure > 0)
     calibration.faults.push_back("coverage: no snapping from 4 to 12 bits explains all samples; the closest, " +
                                  nameOf(fit.snapping) + ", is wrong at " + std::to_string(fit.contradictions.sure));
+  return true;
 }
 
 // --- texels ---
@@ -214,7 +220,7 @@ Calibration calibrate(const ProbingSet& probes, std::span<const ItemBuffer> answ
   const std::size_t depths = texels + probes.texels.size() + probes.interpolation.size();
   assert(answers.size() == depths + probes.depths.size());
   Calibration calibration;
-  calibrateCoverage(probes, answers.first(texels), calibration);
+  if (!calibrateCoverage(probes, answers.first(texels), calibration)) return calibration;
   calibrateTexels(probes, answers.subspan(texels, depths - texels), calibration);
   calibrateDepths(probes, answers.subspan(depths), calibration);
   return calibration;

@@ -35,6 +35,12 @@ std::vector<raster::ItemBuffer> drawByRules(const reference::ProbingSet& probes)
   return answers;
 }
 
+void reverseRows(raster::ItemBuffer& buffer) {
+  for (auto row = buffer.ids.begin(), last = buffer.ids.end() - buffer.width; row < last;
+       row += buffer.width, last -= buffer.width)
+    std::swap_ranges(row, row + buffer.width, last);
+}
+
 /// Devices of all snappings, both edge rules, texel precisions from coarse to exact, and all depth formats.
 std::vector<SimulatedDevice> devices() {
   std::vector<SimulatedDevice> devices;
@@ -140,11 +146,14 @@ TEST_CASE("experiment", "[.exp]") {
             if (counts[5]) names += vector.name + ":" + std::to_string(counts[5]) + " ";
           }
           std::printf("   %s errors %llu texel %llu %s\n",
-                      k == 0 ? "default" : k == 1 ? "calibrated" : k == 2 ? "without c" : "c/4", (unsigned long long)errors, (unsigned long long)texel, k == 0 ? "" : names.c_str());
+                      k == 0   ? "default"
+                      : k == 1 ? "calibrated"
+                      : k == 2 ? "without c"
+                               : "c/4",
+                      (unsigned long long)errors, (unsigned long long)texel, k == 0 ? "" : names.c_str());
         }
       }
 }
-
 
 TEST_CASE("calibrate finds the profile of a device from its answers", "[calibration]") {
   const reference::ProbingSet probes = reference::makeProbes();
@@ -229,4 +238,33 @@ TEST_CASE("calibrate reports answers that no profile explains", "[calibration]")
   std::vector<raster::ItemBuffer> lastWins = right;
   std::fill(lastWins[depths].ids.begin(), lastWins[depths].ids.end(), 2u);
   CHECK(faultsOf(lastWins) == "depth ");
+}
+
+TEST_CASE("calibrate names reversed rows instead of another edge rule", "[calibration]") {
+  const reference::ProbingSet probes = reference::makeProbes();
+  const auto answersOf = [&](const SimulatedDevice& device, bool isUpsideDown, bool isReversed) {
+    std::vector<raster::ItemBuffer> answers;
+    for (const reference::TestVector& vector : vectorsOf(probes)) {
+      raster::Face face = vector.faces.front().face;
+      if (isUpsideDown) face.y = -face.y;
+      raster::ItemBuffer& buffer = answers.emplace_back(drawOn(device, vector.list, face));
+      if (isReversed) reverseRows(buffer);
+    }
+    return answers;
+  };
+  for (const SnapRounding rounding : {SnapRounding::Nearest, SnapRounding::Truncate}) {
+    SimulatedDevice device;
+    device.profile.snapRounding = rounding;
+    const auto faultsOf = [&](bool isUpsideDown, bool isReversed) {
+      return calibrate(probes, answersOf(device, isUpsideDown, isReversed)).faults;
+    };
+    CHECK(faultsOf(false, false).empty());
+    // The right picture, but its samples on edges belong to bottom edges.
+    REQUIRE(faultsOf(true, true).size() == 1);
+    CHECK(faultsOf(true, true)[0].find("bottom edges") != std::string::npos);
+    for (const bool isUpsideDown : {false, true}) {
+      REQUIRE(faultsOf(isUpsideDown, !isUpsideDown).size() == 1);
+      CHECK(faultsOf(isUpsideDown, !isUpsideDown)[0].find("the rows are in reverse order") != std::string::npos);
+    }
+  }
 }
