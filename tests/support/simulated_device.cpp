@@ -152,6 +152,17 @@ struct SnappedTriangle {
     return {at(u) * w, at(v) * w};
   }
 
+  /// The error of one rounding of interpolation: 2^-24 of the largest coordinate, times w / min w_k.
+  glm::dvec2 roundingAt(const glm::dvec2& position) const {
+    glm::dvec2 largest(0.0);
+    double nearest = HUGE_VAL;
+    for (const ViewVertex& vertex : vertices) {
+      largest = glm::max(largest, glm::abs(glm::dvec2(vertex.u, vertex.v)));
+      nearest = std::min(nearest, vertex.w);
+    }
+    return 0x1p-24 * largest / (nearest * inverseDepthAt(position));
+  }
+
   glm::dvec2 texcoordAt(const glm::dvec2& position, bool affine) const {
     double total = 0;
     glm::dvec2 sum(0.0);
@@ -175,22 +186,24 @@ bool covers(const SimulatedDevice& device, const SnappedTriangle& triangle, cons
 }
 
 raster::ItemId fetch(const SimulatedDevice& device, const raster::IndexMap& map, const glm::dvec2& texcoord,
-                     std::mt19937& random) {
+                     const glm::dvec2& rounding, std::mt19937& random) {
   const glm::dvec2 size(map.width, map.height);
   glm::dvec2 texel = texcoord * size + device.texelShift;
   if (device.interpolation != Interpolation::Exact) texel = glm::vec2(texcoord) * glm::vec2(size);
-  for (int axis = 0; axis < 2; ++axis) texel[axis] += anyError(random) * device.profile.texelPrecision;
+  for (int axis = 0; axis < 2; ++axis)
+    texel[axis] += anyError(random) *
+                   (device.profile.texelPrecision + device.profile.interpolationError * rounding[axis] * size[axis]);
   if (device.fetch) return device.fetch(map, texel);
   texel = glm::clamp(glm::floor(texel), glm::dvec2(0.0), size - 1.0);
   return map.ids[static_cast<std::size_t>(texel.y * size.x + texel.x)];
 }
 
 raster::ItemId shade(const SimulatedDevice& device, const raster::DrawList& list, const raster::Draw& draw,
-                     bool facesAway, const glm::dvec2& texcoord, std::mt19937& random) {
+                     bool facesAway, const glm::dvec2& texcoord, const glm::dvec2& rounding, std::mt19937& random) {
   if (facesAway && draw.back) return *draw.back;
   if (!draw.indexMap) return draw.offset;
   const raster::IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
-  const raster::ItemId texel = fetch(device, map, texcoord, random);
+  const raster::ItemId texel = fetch(device, map, texcoord, rounding, random);
   return device.blend ? device.blend(draw.offset, texel) : raster::blend(list.format, list.blend, draw.offset, texel);
 }
 
@@ -221,7 +234,7 @@ void drawTriangle(const SimulatedDevice& device, const raster::DrawList& list, c
       const glm::dvec2 texcoord = device.interpolation == Interpolation::Exact
                                       ? triangle.texcoordAt(shading, device.affine)
                                       : triangle.texcoordIn32(shading, device.interpolation);
-      const raster::ItemId id = shade(device, list, draw, facesAway, texcoord, random);
+      const raster::ItemId id = shade(device, list, draw, facesAway, texcoord, triangle.roundingAt(shading), random);
       pixel = {true, depth, device.store ? device.store(pixel.id, id) : id};
     }
 }

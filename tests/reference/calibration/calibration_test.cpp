@@ -9,7 +9,7 @@
 #include "reference/vectors/scene_vectors.h"
 #include "reference/vectors/vector_suite.h"
 #include "reference/verdict/verdict.h"
-#include "tests/support/simulated_device.h"
+#include "tests/support/injected_faults.h"
 
 using namespace hemitex;
 using reference::Calibration;
@@ -17,7 +17,9 @@ using reference::Coverage;
 using reference::DepthFormat;
 using reference::DeviceProfile;
 using reference::EdgeRule;
+using reference::PixelVerdict;
 using reference::SnapRounding;
+using tests::Interpolation;
 using tests::SimulatedDevice;
 
 namespace {
@@ -60,6 +62,38 @@ std::vector<SimulatedDevice> devices() {
       devices.push_back(device);
     }
   return devices;
+}
+
+/// Draws a suite. Pixels that the default profile explains are explained by `profile`, too, and no pixel is an error.
+/// Returns the number of explained pixels.
+std::uint64_t checkSuite(const SimulatedDevice& device, const std::vector<reference::TestVector>& suite,
+                         const DeviceProfile& profile) {
+  std::uint64_t explained = 0;
+  for (const reference::TestVector& vector : suite) {
+    INFO(vector.name);
+    const tests::Buffers found = drawAll(device, vector);
+    const reference::Verdict calibrated = judge(vector, found, profile), usual = judge(vector, found, {});
+    std::uint64_t errors = 0, worse = 0;
+    for (std::size_t f = 0; f < calibrated.faces.size(); ++f)
+      for (std::size_t p = 0; p < calibrated.faces[f].pixels.size(); ++p) {
+        const bool isError = calibrated.faces[f].pixels[p] == PixelVerdict::Error;
+        errors += isError;
+        worse += isError && usual.faces[f].pixels[p] != PixelVerdict::Error;
+        explained += !isError && calibrated.faces[f].pixels[p] != PixelVerdict::Exact;
+      }
+    CHECK(errors == 0);
+    CHECK(worse == 0);
+  }
+  return explained;
+}
+
+std::uint64_t errorsOf(const SimulatedDevice& device, const std::vector<reference::TestVector>& suite,
+                       const DeviceProfile& profile) {
+  std::uint64_t errors = 0;
+  for (const reference::TestVector& vector : suite)
+    errors +=
+        countVerdicts(judge(vector, drawAll(device, vector), profile))[static_cast<std::size_t>(PixelVerdict::Error)];
+  return errors;
 }
 
 }  // namespace
@@ -112,49 +146,6 @@ TEST_CASE("calibrate finds the rules of the reference renderer", "[calibration]"
   CHECK(calibration.profile.depthFormat == DepthFormat::Float32);
 }
 
-TEST_CASE("experiment", "[.exp]") {
-  const reference::ProbingSet probes = reference::makeProbes();
-  const std::vector<reference::TestVector> suite = reference::wholeSuite(HEMITEX_DATA);
-  for (const tests::Interpolation interpolation :
-       {tests::Interpolation::Exact, tests::Interpolation::Barycentric32, tests::Interpolation::Planes32})
-    for (const int bits : {4, 8})
-      for (const double vertexError : {0.0, 8.0}) {
-        SimulatedDevice device;
-        device.profile.subpixelBits = bits;
-        device.profile.vertexError = vertexError;
-        device.profile.texelPrecision = 0;
-        device.profile.depthTolerance = 1;
-        device.interpolation = interpolation;
-        const Calibration calibration = calibrate(probes, drawProbes(device, probes));
-        std::printf("interp %d bits %d verr %g: bits %d p %g c %g faults %zu\n", (int)interpolation, bits, vertexError,
-                    calibration.profile.subpixelBits, calibration.profile.texelPrecision,
-                    calibration.profile.interpolationError, calibration.faults.size());
-        for (int k = 0; k < 4; ++k) {
-          DeviceProfile profile = calibration.profile;
-          if (k == 0) profile = {};
-          if (k == 2) profile.interpolationError = 0;
-          if (k == 3) profile.interpolationError /= 4;
-          std::uint64_t errors = 0, texel = 0;
-          std::string names;
-          for (const reference::TestVector& vector : suite) {
-            std::vector<raster::ItemBuffer> found;
-            for (const reference::VectorFace& face : vector.faces)
-              found.push_back(drawOn(device, vector.list, face.face));
-            const reference::VerdictCounts counts = countVerdicts(judge(vector, found, profile));
-            errors += counts[5];
-            texel += counts[2];
-            if (counts[5]) names += vector.name + ":" + std::to_string(counts[5]) + " ";
-          }
-          std::printf("   %s errors %llu texel %llu %s\n",
-                      k == 0   ? "default"
-                      : k == 1 ? "calibrated"
-                      : k == 2 ? "without c"
-                               : "c/4",
-                      (unsigned long long)errors, (unsigned long long)texel, k == 0 ? "" : names.c_str());
-        }
-      }
-}
-
 TEST_CASE("calibrate finds the profile of a device from its answers", "[calibration]") {
   const reference::ProbingSet probes = reference::makeProbes();
   for (const SimulatedDevice& device : devices()) {
@@ -177,19 +168,63 @@ TEST_CASE("judge with the calibrated profile finds no errors in any vector of th
   const std::vector<SimulatedDevice> all = devices();
   std::uint64_t explained = 0;
   for (const std::size_t number : {0, 5, 10, 17}) {
-    const SimulatedDevice& device = all[number];
-    const DeviceProfile profile = calibrate(probes, drawProbes(device, probes)).profile;
-    for (const reference::TestVector& vector : suite) {
-      std::vector<raster::ItemBuffer> found;
-      for (const reference::VectorFace& face : vector.faces) found.push_back(drawOn(device, vector.list, face.face));
-      const reference::VerdictCounts counts = countVerdicts(judge(vector, found, profile));
-      INFO("device " << number << ", " << vector.name);
-      CHECK(counts[static_cast<std::size_t>(reference::PixelVerdict::Error)] == 0);
-      for (std::size_t k = 1; k < counts.size(); ++k) explained += counts[k];
-    }
+    const DeviceProfile profile = calibrate(probes, drawProbes(all[number], probes)).profile;
+    INFO("device " << number);
+    explained += checkSuite(all[number], suite, profile);
   }
   // Makes sure that the devices have errors that need the profile.
   CHECK(explained > 1000);
+}
+
+TEST_CASE("calibrate measures interpolation in binary32, so that its profile explains what the default one does",
+          "[calibration]") {
+  const reference::ProbingSet probes = reference::makeProbes();
+  const std::vector<reference::TestVector> suite = reference::vectorSuite();
+  for (const auto& [bits, interpolation, vertexError] :
+       {std::tuple(4, Interpolation::Planes32, 0.0), std::tuple(8, Interpolation::Planes32, 8.0),
+        std::tuple(4, Interpolation::Barycentric32, 8.0), std::tuple(8, Interpolation::Barycentric32, 0.0)}) {
+    SimulatedDevice device;
+    device.profile.subpixelBits = bits;
+    device.profile.vertexError = vertexError;
+    device.profile.texelPrecision = 0;
+    device.interpolation = interpolation;
+    INFO(bits << " bits, interpolation " << static_cast<int>(interpolation) << ", vertex error " << vertexError);
+    const Calibration calibration = calibrate(probes, drawProbes(device, probes));
+    CHECK(calibration.faults.empty());
+    CHECK(calibration.profile.subpixelBits == bits);
+    CHECK(calibration.profile.texelPrecision < 0x1p-14);
+    CHECK(calibration.profile.interpolationError > 4);
+    CHECK(calibration.profile.interpolationError < 32);
+    CHECK(checkSuite(device, suite, calibration.profile) > 1000);
+  }
+}
+
+TEST_CASE("judge has more errors with a profile without interpolation error than with the default one",
+          "[calibration]") {
+  const reference::ProbingSet probes = reference::makeProbes();
+  const std::vector<reference::TestVector> suite = reference::vectorSuite();
+  SimulatedDevice device;
+  device.profile = {.subpixelBits = 4, .texelPrecision = 0};
+  device.interpolation = Interpolation::Planes32;
+  DeviceProfile profile = calibrate(probes, drawProbes(device, probes)).profile;
+  CHECK(errorsOf(device, suite, profile) == 0);
+  profile.interpolationError = 0;
+  CHECK(errorsOf(device, suite, profile) > errorsOf(device, suite, {}));
+}
+
+TEST_CASE("calibrate finds an interpolation error of at least that of a device, and at most four times as large",
+          "[calibration]") {
+  const reference::ProbingSet probes = reference::makeProbes();
+  for (const double roundings : {1.0, 5.0, 20.0, 60.0}) {
+    SimulatedDevice device;
+    device.profile.texelPrecision = 0;
+    device.profile.vertexError = 0;
+    device.profile.interpolationError = roundings;
+    const DeviceProfile found = calibrate(probes, drawProbes(device, probes)).profile;
+    CHECK(found.interpolationError >= roundings);
+    CHECK(found.interpolationError <= 4 * roundings);
+    CHECK(found.texelPrecision <= 0x1p-14);
+  }
 }
 
 TEST_CASE("calibrate finds only the depth format for a device that only rounds depths", "[calibration]") {
@@ -258,13 +293,12 @@ TEST_CASE("calibrate names reversed rows instead of another edge rule", "[calibr
     const auto faultsOf = [&](bool isUpsideDown, bool isReversed) {
       return calibrate(probes, answersOf(device, isUpsideDown, isReversed)).faults;
     };
-    CHECK(faultsOf(false, false).empty());
+    const auto isOnly = [](const std::vector<std::string>& faults, const std::string& part) {
+      return faults.size() == 1 && faults[0].find(part) != std::string::npos;
+    };
     // The right picture, but its samples on edges belong to bottom edges.
-    REQUIRE(faultsOf(true, true).size() == 1);
-    CHECK(faultsOf(true, true)[0].find("bottom edges") != std::string::npos);
-    for (const bool isUpsideDown : {false, true}) {
-      REQUIRE(faultsOf(isUpsideDown, !isUpsideDown).size() == 1);
-      CHECK(faultsOf(isUpsideDown, !isUpsideDown)[0].find("the rows are in reverse order") != std::string::npos);
-    }
+    CHECK(isOnly(faultsOf(true, true), "bottom edges"));
+    CHECK(isOnly(faultsOf(true, false), "the rows are in reverse order"));
+    CHECK(isOnly(faultsOf(false, true), "the rows are in reverse order"));
   }
 }
