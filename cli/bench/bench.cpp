@@ -10,9 +10,9 @@
 
 #include "cli/bench/report.h"
 #include "cli/common/commands.h"
-#include "cli/common/opengl_device.h"
 #include "cli/common/scene_folder.h"
 #include "cli/common/staging.h"
+#include "cli/devices/opengl_device.h"
 #include "cli/report/embedded_files.h"
 #include "cli/report/html_page.h"
 #include "radiosity/discretization/discretize.h"

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "cli/common/commands.h"
-#include "cli/common/opengl_device.h"
 #include "cli/common/scene_folder.h"
 #include "cli/common/staging.h"
+#include "cli/devices/opengl_device.h"
 #include "cli/paper/figures.h"
 #include "cli/paper/report.h"
 #include "raster/base/file_io.h"

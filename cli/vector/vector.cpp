@@ -8,9 +8,9 @@
 
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
-#include "cli/common/renderers.h"
 #include "cli/common/staging.h"
 #include "cli/common/table.h"
+#include "cli/devices/renderers.h"
 #include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/projection/hemicube.h"
 #include "radiosity/projection/patch_view.h"
@@ -137,7 +137,9 @@ void addRenderVector(Command parent, Context& context) {
   addChoice<Device>(command, "--device", options->device,
                     {{"software", Device::Software},
                      {"opengl", Device::OpenGl},
-                     {"opengl-fixed-function", Device::OpenGlFixedFunction}},
+                     {"opengl-fixed-function", Device::OpenGlFixedFunction},
+                     {"opengl-plain", Device::OpenGlPlain},
+                     {"vulkan", Device::Vulkan}},
                     "draw with this renderer; software follows the raster rules exactly (default software)");
   addStages(command, options->stages);
   addOutput(command, options->output, "write the vector with its item IDs into this folder, which may be DIR");

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "raster/base/input_error.h"
 
@@ -72,21 +74,14 @@ void main() {
 }
 )";
 
-// The depth is w itself, scaled below 1 by a power of two. It is often a binary32 number where 1/w is not.
-constexpr const char* fragmentProgram = R"(#version 450
-layout(location = 3) uniform double unit;
-layout(location = 5) uniform vec2 corner;  // of the scissor rectangle
+// The blend of both paths (docs/item-buffers.md, "blend").
+constexpr const char* blendProgram = R"(#version 450
 layout(location = 7) uniform uint back;
 layout(location = 8) uniform bool hasBack;
 layout(location = 9) uniform int operation;  // 0: no index map, 1: clamped add, 2: integer add, 3: replace
 layout(location = 10) uniform uint allBits;
 layout(location = 11) uniform int channels;
 layout(location = 12) uniform uint channel[32];  // the bits of each
-layout(binding = 0) uniform usampler2DRect map;
-flat in dvec3 one, s, t;
-flat in double volume;
-flat in uint offset;
-out uint word;
 
 uint clampedAdd(uint a, uint b) {
   uint sum = 0u;
@@ -97,6 +92,23 @@ uint clampedAdd(uint a, uint b) {
   return sum;
 }
 
+uint blended(uint offset, uint texel) {
+  if (operation == 1) return clampedAdd(offset, texel);
+  if (operation == 2) return (offset + texel) & allBits;
+  return texel;
+}
+)";
+
+// The depth is w itself, scaled below 1 by a power of two. It is often a binary32 number where 1/w is not.
+constexpr const char* fragmentProgram = R"(
+layout(location = 3) uniform double unit;
+layout(location = 5) uniform vec2 corner;  // of the scissor rectangle
+layout(binding = 0) uniform usampler2DRect map;
+flat in dvec3 one, s, t;
+flat in double volume;
+flat in uint offset;
+out uint word;
+
 void main() {
   dvec3 p = dvec3(256 * (gl_FragCoord.xy + corner) - unit, 1);
   gl_FragDepth = float(volume / dot(one, p)) * 5.421010862427522e-20;  // 2^-64
@@ -106,27 +118,50 @@ void main() {
   } else if (operation != 0) {
     dvec2 position = dvec2(dot(s, p), dot(t, p)) / dot(one, p);
     uint texel = texelFetch(map, ivec2(clamp(floor(position), dvec2(0), dvec2(textureSize(map) - 1)))).x;
-    if (operation == 1) word = clampedAdd(offset, texel);
-    if (operation == 2) word = (offset + texel) & allBits;
-    if (operation == 3) word = texel;
+    word = blended(offset, texel);
   }
 }
 )";
 
-void attachShader(GLuint program, GLenum stage, const char* text) {
+constexpr const char* plainVertexProgram = R"(#version 450
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec2 texcoord;
+layout(location = 0) uniform mat4 matrix;
+out vec2 uv;
+
+void main() {
+  gl_Position = matrix * vec4(position, 1);
+  uv = texcoord;
+}
+)";
+
+constexpr const char* plainFragmentProgram = R"(
+layout(location = 6) uniform uint offset;
+layout(binding = 0) uniform usampler2D map;
+in vec2 uv;
+out uint word;
+
+void main() {
+  word = offset;
+  if (hasBack && !gl_FrontFacing)
+    word = back;
+  else if (operation != 0)
+    word = blended(offset, texture(map, uv).x);
+}
+)";
+
+using Texts = std::vector<const char*>;
+
+void attachShader(GLuint program, GLenum stage, const Texts& texts) {
   const GLuint shader = glCreateShader(stage);
-  glShaderSource(shader, 1, &text, nullptr);
+  glShaderSource(shader, static_cast<GLsizei>(texts.size()), texts.data(), nullptr);
   glCompileShader(shader);
   glAttachShader(program, shader);
 }
 
-}  // namespace
-
-GLuint linkOpenGlPrograms() {
+GLuint linkProgram(const std::vector<std::pair<GLenum, Texts>>& shaders) {
   const GLuint program = glCreateProgram();
-  attachShader(program, GL_VERTEX_SHADER, vertexProgram);
-  attachShader(program, GL_GEOMETRY_SHADER, geometryProgram);
-  attachShader(program, GL_FRAGMENT_SHADER, fragmentProgram);
+  for (const auto& [stage, texts] : shaders) attachShader(program, stage, texts);
   glLinkProgram(program);
   GLint isLinked = GL_FALSE;
   glGetProgramiv(program, GL_LINK_STATUS, &isLinked);
@@ -134,6 +169,37 @@ GLuint linkOpenGlPrograms() {
   std::array<GLchar, 4096> log{};
   glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
   throw raster::InputError(std::string("the OpenGL device refuses the programs: ") + log.data());
+}
+
+}  // namespace
+
+GLuint linkShaderPrograms() {
+  return linkProgram({{GL_VERTEX_SHADER, {vertexProgram}},
+                      {GL_GEOMETRY_SHADER, {geometryProgram}},
+                      {GL_FRAGMENT_SHADER, {blendProgram, fragmentProgram}}});
+}
+
+GLuint linkPlainPrograms() {
+  return linkProgram(
+      {{GL_VERTEX_SHADER, {plainVertexProgram}}, {GL_FRAGMENT_SHADER, {blendProgram, plainFragmentProgram}}});
+}
+
+void setFormat(const raster::IdFormat& format) {
+  glUniform1ui(Uniform::allBits, raster::backgroundId(format));
+  std::vector<GLuint> channels;
+  int shift = 0;
+  for (const int bits : format.channelBits) {
+    channels.push_back(raster::backgroundId({{bits}}) << shift);
+    shift += bits;
+  }
+  glUniform1i(Uniform::channels, static_cast<GLint>(channels.size()));
+  glUniform1uiv(Uniform::channel, static_cast<GLsizei>(channels.size()), channels.data());
+}
+
+void setBlend(const raster::Draw& draw, raster::Blend blend) {
+  glUniform1ui(Uniform::back, draw.back.value_or(0));
+  glUniform1i(Uniform::hasBack, draw.back.has_value());
+  glUniform1i(Uniform::operation, draw.indexMap ? 1 + static_cast<GLint>(blend) : 0);
 }
 
 }  // namespace hemitex::reference

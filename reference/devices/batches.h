@@ -3,8 +3,6 @@
 /// the buffers stay the same.
 #pragma once
 
-#include <epoxy/gl.h>
-
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -16,13 +14,11 @@ namespace hemitex::reference {
 
 /// Runs of vertices that are drawn together.
 struct VertexRuns {
-  std::vector<GLint> first;
-  std::vector<GLsizei> count;
+  std::vector<int> first;
+  std::vector<int> count;
 
   /// Adds the vertices in [from, end), which begin at the end of the last run or behind it.
-  void add(GLint from, GLint end);
-  /// Draws the runs in their order from the bound buffers.
-  void draw() const;
+  void add(int from, int end);
 };
 
 /// Whether the device may draw `next` together with `draw` before it.
