@@ -214,7 +214,7 @@ void VulkanRenderer::Implementation::beginRendering(const Face& face) {
       .storeOp = vk::AttachmentStoreOp::eStore,
       .clearValue = {vk::ClearColorValue(std::array<std::uint32_t, 4>{background, 0, 0, 0})}};
   const vk::RenderingAttachmentInfo depth{.imageView = *targets_->depth.view,
-                                          .imageLayout = Layout::eDepthAttachmentOptimal,
+                                          .imageLayout = Layout::eDepthStencilAttachmentOptimal,
                                           .loadOp = vk::AttachmentLoadOp::eClear,
                                           .storeOp = vk::AttachmentStoreOp::eDontCare,
                                           .clearValue = {vk::ClearDepthStencilValue{1, 0}}};
