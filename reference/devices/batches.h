@@ -31,7 +31,7 @@ struct DrawBatch {
 };
 
 /// The batches of all draws without the `skipped` triangles (see ItemBufferRenderer::draw). Vertices are numbered as in
-/// the buffers: draw after draw, as in texelTriangles. The batches point into the list.
+/// the buffers: draw after draw. The batches point into the list.
 std::vector<DrawBatch> batchesOf(const raster::DrawList& list, std::span<const std::uint32_t> skipped,
                                  const DrawsJoin& join);
 

@@ -7,7 +7,7 @@
 
 #include "raster/base/input_error.h"
 #include "raster/setup/vertex_stage.h"
-#include "reference/devices/texel_triangles.h"
+#include "reference/opengl/texel_triangles.h"
 #include "reference/opengl/vertex_buffers.h"
 
 namespace hemitex::reference {

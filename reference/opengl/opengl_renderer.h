@@ -2,7 +2,7 @@
 /// and it provides a device for verdicts (verdict.h).
 ///
 /// This file holds textures, framebuffer and viewport. The context is in context.h and the interface of the pipelines
-/// in pipeline.h. Vertex data and joined draws are in texel_triangles.h and batches.h, for any API.
+/// in pipeline.h. Vertex data is in texel_triangles.h, joined draws are in batches.h.
 ///
 /// By default a device differs from docs/item-buffers.md in four ways. Each has a remedy here, except on the plain
 /// path:

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "reference/devices/texel_triangles.h"
 #include "reference/opengl/shader_programs.h"
+#include "reference/opengl/texel_triangles.h"
 #include "reference/opengl/vertex_buffers.h"
 
 namespace hemitex::reference {

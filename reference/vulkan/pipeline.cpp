@@ -20,7 +20,7 @@ vk::raii::DescriptorSetLayout makeBufferLayout(const VulkanContext& context) {
     bindings[b] = {.binding = b,
                    .descriptorType = vk::DescriptorType::eStorageBuffer,
                    .descriptorCount = 1,
-                   .stageFlags = b == 0 ? Stage::eVertex : Stage::eFragment};
+                   .stageFlags = Stage::eVertex | Stage::eFragment};
   return {context.device, vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(bindings.size()),
                                                             .pBindings = bindings.data()}};
 }

@@ -1,7 +1,5 @@
 #include "reference/vulkan/shader_inputs.h"
 
-#include "reference/devices/texel_triangles.h"
-
 namespace hemitex::reference {
 namespace {
 
@@ -18,12 +16,10 @@ std::uint32_t channelEnds(const raster::IdFormat& format) {
 }  // namespace
 
 std::vector<ShaderCorner> shaderCorners(const raster::DrawList& list) {
-  const std::vector<TexelTriangle> triangles = texelTriangles(list);
   std::vector<ShaderCorner> corners;
-  auto triangle = triangles.begin();
   for (std::uint32_t d = 0; d < list.draws.size(); ++d)
-    for (std::uint32_t i = 0; i < list.draws[d].count; i += 3, ++triangle)
-      for (const TexelCorner& corner : *triangle) corners.push_back({corner.position, corner.texel, d});
+    for (std::uint32_t i = list.draws[d].first; i < list.draws[d].first + list.draws[d].count; ++i)
+      corners.push_back({list.positions[list.indices[i]], list.texcoords[list.indices[i]], d});
   return corners;
 }
 

@@ -2,7 +2,7 @@
 
 struct Corner {
   float x, y, z;
-  float column, row;
+  float u, v;
   uint draw;
 };
 

@@ -14,7 +14,7 @@ namespace hemitex::reference {
 /// A corner of a triangle.
 struct ShaderCorner {
   glm::vec3 position;
-  glm::vec2 texel;     ///< texture coordinates in texels (texel_triangles.h)
+  glm::vec2 texcoord;
   std::uint32_t draw;  ///< in the array of draws
 };
 

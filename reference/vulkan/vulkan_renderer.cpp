@@ -239,8 +239,9 @@ void VulkanRenderer::Implementation::recordDraws(const Face& face, const VertexR
   commands_.pushConstants<ShaderView>(*pipeline_.layout,
                                       vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment, 0,
                                       shaderView(face, list_.format, width));
+  // The vertex shader makes two triangles of each.
   for (std::size_t r = 0; r < runs.first.size(); ++r)
-    commands_.draw(static_cast<std::uint32_t>(runs.count[r]), 1, static_cast<std::uint32_t>(runs.first[r]), 0);
+    commands_.draw(2 * static_cast<std::uint32_t>(runs.count[r]), 1, 2 * static_cast<std::uint32_t>(runs.first[r]), 0);
 }
 
 /// Draws a face, then copies its item IDs to the output, row 0 first and without padding.

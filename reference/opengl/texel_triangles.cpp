@@ -1,4 +1,4 @@
-#include "reference/devices/texel_triangles.h"
+#include "reference/opengl/texel_triangles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-/// The scene as devices draw it: the corners of triangles, one after the other.
+/// The scene as OpenGL draws it: the corners of triangles, one after the other.
 ///
 /// Texture coordinates are in texels, because devices round u N before the floor function. Here u N is rounded down,
 /// once per corner, which changes no floor.
