@@ -1,7 +1,6 @@
 #include "reference/vulkan/vulkan_renderer.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <string>
 
@@ -9,8 +8,10 @@
 #include "raster/base/parallel.h"
 #include "reference/devices/batches.h"
 #include "reference/vulkan/context.h"
+#include "reference/vulkan/draw_list_buffers.h"
 #include "reference/vulkan/memory.h"
 #include "reference/vulkan/pipeline.h"
+#include "reference/vulkan/render_targets.h"
 #include "reference/vulkan/shader_inputs.h"
 
 namespace hemitex::reference {
@@ -19,7 +20,6 @@ namespace {
 using raster::Face;
 using raster::InputError;
 using raster::ItemId;
-using Aspect = vk::ImageAspectFlagBits;
 using Layout = vk::ImageLayout;
 
 VulkanContext openDevice() {
@@ -33,24 +33,6 @@ VulkanContext openDevice() {
 
 InputError failure(const vk::SystemError& error) {
   return InputError(std::string("the Vulkan device fails: ") + error.what());
-}
-
-/// Item IDs and depths of one face at a time; the size is that of the largest scissor rectangle so far.
-struct Targets {
-  vk::Extent2D size;
-  VulkanImage colour, depth;
-};
-
-Targets makeTargets(const VulkanContext& context, vk::Extent2D size) {
-  using Usage = vk::ImageUsageFlagBits;
-  return {size,
-          makeImage(context, VulkanPipeline::colourFormat, Aspect::eColor,
-                    Usage::eColorAttachment | Usage::eTransferSrc, size),
-          makeImage(context, VulkanPipeline::depthFormat, Aspect::eDepth, Usage::eDepthStencilAttachment, size)};
-}
-
-vk::Extent2D sizeOf(const Face& face) {
-  return {static_cast<std::uint32_t>(face.scissor.width), static_cast<std::uint32_t>(face.scissor.height)};
 }
 
 std::size_t bytesOf(const Face& face) {
@@ -84,54 +66,6 @@ vk::Viewport viewportOf(const Face& face, int width) {
           .maxDepth = 1};
 }
 
-/// Waits for all earlier commands, then changes the layout of an image. Layout::eUndefined drops its content.
-void changeLayout(const vk::raii::CommandBuffer& commands, const VulkanImage& image, Aspect aspect, Layout from,
-                  Layout to) {
-  using Access = vk::AccessFlagBits2;
-  const vk::ImageMemoryBarrier2 barrier{.srcStageMask = vk::PipelineStageFlagBits2::eAllCommands,
-                                        .srcAccessMask = Access::eMemoryRead | Access::eMemoryWrite,
-                                        .dstStageMask = vk::PipelineStageFlagBits2::eAllCommands,
-                                        .dstAccessMask = Access::eMemoryRead | Access::eMemoryWrite,
-                                        .oldLayout = from,
-                                        .newLayout = to,
-                                        .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                                        .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                                        .image = *image.image,
-                                        .subresourceRange = {aspect, 0, 1, 0, 1}};
-  commands.pipelineBarrier2({.imageMemoryBarrierCount = 1, .pImageMemoryBarriers = &barrier});
-}
-
-std::array<VulkanBuffer, 3> makeInputs(const VulkanContext& context, const raster::DrawList& list) {
-  const auto upload = [&](const auto& array) { return makeStorageBuffer(context, std::as_bytes(std::span(array))); };
-  return {upload(shaderCorners(list)), upload(shaderDraws(list)), upload(shaderTexels(list))};
-}
-
-vk::raii::DescriptorPool makeDescriptorPool(const VulkanContext& context) {
-  const vk::DescriptorPoolSize buffers{.type = vk::DescriptorType::eStorageBuffer, .descriptorCount = 3};
-  return {context.device, vk::DescriptorPoolCreateInfo{.flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
-                                                       .maxSets = 1,
-                                                       .poolSizeCount = 1,
-                                                       .pPoolSizes = &buffers}};
-}
-
-/// Tells the shaders where their three buffers are.
-vk::raii::DescriptorSet makeDescriptors(const VulkanContext& context, const vk::raii::DescriptorPool& pool,
-                                        const VulkanPipeline& pipeline, const std::array<VulkanBuffer, 3>& inputs) {
-  const vk::DescriptorSetAllocateInfo info{
-      .descriptorPool = *pool, .descriptorSetCount = 1, .pSetLayouts = &*pipeline.buffers};
-  vk::raii::DescriptorSet set = std::move(vk::raii::DescriptorSets(context.device, info).front());
-  for (std::uint32_t b = 0; b < inputs.size(); ++b) {
-    const vk::DescriptorBufferInfo whole{.buffer = *inputs[b].buffer, .range = VK_WHOLE_SIZE};
-    const vk::WriteDescriptorSet write{.dstSet = *set,
-                                       .dstBinding = b,
-                                       .descriptorCount = 1,
-                                       .descriptorType = vk::DescriptorType::eStorageBuffer,
-                                       .pBufferInfo = &whole};
-    context.device.updateDescriptorSets(write, {});
-  }
-  return set;
-}
-
 vk::raii::CommandPool makeCommandPool(const VulkanContext& context) {
   return {context.device, vk::CommandPoolCreateInfo{.flags = vk::CommandPoolCreateFlagBits::eResetCommandBuffer,
                                                     .queueFamilyIndex = context.queueFamily}};
@@ -152,7 +86,6 @@ class VulkanRenderer::Implementation {
 
  private:
   void makeRoom(std::span<const Face> faces);
-  void beginRendering(const Face& face);
   void recordDraws(const Face& face, const VertexRuns& runs);
   void recordFace(const Face& face, const VertexRuns& runs, std::size_t outputOffset);
   void submit();
@@ -161,12 +94,10 @@ class VulkanRenderer::Implementation {
   VulkanContext context_;
   vk::PhysicalDeviceLimits limits_;
   VulkanPipeline pipeline_;
-  std::array<VulkanBuffer, 3> inputs_;  ///< corners, draws, texels
-  vk::raii::DescriptorPool descriptorPool_;
-  vk::raii::DescriptorSet descriptors_;
+  DrawListBuffers drawList_;
   vk::raii::CommandPool commandPool_;
   vk::raii::CommandBuffer commands_;
-  std::optional<Targets> targets_;
+  std::optional<RenderTargets> targets_;
   std::optional<VulkanBuffer> output_;  ///< the item IDs of all faces, one after the other
   std::size_t outputSize_ = 0;
 };
@@ -176,9 +107,7 @@ VulkanRenderer::Implementation::Implementation(const raster::DrawList& list)
       context_(openDevice()),
       limits_(context_.physicalDevice.getProperties().limits),
       pipeline_(makePipeline(context_, list.blend)),
-      inputs_(makeInputs(context_, list)),
-      descriptorPool_(makeDescriptorPool(context_)),
-      descriptors_(makeDescriptors(context_, descriptorPool_, pipeline_, inputs_)),
+      drawList_(uploadDrawList(context_, pipeline_, list)),
       commandPool_(makeCommandPool(context_)),
       commands_(makeCommands(context_, commandPool_)) {}
 
@@ -197,40 +126,17 @@ void VulkanRenderer::Implementation::makeRoom(std::span<const Face> faces) {
     size.height = std::max(size.height, sizeOf(face).height);
     outputSize += bytesOf(face);
   }
-  if (!targets_ || targets_->size != size) targets_ = makeTargets(context_, size);
+  if (!targets_ || targets_->size != size) targets_ = makeRenderTargets(context_, size);
   if (outputSize > outputSize_) {
     output_ = makeBuffer(context_, outputSize, vk::BufferUsageFlagBits::eTransferDst);
     outputSize_ = outputSize;
   }
 }
 
-/// Begins to render into the targets, with all item IDs background and all depths farthest.
-void VulkanRenderer::Implementation::beginRendering(const Face& face) {
-  const ItemId background = raster::backgroundId(list_.format);
-  const vk::RenderingAttachmentInfo colour{
-      .imageView = *targets_->colour.view,
-      .imageLayout = Layout::eColorAttachmentOptimal,
-      .loadOp = vk::AttachmentLoadOp::eClear,
-      .storeOp = vk::AttachmentStoreOp::eStore,
-      .clearValue = {vk::ClearColorValue(std::array<std::uint32_t, 4>{background, 0, 0, 0})}};
-  const vk::RenderingAttachmentInfo depth{.imageView = *targets_->depth.view,
-                                          .imageLayout = Layout::eDepthStencilAttachmentOptimal,
-                                          .loadOp = vk::AttachmentLoadOp::eClear,
-                                          .storeOp = vk::AttachmentStoreOp::eDontCare,
-                                          .clearValue = {vk::ClearDepthStencilValue{1, 0}}};
-  changeLayout(commands_, targets_->colour, Aspect::eColor, Layout::eUndefined, colour.imageLayout);
-  changeLayout(commands_, targets_->depth, Aspect::eDepth, Layout::eUndefined, depth.imageLayout);
-  commands_.beginRendering({.renderArea = {{0, 0}, sizeOf(face)},
-                            .layerCount = 1,
-                            .colorAttachmentCount = 1,
-                            .pColorAttachments = &colour,
-                            .pDepthAttachment = &depth});
-}
-
 void VulkanRenderer::Implementation::recordDraws(const Face& face, const VertexRuns& runs) {
   const int width = viewportWidth(face, limits_);
   commands_.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_.pipeline);
-  commands_.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *pipeline_.layout, 0, *descriptors_, {});
+  commands_.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *pipeline_.layout, 0, *drawList_.descriptors, {});
   commands_.setViewport(0, viewportOf(face, width));
   commands_.setScissor(0, vk::Rect2D{{0, 0}, sizeOf(face)});
   // docs/item-buffers.md, "facing": front-facing if the area and the determinant differ in sign. Rows count downwards
@@ -246,13 +152,13 @@ void VulkanRenderer::Implementation::recordDraws(const Face& face, const VertexR
 
 /// Draws a face, then copies its item IDs to the output, row 0 first and without padding.
 void VulkanRenderer::Implementation::recordFace(const Face& face, const VertexRuns& runs, std::size_t outputOffset) {
-  beginRendering(face);
+  beginRendering(commands_, *targets_, face, raster::backgroundId(list_.format));
   recordDraws(face, runs);
   commands_.endRendering();
-  changeLayout(commands_, targets_->colour, Aspect::eColor, Layout::eColorAttachmentOptimal,
+  changeLayout(commands_, targets_->colour, vk::ImageAspectFlagBits::eColor, Layout::eColorAttachmentOptimal,
                Layout::eTransferSrcOptimal);
   const vk::BufferImageCopy copy{.bufferOffset = outputOffset,
-                                 .imageSubresource = {Aspect::eColor, 0, 0, 1},
+                                 .imageSubresource = {vk::ImageAspectFlagBits::eColor, 0, 0, 1},
                                  .imageExtent = {sizeOf(face).width, sizeOf(face).height, 1}};
   commands_.copyImageToBuffer(*targets_->colour.image, Layout::eTransferSrcOptimal, *output_->buffer, copy);
 }

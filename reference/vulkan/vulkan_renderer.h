@@ -1,7 +1,7 @@
 /// A renderer on a real device: Vulkan, without a window. docs/backend.md walks through it as the example of a backend.
 ///
-/// This file and its source record the commands of a frame. The device is chosen in context.h. The draw list goes to
-/// the device as in shader_inputs.h, into memory of memory.h. States and shaders are in pipeline.h.
+/// This file and its source record the commands of a view. The device is chosen in context.h, memory is allocated in
+/// memory.h, and states and shaders are in pipeline.h. Drawing reads draw_list_buffers.h and writes render_targets.h.
 #pragma once
 
 #include <functional>
