@@ -9,7 +9,7 @@
 /// - It clips triangles at the sides of its view. The view is as wide as the guard band of the rules, and the
 ///   framebuffer shows its scissor rectangle.
 /// - It has its own snapping and interpolates between corners that are not snapped. Corners are put on sub-pixels
-///   beforehand.
+///   beforehand; the shaders clip at the near plane before that.
 /// - It rounds u N before the floor function. Texture coordinates are in texels.
 /// - It interpolates in binary32. The two pipelines solve this in different ways.
 #pragma once

@@ -1,8 +1,5 @@
 #include "reference/opengl/plain_pipeline.h"
 
-#include <cstddef>
-#include <vector>
-
 #include "reference/opengl/shader_programs.h"
 #include "reference/opengl/vertex_buffers.h"
 
@@ -24,30 +21,11 @@ class Plain final : public OpenGlPipeline {
   raster::Blend blend_;
 };
 
-struct Vertex {
-  glm::vec3 position;
-  glm::vec2 texcoord;
-};
-
-void uploadVertices(const raster::DrawList& list) {
-  std::vector<Vertex> vertices;
-  for (const raster::Draw& draw : list.draws)
-    for (std::uint32_t i = draw.first; i < draw.first + draw.count; ++i)
-      vertices.push_back({list.positions[list.indices[i]], list.texcoords[list.indices[i]]});
-  makeVertexBuffer(vertices.data(), vertices.size() * sizeof(Vertex), GL_STATIC_DRAW);
-  glEnableVertexAttribArray(VertexAttribute::position);
-  glEnableVertexAttribArray(VertexAttribute::texel);
-  glVertexAttribPointer(VertexAttribute::position, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                        vertexOffset(offsetof(Vertex, position)));
-  glVertexAttribPointer(VertexAttribute::texel, 2, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                        vertexOffset(offsetof(Vertex, texcoord)));
-}
-
 Plain::Plain(const raster::DrawList& list) : blend_(list.blend) {
   glUseProgram(linkPlainPrograms());
   setFormat(list.format);
   glDepthFunc(GL_LESS);
-  uploadVertices(list);
+  uploadCorners(list, VertexAttribute::position, VertexAttribute::texcoord);
 }
 
 void Plain::clear(raster::ItemId background) {

@@ -1,10 +1,8 @@
 #include "reference/opengl/shader_pipeline.h"
 
-#include <cstddef>
 #include <vector>
 
 #include "reference/opengl/shader_programs.h"
-#include "reference/opengl/texel_triangles.h"
 #include "reference/opengl/vertex_buffers.h"
 
 namespace hemitex::reference {
@@ -30,14 +28,7 @@ class Shader final : public OpenGlPipeline {
 
 /// Corners in one buffer, the offsets of their draws in another.
 void uploadVertices(const raster::DrawList& list) {
-  const std::vector<TexelTriangle> triangles = texelTriangles(list);
-  makeVertexBuffer(triangles.data(), triangles.size() * sizeof(TexelTriangle), GL_STATIC_DRAW);
-  glEnableVertexAttribArray(VertexAttribute::position);
-  glEnableVertexAttribArray(VertexAttribute::texel);
-  glVertexAttribPointer(VertexAttribute::position, 3, GL_FLOAT, GL_FALSE, sizeof(TexelCorner),
-                        vertexOffset(offsetof(TexelCorner, position)));
-  glVertexAttribPointer(VertexAttribute::texel, 2, GL_FLOAT, GL_FALSE, sizeof(TexelCorner),
-                        vertexOffset(offsetof(TexelCorner, texel)));
+  uploadCorners(list, VertexAttribute::position, VertexAttribute::texcoord);
   std::vector<ItemId> offsets;
   for (const raster::Draw& draw : list.draws) offsets.insert(offsets.end(), draw.count, draw.offset);
   makeVertexBuffer(offsets.data(), offsets.size() * sizeof(ItemId), GL_STATIC_DRAW);

@@ -13,19 +13,19 @@ namespace {
 // docs/item-buffers.md, "view": in binary32, and `precise`, so that nothing is fused or reordered.
 constexpr const char* vertexProgram = R"(#version 450
 layout(location = 0) in vec3 position;
-layout(location = 1) in vec2 texelPosition;
+layout(location = 1) in vec2 texcoord;
 layout(location = 2) in uint drawOffset;
 layout(location = 0) uniform vec3 eye;
 layout(location = 1) uniform mat3 columns;  // of the matrix with the rows X, Y, W
 out vec3 view;
-out vec2 texel;
+out vec2 uv;
 out uint vertexOffset;
 
 void main() {
   precise vec3 d = position - eye;
   precise vec3 sum = (columns[0] * d.x + columns[1] * d.y) + columns[2] * d.z;
   view = sum;
-  texel = texelPosition;
+  uv = texcoord;
   vertexOffset = drawOffset;
 }
 )";
@@ -36,41 +36,72 @@ void main() {
 //
 //   1/w = (sum(c_k) . p) / D,    s = sum(b_k s_k) = (sum(s_k c_k) . p) / (sum(c_k) . p).
 //
-// So three vectors are enough. Lengths across are in sub-pixels, which are integers for corners in front of the near
-// plane.
+// So three vectors are enough. Lengths across are in sub-pixels. Corners are snapped after the near plane has clipped
+// the triangle, as in the rules: perspective would magnify the move of a corner at the near plane.
 constexpr const char* geometryProgram = R"(#version 450
 layout(triangles) in;
-layout(triangle_strip, max_vertices = 3) out;
+layout(triangle_strip, max_vertices = 6) out;
 layout(location = 2) uniform float near;
 layout(location = 3) uniform double unit;  // sub-pixels a unit of x/w
 layout(location = 4) uniform double width;
+layout(binding = 0) uniform usampler2DRect map;
 in vec3 view[];
-in vec2 texel[];
+in vec2 uv[];
 in uint vertexOffset[];
 flat out dvec3 one, s, t;
 flat out double volume;
 flat out uint offset;
 
-dvec3 snapped(vec3 v) {
-  dvec2 across = unit * v.xy;
-  double w = v.z;
-  return dvec3(v.z < near ? across : roundEven(across / w) * w, w);
+struct Vertex {
+  dvec3 view;   // x, y, w
+  dvec2 texel;  // u N and v M, which are exact in double precision
+};
+
+// Where the edge from a vertex in front of the near plane to one behind it crosses the plane.
+Vertex crossing(Vertex inside, Vertex outside) {
+  precise double part = (inside.view.z - near) / (inside.view.z - outside.view.z);
+  precise dvec3 at = inside.view + part * (outside.view - inside.view);
+  precise dvec2 texel = inside.texel + part * (outside.texel - inside.texel);
+  return Vertex(dvec3(at.xy, near), texel);
 }
 
-void main() {
-  for (int k = 0; k < 3; ++k)
-    if (any(isnan(view[k])) || any(isinf(view[k]))) return;
-  dvec3 v[3] = dvec3[3](snapped(view[0]), snapped(view[1]), snapped(view[2]));
+int clip(Vertex corners[3], out Vertex polygon[4]) {
+  int count = 0;
+  for (int k = 0; k < 3; ++k) {
+    Vertex from = corners[k], to = corners[(k + 1) % 3];
+    bool fromInside = from.view.z >= near, toInside = to.view.z >= near;
+    if (fromInside) polygon[count++] = from;
+    if (fromInside && !toInside) polygon[count++] = crossing(from, to);
+    if (!fromInside && toInside) polygon[count++] = crossing(to, from);
+  }
+  return count;
+}
+
+dvec3 snapped(dvec3 v) { return dvec3((roundEven((v.xy / v.z + 1) * unit) - unit) * v.z, v.z); }
+
+void emitTriangle(Vertex a, Vertex b, Vertex d) {
+  dvec3 v[3] = dvec3[3](snapped(a.view), snapped(b.view), snapped(d.view));
   dvec3 c[3] = dvec3[3](cross(v[1], v[2]), cross(v[2], v[0]), cross(v[0], v[1]));
   for (int k = 0; k < 3; ++k) {
     one = c[0] + c[1] + c[2];
-    s = c[0] * texel[0].x + c[1] * texel[1].x + c[2] * texel[2].x;
-    t = c[0] * texel[0].y + c[1] * texel[1].y + c[2] * texel[2].y;
+    s = c[0] * a.texel.x + c[1] * b.texel.x + c[2] * d.texel.x;
+    t = c[0] * a.texel.y + c[1] * b.texel.y + c[2] * d.texel.y;
     volume = dot(v[0], c[0]);
     offset = vertexOffset[0];
     gl_Position = vec4(v[k].xy / (unit * width), near, v[k].z);
     EmitVertex();
   }
+  EndPrimitive();
+}
+
+void main() {
+  Vertex corners[3], polygon[4];
+  for (int k = 0; k < 3; ++k) {
+    if (any(isnan(view[k])) || any(isinf(view[k])) || any(isnan(uv[k])) || any(isinf(uv[k]))) return;
+    corners[k] = Vertex(view[k], dvec2(uv[k]) * dvec2(textureSize(map)));
+  }
+  int count = clip(corners, polygon);
+  for (int k = 2; k < count; ++k) emitTriangle(polygon[0], polygon[k - 1], polygon[k]);
 }
 )";
 

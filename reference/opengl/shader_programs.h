@@ -14,7 +14,7 @@ namespace hemitex::reference {
 /// Inputs per vertex.
 struct VertexAttribute {
   static constexpr GLuint position = 0;    ///< vec3
-  static constexpr GLuint texel = 1;       ///< vec2
+  static constexpr GLuint texcoord = 1;    ///< vec2
   static constexpr GLuint drawOffset = 2;  ///< uint
 };
 
