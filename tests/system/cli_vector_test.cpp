@@ -133,11 +133,14 @@ TEST_CASE("hemitex vector render --device draws a vector on another device if th
   const Shell shell;
   shell.output("vector export room.obj --eye 0.5,0.5,0.01 --normal 0,0,1 --resolution 16 -o vector");
   CHECK(shell.run("vector render vector --device abacus -o device").exitCode == 2);
-  const Outcome drawn = shell.run("vector render vector --device opengl -o device");
-  if (drawn.exitCode == 0)
-    CHECK(shell.run("vector check vector --candidate device").exitCode == 0);
-  else
-    CHECK((drawn.exitCode == 2 && drawn.err.find("OpenGL") != std::string::npos));
+  for (const std::string device : {"opengl", "opengl-fixed-function", "opengl-plain", "vulkan"}) {
+    INFO(device);
+    const Outcome drawn = shell.run("vector render vector --device " + device + " -o " + device);
+    if (drawn.exitCode == 0)
+      CHECK(shell.run("vector check vector --candidate " + device).exitCode == 0);
+    else
+      CHECK((drawn.exitCode == 2 && drawn.err.find(device == "vulkan" ? "Vulkan" : "OpenGL") != std::string::npos));
+  }
 }
 
 TEST_CASE("hemitex vector check judges a suite of vectors", "[cli]") {
