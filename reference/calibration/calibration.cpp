@@ -103,16 +103,17 @@ bool calibrateCoverage(const ProbingSet& probes, std::span<const ItemBuffer> ans
   if (fit.fitsAll()) return true;
   // The edge rule Any would hide a picture that is upside down twice.
   const auto fits = [&](const RowOrder& order) { return fitCoverage(probes, answers, order).fitsAll(); };
-  if (fits({.isUpsideDown = true})) {
-    calibration.faults.emplace_back(
-        "coverage: samples on edges belong to bottom edges instead of top edges, as if the picture is drawn upside "
-        "down and its rows are reversed on readback; negate y in the vertex stage instead of reversing rows");
-    return false;
-  }
-  if (fits({.isReversed = true}) || fits({.isReversed = true, .isUpsideDown = true})) {
-    calibration.faults.emplace_back(
-        "coverage: the rows are in reverse order; row 0 of the picture is y/w = -1, so negate y in the vertex stage or "
-        "read the rows from the other end");
+  std::string reversal;
+  if (fits({.isUpsideDown = true}))
+    reversal =
+        "samples on edges belong to bottom edges instead of top edges, as if the picture is drawn upside down and its "
+        "rows are reversed on readback; negate y in the vertex stage instead of reversing rows";
+  else if (fits({.isReversed = true}))
+    reversal = "the rows are in reverse order; row 0 is y/w = -1, so read the rows from the other end";
+  else if (fits({.isReversed = true, .isUpsideDown = true}))
+    reversal = "the picture is upside down; row 0 is y/w = -1, so negate y in the vertex stage";
+  if (!reversal.empty()) {
+    calibration.faults.push_back("coverage: " + reversal);
     return false;
   }
   if (fit.contradictions.sure > 0)

@@ -23,7 +23,6 @@ std::vector<Hypothesis> changesOf(const DeviceProfile& profile) {
   };
   change("another edge rule, or rows that are reversed on readback", &DeviceProfile::edgeRule, EdgeRule::Any);
   change("interpolation in binary32", &DeviceProfile::interpolationError, 32.0);
-  change("24-bit depths", &DeviceProfile::depthFormat, DepthFormat::Unorm24);
   change("texture coordinates of 6 sub-texel bits", &DeviceProfile::texelPrecision, 1.0 / 64);
   change("16-bit depths", &DeviceProfile::depthFormat, DepthFormat::Unorm16);
   const DeviceProfile rules;

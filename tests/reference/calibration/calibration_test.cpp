@@ -300,7 +300,7 @@ TEST_CASE("calibrate names reversed rows instead of another edge rule", "[calibr
     };
     // The right picture, but its samples on edges belong to bottom edges.
     CHECK(isOnly(faultsOf(true, true), "bottom edges"));
-    CHECK(isOnly(faultsOf(true, false), "the rows are in reverse order"));
+    CHECK(isOnly(faultsOf(true, false), "the picture is upside down"));
     CHECK(isOnly(faultsOf(false, true), "the rows are in reverse order"));
   }
 }
