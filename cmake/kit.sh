@@ -8,7 +8,7 @@
 # BUILD/bin/hemitex writes the vectors. Exit code: 2 if a package is missing or the build fails.
 set -euo pipefail
 version=1  # of the raster rules and the vectors
-packages=(libc6-dev libstdc++-12-dev libboost-dev libcli11-dev libglm-dev libstb-dev nlohmann-json3-dev)
+packages=(libc6-dev libstdc++-12-dev libboost-dev libcli11-dev libglm-dev libmd-dev libstb-dev nlohmann-json3-dev)
 
 case "$# ${2-}" in
   "1 ") machine="" options=() ;;

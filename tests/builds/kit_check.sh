@@ -55,7 +55,7 @@ says() { grep -q -e "$1" "$root/output" || { cat "$root/output" >&2; fail "\"$1\
 
 expect 0 --version
 says "^hemitex-vector [0-9]"
-for command in check explain render calibrate random run; do
+for command in check explain render calibrate random run verify; do
   expect 0 $command --help
 done
 
@@ -85,5 +85,6 @@ expect 0 run /random --device "$device" -o /random-mine
 expect 0 calibrate --probes /probes
 expect 0 run /probes --device "$device" -o /probes-mine
 expect 0 calibrate /probes --candidate /probes-mine -o /profile.json
-expect 0 check $kit/vectors --candidate /suite --profile /profile.json
+expect 0 check $kit/vectors --candidate /suite --profile /profile.json --record /record.json --device-name a --driver b
+expect 0 verify /record.json --suite $kit/vectors --candidate /suite
 echo "$archive: $(stat -c %s "$archive") bytes; hemitex-vector: $(stat -c %s "$root$kit/hemitex-vector") bytes"
