@@ -3,7 +3,8 @@
 # and hemitex-vector, one static program. Equal sources and packages give equal bytes.
 #
 #   cmake/kit.sh BUILD           for this machine: BUILD/hemitex-vectors-1.tar.gz
-#   cmake/kit.sh BUILD aarch64   cross-built: BUILD/hemitex-vectors-1-aarch64.tar.gz
+#   cmake/kit.sh BUILD aarch64   cross-built: BUILD/hemitex-vectors-1-aarch64.tar.gz; needs g++-aarch64-linux-gnu and,
+#                                after `dpkg --add-architecture arm64`, libmd-dev:arm64
 #
 # BUILD/bin/hemitex writes the vectors. Exit code: 2 if a package is missing or the build fails.
 set -euo pipefail
@@ -17,6 +18,10 @@ case "$# ${2-}" in
     options=(-DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++)
     if ! command -v aarch64-linux-gnu-g++ >/dev/null; then
       echo "kit.sh: install the Debian package g++-aarch64-linux-gnu" >&2
+      exit 2
+    fi
+    if ! [ -f /usr/lib/aarch64-linux-gnu/libmd.a ]; then
+      echo "kit.sh: dpkg --add-architecture arm64, apt-get update, and install the Debian package libmd-dev:arm64" >&2
       exit 2
     fi ;;
   *) echo "usage: cmake/kit.sh BUILD [aarch64]" >&2; exit 2 ;;
