@@ -1,4 +1,4 @@
-/// Commands and their options. Only command_line.cpp and main.cpp include CLI11, because its headers take seconds to
+/// Commands and their options. Only command_line.cpp and program.cpp include CLI11, because its headers take seconds to
 /// compile.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// Declares the commands of the program. Each has its own file, with its options, calls and output.
+/// Declares the commands of the programs. Each has its own file, with its options, calls and output.
 #pragma once
 
 #include "cli/common/options.h"
@@ -12,13 +12,18 @@ void addFormFactors(Command program, Context& context);
 void addTradeoff(Command program, Context& context);
 void addPaper(Command program, Context& context);
 void addBench(Command program, Context& context);
-void addVector(Command program, Context& context);
-/// Subcommands of `vector`.
+
+/// Commands for test vectors that need scenes.
+void addVectorExport(Command vector, Context& context);
 void addVectorSuite(Command vector, Context& context);
+/// All commands for test vectors that need no scene: the ones below.
+void addVectorCommands(Command parent, Context& context);
+void addVectorRender(Command vector, Context& context);
+void addVectorRandom(Command vector, Context& context);
 void addVectorCheck(Command vector, Context& context);
 void addVectorRun(Command vector, Context& context);
 void addVectorExplain(Command vector, Context& context);
 void addVectorCalibrate(Command vector, Context& context);
-void addVectorRandom(Command vector, Context& context);
+void addVectorVerify(Command vector, Context& context);
 
 }  // namespace hemitex::cli

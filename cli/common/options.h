@@ -1,11 +1,8 @@
-/// Options that several commands share. Reads and checks values, and makes settings of the library from them. A wrong
-/// value is a usage error that names the option.
+/// Options with values: reads and checks them. A wrong value is a usage error that names the option.
 #pragma once
 
 #include <filesystem>
 #include <functional>
-#include <map>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,12 +10,6 @@
 #include "cli/common/command_line.h"
 #include "cli/common/console.h"
 #include "cli/common/numbers.h"
-#include "radiosity/discretization/discretization.h"
-#include "radiosity/form_factors/scene_form_factors.h"
-#include "radiosity/index_maps/id_layout.h"
-#include "radiosity/scene/scene.h"
-#include "radiosity/scene/scene_settings.h"
-#include "raster/interface/item_id.h"
 
 namespace hemitex::cli {
 
@@ -67,14 +58,6 @@ Option addVectorOption(Command command, const std::string& name, Target& target,
 template <typename Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
-Choices<radiosity::Charts> chartsChoices();
-Choices<radiosity::EmissionUnit> emissionChoices();
-Choices<radiosity::IndexMaps> indexMapsChoices();
-Choices<raster::Blend> blendChoices();
-Choices<radiosity::ElementsBy> elementsByChoices();
-Choices<radiosity::Orientation> orientationChoices();
-Choices<radiosity::ProjectionKind> projectionChoices();
-
 /// The name of a value that is among the choices.
 template <typename Value>
 std::string nameOf(const Choices<Value>& choices, const Value& value) {
@@ -99,44 +82,6 @@ Option addChoice(Command command, const std::string& name, Value& target, const 
   };
   return command.addText(name, words, help, read);
 }
-
-/// The file of the scene and the settings for reading it.
-struct SceneOptions {
-  std::filesystem::path file;
-  radiosity::SceneSettings settings;
-};
-void addSceneOptions(Command command, SceneOptions& options);
-/// Loads the scene and prints its warnings.
-radiosity::Scene sceneOf(const SceneOptions& options, Console& console);
-
-/// Adds the options for dividing surfaces into elements and patches.
-void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings& settings);
-/// Discretizes the scene. Throws InputError with similar names if the scene has no surface of a given name.
-radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettings& settings,
-                                           const radiosity::Scene& scene);
-
-/// Adds the options for assigning item IDs to elements.
-void addIdOptions(Command command, radiosity::IdSettings& settings);
-/// The layout of item IDs. Throws InputError as radiosity::layOut, and if options for offsets are given with unique
-/// index maps, which have no offsets.
-radiosity::IdLayout layoutOf(const radiosity::IdSettings& settings, const radiosity::Discretization& discretization,
-                             Console& console);
-
-/// Adds `--resolution`: pixels along the side of a face, even, 2 to 4096.
-Option addResolution(Command command, int& resolution);
-/// Adds the repeatable option `--resolution`.
-Option addResolutions(Command command, std::vector<int>& resolutions);
-
-/// Adds the options of projections, except the choice of the projection.
-void addDrawingOptions(Command command, radiosity::DrawingSettings& settings);
-
-/// The projection of a `--method`: `hemicube`, `single-plane` or `tetrahedron`; nothing for methods that do not draw.
-std::optional<radiosity::ProjectionKind> projectionNamed(const std::string& method);
-
-/// The names of the options that only methods with projections use: of drawing and of item IDs.
-std::vector<std::string> drawingOptionNames();
-/// Throws a usage error if one of the options was given; call it for options that a method does not use.
-void refuseUnused(Command command, const std::vector<std::string>& options, const std::string& method);
 
 /// Adds the required option `-o`.
 Option addOutput(Command command, std::filesystem::path& output, const std::string& help);

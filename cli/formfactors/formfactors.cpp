@@ -9,9 +9,10 @@
 
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
-#include "cli/common/surface_names.h"
 #include "cli/common/table.h"
 #include "cli/formfactors/methods.h"
+#include "cli/scene/scene_options.h"
+#include "cli/scene/surface_names.h"
 #include "reference/solution/form_factor_matrix.h"
 #include "reference/solution/reciprocity_smoothing.h"
 

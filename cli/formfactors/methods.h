@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/common/options.h"
-#include "cli/common/surface_names.h"
+#include "cli/scene/scene_options.h"
+#include "cli/scene/surface_names.h"
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "cli/common/camera_options.h"
+#include "cli/scene/camera_options.h"
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/index_maps/phantom_indices.h"

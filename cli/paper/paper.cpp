@@ -3,11 +3,11 @@
 #include <memory>
 
 #include "cli/common/commands.h"
-#include "cli/common/opengl_device.h"
-#include "cli/common/scene_folder.h"
 #include "cli/common/staging.h"
 #include "cli/paper/figures.h"
 #include "cli/paper/report.h"
+#include "cli/scene/opengl_device.h"
+#include "cli/scene/scene_folder.h"
 #include "raster/base/file_io.h"
 #include "raster/base/parallel.h"
 #include "reference/bench/timing.h"

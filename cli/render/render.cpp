@@ -4,12 +4,13 @@
 #include <iostream>
 #include <memory>
 
-#include "cli/common/camera_options.h"
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
 #include "cli/common/staging.h"
-#include "cli/common/surface_names.h"
 #include "cli/render/solved_folder.h"
+#include "cli/scene/camera_options.h"
+#include "cli/scene/scene_options.h"
+#include "cli/scene/surface_names.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/pictures/id_pictures.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "cli/common/surface_names.h"
+#include "cli/scene/surface_names.h"
 #include "radiosity/images/image.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"

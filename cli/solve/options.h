@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "cli/common/camera_options.h"
-#include "cli/common/options.h"
+#include "cli/scene/camera_options.h"
+#include "cli/scene/scene_options.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "radiosity/textures/lit_scene.h"
 #include "radiosity/textures/texture_filter.h"

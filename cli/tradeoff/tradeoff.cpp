@@ -8,10 +8,11 @@
 #include <memory>
 #include <sstream>
 
-#include "cli/common/camera_options.h"
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
 #include "cli/common/staging.h"
+#include "cli/scene/camera_options.h"
+#include "cli/scene/scene_options.h"
 #include "cli/tradeoff/page.h"
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/scene/load_scene.h"

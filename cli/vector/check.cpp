@@ -5,6 +5,7 @@
 #include "cli/common/commands.h"
 #include "cli/vector/judging.h"
 #include "raster/base/input_error.h"
+#include "reference/verdict/minimal_failure.h"
 
 namespace hemitex::cli {
 namespace {
@@ -23,7 +24,11 @@ void check(const CheckOptions& options, Context& context) {
   std::vector<reference::Report> reports;
   for (const SuiteVector& vector : suite.vectors)
     reports.push_back(judgeAnswer(options.judging, profile, vector, answerFolder(suite, vector, options.candidate)));
-  writeResults(options.judging, suite, reports, context);
+  const auto minimal = [&](const SuiteVector& vector, const reference::Report& report) -> SmallFailure {
+    const reference::MinimalFailure failure = minimize(vector.vector, report.verdict, profile);
+    return {failure.vector, {failure.expected}, {failure.found}};
+  };
+  writeResults(options.judging, suite, reports, minimal, context);
 }
 
 }  // namespace

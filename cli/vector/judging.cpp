@@ -8,8 +8,8 @@
 #include "cli/common/table.h"
 #include "raster/base/file_io.h"
 #include "reference/diagnosis/junit_report.h"
+#include "reference/records/conformance_record.h"
 #include "reference/vectors/candidate.h"
-#include "reference/verdict/minimal_failure.h"
 #include "reference/verdict/verdict_picture.h"
 
 namespace hemitex::cli {
@@ -75,6 +75,8 @@ std::string remarkOn(const Report& report) {
       return "missing: " + name + " was not drawn" + expected + '\n';
     case reference::Outcome::DeviceFailed:
       return "device failed: " + name + expected + ": " + toText(*report.device);
+    case reference::Outcome::NotDeterministic:
+      return "not deterministic: " + name + expected + ": " + toText(*report.repetition) + '\n';
     case reference::Outcome::Errors:
       return report.expected ? "known errors: " + name + expected + '\n' : "";
     case reference::Outcome::Pass:
@@ -119,42 +121,67 @@ void printSuite(const std::vector<Report>& reports) {
   if (const auto check = checkReference(reports); check.pixels > 0) std::cout << "reference: " << toText(check) << '\n';
 }
 
-/// Writes the smallest part of the vector that fails, and in `candidate` the device's item ID.
-void writeMinimal(const fs::path& folder, const reference::MinimalFailure& minimal) {
+/// Writes the vector, and in `candidate` the device's item IDs.
+void writeSmall(const fs::path& folder, const SmallFailure& small) {
   Staging staging(folder);
-  reference::writeVector(staging.folder(), minimal.vector, {&minimal.expected, 1});
-  const fs::path candidate = staging.folder() / "candidate";
-  fs::create_directory(candidate);
-  reference::writeCandidate(candidate, minimal.vector, {&minimal.found, 1});
+  reference::writeVector(staging.folder(), small.vector, small.expected);
+  if (!small.found.empty()) {
+    fs::create_directory(staging.folder() / "candidate");
+    reference::writeCandidate(staging.folder() / "candidate", small.vector, small.found);
+  }
   staging.commit();
 }
 
-/// The vector of the picture: the first with unexpected errors, else with errors, else with item buffers.
-std::optional<std::size_t> shownVector(const JudgingOptions& options, const std::vector<Report>& reports) {
-  const auto hasFailed = [&](const Report& report) {
-    return hasErrors(report.verdict) && isFailure(report, options.isStrict);
-  };
-  const auto hasWrongPixels = [](const Report& report) { return hasErrors(report.verdict); };
-  const auto isJudged = [](const Report& report) { return !report.verdict.faces.empty(); };
-  for (const std::function<bool(const Report&)>& is :
-       {std::function<bool(const Report&)>(hasFailed), std::function<bool(const Report&)>(hasWrongPixels),
-        std::function<bool(const Report&)>(isJudged)}) {
+reference::ConformanceRecord recordOf(const JudgingOptions& options, const Suite& suite,
+                                      const std::vector<Report>& reports) {
+  reference::ConformanceRecord record;
+  record.device = options.device;
+  record.driver = options.driver;
+  record.profile = profileOf(options);
+  for (std::size_t k = 0; k < reports.size(); ++k)
+    record.vectors.push_back(recordOf(reports[k], suite.vectors[k].folder));
+  return record;
+}
+
+using Predicate = std::function<bool(const Report&)>;
+
+/// The first report that satisfies the first predicate, else the second, and so on.
+std::optional<std::size_t> firstOf(const std::vector<Report>& reports, const std::vector<Predicate>& predicates) {
+  for (const Predicate& is : predicates) {
     const auto place = std::find_if(reports.begin(), reports.end(), is);
     if (place != reports.end()) return static_cast<std::size_t>(place - reports.begin());
   }
   return {};
 }
 
-void writeFiles(const JudgingOptions& options, const Suite& suite, const std::vector<Report>& reports) {
+/// Writes the picture of the first vector with unexpected errors, else with errors, else with item buffers.
+void writePicture(const JudgingOptions& options, const Suite& suite, const std::vector<Report>& reports) {
+  const auto hasWrongPixels = [](const Report& report) { return hasErrors(report.verdict); };
+  const auto isUnexpected = [&](const Report& report) {
+    return hasWrongPixels(report) && isFailure(report, options.isStrict);
+  };
+  const auto isJudged = [](const Report& report) { return !report.verdict.faces.empty(); };
+  const auto shown = firstOf(reports, {isUnexpected, hasWrongPixels, isJudged});
+  if (shown)
+    radiosity::writePng(options.picture, toPicture(reports[*shown].verdict,
+                                                   raster::backgroundId(suite.vectors[*shown].vector.list.format)));
+}
+
+/// Minimizes the first vector that fails unexpectedly, else the first that fails.
+void writeMinimal(const JudgingOptions& options, const Suite& suite, const std::vector<Report>& reports,
+                  const Minimizer& minimize) {
+  const auto fails = [](const Report& report) { return hasErrors(report.verdict) || report.device; };
+  const auto isUnexpected = [&](const Report& report) { return fails(report) && isFailure(report, options.isStrict); };
+  if (const auto failing = firstOf(reports, {isUnexpected, fails}))
+    writeSmall(options.minimal, minimize(suite.vectors[*failing], reports[*failing]));
+}
+
+void writeFiles(const JudgingOptions& options, const Suite& suite, const std::vector<Report>& reports,
+                const Minimizer& minimize) {
   if (!options.junit.empty()) raster::writeFile(options.junit, toJUnit(reports, options.isStrict));
-  const std::optional<std::size_t> shown = shownVector(options, reports);
-  if (!shown) return;
-  const reference::TestVector& vector = suite.vectors[*shown].vector;
-  const reference::Verdict& verdict = reports[*shown].verdict;
-  if (!options.picture.empty())
-    radiosity::writePng(options.picture, toPicture(verdict, raster::backgroundId(vector.list.format)));
-  if (options.minimal.empty() || !hasErrors(verdict)) return;
-  writeMinimal(options.minimal, minimize(vector, verdict, profileOf(options)));
+  if (!options.record.empty()) raster::writeFile(options.record, toJson(recordOf(options, suite, reports)));
+  if (!options.picture.empty()) writePicture(options, suite, reports);
+  if (!options.minimal.empty()) writeMinimal(options, suite, reports, minimize);
 }
 
 }  // namespace
@@ -181,6 +208,14 @@ void addJudgingOptions(Command command, JudgingOptions& options) {
       "--minimize", options.minimal,
       "write one failing pixel with as few triangles as possible into this folder, as a vector; for a suite, of the "
       "first failing vector");
+  const Option record = command.addPath("--record", options.record, "write a conformance record into this JSON file");
+  const auto text = [](std::string& target) { return [&target](const std::string& value) { target = value; }; };
+  const Option device = command.addText("--device-name", "NAME", "the device, for the record", text(options.device));
+  const Option driver =
+      command.addText("--driver", "NAME", "its driver and version, for the record", text(options.driver));
+  record.needs(device).needs(driver);
+  device.needs(record);
+  driver.needs(record);
 }
 
 Suite readSuite(const JudgingOptions& options) {
@@ -225,11 +260,11 @@ Report judgeAnswer(const JudgingOptions& options, const reference::DeviceProfile
 }
 
 void writeResults(const JudgingOptions& options, const Suite& suite, const std::vector<Report>& reports,
-                  Context& context) {
+                  const Minimizer& minimize, Context& context) {
   const bool hasFailure =
       std::any_of(reports.begin(), reports.end(), [&](const Report& r) { return isFailure(r, options.isStrict); });
   context.failed = hasFailure || checkReference(reports).differing > 0;
-  writeFiles(options, suite, reports);
+  writeFiles(options, suite, reports, minimize);
   if (context.json)
     std::cout << (suite.isSingle ? toJson(reports.front()) : reference::toJson(reports, options.isStrict));
   else

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +14,8 @@
 namespace hemitex::cli {
 
 struct JudgingOptions {
-  std::filesystem::path suite, profile, expectations, junit, picture, minimal;
+  std::filesystem::path suite, profile, expectations, junit, picture, minimal, record;
+  std::string device, driver;  ///< names for the record
   bool isExact = false, isStrict = false, isDepthStrict = false;
 };
 void addJudgingOptions(Command command, JudgingOptions& options);
@@ -48,8 +50,16 @@ reference::DeviceProfile profileOf(const JudgingOptions& options);
 reference::Report judgeAnswer(const JudgingOptions& options, const reference::DeviceProfile& profile,
                               const SuiteVector& vector, const std::filesystem::path& folder);
 
+/// A small vector that shows a failure: its item IDs by the rules and by the device, which has none if it fails to
+/// draw.
+struct SmallFailure {
+  reference::TestVector vector;
+  std::vector<raster::ItemBuffer> expected, found;
+};
+using Minimizer = std::function<SmallFailure(const SuiteVector&, const reference::Report&)>;
+
 /// Writes the requested files, prints the results, and sets `context.failed` if a result is not as expected.
 void writeResults(const JudgingOptions& options, const Suite& suite, const std::vector<reference::Report>& reports,
-                  Context& context);
+                  const Minimizer& minimize, Context& context);
 
 }  // namespace hemitex::cli

@@ -1,148 +1,141 @@
 /// `hemitex vector run` starts the program of a device for each vector and judges what it writes.
-#include <algorithm>
-#include <atomic>
-#include <csignal>
-#include <exception>
 #include <memory>
-#include <mutex>
 #include <thread>
 
 #include "cli/common/commands.h"
 #include "cli/common/staging.h"
+#include "cli/vector/device_program.h"
 #include "cli/vector/judging.h"
 #include "raster/base/input_error.h"
-#include "reference/verdict/device_process.h"
+#include "raster/base/thread_group.h"
+#include "reference/vectors/candidate.h"
+#include "reference/vectors/vector_suite.h"
+#include "reference/verdict/reduction.h"
 
 namespace hemitex::cli {
 namespace {
 
 namespace fs = std::filesystem;
 using reference::DeviceFailure;
-using reference::DeviceFault;
 
 constexpr double maxSeconds = 1e6;
-constexpr int maxJobs = 4096;
+constexpr int maxJobs = 4096, maxRepetitions = 1000000;
+/// Enough for thousands of triangles; a vector that needs tens of thousands stays larger than it must.
+constexpr std::size_t maxReductionRuns = 5000;
 
 struct RunOptions {
   JudgingOptions judging;
-  std::string device;
+  DeviceProgram device;
   fs::path output;
-  double timeLimit = 10;
   int jobs = 0;  ///< 0: one per core
+  int repetitions = 1;
 };
 
-std::atomic<bool> isInterrupted{false};
-std::atomic<int> interruptingSignal{0};
-
-void interrupt(int signal) {
-  interruptingSignal = signal;
-  isInterrupted = true;
-}
-
-/// During its lifetime SIGINT and SIGTERM stop the programs of the device before this one ends.
-class Interruption {
- public:
-  Interruption() {
-    std::signal(SIGINT, interrupt);
-    std::signal(SIGTERM, interrupt);
-    std::signal(SIGCHLD, SIG_DFL);  // a parent may have ignored it, and then no exit code arrives
-  }
-  ~Interruption() {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
-  }
-  Interruption(const Interruption&) = delete;
-  Interruption& operator=(const Interruption&) = delete;
+/// What a device did with a vector.
+struct Drawing {
+  std::optional<DeviceFailure> failure;
+  std::optional<reference::Repetition> repetition;  ///< of more than one run
 };
 
-/// Calls body(0) to body(count - 1) on several threads. Throws the first exception, after all threads ended.
-void forEachJob(std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& body) {
-  std::atomic<std::size_t> next{0};
-  std::exception_ptr failure;
-  std::mutex mutex;
-  const auto work = [&] {
-    try {
-      for (std::size_t k = next++; k < count && !isInterrupted; k = next++) body(k);
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      if (!failure) failure = std::current_exception();
-      next = count;
+/// The first run writes into `output`.
+Drawing drawRepeatedly(const RunOptions& options, const SuiteVector& vector, const fs::path& output) {
+  Drawing drawing{draw(options.device, vector.vector, vector.folder, output), {}};
+  if (options.repetitions == 1 || drawing.failure) return drawing;
+  reference::RepeatedRuns runs(vector.vector);
+  runs.add(reference::readCandidate(output, vector.vector));
+  for (int run = 2; run <= options.repetitions && !Interruption::hasHappened(); ++run) {
+    const ScratchFolder scratch;
+    drawing.failure = draw(options.device, vector.vector, vector.folder, scratch.path);
+    if (drawing.failure) {
+      drawing.failure->message += ", in run " + std::to_string(run) + " of " + std::to_string(options.repetitions);
+      return drawing;
     }
-  };
-  {
-    std::vector<std::jthread> threads;
-    for (std::size_t k = 0; k < std::min(jobs, count); ++k) threads.emplace_back(work);
+    runs.add(reference::readCandidate(scratch.path, vector.vector));
   }
-  if (failure) std::rethrow_exception(failure);
+  drawing.repetition = runs.result();
+  return drawing;
 }
 
-/// What is wrong with the item ID files of a program that ended well.
-std::optional<DeviceFailure> checkFiles(const reference::TestVector& vector, const fs::path& folder,
-                                        const reference::ProcessResult& process) {
-  for (const reference::VectorFace& face : vector.faces) {
-    const fs::path file = folder / face.ids;
-    if (!fs::is_regular_file(file)) return DeviceFailure{DeviceFault::MissingFile, face.ids + " is missing", process};
-    const auto width = static_cast<std::size_t>(face.face.scissor.width),
-               height = static_cast<std::size_t>(face.face.scissor.height);
-    const std::size_t bytes = width * height * sizeof(raster::ItemId);
-    if (fs::file_size(file) != bytes)
-      return DeviceFailure{
-          DeviceFault::WrongSize,
-          face.ids + " holds " + std::to_string(fs::file_size(file)) + " bytes instead of " + std::to_string(bytes),
-          process};
-  }
-  return {};
-}
-
-std::optional<DeviceFailure> draw(const RunOptions& options, const std::vector<std::string>& command,
-                                  const SuiteVector& vector, const fs::path& output) {
-  const auto words = reference::fillCommand(command, vector.folder.string(), output.string());
-  const reference::ProcessResult process = reference::runProcess(words, options.timeLimit, &isInterrupted);
-  if (hasSucceeded(process)) return checkFiles(vector.vector, output, process);
-  return failureOf(process);
-}
-
-/// Starts the program for each vector that is not unsupported. Returns the failures in the order of the suite.
-std::vector<std::optional<DeviceFailure>> drawAll(const RunOptions& options, const Suite& suite,
-                                                  const fs::path& folder) {
-  const Interruption interruption;
-  const std::vector<std::string> command = reference::splitCommand(options.device);
+/// Starts the program for each vector that is not unsupported. The results have the order of the suite.
+std::vector<Drawing> drawAll(const RunOptions& options, const Suite& suite, const fs::path& folder) {
   const auto jobs = options.jobs > 0 ? static_cast<unsigned>(options.jobs) : std::thread::hardware_concurrency();
-  std::vector<std::optional<DeviceFailure>> failures(suite.vectors.size());
-  forEachJob(suite.vectors.size(), std::max(jobs, 1u), [&](std::size_t k) {
+  std::vector<Drawing> drawings(suite.vectors.size());
+  raster::forEachOnThreads(suite.vectors.size(), jobs, [&](std::size_t k) {
     const SuiteVector& vector = suite.vectors[k];
-    if (isUnsupported(vector)) return;
-    const fs::path output = answerFolder(suite, vector, folder);
-    fs::create_directories(output);
-    failures[k] = draw(options, command, vector, output);
+    if (Interruption::hasHappened() || isUnsupported(vector)) return;
+    drawings[k] = drawRepeatedly(options, vector, answerFolder(suite, vector, folder));
   });
-  return failures;
+  return drawings;
+}
+
+reference::Report reportOn(const JudgingOptions& options, const reference::DeviceProfile& profile,
+                           const SuiteVector& vector, const fs::path& answer, const Drawing& drawing) {
+  reference::Report report{{vector.name, {}}, {}, {}};
+  if (drawing.failure)
+    report.expected = vector.expected;
+  else
+    report = judgeAnswer(options, profile, vector, answer);
+  report.device = drawing.failure;
+  report.repetition = drawing.repetition;
+  return report;
 }
 
 std::vector<reference::Report> judgeAll(const JudgingOptions& options, const Suite& suite, const fs::path& folder,
-                                        const std::vector<std::optional<DeviceFailure>>& failures) {
+                                        const std::vector<Drawing>& drawings) {
   const reference::DeviceProfile profile = profileOf(options);
   std::vector<reference::Report> reports;
   for (std::size_t k = 0; k < suite.vectors.size(); ++k) {
     const SuiteVector& vector = suite.vectors[k];
-    if (failures[k])
-      reports.push_back({.verdict = {vector.name, {}},
-                         .errors = {},
-                         .findings = {},
-                         .expected = vector.expected,
-                         .device = failures[k]});
-    else
-      reports.push_back(judgeAnswer(options, profile, vector, answerFolder(suite, vector, folder)));
+    reports.push_back(reportOn(options, profile, vector, answerFolder(suite, vector, folder), drawings[k]));
   }
   return reports;
+}
+
+/// The answer of the device to a vector that is not in a folder yet.
+struct Answer {
+  std::optional<DeviceFailure> failure;
+  std::vector<raster::ItemBuffer> found;
+};
+
+Answer answerTo(const DeviceProgram& device, const reference::TestVector& vector) {
+  const ScratchFolder scratch;
+  fs::create_directory(scratch.path / "vector");
+  reference::writeVector(scratch.path / "vector", vector, {});
+  Answer answer{draw(device, vector, scratch.path / "vector", scratch.path / "output"), {}};
+  if (!answer.failure) answer.found = reference::readCandidate(scratch.path / "output", vector);
+  return answer;
+}
+
+/// Whether the device fails in the same way: to draw, or with errors of any kind.
+bool failsAlike(const Answer& answer, const reference::TestVector& vector, const reference::Report& report,
+                const reference::DeviceProfile& profile) {
+  if (report.device || answer.failure)
+    return report.device && answer.failure && answer.failure->fault == report.device->fault;
+  return hasErrors(judge(vector, answer.found, profile));
+}
+
+/// The vector as small as the device still fails on it.
+SmallFailure minimizeOnDevice(const RunOptions& options, const SuiteVector& vector, const reference::Report& report) {
+  const reference::DeviceProfile profile = profileOf(options.judging);
+  const auto fails = [&](const reference::TestVector& smaller) {
+    if (Interruption::hasHappened() || smaller.list.indices.empty()) return false;
+    return failsAlike(answerTo(options.device, smaller), smaller, report, profile);
+  };
+  const reference::TestVector smallest = reference::reduce(vector.vector, fails, maxReductionRuns);
+  return {smallest, reference::render(smallest), answerTo(options.device, smallest).found};
+}
+
+fs::path canonicalPath(const fs::path& folder) {
+  const fs::path path = fs::weakly_canonical(folder);
+  return path.has_filename() ? path : path.parent_path();
 }
 
 /// The folders of the answers are replaced, so no vector may lie in them.
 void refuseToReplace(const Suite& suite, const fs::path& output) {
   for (const SuiteVector& answered : suite.vectors)
     for (const SuiteVector& vector : suite.vectors) {
-      const fs::path answer = fs::weakly_canonical(answerFolder(suite, answered, output) / "");
-      const fs::path relative = fs::weakly_canonical(vector.folder).lexically_relative(answer.parent_path());
+      const fs::path relative =
+          canonicalPath(vector.folder).lexically_relative(canonicalPath(answerFolder(suite, answered, output)));
       if (relative == "." || (!suite.isSingle && !relative.empty() && *relative.begin() != ".."))
         throw raster::InputError(output.string(), 0, "would replace the vector " + vector.folder.string(),
                                  "choose another folder");
@@ -159,18 +152,22 @@ void removeOldFiles(const Suite& suite, const fs::path& staged, const fs::path& 
 void run(const RunOptions& options, Context& context) {
   const Suite suite = readSuite(options.judging);
   refuseToReplace(suite, options.output);
+  const Interruption interruption;
   std::vector<reference::Report> reports;
   {
     Staging staging(options.output);
-    const auto failures = drawAll(options, suite, staging.folder());
-    if (!isInterrupted) {
-      reports = judgeAll(options.judging, suite, staging.folder(), failures);
+    const std::vector<Drawing> drawings = drawAll(options, suite, staging.folder());
+    if (!Interruption::hasHappened()) {
+      reports = judgeAll(options.judging, suite, staging.folder(), drawings);
       removeOldFiles(suite, staging.folder(), options.output);
       staging.commit();
     }
   }
-  if (isInterrupted) std::raise(interruptingSignal);
-  writeResults(options.judging, suite, reports, context);
+  if (Interruption::hasHappened()) Interruption::passOn();
+  const auto minimize = [&](const SuiteVector& vector, const reference::Report& report) {
+    return minimizeOnDevice(options, vector, report);
+  };
+  writeResults(options.judging, suite, reports, minimize, context);
 }
 
 }  // namespace
@@ -182,13 +179,16 @@ void addVectorRun(Command vector, Context& context) {
   command
       .addText("--device", "COMMAND",
                "program and arguments; {vector} is the folder of the vector, {output} the folder for the item IDs",
-               [options](const std::string& text) { options->device = text; })
+               [options](const std::string& text) { options->device.command = reference::splitCommand(text); })
       .required();
   addOutput(command, options->output, "folder for the item IDs; for a suite, one folder per vector");
-  command.addText(
-      "--time-limit", "SECONDS", "time per vector, after which the program is stopped (default 10)",
-      [options](const std::string& text) { options->timeLimit = positiveOption("--time-limit", text, maxSeconds); });
+  command.addText("--time-limit", "SECONDS", "time per vector, after which the program is stopped (default 10)",
+                  [options](const std::string& text) {
+                    options->device.timeLimit = positiveOption("--time-limit", text, maxSeconds);
+                  });
   addInteger(command, "--jobs", options->jobs, 1, maxJobs, "programs at a time (default: one per core)");
+  addInteger(command, "--repeat", options->repetitions, 1, maxRepetitions,
+             "draw each vector N times; it fails if its item IDs are not always the same (default 1)");
   command.onRead([options, &context] { context.command = [options, &context] { run(*options, context); }; });
 }
 

@@ -1,5 +1,5 @@
-/// A parallel loop with independent iterations. It runs on oneTBB, or in order in a build without oneTBB. Results must
-/// not depend on how the iterations are distributed over threads.
+/// A parallel loop with independent iterations. It runs on oneTBB, or on standard threads in a build without oneTBB.
+/// Results must not depend on how the iterations are distributed over threads.
 #pragma once
 
 #include <cstddef>

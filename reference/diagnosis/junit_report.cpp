@@ -42,6 +42,9 @@ std::vector<TestCase> casesOf(const Report& report, bool isStrict) {
   if (report.device) return {caseOf(report, *report.device)};
   std::vector<TestCase> cases;
   for (const FaceVerdict& face : report.verdict.faces) cases.push_back(caseOf(report, face));
+  if (outcome == Outcome::NotDeterministic)
+    cases.push_back(
+        {"all runs", report.expected ? "skipped" : "failure", "not deterministic: " + toText(*report.repetition)});
   if (isStrict && agreementOf(report) == Agreement::UnexpectedPass)
     cases.push_back({"expectation", "failure", "unexpected pass, " + toText(*report.expected)});
   return cases;

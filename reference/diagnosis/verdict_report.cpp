@@ -63,6 +63,20 @@ Json toJson(const DeviceFailure& device) {
   return json;
 }
 
+Json toJson(const Repetition& repetition) {
+  constexpr std::size_t shown = 10;
+  Json json{{"runs", repetition.runs},
+            {"answers", repetition.answers},
+            {"changing_pixels", repetition.pixels.size()},
+            {"pixels", Json::array()}};
+  for (std::size_t k = 0; k < std::min(shown, repetition.pixels.size()); ++k) {
+    const ChangingPixel& pixel = repetition.pixels[k];
+    json["pixels"].push_back(
+        {{"face", pixel.face}, {"column", pixel.column}, {"row", pixel.row}, {"runs", pixel.runs}});
+  }
+  return json;
+}
+
 Json jsonOf(const Report& report) {
   const Verdict& verdict = report.verdict;
   const Outcome outcome = outcomeOf(report);
@@ -82,6 +96,7 @@ Json jsonOf(const Report& report) {
   json["outcome"] = nameOf(outcomeNames, outcome);
   json["expected"] = toJson(report.expected);
   if (report.device) json["device"] = toJson(*report.device);
+  if (report.repetition) json["repetition"] = toJson(*report.repetition);
   return json;
 }
 
@@ -138,6 +153,7 @@ Outcome outcomeOf(const Report& report) {
   if (report.expected && report.expected->expectation == Expectation::Unsupported) return Outcome::NotJudged;
   if (report.isMissing) return Outcome::Missing;
   if (report.device) return Outcome::DeviceFailed;
+  if (report.repetition && !report.repetition->isDeterministic()) return Outcome::NotDeterministic;
   return hasErrors(report.verdict) ? Outcome::Errors : Outcome::Pass;
 }
 

@@ -12,6 +12,7 @@
 #include "reference/verdict/device_process.h"
 #include "reference/verdict/error_pixel.h"
 #include "reference/verdict/expectations.h"
+#include "reference/verdict/repetition.h"
 
 namespace hemitex::reference {
 
@@ -30,6 +31,7 @@ struct Report {
   std::optional<ExpectedResult> expected = {};   ///< none: the vector is expected to pass
   bool isMissing = false;                        ///< the device did not draw the vector; no faces
   std::optional<DeviceFailure> device = {};      ///< of the program that should have drawn the vector; no faces
+  std::optional<Repetition> repetition = {};     ///< only of several runs; the verdict is that of the first one
 };
 
 Outcome outcomeOf(const Report& report);
@@ -75,10 +77,14 @@ std::string toText(const CommonFault& common);
 /// - `diagnosis`: `fault`, `variant`, `agreement`, `advice`; empty without a known fault, several indistinguishable
 /// ones,
 /// - `reference`: `pixels` and `differing`; only of an exact report,
-/// - `outcome`: `pass`, `errors`, `missing`, `device failed` or `not judged`, and `expected` with `result` and
+/// - `outcome`: `pass`, `errors`, `missing`, `device failed`, `not deterministic` or `not judged`, and `expected` with
+/// `result` and
 ///   `reason`, null without an expectation,
 /// - `device`: `failure`, `message`, `exit_code`, `signal` (null where there is none), `stderr` (its last lines); only
-///   if the program of the device failed.
+///   if the program of the device failed,
+/// - `repetition`: `runs`, `answers` (the number of runs with the same item IDs, for each different answer),
+///   `changing_pixels` (their number) and `pixels` (`face`, `column`, `row`, `runs` of the first ten); only of several
+///   runs.
 std::string toJson(const Report& report);
 
 /// A JSON object for several vectors: `pass` (no result is an isFailure), `pixels` of all, `vectors` (an object as

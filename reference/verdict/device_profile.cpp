@@ -84,8 +84,7 @@ std::string toJson(const DeviceProfile& profile) {
   return json.dump(2) + "\n";
 }
 
-DeviceProfile readProfile(const std::filesystem::path& file) {
-  const std::string text = raster::readFile(file);
+DeviceProfile parseProfile(const std::string& text) {
   try {
     const Json json = Json::parse(text);
     if (!json.is_object()) throw InputError("a device profile is a JSON object");
@@ -93,7 +92,14 @@ DeviceProfile readProfile(const std::filesystem::path& file) {
     for (const auto& [key, value] : json.items()) readField(value, key, profile);
     return profile;
   } catch (const Json::exception& error) {
-    throw InputError(file.string(), 0, error.what());
+    throw InputError(error.what());
+  }
+}
+
+DeviceProfile readProfile(const std::filesystem::path& file) {
+  const std::string text = raster::readFile(file);
+  try {
+    return parseProfile(text);
   } catch (const InputError& error) {
     throw InputError(file.string(), 0, error.what());
   }

@@ -48,6 +48,9 @@ double depthError(const DeviceProfile& profile);
 /// unknown key, a value of the wrong type or out of range, and a file that cannot be read.
 DeviceProfile readProfile(const std::filesystem::path& file);
 
+/// The same from the text of such a file.
+DeviceProfile parseProfile(const std::string& text);
+
 /// The profile as readProfile reads it, with all keys.
 std::string toJson(const DeviceProfile& profile);
 

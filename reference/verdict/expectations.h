@@ -40,18 +40,20 @@ Expectations readExpectations(const std::filesystem::path& file, std::span<const
 
 /// What happened to a vector.
 enum class Outcome : std::uint8_t {
-  Pass,          ///< no errors
-  Errors,        ///< error pixels
-  Missing,       ///< no item buffers of the device
-  DeviceFailed,  ///< the program of the device crashed, hung or wrote no item buffers
-  NotJudged,     ///< unsupported
+  Pass,              ///< no errors
+  Errors,            ///< error pixels
+  Missing,           ///< no item buffers of the device
+  DeviceFailed,      ///< the program of the device crashed, hung or wrote no item buffers
+  NotDeterministic,  ///< several runs with different item IDs
+  NotJudged,         ///< unsupported
 };
 
 /// In the order of the enum.
-constexpr std::array<Named<Outcome>, 5> outcomeNames{{{Outcome::Pass, "pass"},
+constexpr std::array<Named<Outcome>, 6> outcomeNames{{{Outcome::Pass, "pass"},
                                                       {Outcome::Errors, "errors"},
                                                       {Outcome::Missing, "missing"},
                                                       {Outcome::DeviceFailed, "device failed"},
+                                                      {Outcome::NotDeterministic, "not deterministic"},
                                                       {Outcome::NotJudged, "not judged"}}};
 
 /// An outcome compared with its expectation.

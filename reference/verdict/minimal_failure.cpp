@@ -3,62 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <functional>
-#include <map>
-#include <utility>
 
-#include "reference/trace/fragments.h"
+#include "reference/verdict/reduction.h"
 
 namespace hemitex::reference {
 namespace {
 
 /// Draws may share indices, so a triangle number alone is ambiguous.
 using DrawnTriangles = std::vector<DrawnTriangle>;
-
-/// Assigns new consecutive numbers in the order of first use.
-class Renumbering {
- public:
-  /// The new number, and whether it is new.
-  std::pair<std::uint32_t, bool> operator()(std::uint32_t old) {
-    const auto [place, isNew] = numbers_.try_emplace(old, static_cast<std::uint32_t>(numbers_.size()));
-    return {place->second, isNew};
-  }
-
- private:
-  std::map<std::uint32_t, std::uint32_t> numbers_;
-};
-
-/// The list reduced to some of its triangles, given in draw order.
-raster::DrawList listOf(const raster::DrawList& list, const DrawnTriangles& triangles) {
-  raster::DrawList result;
-  result.format = list.format;
-  result.blend = list.blend;
-  Renumbering draws, vertices, maps;
-  for (const DrawnTriangle& each : triangles) {
-    if (draws(each.draw).second) {
-      raster::Draw draw = list.draws[each.draw];
-      draw.first = static_cast<std::uint32_t>(result.indices.size());
-      draw.count = 0;
-      if (draw.indexMap) {
-        const auto [map, isNew] = maps(static_cast<std::uint32_t>(*draw.indexMap));
-        if (isNew) result.indexMaps.push_back(list.indexMaps[static_cast<std::size_t>(*draw.indexMap)]);
-        draw.indexMap = static_cast<int>(map);
-      }
-      result.draws.push_back(draw);
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t old = list.indices[3 * std::size_t{each.triangle} + k];
-      const auto [vertex, isNew] = vertices(old);
-      if (isNew) {
-        result.positions.push_back(list.positions[old]);
-        result.texcoords.push_back(list.texcoords[old]);
-      }
-      result.indices.push_back(vertex);
-    }
-    result.draws.back().count += 3;
-  }
-  return result;
-}
 
 /// An error pixel of a face.
 struct Failure {
@@ -122,26 +74,6 @@ bool stillFails(const Failure& failure, const raster::DrawList& list, const Devi
   return error.kind == failure.kind && error.expected == failure.expected;
 }
 
-/// Removes runs of half the triangles, then of a quarter, and so on, then single ones until each one is needed.
-DrawnTriangles fewestTriangles(DrawnTriangles kept, const std::function<bool(const DrawnTriangles&)>& fails) {
-  std::size_t run = std::max<std::size_t>(kept.size() / 2, 1);
-  for (bool removed = true; run > 1 || removed; run = std::max<std::size_t>(run / 2, 1)) {
-    removed = false;
-    for (std::size_t first = 0; first < kept.size();) {
-      DrawnTriangles fewer = kept;
-      const auto from = fewer.begin() + static_cast<std::ptrdiff_t>(first);
-      fewer.erase(from, from + static_cast<std::ptrdiff_t>(std::min(run, kept.size() - first)));
-      if (fails(fewer)) {
-        kept = std::move(fewer);
-        removed = true;
-      } else {
-        first += run;
-      }
-    }
-  }
-  return kept;
-}
-
 }  // namespace
 
 MinimalFailure minimize(const TestVector& vector, const Verdict& verdict, const DeviceProfile& profile) {
@@ -156,8 +88,8 @@ MinimalFailure minimize(const TestVector& vector, const Verdict& verdict, const 
   const Failure* best = nullptr;
   DrawnTriangles fewest;
   for (const Failure& failure : failures) {
-    const auto fails = [&](const DrawnTriangles& kept) {
-      return stillFails(failure, listOf(vector.list, kept), profile);
+    const auto fails = [&](std::span<const DrawnTriangle> kept) {
+      return stillFails(failure, withTriangles(vector.list, kept), profile);
     };
     const DrawnTriangles kept = fewestTriangles(all, fails);
     if (best && kept.size() >= fewest.size()) continue;
@@ -165,7 +97,7 @@ MinimalFailure minimize(const TestVector& vector, const Verdict& verdict, const 
     fewest = kept;
   }
 
-  MinimalFailure minimal{{vector.name, vector.catches, vector.origin, listOf(vector.list, fewest), {best->face}},
+  MinimalFailure minimal{{vector.name, vector.catches, vector.origin, withTriangles(vector.list, fewest), {best->face}},
                          {},
                          {1, 1, {best->expected}},
                          best->found};

@@ -3,8 +3,8 @@
 ///
 /// The device itself is not available, only its item buffers. So its item ID at a pixel is fixed, and minimize removes
 /// triangles from the draw list. A removal is valid while the expected item ID stays the same, the verdict stays an
-/// error, and the kind of the error stays the same. It removes halves of the list, then quarters, down to single
-/// triangles (delta debugging: Zeller and Hildebrandt, Simplifying and Isolating Failure-Inducing Input, 2002).
+/// error, and the kind of the error stays the same. With the device at hand, reduce (reduction.h) makes vectors
+/// smaller.
 #pragma once
 
 #include "reference/verdict/error_pixel.h"

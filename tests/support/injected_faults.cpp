@@ -154,7 +154,9 @@ std::vector<Injection> viewInjections() {
                   ids = columns;
                 }),
           onInput("faces swapped", "five-faces",
-                  [](TestVector& vector) { std::swap(vector.faces[2].face, vector.faces[3].face); }),
+                  [](TestVector& vector) {
+                    if (vector.faces.size() > 3) std::swap(vector.faces[2].face, vector.faces[3].face);
+                  }),
           onInput("faces turned", "five-faces",
                   [](TestVector& vector) {
                     raster::Face& top = vector.faces[0].face;
@@ -311,7 +313,9 @@ void turnTriangles(TestVector& vector) {
 Buffers turnedInMirror(const TestVector& vector, const SimulatedDevice& device) {
   TestVector turned = vector;
   turnTriangles(turned);
-  return {drawOn(device, vector.list, vector.faces[0].face), drawOn(device, turned.list, vector.faces[1].face)};
+  Buffers buffers = drawAll(device, vector);
+  if (vector.faces.size() > 1) buffers[1] = drawOn(device, turned.list, vector.faces[1].face);
+  return buffers;
 }
 
 /// All faces are drawn into one target whose depths are cleared once.
@@ -415,8 +419,9 @@ std::vector<Injection> textureInjections() {
           onDevice("truncated texture coordinates (16.8)", "perspective-clipped", fetching(truncated)),
           onInput("index map upside down", "five-faces",
                   [](TestVector& vector) {
-                    raster::IndexMap& map = vector.list.indexMaps[0];
-                    for (std::size_t p = 0; p < 5; ++p) std::swap(map.ids[p], map.ids[p + 10]);
+                    for (raster::IndexMap& map : vector.list.indexMaps)
+                      for (auto end = map.ids.end(); map.ids.end() - end < end - map.ids.begin(); end -= map.width)
+                        std::swap_ranges(end - map.width, end, map.ids.begin() + (map.ids.end() - end));
                   }),
           onDevice("width and height of the index map exchanged", "rectangular-map", fetching(cutAtHeight)),
           onInput("texture coordinates in half floats", "fine-coordinates",
@@ -477,7 +482,7 @@ std::vector<Injection> blendInjections() {
                     // none.
                     const std::vector<raster::Draw> draws = vector.list.draws;
                     for (std::size_t t = 0; t < draws.size(); ++t)
-                      vector.list.draws[t].offset = draws[std::min(t + 2, t / 15 * 15 + 14)].offset;
+                      vector.list.draws[t].offset = draws[std::min({t + 2, t / 15 * 15 + 14, draws.size() - 1})].offset;
                   }),
           onDevice("blending left on", layout, [=](SimulatedDevice& device) { device.store = overTarget; })};
 }
@@ -535,7 +540,8 @@ std::vector<Injection> memoryInjections() {
                   }),
           onInput("channels swapped in the texture (BGRA)", layout,
                   [](TestVector& vector) {
-                    for (ItemId& id : vector.list.indexMaps[0].ids) id = bgra(id);
+                    for (raster::IndexMap& map : vector.list.indexMaps)
+                      for (ItemId& id : map.ids) id = bgra(id);
                   }),
           onInput("channels swapped in the offset (BGRA)", layout,
                   [](TestVector& vector) {
@@ -550,10 +556,10 @@ std::vector<Injection> memoryInjections() {
           onIds("background not cleared", layout, everyId([](ItemId w) { return w == 0xffffffff ? 0xff000000 : w; })),
           onIds("padded rows", "rectangular-map",
                 [](std::vector<ItemId>& ids, std::size_t width) {
-                  std::vector<ItemId> padded;  // 42 item IDs per row, padded to 48: 3 times 64 bytes
+                  std::vector<ItemId> padded;  // to whole lines of 64 bytes
                   for (std::size_t row = 0; row < ids.size() / width; ++row) {
                     padded.insert(padded.end(), &ids[row * width], &ids[row * width] + width);
-                    padded.insert(padded.end(), 6, 0);
+                    padded.insert(padded.end(), (16 - width % 16) % 16, 0);
                   }
                   std::copy_n(padded.begin(), ids.size(), ids.begin());
                 }),

@@ -1,30 +1,24 @@
 /// hemitex as the author of a device uses it on a build server: expected results, and programs that
 /// crash, hang or write wrong files. Each test runs the built program.
-#include <sys/wait.h>
-
 #include <catch2/catch.hpp>
-#include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "raster/base/file_io.h"
 #include "reference/vectors/candidate.h"
 #include "reference/vectors/vector_suite.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/shell.h"
 
 using namespace hemitex;
 using nlohmann::json;
 using raster::readFile;
+using tests::Outcome;
+using tests::Shell;
+using tests::writeAll;
 
 namespace {
 
-struct Outcome {
-  int exitCode;
-  std::string out, err;
-
-  bool says(const std::string& text) const { return out.find(text) != std::string::npos; }
-};
+bool says(const Outcome& outcome, const std::string& text) { return outcome.out.find(text) != std::string::npos; }
 
 /// Three vectors of the suite in `suite`, and their right item IDs in `right`.
 class Workshop {
@@ -33,17 +27,9 @@ class Workshop {
     for (const std::string name : {"five-faces", "layout-r8g8b8a8", "same-triangle"}) addVector(name);
   }
 
-  std::filesystem::path file(const std::string& name) const { return folder_.path / name; }
-
-  void write(const std::string& name, const std::string& text) const { std::ofstream(file(name)) << text; }
-
-  Outcome run(const std::string& arguments) const {
-    const std::string line = "cd '" + folder_.path.string() + "' && '" HEMITEX_PROGRAM "' vector " + arguments + " >'" +
-                             (streams_.path / "out").string() + "' 2>'" + (streams_.path / "err").string() + "'";
-    const int status = std::system(line.c_str());
-    REQUIRE(WIFEXITED(status));
-    return {WEXITSTATUS(status), readFile(streams_.path / "out"), readFile(streams_.path / "err")};
-  }
+  std::filesystem::path file(const std::string& name) const { return shell_.file(name); }
+  void write(const std::string& name, const std::string& text) const { writeAll(file(name), text); }
+  Outcome run(const std::string& arguments) const { return shell_.run("vector " + arguments); }
 
  private:
   void addVector(const std::string& name) const {
@@ -58,7 +44,7 @@ class Workshop {
     FAIL("the suite has no vector " << name);
   }
 
-  TemporaryFolder folder_, streams_;
+  Shell shell_;
 };
 
 /// Flips a bit of one item ID.
@@ -81,8 +67,8 @@ TEST_CASE("hemitex vector check --expectations fails only on news", "[cli]") {
   shop.write("known.txt", "# known\nfive-faces fail bug 12\n");
   const Outcome expected = shop.run(known + " --strict --junit report.xml");
   CHECK(expected.exitCode == 0);
-  CHECK(expected.says("\nknown errors: five-faces (expected to fail: bug 12)\n"));
-  CHECK_FALSE(expected.says("error in"));
+  CHECK(says(expected, "\nknown errors: five-faces (expected to fail: bug 12)\n"));
+  CHECK_FALSE(says(expected, "error in"));
   CHECK(readFile(shop.file("report.xml")).find("<failure") == std::string::npos);
   CHECK(json::parse(shop.run(known + " --json").out)["pass"] == true);
   CHECK(shop.run("check suite/five-faces/ --candidate right/five-faces --expectations known.txt").exitCode == 0);
@@ -90,7 +76,7 @@ TEST_CASE("hemitex vector check --expectations fails only on news", "[cli]") {
   shop.write("known.txt", "five-faces flaky bug 12\nsame-triangle fail bug 13\nlayout-r8g8b8a8 flaky bug 14\n");
   const Outcome passed = shop.run(known);
   CHECK(passed.exitCode == 0);
-  CHECK(passed.says("\nunexpected pass: same-triangle (expected to fail: bug 13)\n"));
+  CHECK(says(passed, "\nunexpected pass: same-triangle (expected to fail: bug 13)\n"));
   CHECK(shop.run(known + " --strict").exitCode == 1);
   CHECK(shop.run(check + " --strict").exitCode == 2);
 }
@@ -101,8 +87,8 @@ TEST_CASE("hemitex vector check judges the vectors beside a missing one", "[cli]
   std::filesystem::remove_all(shop.file("right/five-faces"));
   const Outcome missing = shop.run(check + " --diff picture.png");
   CHECK(missing.exitCode == 1);
-  CHECK(missing.says("\nmissing: five-faces was not drawn\n"));
-  CHECK(missing.says("\nsame-triangle,"));
+  CHECK(says(missing, "\nmissing: five-faces was not drawn\n"));
+  CHECK(says(missing, "\nsame-triangle,"));
   const json report = json::parse(shop.run(check + " --json").out);
   CHECK(report["pass"] == false);
   CHECK(report["vectors"][0]["outcome"] == "missing");
@@ -111,7 +97,7 @@ TEST_CASE("hemitex vector check judges the vectors beside a missing one", "[cli]
   shop.write("known.txt", "five-faces unsupported no side faces\n");
   const Outcome unsupported = shop.run(check + " --expectations known.txt");
   CHECK(unsupported.exitCode == 0);
-  CHECK(unsupported.says("\nnot judged: five-faces (unsupported: no side faces)\n"));
+  CHECK(says(unsupported, "\nnot judged: five-faces (unsupported: no side faces)\n"));
   shop.write("known.txt", "five-faces fail crashes\n");
   CHECK(shop.run(check + " --expectations known.txt").exitCode == 1);
   shop.write("known.txt", "\nfour-faces fail crashes\n");
@@ -169,7 +155,7 @@ TEST_CASE("hemitex vector run makes a failing program the verdict of its vector"
   CHECK(vectors[2]["device"]["failure"] == "time limit");
   CHECK(readFile(shop.file("report.xml")).find("<failure message=\"exit code: ended with exit code 3\">drawing /") !=
         std::string::npos);
-  CHECK(shop.run(device).says("\ndevice failed: layout-r8g8b8a8: exit code, ended with exit code 3\n  | drawing /"));
+  CHECK(says(shop.run(device), "\ndevice failed: layout-r8g8b8a8: exit code, ended with exit code 3\n  | drawing /"));
 
   shop.write("known.txt", "five-faces fail crash\nsame-triangle unsupported hang\nlayout-r8g8b8a8 flaky exit\n");
   CHECK(shop.run(device + " --expectations known.txt --strict").exitCode == 0);
@@ -188,4 +174,102 @@ TEST_CASE("hemitex vector run reports item ID files that are missing or have the
   const json missing = json::parse(shop.run("run suite/five-faces --device true -o one --json").out);
   CHECK(missing["device"]["failure"] == "missing file");
   CHECK(shop.run("check suite/five-faces --candidate one").exitCode == 2);
+}
+
+TEST_CASE("hemitex vector verify computes the record of vector check again", "[cli]") {
+  const Workshop shop;
+  breakVector(shop.file("right/five-faces"));
+  shop.write("known.txt", "same-triangle unsupported no depth\n");
+  const std::string check = "check suite --candidate right --expectations known.txt --record record.json ";
+  CHECK(shop.run(check).exitCode == 2);
+  CHECK(shop.run(check + "--device-name 'a device' --driver 1.2").exitCode == 1);
+  const std::string verify = "verify record.json --suite suite";
+  const Outcome whole = shop.run(verify + " --candidate right");
+  CHECK(whole.exitCode == 0);
+  CHECK(says(whole, "record of a device, driver 1.2, raster rules 1, 3 vectors\n"));
+  CHECK(says(whole, "not checked: same-triangle: the record has no item IDs (not judged)\n"));
+  const Outcome suiteOnly = shop.run(verify);
+  CHECK(suiteOnly.exitCode == 0);
+  CHECK(says(suiteOnly, "not checked: item IDs and verdicts: no candidate was given\n"));
+
+  // Another pixel, another suite, another text.
+  breakVector(shop.file("right/layout-r8g8b8a8"));
+  const Outcome pixel = shop.run(verify + " --candidate right");
+  CHECK(pixel.exitCode == 1);
+  CHECK(says(pixel, "wrong: layout-r8g8b8a8, "));
+  CHECK(says(pixel, ": other item IDs than those of the record\n"));
+  CHECK(shop.run(verify).exitCode == 0);
+  shop.write("suite/same-triangle/positions.f32", "");
+  std::string text = readFile(shop.file("record.json"));
+  const std::string name = "\"a device\"";
+  shop.write("record.json", text.replace(text.find(name), name.size(), "\"another\""));
+  const Outcome damaged = shop.run(verify);
+  CHECK(damaged.exitCode != 0);
+  std::filesystem::remove_all(shop.file("suite/same-triangle"));
+  const json result = json::parse(shop.run(verify + " --json").out);
+  CHECK(result["valid"] == false);
+  CHECK(result["problems"] ==
+        json({"the header differs from its hash", "same-triangle: is in the record, but not in the suite"}));
+  CHECK(shop.run("verify known.txt --suite suite").exitCode == 2);
+}
+
+// The device shows 2 in place of every byte 1.
+TEST_CASE("hemitex vector run --minimize draws smaller vectors until nothing can go", "[cli]") {
+  const Workshop shop;
+  shop.write("device.sh", "'" HEMITEX_PROGRAM
+                          "' vector render \"$1\" -o \"$2\" >drawn.txt\n"
+                          "for f in \"$2\"/*.u32; do tr '\\001' '\\002' <\"$f\" >changed; mv changed \"$f\"; done\n");
+  const std::string run = "run suite --device 'sh device.sh {vector} {output}' -o mine --jobs 1 --minimize small";
+  CHECK(shop.run(run).exitCode == 1);
+  const reference::TestVector small = reference::readVector(shop.file("small"));
+  CHECK(small.list.indices.size() == 3);
+  CHECK(small.faces.size() == 1);
+  CHECK(small.faces[0].face.scissor.width * small.faces[0].face.scissor.height == 1);
+  CHECK(shop.run("check small --candidate small/candidate").exitCode == 1);
+  CHECK(shop.run("run small --device 'sh device.sh {vector} {output}' -o again").exitCode == 1);
+  CHECK(shop.run("check small --candidate again --junit report.xml").exitCode == 1);
+}
+
+TEST_CASE("hemitex vector run --minimize keeps what makes the program fail", "[cli]") {
+  const Workshop shop;
+  // The program crashes where a draw has an index map.
+  shop.write("device.sh",
+             "grep -q '\"index_map\": [0-9]' $1/vector.json && kill -SEGV $$; cp right/same-triangle/* $2\n");
+  const std::string run = "run suite --device 'sh device.sh {vector} {output}' -o mine --minimize small";
+  CHECK(shop.run(run).exitCode == 1);
+  const reference::TestVector small = reference::readVector(shop.file("small"));
+  CHECK(small.list.indices.size() == 3);
+  REQUIRE(small.list.indexMaps.size() == 1);
+  CHECK(small.list.indexMaps[0].ids.size() == 1);
+  CHECK_FALSE(std::filesystem::exists(shop.file("small/candidate")));
+}
+
+TEST_CASE("hemitex vector run --repeat finds item IDs that change from run to run", "[cli]") {
+  const Workshop shop;
+  // In the third run the first item ID is another one.
+  shop.write(
+      "device.sh",
+      "cp right/same-triangle/* $2; echo >>runs\n"
+      "if [ $(wc -l <runs) = 3 ]; then for f in $2/*; do printf ABCD | dd of=$f conv=notrunc status=none; done; fi\n");
+  const std::string run = "run suite/same-triangle --device 'sh device.sh {vector} {output}' -o mine ";
+  CHECK(shop.run(run + "--repeat 2").exitCode == 0);
+  shop.write("runs", "");
+  const Outcome found = shop.run(run + "--repeat 5 --junit report.xml");
+  CHECK(found.exitCode == 1);
+  CHECK(
+      says(found, "not deterministic: same-triangle: 1 of 5 runs differ from the most frequent item IDs, at 1 pixels"));
+  CHECK(readFile(shop.file("report.xml")).find("<failure message=\"not deterministic: 1 of 5 runs") !=
+        std::string::npos);
+  shop.write("runs", "");
+  const json report = json::parse(shop.run(run + "--repeat 5 --json").out);
+  CHECK(report["outcome"] == "not deterministic");
+  CHECK(report["repetition"]["answers"] == json({4, 1}));
+  CHECK(report["repetition"]["changing_pixels"] == 1);
+  // Expected, or in a program that crashes in one of its runs.
+  shop.write("runs", "");
+  shop.write("known.txt", "same-triangle flaky bug 15\n");
+  CHECK(shop.run(run + "--repeat 5 --expectations known.txt").exitCode == 0);
+  shop.write("device.sh", "cp right/same-triangle/* $2; echo >>runs; [ $(wc -l <runs) != 4 ]\n");
+  shop.write("runs", "");
+  CHECK(says(shop.run(run + "--repeat 5"), "ended with exit code 1, in run 4 of 5\n"));
 }

@@ -1,4 +1,4 @@
-#include "cli/common/scene_folder.h"
+#include "cli/scene/scene_folder.h"
 
 #include "raster/base/input_error.h"
 

@@ -1,4 +1,4 @@
-#include "cli/common/camera_options.h"
+#include "cli/scene/camera_options.h"
 
 #include <array>
 #include <limits>

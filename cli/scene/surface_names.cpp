@@ -1,4 +1,4 @@
-#include "cli/common/surface_names.h"
+#include "cli/scene/surface_names.h"
 
 #include <map>
 #include <set>

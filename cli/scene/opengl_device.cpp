@@ -1,4 +1,4 @@
-#include "cli/common/opengl_device.h"
+#include "cli/scene/opengl_device.h"
 
 #include "cli/common/renderers.h"
 #include "raster/base/input_error.h"

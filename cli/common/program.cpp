@@ -1,0 +1,83 @@
+#include "cli/common/program.h"
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <new>
+
+#include "raster/base/input_error.h"
+#include "raster/base/parallel.h"
+
+namespace hemitex::cli {
+namespace {
+
+constexpr int comparisonFailed = 1;
+constexpr int badInput = 2;
+constexpr int ourFault = 3;
+constexpr int maxThreads = 4096;
+
+std::string adviceOf(const Program& program) {
+  return "Run `" + program.name + " --help` or `" + program.name + " COMMAND --help` for the options.";
+}
+
+void addGlobalOptions(CLI::App& app, const Program& program, Context& context) {
+  const auto setVerbosity = [&context](Verbosity verbosity) {
+    return [&context, verbosity] { context.console.verbosity = verbosity; };
+  };
+  CLI::Option* quiet = app.add_flag_callback("-q,--quiet", setVerbosity(Verbosity::Quiet), "print errors only");
+  app.add_flag_callback("-v,--verbose", setVerbosity(Verbosity::Verbose), "print details of the run")->excludes(quiet);
+  app.add_flag("--json", context.json, "print one JSON object instead of text");
+  addInteger(Command(app), "--threads", context.threads, 0, maxThreads,
+             "maximum number of threads; 0 means all cores (default 0)");
+  app.set_version_flag("--version", program.name + " " HEMITEX_VERSION);
+}
+
+int run(const Program& program, int argc, char** argv, Context& context) {
+  CLI::App app(program.purpose, program.name);
+  app.fallthrough();
+  app.footer("The options -q, -v, --json, --threads N, --help and --version work before and after every command.");
+  addGlobalOptions(app, program, context);
+  program.addCommands(Command(app), context);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& helpOrVersion) {
+    return app.exit(helpOrVersion);
+  } catch (const CLI::ParseError& error) {
+    context.console.error(error.what() + ('\n' + adviceOf(program)));
+    return badInput;
+  }
+  if (!context.command) {
+    context.console.error("no command is given\n" + adviceOf(program));
+    return badInput;
+  }
+  const raster::ThreadLimit limit(context.threads);
+  context.command();
+  if (!std::cout.flush())
+    throw raster::InputError("standard output cannot be written; check the disk or the pipe that it goes to");
+  return context.failed ? comparisonFailed : 0;
+}
+
+}  // namespace
+
+int runProgram(const Program& program, int argc, char** argv) {
+  std::signal(SIGABRT, [](int) { std::_Exit(ourFault); });  // raised by a failed assertion
+  Context context;
+  try {
+    return run(program, argc, argv, context);
+  } catch (const raster::InputError& error) {
+    context.console.error(error.what());
+    return badInput;
+  } catch (const std::filesystem::filesystem_error& error) {
+    context.console.error(error.what());
+    return badInput;
+  } catch (const std::bad_alloc&) {
+    context.console.error("out of memory; " + program.memoryAdvice);
+  } catch (const std::exception& error) {
+    context.console.error("internal error of " + program.name +
+                          "; please report it with the command line: " + error.what());
+  }
+  return ourFault;
+}
+
+}  // namespace hemitex::cli

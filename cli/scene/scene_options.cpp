@@ -1,0 +1,194 @@
+#include "cli/scene/scene_options.h"
+
+#include <bit>
+#include <limits>
+
+#include "cli/scene/surface_names.h"
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/scene/load_scene.h"
+#include "raster/base/input_error.h"
+
+namespace hemitex::cli {
+namespace {
+
+constexpr int largestTexels = 4096;
+constexpr int largestResolution = 4096;
+
+int resolutionOption(const std::string& text) {
+  const int value = integerOption("--resolution", text, 2, largestResolution);
+  if (value % 2 != 0) usageError("--resolution", "`" + text + "` is not an even number");
+  return value;
+}
+
+}  // namespace
+
+Choices<radiosity::Charts> chartsChoices() {
+  using radiosity::Charts;
+  return {{"auto", Charts::Auto}, {"file", Charts::File}, {"planar", Charts::Planar}};
+}
+
+Choices<radiosity::EmissionUnit> emissionChoices() {
+  using radiosity::EmissionUnit;
+  return {{"radiosity", EmissionUnit::Radiosity}, {"radiance", EmissionUnit::Radiance}};
+}
+
+Choices<radiosity::IndexMaps> indexMapsChoices() {
+  using radiosity::IndexMaps;
+  return {{"shared", IndexMaps::Shared}, {"packed", IndexMaps::Packed}, {"unique", IndexMaps::Unique}};
+}
+
+Choices<raster::Blend> blendChoices() {
+  return {{"clamped-add", raster::Blend::ClampedAdd}, {"integer-add", raster::Blend::IntegerAdd}};
+}
+
+Choices<radiosity::ElementsBy> elementsByChoices() {
+  return {{"texture", radiosity::ElementsBy::Texture}, {"mesh", radiosity::ElementsBy::Mesh}};
+}
+
+Choices<radiosity::Orientation> orientationChoices() {
+  return {{"aligned", radiosity::Orientation::Aligned}, {"turned", radiosity::Orientation::Turned}};
+}
+
+Choices<radiosity::ProjectionKind> projectionChoices() {
+  using radiosity::ProjectionKind;
+  return {{"hemicube", ProjectionKind::Hemicube},
+          {"single-plane", ProjectionKind::SinglePlane},
+          {"tetrahedron", ProjectionKind::CubicTetrahedron}};
+}
+
+void addSceneOptions(Command command, SceneOptions& options) {
+  command.addPath("SCENE", options.file, "Wavefront OBJ file").required();
+  addChoice(command, "--charts", options.settings.charts, chartsChoices(),
+            "take charts from the texture coordinates of the file (file), or make one per planar part (planar); auto "
+            "uses the coordinates that form a chart and planar parts otherwise (default auto)");
+  addPositive(command, "--max-reflectance", options.settings.maxReflectance, 1.0,
+              "lower a reflectance of 1 or more to this value (default 0.9999)");
+  command.addFlag("--two-sided", options.settings.twoSided,
+                  "make one surface for each side of a face (default: the back of a face is black)");
+  addChoice(command, "--emission", options.settings.emission, emissionChoices(),
+            "unit of Ke: radiosity in W/m^2, or radiance in W/(m^2 sr) (default radiosity)");
+}
+
+radiosity::Scene sceneOf(const SceneOptions& options, Console& console) {
+  radiosity::Scene scene = radiosity::loadScene(options.file, options.settings);
+  console.warnings(scene.warnings);
+  console.detail(std::to_string(scene.surfaces.size()) + " surfaces, " +
+                 std::to_string(radiosity::triangleCount(scene)) + " triangles");
+  return scene;
+}
+
+void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings& settings) {
+  const Option texels =
+      addInteger(command, "--texels", settings.texels, 1, largestTexels,
+                 "divide every surface into N x N texels (default: by its size, about 90 texels per surface)");
+  addPositive(command, "--texel-size", settings.texelSize, std::numeric_limits<double>::infinity(),
+              "divide surfaces into texels of this side, in units of the scene (default: see --texels)")
+      .excludes(texels);
+  const auto readSurfaces = [&settings](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+      const std::size_t equals = text.rfind('=');
+      if (equals == std::string::npos || equals == 0) usageError("--surface", "`" + text + "` is not NAME=N");
+      settings.surfaceTexels[text.substr(0, equals)] =
+          integerOption("--surface", text.substr(equals + 1), 1, largestTexels);
+    }
+  };
+  command.addTexts("--surface", "NAME=N", "divide the surface NAME into N x N texels; 1 means one element (repeatable)",
+                   readSurfaces);
+  addInteger(command, "--patch", settings.patch, 1, largestTexels,
+             "let N x N elements shoot light together as one patch (default 4)");
+}
+
+radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettings& settings,
+                                           const radiosity::Scene& scene) {
+  for (const auto& [name, texels] : settings.surfaceTexels) surfacesNamed(scene, name);
+  return radiosity::discretize(scene, settings);
+}
+
+void addIdOptions(Command command, radiosity::IdSettings& settings) {
+  std::vector<std::pair<std::string, std::string>> formats;
+  for (const std::string& name : raster::formatNames()) formats.emplace_back(name, name);
+  addChoice<std::string>(command, "--format", settings.format, formats,
+                         "channels and bits of an item ID (default r8g8b8a8)");
+  addChoice(
+      command, "--index-maps", settings.indexMaps, indexMapsChoices(),
+      "use one map per grid size and one offset per surface (shared); one map and one offset per page of many surfaces "
+      "(packed); or one map per surface without offsets (unique) (default shared)");
+  const auto readPage = [&settings](const std::string& text) {
+    const int page = integerOption("--page", text, 1, largestTexels);
+    if (!std::has_single_bit(static_cast<unsigned>(page))) usageError("--page", "`" + text + "` is not a power of two");
+    settings.page = page;
+  };
+  command.addText(
+      "--page", "N",
+      "let packed pages have N x N texels, a power of two (default 64, or more if the largest surface needs it). With "
+      "shared maps, use one map of N x N texels for all surfaces.",
+      readPage);
+  addChoice(command, "--blend", settings.blend, blendChoices(),
+            "add offset and index per channel with clamping, as blend units do, or as integers (default clamped-add)");
+  command.addFlag("--no-align", "assign offsets without gaps; needs --blend integer-add",
+                  [&settings] { settings.aligned = false; });
+}
+
+radiosity::IdLayout layoutOf(const radiosity::IdSettings& settings, const radiosity::Discretization& discretization,
+                             Console& console) {
+  const bool hasOffsets = settings.page || settings.blend != raster::Blend::ClampedAdd || !settings.aligned;
+  if (settings.indexMaps == radiosity::IndexMaps::Unique && hasOffsets)
+    throw raster::InputError("unique index maps have no offsets", "omit --page, --blend and --no-align");
+  radiosity::IdLayout layout = radiosity::layOut(discretization, settings);
+  if (!layout.aligned && layout.blend == raster::Blend::ClampedAdd)
+    console.warning(
+        "offsets without alignment overflow the channels of a clamped add, so that wrong elements receive light; "
+        "use --blend integer-add");
+  return layout;
+}
+
+Option addResolution(Command command, int& resolution) {
+  const auto read = [&resolution](const std::string& text) { resolution = resolutionOption(text); };
+  return command.addText("--resolution", "R",
+                         "draw R x R pixels per face of the projection; an even number (default 256)", read);
+}
+
+Option addResolutions(Command command, std::vector<int>& resolutions) {
+  const auto read = [&resolutions](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) resolutions.push_back(resolutionOption(text));
+  };
+  return command.addTexts(
+      "--resolution", "R",
+      "draw R x R pixels per face of the hemicube; an even number (repeatable; default 128, 256, 512 and 1024)", read);
+}
+
+void addDrawingOptions(Command command, radiosity::DrawingSettings& settings) {
+  addChoice(command, "--discretize", settings.elementsBy, elementsByChoices(),
+            "draw surfaces with index maps, or cut them into one polygon per element (default texture)");
+  addResolution(command, settings.resolution);
+  addChoice(
+      command, "--orientation", settings.orientation, orientationChoices(),
+      "rotate projections about the normal, by a different angle per patch (turned) or not at all (aligned); turned "
+      "reduces aliasing (default turned)");
+  addPositive(
+      command, "--split", settings.split, std::numeric_limits<double>::infinity(),
+      "subdivide a patch while more than this share of its flux would go elsewhere from other points of it (default "
+      "0.003). Bright patches are subdivided further. 1 means no subdivision.");
+  addPositive(
+      command, "--pixels-per-element", settings.pixelsPerElement, std::numeric_limits<double>::infinity(),
+      "use a coarser index map for a surface that has fewer pixels per visible element than this (default: never). 4 "
+      "reduces the aliasing of small elements.");
+}
+
+std::optional<radiosity::ProjectionKind> projectionNamed(const std::string& method) {
+  for (const auto& [name, kind] : projectionChoices())
+    if (name == method) return kind;
+  return std::nullopt;
+}
+
+std::vector<std::string> drawingOptionNames() {
+  return {"--discretize", "--resolution", "--orientation", "--pixels-per-element", "--format", "--index-maps",
+          "--page",       "--blend",      "--no-align"};
+}
+
+void refuseUnused(Command command, const std::vector<std::string>& options, const std::string& method) {
+  for (const std::string& option : options)
+    if (command.isGiven(option)) usageError(option, "is not used with --method " + method + "; omit one of them");
+}
+
+}  // namespace hemitex::cli

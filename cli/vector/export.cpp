@@ -1,0 +1,93 @@
+/// `hemitex vector export` writes the draw list of a scene and the five faces of a hemicube as a test vector.
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "cli/common/commands.h"
+#include "cli/common/staging.h"
+#include "cli/scene/scene_options.h"
+#include "cli/vector/vector_output.h"
+#include "radiosity/index_maps/scene_draw_list.h"
+#include "radiosity/projection/hemicube.h"
+#include "radiosity/projection/patch_view.h"
+#include "radiosity/projection/projection.h"
+#include "raster/base/input_error.h"
+#include "reference/trace/stage_dump.h"
+
+namespace hemitex::cli {
+namespace {
+
+struct ExportOptions {
+  SceneOptions scene;
+  radiosity::DiscretizationSettings discretization;
+  radiosity::IdSettings id;
+  std::string name;
+  glm::dvec3 eye{0.0};
+  glm::dvec3 normal{0.0};
+  glm::dvec3 up{0.0};
+  int resolution = 256;
+  std::optional<double> nearDistance;
+  std::filesystem::path output;
+  bool stages = false;
+};
+
+/// The sides are named by their directions in a view of the top face with `up` upwards.
+constexpr std::array<const char*, 5> faceNames = {"top", "side-right", "side-up", "side-left", "side-down"};
+
+reference::TestVector vectorOf(const ExportOptions& options, Console& console) {
+  const radiosity::Scene scene = sceneOf(options.scene, console);
+  const radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
+  const radiosity::IdLayout layout = layoutOf(options.id, discretization, console);
+  const double length = glm::length(options.normal);
+  if (!(length > 0) || !std::isfinite(length))
+    throw raster::InputError("--normal has no direction; give a vector that is not zero");
+
+  reference::TestVector vector;
+  vector.name = options.name.empty() ? options.scene.file.stem().string() : options.name;
+  vector.origin = scene.origin;
+  vector.list = radiosity::makeDrawList(scene, discretization, layout);
+  const double nearDistance = options.nearDistance
+                                  ? *options.nearDistance
+                                  : radiosity::nearDistance(scene, options.eye, {}, radiosity::hemicubeSquaredReach);
+  const auto faces = radiosity::facesOver(radiosity::hemicubeFaces(options.resolution), options.eye - scene.origin,
+                                          options.normal / length, options.up, nearDistance);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    raster::validate(faces[f]);
+    const std::string name = faceNames[f];
+    vector.faces.push_back({name, faces[f], name + ".u32", {}});
+  }
+  return vector;
+}
+
+void exportVector(const ExportOptions& options, Context& context) {
+  const reference::TestVector vector = vectorOf(options, context.console);
+  Staging staging(options.output);
+  reference::writeVector(staging.folder(), vector, {});
+  if (options.stages) reference::writeStages(staging.folder(), vector);
+  staging.commit();
+  printFaces(vector, context);
+}
+
+}  // namespace
+
+void addVectorExport(Command vector, Context& context) {
+  const auto options = std::make_shared<ExportOptions>();
+  const Command command = vector.addCommand("export", "Write a scene and the faces of a hemicube as a test vector");
+  addSceneOptions(command, options->scene);
+  addVectorOption(command, "--eye", options->eye, "position of the eye of the hemicube").required();
+  addVectorOption(command, "--normal", options->normal, "direction of the top face").required();
+  addVectorOption(command, "--up", options->up, "up direction of the top face (default: derived from the normal)");
+  addResolution(command, options->resolution);
+  addPositive(command, "--near", options->nearDistance, std::numeric_limits<float>::max(),
+              "near distance, in units of the scene (default: one that clips no triangle)");
+  command.addText("--name", "TEXT", "name of the vector (default: the name of the scene file)",
+                  [options](const std::string& text) { options->name = text; });
+  addDiscretizationOptions(command, options->discretization);
+  addIdOptions(command, options->id);
+  addStages(command, options->stages);
+  addOutput(command, options->output, "write the vector into this folder");
+  command.onRead([options, &context] { context.command = [options, &context] { exportVector(*options, context); }; });
+}
+
+}  // namespace hemitex::cli

@@ -1,0 +1,46 @@
+/// `vector render` draws the item buffers of a test vector.
+#include <memory>
+
+#include "cli/common/commands.h"
+#include "cli/common/renderers.h"
+#include "cli/common/staging.h"
+#include "cli/vector/vector_output.h"
+#include "reference/trace/stage_dump.h"
+
+namespace hemitex::cli {
+namespace {
+
+struct RenderOptions {
+  std::filesystem::path input, output;
+  Device device = Device::Software;
+  bool stages = false;
+};
+
+void renderVector(const RenderOptions& options, const Context& context) {
+  reference::TestVector vector = reference::readVector(options.input);
+  const std::vector<raster::ItemBuffer> buffers = render(*makeRenderer(vector.list, options.device), facesOf(vector));
+  for (std::size_t f = 0; f < buffers.size(); ++f) vector.faces[f].hash = reference::idsHash(buffers[f].ids);
+  Staging staging(options.output);
+  reference::writeVector(staging.folder(), vector, buffers);
+  if (options.stages) reference::writeStages(staging.folder(), vector);
+  staging.commit();
+  printFaces(vector, context);
+}
+
+}  // namespace
+
+void addVectorRender(Command vector, Context& context) {
+  const auto options = std::make_shared<RenderOptions>();
+  const Command command = vector.addCommand("render", "Draw the item IDs of a test vector by the raster rules");
+  command.addPath("DIR", options->input, "folder of the vector").required();
+  addChoice<Device>(command, "--device", options->device,
+                    {{"software", Device::Software},
+                     {"opengl", Device::OpenGl},
+                     {"opengl-fixed-function", Device::OpenGlFixedFunction}},
+                    "draw with this renderer; software follows the raster rules exactly (default software)");
+  addStages(command, options->stages);
+  addOutput(command, options->output, "write the vector with its item IDs into this folder, which may be DIR");
+  command.onRead([options, &context] { context.command = [options, &context] { renderVector(*options, context); }; });
+}
+
+}  // namespace hemitex::cli

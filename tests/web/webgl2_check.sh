@@ -1,0 +1,20 @@
+#!/bin/bash
+# webgl2_check.sh PROGRAM WORK: draws probes and suite with the WebGL2 backend in headless Chromium. With the profile
+# that the probes give, no pixel may be an error. Chromium's own rasterizer draws, so that any machine can run it.
+set -euo pipefail
+page=$(cd "$(dirname "$0")/../../web/webgl2" && pwd)
+browser=$(command -v chromium || command -v chromium-browser || true)
+if [ -z "$browser" ] || ! command -v node >/dev/null; then
+  echo "skipped: Chromium or Node.js is not installed"
+  exit 0
+fi
+rm -rf "$2"
+mkdir -p "$2"
+cd "$2"
+"$1" -q vector suite -o suite >/dev/null
+"$1" -q vector calibrate --probes probes >/dev/null
+for vectors in suite probes; do
+  timeout 120 node "$page/draw_suite.mjs" $vectors drawn-$vectors "$browser"
+done
+"$1" vector calibrate probes --candidate drawn-probes -o profile.json
+"$1" vector check suite --candidate drawn-suite --profile profile.json | tail -n 5

@@ -1,0 +1,190 @@
+// A backend for browsers: draws the item buffers of a test vector with WebGL2. docs/backend.md explains the steps.
+//
+// The vertex stage and the clipping follow the raster rules. All else is left to the device, which snaps and
+// interpolates in its own way.
+
+const vertexShader = `#version 300 es
+precision highp float;
+uniform float nearDistance;
+layout(location = 0) in vec3 view;      // x, y, w
+layout(location = 1) in vec2 texcoord;
+out vec2 unit;
+void main() {
+  // z/w = 2 n/w - 1, so that the stored depth is n/w: greater is nearer.
+  gl_Position = vec4(view.xy, 2.0 * nearDistance - view.z, view.z);
+  unit = texcoord;
+}`;
+
+const fragmentShader = `#version 300 es
+precision highp float;
+precision highp int;
+precision highp usampler2D;
+uniform usampler2D indexMap;
+uniform bool hasMap, hasBack;
+uniform uint offset, back;
+uniform int blend;               // 0 clamped add, 1 integer add, 2 replace
+uniform ivec4 channels;          // bits per channel, least significant first; 0 where there is none
+in vec2 unit;
+out uint id;
+
+uint ones(int bits) { return bits == 32 ? 0xffffffffu : (1u << uint(bits)) - 1u; }
+
+// Each channel of the sum, at most its largest value.
+uint clampedAdd(uint a, uint b) {
+  uint sum = 0u;
+  int shift = 0;
+  for (int k = 0; k < 4 && channels[k] > 0; ++k) {
+    uint most = ones(channels[k]), c = (a >> shift) & most, d = (b >> shift) & most;
+    sum |= (d > most - c ? most : c + d) << shift;
+    shift += channels[k];
+  }
+  return sum;
+}
+
+void main() {
+  id = offset;
+  if (hasBack && !gl_FrontFacing) {
+    id = back;
+  } else if (hasMap) {
+    ivec2 size = textureSize(indexMap, 0);
+    ivec2 texel = clamp(ivec2(floor(unit * vec2(size))), ivec2(0), size - 1);
+    uint fetched = texelFetch(indexMap, texel, 0).r;
+    int bits = channels[0] + channels[1] + channels[2] + channels[3];
+    if (blend == 0) id = clampedAdd(offset, fetched);
+    if (blend == 1) id = (offset + fetched) & ones(bits);
+    if (blend == 2) id = fetched;
+  }
+}`;
+
+function shader(gl, type, text) {
+  const result = gl.createShader(type);
+  gl.shaderSource(result, text);
+  gl.compileShader(result);
+  if (!gl.getShaderParameter(result, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(result));
+  return result;
+}
+
+function makeProgram(gl) {
+  const program = gl.createProgram();
+  gl.attachShader(program, shader(gl, gl.VERTEX_SHADER, vertexShader));
+  gl.attachShader(program, shader(gl, gl.FRAGMENT_SHADER, fragmentShader));
+  gl.linkProgram(program);
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
+  return program;
+}
+
+// Row 0 of the map is row 0 of the texture, at v = 0.
+function makeIndexMap(gl, ids, width, height) {
+  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32UI, width, height, 0, gl.RED_INTEGER, gl.UNSIGNED_INT, ids);
+  for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
+  return gl.getParameter(gl.TEXTURE_BINDING_2D);
+}
+
+function makeTarget(gl, resolution) {
+  gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+  for (const [attachment, format] of [[gl.COLOR_ATTACHMENT0, gl.R32UI], [gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT32F]]) {
+    gl.bindRenderbuffer(gl.RENDERBUFFER, gl.createRenderbuffer());
+    gl.renderbufferStorage(gl.RENDERBUFFER, format, resolution, resolution);
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, gl.getParameter(gl.RENDERBUFFER_BINDING));
+  }
+  if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) throw new Error("no integer target");
+}
+
+const round = Math.fround;
+
+// The vertex in the view of the face, in binary32: [x, y, w, u, v].
+function viewVertex(index, face, eye, arrays) {
+  const d = [0, 1, 2].map(k => round(arrays.positions[3 * index + k] - round(eye[k])));
+  const dot = ([a, b, c]) => round(round(round(round(a) * d[0]) + round(round(b) * d[1])) + round(round(c) * d[2]));
+  const texcoord = arrays.texcoords.subarray(2 * index, 2 * index + 2);
+  return [dot(face.x), dot(face.y), dot(face.w), ...texcoord];
+}
+
+// The part of a polygon where `distance` is not negative. JavaScript computes in binary64.
+function clip(polygon, distance) {
+  return polygon.flatMap((from, k) => {
+    const to = polygon[(k + 1) % polygon.length], a = distance(from), b = distance(to), kept = a >= 0 ? [from] : [];
+    if (a >= 0 === b >= 0) return kept;
+    const [inside, outside, f, g] = a >= 0 ? [from, to, a, b] : [to, from, b, a];
+    return [...kept, inside.map((value, i) => value + f / (f - g) * (outside[i] - value))];
+  });
+}
+
+// The triangles of a clipped triangle: in front of the near plane and inside the guard band.
+function clippedTriangles(triangle, nearDistance) {
+  const inFront = clip(triangle, vertex => vertex[2] - nearDistance);
+  const sides = [v => 8 * v[2] - v[0], v => 8 * v[2] + v[0], v => 8 * v[2] - v[1], v => 8 * v[2] + v[1]];
+  const polygon = sides.reduce(clip, inFront);
+  return polygon.slice(2).flatMap((corner, k) => [polygon[0], polygon[k + 1], corner]);
+}
+
+// Fills the buffers with the triangles of a face. Returns first vertex and number of vertices of each draw.
+function fillBuffers(gl, vector, face, arrays) {
+  const vertices = [];
+  const runs = vector.draws.map(draw => {
+    const first = vertices.length;
+    for (let i = draw.first; i < draw.first + draw.count; i += 3) {
+      const corners = [0, 1, 2].map(k => viewVertex(arrays.indices[i + k], face, face.eye ?? vector.eye, arrays));
+      vertices.push(...clippedTriangles(corners, round(vector.near)));
+    }
+    return {first, count: vertices.length - first};
+  });
+  gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+  gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(vertices.flat()), gl.STATIC_DRAW);
+  gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 20, 0);
+  gl.vertexAttribPointer(1, 2, gl.FLOAT, false, 20, 12);
+  gl.enableVertexAttribArray(0);
+  gl.enableVertexAttribArray(1);
+  return runs;
+}
+
+function determinant({x, y, w}) {
+  return x[0] * (y[1] * w[2] - y[2] * w[1]) - x[1] * (y[0] * w[2] - y[2] * w[0]) + x[2] * (y[0] * w[1] - y[1] * w[0]);
+}
+
+// Draws with the uniforms of `program`; `maps` has a texture per draw, or none.
+function drawFace(gl, program, vector, face, arrays, maps) {
+  const at = name => gl.getUniformLocation(program, name);
+  const [column, row, width, height] = face.scissor;
+  gl.viewport(0, 0, vector.resolution, vector.resolution);
+  gl.scissor(column, row, width, height);
+  gl.clearBufferuiv(gl.COLOR, 0, [vector.background, 0, 0, 0]);
+  gl.clearBufferfv(gl.DEPTH, 0, [0]);
+  gl.frontFace(determinant(face) > 0 ? gl.CW : gl.CCW);
+  gl.uniform1f(at("nearDistance"), vector.near);
+  const runs = fillBuffers(gl, vector, face, arrays);
+  vector.draws.forEach((draw, k) => {
+    gl.uniform1ui(at("offset"), draw.offset);
+    gl.uniform1ui(at("back"), draw.back ?? 0);
+    gl.uniform1i(at("hasBack"), draw.back == null ? 0 : 1);
+    gl.uniform1i(at("hasMap"), maps[k] ? 1 : 0);
+    gl.bindTexture(gl.TEXTURE_2D, maps[k] ?? null);
+    gl.drawArrays(gl.TRIANGLES, runs[k].first, runs[k].count);
+  });
+  // Reading one channel is optional in WebGL2, reading four is not.
+  const pixels = new Uint32Array(4 * width * height);
+  gl.readPixels(column, row, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, pixels);
+  return pixels.filter((_, k) => k % 4 === 0);
+}
+
+// `vector` is the object of vector.json; `arrays` holds its files as typed arrays: positions, texcoords, indices, and
+// `maps`, by file name. Returns the item IDs of each face, row 0 first.
+export function drawVector(vector, arrays) {
+  const gl = document.createElement("canvas").getContext("webgl2", {antialias: false});
+  if (!gl) throw new Error("WebGL2 is missing");
+  const program = makeProgram(gl);
+  gl.useProgram(program);
+  makeTarget(gl, vector.resolution);
+  gl.enable(gl.SCISSOR_TEST);
+  gl.enable(gl.DEPTH_TEST);
+  gl.depthFunc(gl.GREATER);
+  gl.uniform4iv(gl.getUniformLocation(program, "channels"), [0, 1, 2, 3].map(k => vector.channels[k] ?? 0));
+  gl.uniform1i(gl.getUniformLocation(program, "blend"), ["clamped-add", "integer-add", "replace"].indexOf(vector.blend));
+  const maps = vector.draws.map(
+      draw => draw.index_map ? makeIndexMap(gl, arrays.maps[draw.index_map], draw.width, draw.height) : null);
+  const faces = vector.faces.map(face => drawFace(gl, program, vector, face, arrays, maps));
+  if (gl.getError() !== gl.NO_ERROR) throw new Error("WebGL2 reports an error");
+  gl.getExtension("WEBGL_lose_context").loseContext();  // a page may hold few contexts
+  return faces;
+}

@@ -1,0 +1,83 @@
+// node draw_suite.mjs SUITE ANSWERS [BROWSER]: draws a suite of test vectors in headless Chromium and writes the item
+// IDs, one folder per vector. It serves the page, its script and the vectors on a port of this machine.
+import {spawn} from "node:child_process";
+import {mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
+import {createServer} from "node:http";
+import {tmpdir} from "node:os";
+import {basename, dirname, join} from "node:path";
+
+const [suite, answers, browser = "chromium"] = process.argv.slice(2);
+if (!answers) {
+  console.error("usage: node draw_suite.mjs SUITE ANSWERS [BROWSER]");
+  process.exit(2);
+}
+const page = import.meta.dirname ?? dirname(new URL(import.meta.url).pathname);
+const types = {html: "text/html", js: "text/javascript"};
+const failures = [];
+
+async function bodyOf(request) {
+  const parts = [];
+  for await (const part of request) parts.push(part);
+  return Buffer.concat(parts);
+}
+
+function answer(path) {
+  const [folder, vector, file] = path.split("/");
+  if (path === "suite") return JSON.stringify(readdirSync(suite).sort());
+  if (folder === "suite") return readFileSync(join(suite, basename(vector), basename(file)));
+  return readFileSync(join(page, basename(path)));
+}
+
+function take(path, body) {
+  const [folder, vector, file] = path.split("/");
+  if (path === "failures") failures.push(body.toString());
+  if (path === "done") end();
+  if (folder !== "answers") return;
+  mkdirSync(join(answers, basename(vector)), {recursive: true});
+  writeFileSync(join(answers, basename(vector), basename(file)), body);
+}
+
+const server = createServer(async (request, response) => {
+  const path = decodeURIComponent(request.url.slice(1));
+  try {
+    if (request.method === "PUT") {
+      take(path, await bodyOf(request));
+      response.end();
+    } else {
+      const body = answer(path);
+      response.writeHead(200, {"Content-Type": types[path.split(".").pop()] ?? "application/octet-stream"});
+      response.end(body);
+    }
+  } catch (error) {
+    response.writeHead(404);
+    response.end(String(error));
+  }
+});
+
+let chromium;
+const profile = mkdtempSync(join(tmpdir(), "hemitex-"));
+
+function end() {
+  chromium.removeAllListeners("exit");
+  chromium.on("exit", () => {
+    rmSync(profile, {recursive: true, force: true});
+    for (const failure of failures) console.error(failure);
+    process.exit(failures.length ? 1 : 0);
+  });
+  chromium.kill();
+}
+
+server.listen(0, "127.0.0.1", () => {
+  const address = `http://127.0.0.1:${server.address().port}/page.html`;
+  chromium = spawn(browser, ["--headless", "--no-sandbox", "--no-first-run", "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader", `--user-data-dir=${profile}`, "--remote-debugging-port=0", address],
+    {stdio: "ignore"});
+  chromium.on("exit", () => {
+    console.error("the browser ended before the suite was drawn");
+    process.exit(1);
+  });
+  chromium.on("error", error => {
+    console.error(`${browser} cannot be started: ${error.message}`);
+    process.exit(2);
+  });
+});
