@@ -4,9 +4,9 @@
 
 #include "cli/common/commands.h"
 #include "cli/common/staging.h"
+#include "cli/devices/opengl_device.h"
 #include "cli/paper/figures.h"
 #include "cli/paper/report.h"
-#include "cli/scene/opengl_device.h"
 #include "cli/scene/scene_folder.h"
 #include "raster/base/file_io.h"
 #include "raster/base/parallel.h"

@@ -4,9 +4,11 @@
 #include <functional>
 #include <iostream>
 
+#include "cli/common/json.h"
 #include "cli/common/staging.h"
 #include "cli/common/table.h"
 #include "raster/base/file_io.h"
+#include "reference/calibration/device_class.h"
 #include "reference/diagnosis/junit_report.h"
 #include "reference/records/conformance_record.h"
 #include "reference/vectors/candidate.h"
@@ -119,6 +121,33 @@ void printSuite(const std::vector<Report>& reports) {
   }
   if (const auto common = reference::commonFault(reports)) std::cout << "diagnosis: " << toText(*common) << '\n';
   if (const auto check = checkReference(reports); check.pixels > 0) std::cout << "reference: " << toText(check) << '\n';
+}
+
+/// The class of device that explains errors under the default profile.
+std::optional<reference::DeviceClass> suggestionFor(const JudgingOptions& options, const Suite& suite,
+                                                    const std::vector<Report>& reports) {
+  if (!options.profile.empty()) return {};
+  std::vector<reference::JudgedVector> judged;
+  for (std::size_t k = 0; k < reports.size(); ++k) judged.push_back({&suite.vectors[k].vector, &reports[k].verdict});
+  return reference::guessDeviceClass(judged);
+}
+
+constexpr const char* howToCalibrate =
+    "measure its profile before you look for faults: hemitex vector calibrate --probes PROBES, draw the probes like "
+    "the suite, hemitex vector calibrate PROBES --candidate DRAWN -o profile.json, and check with --profile "
+    "profile.json";
+
+/// The results as a JSON object, with the suggestion or null.
+std::string withSuggestion(const std::string& results, const std::optional<reference::DeviceClass>& guess) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::parse(results);
+  json["suggestion"] = nullptr;
+  if (guess)
+    json["suggestion"] = {{"device", guess->properties},
+                          {"errors", guess->errors},
+                          {"explained", guess->explained},
+                          {"profile", nlohmann::ordered_json::parse(toJson(guess->profile))},
+                          {"advice", howToCalibrate}};
+  return cli::toText(json);
 }
 
 /// Writes the vector, and in `candidate` the device's item IDs.
@@ -265,10 +294,14 @@ void writeResults(const JudgingOptions& options, const Suite& suite, const std::
       std::any_of(reports.begin(), reports.end(), [&](const Report& r) { return isFailure(r, options.isStrict); });
   context.failed = hasFailure || checkReference(reports).differing > 0;
   writeFiles(options, suite, reports, minimize);
-  if (context.json)
-    std::cout << (suite.isSingle ? toJson(reports.front()) : reference::toJson(reports, options.isStrict));
-  else
-    suite.isSingle ? printVector(reports.front()) : printSuite(reports);
+  const std::optional<reference::DeviceClass> guess = suggestionFor(options, suite, reports);
+  if (context.json) {
+    std::cout << withSuggestion(suite.isSingle ? toJson(reports.front()) : reference::toJson(reports, options.isStrict),
+                                guess);
+    return;
+  }
+  suite.isSingle ? printVector(reports.front()) : printSuite(reports);
+  if (guess) std::cout << "suggestion: " << toText(*guess) << "; " << howToCalibrate << '\n';
 }
 
 }  // namespace hemitex::cli

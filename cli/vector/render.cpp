@@ -2,8 +2,8 @@
 #include <memory>
 
 #include "cli/common/commands.h"
-#include "cli/common/renderers.h"
 #include "cli/common/staging.h"
+#include "cli/devices/renderers.h"
 #include "cli/vector/vector_output.h"
 #include "reference/trace/stage_dump.h"
 
@@ -36,7 +36,9 @@ void addVectorRender(Command vector, Context& context) {
   addChoice<Device>(command, "--device", options->device,
                     {{"software", Device::Software},
                      {"opengl", Device::OpenGl},
-                     {"opengl-fixed-function", Device::OpenGlFixedFunction}},
+                     {"opengl-fixed-function", Device::OpenGlFixedFunction},
+                     {"opengl-plain", Device::OpenGlPlain},
+                     {"vulkan", Device::Vulkan}},
                     "draw with this renderer; software follows the raster rules exactly (default software)");
   addStages(command, options->stages);
   addOutput(command, options->output, "write the vector with its item IDs into this folder, which may be DIR");

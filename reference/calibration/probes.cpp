@@ -95,19 +95,48 @@ ProbeSheet<CoverageProbe> coverageSheet(const std::string& name, const std::stri
 
 // --- texels ---
 
-/// The differences of coordinates between the corners of a triangle, and their w. At its centre the differences cancel.
-struct Slope {
-  std::string name;
-  glm::ivec3 texels;
-  glm::ivec3 w;
+/// A triangle whose corners are given in sixteenths of a pixel from the sample, and their w.
+struct TexelTriangle {
+  std::array<glm::ivec2, 3> corners;
+  glm::dvec3 w;
+
+  /// Weights of the corners' coordinates at the sample.
+  glm::dvec3 weights() const {
+    const auto cross = [&](std::size_t i, std::size_t j) {
+      return static_cast<double>(corners[i].x * corners[j].y - corners[i].y * corners[j].x);
+    };
+    const glm::dvec3 overW = glm::dvec3(cross(1, 2), cross(2, 0), cross(0, 1)) / w;
+    return overW / (overW.x + overW.y + overW.z);
+  }
+
+  /// w at the sample over the w of the nearest corner.
+  double depthRatio() const { return glm::dot(weights(), w) / std::min({w.x, w.y, w.z}); }
 };
 
-/// One row per distance: 1/4, 3/16, 1/8, 3/32, ... of a texel. Half of its pixels test u, half test v; of each half,
-/// every other pixel lies above the border. Binary32 represents all coordinates exactly.
-ProbeSheet<TexelProbe> texelSheet(const Slope& slope) {
-  constexpr int resolution = 32, texels = 1024;
-  // Their centre is the sample: each corner has a weight of a third.
-  const Corners corners{onGrid({-6, -4}), onGrid({0, 6}), onGrid({6, -2})};
+/// The coordinates of a triangle's corners, and the texel border that the sample's coordinate is close to.
+struct BorderCoordinates {
+  int border;
+  glm::vec3 corners;  ///< u or v
+};
+
+TexelProbe texelProbe(const TexelTriangle& triangle, int texels, const BorderCoordinates& coordinates) {
+  const glm::dvec3 corners(coordinates.corners);
+  const double offset = texels * glm::dot(triangle.weights(), corners) - coordinates.border;
+  // The offset is 0 or much larger than its rounding here, and a coordinate on the border belongs to the texel above.
+  constexpr double roundoff = 0x1p-36;
+  const double largest = std::max({std::abs(corners.x), std::abs(corners.y), std::abs(corners.z)});
+  return {coordinates.border, std::abs(offset) < roundoff ? 0 : std::abs(offset), offset > -roundoff,
+          0x1p-24 * texels * largest * triangle.depthRatio()};
+}
+
+constexpr int texelResolution = 32;
+
+/// Half of the pixels of each row test u, half test v, in index maps of `texels` texels.
+/// `makeCoordinates(row, isAbove, random)` chooses their coordinates; every other pixel lies above its border.
+template <typename MakeCoordinates>
+ProbeSheet<TexelProbe> texelSheet(const std::string& name, const TexelTriangle& triangle, int texels,
+                                  const MakeCoordinates& makeCoordinates) {
+  constexpr int resolution = texelResolution;
   std::mt19937 random(32);
   ProbeSheet<TexelProbe> sheet;
   sheet.pixels.resize(resolution * resolution);
@@ -117,29 +146,53 @@ ProbeSheet<TexelProbe> texelSheet(const Slope& slope) {
     addDraw(list, 0, {}, isU ? 0 : 1);
     for (int row = 0; row < resolution; ++row)
       for (int column = isU ? 0 : resolution / 2; column < (isU ? resolution / 2 : resolution); ++column) {
-        const int octave = 2 + row / 2;
-        const double distance = std::ldexp(row % 2 == 0 ? 1 : 0.75, -octave);
-        // 24 bits represent multiples of distance/3 up to here; the slope takes at most 8 texels on either side.
-        const int last = std::min(texels, 1 << (22 - octave)) - 9;
-        const TexelProbe probe{between(random, std::max(9, last / 2), last), distance, column % 2 == 0};
-        // So small that errors of w move the coordinate by a small part of the distance.
-        const double steepness = std::min(1.0, std::ldexp(1, 11 - octave));
+        const BorderCoordinates coordinates = makeCoordinates(row, column % 2 == 0, random);
         const auto texcoord = [&](int k) {
-          const double position = probe.border + (probe.isAbove ? distance : -distance) + steepness * slope.texels[k];
-          const auto coordinate = static_cast<float>(position / texels);
-          return isU ? glm::vec2(coordinate, 0.5f) : glm::vec2(0.5f, coordinate);
+          return isU ? glm::vec2(coordinates.corners[k], 0.5f) : glm::vec2(0.5f, coordinates.corners[k]);
         };
         const auto pixel = static_cast<std::size_t>(row * resolution + column);
         const auto point = [&](int k) {
-          return cornerPoint(resolution, pixel, corners[static_cast<std::size_t>(k)], slope.w[k]);
+          return cornerPoint(resolution, pixel, onGrid(triangle.corners[static_cast<std::size_t>(k)]), triangle.w[k]);
         };
         addTriangle(list, {point(0), point(1), point(2)}, {texcoord(0), texcoord(1), texcoord(2)});
-        sheet.pixels[pixel] = probe;
+        sheet.pixels[pixel] = texelProbe(triangle, texels, coordinates);
       }
   }
-  sheet.vector =
-      makeProbe("texels-" + slope.name, "errors of texture coordinates", std::move(list), frontFace(resolution, 0.5f));
+  sheet.vector = makeProbe(name, "errors of texture coordinates", std::move(list), frontFace(resolution, 0.5f));
   return sheet;
+}
+
+/// Each row has a distance: 1/4, 3/16, 1/8, 3/32, ... of a texel.
+double distanceOf(int row) { return std::ldexp(row % 2 == 0 ? 1 : 0.75, -2 - row / 2); }
+
+/// Small coordinates, so that a rounding is at most a fourteenth of the distance. Between the corners they differ by
+/// `slope` texels, whose average at the sample is 0.
+ProbeSheet<TexelProbe> smallCoordinates(const std::string& name, const glm::dvec3& w, const glm::dvec3& slope) {
+  constexpr int texels = 1024;
+  // Their centre is the sample: each corner has a weight of a third.
+  const TexelTriangle triangle{{{{-6, -4}, {0, 6}, {6, -2}}}, w};
+  return texelSheet(name, triangle, texels, [&](int row, bool isAbove, std::mt19937& random) {
+    const double distance = distanceOf(row);
+    // So small that errors of w move the coordinate by a small part of the distance.
+    const double steepness = std::min(1.0, 8192 * distance);
+    const int first = 1 + static_cast<int>(std::ceil(8 * steepness));
+    const int border = between(random, first, 2 * first);
+    const double position = border + (isAbove ? distance : -distance);
+    return BorderCoordinates{border, glm::vec3((position + steepness * slope) / static_cast<double>(texels))};
+  });
+}
+
+/// Coordinates in the upper half of the index map, at distances from 256 roundings to less than one. The coordinate at
+/// corner k is that of the sample times 1 + slope[k].
+ProbeSheet<TexelProbe> largeCoordinates(const std::string& name, const TexelTriangle& triangle, int texels,
+                                        const glm::dvec3& slope) {
+  return texelSheet(name, triangle, texels, [&](int row, bool isAbove, std::mt19937& random) {
+    const int border = between(random, texels / 2, texels * 3 / 4);
+    const double roundings = 1024 * distanceOf(row);
+    const double distance = std::min(0.25, roundings * 0x1p-24 * border * triangle.depthRatio());
+    const double position = (border + (isAbove ? distance : -distance)) / texels;
+    return BorderCoordinates{border, glm::vec3(position * (1.0 + slope))};
+  });
 }
 
 // --- depths ---
@@ -225,10 +278,25 @@ ProbingSet makeProbes() {
                       [&] { return nearEdge(random, bits); }));
   probes.coverage.push_back(
       coverageSheet("edge-rule", "which samples on edges are covered", [&] { return throughSample(random); }));
-  // A third each: the sums of texels, and of texels/w, are zero.
-  for (const Slope& slope : {Slope{"constant", {0, 0, 0}, {1, 1, 1}}, Slope{"linear", {-2, 1, 1}, {1, 1, 1}},
-                             Slope{"perspective", {1, 2, -8}, {1, 2, 4}}})
-    probes.texels.push_back(texelSheet(slope));
+  // A third each: the sums of slopes, and of slopes/w, are zero.
+  const glm::dvec3 flat(1), sloping(1, 2, 4);
+  probes.texels = {smallCoordinates("texels-constant", flat, {0, 0, 0}),
+                   smallCoordinates("texels-linear", flat, {-2, 1, 1}),
+                   smallCoordinates("texels-perspective", sloping, {1, 2, -8})};
+  // A narrow triangle whose sample has weights of about a half and two quarters, and one that is seen at a grazing
+  // angle: w at its sample is 15 times that of its nearest corner.
+  const TexelTriangle narrow{{{{-7, -7}, {7, 6}, {6, 7}}}, flat};
+  const TexelTriangle grazing{{{{-7, -7}, {7, -6}, {-6, 7}}}, {1, 1024, 1024}};
+  const auto slopeOf = [](const TexelTriangle& triangle, double nearest) {
+    const double weight = triangle.weights().x;
+    return glm::dvec3(nearest, glm::dvec2(-nearest * weight / (1 - weight)));
+  };
+  probes.interpolation = {
+      largeCoordinates("interpolation-constant", narrow, 4096, glm::dvec3(0.0)),
+      largeCoordinates("interpolation-linear", narrow, 4096, slopeOf(narrow, 1.0 / 64)),
+      largeCoordinates("interpolation-grazing", grazing, 256, glm::dvec3(0.0)),
+      largeCoordinates("interpolation-perspective", grazing, 256, slopeOf(grazing, -1.0 / 256)),
+  };
   probes.depths = {formatSteps(), fineSteps()};
   return probes;
 }
@@ -237,6 +305,7 @@ std::vector<TestVector> vectorsOf(const ProbingSet& probes) {
   std::vector<TestVector> vectors;
   for (const auto& sheet : probes.coverage) vectors.push_back(sheet.vector);
   for (const auto& sheet : probes.texels) vectors.push_back(sheet.vector);
+  for (const auto& sheet : probes.interpolation) vectors.push_back(sheet.vector);
   for (const auto& sheet : probes.depths) vectors.push_back(sheet.vector);
   return vectors;
 }

@@ -32,6 +32,7 @@ struct TexelProbe {
   int border;
   double distance;  ///< of the coordinate from the border, in texels
   bool isAbove;     ///< whether texel `border` is right
+  double rounding;  ///< the error of one rounding (device_profile.h, interpolationError), in texels
 };
 
 /// The difference of two depths: one that devices of a format must resolve, or one that needs a float32 buffer close to
@@ -46,14 +47,15 @@ struct DepthProbe {
 
 struct ProbingSet {
   std::vector<ProbeSheet<CoverageProbe>> coverage;
-  std::vector<ProbeSheet<TexelProbe>> texels;
+  std::vector<ProbeSheet<TexelProbe>> texels;         ///< roundings are small: they show errors of any other kind
+  std::vector<ProbeSheet<TexelProbe>> interpolation;  ///< distances are some roundings
   std::vector<ProbeSheet<DepthProbe>> depths;
 };
 
 /// Makes the same probes on all machines.
 ProbingSet makeProbes();
 
-/// All vectors of the set: those of coverage, texels and depths, in this order.
+/// All vectors of the set: those of coverage, texels, interpolation and depths, in this order.
 std::vector<TestVector> vectorsOf(const ProbingSet& probes);
 
 }  // namespace hemitex::reference

@@ -209,9 +209,12 @@ std::optional<CommonFault> commonFault(std::span<const Report> reports) {
   return common;
 }
 
+bool isWeak(const CommonFault& common) { return 2 * common.vectors < common.failures; }
+
 std::string toText(const CommonFault& common) {
-  return common.finding.fault + ", named by " + std::to_string(common.vectors) + " of " +
-         std::to_string(common.failures) + " failing vectors: " + common.finding.advice;
+  return common.finding.fault + ", in " + std::to_string(common.vectors) + " of " + std::to_string(common.failures) +
+         " vectors with errors" + (isWeak(common) ? " (weak: it does not explain the other vectors): " : ": ") +
+         common.finding.advice;
 }
 
 std::string toJson(const Report& report) { return textOf(jsonOf(report)); }
@@ -223,7 +226,7 @@ std::string toJson(std::span<const Report> reports, bool isStrict) {
   Json diagnosis;
   if (const std::optional<CommonFault> common = commonFault(reports)) {
     diagnosis = toJson(common->finding);
-    diagnosis.update({{"vectors", common->vectors}, {"failures", common->failures}});
+    diagnosis.update({{"vectors", common->vectors}, {"failures", common->failures}, {"weak", isWeak(*common)}});
   }
   const bool pass =
       std::none_of(reports.begin(), reports.end(), [=](const Report& report) { return isFailure(report, isStrict); });

@@ -66,7 +66,10 @@ struct CommonFault {
 /// chance.
 std::optional<CommonFault> commonFault(std::span<const Report> reports);
 
-/// "linear filtering, named by 3 of 4 failing vectors: set both filters ...".
+/// Whether less than half of the failing vectors name it: the rest has another cause, and it may be a coincidence.
+bool isWeak(const CommonFault& common);
+
+/// "linear filtering, in 3 of 4 vectors with errors: set both filters ...". A weak one says so.
 std::string toText(const CommonFault& common);
 
 /// A JSON object with the keys
@@ -88,8 +91,8 @@ std::string toText(const CommonFault& common);
 std::string toJson(const Report& report);
 
 /// A JSON object for several vectors: `pass` (no result is an isFailure), `pixels` of all, `vectors` (an object as
-/// above for each), and `diagnosis`: null, or `fault`, `variant`, `agreement`, `advice`, `vectors` and `failures` of
-/// the common fault.
+/// above for each), and `diagnosis`: null, or `fault`, `variant`, `agreement`, `advice`, `vectors`, `failures` and
+/// `weak` (isWeak) of the common fault.
 std::string toJson(std::span<const Report> reports, bool isStrict = false);
 
 }  // namespace hemitex::reference

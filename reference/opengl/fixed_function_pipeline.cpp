@@ -7,7 +7,8 @@
 
 #include "raster/base/input_error.h"
 #include "raster/setup/vertex_stage.h"
-#include "reference/opengl/vertices.h"
+#include "reference/opengl/texel_triangles.h"
+#include "reference/opengl/vertex_buffers.h"
 
 namespace hemitex::reference {
 namespace {
@@ -146,7 +147,7 @@ void FixedFunction::draw(const raster::Draw& draw, const VertexRuns& runs) {
     culled == GL_NONE ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
     if (culled != GL_NONE) glCullFace(culled);
     glColor4fv(&colourOf(colour)[0]);
-    runs.draw();
+    drawRuns(runs);
   };
   drawSide(draw.offset, draw.indexMap.has_value(), draw.back ? GL_BACK : GL_NONE);
   if (draw.back) drawSide(*draw.back, false, GL_FRONT);

@@ -4,10 +4,11 @@
 
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
-#include "reference/opengl/batches.h"
+#include "reference/devices/batches.h"
 #include "reference/opengl/context.h"
 #include "reference/opengl/fixed_function_pipeline.h"
 #include "reference/opengl/pipeline.h"
+#include "reference/opengl/plain_pipeline.h"
 #include "reference/opengl/shader_pipeline.h"
 
 namespace hemitex::reference {
@@ -16,22 +17,27 @@ namespace {
 using raster::InputError;
 
 std::unique_ptr<OpenGlPipeline> makePipeline(const raster::DrawList& list, OpenGlPath path) {
-  return path == OpenGlPath::FixedFunction ? makeFixedFunction(list) : makeShader(list);
+  if (path == OpenGlPath::FixedFunction) return makeFixedFunction(list);
+  return path == OpenGlPath::Shader ? makeShader(list) : makePlain(list);
 }
 
 /// Textures with the item IDs of the index maps, in their order.
-std::vector<GLuint> makeTextures(const std::vector<raster::IndexMap>& maps, const OpenGlPixels& pixels) {
-  const int largest = openGlLimit(GL_MAX_RECTANGLE_TEXTURE_SIZE);
+std::vector<GLuint> makeTextures(const std::vector<raster::IndexMap>& maps, const OpenGlPipeline& pipeline) {
+  const OpenGlPixels pixels = pipeline.pixels();
+  const GLenum target = pipeline.textureTarget();
+  const int largest = openGlLimit(target == GL_TEXTURE_2D ? GL_MAX_TEXTURE_SIZE : GL_MAX_RECTANGLE_TEXTURE_SIZE);
   std::vector<GLuint> textures(maps.size());
   glGenTextures(static_cast<GLsizei>(textures.size()), textures.data());
   for (std::size_t m = 0; m < maps.size(); ++m) {
     if (std::max(maps[m].width, maps[m].height) > largest)
       throw InputError("index map " + std::to_string(m) + " is larger than the textures of the OpenGL device",
                        "use at most " + std::to_string(largest) + " texels a side");
-    glBindTexture(GL_TEXTURE_RECTANGLE, textures[m]);
-    glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexImage2D(GL_TEXTURE_RECTANGLE, 0, pixels.storage, maps[m].width, maps[m].height, 0, pixels.format, pixels.type,
+    glBindTexture(target, textures[m]);
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexImage2D(target, 0, pixels.storage, maps[m].width, maps[m].height, 0, pixels.format, pixels.type,
                  maps[m].ids.data());
   }
   return textures;
@@ -65,7 +71,7 @@ OpenGlRenderer::Implementation::Implementation(const raster::DrawList& list, Ope
                      "install a driver with the compatibility profile of OpenGL 4.5; Mesa's needs no graphics card");
   const OpenGlContext::Use use(*context_);
   pipeline_ = makePipeline(list, path);
-  textures_ = makeTextures(list.indexMaps, pipeline_->pixels());
+  textures_ = makeTextures(list.indexMaps, *pipeline_);
   glEnable(GL_DEPTH_TEST);
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
 
@@ -87,14 +93,14 @@ void OpenGlRenderer::Implementation::setSize(int width, int height) {
   attach(depth_, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F);
 }
 
-/// The device clips triangles at the sides of its viewport. So the viewport is as wide as the guard band of the rules,
-/// or as the device allows.
+/// The device clips triangles at the sides of its viewport. So the viewport is as wide as the pipeline asks, or as the
+/// device allows.
 void OpenGlRenderer::Implementation::setView(const raster::Face& face) {
   const int resolution = face.resolution, largest = openGlLimit(GL_MAX_VIEWPORT_DIMS);
   if (resolution > largest)
     throw InputError("a face is larger than the viewport of the OpenGL device",
                      "use a resolution of at most " + std::to_string(largest));
-  int width = 8;
+  int width = pipeline_->viewportWidth();
   while (width * resolution > largest) width /= 2;
   const int beside = (width - 1) * resolution / 2;
   glViewport(-beside - face.scissor.column, -beside - face.scissor.row, width * resolution, width * resolution);
@@ -112,7 +118,7 @@ void OpenGlRenderer::Implementation::draw(const raster::Face& face, const std::v
   pipeline_->clear(raster::backgroundId(list_.format));
   for (const DrawBatch& batch : batches) {
     const raster::Draw& draw = *batch.draw;
-    if (draw.indexMap) glBindTexture(GL_TEXTURE_RECTANGLE, textures_[static_cast<std::size_t>(*draw.indexMap)]);
+    if (draw.indexMap) glBindTexture(pipeline_->textureTarget(), textures_[static_cast<std::size_t>(*draw.indexMap)]);
     pipeline_->draw(draw, batch.runs);
   }
   const OpenGlPixels pixels = pipeline_->pixels();

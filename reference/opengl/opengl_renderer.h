@@ -1,14 +1,15 @@
 /// A renderer on a real device: OpenGL through EGL, without a window. It is an example of a backend for this method,
 /// and it provides a device for verdicts (verdict.h).
 ///
-/// This file holds textures, framebuffer and viewport. The context is in context.h, vertex data in vertices.h, joined
-/// draws in batches.h, and the interface of the two pipelines in pipeline.h.
+/// This file holds textures, framebuffer and viewport. The context is in context.h and the interface of the pipelines
+/// in pipeline.h. Vertex data is in texel_triangles.h, joined draws are in batches.h.
 ///
-/// By default a device differs from docs/item-buffers.md in four ways. Each has a remedy here:
+/// By default a device differs from docs/item-buffers.md in four ways. Each has a remedy here, except on the plain
+/// path:
 /// - It clips triangles at the sides of its view. The view is as wide as the guard band of the rules, and the
 ///   framebuffer shows its scissor rectangle.
 /// - It has its own snapping and interpolates between corners that are not snapped. Corners are put on sub-pixels
-///   beforehand.
+///   beforehand; the shaders clip at the near plane before that.
 /// - It rounds u N before the floor function. Texture coordinates are in texels.
 /// - It interpolates in binary32. The two pipelines solve this in different ways.
 #pragma once
@@ -30,6 +31,9 @@ enum class OpenGlPath {
   /// Index maps are textures of 32-bit integers, and shaders do the rest: the vertex stage by the rules, depth and
   /// texels in double precision, and item IDs of any format.
   Shader,
+  /// What an application does by default, without any remedy: a matrix, unit texture coordinates, a sampler, one call
+  /// per draw, and the clipping of the API. It shows what the remedies of the other paths are worth.
+  Plain,
 };
 
 class OpenGlRenderer final : public raster::ItemBufferRenderer {

@@ -1,16 +1,16 @@
-/// The interface of the two pipelines of OpenGlRenderer, which convert the vertices of a draw to item IDs:
-/// fixed_function_pipeline.h and shader_pipeline.h.
+/// The interface of the pipelines of OpenGlRenderer, which convert the vertices of a draw to item IDs:
+/// fixed_function_pipeline.h, shader_pipeline.h and plain_pipeline.h.
 ///
-/// Clip coordinates are (x / width, y / width, n, w), where a unit of x / w is half the side of the face. The viewport
-/// is `width` times as wide as the face. So the device clips triangles at sides so far out that clipping changes no
-/// visible edge.
+/// Clip coordinates are (x / width, y / width, z, w), where a unit of x / w is half the side of the face. The viewport
+/// is `width` times as wide as the face. With a width of 8 the device clips triangles at sides so far out that clipping
+/// changes no visible edge.
 #pragma once
 
 #include <epoxy/gl.h>
 
 #include "raster/interface/draw_list.h"
 #include "raster/interface/face.h"
-#include "reference/opengl/batches.h"
+#include "reference/devices/batches.h"
 
 namespace hemitex::reference {
 
@@ -25,6 +25,10 @@ class OpenGlPipeline {
  public:
   virtual ~OpenGlPipeline() = default;
   virtual OpenGlPixels pixels() const = 0;
+  /// GL_TEXTURE_RECTANGLE for coordinates in texels, GL_TEXTURE_2D for unit coordinates.
+  virtual GLenum textureTarget() const { return GL_TEXTURE_RECTANGLE; }
+  /// The width that the viewport should have, in faces; less on devices with small viewports.
+  virtual int viewportWidth() const { return 8; }
   /// Sets all item IDs to `background`, and all depths to the farthest.
   virtual void clear(raster::ItemId background) = 0;
   virtual void setView(const raster::Face& face, int width) = 0;

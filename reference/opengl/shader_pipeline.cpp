@@ -1,10 +1,9 @@
 #include "reference/opengl/shader_pipeline.h"
 
-#include <cstddef>
 #include <vector>
 
 #include "reference/opengl/shader_programs.h"
-#include "reference/opengl/vertices.h"
+#include "reference/opengl/vertex_buffers.h"
 
 namespace hemitex::reference {
 namespace {
@@ -24,31 +23,12 @@ class Shader final : public OpenGlPipeline {
   void draw(const raster::Draw& draw, const VertexRuns& runs) override;
 
  private:
-  GLint operation_;
+  raster::Blend blend_;
 };
-
-void setFormat(const raster::IdFormat& format) {
-  glUniform1ui(Uniform::allBits, raster::backgroundId(format));
-  std::vector<GLuint> channels;
-  int shift = 0;
-  for (const int bits : format.channelBits) {
-    channels.push_back(raster::backgroundId({{bits}}) << shift);
-    shift += bits;
-  }
-  glUniform1i(Uniform::channels, static_cast<GLint>(channels.size()));
-  glUniform1uiv(Uniform::channel, static_cast<GLsizei>(channels.size()), channels.data());
-}
 
 /// Corners in one buffer, the offsets of their draws in another.
 void uploadVertices(const raster::DrawList& list) {
-  const std::vector<TexelTriangle> triangles = texelTriangles(list);
-  makeVertexBuffer(triangles.data(), triangles.size() * sizeof(TexelTriangle), GL_STATIC_DRAW);
-  glEnableVertexAttribArray(VertexAttribute::position);
-  glEnableVertexAttribArray(VertexAttribute::texel);
-  glVertexAttribPointer(VertexAttribute::position, 3, GL_FLOAT, GL_FALSE, sizeof(TexelCorner),
-                        vertexOffset(offsetof(TexelCorner, position)));
-  glVertexAttribPointer(VertexAttribute::texel, 2, GL_FLOAT, GL_FALSE, sizeof(TexelCorner),
-                        vertexOffset(offsetof(TexelCorner, texel)));
+  uploadCorners(list, VertexAttribute::position, VertexAttribute::texcoord);
   std::vector<ItemId> offsets;
   for (const raster::Draw& draw : list.draws) offsets.insert(offsets.end(), draw.count, draw.offset);
   makeVertexBuffer(offsets.data(), offsets.size() * sizeof(ItemId), GL_STATIC_DRAW);
@@ -56,8 +36,8 @@ void uploadVertices(const raster::DrawList& list) {
   glVertexAttribIPointer(VertexAttribute::drawOffset, 1, GL_UNSIGNED_INT, sizeof(ItemId), vertexOffset(0));
 }
 
-Shader::Shader(const raster::DrawList& list) : operation_(1 + static_cast<GLint>(list.blend)) {
-  glUseProgram(linkOpenGlPrograms());
+Shader::Shader(const raster::DrawList& list) : blend_(list.blend) {
+  glUseProgram(linkShaderPrograms());
   setFormat(list.format);
   glDepthFunc(GL_LESS);
   uploadVertices(list);
@@ -80,10 +60,8 @@ void Shader::setView(const raster::Face& face, int width) {
 }
 
 void Shader::draw(const raster::Draw& draw, const VertexRuns& runs) {
-  glUniform1ui(Uniform::back, draw.back.value_or(0));
-  glUniform1i(Uniform::hasBack, draw.back.has_value());
-  glUniform1i(Uniform::operation, draw.indexMap ? operation_ : 0);
-  runs.draw();
+  setBlend(draw, blend_);
+  drawRuns(runs);
 }
 
 }  // namespace

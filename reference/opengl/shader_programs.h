@@ -1,17 +1,20 @@
-/// The shaders for OpenGlPath::Shader, and the locations of their inputs.
+/// The shaders for OpenGlPath::Shader and OpenGlPath::Plain, and the locations of their inputs.
 ///
-/// The vertex shader transforms a corner to the view. The geometry shader computes planes from a triangle's corners.
-/// The fragment shader computes depth and texel from these, in double precision, and blends the item ID.
+/// OpenGlPath::Shader: the vertex shader transforms a corner to the view. The geometry shader computes planes from a
+/// triangle's corners. The fragment shader computes depth and texel from these, in double precision, and blends the
+/// item ID.
 #pragma once
 
 #include <epoxy/gl.h>
+
+#include "raster/interface/draw_list.h"
 
 namespace hemitex::reference {
 
 /// Inputs per vertex.
 struct VertexAttribute {
   static constexpr GLuint position = 0;    ///< vec3
-  static constexpr GLuint texel = 1;       ///< vec2
+  static constexpr GLuint texcoord = 1;    ///< vec2
   static constexpr GLuint drawOffset = 2;  ///< uint
 };
 
@@ -34,8 +37,19 @@ struct Uniform {
   static constexpr GLint channel = 12;   ///< uint[32]: bits of each channel
 };
 
-/// Compiles and links the shaders to one program. Requires a current context. Throws InputError with the message of the
-/// driver if it rejects them.
-GLuint linkOpenGlPrograms();
+/// Inputs that only OpenGlPath::Plain has, next to those per item ID format and those of the blend.
+struct PlainUniform {
+  static constexpr GLint matrix = 0;  ///< mat4
+  static constexpr GLint offset = 6;  ///< uint
+};
+
+/// Compile and link the shaders of a path to one program. Require a current context. Throw InputError with the message
+/// of the driver if it rejects them.
+GLuint linkShaderPrograms();
+GLuint linkPlainPrograms();
+
+/// Set the inputs per item ID format, and those per draw, of the program in use.
+void setFormat(const raster::IdFormat& format);
+void setBlend(const raster::Draw& draw, raster::Blend blend);
 
 }  // namespace hemitex::reference

@@ -50,6 +50,7 @@ void readField(const Json& value, const std::string& key, DeviceProfile& profile
   if (key == "snap_rounding") return readChoice(value, key, snapRoundingNames, profile.snapRounding);
   if (key == "edge_rule") return readChoice(value, key, edgeRuleNames, profile.edgeRule);
   if (key == "texel_precision") return readBound(value, key, profile.texelPrecision);
+  if (key == "interpolation_error") return readBound(value, key, profile.interpolationError);
   if (key == "depth_format") return readChoice(value, key, depthFormatNames, profile.depthFormat);
   if (key == "depth_tolerance") return readBound(value, key, profile.depthTolerance);
   if (key == "loose_clipping") return readFlag(value, key, profile.looseClipping);
@@ -57,7 +58,20 @@ void readField(const Json& value, const std::string& key, DeviceProfile& profile
   throw InputError("\"" + key + "\" is not a key of a device profile");
 }
 
+void checkVersion(const Json& json) {
+  const Json version = json.value("version", Json(1));
+  if (version != 1 && version != 2)
+    throw InputError("\"version\" is " + version.dump(), "use version 2, or 1 of earlier programs");
+  if (version == 1 && json.contains("interpolation_error"))
+    throw InputError("\"interpolation_error\" is not a key of version 1", "add \"version\": 2");
+}
+
 }  // namespace
+
+double texelError(const DeviceProfile& profile, double size, double largest, double nearestDepth, double inverseDepth) {
+  const double rounding = 0x1p-24 * size * largest / (nearestDepth * inverseDepth);
+  return profile.texelPrecision + profile.interpolationError * rounding;
+}
 
 double depthError(const DeviceProfile& profile) {
   switch (profile.depthFormat) {
@@ -72,11 +86,13 @@ double depthError(const DeviceProfile& profile) {
 }
 
 std::string toJson(const DeviceProfile& profile) {
-  const Json json{{"vertex_error", profile.vertexError},
+  const Json json{{"version", 2},
+                  {"vertex_error", profile.vertexError},
                   {"subpixel_bits", profile.subpixelBits},
                   {"snap_rounding", nameOf(snapRoundingNames, profile.snapRounding)},
                   {"edge_rule", nameOf(edgeRuleNames, profile.edgeRule)},
                   {"texel_precision", profile.texelPrecision},
+                  {"interpolation_error", profile.interpolationError},
                   {"depth_format", nameOf(depthFormatNames, profile.depthFormat)},
                   {"depth_tolerance", profile.depthTolerance},
                   {"loose_clipping", profile.looseClipping},
@@ -89,7 +105,9 @@ DeviceProfile parseProfile(const std::string& text) {
     const Json json = Json::parse(text);
     if (!json.is_object()) throw InputError("a device profile is a JSON object");
     DeviceProfile profile;
-    for (const auto& [key, value] : json.items()) readField(value, key, profile);
+    checkVersion(json);
+    for (const auto& [key, value] : json.items())
+      if (key != "version") readField(value, key, profile);
     return profile;
   } catch (const Json::exception& error) {
     throw InputError(error.what());

@@ -1,5 +1,9 @@
 /// Allowed deviations of a real device from the raster rules (raster rules, 8). A graphics API or a datasheet states
 /// each bound; the verdict (verdict.h) takes all of them as worst cases.
+///
+/// A device that interpolates in binary32 evaluates u = (u/w) / (1/w). Each of the two is a sum whose terms are as
+/// large as at the nearest vertex of the triangle: max|u_k| / min w_k and 1 / min w_k. A rounding changes such a term
+/// by 2^-24 of its size. Relative to 1/w at the sample it then moves u by 2^-24 max|u_k| w / min w_k.
 #pragma once
 
 #include <filesystem>
@@ -28,6 +32,9 @@ struct DeviceProfile {
   SnapRounding snapRounding = SnapRounding::Nearest;
   EdgeRule edgeRule = EdgeRule::TopLeft;
   double texelPrecision = 1.0 / 256;  ///< error of a texture coordinate, in texels
+  /// Number of roundings in the interpolation of a texture coordinate, each as above. Their error adds to
+  /// texelPrecision.
+  double interpolationError = 0;
   DepthFormat depthFormat = DepthFormat::Float32;
   double depthTolerance = 4;  ///< error of a stored depth, in units in the last place of 1
   /// Whether a device may clip triangles at other planes, or in binary32.
@@ -42,16 +49,21 @@ struct DeviceProfile {
 /// The error of a stored depth 1 - n/w, which ranges from 0 to 1.
 double depthError(const DeviceProfile& profile);
 
-/// Reads a JSON object with any of the keys `vertex_error`, `subpixel_bits`, `snap_rounding` ("nearest", "truncate"),
-/// `edge_rule` ("top-left", "any"), `texel_precision`, `depth_format` ("float32", "unorm24", "unorm16"),
-/// `depth_tolerance`, `loose_clipping`, `strict_depth`; an absent key keeps its default. Throws InputError for an
-/// unknown key, a value of the wrong type or out of range, and a file that cannot be read.
+/// The error of a texture coordinate in texels, at a sample of depth w = 1/inverseDepth. `size` is the side of the
+/// index map, `largest` the maximum of |u_k|, and `nearestDepth` the minimum of w_k.
+double texelError(const DeviceProfile& profile, double size, double largest, double nearestDepth, double inverseDepth);
+
+/// Reads a JSON object with any of the keys `version`, `vertex_error`, `subpixel_bits`, `snap_rounding` ("nearest",
+/// "truncate"), `edge_rule` ("top-left", "any"), `texel_precision`, `interpolation_error`, `depth_format` ("float32",
+/// "unorm24", "unorm16"), `depth_tolerance`, `loose_clipping`, `strict_depth`; an absent key keeps its default. Version
+/// 1, which files without `version` have, knows no `interpolation_error`. Throws InputError for an unknown key, a value
+/// of the wrong type or out of range, and a file that cannot be read.
 DeviceProfile readProfile(const std::filesystem::path& file);
 
 /// The same from the text of such a file.
 DeviceProfile parseProfile(const std::string& text);
 
-/// The profile as readProfile reads it, with all keys.
+/// The profile as readProfile reads it, in version 2 with all keys.
 std::string toJson(const DeviceProfile& profile);
 
 }  // namespace hemitex::reference

@@ -89,7 +89,7 @@ MinimalFailure minimize(const TestVector& vector, const Verdict& verdict, const 
   DrawnTriangles fewest;
   for (const Failure& failure : failures) {
     const auto fails = [&](std::span<const DrawnTriangle> kept) {
-      return stillFails(failure, withTriangles(vector.list, kept), profile);
+      return stillFails(failure, withUsedVertices(withTriangles(vector.list, kept)), profile);
     };
     const DrawnTriangles kept = fewestTriangles(all, fails);
     if (best && kept.size() >= fewest.size()) continue;
@@ -97,10 +97,11 @@ MinimalFailure minimize(const TestVector& vector, const Verdict& verdict, const 
     fewest = kept;
   }
 
-  MinimalFailure minimal{{vector.name, vector.catches, vector.origin, withTriangles(vector.list, fewest), {best->face}},
-                         {},
-                         {1, 1, {best->expected}},
-                         best->found};
+  MinimalFailure minimal{
+      {vector.name, vector.catches, vector.origin, withUsedVertices(withTriangles(vector.list, fewest)), {best->face}},
+      {},
+      {1, 1, {best->expected}},
+      best->found};
   minimal.error = errorOf(*best, minimal.vector.list);
   return minimal;
 }

@@ -132,9 +132,11 @@ TexelRange texelRange(const Judge& judge, const Candidate& candidate, int axis, 
   const auto texel = [size](double position) {
     return static_cast<std::size_t>(std::clamp(std::floor(position), 0.0, size - 1.0));
   };
-  const double precision = judge.profile.texelPrecision;
-  return {texel((candidate.region.low[axis] - drift) * size - precision),
-          texel((candidate.region.high[axis] + drift) * size + precision)};
+  const DeviceTriangle& triangle = *candidate.triangle;
+  const double error =
+      texelError(judge.profile, size, triangle.largest[axis], triangle.nearestDepth, candidate.region.farthest);
+  return {texel((candidate.region.low[axis] - drift) * size - error),
+          texel((candidate.region.high[axis] + drift) * size + error)};
 }
 
 bool mayGiveTexel(const Judge& judge, const Candidate& candidate, const raster::IndexMap& map, ItemId offset,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace hemitex::reference {
@@ -131,19 +132,37 @@ bool isDegenerate(const std::vector<std::uint32_t>& indices) {
   return false;
 }
 
-bool removeVertices(TestVector& vector, const Fails& fails) {
+/// Two vertices become one by taking the place of the other.
+bool mergeVertices(TestVector& vector, const Fails& fails) {
   bool isSmaller = false;
-  for (std::uint32_t gone = 0; gone < vector.list.positions.size(); ++gone)
-    for (std::uint32_t other = 0; other < vector.list.positions.size(); ++other) {
+  const std::set<std::uint32_t> used(vector.list.indices.begin(), vector.list.indices.end());
+  for (const std::uint32_t gone : used)
+    for (const std::uint32_t other : used) {
       TestVector smaller = vector;
       std::replace(smaller.list.indices.begin(), smaller.list.indices.end(), gone, other);
-      if (gone == other || isDegenerate(smaller.list.indices)) continue;
-      smaller.list = withTriangles(smaller.list, drawnTriangles(smaller.list));
-      if (!replace(vector, smaller, fails)) continue;
-      isSmaller = true;
-      other = 0;
+      if (smaller.list.indices == vector.list.indices || isDegenerate(smaller.list.indices)) continue;
+      isSmaller |= replace(vector, smaller, fails);
     }
   return isSmaller;
+}
+
+/// Removes all vertices that no triangle uses. If a fault needs their number, it removes those at the ends.
+bool removeVertices(TestVector& vector, const Fails& fails) {
+  TestVector smallest = vector;
+  smallest.list = withUsedVertices(vector.list);
+  if (smallest.list.positions.size() == vector.list.positions.size()) return false;
+  if (replace(vector, smallest, fails)) return true;
+  const raster::DrawList whole = vector.list;
+  const auto [least, most] = std::minmax_element(whole.indices.begin(), whole.indices.end());
+  return shrink({0, static_cast<int>(whole.positions.size())}, [&](const Interval& kept) {
+    if (std::int64_t{*least} < kept.first || std::int64_t{*most} >= kept.last) return false;
+    TestVector smaller = vector;
+    smaller.list.positions.assign(whole.positions.begin() + kept.first, whole.positions.begin() + kept.last);
+    smaller.list.texcoords.assign(whole.texcoords.begin() + kept.first, whole.texcoords.begin() + kept.last);
+    for (std::size_t k = 0; k < whole.indices.size(); ++k)
+      smaller.list.indices[k] = whole.indices[k] - static_cast<std::uint32_t>(kept.first);
+    return replace(vector, smaller, fails);
+  });
 }
 
 }  // namespace
@@ -152,7 +171,9 @@ raster::DrawList withTriangles(const raster::DrawList& list, std::span<const Dra
   raster::DrawList result;
   result.format = list.format;
   result.blend = list.blend;
-  Renumbering draws, vertices, maps;
+  result.positions = list.positions;
+  result.texcoords = list.texcoords;
+  Renumbering draws, maps;
   for (const DrawnTriangle& each : triangles) {
     if (draws(each.draw).second) {
       raster::Draw draw = list.draws[each.draw];
@@ -165,18 +186,26 @@ raster::DrawList withTriangles(const raster::DrawList& list, std::span<const Dra
       }
       result.draws.push_back(draw);
     }
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t old = list.indices[3 * std::size_t{each.triangle} + k];
-      const auto [vertex, isNew] = vertices(old);
-      if (isNew) {
-        result.positions.push_back(list.positions[old]);
-        result.texcoords.push_back(list.texcoords[old]);
-      }
-      result.indices.push_back(vertex);
-    }
+    const auto corners = list.indices.begin() + 3 * std::ptrdiff_t{each.triangle};
+    result.indices.insert(result.indices.end(), corners, corners + 3);
     result.draws.back().count += 3;
   }
   return result;
+}
+
+raster::DrawList withUsedVertices(raster::DrawList list) {
+  const std::vector<glm::vec3> positions = std::exchange(list.positions, {});
+  const std::vector<glm::vec2> texcoords = std::exchange(list.texcoords, {});
+  Renumbering vertices;
+  for (std::uint32_t& index : list.indices) {
+    const auto [vertex, isNew] = vertices(index);
+    if (isNew) {
+      list.positions.push_back(positions[index]);
+      list.texcoords.push_back(texcoords[index]);
+    }
+    index = vertex;
+  }
+  return list;
 }
 
 std::vector<DrawnTriangle> fewestTriangles(std::vector<DrawnTriangle> kept,
@@ -208,6 +237,7 @@ TestVector reduce(TestVector vector, const Fails& fails, std::size_t maxRuns) {
     isSmaller |= removeTriangles(vector, failsWithin);
     isSmaller |= removePixels(vector, failsWithin);
     isSmaller |= removeTexels(vector, failsWithin);
+    isSmaller |= mergeVertices(vector, failsWithin);
     isSmaller |= removeVertices(vector, failsWithin);
   }
   return vector;

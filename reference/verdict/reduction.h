@@ -13,9 +13,11 @@
 
 namespace hemitex::reference {
 
-/// The list with only these triangles, given in draw order. Vertices, index maps and draws that none of them uses are
-/// gone.
+/// The list with only these triangles, given in draw order, and with the draws and index maps that they use.
 raster::DrawList withTriangles(const raster::DrawList& list, std::span<const DrawnTriangle> triangles);
+
+/// The list without vertices that no triangle uses.
+raster::DrawList withUsedVertices(raster::DrawList list);
 
 /// Removes triangles until each one is needed for `fails`. Requires that all of them together fail.
 std::vector<DrawnTriangle> fewestTriangles(std::vector<DrawnTriangle> triangles,

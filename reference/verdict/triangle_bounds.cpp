@@ -121,7 +121,8 @@ bool staysInView(const std::array<ViewVertex, 3>& corners, const std::array<View
 struct Clipped {
   raster::ClippedPolygon polygon;
   raster::ClippedPolygon sizes;
-  bool isLoose;  ///< it leaves the view, and a device may clip it at other planes
+  bool isLoose;        ///< it leaves the view, and a device may clip it at other planes
+  glm::dvec2 largest;  ///< of |u| and |v|
 };
 
 /// Empty polygons if clipping leaves nothing, or if a value is not finite.
@@ -134,9 +135,11 @@ Clipped clipTriangle(const raster::DrawList& list, const raster::Face& face, std
     sizes[k] = withSizes(corners[k], face, list.positions[index]);
   }
   if (!std::all_of(corners.begin(), corners.end(), raster::isFinite)) return {};
+  glm::dvec2 largest(0.0);
+  for (const ViewVertex& corner : corners) largest = glm::max(largest, glm::abs(glm::dvec2(corner.u, corner.v)));
   const double nearDistance = face.nearDistance;
   if (!loose || staysInView(corners, sizes, nearDistance, roundoff))
-    return {raster::clip(corners, nearDistance), raster::clip(sizes, nearDistance), false};
+    return {raster::clip(corners, nearDistance), raster::clip(sizes, nearDistance), false, largest};
 
   const double picture = std::max({sizes[0].u, sizes[1].u, sizes[2].u});
   const double depth = std::max({sizes[0].v, sizes[1].v, sizes[2].v});
@@ -145,7 +148,14 @@ Clipped clipTriangle(const raster::DrawList& list, const raster::Face& face, std
     corner.v = depth;
   }
   const double looseNear = std::max(nearDistance / 2, nearDistance - roundoff * depth);
-  return {raster::clip(corners, looseNear), raster::clip(sizes, looseNear), true};
+  return {raster::clip(corners, looseNear), raster::clip(sizes, looseNear), true, largest};
+}
+
+double nearestDepth(const raster::ClippedPolygon& polygon) {
+  double nearest = HUGE_VAL;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(polygon.count); ++k)
+    nearest = std::min(nearest, polygon.vertices[k].w);
+  return nearest;
 }
 
 /// Triangle (0, k - 1, k) of the fan of a polygon, its vertices placed.
@@ -157,6 +167,8 @@ DeviceTriangle fanTriangle(const Clipped& clipped, std::size_t k, const Placemen
     triangle.vertices[j] = placement.place(clipped.polygon.vertices[fan[j]], sizes, clipped.isLoose);
     triangle.depthSlack = std::max(triangle.depthSlack, placement.depthSlack(sizes));
   }
+  triangle.largest = clipped.largest;
+  triangle.nearestDepth = nearestDepth(clipped.polygon);
   return triangle;
 }
 

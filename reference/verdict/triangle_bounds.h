@@ -40,6 +40,8 @@ struct DeviceTriangle {
   glm::dvec2 reach;        ///< maximum over the vertices
   double area;             ///< doubled and signed
   double depthSlack;       ///< relative error of 1/w from the vertex stage
+  glm::dvec2 largest;      ///< maximum of |u| and of |v| over the corners before clipping
+  double nearestDepth;     ///< minimum of w over all corners after clipping, also of the other triangles of the fan
   std::uint32_t triangle;  ///< indices 3t to 3t + 2
   std::uint32_t draw;
   bool facesAway;  ///< by the rules

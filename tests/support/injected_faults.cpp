@@ -433,9 +433,12 @@ std::vector<Injection> textureInjections() {
                 onDevice("texture coordinates just below the exact ones", "constant-coordinates", fetching(justBelow))),
           onInput("index map transposed", "five-faces",
                   [](TestVector& vector) {
-                    raster::IndexMap& map = vector.list.indexMaps[0];
-                    const std::vector<ItemId> columns = map.ids;  // 3 texels each
-                    for (std::size_t k = 0; k < 15; ++k) map.ids[k] = columns[k % 3 * 5 + k / 3];
+                    for (raster::IndexMap& map : vector.list.indexMaps) {
+                      const std::vector<ItemId> rows = map.ids;
+                      const auto width = static_cast<std::size_t>(map.width),
+                                 height = static_cast<std::size_t>(map.height);
+                      for (std::size_t k = 0; k < rows.size(); ++k) map.ids[k] = rows[k % height * width + k / height];
+                    }
                   }),
           onDevice("index map transposed", "perspective-twist",
                    fetching([](const raster::IndexMap& map, const glm::dvec2& at) {

@@ -119,6 +119,50 @@ struct SnappedTriangle {
     return sum;
   }
 
+  /// A plane equation in binary32 through the values at the corners, evaluated relative to the first corner.
+  float planeAt(const glm::dvec2& position, const glm::vec3& values) const {
+    const glm::vec2 p(s[1] - s[0]), q(s[2] - s[0]), d(position - s[0]);
+    const float inverseArea = 1 / static_cast<float>(area);
+    const float along = values[1] - values[0], across = values[2] - values[0];
+    const float perColumn = (along * q.y - across * p.y) * inverseArea;
+    const float perRow = (across * p.x - along * q.x) * inverseArea;
+    return values[0] + perColumn * d.x + perRow * d.y;
+  }
+
+  float weightedAt(const glm::dvec2& position, const glm::vec3& values) const {
+    const float inverseArea = 1 / static_cast<float>(std::abs(area));
+    float sum = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      sum += static_cast<float>(edgeAt(k, position)) * inverseArea * values[static_cast<int>(k)];
+    return sum;
+  }
+
+  glm::dvec2 texcoordIn32(const glm::dvec2& position, Interpolation interpolation) const {
+    glm::vec3 overW, u, v;
+    for (int k = 0; k < 3; ++k) {
+      const ViewVertex& vertex = vertices[static_cast<std::size_t>(k)];
+      overW[k] = 1 / static_cast<float>(vertex.w);
+      u[k] = static_cast<float>(vertex.u) * overW[k];
+      v[k] = static_cast<float>(vertex.v) * overW[k];
+    }
+    const auto at = [&](const glm::vec3& values) {
+      return interpolation == Interpolation::Planes32 ? planeAt(position, values) : weightedAt(position, values);
+    };
+    const float w = 1 / at(overW);
+    return {at(u) * w, at(v) * w};
+  }
+
+  /// The error of one rounding of interpolation: 2^-24 of the largest coordinate, times w / min w_k.
+  glm::dvec2 roundingAt(const glm::dvec2& position) const {
+    glm::dvec2 largest(0.0);
+    double nearest = HUGE_VAL;
+    for (const ViewVertex& vertex : vertices) {
+      largest = glm::max(largest, glm::abs(glm::dvec2(vertex.u, vertex.v)));
+      nearest = std::min(nearest, vertex.w);
+    }
+    return 0x1p-24 * largest / (nearest * inverseDepthAt(position));
+  }
+
   glm::dvec2 texcoordAt(const glm::dvec2& position, bool affine) const {
     double total = 0;
     glm::dvec2 sum(0.0);
@@ -142,21 +186,24 @@ bool covers(const SimulatedDevice& device, const SnappedTriangle& triangle, cons
 }
 
 raster::ItemId fetch(const SimulatedDevice& device, const raster::IndexMap& map, const glm::dvec2& texcoord,
-                     std::mt19937& random) {
+                     const glm::dvec2& rounding, std::mt19937& random) {
   const glm::dvec2 size(map.width, map.height);
   glm::dvec2 texel = texcoord * size + device.texelShift;
-  for (int axis = 0; axis < 2; ++axis) texel[axis] += anyError(random) * device.profile.texelPrecision;
+  if (device.interpolation != Interpolation::Exact) texel = glm::vec2(texcoord) * glm::vec2(size);
+  for (int axis = 0; axis < 2; ++axis)
+    texel[axis] += anyError(random) *
+                   (device.profile.texelPrecision + device.profile.interpolationError * rounding[axis] * size[axis]);
   if (device.fetch) return device.fetch(map, texel);
   texel = glm::clamp(glm::floor(texel), glm::dvec2(0.0), size - 1.0);
   return map.ids[static_cast<std::size_t>(texel.y * size.x + texel.x)];
 }
 
 raster::ItemId shade(const SimulatedDevice& device, const raster::DrawList& list, const raster::Draw& draw,
-                     bool facesAway, const glm::dvec2& texcoord, std::mt19937& random) {
+                     bool facesAway, const glm::dvec2& texcoord, const glm::dvec2& rounding, std::mt19937& random) {
   if (facesAway && draw.back) return *draw.back;
   if (!draw.indexMap) return draw.offset;
   const raster::IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
-  const raster::ItemId texel = fetch(device, map, texcoord, random);
+  const raster::ItemId texel = fetch(device, map, texcoord, rounding, random);
   return device.blend ? device.blend(draw.offset, texel) : raster::blend(list.format, list.blend, draw.offset, texel);
 }
 
@@ -183,8 +230,11 @@ void drawTriangle(const SimulatedDevice& device, const raster::DrawList& list, c
                  static_cast<std::size_t>(column - scissor.column)];
       const bool passes = device.passes ? device.passes(depth, pixel.depth) : depth < pixel.depth;
       if (pixel.isCovered && !passes) continue;
-      const glm::dvec2 texcoord = triangle.texcoordAt(corner + device.shading, device.affine);
-      const raster::ItemId id = shade(device, list, draw, facesAway, texcoord, random);
+      const glm::dvec2 shading = corner + device.shading;
+      const glm::dvec2 texcoord = device.interpolation == Interpolation::Exact
+                                      ? triangle.texcoordAt(shading, device.affine)
+                                      : triangle.texcoordIn32(shading, device.interpolation);
+      const raster::ItemId id = shade(device, list, draw, facesAway, texcoord, triangle.roundingAt(shading), random);
       pixel = {true, depth, device.store ? device.store(pixel.id, id) : id};
     }
 }

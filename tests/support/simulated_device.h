@@ -13,10 +13,18 @@
 
 namespace hemitex::tests {
 
+/// How a device evaluates u = (u/w) / (1/w).
+enum class Interpolation {
+  Exact,          ///< in double precision
+  Barycentric32,  ///< in binary32, with the weights of the corners
+  Planes32,       ///< in binary32, with plane equations relative to the first corner
+};
+
 struct SimulatedDevice {
   reference::DeviceProfile profile;  ///< bounds of its errors
   std::uint32_t seed = 0;
   bool cutsAtView = false;  ///< clips at the sides of the view instead of the guard band
+  Interpolation interpolation = Interpolation::Exact;
 
   // Faults: with their defaults the device is right. An empty function means the right behaviour.
   double shift = 0;                                   ///< of all vertices along the rows, in sub-pixels

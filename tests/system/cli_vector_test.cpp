@@ -1,4 +1,4 @@
-/// hemitex vector: export, render, check, explain, calibrate and suite.
+/// hemitex vector: export, render, check, explain and suite.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -28,46 +28,6 @@ TEST_CASE("hemitex vector export writes a vector without item IDs, and vector re
   shell.output("vector export room.obj --eye 0,0,0 --normal 0,0,1 --resolution 8 --name \xe9 -o latin");
   CHECK(json::parse(readAll(shell.file("latin/vector.json")))["name"] == "\xef\xbf\xbd");
   CHECK(readAll(shell.file("elsewhere/vector.json")) == readAll(shell.file("vector/vector.json")));
-}
-
-TEST_CASE("hemitex vector calibrate finds the profile of the reference renderer, and none of a device that fits none",
-          "[cli]") {
-  const Shell shell;
-  const json vectors = json::parse(shell.output("vector calibrate --probes probes --json"))["vectors"];
-  CHECK(vectors.size() >= 10);
-  for (const json& vector : vectors) {
-    const std::string name = vector["name"];
-    CHECK_FALSE(fs::exists(shell.file("probes/" + name + "/front.u32")));
-    shell.output("vector render probes/" + name + " -o device/" + name);
-  }
-  const std::string calibrate = "vector calibrate probes --candidate device -o profile.json";
-  const json found = json::parse(shell.output(calibrate + " --json"));
-  CHECK(found["faults"].empty());
-  CHECK(found["profile"] == json::parse(readAll(shell.file("profile.json"))));
-  CHECK(found["profile"]["subpixel_bits"] == 8);
-  CHECK(found["profile"]["snap_rounding"] == "nearest");
-  CHECK(found["profile"]["edge_rule"] == "top-left");
-  CHECK(linesOf(shell.output(calibrate)).at(2) == "subpixel_bits,8");
-  shell.output("vector check device/edge-rule --candidate device/edge-rule --profile profile.json");
-
-  fs::remove(shell.file("profile.json"));
-  writeAll(shell.file("device/edge-rule/front.u32"), std::string(256 * 4, 'x'));
-  const Outcome faulty = shell.run(calibrate);
-  CHECK(faulty.exitCode == 1);
-  CHECK(faulty.out.find("coverage: ") == 0);
-  CHECK_FALSE(fs::exists(shell.file("profile.json")));
-
-  fs::remove(shell.file("device/edge-rule/front.u32"));
-  CHECK(shell.run(calibrate).exitCode == 2);
-  fs::copy(shell.file("probes/snapping-5/positions.f32"), shell.file("probes/snapping-4/positions.f32"),
-           fs::copy_options::overwrite_existing);
-  const Outcome strange = shell.run(calibrate);
-  CHECK(strange.exitCode == 2);
-  CHECK(strange.err.find("--probes") != std::string::npos);
-  for (const char* arguments : {"", " probes", " probes -o profile.json", " probes --candidate device",
-                                " --probes again probes --candidate device -o profile.json", " --probes again -o out"})
-    CHECK(shell.run(std::string("vector calibrate") + arguments).exitCode == 2);
-  CHECK_FALSE(fs::exists(shell.file("again")));
 }
 
 TEST_CASE("hemitex vector explain derives an item ID from the vertices to the blend", "[cli]") {
@@ -173,11 +133,14 @@ TEST_CASE("hemitex vector render --device draws a vector on another device if th
   const Shell shell;
   shell.output("vector export room.obj --eye 0.5,0.5,0.01 --normal 0,0,1 --resolution 16 -o vector");
   CHECK(shell.run("vector render vector --device abacus -o device").exitCode == 2);
-  const Outcome drawn = shell.run("vector render vector --device opengl -o device");
-  if (drawn.exitCode == 0)
-    CHECK(shell.run("vector check vector --candidate device").exitCode == 0);
-  else
-    CHECK((drawn.exitCode == 2 && drawn.err.find("OpenGL") != std::string::npos));
+  for (const std::string device : {"opengl", "opengl-fixed-function", "opengl-plain", "vulkan"}) {
+    INFO(device);
+    const Outcome drawn = shell.run("vector render vector --device " + device + " -o " + device);
+    if (drawn.exitCode == 0)
+      CHECK(shell.run("vector check vector --candidate " + device).exitCode == 0);
+    else
+      CHECK((drawn.exitCode == 2 && drawn.err.find(device == "vulkan" ? "Vulkan" : "OpenGL") != std::string::npos));
+  }
 }
 
 TEST_CASE("hemitex vector check judges a suite of vectors", "[cli]") {

@@ -6,10 +6,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "reference/vectors/random_vectors.h"
 #include "reference/vectors/scene_vectors.h"
 #include "reference/vectors/vector_suite.h"
 #include "reference/verdict/verdict.h"
-#include "tests/support/simulated_device.h"
+#include "tests/support/injected_faults.h"
 
 using namespace hemitex;
 using reference::Calibration;
@@ -17,7 +18,9 @@ using reference::Coverage;
 using reference::DepthFormat;
 using reference::DeviceProfile;
 using reference::EdgeRule;
+using reference::PixelVerdict;
 using reference::SnapRounding;
+using tests::Interpolation;
 using tests::SimulatedDevice;
 
 namespace {
@@ -33,6 +36,12 @@ std::vector<raster::ItemBuffer> drawByRules(const reference::ProbingSet& probes)
   std::vector<raster::ItemBuffer> answers;
   for (const reference::TestVector& vector : vectorsOf(probes)) answers.push_back(reference::render(vector).front());
   return answers;
+}
+
+void reverseRows(raster::ItemBuffer& buffer) {
+  for (auto row = buffer.ids.begin(), last = buffer.ids.end() - buffer.width; row < last;
+       row += buffer.width, last -= buffer.width)
+    std::swap_ranges(row, row + buffer.width, last);
 }
 
 /// Devices of all snappings, both edge rules, texel precisions from coarse to exact, and all depth formats.
@@ -54,6 +63,38 @@ std::vector<SimulatedDevice> devices() {
       devices.push_back(device);
     }
   return devices;
+}
+
+/// Draws the vectors. Pixels that the default profile explains are explained by `profile`, too, and no pixel is an
+/// error. Returns the number of explained pixels.
+std::uint64_t checkVectors(const SimulatedDevice& device, const std::vector<reference::TestVector>& vectors,
+                           const DeviceProfile& profile) {
+  std::uint64_t explained = 0;
+  for (const reference::TestVector& vector : vectors) {
+    INFO(vector.name);
+    const tests::Buffers found = drawAll(device, vector);
+    const reference::Verdict calibrated = judge(vector, found, profile), usual = judge(vector, found, {});
+    std::uint64_t errors = 0, worse = 0;
+    for (std::size_t f = 0; f < calibrated.faces.size(); ++f)
+      for (std::size_t p = 0; p < calibrated.faces[f].pixels.size(); ++p) {
+        const bool isError = calibrated.faces[f].pixels[p] == PixelVerdict::Error;
+        errors += isError;
+        worse += isError && usual.faces[f].pixels[p] != PixelVerdict::Error;
+        explained += !isError && calibrated.faces[f].pixels[p] != PixelVerdict::Exact;
+      }
+    CHECK(errors == 0);
+    CHECK(worse == 0);
+  }
+  return explained;
+}
+
+std::uint64_t errorsOf(const SimulatedDevice& device, const std::vector<reference::TestVector>& vectors,
+                       const DeviceProfile& profile) {
+  std::uint64_t errors = 0;
+  for (const reference::TestVector& vector : vectors)
+    errors +=
+        countVerdicts(judge(vector, drawAll(device, vector), profile))[static_cast<std::size_t>(PixelVerdict::Error)];
+  return errors;
 }
 
 }  // namespace
@@ -91,7 +132,7 @@ TEST_CASE("makeProbes gives the same probes on all machines", "[calibration]") {
     for (const glm::vec2& texcoord : vector.list.texcoords)
       for (int k = 0; k < 2; ++k) bits.push_back(std::bit_cast<raster::ItemId>(texcoord[k]));
   }
-  CHECK(reference::idsHash(bits) == "0ba27cbf9780b694");
+  CHECK(reference::idsHash(bits) == "39be11ede5a707a4");
 }
 
 TEST_CASE("calibrate finds the rules of the reference renderer", "[calibration]") {
@@ -102,6 +143,7 @@ TEST_CASE("calibrate finds the rules of the reference renderer", "[calibration]"
   CHECK(calibration.profile.snapRounding == SnapRounding::Nearest);
   CHECK(calibration.profile.edgeRule == EdgeRule::TopLeft);
   CHECK(calibration.profile.texelPrecision == 0);
+  CHECK(calibration.profile.interpolationError == 0);
   CHECK(calibration.profile.depthFormat == DepthFormat::Float32);
 }
 
@@ -127,19 +169,64 @@ TEST_CASE("judge with the calibrated profile finds no errors in any vector of th
   const std::vector<SimulatedDevice> all = devices();
   std::uint64_t explained = 0;
   for (const std::size_t number : {0, 5, 10, 17}) {
-    const SimulatedDevice& device = all[number];
-    const DeviceProfile profile = calibrate(probes, drawProbes(device, probes)).profile;
-    for (const reference::TestVector& vector : suite) {
-      std::vector<raster::ItemBuffer> found;
-      for (const reference::VectorFace& face : vector.faces) found.push_back(drawOn(device, vector.list, face.face));
-      const reference::VerdictCounts counts = countVerdicts(judge(vector, found, profile));
-      INFO("device " << number << ", " << vector.name);
-      CHECK(counts[static_cast<std::size_t>(reference::PixelVerdict::Error)] == 0);
-      for (std::size_t k = 1; k < counts.size(); ++k) explained += counts[k];
-    }
+    const DeviceProfile profile = calibrate(probes, drawProbes(all[number], probes)).profile;
+    INFO("device " << number);
+    explained += checkVectors(all[number], suite, profile);
   }
   // Makes sure that the devices have errors that need the profile.
   CHECK(explained > 1000);
+}
+
+TEST_CASE("calibrate measures interpolation in binary32, so that its profile explains what the default one does",
+          "[calibration]") {
+  const reference::ProbingSet probes = reference::makeProbes();
+  std::vector<reference::TestVector> vectors = reference::vectorSuite();
+  for (std::uint64_t index = 0; index < 500; ++index) vectors.push_back(reference::interleavedRandomVector(0, index));
+  for (const auto& [bits, interpolation, vertexError] :
+       {std::tuple(4, Interpolation::Planes32, 0.0), std::tuple(8, Interpolation::Planes32, 8.0),
+        std::tuple(4, Interpolation::Barycentric32, 8.0), std::tuple(8, Interpolation::Barycentric32, 0.0)}) {
+    SimulatedDevice device;
+    device.profile.subpixelBits = bits;
+    device.profile.vertexError = vertexError;
+    device.profile.texelPrecision = 0;
+    device.interpolation = interpolation;
+    INFO(bits << " bits, interpolation " << static_cast<int>(interpolation) << ", vertex error " << vertexError);
+    const Calibration calibration = calibrate(probes, drawProbes(device, probes));
+    CHECK(calibration.faults.empty());
+    CHECK(calibration.profile.subpixelBits == bits);
+    CHECK(calibration.profile.texelPrecision < 0x1p-14);
+    CHECK(calibration.profile.interpolationError > 4);
+    CHECK(calibration.profile.interpolationError < 32);
+    CHECK(checkVectors(device, vectors, calibration.profile) > 1000);
+  }
+}
+
+TEST_CASE("judge has more errors with a profile without interpolation error than with the default one",
+          "[calibration]") {
+  const reference::ProbingSet probes = reference::makeProbes();
+  const std::vector<reference::TestVector> suite = reference::vectorSuite();
+  SimulatedDevice device;
+  device.profile = {.subpixelBits = 4, .texelPrecision = 0};
+  device.interpolation = Interpolation::Planes32;
+  DeviceProfile profile = calibrate(probes, drawProbes(device, probes)).profile;
+  CHECK(errorsOf(device, suite, profile) == 0);
+  profile.interpolationError = 0;
+  CHECK(errorsOf(device, suite, profile) > errorsOf(device, suite, {}));
+}
+
+TEST_CASE("calibrate finds an interpolation error of at least that of a device, and at most four times as large",
+          "[calibration]") {
+  const reference::ProbingSet probes = reference::makeProbes();
+  for (const double roundings : {1.0, 5.0, 20.0, 60.0}) {
+    SimulatedDevice device;
+    device.profile.texelPrecision = 0;
+    device.profile.vertexError = 0;
+    device.profile.interpolationError = roundings;
+    const DeviceProfile found = calibrate(probes, drawProbes(device, probes)).profile;
+    CHECK(found.interpolationError >= roundings);
+    CHECK(found.interpolationError <= 4 * roundings);
+    CHECK(found.texelPrecision <= 0x1p-14);
+  }
 }
 
 TEST_CASE("calibrate finds only the depth format for a device that only rounds depths", "[calibration]") {
@@ -164,7 +251,7 @@ TEST_CASE("calibrate reports answers that no profile explains", "[calibration]")
     for (const std::string& fault : calibrate(probes, answers).faults) faults += fault.substr(0, fault.find(':')) + " ";
     return faults;
   };
-  const std::size_t depths = probes.coverage.size() + probes.texels.size();
+  const std::size_t depths = probes.coverage.size() + probes.texels.size() + probes.interpolation.size();
   const std::vector<raster::ItemBuffer> right = drawByRules(probes);
   CHECK(faultsOf(right) == "");
   CHECK(faultsOf(drawProbes({.profile = {}, .shift = 1}, probes)) == "coverage ");
@@ -188,4 +275,32 @@ TEST_CASE("calibrate reports answers that no profile explains", "[calibration]")
   std::vector<raster::ItemBuffer> lastWins = right;
   std::fill(lastWins[depths].ids.begin(), lastWins[depths].ids.end(), 2u);
   CHECK(faultsOf(lastWins) == "depth ");
+}
+
+TEST_CASE("calibrate names reversed rows instead of another edge rule", "[calibration]") {
+  const reference::ProbingSet probes = reference::makeProbes();
+  const auto answersOf = [&](const SimulatedDevice& device, bool isUpsideDown, bool isReversed) {
+    std::vector<raster::ItemBuffer> answers;
+    for (const reference::TestVector& vector : vectorsOf(probes)) {
+      raster::Face face = vector.faces.front().face;
+      if (isUpsideDown) face.y = -face.y;
+      raster::ItemBuffer& buffer = answers.emplace_back(drawOn(device, vector.list, face));
+      if (isReversed) reverseRows(buffer);
+    }
+    return answers;
+  };
+  for (const SnapRounding rounding : {SnapRounding::Nearest, SnapRounding::Truncate}) {
+    SimulatedDevice device;
+    device.profile.snapRounding = rounding;
+    const auto faultsOf = [&](bool isUpsideDown, bool isReversed) {
+      return calibrate(probes, answersOf(device, isUpsideDown, isReversed)).faults;
+    };
+    const auto isOnly = [](const std::vector<std::string>& faults, const std::string& part) {
+      return faults.size() == 1 && faults[0].find(part) != std::string::npos;
+    };
+    // The right picture, but its samples on edges belong to bottom edges.
+    CHECK(isOnly(faultsOf(true, true), "bottom edges"));
+    CHECK(isOnly(faultsOf(true, false), "the picture is upside down"));
+    CHECK(isOnly(faultsOf(false, true), "the rows are in reverse order"));
+  }
 }

@@ -127,12 +127,14 @@ TEST_CASE("commonFault names the fault that most of the failing vectors share", 
                                     {wrong.verdict(), {}, {}}};
   const std::optional<reference::CommonFault> common = reference::commonFault(reports);
   REQUIRE(common);
-  CHECK(toText(*common) == "linear filtering, named by 2 of 3 failing vectors: nearest");
+  CHECK(toText(*common) == "linear filtering, in 2 of 3 vectors with errors: nearest");
   CHECK_FALSE(reference::commonFault({&reports[1], 1}));
   // One of twenty counts, one of twenty-one is chance.
   std::vector<Report> many(20, reports[3]);
   many[7] = reports[2];
-  CHECK(reference::commonFault(many));
+  REQUIRE(reference::commonFault(many));
+  CHECK(toText(*reference::commonFault(many)) ==
+        "linear filtering, in 1 of 20 vectors with errors (weak: it does not explain the other vectors): nearest");
   many.push_back(reports[3]);
   CHECK_FALSE(reference::commonFault(many));
 
@@ -144,6 +146,8 @@ TEST_CASE("commonFault names the fault that most of the failing vectors share", 
   CHECK(json["diagnosis"]["fault"] == "linear filtering");
   CHECK(json["diagnosis"]["vectors"] == 2);
   CHECK(json["diagnosis"]["failures"] == 3);
+  CHECK(json["diagnosis"]["weak"] == false);
+  CHECK(nlohmann::json::parse(reference::toJson(std::span<const Report>(many).first(20)))["diagnosis"]["weak"] == true);
   const auto passed = nlohmann::json::parse(reference::toJson(std::span(&reports[1], 1)));
   CHECK(passed["pass"] == true);
   CHECK(passed["diagnosis"].is_null());

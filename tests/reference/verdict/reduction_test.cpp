@@ -88,7 +88,7 @@ TEST_CASE("reduce calls the device at most as often as it may", "[verdict]") {
 }
 
 // The device with the fault draws each smaller vector. Triangles: most faults show on one, a wrong order on two.
-TEST_CASE("reduce leaves one triangle of half of the known faults, and at most two of nine in ten", "[verdict]") {
+TEST_CASE("reduce leaves one triangle of half of the known faults, and at most two of each", "[verdict]") {
   std::vector<std::size_t> triangles;
   for (const tests::Injection& injection : tests::injectedFaults()) {
     INFO(injection.fault << " on " << injection.vector);
@@ -100,7 +100,7 @@ TEST_CASE("reduce leaves one triangle of half of the known faults, and at most t
         const raster::Scissor& scissor = smaller.faces[f].face.scissor;
         if (found[f].ids.size() != static_cast<std::size_t>(scissor.width * scissor.height)) return false;
       }
-      return hasErrors(judge(smaller, found, {}));
+      return hasErrors(judge(smaller, found, injection.profile));
     };
     REQUIRE(fails(vector));
     const TestVector reduced = reference::reduce(vector, fails, manyRuns);
@@ -111,6 +111,6 @@ TEST_CASE("reduce leaves one triangle of half of the known faults, and at most t
   }
   std::sort(triangles.begin(), triangles.end());
   CHECK(triangles[triangles.size() / 2] == 1);
-  CHECK(triangles[triangles.size() * 9 / 10] <= 2);
+  CHECK(triangles.back() <= 2);
   CHECK(triangles.size() > 20);
 }

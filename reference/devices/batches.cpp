@@ -1,4 +1,4 @@
-#include "reference/opengl/batches.h"
+#include "reference/devices/batches.h"
 
 #include <algorithm>
 
@@ -6,20 +6,20 @@ namespace hemitex::reference {
 namespace {
 
 /// Adds the vertices of a draw, which begin at `first`, except those of skipped triangles.
-void addVertices(VertexRuns& runs, const raster::Draw& draw, GLint first, std::span<const std::uint32_t> skipped) {
-  GLint vertex = first;
+void addVertices(VertexRuns& runs, const raster::Draw& draw, int first, std::span<const std::uint32_t> skipped) {
+  int vertex = first;
   for (auto skip = std::lower_bound(skipped.begin(), skipped.end(), draw.first / 3);
        skip != skipped.end() && 3 * *skip < draw.first + draw.count; ++skip) {
-    const GLint hole = first + static_cast<GLint>(3 * *skip - draw.first);
+    const int hole = first + static_cast<int>(3 * *skip - draw.first);
     runs.add(vertex, hole);
     vertex = hole + 3;
   }
-  runs.add(vertex, first + static_cast<GLint>(draw.count));
+  runs.add(vertex, first + static_cast<int>(draw.count));
 }
 
 }  // namespace
 
-void VertexRuns::add(GLint from, GLint end) {
+void VertexRuns::add(int from, int end) {
   if (from == end) return;
   if (!first.empty() && first.back() + count.back() == from) {
     count.back() += end - from;
@@ -29,18 +29,14 @@ void VertexRuns::add(GLint from, GLint end) {
   count.push_back(end - from);
 }
 
-void VertexRuns::draw() const {
-  glMultiDrawArrays(GL_TRIANGLES, first.data(), count.data(), static_cast<GLsizei>(first.size()));
-}
-
 std::vector<DrawBatch> batchesOf(const raster::DrawList& list, std::span<const std::uint32_t> skipped,
                                  const DrawsJoin& join) {
   std::vector<DrawBatch> batches;
-  GLint first = 0;
+  int first = 0;
   for (const raster::Draw& draw : list.draws) {
     if (batches.empty() || !join(*batches.back().draw, draw)) batches.push_back({&draw, {}});
     addVertices(batches.back().runs, draw, first, skipped);
-    first += static_cast<GLint>(draw.count);
+    first += static_cast<int>(draw.count);
   }
   return batches;
 }

@@ -1,4 +1,4 @@
-#include "reference/opengl/vertices.h"
+#include "reference/opengl/texel_triangles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,14 +41,5 @@ std::vector<TexelTriangle> texelTriangles(const raster::DrawList& list) {
   }
   return triangles;
 }
-
-void makeVertexBuffer(const void* data, std::size_t bytes, GLenum usage) {
-  GLuint buffer = 0;
-  glGenBuffers(1, &buffer);
-  glBindBuffer(GL_ARRAY_BUFFER, buffer);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), data, usage);
-}
-
-const void* vertexOffset(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
 
 }  // namespace hemitex::reference

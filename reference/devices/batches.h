@@ -3,8 +3,6 @@
 /// the buffers stay the same.
 #pragma once
 
-#include <epoxy/gl.h>
-
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -16,13 +14,11 @@ namespace hemitex::reference {
 
 /// Runs of vertices that are drawn together.
 struct VertexRuns {
-  std::vector<GLint> first;
-  std::vector<GLsizei> count;
+  std::vector<int> first;
+  std::vector<int> count;
 
   /// Adds the vertices in [from, end), which begin at the end of the last run or behind it.
-  void add(GLint from, GLint end);
-  /// Draws the runs in their order from the bound buffers.
-  void draw() const;
+  void add(int from, int end);
 };
 
 /// Whether the device may draw `next` together with `draw` before it.
@@ -35,7 +31,7 @@ struct DrawBatch {
 };
 
 /// The batches of all draws without the `skipped` triangles (see ItemBufferRenderer::draw). Vertices are numbered as in
-/// the buffers: draw after draw, as in texelTriangles. The batches point into the list.
+/// the buffers: draw after draw. The batches point into the list.
 std::vector<DrawBatch> batchesOf(const raster::DrawList& list, std::span<const std::uint32_t> skipped,
                                  const DrawsJoin& join);
 

@@ -1,6 +1,6 @@
-#include "cli/scene/opengl_device.h"
+#include "cli/devices/opengl_device.h"
 
-#include "cli/common/renderers.h"
+#include "cli/devices/renderers.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::cli {

@@ -1,13 +1,10 @@
-/// The scene in the form for OpenGL: the corners of triangles, one after the other, in vertex buffers.
+/// The scene as OpenGL draws it: the corners of triangles, one after the other.
 ///
 /// Texture coordinates are in texels, because devices round u N before the floor function. Here u N is rounded down,
 /// once per corner, which changes no floor.
 #pragma once
 
-#include <epoxy/gl.h>
-
 #include <array>
-#include <cstddef>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -25,11 +22,5 @@ using TexelTriangle = std::array<TexelCorner, 3>;
 /// The triangles of all draws, one after the other. A triangle with a value that is not finite is replaced by one
 /// without area.
 std::vector<TexelTriangle> texelTriangles(const raster::DrawList& list);
-
-/// Creates, binds and fills a vertex buffer; `data` may be null for a buffer that is filled later.
-void makeVertexBuffer(const void* data, std::size_t bytes, GLenum usage);
-
-/// The offset of a vertex's member in the bound buffer, in the type that OpenGL expects.
-const void* vertexOffset(std::size_t offset);
 
 }  // namespace hemitex::reference

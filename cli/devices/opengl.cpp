@@ -1,0 +1,19 @@
+#include "cli/devices/renderers.h"
+#include "reference/opengl/opengl_renderer.h"
+
+namespace hemitex::cli {
+namespace {
+
+reference::OpenGlPath pathOf(Device device) {
+  if (device == Device::OpenGlFixedFunction) return reference::OpenGlPath::FixedFunction;
+  if (device == Device::OpenGlPlain) return reference::OpenGlPath::Plain;
+  return reference::OpenGlPath::Shader;
+}
+
+}  // namespace
+
+std::unique_ptr<raster::ItemBufferRenderer> makeOpenGlRenderer(const raster::DrawList& list, Device device) {
+  return std::make_unique<reference::OpenGlRenderer>(list, pathOf(device));
+}
+
+}  // namespace hemitex::cli

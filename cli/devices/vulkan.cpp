@@ -1,0 +1,10 @@
+#include "cli/devices/renderers.h"
+#include "reference/vulkan/vulkan_renderer.h"
+
+namespace hemitex::cli {
+
+std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list) {
+  return std::make_unique<reference::VulkanRenderer>(list);
+}
+
+}  // namespace hemitex::cli

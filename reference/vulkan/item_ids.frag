@@ -1,0 +1,49 @@
+// The depth and the item ID of a pixel (docs/item-buffers.md, "depth and texel" and "blend"), in double precision from
+// the planes of item_ids.vert.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "shader_inputs.glsl"
+
+layout(constant_id = 0) const int blend = 0;  // raster::Blend
+
+layout(location = 0) flat in dvec3 one;
+layout(location = 2) flat in dvec3 column;
+layout(location = 4) flat in dvec3 row;
+layout(location = 6) flat in double volume;
+layout(location = 7) flat in uint draw;
+layout(location = 0) out uint id;
+
+uint clampedAdd(uint a, uint b) {
+  uint sum = 0;
+  int low = 0;
+  for (uint ends = channelEnds; ends != 0; ends &= ends - 1) {
+    int bits = findLSB(ends) + 1 - low;
+    uint largest = bitfieldExtract(~0u, low, bits);
+    uint y = bitfieldExtract(b, low, bits);
+    sum |= y + min(bitfieldExtract(a, low, bits), largest - y) << low;
+    low += bits;
+  }
+  return sum;
+}
+
+uint blended(uint offset, uint texel) {
+  if (blend == 0) return clampedAdd(offset, texel);
+  if (blend == 1) return offset + texel & ~0u >> 31 - findMSB(channelEnds);
+  return texel;
+}
+
+void main() {
+  dvec3 p = dvec3(256 * (gl_FragCoord.xy + scissor) - 128 * resolution, 1);
+  // The depth is w itself, scaled below 1 by a power of two. It is often a binary32 number where 1/w is not.
+  gl_FragDepth = float(volume / dot(one, p)) * 5.421010862427522e-20;  // 2^-64
+  Draw drawn = draws[draw];
+  if (drawn.hasBack != 0 && !gl_FrontFacing) {
+    id = drawn.back;
+  } else if (drawn.width == 0) {
+    id = drawn.offset;
+  } else {
+    dvec2 position = dvec2(dot(column, p), dot(row, p)) / dot(one, p);
+    uvec2 texel = uvec2(clamp(floor(position), dvec2(0), dvec2(drawn.width, drawn.height) - 1));
+    id = blended(drawn.offset, texels[drawn.firstTexel + texel.y * uint(drawn.width) + texel.x]);
+  }
+}

@@ -1,0 +1,31 @@
+// The inputs of both shaders: the twins of shader_inputs.h.
+
+struct Corner {
+  float x, y, z;
+  float u, v;
+  uint draw;
+};
+
+struct Draw {
+  uint offset;
+  uint back;
+  uint hasBack;
+  uint firstTexel;
+  int width, height;
+};
+
+layout(std430, binding = 0) readonly buffer Corners { Corner corners[]; };
+layout(std430, binding = 1) readonly buffer Draws { Draw draws[]; };
+layout(std430, binding = 2) readonly buffer Texels { uint texels[]; };
+
+layout(push_constant) uniform View {
+  vec3 eye;
+  float near;
+  vec3 x;
+  float resolution;
+  vec3 y;
+  float width;
+  vec3 w;
+  uint channelEnds;
+  vec2 scissor;
+};

@@ -1,0 +1,51 @@
+/// The inputs of the shaders: the twins of shader_inputs.glsl, byte for byte. The draw list is in three arrays, which
+/// are the same for all views, and a view is in push constants.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "raster/interface/draw_list.h"
+#include "raster/interface/face.h"
+
+namespace hemitex::reference {
+
+/// A corner of a triangle.
+struct ShaderCorner {
+  glm::vec3 position;
+  glm::vec2 texcoord;
+  std::uint32_t draw;  ///< in the array of draws
+};
+
+struct ShaderDraw {
+  raster::ItemId offset;
+  raster::ItemId back;
+  std::uint32_t hasBack;
+  std::uint32_t firstTexel;  ///< of its index map, in the array of texels
+  int width, height;         ///< of its index map; 0 without one
+};
+
+/// The members are ordered such that GLSL needs no padding.
+struct ShaderView {
+  glm::vec3 eye;
+  float near;
+  glm::vec3 x;
+  float resolution;
+  glm::vec3 y;
+  float width;  ///< of the viewport, in faces
+  glm::vec3 w;
+  std::uint32_t channelEnds;  ///< the highest bit of each channel
+  glm::vec2 scissor;          ///< first column and row
+};
+static_assert(sizeof(ShaderCorner) == 24 && sizeof(ShaderDraw) == 24 && sizeof(ShaderView) == 72);
+
+/// Three corners per triangle, draw after draw.
+std::vector<ShaderCorner> shaderCorners(const raster::DrawList& list);
+std::vector<ShaderDraw> shaderDraws(const raster::DrawList& list);
+/// The item IDs of all index maps, one map after the other.
+std::vector<raster::ItemId> shaderTexels(const raster::DrawList& list);
+/// A view whose viewport is `width` times as wide as the face.
+ShaderView shaderView(const raster::Face& face, const raster::IdFormat& format, int width);
+
+}  // namespace hemitex::reference
