@@ -242,36 +242,18 @@ void drawTriangle(const SimulatedDevice& device, const raster::DrawList& list, c
 /// The pixels of a scissor rectangle: background, and the depths of the target.
 std::vector<DevicePixel> clearedPixels(const raster::Scissor& scissor, raster::ItemId background,
                                        const TargetDepths& depths) {
-  std::vector<DevicePixel> pixels;
-  for (int row = scissor.row; row < scissor.row + scissor.height; ++row)
-    for (int column = scissor.column; column < scissor.column + scissor.width; ++column) {
-      const auto stored = depths.find({column, row});
-      if (stored == depths.end())
-        pixels.push_back({false, 0, background});
-      else
-        pixels.push_back({true, stored->second, background});
-    }
+  std::vector<DevicePixel> pixels(static_cast<std::size_t>(scissor.width) * static_cast<std::size_t>(scissor.height),
+                                  {false, 0, background});
+  for (const auto& [place, depth] : depths) {
+    const int column = place.first - scissor.column, row = place.second - scissor.row;
+    if (column < 0 || row < 0 || column >= scissor.width || row >= scissor.height) continue;
+    pixels[static_cast<std::size_t>(row * scissor.width + column)] = {true, depth, background};
+  }
   return pixels;
 }
 
-void keepDepths(const raster::Scissor& scissor, const std::vector<DevicePixel>& pixels, TargetDepths& depths) {
-  for (std::size_t p = 0; p < pixels.size(); ++p) {
-    const int column = scissor.column + static_cast<int>(p) % scissor.width;
-    if (pixels[p].isCovered) depths[{column, scissor.row + static_cast<int>(p) / scissor.width}] = pixels[p].depth;
-  }
-}
-
-}  // namespace
-
-raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face) {
-  TargetDepths cleared;
-  return drawOn(device, list, face, cleared);
-}
-
-raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face,
-                          TargetDepths& depths) {
-  const raster::Scissor& scissor = face.scissor;
-  std::vector<DevicePixel> pixels = clearedPixels(scissor, raster::backgroundId(list.format), depths);
+void drawList(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face,
+              std::vector<DevicePixel>& pixels) {
   std::mt19937 random(device.seed);
   for (const raster::Draw& draw : list.draws)
     for (std::uint32_t first = draw.first; first < draw.first + draw.count; first += 3) {
@@ -285,10 +267,32 @@ raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList&
         drawTriangle(device, list, face, draw, {polygon.vertices[0], polygon.vertices[k - 1], polygon.vertices[k]},
                      random, pixels);
     }
-  keepDepths(scissor, pixels, depths);
+}
+
+raster::ItemBuffer bufferOf(const std::vector<DevicePixel>& pixels, const raster::Scissor& scissor) {
   raster::ItemBuffer buffer{scissor.width, scissor.height, {}};
   for (const DevicePixel& pixel : pixels) buffer.ids.push_back(pixel.id);
   return buffer;
+}
+
+}  // namespace
+
+raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face) {
+  std::vector<DevicePixel> pixels = clearedPixels(face.scissor, raster::backgroundId(list.format), {});
+  drawList(device, list, face, pixels);
+  return bufferOf(pixels, face.scissor);
+}
+
+raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face,
+                          TargetDepths& depths) {
+  const raster::Scissor& scissor = face.scissor;
+  std::vector<DevicePixel> pixels = clearedPixels(scissor, raster::backgroundId(list.format), depths);
+  drawList(device, list, face, pixels);
+  for (int row = 0, p = 0; row < scissor.height; ++row)
+    for (int column = 0; column < scissor.width; ++column, ++p)
+      if (const DevicePixel& pixel = pixels[static_cast<std::size_t>(p)]; pixel.isCovered)
+        depths[{scissor.column + column, scissor.row + row}] = pixel.depth;
+  return bufferOf(pixels, scissor);
 }
 
 }  // namespace hemitex::tests
