@@ -71,10 +71,13 @@ TEST_CASE("guessDeviceClass names several properties", "[calibration]") {
   CHECK(guess->properties.find(" and 16-bit depths") != std::string::npos);
 }
 
-TEST_CASE("guessDeviceClass gives nothing for a device without errors, or with a fault", "[calibration]") {
+TEST_CASE("guessDeviceClass gives nothing for a device without errors, or with a fault that is no property of a class",
+          "[calibration]") {
   const std::vector<reference::TestVector> suite = reference::wholeSuite(HEMITEX_DATA);
   CHECK_FALSE(guessFor({}, {suite[0], suite[1]}));
-  const std::set<std::string> properties{"wrong fill rule", "16-bit depth"};
+  // Three faults are properties of a class. Coordinates in half floats have errors like those of binary32, but larger.
+  const std::set<std::string> properties{"wrong fill rule", "16-bit depth", "vertices snapped to fewer bits",
+                                         "texture coordinates in half floats"};
   for (const tests::Injection& injection : tests::injectedFaults()) {
     INFO(injection.fault << " on " << injection.vector);
     const auto vector = std::find_if(suite.begin(), suite.end(),
