@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <atomic>
 #include <thread>
 
@@ -55,7 +56,10 @@ struct ThreadLimit::Implementation {
 };
 
 ThreadLimit::ThreadLimit(int threads) {
-  if (threads > 0) implementation_.reset(new Implementation{threadLimit().exchange(static_cast<std::size_t>(threads))});
+  if (threads <= 0) return;
+  const std::size_t before = threadLimit(), own = static_cast<std::size_t>(threads);
+  implementation_.reset(new Implementation{before});
+  threadLimit() = before > 0 ? std::min(before, own) : own;
 }
 
 ThreadLimit::~ThreadLimit() {
