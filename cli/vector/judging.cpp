@@ -233,10 +233,10 @@ void addJudgingOptions(Command command, JudgingOptions& options) {
   command.addPath(
       "--diff", options.picture,
       "write a PNG file with expected, found and verdict side by side; for a suite, of the first failing vector");
-  command.addPath(
-      "--minimize", options.minimal,
-      "write one failing pixel with as few triangles as possible into this folder, as a vector; for a suite, of the "
-      "first failing vector");
+  command.addPath("--minimize", options.minimal,
+                  "write a vector that fails with as few triangles and pixels as possible into this folder; for a "
+                  "suite, from the first "
+                  "failing vector");
   const Option record = command.addPath("--record", options.record, "write a conformance record into this JSON file");
   const auto text = [](std::string& target) { return [&target](const std::string& value) { target = value; }; };
   const Option device = command.addText("--device-name", "NAME", "the device, for the record", text(options.device));
