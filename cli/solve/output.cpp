@@ -31,39 +31,36 @@ ordered_json settingsJson(const Showing& showing) {
   const auto ofProjections = [&](const auto& value) {
     return usesRays(options) ? ordered_json() : ordered_json(value);
   };
-  ordered_json settings = {
-      {"charts", nameOf(chartsChoices(), options.scene.settings.charts)},
-      {"max_reflectance", options.scene.settings.maxReflectance},
-      {"two_sided", options.scene.settings.twoSided},
-      {"emission", nameOf(emissionChoices(), options.scene.settings.emission)},
-      {"texels", orNull(options.discretization.texels)},
-      {"texel_size", orNull(options.discretization.texelSize)},
-      {"surface_texels", surfaceTexelsJson(options.discretization)},
-      {"patch", options.discretization.patches ? ordered_json() : ordered_json(options.discretization.patch)},
-      {"patches", orNull(options.discretization.patches)},
-      {"adaptive", orNull(options.adaptive)},
-      {"discretize", ofProjections(nameOf(elementsByChoices(), options.drawing.elementsBy))},
-      {"method", options.method},
-      {"resolution", ofProjections(options.drawing.resolution)},
-      {"orientation", ofProjections(nameOf(orientationChoices(), options.drawing.orientation))},
-      {"split", options.drawing.split},
-      {"pixels_per_element", ofProjections(options.drawing.pixelsPerElement)},
-      {"samples", usesRays(options) ? ordered_json(options.samples) : ordered_json()},
-      {"format", options.id.format},
-      {"index_maps", nameOf(indexMapsChoices(), options.id.indexMaps)},
-      {"page", orNull(options.id.page)},
-      {"blend", nameOf(blendChoices(), options.id.blend)},
-      {"align", options.id.aligned},
-      {"max_error", orNull(options.maxError)},
-      {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
-      {"shots", orNull(options.solver.shots)},
-      {"filter", nameOf(textures.filter)},
-      {"magnify", textures.magnification},
-      {"camera", toJson(showing.camera)},
-      {"size", {options.camera.width, options.camera.height}},
-      {"exposure", showing.exposure}};
-  if (options.scene.materials.areGiven()) settings["materials"] = toJson(options.scene.materials);
-  return settings;
+  return {{"charts", nameOf(chartsChoices(), options.scene.settings.charts)},
+          {"max_reflectance", options.scene.settings.maxReflectance},
+          {"two_sided", options.scene.settings.twoSided},
+          {"emission", nameOf(emissionChoices(), options.scene.settings.emission)},
+          {"texels", orNull(options.discretization.texels)},
+          {"texel_size", orNull(options.discretization.texelSize)},
+          {"surface_texels", surfaceTexelsJson(options.discretization)},
+          {"patch", options.discretization.patches ? ordered_json() : ordered_json(options.discretization.patch)},
+          {"patches", orNull(options.discretization.patches)},
+          {"adaptive", orNull(options.adaptive)},
+          {"discretize", ofProjections(nameOf(elementsByChoices(), options.drawing.elementsBy))},
+          {"method", options.method},
+          {"resolution", ofProjections(options.drawing.resolution)},
+          {"orientation", ofProjections(nameOf(orientationChoices(), options.drawing.orientation))},
+          {"split", options.drawing.split},
+          {"pixels_per_element", ofProjections(options.drawing.pixelsPerElement)},
+          {"samples", usesRays(options) ? ordered_json(options.samples) : ordered_json()},
+          {"format", options.id.format},
+          {"index_maps", nameOf(indexMapsChoices(), options.id.indexMaps)},
+          {"page", orNull(options.id.page)},
+          {"blend", nameOf(blendChoices(), options.id.blend)},
+          {"align", options.id.aligned},
+          {"max_error", orNull(options.maxError)},
+          {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
+          {"shots", orNull(options.solver.shots)},
+          {"filter", nameOf(textures.filter)},
+          {"magnify", textures.magnification},
+          {"camera", toJson(showing.camera)},
+          {"size", {options.camera.width, options.camera.height}},
+          {"exposure", showing.exposure}};
 }
 
 std::string shotsText(const ordered_json& solution, double seconds) {
@@ -110,6 +107,8 @@ void writeSolved(const std::filesystem::path& folder, const Lit& lit, const Show
 
 ordered_json description(const Lit& lit, const Showing& showing) {
   ordered_json text = {{"settings", settingsJson(showing)}};
+  const MaterialOptions& materials = showing.options.scene.materials;
+  if (materials.areGiven()) text["settings"]["materials"] = toJson(materials);
   text.update(describe(lit.scene, lit.discretization, lit.layout, lit.solution));
   return text;
 }
