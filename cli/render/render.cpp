@@ -18,7 +18,6 @@
 #include "radiosity/projection/hemicube.h"
 #include "radiosity/projection/patch_view.h"
 #include "radiosity/projection/projection.h"
-#include "radiosity/scene/load_scene.h"
 #include "raster/base/input_error.h"
 #include "raster/software/software_renderer.h"
 
@@ -51,8 +50,11 @@ struct RenderOptions {
 };
 
 Subject subjectOf(const RenderOptions& options, Console& console) {
-  Subject subject{radiosity::loadScene(options.scene.file, options.scene.settings), {}, {}};
+  Subject subject{loadedScene(options.scene), {}, {}};
   subject.solved = SolvedFolder::around(options.scene.file, subject.scene);
+  if (subject.solved && options.scene.materials.areGiven())
+    throw raster::InputError(options.scene.file.string(), 0, "is a solved scene, whose light cannot change",
+                             "solve the scene with --emit, --reflectance or --lights");
   if (subject.solved)
     subject.solved->restoreCharts(subject.scene);
   else

@@ -1,7 +1,9 @@
 #include "cli/scene/scene_options.h"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
+#include <numeric>
 
 #include "cli/scene/surface_names.h"
 #include "radiosity/discretization/discretize.h"
@@ -18,6 +20,24 @@ int resolutionOption(const std::string& text) {
   const int value = integerOption("--resolution", text, 2, largestResolution);
   if (value % 2 != 0) usageError("--resolution", "`" + text + "` is not an even number");
   return value;
+}
+
+/// The names of the three largest families, largest first; of equal ones the first.
+std::vector<std::string> largestFamilies(const radiosity::Scene& scene) {
+  const Families families = familiesOf(scene);
+  std::vector<double> areas;
+  for (const std::vector<std::uint32_t>& surfaces : families.surfaces) {
+    areas.push_back(0);
+    for (const std::uint32_t s : surfaces)
+      for (const radiosity::Triangle& triangle : scene.surfaces[s].triangles) areas.back() += radiosity::area(triangle);
+  }
+  std::vector<std::size_t> order(areas.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return areas[a] > areas[b]; });
+  order.resize(std::min<std::size_t>(order.size(), 3));
+  std::vector<std::string> names;
+  for (const std::size_t family : order) names.push_back(families.names[family]);
+  return names;
 }
 
 }  // namespace
@@ -66,15 +86,31 @@ void addSceneOptions(Command command, SceneOptions& options) {
   command.addFlag("--two-sided", options.settings.twoSided,
                   "make one surface for each side of a face (default: the back of a face is black)");
   addChoice(command, "--emission", options.settings.emission, emissionChoices(),
-            "unit of Ke: radiosity in W/m^2, or radiance in W/(m^2 sr) (default radiosity)");
+            "unit of Ke, --emit and --lights: radiosity in W/m^2, or radiance in W/(m^2 sr) (default radiosity)");
+  addMaterialOptions(command, options.materials);
+}
+
+radiosity::Scene loadedScene(const SceneOptions& options) {
+  return withMaterials(radiosity::loadScene(options.file, options.settings), options.materials, options.settings);
 }
 
 radiosity::Scene sceneOf(const SceneOptions& options, Console& console) {
-  radiosity::Scene scene = radiosity::loadScene(options.file, options.settings);
+  radiosity::Scene scene = loadedScene(options);
   console.warnings(scene.warnings);
   console.detail(std::to_string(scene.surfaces.size()) + " surfaces, " +
                  std::to_string(radiosity::triangleCount(scene)) + " triangles");
   return scene;
+}
+
+void requireLight(const radiosity::Scene& scene, const std::filesystem::path& file) {
+  if (!radiosity::emitsLight(scene)) {
+    const std::vector<std::string> largest = largestFamilies(scene);
+    std::string names;
+    for (const std::string& name : largest) names += (names.empty() ? "`" : ", `") + name + "`";
+    throw raster::InputError(file.string(), 0, "nothing in the scene emits light",
+                             "add --emit '" + largest.front() + "=10,10,10' (largest surfaces: " + names + ")");
+  }
+  radiosity::requireEmission(scene, file);
 }
 
 void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings& settings) {

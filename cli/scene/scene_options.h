@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/common/options.h"
+#include "cli/scene/material_options.h"
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/index_maps/id_layout.h"
@@ -25,14 +26,19 @@ Choices<radiosity::ElementsBy> elementsByChoices();
 Choices<radiosity::Orientation> orientationChoices();
 Choices<radiosity::ProjectionKind> projectionChoices();
 
-/// The file of the scene and the settings for reading it.
+/// The file of the scene, the settings for reading it, and changes of its materials.
 struct SceneOptions {
   std::filesystem::path file;
   radiosity::SceneSettings settings;
+  MaterialOptions materials;
 };
 void addSceneOptions(Command command, SceneOptions& options);
-/// Loads the scene and prints its warnings.
+/// Loads the scene and changes its materials. Throws InputError as radiosity::loadScene and withMaterials.
+radiosity::Scene loadedScene(const SceneOptions& options);
+/// As loadedScene, and prints the warnings of the scene.
 radiosity::Scene sceneOf(const SceneOptions& options, Console& console);
+/// As radiosity::requireEmission. For a scene without any light the message names the largest surfaces and the option.
+void requireLight(const radiosity::Scene& scene, const std::filesystem::path& file);
 
 /// Adds the options for dividing surfaces into elements and patches.
 void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings& settings);

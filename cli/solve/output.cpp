@@ -107,6 +107,8 @@ void writeSolved(const std::filesystem::path& folder, const Lit& lit, const Show
 
 ordered_json description(const Lit& lit, const Showing& showing) {
   ordered_json text = {{"settings", settingsJson(showing)}};
+  const MaterialOptions& materials = showing.options.scene.materials;
+  if (materials.areGiven()) text["settings"]["materials"] = toJson(materials);
   text.update(describe(lit.scene, lit.discretization, lit.layout, lit.solution));
   return text;
 }

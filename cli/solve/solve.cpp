@@ -11,7 +11,6 @@
 #include "cli/solve/options.h"
 #include "cli/solve/output.h"
 #include "cli/solve/run.h"
-#include "radiosity/scene/load_scene.h"
 #include "raster/base/file_io.h"
 #include "reference/bench/timing.h"
 
@@ -83,7 +82,7 @@ void solve(SolveOptions asked, Context& context) {
   asked.discretization.isUnburied = !asked.edits.empty();
   Laps laps;
   const radiosity::Scene scene = sceneOf(asked.scene, console);
-  radiosity::requireEmission(scene, asked.scene.file);
+  requireLight(scene, asked.scene.file);
   const radiosity::Camera camera = cameraOf(asked.camera, scene, asked.scene.file);
   const bool isEdited = !asked.edits.empty();
   const std::vector<Frame> frames =

@@ -15,7 +15,6 @@
 #include "cli/scene/scene_options.h"
 #include "cli/tradeoff/page.h"
 #include "radiosity/discretization/discretize.h"
-#include "radiosity/scene/load_scene.h"
 #include "raster/base/file_io.h"
 #include "reference/bench/timing.h"
 
@@ -124,7 +123,7 @@ void measure(const TradeoffOptions& options, Context& context) {
   Console& console = context.console;
   const reference::Stopwatch all;
   const radiosity::Scene scene = sceneOf(options.scene, console);
-  radiosity::requireEmission(scene, options.scene.file);
+  requireLight(scene, options.scene.file);
   const radiosity::Camera camera = cameraOf({}, scene, options.scene.file);
   Staging{options.output};  // reports a folder that cannot be written before the work
   const int finest = *std::max_element(options.texels.begin(), options.texels.end());

@@ -107,6 +107,16 @@ double brightestEmission(const Scene& scene, const Material& material) {
   return std::max({emission.r, emission.g, emission.b});
 }
 
+/// The largest emission of a surface in any band. Edits leave materials behind that no surface uses.
+double brightestEmission(const Scene& scene) {
+  std::set<int> used;
+  for (const Surface& surface : scene.surfaces) used.insert(surface.material);
+  double brightest = 0;
+  for (const int material : used)
+    brightest = std::max(brightest, brightestEmission(scene, scene.materials[static_cast<std::size_t>(material)]));
+  return brightest;
+}
+
 }  // namespace
 
 Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings) {
@@ -115,6 +125,7 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
   }
   Scene scene;
   const ObjFile obj = readObj(file);
+  scene.warnings = obj.warnings;
   std::vector<Section> sections = cutIntoSections(obj, scene.warnings);
   if (sections.empty()) fail({file}, "the scene is empty: it has no face with area");
 
@@ -135,9 +146,10 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
   return scene;
 }
 
+bool emitsLight(const Scene& scene) { return brightestEmission(scene) > 0; }
+
 void requireEmission(const Scene& scene, const std::filesystem::path& file) {
-  double brightest = 0;
-  for (const Material& material : scene.materials) brightest = std::max(brightest, brightestEmission(scene, material));
+  const double brightest = brightestEmission(scene);
   if (brightest == 0)
     fail({file}, "nothing in the scene emits light", "give a material an emission (Ke in the MTL file)");
   if (brightest < smallestEmission) fail({file}, "nothing in the scene emits 1e-30 or more", "scale the light up");

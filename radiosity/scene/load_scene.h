@@ -13,11 +13,14 @@ namespace hemitex::radiosity {
 /// Throws InputError, with file and line, for a malformed or non-finite number, an index out of range, or a negative
 /// reflectance or emission. Also throws it for a scene without faces, or one too small or too large for binary32.
 /// Repairs other faults and reports them in `warnings`: degenerate faces, missing materials or textures, reflectances
-/// of 1.
+/// of 1, missing normals.
 ///
 /// A face is degenerate if none of its triangles has area (see hasArea). Triangles without area of other faces are
 /// dropped without a warning. A scene without emission is no error here; callers that need light call requireEmission.
 Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings = {});
+
+/// Whether a surface emits in any band.
+bool emitsLight(const Scene& scene);
 
 /// Throws InputError if nothing in the scene emits, or if the emission is too small for the range of images.
 void requireEmission(const Scene& scene, const std::filesystem::path& file);

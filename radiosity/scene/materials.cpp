@@ -100,17 +100,6 @@ class MapImages {
   std::map<int, int> lowered_;  ///< from images to their copies without values above 1
 };
 
-/// Lowers components of 1 or more to `maxReflectance`; returns whether there were any.
-bool lower(glm::dvec3& reflectance, double maxReflectance) {
-  bool lowered = false;
-  for (int band = 0; band < 3; ++band) {
-    if (reflectance[band] < 1) continue;
-    reflectance[band] = maxReflectance;
-    lowered = true;
-  }
-  return lowered;
-}
-
 Material makeMaterial(const Definition& definition, const SceneSettings& settings, MapImages& images,
                       std::vector<std::string>& warnings) {
   const MaterialStatement& statement = definition.statement;
@@ -118,9 +107,8 @@ Material makeMaterial(const Definition& definition, const SceneSettings& setting
   Material material{.name = statement.name};
   if (statement.reflectance) {
     material.reflectance = *statement.reflectance;
-    if (lower(material.reflectance, settings.maxReflectance)) {
-      warnings.push_back(owner + "a reflectance of 1 or more is lowered to " + std::to_string(settings.maxReflectance));
-    }
+    if (const auto warning = lowerReflectance(material.reflectance, settings.maxReflectance))
+      warnings.push_back(owner + *warning);
   } else if (statement.reflectanceMap) {
     material.reflectance = glm::dvec3(settings.maxReflectance);
   } else {
@@ -141,6 +129,17 @@ Material makeMaterial(const Definition& definition, const SceneSettings& setting
 }
 
 }  // namespace
+
+std::optional<std::string> lowerReflectance(glm::dvec3& reflectance, double maxReflectance) {
+  bool isLowered = false;
+  for (int band = 0; band < 3; ++band) {
+    if (reflectance[band] < 1) continue;
+    reflectance[band] = maxReflectance;
+    isLowered = true;
+  }
+  if (!isLowered) return std::nullopt;
+  return "a reflectance of 1 or more is lowered to " + std::to_string(maxReflectance);
+}
 
 MaterialSet findMaterials(const std::vector<std::string>& names, const std::vector<std::filesystem::path>& files,
                           const SceneSettings& settings) {

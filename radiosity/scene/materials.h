@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,9 @@ struct MaterialSet {
   std::vector<Image> images;
   std::vector<std::string> warnings;
 };
+
+/// Lowers bands of 1 or more to `maxReflectance`. Returns a warning without its subject, or nothing if none is lowered.
+std::optional<std::string> lowerReflectance(glm::dvec3& reflectance, double maxReflectance);
 
 /// Finds the materials for `names` in `files`; the first definition of a name counts. An empty name stands for faces
 /// without a material. Throws InputError as parseMaterials, and if a map contains a negative value.

@@ -35,7 +35,7 @@ class NumberReader {
   }
 
   /// An index may point forward, so that the upper end of the range is known only after the last line.
-  void checkRanges() const {
+  void checkRanges() {
     for (const ObjPolygon& polygon : obj_.polygons) {
       const Place place{file_, polygon.line};
       for (std::uint32_t c = polygon.firstCorner; c < polygon.firstCorner + polygon.cornerCount; ++c) {
@@ -44,7 +44,11 @@ class NumberReader {
         if (corner.texcoord) checkRange(*corner.texcoord, obj_.texcoords.size(), "texture coordinates", place);
       }
     }
-    checkRange(largestNormal_, normalCount_, "normals", {file_, largestNormalLine_});
+    if (missingNormal_.line == 0 && largestNormal_.index > normalCount_) missingNormal_ = largestNormal_;
+    if (missingNormal_.line > 0)
+      obj_.warnings.push_back("a face names the normal " + std::to_string(missingNormal_.index) +
+                              ", which the file lacks (line " + std::to_string(missingNormal_.line) +
+                              "); normals are not used");
   }
 
  private:
@@ -100,19 +104,25 @@ class NumberReader {
     }
     ObjCorner corner{resolve(parts[0], obj_.positions.size(), "vertices", place)};
     if (!parts[1].empty()) corner.texcoord = resolve(parts[1], obj_.texcoords.size(), "texture coordinates", place);
-    if (!parts[2].empty()) noteNormal(resolve(parts[2], normalCount_, "normals", place), place);
+    if (!parts[2].empty()) noteNormal({readIndex(parts[2], place), place.line});
     return corner;
   }
 
-  /// The index of a word, counted from 0. Positive numbers count from 1, negative numbers back from the last vertex so
-  /// far.
-  static std::uint32_t resolve(std::string_view word, std::size_t count, const char* what, const Place& place) {
+  /// The index of a word as written, not 0.
+  static int readIndex(std::string_view word, const Place& place) {
     int index = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
     if (error != std::errc() || end != word.data() + word.size()) {
       fail(place, "'" + std::string(word) + "' is not an index");
     }
     if (index == 0) fail(place, "index 0 in a face", "indices count from 1");
+    return index;
+  }
+
+  /// The index of a word, counted from 0. Positive numbers count from 1, negative numbers back from the last vertex so
+  /// far.
+  static std::uint32_t resolve(std::string_view word, std::size_t count, const char* what, const Place& place) {
+    const int index = readIndex(word, place);
     if (index > 0) return static_cast<std::uint32_t>(index) - 1;
     const std::int64_t resolved = static_cast<std::int64_t>(count) + index;
     if (resolved < 0) {
@@ -123,22 +133,28 @@ class NumberReader {
   }
 
   static void checkRange(std::uint32_t index, std::size_t count, const char* what, const Place& place) {
-    if (index < count || place.line == 0) return;
+    if (index < count) return;
     fail(place,
          "index " + std::to_string(index + 1) + " is out of range: there are " + std::to_string(count) + " " + what);
   }
 
-  void noteNormal(std::uint32_t index, const Place& place) {
-    if (largestNormalLine_ > 0 && index <= largestNormal_) return;
-    largestNormal_ = index;
-    largestNormalLine_ = place.line;
+  /// An index of a normal, and the line of its face.
+  struct NormalIndex {
+    int index = 0;
+    int line = 0;  ///< 0: no such face
+  };
+
+  /// A negative index cannot point forward, so that only positive ones wait for the last line.
+  void noteNormal(const NormalIndex& normal) {
+    if (normal.index > largestNormal_.index) largestNormal_ = normal;
+    if (normal.index < -normalCount_ && missingNormal_.line == 0) missingNormal_ = normal;
   }
 
   const std::filesystem::path& file_;
   ObjFile& obj_;
-  std::size_t normalCount_ = 0;
-  std::uint32_t largestNormal_ = 0;
-  int largestNormalLine_ = 0;  ///< 0: no face has a normal
+  int normalCount_ = 0;
+  NormalIndex largestNormal_;
+  NormalIndex missingNormal_;  ///< of the first face whose normal is out of range
 };
 
 /// Parses the lines that assign polygons to sections, one by one with tinyobjloader.

@@ -43,7 +43,8 @@ struct ObjFile {
   std::vector<ObjPolygon> polygons;  ///< in file order
   std::vector<ObjSection> sections;  ///< in the order of their first faces
   std::vector<std::string>
-      materialLibraries;  ///< the argument of each `mtllib`: a file, or several separated by blanks
+      materialLibraries;              ///< the argument of each `mtllib`: a file, or several separated by blanks
+  std::vector<std::string> warnings;  ///< about faults in unused data, for the user
 };
 
 /// Reads a file. Throws InputError if it cannot be read, and as parseObj.
@@ -51,7 +52,7 @@ ObjFile readObj(const std::filesystem::path& file);
 
 /// Parses the text of `file`. Throws InputError with the line for a malformed or non-finite number, an absolute
 /// coordinate above 1e18, and a vertex with too few numbers. Also throws it for an index that is malformed or out of
-/// range, and a face with fewer than three corners.
+/// range, and a face with fewer than three corners. A normal out of range is a warning, because normals are not used.
 ObjFile parseObj(std::string_view text, const std::filesystem::path& file);
 
 }  // namespace hemitex::radiosity

@@ -18,27 +18,55 @@ namespace {
 
 using raster::InputError;
 
-bool isNamed(const Surface& surface, const std::string& name) {
-  if (surface.name == name || surface.family == name) return true;
-  return name.ends_with('*') && surface.family.starts_with(name.substr(0, name.size() - 1));
+/// Whether `name` is `text`, or ends with `*` and `text` begins with the rest.
+bool matches(const std::string& text, const std::string& name) {
+  return text == name || (name.ends_with('*') && text.starts_with(name.substr(0, name.size() - 1)));
 }
 
-std::vector<std::uint32_t> find(const std::vector<Surface>& surfaces, const std::string& name) {
+bool isNamed(const Surface& surface, const std::string& name) {
+  return surface.name == name || matches(surface.family, name);
+}
+
+template <typename Predicate>
+std::vector<std::uint32_t> find(const std::vector<Surface>& surfaces, const Predicate& isWanted) {
   std::vector<std::uint32_t> found;
   for (std::uint32_t s = 0; s < surfaces.size(); ++s)
-    if (isNamed(surfaces[s], name)) found.push_back(s);
+    if (isWanted(surfaces[s])) found.push_back(s);
   return found;
+}
+
+std::vector<std::uint32_t> findNamed(const std::vector<Surface>& surfaces, const std::string& name) {
+  return find(surfaces, [&](const Surface& surface) { return isNamed(surface, name); });
 }
 
 std::vector<std::uint32_t> findOrFail(const std::vector<Surface>& surfaces, const std::string& name,
                                       const std::string& where) {
-  std::vector<std::uint32_t> found = find(surfaces, name);
+  std::vector<std::uint32_t> found = findNamed(surfaces, name);
   if (!found.empty()) return found;
   std::set<std::string> families;
   for (const Surface& surface : surfaces) families.insert(surface.family);
-  throw InputError(
-      "no surface " + where + " is named `" + name + "`",
-      families.empty() ? "nothing was removed so far" : "similar names: " + nearestNames(families, name));
+  throw InputError("no surface " + where + " is named `" + name + "`",
+                   families.empty() ? "nothing was removed so far" : "similar names: " + nearestNames(families, name));
+}
+
+/// As findOrFail. A name of no surface or family may be that of a group with several materials, of parts, or of a
+/// material.
+std::vector<std::uint32_t> findByMaterial(const Scene& scene, const std::string& name) {
+  const auto materialOf = [&](const Surface& surface) -> const std::string& {
+    return scene.materials[static_cast<std::size_t>(surface.material)].name;
+  };
+  std::vector<std::uint32_t> found = findNamed(scene.surfaces, name);
+  if (found.empty())
+    found = find(scene.surfaces, [&](const Surface& surface) {
+      return surface.family.starts_with(name + "/" + materialOf(surface)) || matches(surface.name, name);
+    });
+  if (found.empty())
+    found = find(scene.surfaces, [&](const Surface& surface) { return matches(materialOf(surface), name); });
+  if (!found.empty()) return found;
+  std::set<std::string> names;
+  for (const Surface& surface : scene.surfaces) names.insert({surface.family, materialOf(surface)});
+  throw InputError("no surface, group or material of the scene is named `" + name + "`",
+                   "similar names: " + nearestNames(names, name));
 }
 
 /// The numbers with those of their twins, ascending.
@@ -174,7 +202,7 @@ class Editor {
   template <typename Change>
   void setMaterial(const std::string& name, const Change& change) {
     std::map<int, int> changed;
-    for (const std::uint32_t s : named(name)) {
+    for (const std::uint32_t s : findByMaterial(scene_, name)) {
       int& material = scene_.surfaces[s].material;
       const auto [copy, isNew] = changed.try_emplace(material, static_cast<int>(scene_.materials.size()));
       if (isNew) {

@@ -18,7 +18,7 @@
 namespace hemitex::radiosity {
 
 // A name is that of a surface, or of a family, which means all its parts. A name that ends with `*` means all families
-// with that prefix. In two-sided scenes edits change both sides.
+// with that prefix. In two-sided scenes surfaces move, go and come with their other sides.
 struct Move {
   std::string name;
   glm::dvec3 by;  ///< in units of the file
@@ -36,7 +36,9 @@ struct Add {
   SceneSettings settings = {};
   glm::dvec3 by{0.0};  ///< in units of the file
 };
-/// Sets the emission or the reflectance of surfaces; a map of the material scales it as before.
+/// Sets the emission or the reflectance of surfaces; a map of the material scales it as before. The name may also be
+/// that of a group with several materials, or of a material (with `*`: of several), if no surface has it. In two-sided
+/// scenes the back of a surface has a name of its own.
 struct SetEmission {
   std::string name;
   glm::dvec3 to;  ///< radiosity, W/m^2 per band, 0 to largestEmission (mtl_file.h)

@@ -103,6 +103,101 @@ TEST_CASE("hemitex solve --emission radiance multiplies the emission of scenes, 
   CHECK(shell.run("solve room.obj -o out --emission lumen").exitCode == 2);
 }
 
+TEST_CASE("hemitex solve --emit, --reflectance and --lights give the bytes of a scene with these materials", "[cli]") {
+  const Shell shell;
+  shell.output(quickSolve + "-o without");
+  const auto check = [&](const std::string& folder, const std::string& options) {
+    shell.output("solve dark.obj --texels 4 --patch 2 --resolution 32 --size 40x30 -o " + folder + " " + options);
+    for (const char* name : {"elements.csv", "render.png", "scene.obj", "floor.exr"})
+      CHECK(readAll(shell.file(folder) / name) == readAll(shell.file("without") / name));
+    return json::parse(readAll(shell.file(folder + "/solution.json")))["settings"];
+  };
+  std::string dark = readAll(shell.file("room.obj"));
+  dark.replace(dark.find("room.mtl"), 8, "dark.mtl");
+  writeAll(shell.file("dark.obj"), dark);
+  writeAll(shell.file("dark.mtl"), "newmtl white\nKd 0.1 0.1 0.1\nnewmtl lamp\nKd 0.2 0.2 0.2\n");
+  writeAll(shell.file("lights.json"), R"({"*": [1, 2, 3], "white": [0, 0, 0], "lamp": [10, 10, 10]})");
+  const std::string paint = "--reflectance '*=0.7,0.5,0.3' --reflectance 'ceil*=0,0,0' ";
+
+  CHECK(check("option", paint + "--emit ceiling/lamp=10,10,10")["materials"][0] ==
+        json({{"emission", "ceiling/lamp"}, {"to", {10, 10, 10}}}));
+  CHECK(check("later", paint + "--emit floor=7,7,7 --emit lamp=10,10,10 --emit floor=0,0,0")["materials"].size() == 5);
+  check("lights", paint + "--lights lights.json");
+  check("overridden", paint + "--emit floor=0,0,0 --lights lights.json --emit ceiling/lamp=10,10,10");
+  check("radiance", paint + "--emission radiance --emit lamp=3.183098861837907,3.183098861837907,3.183098861837907");
+  CHECK_FALSE(json::parse(readAll(shell.file("without/solution.json")))["settings"].contains("materials"));
+}
+
+TEST_CASE("hemitex solve lowers a --reflectance of 1 or more with a warning", "[cli]") {
+  const Shell shell;
+  const std::string given = quickSolve + "--json --max-reflectance 0.9 -o ";
+  const json solution = json::parse(shell.output(given + "high --reflectance floor=1,2,0.5"));
+  CHECK(solution["warnings"] == json({"`floor`: a reflectance of 1 or more is lowered to 0.900000"}));
+  CHECK(json::parse(shell.output(given + "low --reflectance floor=0.9,0.9,0.5"))["energy"] == solution["energy"]);
+}
+
+TEST_CASE("hemitex refuses wrong lights and reflectances with exit code 2 and an advice", "[cli]") {
+  const Shell shell;
+  writeAll(shell.file("two.json"), R"({"floor": [1, 2]})");
+  writeAll(shell.file("negative.json"), R"({"floor": [1, 2, -3]})");
+  writeAll(shell.file("list.json"), "[[1, 2, 3]]");
+  writeAll(shell.file("broken.json"), R"({"floor": [1, 2)");
+  writeAll(shell.file("name.json"), R"({"flor": [1, 2, 3]})");
+  const auto [options, message] = GENERATE(table<std::string, std::string>({
+      {"--emit flor=1,2,3", "similar names: `floor`"},
+      {"--emit lam=1,2,3", "similar names: `lamp`"},
+      {"--reflectance flor=1,2,3", "similar names: `floor`"},
+      {"--emit floor=1,2", "`floor=1,2` is not NAME=R,G,B"},
+      {"--emit floor", "`floor` is not NAME=R,G,B"},
+      {"--emit =1,2,3", "is not NAME=R,G,B"},
+      {"--emit floor=1,nan,3", "is not NAME=R,G,B"},
+      {"--emit floor=1,-2,3", "below 0"},
+      {"--reflectance floor=1,-2,3", "below 0"},
+      {"--emit floor=1,2e30,3", "above 1e30"},
+      {"--lights none.json", "none.json: "},
+      {"--lights two.json", "two.json: `floor` has the value [1,2]"},
+      {"--lights negative.json", "at least 0"},
+      {"--lights list.json", "list.json: is no JSON object"},
+      {"--lights broken.json", "broken.json: "},
+      {"--lights name.json", "name.json: no surface, group or material of the scene is named `flor`"},
+      {"--emit '*=0,0,0'", "nothing in the scene emits light"},
+  }));
+  const Outcome outcome = shell.run(quickSolve + "-o out " + options);
+  INFO(options << '\n' << outcome.err);
+  CHECK(outcome.exitCode == 2);
+  CHECK(outcome.err.find(message) != std::string::npos);
+  CHECK_FALSE(fs::exists(shell.file("out")));
+}
+
+TEST_CASE("hemitex solve of a dark scene names the three largest surfaces, and its --emit option solves it", "[cli]") {
+  const Shell shell;
+  // Four triangles with the areas 1, 4, 9 and 4.
+  writeAll(shell.file("dark.obj"),
+           "v 0 0 0\nv 2 0 0\nv 0 1 0\nv 4 0 0\nv 0 2 0\nv 6 0 0\nv 0 3 0\n"
+           "g one\nf 1 2 3\ng two\nf 1 4 5\ng big one\nf 1 6 7\ng four\nf 1 5 4\n");
+  const Outcome outcome = shell.run("solve dark.obj -o out");
+  CHECK(outcome.exitCode == 2);
+  const std::string option = "--emit 'big one=10,10,10'";
+  CHECK(outcome.err.find("dark.obj: nothing in the scene emits light; add " + option +
+                         " (largest surfaces: `big one`, `two`, `four`)") != std::string::npos);
+  CHECK(shell.run("solve dark.obj -o out " + option).exitCode == 0);
+  CHECK(shell.run("tradeoff dark.obj -o out").err.find(option) != std::string::npos);
+}
+
+TEST_CASE("hemitex render --reflectance changes the picture of a bare scene, and is refused for a solved one",
+          "[cli]") {
+  const Shell shell;
+  shell.output("render room.obj --size 40x30 -o before.png");
+  shell.output("render room.obj --size 40x30 -o same.png --reflectance white=0.7,0.5,0.3");
+  shell.output("render room.obj --size 40x30 -o red.png --reflectance white=0.7,0,0");
+  CHECK(readAll(shell.file("same.png")) == readAll(shell.file("before.png")));
+  CHECK(readAll(shell.file("red.png")) != readAll(shell.file("before.png")));
+  shell.output(quickSolve + "-o out");
+  const Outcome outcome = shell.run("render out/scene.obj -o lit.png --emit floor=1,1,1");
+  CHECK(outcome.exitCode == 2);
+  CHECK(outcome.err.find("is a solved scene") != std::string::npos);
+}
+
 TEST_CASE("hemitex solve refuses a wrong file of edits first, with its frame and an advice", "[cli]") {
   const Shell shell;
   const auto [text, message] = GENERATE(table<std::string, std::string>({

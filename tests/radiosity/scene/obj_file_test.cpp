@@ -83,7 +83,6 @@ TEST_CASE("parseObj throws InputError with the line of an error", "[obj]") {
       {triangle + "f 1 2 /1\n", 4, "'' is not an index"},
       {triangle + "vt 0 0\nf 1/1 2/1 3/2\n", 5, "index 2 is out of range: there are 1 texture coordinates"},
       {triangle + "f 1/-1 2/-1 3/-1\n", 4, "index -1 is out of range: there are 0 texture coordinates"},
-      {triangle + "vn 0 0 1\nf 1//1 2//1 3//2\n", 5, "index 2 is out of range: there are 1 normals"},
       {triangle + "f 1//0 2//0 3//0\n", 4, "index 0"},
       {triangle + "f 1/1/1/1 2 3\n", 4, "'1/1' is not an index"},
       {triangle + "f 1 2 3 \\\n1\n", 4, "'\\' is not an index"},
@@ -97,6 +96,22 @@ TEST_CASE("parseObj throws InputError with the line of an error", "[obj]") {
     CHECK(error.line() == line);
     CHECK_THAT(error.what(), Catch::Contains(id));
   }
+}
+
+TEST_CASE("parseObj warns once, with the line, of normals that the file lacks", "[obj]") {
+  const auto [text, index, line] = GENERATE(table<std::string, std::string, std::string>({
+      {triangle + "vn 0 0 1\nf 1//1 2//1 3//2\nf 3//2 2//1 1//1\n", "normal 2,", "(line 5)"},
+      {triangle + "f 1//7 2//3 3//5\nvn 0 0 1\n", "normal 7,", "(line 4)"},
+      {triangle + "f 1//1 2//1 3//1\nvn 0 0 1\nvn 0 0 1\nf 1//-3 2//-2 3//-1\nf 1//9 2//1 3//1\n", "normal -3,",
+       "(line 7)"},
+  }));
+  CAPTURE(text);
+  const ObjFile obj = parseObj(text, "");
+  REQUIRE(obj.warnings.size() == 1);
+  CHECK_THAT(obj.warnings[0], Catch::Contains(index) && Catch::Contains(line));
+  CHECK(cornersOf(obj, 0) == "0 1 2");
+  // Indices point forward to the last normal of the file.
+  CHECK(parseObj(triangle + "f 1//2 2//1 3//2\nvn 0 0 1\nvn 0 0 1\nf 1//-2 2//-1 3//2\n", "").warnings.empty());
 }
 
 TEST_CASE("parseObj rounds numbers to the nearest double", "[obj]") {

@@ -107,6 +107,38 @@ TEST_CASE("edited with SetEmission or SetReflectance gives a surface its own mat
   CHECK_FALSE(edit.origins[1].isMoved);
 }
 
+TEST_CASE("edited with SetReflectance finds surfaces, then groups and parts, then materials", "[scene_edits]") {
+  // Two families of one group, the two parts of a family, and a surface whose name is that of a material.
+  std::vector<Surface> surfaces;
+  for (const char* name : {"room/oak", "room/pine", "chair#1", "chair#2", "pine", "roomy/oak"})
+    surfaces.push_back(tests::parallelogram(name, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
+  surfaces[2].family = surfaces[3].family = "chair";
+  for (const std::size_t s : {1U, 3U}) surfaces[s].material = 1;
+  Scene scene = tests::sceneOf(std::move(surfaces));
+  scene.materials = {{.name = "oak"}, {.name = "pine"}};
+  const auto [name, expected] = GENERATE(table<std::string, std::string>({
+      {"room", "110000"},   // the group, but not another with this beginning
+      {"room*", "110001"},  // families
+      {"room/oak", "100000"},
+      {"chair", "001100"},
+      {"chair#*", "001100"},  // parts
+      {"pine", "000010"},     // the surface, not the material
+      {"oak", "101011"},      // the material
+      {"o*", "101011"},
+      {"*", "111111"},
+  }));
+  const EditedScene edit = edited(scene, {}, {{SetReflectance{name, glm::dvec3(0.25)}}});
+  std::string changed;
+  for (const Surface& surface : edit.scene.surfaces)
+    changed += edit.scene.materials[static_cast<std::size_t>(surface.material)].reflectance.x == 0.25 ? '1' : '0';
+  CAPTURE(name);
+  CHECK(changed == expected);
+  // The changed copies keep their names, so that a later edit finds them.
+  CHECK_NOTHROW(edited(edit.scene, {}, {{SetReflectance{name, glm::dvec3(0.5)}}}));
+  CHECK_THROWS_WITH(edited(scene, {}, {{SetReflectance{"oat", glm::dvec3(0)}}}), Catch::Contains("`oak`"));
+  CHECK_THROWS_AS(edited(scene, {}, {{Remove{"oak"}}}), raster::InputError);
+}
+
 TEST_CASE("edited with Add gives added objects names that are free", "[scene_edits]") {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "more.obj") << "v 0 0 0\nv 1 0 0\nv 1 1 0\ng square0\nf 1 2 3\ng other\nf 3 2 1\n";

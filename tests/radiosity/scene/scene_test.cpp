@@ -324,10 +324,19 @@ TEST_CASE("requireEmission throws InputError unless something emits", "[scene]")
   scene.images.push_back({1, 1, {glm::dvec3(1, 1, 0)}});
   scene.materials[0].emissionMap = 0;
   CHECK_THROWS_AS(requireEmission(scene, "scene.obj"), raster::InputError);
+  // A material that no surface uses does not emit.
+  scene.materials.push_back({.name = "unused", .emission = glm::dvec3(1)});
+  CHECK_FALSE(emitsLight(scene));
   // Images cannot store values below 1e-45.
   CHECK_NOTHROW(requireEmission(loadMaterial("Kd 0.5\nKe 0 1e-30 1e-31\n"), "scene.obj"));
   CHECK_THROWS_WITH(requireEmission(loadMaterial("Kd 0.5\nKe 1e-31\n"), "scene.obj"),
                     Catch::Contains("scene.obj") && Catch::Contains("1e-30") && Catch::Contains("up"));
+}
+
+TEST_CASE("loadScene reports normals that the file lacks", "[scene]") {
+  const Scene scene = load("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1//1 2//1 3//1\n");
+  CHECK(warns(scene, {"normal 1", "line 4"}));
+  CHECK(scene.surfaces.size() == 1);
 }
 
 TEST_CASE("loadScene with twoSided makes two surfaces of each, the second reversed", "[scene]") {

@@ -1,0 +1,42 @@
+/// Options that change emissions and reflectances of a scene: `--emit`, `--reflectance` and `--lights`. A name is that
+/// of a surface, a group or a material; `*` at its end means any rest (scene_edits.h).
+#pragma once
+
+#include <glm/glm.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/common/options.h"
+#include "radiosity/scene/scene.h"
+#include "radiosity/scene/scene_settings.h"
+
+namespace hemitex::cli {
+
+/// The new emission or reflectance of the surfaces with a name.
+struct NamedColor {
+  std::string name;
+  glm::dvec3 color;    ///< per RGB band, finite and not negative
+  std::string source;  ///< the option or the file, for messages
+};
+
+struct MaterialOptions {
+  std::vector<NamedColor> lights;        ///< of `--lights`, in the order of the file; in the unit of `Ke`
+  std::vector<NamedColor> emissions;     ///< of `--emit`; in the unit of `Ke`
+  std::vector<NamedColor> reflectances;  ///< of `--reflectance`
+
+  bool areGiven() const { return !lights.empty() || !emissions.empty() || !reflectances.empty(); }
+};
+
+void addMaterialOptions(Command command, MaterialOptions& options);
+
+/// The scene with the changes; later ones override earlier ones, and `--emit` overrides `--lights`. A reflectance of 1
+/// or more is lowered to `settings.maxReflectance` with a warning, as Kd is. Throws InputError with similar names for a
+/// name of no surface, group or material, and for an emission above 1e30 W/m^2.
+radiosity::Scene withMaterials(radiosity::Scene scene, const MaterialOptions& options,
+                               const radiosity::SceneSettings& settings);
+
+/// The given changes in the form of edits: `[{"emission": NAME, "to": [r, g, b]}, ...]`.
+nlohmann::ordered_json toJson(const MaterialOptions& options);
+
+}  // namespace hemitex::cli
