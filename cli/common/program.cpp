@@ -6,6 +6,8 @@
 #include <iostream>
 #include <new>
 
+#include "cli/common/unknown_argument.h"
+#include "cli/help/shell_files.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
 
@@ -33,19 +35,35 @@ void addGlobalOptions(CLI::App& app, const Program& program, Context& context) {
   app.set_version_flag("--version", program.name + " " HEMITEX_VERSION);
 }
 
+/// What is wrong with the command line, and what to do.
+std::string messageOf(const CLI::App& app, const CLI::ParseError& error, const Program& program) {
+  const std::string unknown = unknownArgument(app);
+  const bool isKnown = dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr;
+  return (isKnown ? error.what() + std::string("\n") : "") + (unknown.empty() ? "" : unknown + '\n') +
+         adviceOf(program);
+}
+
 int run(const Program& program, int argc, char** argv, Context& context) {
   CLI::App app(program.purpose, program.name);
   app.fallthrough();
   app.footer("The options -q, -v, --json, --threads N, --help and --version work before and after every command.");
   addGlobalOptions(app, program, context);
+  std::filesystem::path shellFiles;
+  Command(app)
+      .addPath("--shell-files", shellFiles, "write completion scripts and manual pages into this folder")
+      .hidden();
   program.addCommands(Command(app), context);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& helpOrVersion) {
     return app.exit(helpOrVersion);
   } catch (const CLI::ParseError& error) {
-    context.console.error(error.what() + ('\n' + adviceOf(program)));
+    context.console.error(messageOf(app, error, program));
     return badInput;
+  }
+  if (!shellFiles.empty()) {
+    writeShellFiles(shellFiles, commandTree(app), HEMITEX_VERSION);
+    return 0;
   }
   if (!context.command) {
     context.console.error("no command is given\n" + adviceOf(program));

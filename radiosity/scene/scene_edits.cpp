@@ -10,7 +10,7 @@
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/mesh_sections.h"
 #include "radiosity/scene/mtl_file.h"
-#include "radiosity/scene/name_suggestions.h"
+#include "raster/base/name_suggestions.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
@@ -38,7 +38,7 @@ std::vector<std::uint32_t> findOrFail(const std::vector<Surface>& surfaces, cons
   for (const Surface& surface : surfaces) families.insert(surface.family);
   throw InputError(
       "no surface " + where + " is named `" + name + "`",
-      families.empty() ? "nothing was removed so far" : "similar names: " + nearestNames(families, name));
+      families.empty() ? "nothing was removed so far" : "similar names: " + raster::nearestNames(families, name));
 }
 
 /// The numbers with those of their twins, ascending.

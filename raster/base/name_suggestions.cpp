@@ -1,4 +1,4 @@
-#include "radiosity/scene/name_suggestions.h"
+#include "raster/base/name_suggestions.h"
 
 #include <algorithm>
 #include <iterator>
@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace hemitex::radiosity {
+namespace hemitex::raster {
 namespace {
 
 constexpr std::size_t mostSuggestions = 3;
@@ -40,4 +40,4 @@ std::string nearestNames(const std::set<std::string>& names, const std::string& 
   return text;
 }
 
-}  // namespace hemitex::radiosity
+}  // namespace hemitex::raster
