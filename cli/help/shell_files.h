@@ -13,7 +13,7 @@ namespace hemitex::cli {
 ///     bash-completion/completions/hemitex    fish/vendor_completions.d/hemitex.fish
 ///     zsh/site-functions/_hemitex            man/man1/hemitex.1, man/man1/hemitex-COMMAND.1
 ///
-/// Throws InputError if a file cannot be written.
+/// Throws InputError or std::filesystem::filesystem_error if a file cannot be written.
 void writeShellFiles(const std::filesystem::path& folder, const CommandInfo& program, const std::string& version);
 
 }  // namespace hemitex::cli
