@@ -35,14 +35,6 @@ void addGlobalOptions(CLI::App& app, const Program& program, Context& context) {
   app.set_version_flag("--version", program.name + " " HEMITEX_VERSION);
 }
 
-/// What is wrong with the command line, and what to do.
-std::string messageOf(const CLI::App& app, const CLI::ParseError& error, const Program& program) {
-  const std::string unknown = unknownArgument(app);
-  const bool isKnown = dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr;
-  return (isKnown ? error.what() + std::string("\n") : "") + (unknown.empty() ? "" : unknown + '\n') +
-         adviceOf(program);
-}
-
 int run(const Program& program, int argc, char** argv, Context& context) {
   CLI::App app(program.purpose, program.name);
   app.fallthrough();
@@ -58,7 +50,9 @@ int run(const Program& program, int argc, char** argv, Context& context) {
   } catch (const CLI::Success& helpOrVersion) {
     return app.exit(helpOrVersion);
   } catch (const CLI::ParseError& error) {
-    context.console.error(messageOf(app, error, program));
+    // An unknown argument often is the reason of other errors, such as a missing option.
+    const std::string unknown = unknownArgument(app, {argv + 1, argv + argc});
+    context.console.error((unknown.empty() ? error.what() : unknown) + '\n' + adviceOf(program));
     return badInput;
   }
   if (!shellFiles.empty()) {

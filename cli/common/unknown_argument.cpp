@@ -1,6 +1,7 @@
 #include "cli/common/unknown_argument.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <set>
 
 #include "cli/help/command_tree.h"
@@ -9,10 +10,13 @@
 namespace hemitex::cli {
 namespace {
 
-/// The innermost command that the command line names.
-const CLI::App& givenCommand(const CLI::App& app) {
-  const std::vector<CLI::App*> given = app.get_subcommands();
-  return given.empty() ? app : givenCommand(*given.front());
+using Words = std::vector<std::string>;
+
+/// The innermost command whose name is among the words before `end`.
+const CLI::App& commandBefore(const CLI::App& app, const Words& words, Words::const_iterator end) {
+  for (const CLI::App* command : app.get_subcommands())
+    if (std::find(words.begin(), end, command->get_name()) != end) return commandBefore(*command, words, end);
+  return app;
 }
 
 std::set<std::string> optionsOf(const CLI::App& program, const CLI::App& command) {
@@ -30,11 +34,13 @@ std::set<std::string> commandsOf(const CLI::App& app) {
 
 }  // namespace
 
-std::string unknownArgument(const CLI::App& program) {
+std::string unknownArgument(const CLI::App& program, const std::vector<std::string>& arguments) {
   const std::vector<std::string> unknown = program.remaining(true);
   if (unknown.empty()) return {};
   const std::string argument = unknown.front().substr(0, unknown.front().find('='));
-  const CLI::App& command = givenCommand(program);
+  // A later word may be the name of a command by chance, such as that of a folder.
+  const CLI::App& command =
+      commandBefore(program, arguments, std::find(arguments.begin(), arguments.end(), unknown.front()));
   const std::string name = fullNameOf(command);
   const auto message = [&](const std::string& kind, const std::set<std::string>& names) {
     return "`" + argument + "` is " + kind + " of `" + name +

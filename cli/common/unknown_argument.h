@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -9,8 +10,8 @@ class App;
 
 namespace hemitex::cli {
 
-/// After a failed parse: says which argument of the command line is the first unknown one, and which options or
+/// After a failed parse of `arguments`: says which of them is the first unknown one, and which options or
 /// commands have similar names. Empty if all arguments are known.
-std::string unknownArgument(const CLI::App& program);
+std::string unknownArgument(const CLI::App& program, const std::vector<std::string>& arguments);
 
 }  // namespace hemitex::cli
