@@ -9,7 +9,7 @@
 namespace hemitex::raster {
 namespace {
 
-constexpr std::size_t mostSuggestions = 3;
+constexpr std::size_t maxSuggestions = 3;
 
 /// The number of letters to insert, delete or change (Levenshtein 1966), row by row of the table of all pairs of
 /// prefixes.
@@ -33,7 +33,7 @@ std::string nearestNames(const std::set<std::string>& names, const std::string& 
   std::set<std::pair<std::size_t, std::string>> nearest;
   for (const std::string& name : names) {
     nearest.emplace(editDistance(wrong, name), name);
-    if (nearest.size() > mostSuggestions) nearest.erase(std::prev(nearest.end()));
+    if (nearest.size() > maxSuggestions) nearest.erase(std::prev(nearest.end()));
   }
   std::string text;
   for (const auto& [distance, name] : nearest) text += (text.empty() ? "`" : ", `") + name + "`";
