@@ -17,6 +17,8 @@ void addCommands(Command program, Context& context) {
   addVectorExport(vector, context);
   addVectorSuite(vector, context);
   addVectorCommands(vector, context);
+  vector.addExamples({"suite -o suite", "check suite --candidate drawn"});
+  program.addExamples({"solve data/cornell-box.obj -o lit", "render lit/scene.obj -o picture.png --size 1200x900"});
 }
 
 }  // namespace

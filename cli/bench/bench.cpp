@@ -152,6 +152,7 @@ void addBench(Command program, Context& context) {
                    readTriangles);
   command.addPath("-o,--output", options->output,
                   "write report.html, bench.json and tables.md into this folder (default: no files)");
+  command.addExamples({"data/cornell-box.obj --resolution 256", "data/cornell-box.obj --triangles 100000 -o bench"});
   command.onRead([options, &context] { context.command = [options, &context] { bench(*options, context); }; });
 }
 

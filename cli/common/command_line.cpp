@@ -2,11 +2,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/help/command_tree.h"
+
 namespace hemitex::cli {
 
 void usageError(const std::string& option, const std::string& problem) { throw CLI::ValidationError(option, problem); }
 
 Option Option::required() const { return Option(*option_->required()); }
+Option Option::hidden() const { return Option(*option_->group("")); }
 Option Option::excludes(Option other) const { return Option(*option_->excludes(other.option_)); }
 Option Option::needs(Option other) const { return Option(*option_->needs(other.option_)); }
 
@@ -37,6 +40,13 @@ Option Command::addFlag(const std::string& name, const std::string& help, const 
 
 Option Command::addFlag(const std::string& name, bool& target, const std::string& help) const {
   return addFlag(name, help, [&target] { target = true; });
+}
+
+void Command::addExamples(const std::vector<std::string>& arguments) const {
+  std::string text = "Examples:\n";
+  for (const std::string& example : arguments) text += "  " + fullNameOf(*app_) + ' ' + example + '\n';
+  // A function, because commands inherit the footer that is a text.
+  app_->footer([text] { return text; });
 }
 
 Option Command::option(const std::string& name) const { return Option(*app_->get_option(name)); }

@@ -1,5 +1,5 @@
-/// Commands and their options. Only command_line.cpp and program.cpp include CLI11, because its headers take seconds to
-/// compile.
+/// Commands and their options. Only four sources include CLI11, because its headers take seconds to compile:
+/// command_line.cpp, program.cpp, unknown_argument.cpp and command_tree.cpp.
 #pragma once
 
 #include <filesystem>
@@ -23,6 +23,8 @@ class Option {
   explicit Option(CLI::Option& option) : option_(&option) {}
 
   Option required() const;
+  /// Removes the option from help texts, completion and manual pages: it is for the build, not for users.
+  Option hidden() const;
   /// At most one of the two options may be given.
   Option excludes(Option other) const;
   /// This option may be given only together with the other.
@@ -50,6 +52,9 @@ class Command {
   /// Adds an option without a value; if it is given, `action` is called.
   Option addFlag(const std::string& name, const std::string& help, const std::function<void()>& action) const;
   Option addFlag(const std::string& name, bool& target, const std::string& help) const;
+
+  /// Adds examples to the end of the help text: what follows the name of the command.
+  void addExamples(const std::vector<std::string>& arguments) const;
 
   /// An option that this command already has.
   Option option(const std::string& name) const;

@@ -6,6 +6,8 @@
 #include <iostream>
 #include <new>
 
+#include "cli/common/unknown_argument.h"
+#include "cli/help/shell_files.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
 
@@ -38,14 +40,24 @@ int run(const Program& program, int argc, char** argv, Context& context) {
   app.fallthrough();
   app.footer("The options -q, -v, --json, --threads N, --help and --version work before and after every command.");
   addGlobalOptions(app, program, context);
+  std::filesystem::path shellFiles;
+  Command(app)
+      .addPath("--shell-files", shellFiles, "write completion scripts and manual pages into this folder")
+      .hidden();
   program.addCommands(Command(app), context);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& helpOrVersion) {
     return app.exit(helpOrVersion);
   } catch (const CLI::ParseError& error) {
-    context.console.error(error.what() + ('\n' + adviceOf(program)));
+    // An unknown argument often is the reason of other errors, such as a missing option.
+    const std::string unknown = unknownArgument(app, {argv + 1, argv + argc});
+    context.console.error((unknown.empty() ? error.what() : unknown) + '\n' + adviceOf(program));
     return badInput;
+  }
+  if (!shellFiles.empty()) {
+    writeShellFiles(shellFiles, commandTree(app), HEMITEX_VERSION);
+    return 0;
   }
   if (!context.command) {
     context.console.error("no command is given\n" + adviceOf(program));

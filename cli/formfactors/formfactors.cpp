@@ -233,6 +233,8 @@ void addFormFactors(Command program, Context& context) {
       "receivers");
   addDiscretizationOptions(command, options->discretization);
   addIdOptions(command, options->id);
+  command.addExamples(
+      {"data/cornell-box.obj --from light --by-surface", "data/cornell-box.obj --all --by-surface --method rays"});
   command.onRead([options, command, &context] {
     if (options->from.empty() && !options->all)
       usageError("--from", "is required; or print the matrix with --all --by-surface");

@@ -56,6 +56,7 @@ void addPaper(Command program, Context& context) {
   const Command command =
       program.addCommand("paper", "Measure the tables of the paper again and draw its figures (takes minutes)");
   addOutput(command, *output, "write report.html, paper.json and the pictures into this folder");
+  command.addExamples({"-o paper", "-o paper --json --threads 1"});
   command.onRead([output, &context] { context.command = [output, &context] { makePaper(*output, context); }; });
 }
 

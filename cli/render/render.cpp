@@ -205,6 +205,8 @@ void addRender(Command program, Context& context) {
   addCameraOptions(command, options->camera);
   addDiscretizationOptions(command, options->discretization);
   addIdOptions(command, options->id);
+  command.addExamples(
+      {"lit/scene.obj -o picture.png", "data/cornell-box.obj -o hemicube.png --show hemicube --from light"});
   command.onRead([options, command, &context] {
     if (options->output.extension() != ".png") usageError("--output", "the name of the picture must end in .png");
     for (const char* name : {"--texels", "--texel-size", "--surface"}) options->gridsGiven |= command.isGiven(name);

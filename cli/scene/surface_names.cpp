@@ -4,8 +4,8 @@
 #include <set>
 
 #include "cli/common/numbers.h"
-#include "radiosity/scene/name_suggestions.h"
 #include "raster/base/input_error.h"
+#include "raster/base/name_suggestions.h"
 
 namespace hemitex::cli {
 namespace {
@@ -21,7 +21,7 @@ std::vector<std::uint32_t> find(const radiosity::Scene& scene, const std::string
 std::string suggestions(const radiosity::Scene& scene, const std::string& wrong) {
   std::set<std::string> families;
   for (const radiosity::Surface& surface : scene.surfaces) families.insert(surface.family);
-  return radiosity::nearestNames(families, wrong);
+  return raster::nearestNames(families, wrong);
 }
 
 /// Reads `COL,ROW`; nothing for any other text.

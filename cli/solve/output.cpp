@@ -126,4 +126,12 @@ std::string summary(const ordered_json& solution) {
   return text.str();
 }
 
+std::string filesText(const std::filesystem::path& folder) {
+  const auto line = [&folder](const std::string& what, const char* file) {
+    return what + (folder / file).string() + '\n';
+  };
+  return '\n' + line("picture:    ", "render.png") + line("lit scene:  ", "scene.obj") +
+         line("numbers:    ", "solution.json");
+}
+
 }  // namespace hemitex::cli

@@ -43,5 +43,7 @@ nlohmann::ordered_json description(const Lit& lit, const Showing& showing);
 
 /// The summary of solution.json for people: counts, times and the balance of flux.
 std::string summary(const nlohmann::ordered_json& solution);
+/// Says where the files are.
+std::string filesText(const std::filesystem::path& folder);
 
 }  // namespace hemitex::cli

@@ -116,7 +116,7 @@ void solve(SolveOptions asked, Context& context) {
   text["warnings"] = console.given();
   raster::writeFile(staging.folder() / "solution.json", toText(text));
   staging.commit();
-  std::cout << (context.json ? toText(text) : summary(text));
+  std::cout << (context.json ? toText(text) : summary(text) + filesText(options.output));
 }
 
 }  // namespace
@@ -125,6 +125,8 @@ void addSolve(Command program, Context& context) {
   const auto options = std::make_shared<SolveOptions>();
   const Command command = program.addCommand("solve", "Compute the light of a scene by progressive radiosity");
   addSolveOptions(command, *options);
+  command.addExamples(
+      {"data/cornell-box.obj -o lit", "data/cornell-box.obj -o lit --max-error 0.01 --filter bicubic --size 1200x900"});
   command.onRead([options, command, &context] {
     completeOptions(command, *options);
     context.command = [options, &context] { solve(*options, context); };

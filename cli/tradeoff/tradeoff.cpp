@@ -186,6 +186,8 @@ void addTradeoff(Command program, Context& context) {
                    readMethods);
   addInteger(command, "--samples", options->samples, 128, 1 << 20,
              "compute the truth with N rays per element on average (default 16384)");
+  command.addExamples({"data/cornell-box.obj -o tradeoff",
+                       "data/cornell-box.obj -o tradeoff --texels 8 --method hemicube=128,256 --method area-rays"});
   command.onRead([options, &context] { context.command = [options, &context] { measure(*options, context); }; });
 }
 

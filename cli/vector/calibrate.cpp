@@ -90,6 +90,7 @@ void addVectorCalibrate(Command vector, Context& context) {
   folder.needs(candidate).needs(output).excludes(probes);
   candidate.needs(folder);
   output.needs(folder);
+  command.addExamples({"--probes probes", "probes --candidate drawn -o profile.json"});
   command.onRead([options, &context] {
     if (options->probes.empty() && options->vectors.empty())
       usageError("calibrate", "give --probes FOLDER, or DIR with --candidate and -o");

@@ -42,6 +42,8 @@ void addVectorCheck(Command vector, Context& context) {
       .addPath("--candidate", options->candidate,
                "folder with the device's item IDs; for a suite, one folder per vector")
       .required();
+  command.addExamples(
+      {"suite --candidate drawn", "suite --candidate drawn --profile profile.json --junit results.xml"});
   command.onRead([options, &context] { context.command = [options, &context] { check(*options, context); }; });
 }
 

@@ -115,6 +115,7 @@ void addVectorExplain(Command vector, Context& context) {
       .addText("--pixel", "FACE,COLUMN,ROW", "pixel to explain: name of a face, and column and row in its viewport",
                read)
       .required();
+  command.addExamples({"suite/fans-later-nearer --pixel top,3,4", "vector --pixel side-up,20,5 --json"});
   command.onRead([options, &context] {
     context.command = [options, &context] { explain(options->folder, options->pixel, context); };
   });

@@ -87,6 +87,8 @@ void addVectorExport(Command vector, Context& context) {
   addIdOptions(command, options->id);
   addStages(command, options->stages);
   addOutput(command, options->output, "write the vector into this folder");
+  command.addExamples({"data/cornell-box.obj --eye 278,273,280 --normal 0,1,0 -o vector",
+                       "data/cornell-box.obj --eye 278,548,280 --normal 0,-1,0 --resolution 64 --stages -o vector"});
   command.onRead([options, &context] { context.command = [options, &context] { exportVector(*options, context); }; });
 }
 

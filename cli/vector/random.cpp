@@ -65,6 +65,7 @@ void addVectorRandom(Command vector, Context& context) {
   command.addText("--family", "NAME", "family with ascending seeds (default: all in turn): " + familyNames(),
                   [options](const std::string& name) { options->family = name; });
   addOutput(command, options->output, "folder for the vectors");
+  command.addExamples({"--seed 1 --count 10 -o random", "--seed 7 --count 1 --family slivers -o random"});
   command.onRead([options, &context] { context.command = [options, &context] { writeRandom(*options, context); }; });
 }
 

@@ -42,6 +42,7 @@ void addVectorRender(Command vector, Context& context) {
                     "draw with this renderer; software follows the raster rules exactly (default software)");
   addStages(command, options->stages);
   addOutput(command, options->output, "write the vector with its item IDs into this folder, which may be DIR");
+  command.addExamples({"suite/fans-later-nearer -o drawn/fans-later-nearer", "vector -o drawn --device opengl"});
   command.onRead([options, &context] { context.command = [options, &context] { renderVector(*options, context); }; });
 }
 

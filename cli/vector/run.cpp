@@ -189,6 +189,8 @@ void addVectorRun(Command vector, Context& context) {
   addInteger(command, "--jobs", options->jobs, 1, maxJobs, "programs at a time (default: one per core)");
   addInteger(command, "--repeat", options->repetitions, 1, maxRepetitions,
              "draw each vector N times; it fails if its item IDs are not always the same (default 1)");
+  command.addExamples({"suite --device './draw {vector} {output}' -o drawn",
+                       "suite --device './draw {vector} {output}' -o drawn --repeat 3 --time-limit 60"});
   command.onRead([options, &context] { context.command = [options, &context] { run(*options, context); }; });
 }
 

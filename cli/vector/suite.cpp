@@ -42,6 +42,7 @@ void addVectorSuite(Command vector, Context& context) {
   const auto output = std::make_shared<filesystem::path>();
   const Command command = vector.addCommand("suite", "Write every test vector of the suite, one folder each");
   addOutput(command, *output, "write the vectors into this folder");
+  command.addExamples({"-o suite", "-o suite --json"});
   command.onRead([output, &context] { context.command = [output, &context] { writeSuite(*output, context); }; });
 }
 

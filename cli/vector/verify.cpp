@@ -109,6 +109,7 @@ void addVectorVerify(Command vector, Context& context) {
   command.addPath("RECORD", options->record, "JSON file written with --record").required();
   command.addPath("--suite", options->suite, "folder of the suite").required();
   command.addPath("--candidate", options->candidate, "folder with the device's item IDs (default: only the suite)");
+  command.addExamples({"record.json --suite suite", "record.json --suite suite --candidate drawn"});
   command.onRead([options, &context] { context.command = [options, &context] { verify(*options, context); }; });
 }
 

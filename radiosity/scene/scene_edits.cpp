@@ -10,8 +10,8 @@
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/mesh_sections.h"
 #include "radiosity/scene/mtl_file.h"
-#include "radiosity/scene/name_suggestions.h"
 #include "raster/base/input_error.h"
+#include "raster/base/name_suggestions.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -45,8 +45,9 @@ std::vector<std::uint32_t> findOrFail(const std::vector<Surface>& surfaces, cons
   if (!found.empty()) return found;
   std::set<std::string> families;
   for (const Surface& surface : surfaces) families.insert(surface.family);
-  throw InputError("no surface " + where + " is named `" + name + "`",
-                   families.empty() ? "nothing was removed so far" : "similar names: " + nearestNames(families, name));
+  throw InputError(
+      "no surface " + where + " is named `" + name + "`",
+      families.empty() ? "nothing was removed so far" : "similar names: " + raster::nearestNames(families, name));
 }
 
 /// As findOrFail. A name of no surface or family may be that of a group with several materials, of parts, or of a
@@ -66,7 +67,7 @@ std::vector<std::uint32_t> findByMaterial(const Scene& scene, const std::string&
   std::set<std::string> names;
   for (const Surface& surface : scene.surfaces) names.insert({surface.family, materialOf(surface)});
   throw InputError("no surface, group or material of the scene is named `" + name + "`",
-                   "similar names: " + nearestNames(names, name));
+                   "similar names: " + raster::nearestNames(names, name));
 }
 
 /// The numbers with those of their twins, ascending.

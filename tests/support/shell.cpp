@@ -60,11 +60,13 @@ Shell::Shell() {
   writeAll(file("room.mtl"), roomMaterials);
 }
 
-Outcome Shell::run(const std::string& arguments) const {
+Outcome Shell::run(const std::string& arguments) const { return execute("'" HEMITEX_PROGRAM "' " + arguments); }
+
+Outcome Shell::execute(const std::string& line) const {
   const fs::path out = streams_.path / "out", err = streams_.path / "err";
-  const std::string line = "cd '" + folder_.path.string() + "' && '" HEMITEX_PROGRAM "' " + arguments + " >'" +
-                           out.string() + "' 2>'" + err.string() + "'";
-  const int status = std::system(line.c_str());
+  const std::string all =
+      "cd '" + folder_.path.string() + "' && { " + line + "\n} >'" + out.string() + "' 2>'" + err.string() + "'";
+  const int status = std::system(all.c_str());
   REQUIRE(WIFEXITED(status));
   return {WEXITSTATUS(status), readAll(out), readAll(err)};
 }

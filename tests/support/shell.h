@@ -25,6 +25,8 @@ class Shell {
   Shell();
 
   Outcome run(const std::string& arguments) const;
+  /// Runs a line of `sh` in the folder.
+  Outcome execute(const std::string& line) const;
   /// As run, but requires success. Returns the standard output.
   std::string output(const std::string& arguments) const;
 

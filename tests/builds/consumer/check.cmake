@@ -8,6 +8,13 @@ foreach(step
   execute_process(COMMAND ${CMAKE_COMMAND} ${step} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
 execute_process(COMMAND ${WORK}/build/consumer COMMAND_ERROR_IS_FATAL ANY)
+# Completion scripts and manual pages are where shells and man look for them.
+foreach(file bash-completion/completions/hemitex zsh/site-functions/_hemitex fish/vendor_completions.d/hemitex.fish
+    man/man1/hemitex.1 man/man1/hemitex-vector-check.1)
+  if(NOT EXISTS ${WORK}/prefix/share/${file})
+    message(FATAL_ERROR "share/${file} is not installed")
+  endif()
+endforeach()
 # The scenes of the vector suite are installed with the program.
 execute_process(COMMAND ${WORK}/prefix/bin/hemitex --quiet vector suite -o ${WORK}/suite
   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)

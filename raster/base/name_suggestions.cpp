@@ -1,4 +1,4 @@
-#include "radiosity/scene/name_suggestions.h"
+#include "raster/base/name_suggestions.h"
 
 #include <algorithm>
 #include <iterator>
@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-namespace hemitex::radiosity {
+namespace hemitex::raster {
 namespace {
 
-constexpr std::size_t mostSuggestions = 3;
+constexpr std::size_t maxSuggestions = 3;
 
 /// The number of letters to insert, delete or change (Levenshtein 1966), row by row of the table of all pairs of
 /// prefixes.
@@ -33,11 +33,11 @@ std::string nearestNames(const std::set<std::string>& names, const std::string& 
   std::set<std::pair<std::size_t, std::string>> nearest;
   for (const std::string& name : names) {
     nearest.emplace(editDistance(wrong, name), name);
-    if (nearest.size() > mostSuggestions) nearest.erase(std::prev(nearest.end()));
+    if (nearest.size() > maxSuggestions) nearest.erase(std::prev(nearest.end()));
   }
   std::string text;
   for (const auto& [distance, name] : nearest) text += (text.empty() ? "`" : ", `") + name + "`";
   return text;
 }
 
-}  // namespace hemitex::radiosity
+}  // namespace hemitex::raster

@@ -1,0 +1,60 @@
+#include "cli/help/command_tree.h"
+
+#include <CLI/CLI.hpp>
+#include <sstream>
+
+namespace hemitex::cli {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+OptionInfo describe(const CLI::Option& option) {
+  OptionInfo info;
+  for (const std::string& letter : option.get_snames()) info.names.push_back("-" + letter);
+  for (const std::string& name : option.get_lnames()) info.names.push_back("--" + name);
+  if (option.get_positional()) info.names.push_back(option.get_name(true));
+  if (option.get_type_size() != 0) info.value = option.get_type_name();
+  info.help = option.get_description();
+  if (info.value.find('|') != std::string::npos) info.choices = split(info.value, '|');
+  info.isRequired = option.get_required();
+  return info;
+}
+
+}  // namespace
+
+bool OptionInfo::isPath() const { return value == "PATH" || value.starts_with("FILE."); }
+
+std::string fullNameOf(const CLI::App& app) {
+  return app.get_parent() == nullptr ? app.get_name() : fullNameOf(*app.get_parent()) + ' ' + app.get_name();
+}
+
+CommandInfo commandTree(const CLI::App& app) {
+  CommandInfo info;
+  info.name = fullNameOf(app);
+  info.help = app.get_description();
+  for (const CLI::Option* option : app.get_options()) {
+    const bool isHidden = option->get_group().empty();
+    if (!isHidden) (option->get_positional() ? info.arguments : info.options).push_back(describe(*option));
+  }
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    info.commands.push_back(commandTree(*command));
+  for (const std::string& line : split(app.get_footer(), '\n'))
+    if (line.starts_with("  ")) info.examples.push_back(line.substr(2));
+  return info;
+}
+
+std::vector<CommandInfo> allCommands(const CommandInfo& command) {
+  std::vector<CommandInfo> all = {command};
+  for (const CommandInfo& inner : command.commands) {
+    const std::vector<CommandInfo> below = allCommands(inner);
+    all.insert(all.end(), below.begin(), below.end());
+  }
+  return all;
+}
+
+}  // namespace hemitex::cli

@@ -1,0 +1,45 @@
+/// The commands of a program and their options as plain data. Completion scripts and manual pages are made of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}  // namespace CLI
+
+namespace hemitex::cli {
+
+struct OptionInfo {
+  std::vector<std::string> names;  ///< such as `-o` and `--output`; a positional argument has one name without a dash
+  std::string value;               ///< what the value is, such as `N` or `PATH`; empty for a flag
+  std::string help;
+  std::vector<std::string> choices;  ///< all values, if they have names
+  bool isRequired = false;
+
+  bool isPath() const;
+};
+
+struct CommandInfo {
+  std::string name;  ///< with the program and the outer commands, such as `hemitex vector check`
+  std::string help;  ///< one sentence
+  std::vector<OptionInfo> options;
+  std::vector<OptionInfo> arguments;  ///< positional arguments
+  std::vector<CommandInfo> commands;
+  std::vector<std::string> examples;  ///< complete command lines
+
+  /// The last word of the name.
+  std::string word() const { return name.substr(name.rfind(' ') + 1); }
+};
+
+/// The name of a command with the names of the program and of the outer commands before it.
+std::string fullNameOf(const CLI::App& app);
+
+/// Describes a command or program and its subcommands, without hidden options. Examples are the indented lines of the
+/// footer.
+CommandInfo commandTree(const CLI::App& app);
+
+/// The command and all commands below it; outer commands come first.
+std::vector<CommandInfo> allCommands(const CommandInfo& command);
+
+}  // namespace hemitex::cli

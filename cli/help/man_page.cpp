@@ -1,0 +1,93 @@
+#include "cli/help/man_page.h"
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+namespace hemitex::cli {
+namespace {
+
+/// Escapes a text. A dash becomes the one of the keyboard, so that options can be copied from the page.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char letter : text) {
+    if (letter == '\\')
+      result += "\\e";
+    else if (letter == '-')
+      result += "\\-";
+    else
+      result += letter;
+  }
+  return !text.empty() && (text.front() == '.' || text.front() == '\'') ? "\\&" + result : result;
+}
+
+std::string bold(const std::string& text) { return "\\fB" + escaped(text) + "\\fR"; }
+std::string italic(const std::string& text) { return "\\fI" + escaped(text) + "\\fR"; }
+
+std::string upperCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char letter) { return std::toupper(letter); });
+  return text;
+}
+
+void writeSynopsis(std::ostream& page, const CommandInfo& command) {
+  page << ".SH SYNOPSIS\n" << bold(command.name);
+  if (!command.commands.empty()) page << ' ' << italic("COMMAND");
+  for (const OptionInfo& argument : command.arguments) {
+    const std::string name = italic(argument.names.front());
+    page << ' ' << (argument.isRequired ? name : '[' + name + ']');
+  }
+  for (const OptionInfo& option : command.options)
+    if (option.isRequired) page << ' ' << bold(option.names.front()) << ' ' << italic(option.value);
+  page << " [" << italic("OPTIONS") << "]\n";
+}
+
+void writeOptions(std::ostream& page, const std::string& title, const std::vector<OptionInfo>& options) {
+  if (options.empty()) return;
+  page << ".SH " << title << '\n';
+  for (const OptionInfo& option : options) {
+    page << ".TP\n";
+    for (std::size_t i = 0; i < option.names.size(); ++i) page << (i > 0 ? ", " : "") << bold(option.names[i]);
+    const bool isArgument = !option.names.front().starts_with('-');
+    if (!isArgument && !option.value.empty()) page << ' ' << italic(option.value);
+    page << '\n' << escaped(option.help) << '\n';
+  }
+}
+
+}  // namespace
+
+std::string manPageName(const CommandInfo& command) {
+  std::string name = command.name;
+  std::replace(name.begin(), name.end(), ' ', '-');
+  return name;
+}
+
+std::string manPage(const CommandInfo& command, const std::string& version) {
+  const std::string program = command.name.substr(0, command.name.find(' '));
+  const bool isProgram = program == command.name;
+  // The sentence about a program begins with its name.
+  const std::string purpose = isProgram ? command.help.substr(program.size() + 1) : command.help;
+  std::ostringstream page;
+  page << ".TH " << upperCase(manPageName(command)) << " 1 \"\" \"" << program << ' ' << version
+       << "\" \"User Commands\"\n.SH NAME\n"
+       << escaped(manPageName(command)) << " \\- " << escaped(purpose) << '\n';
+  writeSynopsis(page, command);
+  if (!command.commands.empty()) page << ".SH COMMANDS\n";
+  for (const CommandInfo& inner : command.commands)
+    page << ".TP\n"
+         << bold(inner.word()) << '\n'
+         << escaped(inner.help) << ".\nSee " << bold(manPageName(inner)) << "(1).\n";
+  writeOptions(page, "ARGUMENTS", command.arguments);
+  writeOptions(page, "OPTIONS", command.options);
+  if (isProgram)
+    page << ".PP\nThese options work before and after every command.\n";
+  else
+    page << ".PP\nThe options of " << bold(program) << "(1) work with this command, too.\n";
+  if (!command.examples.empty()) page << ".SH EXAMPLES\n.nf\n";
+  for (const std::string& example : command.examples) page << escaped(example) << '\n';
+  if (!command.examples.empty()) page << ".fi\n";
+  page << ".SH EXIT STATUS\n0: done. 1: a comparison or verification failed. 2: the input or the usage is wrong. "
+          "3: an internal error.\n";
+  return page.str();
+}
+
+}  // namespace hemitex::cli
