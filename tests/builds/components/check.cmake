@@ -10,13 +10,17 @@ if(NOT exports)
   message(FATAL_ERROR "no file of a component is installed")
 endif()
 foreach(export IN LISTS exports)
-  file(STRINGS ${export} folders REGEX "/usr/|${BUILD}|${WORK}|\\.a[;>\"]*$")
-  list(FILTER folders EXCLUDE REGEX "\\\${_IMPORT_PREFIX}|COMPARE|get_filename_component|^ *#")
-  list(FILTER folders INCLUDE REGEX "\"[^$]*(/usr/|${BUILD}|${WORK})")
+  file(STRINGS ${export} folders REGEX "/usr/|${BUILD}|${WORK}")
   if(folders)
     message(FATAL_ERROR "${export} names folders of this machine: ${folders}")
   endif()
 endforeach()
+
+# Nor does the program look for its module in the folder of the build.
+file(STRINGS ${WORK}/moved/bin/hemitex folders REGEX "${BUILD}/lib")
+if(folders)
+  message(FATAL_ERROR "the installed program names ${folders}")
+endif()
 
 foreach(step
     "-S;${CMAKE_CURRENT_LIST_DIR};-B;${WORK}/build;-DCMAKE_PREFIX_PATH=${WORK}/moved;-DCMAKE_CXX_COMPILER=${COMPILER}"
