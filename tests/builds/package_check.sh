@@ -13,6 +13,9 @@ if [ "$(id -u)" -ne 0 ] || ! command -v debootstrap >/dev/null; then
   echo "package_check.sh: run as root, with the Debian package debootstrap installed" >&2
   exit 2
 fi
+# The dynamic linker reads /proc to know where a program lies. The mount ends with the command.
+in_root() { unshare --pid --fork --mount-proc="$root/proc" chroot "$root" "$@"; }
+
 rm -rf "$work"
 mkdir -p "$work"
 
@@ -23,10 +26,10 @@ dpkg-deb --info "$package"
 . /etc/os-release
 debootstrap --variant=minbase "$VERSION_CODENAME" "$root" >>"$work/log"
 cp "$package" "$root/hemitex.deb"
-chroot "$root" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends /hemitex.deb >>"$work/log"
+in_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends /hemitex.deb >>"$work/log"
 
 solve=(hemitex --quiet solve)
-chroot "$root" "${solve[@]}" /usr/share/hemitex/cornell-box.obj -o /cornell-box >/dev/null
+in_root "${solve[@]}" /usr/share/hemitex/cornell-box.obj -o /cornell-box >/dev/null
 "$build/bin/${solve[@]}" "$build/share/hemitex/cornell-box.obj" -o "$work/cornell-box" >/dev/null
 for file in elements.csv render.png; do
   if ! cmp "$root/cornell-box/$file" "$work/cornell-box/$file"; then
