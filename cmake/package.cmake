@@ -1,0 +1,15 @@
+# `cpack -G DEB` in the build folder writes one Debian package of all that is installed.
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/hemitex RENAME copyright)
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME hemitex)
+set(CPACK_PACKAGE_CONTACT "hemitex maintainers <hemitex@example.org>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "light of 3D scenes by radiosity, and test vectors for its rasterizer")
+set(CPACK_PACKAGE_DESCRIPTION "hemitex reads an OBJ file and writes the same scene with its light in textures.
+It has the program, the libraries with their headers, and scenes.")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# What programs that link the libraries are built with.
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libglm-dev, libtbb-dev, libhwy-dev, libembree-dev, libmd-dev, libepoxy-dev")
+include(CPack)

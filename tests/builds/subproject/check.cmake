@@ -1,0 +1,28 @@
+# cmake -DSOURCE=<hemitex> -DWORK=<scratch folder> -DCOMPILER=<c++> -DLAUNCHER=<ccache or nothing> -P check.cmake
+# Configures the project beside this file, which contains hemitex. Then builds it without the solver, runs and installs it.
+file(REMOVE_RECURSE ${WORK})
+set(options -G Ninja -DHEMITEX=${SOURCE} -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O2
+  -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
+
+# All of hemitex adds no test and writes into its own folder.
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/all ${options}
+  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/all --show-only OUTPUT_VARIABLE tests COMMAND_ERROR_IS_FATAL ANY)
+if(NOT tests MATCHES "Total Tests: 1\n")
+  message(FATAL_ERROR "the parent has one test, but ctest says: ${tests}")
+endif()
+if(EXISTS ${WORK}/all/share OR NOT EXISTS ${WORK}/all/hemitex/share)
+  message(FATAL_ERROR "the scenes of hemitex belong into its own folder share")
+endif()
+
+foreach(step
+    "-S;${CMAKE_CURRENT_LIST_DIR};-B;${WORK}/build;${options};-DHEMITEX_SOLVER=OFF"
+    "--build;${WORK}/build;--target;parent"
+    "--install;${WORK}/build;--prefix;${WORK}/prefix")
+  execute_process(COMMAND ${CMAKE_COMMAND} ${step} COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+execute_process(COMMAND ${WORK}/build/programs/parent COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB_RECURSE installed RELATIVE ${WORK}/prefix ${WORK}/prefix/*)
+if(NOT installed STREQUAL "bin/parent")
+  message(FATAL_ERROR "the parent installs bin/parent, but there is ${installed}")
+endif()
