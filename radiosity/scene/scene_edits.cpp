@@ -10,8 +10,8 @@
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/mesh_sections.h"
 #include "radiosity/scene/mtl_file.h"
-#include "raster/base/name_suggestions.h"
 #include "raster/base/input_error.h"
+#include "raster/base/name_suggestions.h"
 
 namespace hemitex::radiosity {
 namespace {
