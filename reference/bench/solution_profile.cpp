@@ -10,6 +10,7 @@
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/solver/shooting_state.h"
+#include "raster/base/parallel.h"
 #include "reference/bench/scenes.h"
 #include "reference/bench/timing.h"
 
@@ -95,6 +96,7 @@ SolutionParts solutionParts(const radiosity::Scene& scene, int texels, int resol
 }
 
 SolutionMemory solutionMemory(const radiosity::Scene& scene, int texels, int resolution) {
+  const raster::ThreadLimit oneThread(1);  // mallinfo2 counts only what the first thread allocated
   const auto elements = [&](int side) {
     return static_cast<double>(radiosity::discretize(scene, {.texels = side}).elements.size());
   };

@@ -35,7 +35,7 @@ struct SolutionMemory {
   std::size_t peakBytes = 0;  ///< of the process so far, including scenes and code
 };
 
-/// Measures the memory; needs an allocator that supports mallinfo2.
+/// Measures the memory on one thread; needs an allocator that supports mallinfo2.
 SolutionMemory solutionMemory(const radiosity::Scene& scene, int texels, int resolution);
 
 }  // namespace hemitex::reference
