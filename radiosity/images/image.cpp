@@ -34,6 +34,19 @@ std::array<double, 255> codeThresholds() {
   return thresholds;
 }
 
+constexpr std::size_t lowerCodes = 4096;
+
+/// The codes of 0, 1/4096, 2/4096, ... Codes of linear values between them are at most a few steps above.
+std::array<std::uint8_t, lowerCodes> codesOfLowerValues(const std::array<double, 255>& thresholds) {
+  std::array<std::uint8_t, lowerCodes> codes;
+  for (std::size_t i = 0; i < lowerCodes; ++i) {
+    const double linear = static_cast<double>(i) / lowerCodes;
+    const auto above = std::upper_bound(thresholds.begin(), thresholds.end(), linear);
+    codes[i] = static_cast<std::uint8_t>(above - thresholds.begin());
+  }
+  return codes;
+}
+
 const std::array<double, 256>& decodedCodes() {
   static const std::array<double, 256> decoded = [] {
     std::array<double, 256> values;
@@ -119,9 +132,12 @@ double decodeSrgb(double encoded) {
 
 std::uint8_t encodeSrgb(double linear) {
   static const std::array<double, 255> thresholds = codeThresholds();
-  const auto above =
-      std::partition_point(thresholds.begin(), thresholds.end(), [&](double threshold) { return threshold <= linear; });
-  return static_cast<std::uint8_t>(above - thresholds.begin());
+  static const std::array<std::uint8_t, lowerCodes> lower = codesOfLowerValues(thresholds);
+  if (!(linear > 0)) return 0;
+  if (linear >= 1) return 255;
+  std::uint8_t code = lower[static_cast<std::size_t>(linear * lowerCodes)];
+  while (code < 255 && thresholds[code] <= linear) ++code;
+  return code;
 }
 
 CodedImage encodeSrgb(const Image& image) {
