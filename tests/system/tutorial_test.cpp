@@ -62,3 +62,11 @@ TEST_CASE("picturesOf finds the PNG files of a page", "[documents]") {
 TEST_CASE("The commands of docs/tutorial.md print and draw what the page shows", "[documents]") {
   checkPage("tutorial.md");
 }
+
+TEST_CASE("The exercises of docs/exercises.md fail at their starts as the page says", "[documents]") {
+  const std::string page = raster::readFile(docs / "exercises.md");
+  checkPage("exercises.md");
+  std::size_t failures = 0;
+  for (std::size_t at = 0; (at = page.find("    (exit code 1)\n", at)) != std::string::npos; ++at) failures += 1;
+  CHECK(failures == 10);
+}
