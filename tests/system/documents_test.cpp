@@ -1,4 +1,4 @@
-/// README.md, the pages of docs/ and comments: the files that they name exist, and sentences are short.
+/// README.md files, the pages of docs/ and comments: the files that they name exist, and sentences are short.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -17,8 +17,21 @@ namespace {
 
 const fs::path top = HEMITEX_SOURCE;
 
+/// Each folder of the libraries has an overview.
+std::vector<fs::path> overviews() {
+  std::vector<fs::path> found;
+  for (const char* library : {"raster", "radiosity", "reference"}) {
+    found.push_back(top / library / "README.md");
+    for (const auto& entry : fs::directory_iterator(top / library)) {
+      if (entry.is_directory()) found.push_back(entry.path() / "README.md");
+    }
+  }
+  return found;
+}
+
 std::vector<fs::path> pages() {
-  std::vector<fs::path> found = {top / "README.md"};
+  std::vector<fs::path> found = overviews();
+  found.push_back(top / "README.md");
   for (const auto& entry : fs::directory_iterator(top / "docs")) {
     if (entry.path().extension() == ".md") found.push_back(entry.path());
   }
@@ -89,6 +102,21 @@ TEST_CASE("Headers and sources that comments name exist", "[documents]") {
     }
   }
   CHECK(count > 20);
+}
+
+TEST_CASE("Each folder of the libraries has an overview, whose headers exist", "[documents]") {
+  const std::vector<fs::path> files = overviews();
+  CHECK(files.size() > 30);
+  for (const fs::path& file : files) {
+    INFO(file);
+    REQUIRE(fs::exists(file));
+    const std::string text = readFile(file);
+    CHECK(text.starts_with("# " + fs::relative(file.parent_path(), top).generic_string() + "\n\n"));
+    for (const std::smatch& match : matches(text, std::regex(R"(`(\w+\.h)`)"))) {
+      INFO(match[1]);
+      CHECK(fs::exists(file.parent_path() / match[1].str()));
+    }
+  }
 }
 
 TEST_CASE("Files that README.md and docs name exist", "[documents]") {
