@@ -18,6 +18,7 @@ error() {
 }
 goal_shots=$(solve --max-error 0.02 -o goal)
 shots=$(solve $(cat options) -o mine)
+[ -n "$shots" ] || exit 1
 goal_error=$(error goal) mine_error=$(error mine)
 echo "--max-error 0.02: error $goal_error % with $goal_shots shots"
 echo "your options: error $mine_error % (goal: not more) with $shots shots (goal: at most 80 %)"
