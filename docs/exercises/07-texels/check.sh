@@ -1,5 +1,6 @@
 # Lights the Cornell box with the options of the file "options", and compares a picture of its elements with a fine one.
 cd "$(dirname "$0")" || exit 2
+rm -rf fine mine
 light() {
   folder=$1; shift
   hemitex solve -q ../../../data/cornell-box.obj "$@" --size 8x8 -o "$folder" > "$folder.log" || exit 1
