@@ -111,6 +111,9 @@ void validateFilter(const SolveOptions& options) {
 void addSolveOptions(Command command, SolveOptions& options) {
   addSceneOptions(command, options.scene);
   addOutput(command, options.output, "write the lit scene into this folder");
+  command.addFlag("--report", options.report,
+                  "also write report.html, which shows the lit scene in 3-D, where the flux went, the convergence, the "
+                  "settings and warnings; it works without a network");
   addDiscretizationOptions(command, options.discretization);
   addMethodOptions(command, options);
   addIdOptions(command, options.id);

@@ -27,6 +27,7 @@ struct SolveOptions {
   std::optional<int> magnification;
   CameraOptions camera;
   std::filesystem::path edits;  ///< empty if there are none
+  bool report = false;          ///< also write report.html
   std::filesystem::path output;
 };
 
