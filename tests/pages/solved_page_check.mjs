@@ -236,6 +236,7 @@ async function checkTurn() {
 /// A button beside a warning or in a table turns the camera to its surface and shows it.
 async function checkButtons(list) {
   const selector = `${list} button.place`;
+  await clickOn("#start");
   require(await evaluate(`document.querySelector("${selector}") !== null`), `${list} has no button`);
   const name = await evaluate(`document.querySelector("${selector}").textContent`), before = await camera();
   await clickOn(selector);
@@ -243,7 +244,6 @@ async function checkButtons(list) {
   require(JSON.stringify(await camera()) !== JSON.stringify(before), `${list}: the camera did not turn to ${name}`);
   await screenshot(`page${list.replace(/\W/g, "-")}.png`);
   await clickOn("#surface .close");
-  await clickOn("#start");
   return name;
 }
 
@@ -254,7 +254,9 @@ async function checkPage() {
   const names = await checkClicks("start view");
   await checkValues();
   const turned = await checkTurn();
-  const warned = await checkButtons("#warnings"), absorbing = await checkButtons("#absorbedBy");
+  const warned = await checkButtons("#warnings li:first-child"), absorbing = await checkButtons("#absorbedBy");
+  require(warned === "wall-red" && absorbing.startsWith("short-block"), `the places are ${warned} and ${absorbing}`);
+  require(await checkButtons("#warnings li:last-child") === absorbing, "the warning does not name the largest back");
   await checkButtons("#seenFrom");
   const {data} = await send("Page.captureScreenshot", {captureBeyondViewport: true, clip: {
     x: 0, y: 0, width: 1100, height: await evaluate("document.documentElement.scrollHeight"), scale: 1}});
