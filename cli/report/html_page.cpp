@@ -12,10 +12,10 @@
 namespace hemitex::cli {
 namespace {
 
-/// JSON for a script element, with `</` escaped, which could end the element.
+/// JSON for a script element, with `<` escaped, which could end the element.
 std::string scriptText(const nlohmann::ordered_json& json) {
   std::string text = toText(json);
-  for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos;) text.replace(at, 2, "<\\/");
+  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) text.replace(at, 1, "\\u003c");
   return text;
 }
 

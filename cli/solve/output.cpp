@@ -143,8 +143,8 @@ std::string summary(const ordered_json& solution) {
     for (const ordered_json& frame : solution["frames"])
       text << frame["folder"].get<std::string>() << ": " << shotsText(frame, frame["times"]["update_s"]);
   text << "expected error: "
-       << (solution.contains("expected_error") ? percentText(solution["expected_error"]) + " of all flux"
-                                               : "not measured; --max-error measures it")
+       << (solution["expected_error"].is_null() ? "not measured; --max-error measures it"
+                                                : percentText(solution["expected_error"]) + " of all flux")
        << '\n';
   text << fluxText(solution["energy"]);
   return text.str();

@@ -106,13 +106,14 @@ void solve(SolveOptions asked, Context& context) {
   Staging staging(options.output);
   const Lit lit{scene, solved.discretization, layout, solved.solution};
   const Showing showing{options, camera, exposureOf(options, lit)};
-  const radiosity::Scene shown = writeSolved(staging.folder(), lit, showing);
+  radiosity::Scene shown = writeSolved(staging.folder(), lit, showing);
+  if (!options.report) shown = {};  // textures take much memory
   const std::optional<SolveRecord> record =
       options.report ? std::optional(recordOf(lit, options, dynamic ? ofDynamic : solved.convergence)) : std::nullopt;
   laps.lap("write_s");
   ordered_json text = description(lit, showing);
   text["captured"] = solved.captured;
-  if (bounded) text["expected_error"] = bounded->expectedError;
+  text["expected_error"] = bounded ? ordered_json(bounded->expectedError) : ordered_json();  // null: not measured
   for (std::size_t f = 0; f < frames.size(); ++f)
     text["frames"].push_back(writeFrame(staging.folder(), f + 1, frames[f], *dynamic, showing, console));
   text["times"] = laps.times();

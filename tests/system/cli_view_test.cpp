@@ -124,7 +124,9 @@ TEST_CASE("hemitex solve ends with elements, shots, time, residual, expected err
   const Outcome quiet = shell.run(quickSolve + "-q -o out");
   CHECK(quiet.out.empty());
   CHECK(quiet.err.empty());
-  CHECK(json::parse(shell.output(quickSolve + "-q --json -o out"))["elements"] == 96);
+  const json solution = json::parse(shell.output(quickSolve + "-q --json -o out"));
+  CHECK(solution["elements"] == 96);
+  CHECK(solution["expected_error"].is_null());
 }
 
 TEST_CASE("hemitex view starts $BROWSER with the page and prints its path", "[cli]") {
