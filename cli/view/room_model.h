@@ -13,9 +13,9 @@
 
 namespace hemitex::cli {
 
-/// The largest model. With these values a page has at most about 40 MB.
+/// The largest model. With these values a page has at most about 55 MB.
 struct ModelLimits {
-  std::size_t triangles = std::size_t{1} << 18;  ///< above it the smallest triangles are left out
+  std::size_t triangles = std::size_t{1} << 19;  ///< above it the smallest triangles are left out
   std::size_t texels = std::size_t{1} << 22;     ///< of all textures; above it each one is shrunk
 };
 
