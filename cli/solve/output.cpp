@@ -27,7 +27,6 @@ ordered_json surfaceTexelsJson(const radiosity::DiscretizationSettings& settings
 /// The settings that the result depends on.
 ordered_json settingsJson(const Showing& showing) {
   const SolveOptions& options = showing.options;
-  const radiosity::TextureSettings textures = texturesOf(options);
   const auto orNull = [](const auto& value) { return value ? ordered_json(*value) : ordered_json(); };
   const auto ofProjections = [&](const auto& value) {
     return usesRays(options) ? ordered_json() : ordered_json(value);
@@ -57,11 +56,15 @@ ordered_json settingsJson(const Showing& showing) {
           {"max_error", orNull(options.maxError)},
           {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
           {"shots", orNull(options.solver.shots)},
-          {"filter", nameOf(textures.filter)},
-          {"magnify", textures.magnification},
+          {"filter", nameOf(filterOf(options))},
+          {"magnify", orNull(options.magnification)},
           {"camera", toJson(showing.camera)},
           {"size", {options.camera.width, options.camera.height}},
           {"exposure", showing.exposure}};
+}
+
+radiosity::TextureLayout textureLayout(const SolveOptions& options, const Lit& lit) {
+  return radiosity::layOutTextures(lit.scene, lit.discretization, magnificationOf(options));
 }
 
 std::string shotsText(const ordered_json& solution, double seconds) {
@@ -93,18 +96,23 @@ double exposureOf(const SolveOptions& options, const Lit& lit) {
   return options.camera.exposure.value_or(radiosity::defaultExposure(lit.scene, lit.discretization, lit.displayed));
 }
 
-radiosity::Scene writeSolved(const std::filesystem::path& folder, const Lit& lit, const Showing& showing) {
-  const SolveOptions& options = showing.options;
-  radiosity::LitScene shown =
-      radiosity::makeLitScene(lit.scene, lit.discretization, lit.displayed, showing.exposure, texturesOf(options));
-  radiosity::writeLitScene(folder, shown, lit.discretization, lit.solution.radiosity);
-  radiosity::writePng(folder / "render.png", radiosity::unlitPicture(shown.scene, showing.camera, options.camera.width,
-                                                                     options.camera.height));
+radiosity::LitScene shownScene(const Lit& lit, const Showing& showing) {
+  return radiosity::makeLitScene(lit.scene, lit.discretization, textureLayout(showing.options, lit), lit.displayed,
+                                 showing.exposure, filterOf(showing.options));
+}
+
+std::vector<std::string> writeSolved(const std::filesystem::path& folder, const Lit& lit,
+                                     const radiosity::LitScene& shown, const Showing& showing) {
+  const int width = showing.options.camera.width, height = showing.options.camera.height;
+  const radiosity::PictureView view{showing.camera, static_cast<double>(width) / height};
+  const std::vector<std::string> warnings =
+      radiosity::writeLitScene(folder, shown, view, lit.discretization, lit.solution.radiosity);
+  radiosity::writePng(folder / "render.png", radiosity::unlitPicture(shown, showing.camera, width, height));
   raster::writeFile(folder / "scene.view.json", toText(toJson(showing.camera)));
   std::ostringstream elements;
   writeCsv(elements, elementTable(lit.scene, lit.discretization, lit.solution));
   raster::writeFile(folder / "elements.csv", elements.view());
-  return std::move(shown.scene);
+  return warnings;
 }
 
 SolveRecord recordOf(const Lit& lit, const SolveOptions& options, const Convergence& convergence) {
@@ -119,18 +127,19 @@ SolveRecord recordOf(const Lit& lit, const SolveOptions& options, const Converge
   return record;
 }
 
-void writeReport(const std::filesystem::path& folder, const radiosity::Scene& shown, const Showing& showing,
+void writeReport(const std::filesystem::path& folder, const radiosity::LitScene& shown, const Showing& showing,
                  const ordered_json& solution, const SolveRecord& record) {
-  std::vector<std::uint32_t> surfaces(shown.surfaces.size());
+  std::vector<std::uint32_t> surfaces(shown.scene.surfaces.size());
   std::iota(surfaces.begin(), surfaces.end(), 0u);
-  raster::writeFile(folder / "report.html", solvedPage(shown, surfaces, showing.camera, solution, record, folder));
+  raster::writeFile(folder / "report.html",
+                    solvedPage({shown.scene, shown.textures, surfaces}, showing.camera, solution, record));
 }
 
 ordered_json description(const Lit& lit, const Showing& showing) {
   ordered_json text = {{"settings", settingsJson(showing)}};
   const MaterialOptions& materials = showing.options.scene.materials;
   if (materials.areGiven()) text["settings"]["materials"] = toJson(materials);
-  text.update(describe(lit.scene, lit.discretization, lit.layout, lit.solution));
+  text.update(describe(lit.scene, lit.discretization, lit.layout, textureLayout(showing.options, lit), lit.solution));
   return text;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "cli/solve/options.h"
 #include "cli/view/solved_page.h"
@@ -35,14 +36,18 @@ struct Showing {
 /// The given exposure, or the default for the solution.
 double exposureOf(const SolveOptions& options, const Lit& lit);
 
-/// Writes the lit scene, its picture and elements.csv, but not solution.json. Returns the lit scene.
-radiosity::Scene writeSolved(const std::filesystem::path& folder, const Lit& lit, const Showing& showing);
+/// The lit scene, with the display textures of the options.
+radiosity::LitScene shownScene(const Lit& lit, const Showing& showing);
+
+/// Writes the lit scene, its picture and elements.csv, but not solution.json. Returns warnings for the user.
+std::vector<std::string> writeSolved(const std::filesystem::path& folder, const Lit& lit,
+                                     const radiosity::LitScene& shown, const Showing& showing);
 
 /// What only the page of the solution shows: its convergence, and the flux that backs absorbed, by surface.
 SolveRecord recordOf(const Lit& lit, const SolveOptions& options, const Convergence& convergence);
 
 /// Writes the page. `solution` is the object of solution.json, and `shown` the lit scene.
-void writeReport(const std::filesystem::path& folder, const radiosity::Scene& shown, const Showing& showing,
+void writeReport(const std::filesystem::path& folder, const radiosity::LitScene& shown, const Showing& showing,
                  const nlohmann::ordered_json& solution, const SolveRecord& record);
 
 /// The object of solution.json without times and warnings: the settings that the result depends on, and the solution.

@@ -53,7 +53,7 @@ ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number,
   std::filesystem::create_directory(folder / name);
   const Lit lit{dynamic.scene(), dynamic.discretization(), dynamic.layout(), dynamic.solution()};
   console.warnings(lit.solution.warnings);
-  writeSolved(folder / name, lit, showing);
+  console.warnings(writeSolved(folder / name, lit, shownScene(lit, showing), showing));
   laps.lap("write_s");
   ordered_json text = description(lit, showing);
   text["edits"] = frame.written;
@@ -106,7 +106,8 @@ void solve(SolveOptions asked, Context& context) {
   Staging staging(options.output);
   const Lit lit{scene, solved.discretization, layout, solved.solution};
   const Showing showing{options, camera, exposureOf(options, lit)};
-  radiosity::Scene shown = writeSolved(staging.folder(), lit, showing);
+  radiosity::LitScene shown = shownScene(lit, showing);
+  console.warnings(writeSolved(staging.folder(), lit, shown, showing));
   if (!options.report) shown = {};  // textures take much memory
   const std::optional<SolveRecord> record =
       options.report ? std::optional(recordOf(lit, options, dynamic ? ofDynamic : solved.convergence)) : std::nullopt;

@@ -13,6 +13,7 @@ namespace hemitex::cli {
 namespace {
 
 using nlohmann::ordered_json;
+using radiosity::CodedImage;
 using radiosity::Image;
 
 /// A triangle of the scene, and the image that it shows.
@@ -23,7 +24,7 @@ struct ShownTriangle {
 };
 
 /// All triangles: textured ones by texture, then the others; otherwise in the order of the scene.
-std::vector<ShownTriangle> trianglesByTexture(const radiosity::Scene& lit) {
+std::vector<ShownTriangle> trianglesByTexture(const radiosity::Scene& lit, std::size_t textures) {
   std::vector<ShownTriangle> triangles;
   for (std::uint32_t s = 0; s < lit.surfaces.size(); ++s) {
     const radiosity::Surface& surface = lit.surfaces[s];
@@ -31,7 +32,7 @@ std::vector<ShownTriangle> trianglesByTexture(const radiosity::Scene& lit) {
     for (const radiosity::Triangle& triangle : surface.triangles) triangles.push_back({&triangle, s, texture});
   }
   const auto key = [&](const ShownTriangle& shown) {
-    return shown.texture ? static_cast<std::size_t>(*shown.texture) : lit.images.size();
+    return shown.texture ? static_cast<std::size_t>(*shown.texture) : textures;
   };
   std::stable_sort(triangles.begin(), triangles.end(),
                    [&](const ShownTriangle& a, const ShownTriangle& b) { return key(a) < key(b); });
@@ -69,10 +70,10 @@ std::uint16_t fraction(double coordinate) {
 }
 
 /// The number by which the sides of all textures are divided so that their texels are within the limit.
-int divisorFor(const std::vector<Image>& images, std::size_t limit) {
+int divisorFor(const std::vector<CodedImage>& images, std::size_t limit) {
   const auto texels = [&](int divisor) {
     std::size_t sum = 0;
-    for (const Image& image : images)
+    for (const CodedImage& image : images)
       sum += static_cast<std::size_t>(std::max(1, image.width / divisor)) *
              static_cast<std::size_t>(std::max(1, image.height / divisor));
     return sum;
@@ -80,14 +81,6 @@ int divisorFor(const std::vector<Image>& images, std::size_t limit) {
   int divisor = 1;
   while (texels(divisor) > limit && texels(divisor) > images.size()) ++divisor;
   return divisor;
-}
-
-std::string pngLetters(const Image& image, const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / "texture.png.partial.png";
-  radiosity::writePng(file, image);
-  std::string letters = base64OfFile(file);
-  std::filesystem::remove(file);
-  return letters;
 }
 
 /// Rows of an image, each shrunk to `width` texels.
@@ -117,6 +110,24 @@ Image transposed(const Image& image) {
   return result;
 }
 
+/// The codes of an image as linear values.
+Image decoded(const CodedImage& image) {
+  Image result{image.width, image.height, {}};
+  for (std::size_t i = 0; i < image.codes.size(); i += 3) {
+    glm::dvec3 pixel;
+    for (int band = 0; band < 3; ++band)
+      pixel[band] = radiosity::decodeSrgb(image.codes[i + static_cast<std::size_t>(band)] / 255.0);
+    result.pixels.push_back(pixel);
+  }
+  return result;
+}
+
+std::string pngLetters(const CodedImage& image, int divisor) {
+  const CodedImage shown = divisor == 1 ? image : radiosity::encodeSrgb(shrunk(decoded(image), divisor));
+  const std::vector<unsigned char> bytes = radiosity::encodePng(shown, "texture");
+  return base64({bytes.begin(), bytes.end()});
+}
+
 }  // namespace
 
 Image shrunk(const Image& image, int divisor) {
@@ -125,9 +136,9 @@ Image shrunk(const Image& image, int divisor) {
   return transposed(narrowed(transposed(narrow), std::max(1, image.height / divisor)));
 }
 
-ordered_json roomModel(const radiosity::Scene& lit, const std::vector<std::uint32_t>& surfaceOf,
-                       const std::filesystem::path& folder, const ModelLimits& limits) {
-  std::vector<ShownTriangle> triangles = trianglesByTexture(lit);
+ordered_json roomModel(const ShownScene& scene, const ModelLimits& limits) {
+  const auto& [lit, textures, surfaceOf] = scene;
+  std::vector<ShownTriangle> triangles = trianglesByTexture(lit, textures.size());
   const std::size_t leftOut = keepLargest(triangles, limits.triangles);
   const double extent = lit.extent > 0 ? lit.extent : 1;
   std::string positions, coordinates, colours, surfaces;
@@ -149,17 +160,16 @@ ordered_json roomModel(const radiosity::Scene& lit, const std::vector<std::uint3
         append(colours, static_cast<std::uint8_t>(std::nearbyint(255 * std::clamp(colour[band], 0.0, 1.0))));
     }
   }
-  const int divisor = divisorFor(lit.images, limits.texels);
-  return {
-      {"origin", toJson(lit.origin)},
-      {"extent", extent},
-      {"parts", parts},
-      {"positions", base64(positions)},
-      {"coordinates", base64(coordinates)},
-      {"colours", base64(colours)},
-      {"surfaces", base64(surfaces)},
-      {"textures", listOf(lit.images, [&](const Image& image) { return pngLetters(shrunk(image, divisor), folder); })},
-      {"left_out", {{"triangles", leftOut}, {"texture_divisor", divisor}}}};
+  const int divisor = divisorFor(textures, limits.texels);
+  return {{"origin", toJson(lit.origin)},
+          {"extent", extent},
+          {"parts", parts},
+          {"positions", base64(positions)},
+          {"coordinates", base64(coordinates)},
+          {"colours", base64(colours)},
+          {"surfaces", base64(surfaces)},
+          {"textures", listOf(textures, [&](const CodedImage& image) { return pngLetters(image, divisor); })},
+          {"left_out", {{"triangles", leftOut}, {"texture_divisor", divisor}}}};
 }
 
 }  // namespace hemitex::cli

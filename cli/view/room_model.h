@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -19,8 +18,14 @@ struct ModelLimits {
   std::size_t texels = std::size_t{1} << 22;     ///< of all textures; above it each one is shrunk
 };
 
-/// The model of a lit scene (radiosity/textures/lit_scene.h). `surfaceOf` holds one number per surface of the scene, by
-/// which the page knows it. Writes temporary files into `folder`, which exists. The object has:
+/// A lit scene (radiosity/textures/lit_scene.h).
+struct ShownScene {
+  const radiosity::Scene& scene;
+  const std::vector<radiosity::CodedImage>& textures;  ///< the reflectance maps of the materials
+  const std::vector<std::uint32_t>& surfaceOf;         ///< one per surface: the number by which the page knows it
+};
+
+/// The model of a lit scene. The object has:
 ///
 ///     origin, extent   a position is (p - origin) / extent
 ///     parts            runs of triangles: {texture, triangles}; texture is null for corner colours
@@ -30,8 +35,7 @@ struct ModelLimits {
 ///     surfaces         32-bit numbers, one per triangle: the entries of `surfaceOf`
 ///     textures         PNG files, row 0 at the top
 ///     left_out         triangles, and the number by which the sides of textures are divided
-nlohmann::ordered_json roomModel(const radiosity::Scene& lit, const std::vector<std::uint32_t>& surfaceOf,
-                                 const std::filesystem::path& folder, const ModelLimits& limits = {});
+nlohmann::ordered_json roomModel(const ShownScene& shown, const ModelLimits& limits = {});
 
 /// The image with sides divided by `divisor` and rounded down, at least 1 texel. Each texel is the mean of the part of
 /// the image that it covers, in linear light.

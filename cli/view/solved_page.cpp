@@ -8,7 +8,6 @@
 #include "cli/report/embedded_files.h"
 #include "cli/report/html_page.h"
 #include "cli/scene/camera_options.h"
-#include "cli/view/room_model.h"
 
 namespace hemitex::cli {
 namespace {
@@ -71,21 +70,20 @@ std::string scriptElement(const char* script) { return std::string("<script>") +
 
 }  // namespace
 
-std::string solvedPage(const radiosity::Scene& lit, const std::vector<std::uint32_t>& surfaceOf,
-                       const radiosity::Camera& camera, const ordered_json& solution,
-                       const std::optional<SolveRecord>& record, const std::filesystem::path& folder) {
+std::string solvedPage(const ShownScene& lit, const radiosity::Camera& camera, const ordered_json& solution,
+                       const std::optional<SolveRecord>& record) {
   const ordered_json& surfaces = solution.at("surfaces");
   const std::vector<std::uint32_t> listed = listedSurfaces(surfaces);
   std::vector<std::uint32_t> places(surfaces.size(), unlisted);
   for (std::uint32_t i = 0; i < listed.size(); ++i) places[listed[i]] = i;
   std::vector<std::uint32_t> shownAs;
-  for (const std::uint32_t surface : surfaceOf) shownAs.push_back(places.at(surface));
+  for (const std::uint32_t surface : lit.surfaceOf) shownAs.push_back(places.at(surface));
 
   ordered_json page;
   for (const auto& [key, value] : solution.items())
     if (key != "surfaces" && key != "times" && key != "frames") page[key] = value;
   page["camera"] = toJson(camera);
-  page["room"] = roomModel(lit, shownAs, folder);
+  page["room"] = roomModel({lit.scene, lit.textures, shownAs});
   page["room"]["left_out"]["surfaces"] = surfaces.size() - listed.size();
   page["surfaces"] = listOf(listed, [&](std::uint32_t s) { return surfaceJson(surfaces[s]); });
   ordered_json times = {{"solve_s", solution.at("times").at("solve_s")}};

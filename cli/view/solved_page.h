@@ -2,15 +2,14 @@
 /// the convergence of the solution, its settings and warnings. The page works without a network.
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/view/room_model.h"
 #include "radiosity/form_factors/back_absorption.h"
 #include "radiosity/pictures/camera.h"
-#include "radiosity/scene/scene.h"
 
 namespace hemitex::cli {
 
@@ -27,11 +26,9 @@ struct SolveRecord {
   std::vector<glm::dvec3> lostToBacks;  ///< one per surface: flux that it shot and that backs absorbed
 };
 
-/// `lit` is the lit scene, `solution` the object of solution.json, and `surfaceOf` holds for each surface of `lit` its
-/// number in solution["surfaces"]. Only the element `times` of the page depends on time. Writes temporary files into
-/// `folder`, which exists.
-std::string solvedPage(const radiosity::Scene& lit, const std::vector<std::uint32_t>& surfaceOf,
-                       const radiosity::Camera& camera, const nlohmann::ordered_json& solution,
-                       const std::optional<SolveRecord>& record, const std::filesystem::path& folder);
+/// `solution` is the object of solution.json; the page knows the surfaces of `lit` by their numbers in
+/// solution["surfaces"]. Only the element `times` of the page depends on time.
+std::string solvedPage(const ShownScene& lit, const radiosity::Camera& camera, const nlohmann::ordered_json& solution,
+                       const std::optional<SolveRecord>& record);
 
 }  // namespace hemitex::cli

@@ -25,15 +25,17 @@ namespace fs = std::filesystem;
 const char* const pageName = "report.html";
 
 /// The page of a solved folder. Throws InputError if its files do not allow that.
-std::string pageOf(const fs::path& solved, const fs::path& temporary) {
+std::string pageOf(const fs::path& solved) {
   const fs::path sceneFile = solved / "scene.obj";
   const std::string text = raster::readFile(solved / "solution.json");
   const radiosity::Scene lit = radiosity::loadScene(sceneFile, {});
   // The lit scene has one group per surface, in order; a group may have several planar parts.
   const std::vector<std::uint32_t> surfaceOf = familiesOf(lit).ofSurface;
+  std::vector<radiosity::CodedImage> textures;
+  for (const radiosity::Image& image : lit.images) textures.push_back(radiosity::encodeSrgb(image));
   try {
     const ordered_json solution = ordered_json::parse(text);
-    return solvedPage(lit, surfaceOf, cameraOf({}, lit, sceneFile), solution, std::nullopt, temporary);
+    return solvedPage({lit, textures, surfaceOf}, cameraOf({}, lit, sceneFile), solution, std::nullopt);
   } catch (const std::exception& error) {
     throw raster::InputError((solved / "solution.json").string(), 0,
                              std::string("does not belong to the scene beside it: ") + error.what(),
@@ -47,7 +49,7 @@ void writePage(const fs::path& folder) {
       throw raster::InputError(folder.string(), 0, std::string("has neither ") + pageName + " nor " + name,
                                "solve a scene into this folder with --report");
   Staging staging(folder);
-  raster::writeFile(staging.folder() / pageName, pageOf(folder, staging.folder()));
+  raster::writeFile(staging.folder() / pageName, pageOf(folder));
   staging.commit();
 }
 

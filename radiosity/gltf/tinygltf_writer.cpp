@@ -109,21 +109,21 @@ void appendObject(tinygltf::Model& gltf, const GltfObject& object, const glm::dv
   appendNode(gltf, std::move(node));
 }
 
-void appendCamera(tinygltf::Model& gltf, const GltfCamera& camera, const glm::dvec3& origin) {
+void appendCamera(tinygltf::Model& gltf, const GltfCamera& camera) {
   tinygltf::Camera perspective;
   perspective.name = "camera";
   perspective.type = "perspective";
   perspective.perspective.yfov = camera.fov;
   perspective.perspective.aspectRatio = camera.aspect;
   perspective.perspective.znear = camera.near;
+  perspective.perspective.zfar = camera.far;
   gltf.cameras.push_back(std::move(perspective));
 
   tinygltf::Node node;
   node.name = "camera";
   node.camera = last(gltf.cameras);
   for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row)
-      node.matrix.push_back(camera.toWorld[column][row] + (column == 3 && row < 3 ? origin[row] : 0));
+    for (int row = 0; row < 4; ++row) node.matrix.push_back(camera.toWorld[column][row]);
   appendNode(gltf, std::move(node));
 }
 
@@ -135,7 +135,8 @@ tinygltf::Sampler linearSampler() {
   return sampler;
 }
 
-void write(const GltfModel& model, std::ostream& stream) {
+/// Frees the parts of the model as it goes, because tinygltf needs a second copy of the buffer.
+void write(GltfModel model, std::ostream& stream) {
   tinygltf::Model gltf;
   gltf.asset.version = "2.0";
   gltf.asset.generator = "hemitex";
@@ -144,10 +145,16 @@ void write(const GltfModel& model, std::ostream& stream) {
   gltf.scenes.emplace_back();
   gltf.defaultScene = 0;
   gltf.samplers = {linearSampler()};
-  for (const GltfTexture& texture : model.textures) appendTexture(gltf, texture);
+  for (GltfTexture& texture : model.textures) {
+    appendTexture(gltf, texture);
+    texture = {};
+  }
   for (const GltfMaterial& material : model.materials) gltf.materials.push_back(unlitMaterial(material));
-  for (const GltfObject& object : model.objects) appendObject(gltf, object, model.origin);
-  appendCamera(gltf, model.camera, model.origin);
+  for (GltfObject& object : model.objects) {
+    appendObject(gltf, object, model.origin);
+    object = {};
+  }
+  appendCamera(gltf, model.camera);
   tinygltf::TinyGLTF().WriteGltfSceneToStream(&gltf, stream, false, true);
 }
 

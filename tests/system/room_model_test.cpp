@@ -7,7 +7,6 @@
 
 #include "cli/report/html_page.h"
 #include "tests/support/box_scene.h"
-#include "tests/support/temporary_folder.h"
 
 using namespace hemitex;
 using namespace hemitex::cli;
@@ -17,15 +16,18 @@ using radiosity::Scene;
 namespace {
 
 /// A cube of side 1 whose faces show one image, except for the last, which has corner colours.
-Scene litCube(int width, int height) {
+Scene litCube() {
   Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(0));
   scene.materials[0].reflectanceMap = 0;
   scene.materials.push_back(tests::material("gouraud", glm::dvec3(0.5), glm::dvec3(0)));
-  scene.images.push_back({width, height, std::vector<glm::dvec3>(static_cast<std::size_t>(width * height))});
   scene.surfaces.back().material = 1;
   for (radiosity::Triangle& triangle : scene.surfaces.back().triangles)
     triangle.cornerColor = {{glm::dvec3(0), glm::dvec3(0.2, 0.4, 0.6), glm::dvec3(1)}};
   return scene;
+}
+
+std::vector<radiosity::CodedImage> textures(int width, int height) {
+  return {{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(3 * width * height))}};
 }
 
 const std::vector<std::uint32_t> numbers{5, 4, 3, 2, 1, 0};
@@ -46,9 +48,8 @@ glm::dvec3 meanOf(const Image& image) {
 }  // namespace
 
 TEST_CASE("roomModel holds each corner once, by texture, relative to the scene's centre and extent", "[cli]") {
-  const TemporaryFolder folder;
-  const Scene lit = litCube(4, 2);
-  const auto model = roomModel(lit, numbers, folder.path);
+  const Scene lit = litCube();
+  const auto model = roomModel({lit, textures(4, 2), numbers});
   std::vector<float> positions;
   for (const radiosity::Surface& surface : lit.surfaces)
     for (const radiosity::Triangle& triangle : surface.triangles)
@@ -66,15 +67,13 @@ TEST_CASE("roomModel holds each corner once, by texture, relative to the scene's
   CHECK(model["surfaces"] == base64(surfaces));
   CHECK(model["textures"].size() == 1);
   CHECK(model["left_out"].dump() == R"({"triangles":0,"texture_divisor":1})");
-  CHECK(std::filesystem::is_empty(folder.path));
 }
 
 TEST_CASE("roomModel leaves out the smallest triangles and shrinks textures above its limits", "[cli]") {
-  const TemporaryFolder folder;
-  Scene lit = litCube(40, 40);
+  Scene lit = litCube();
   for (radiosity::Triangle& triangle : lit.surfaces[1].triangles)
     for (glm::dvec3& corner : triangle.position) corner *= 0.1;
-  const auto model = roomModel(lit, numbers, folder.path, {.triangles = 10, .texels = 100});
+  const auto model = roomModel({lit, textures(40, 40), numbers}, {.triangles = 10, .texels = 100});
   CHECK(model["left_out"].dump() == R"({"triangles":2,"texture_divisor":4})");
   CHECK(model["parts"].dump() == R"([{"texture":0,"triangles":8},{"texture":null,"triangles":2}])");
   std::string surfaces;
