@@ -71,7 +71,7 @@ async function open() {
   await send("Emulation.setDeviceMetricsOverride", {width: 1100, height: 1000, deviceScaleFactor: 1, mobile: false});
   await send("Page.navigate", {url: page});
   for (let i = 0; !await evaluate("document.getElementById('drawn') !== null"); ++i) {
-    require(i < 300, "the script of the page did not come to its end");
+    require(i < 1200, "the script of the page did not come to its end");
     await pause(100);
   }
 }
@@ -274,7 +274,7 @@ try {
   await Promise.race([checkPage(), new Promise((_, failed) => {
     chromium.on("exit", () => failed(new Error("the browser ended")));
     chromium.on("error", failed);
-    setTimeout(() => failed(new Error("the page takes more than 100 s")), 100e3).unref();
+    setTimeout(() => failed(new Error("the page takes more than 300 s")), 300e3).unref();
   })]);
 } catch (error) {
   console.error(error.message, faults.join("\n"));

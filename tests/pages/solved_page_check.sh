@@ -23,7 +23,6 @@ if grep -E '(src|href)=["'\'']?(https?:)?//' lit/report.html; then
 fi
 node "$here/solved_page_check.mjs" lit "$browser" "$1"
 
-# The page of the other files of the folder, which lacks only the curve and the backs by surface.
 cp -r lit broken
 sed -i 's/new THREE.Raycaster()/new THREE.NoRaycaster()/' broken/report.html
 if node "$here/solved_page_check.mjs" broken "$browser" "$1" 2>broken/message; then
