@@ -59,7 +59,7 @@ template <typename Value>
 std::vector<Value> accessorValues(const Glb& glb, std::size_t accessor) {
   const std::string bytes = viewBytes(glb, glb.description["accessors"].at(accessor)["bufferView"]);
   std::vector<Value> values(bytes.size() / sizeof(Value));
-  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(Value));
+  std::memcpy(static_cast<void*>(values.data()), bytes.data(), values.size() * sizeof(Value));
   return values;
 }
 

@@ -57,7 +57,7 @@ scene.camera = next(o for o in bpy.data.objects if o.type == "CAMERA")
 scene.render.engine = "CYCLES"
 scene.cycles.device = "CPU"
 scene.cycles.samples = 4
-scene.cycles.max_bounces = 8  # the importer makes the backs of one-sided materials transparent
+scene.cycles.max_bounces = 8  # the importer mixes unlit materials with transparent ones
 scene.cycles.use_denoising = False
 scene.view_settings.view_transform = "Standard"
 scene.render.resolution_x, scene.render.resolution_y = 800, 600
