@@ -9,6 +9,7 @@ using namespace hemitex::cli;
 void addCommands(Command program, Context& context) {
   addSolve(program, context);
   addRender(program, context);
+  addView(program, context);
   addFormFactors(program, context);
   addTradeoff(program, context);
   addPaper(program, context);

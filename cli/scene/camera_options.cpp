@@ -46,6 +46,7 @@ CameraOptions readViewFile(const std::filesystem::path& file) {
 }  // namespace
 
 void addCameraOptions(Command command, CameraOptions& options) {
+  command = command.under("Picture");
   addVectorOption(
       command, "--eye", options.eye,
       "position of the camera (default: from SCENE.view.json, else a position that shows most of the scene)");

@@ -67,6 +67,7 @@ void apply(radiosity::Scene& scene, const NamedColor& change, const radiosity::E
 }  // namespace
 
 void addMaterialOptions(Command command, MaterialOptions& options) {
+  command = command.under("Light and reflectance");
   addColors(command, "--emit", options.emissions,
             "set the emission of a surface, group or material, in the unit of Ke (repeatable). `*` at the end of NAME "
             "means any rest. Later options override earlier ones.");

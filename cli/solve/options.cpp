@@ -30,6 +30,7 @@ void addSamples(Command command, int& samples) {
 
 /// Adds the options for computing form-factor rows.
 void addMethodOptions(Command command, SolveOptions& options) {
+  command = command.under("Form factors");
   addChoice<std::string>(
       command, "--method", options.method,
       {{"hemicube", "hemicube"}, {"single-plane", "single-plane"}, {"tetrahedron", "tetrahedron"}, {"rays", "rays"}},
@@ -41,6 +42,7 @@ void addMethodOptions(Command command, SolveOptions& options) {
 
 /// Adds the options for ending the solution and for memory.
 void addSolverOptions(Command command, radiosity::SolverSettings& settings) {
+  command = command.under("Accuracy and memory");
   const Option residual =
       addPositive(command, "--residual", settings.residual, std::numeric_limits<double>::infinity(),
                   "stop when the unshot flux is at most this share of the emitted flux (default 0.001)");
@@ -59,14 +61,14 @@ void addSolverOptions(Command command, radiosity::SolverSettings& settings) {
 /// Adds the options that choose other settings: --max-error and --adaptive.
 void addChosenSettings(Command command, SolveOptions& options) {
   const Option maxError = addPositive(
-      command, "--max-error", options.maxError, 1,
+      command.under("Accuracy and memory"), "--max-error", options.maxError, 1,
       "choose --resolution, --split and --residual so that the expected error is at most this share of all flux, such "
       "as 0.01 (default: use the given values)");
   for (const char* chosen :
        {"--resolution", "--orientation", "--split", "--pixels-per-element", "--residual", "--shots", "--samples"})
     maxError.excludes(command.option(chosen));
   const Option adaptive = addPositive(
-      command, "--adaptive", options.adaptive, 1,
+      command.under("Elements"), "--adaptive", options.adaptive, 1,
       "subdivide elements in quadtrees where radiosity changes fast, from 4 x 4 elements per surface to its --texels "
       "(default: no quadtrees). An element is split if its area times the change across it is above this share of all "
       "flux. 0.0001 is a good start.");
@@ -75,6 +77,7 @@ void addChosenSettings(Command command, SolveOptions& options) {
 
 /// Adds the options of display textures.
 void addTextureOptions(Command command, SolveOptions& options) {
+  command = command.under("Output");
   addChoice<AskedFilter>(
       command, "--filter", options.filter, filterChoices(),
       "interpolate elements in display textures: none (one-to-one), by a 3 x 3 triangle filter, bilinear or cubic "
@@ -86,7 +89,7 @@ void addTextureOptions(Command command, SolveOptions& options) {
 }
 
 void addEdits(Command command, std::filesystem::path& edits) {
-  command
+  command.under("Changes over time")
       .addText("--edits", "FILE.json",
                "update the solution for each frame of edits in the file, and write each frame into its own folder. "
                "Edits move, "
@@ -110,8 +113,11 @@ void validateFilter(const SolveOptions& options) {
 }  // namespace
 
 void addSolveOptions(Command command, SolveOptions& options) {
+  addOutput(command.under("Output"), options.output, "write the lit scene into this folder");
+  command.under("Output").addFlag("--report", options.report,
+                                  "also write report.html, which shows the lit scene in 3-D, where the flux went, the "
+                                  "convergence, the settings and warnings; it works without a network");
   addSceneOptions(command, options.scene);
-  addOutput(command, options.output, "write the lit scene into this folder");
   addDiscretizationOptions(command, options.discretization);
   addMethodOptions(command, options);
   addIdOptions(command, options.id);
@@ -120,6 +126,8 @@ void addSolveOptions(Command command, SolveOptions& options) {
   addTextureOptions(command, options);
   addCameraOptions(command, options.camera);
   addEdits(command, options.edits);
+  command.showFirst({"--output", "--report", "--emit", "--reflectance", "--texels", "--resolution", "--max-error",
+                     "--residual", "--size"});
 }
 
 void completeOptions(Command command, SolveOptions& options) {

@@ -28,6 +28,7 @@ struct SolveOptions {
   std::optional<int> magnification;                ///< see magnificationOf for the default
   CameraOptions camera;
   std::filesystem::path edits;  ///< empty if there are none
+  bool report = false;          ///< also write report.html
   std::filesystem::path output;
 };
 

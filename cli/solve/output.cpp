@@ -1,6 +1,7 @@
 #include "cli/solve/output.h"
 
 #include <iomanip>
+#include <numeric>
 #include <sstream>
 
 #include "cli/common/json.h"
@@ -68,7 +69,7 @@ radiosity::TextureLayout textureLayout(const SolveOptions& options, const Lit& l
 
 std::string shotsText(const ordered_json& solution, double seconds) {
   return std::to_string(solution["shots"].get<int>()) + " shots in " + roundedText(seconds) + " s, " +
-         percentText(solution["residual"]) + " of the flux unshot\n";
+         percentText(solution["residual"]) + " of the emitted flux unshot\n";
 }
 
 /// One line per kind of flux: W in each band, and the share of the emitted flux, summed over bands.
@@ -95,11 +96,14 @@ double exposureOf(const SolveOptions& options, const Lit& lit) {
   return options.camera.exposure.value_or(radiosity::defaultExposure(lit.scene, lit.discretization, lit.displayed));
 }
 
-std::vector<std::string> writeSolved(const std::filesystem::path& folder, const Lit& lit, const Showing& showing) {
-  const SolveOptions& options = showing.options;
-  const int width = options.camera.width, height = options.camera.height;
-  const radiosity::LitScene shown = radiosity::makeLitScene(lit.scene, lit.discretization, textureLayout(options, lit),
-                                                            lit.displayed, showing.exposure, filterOf(options));
+radiosity::LitScene shownScene(const Lit& lit, const Showing& showing) {
+  return radiosity::makeLitScene(lit.scene, lit.discretization, textureLayout(showing.options, lit), lit.displayed,
+                                 showing.exposure, filterOf(showing.options));
+}
+
+std::vector<std::string> writeSolved(const std::filesystem::path& folder, const Lit& lit,
+                                     const radiosity::LitScene& shown, const Showing& showing) {
+  const int width = showing.options.camera.width, height = showing.options.camera.height;
   const radiosity::PictureView view{showing.camera, static_cast<double>(width) / height};
   const std::vector<std::string> warnings =
       radiosity::writeLitScene(folder, shown, view, lit.discretization, lit.solution.radiosity);
@@ -109,6 +113,26 @@ std::vector<std::string> writeSolved(const std::filesystem::path& folder, const 
   writeCsv(elements, elementTable(lit.scene, lit.discretization, lit.solution));
   raster::writeFile(folder / "elements.csv", elements.view());
   return warnings;
+}
+
+SolveRecord recordOf(const Lit& lit, const SolveOptions& options, const Convergence& convergence) {
+  constexpr std::size_t maxPatches = 256;  // so that the page costs at most some hundred hemicubes
+  const std::vector<glm::dvec3>& absorbed = lit.solution.absorbedByBacks;
+  SolveRecord record{
+      convergence,
+      radiosity::backAbsorption(lit.scene, lit.discretization, lit.layout, options.drawing, absorbed, maxPatches),
+      std::vector<glm::dvec3>(lit.scene.surfaces.size())};
+  for (std::size_t p = 0; p < absorbed.size(); ++p)
+    record.lostToBacks[lit.discretization.patches[p].surface] += absorbed[p];
+  return record;
+}
+
+void writeReport(const std::filesystem::path& folder, const radiosity::LitScene& shown, const Showing& showing,
+                 const ordered_json& solution, const SolveRecord& record) {
+  std::vector<std::uint32_t> surfaces(shown.scene.surfaces.size());
+  std::iota(surfaces.begin(), surfaces.end(), 0u);
+  raster::writeFile(folder / "report.html",
+                    solvedPage({shown.scene, shown.textures, surfaces}, showing.camera, solution, record));
 }
 
 ordered_json description(const Lit& lit, const Showing& showing) {
@@ -127,17 +151,20 @@ std::string summary(const ordered_json& solution) {
   if (solution.contains("frames"))
     for (const ordered_json& frame : solution["frames"])
       text << frame["folder"].get<std::string>() << ": " << shotsText(frame, frame["times"]["update_s"]);
-  if (solution.contains("expected_error")) text << "expected error " << percentText(solution["expected_error"]) << '\n';
+  text << "expected error: "
+       << (solution["expected_error"].is_null() ? "not measured; --max-error measures it"
+                                                : percentText(solution["expected_error"]) + " of all flux")
+       << '\n';
   text << fluxText(solution["energy"]);
   return text.str();
 }
 
-std::string filesText(const std::filesystem::path& folder) {
+std::string filesText(const std::filesystem::path& folder, bool hasReport) {
   const auto line = [&folder](const std::string& what, const char* file) {
     return what + (folder / file).string() + '\n';
   };
   return '\n' + line("picture:    ", "render.png") + line("lit scene:  ", "scene.obj") +
-         line("numbers:    ", "solution.json");
+         line("numbers:    ", "solution.json") + (hasReport ? line("page:       ", "report.html") : "");
 }
 
 }  // namespace hemitex::cli

@@ -6,6 +6,7 @@
 #include "radiosity/discretization/adaptive_subdivision.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/solver/error_control.h"
+#include "reference/bench/timing.h"
 #include "reference/rays/embree_form_factors.h"
 
 namespace hemitex::cli {
@@ -40,10 +41,12 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
                 const radiosity::IdLayout& layout, Console& console) {
   // Also used with rays, because patches are split by hemicubes for both methods.
   radiosity::SceneFormFactors drawn(scene, std::move(discretization), layout, options.drawing);
+  Convergence convergence;
   const auto solveBy = [&](auto& rows) {
     const auto rowOf = [&rows](std::uint32_t patch) { return rows.ofPatch(patch); };
-    radiosity::Solution solution = radiosity::solve(scene, drawn.discretization(), rowOf, options.solver,
-                                                    progressOf(options.solver, console), drawn.splits());
+    radiosity::Solution solution =
+        radiosity::solve(scene, drawn.discretization(), rowOf, options.solver,
+                         recording(convergence, progressOf(options.solver, console)), drawn.splits());
     console.endProgress();
     return solution;
   };
@@ -51,22 +54,23 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
     reference::RayRows rows(scene, drawn.discretization(),
                             {.rays = options.samples, .start = reference::RayStart::Area});
     radiosity::Solution solution = solveBy(rows);
-    return {drawn.discretization(), std::move(solution)};
+    return {drawn.discretization(), std::move(solution), 1, std::move(convergence)};
   }
   radiosity::Solution solution = solveBy(drawn.rows());
-  return {drawn.discretization(), std::move(solution), radiosity::formFactor(drawn.rows().projection().captured)};
+  return {drawn.discretization(), std::move(solution), radiosity::formFactor(drawn.rows().projection().captured),
+          std::move(convergence)};
 }
 
 std::unique_ptr<radiosity::DynamicSolution> dynamicSolution(const SolveOptions& options, const radiosity::Scene& scene,
                                                             radiosity::Discretization discretization,
-                                                            Console& console) {
+                                                            Convergence& convergence, Console& console) {
   const auto layOut = [&id = options.id, &console](const radiosity::Discretization& edited) {
     return layoutOf(id, edited, console);
   };
   auto dynamic = std::make_unique<radiosity::DynamicSolution>(
       scene, std::move(discretization),
       radiosity::DynamicSettings{options.discretization, options.drawing, options.solver}, layOut,
-      progressOf(options.solver, console));
+      recording(convergence, progressOf(options.solver, console)));
   console.endProgress();
   return dynamic;
 }
@@ -80,6 +84,14 @@ radiosity::Progress progressOf(const radiosity::SolverSettings& settings, Consol
     const double fraction = settings.shots ? static_cast<double>(shots) / *settings.shots
                                            : std::log(residual) / std::log(settings.residual);
     console.progress(fraction, "shot " + std::to_string(shots) + ", " + percentText(residual) + " of the flux unshot");
+  };
+}
+
+radiosity::Progress recording(Convergence& convergence, radiosity::Progress progress) {
+  return [&convergence, progress = std::move(progress), watch = reference::Stopwatch()](int shots, double residual) {
+    convergence.residual.push_back(residual);
+    convergence.seconds.push_back(watch.seconds());
+    progress(shots, residual);
   };
 }
 

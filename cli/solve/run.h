@@ -6,6 +6,7 @@
 
 #include "cli/common/console.h"
 #include "cli/solve/options.h"
+#include "cli/view/solved_page.h"
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
@@ -23,6 +24,7 @@ struct Solved {
   radiosity::Discretization discretization;
   radiosity::Solution solution;
   double captured = 1;  ///< share of the light of a patch that the projection captures; the rest is lost
+  Convergence convergence = {};
 };
 
 /// Solves the scene.
@@ -41,14 +43,19 @@ std::optional<BoundedSolution> solvedWithin(const SolveOptions& asked, const rad
                                             const radiosity::Discretization& discretization,
                                             const radiosity::IdLayout& layout, Console& console);
 
-/// Solves the scene for later edits. `options` and `console` must outlive the result.
+/// Solves the scene for later edits, and records the convergence of this first solution. `options` and `console` must
+/// outlive the result.
 std::unique_ptr<radiosity::DynamicSolution> dynamicSolution(const SolveOptions& options, const radiosity::Scene& scene,
-                                                            radiosity::Discretization discretization, Console& console);
+                                                            radiosity::Discretization discretization,
+                                                            Convergence& convergence, Console& console);
 /// The current state of a dynamic solution.
 Solved solvedBy(const radiosity::DynamicSolution& dynamic);
 
 /// Shows the progress of a solution: the share of the requested shots, or of the residual's decrease on a logarithmic
 /// scale. Both arguments must outlive the result.
 radiosity::Progress progressOf(const radiosity::SolverSettings& settings, Console& console);
+
+/// As `progress`, and adds each shot to `convergence`. The time starts now.
+radiosity::Progress recording(Convergence& convergence, radiosity::Progress progress);
 
 }  // namespace hemitex::cli

@@ -53,7 +53,7 @@ ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number,
   std::filesystem::create_directory(folder / name);
   const Lit lit{dynamic.scene(), dynamic.discretization(), dynamic.layout(), dynamic.solution()};
   console.warnings(lit.solution.warnings);
-  console.warnings(writeSolved(folder / name, lit, showing));
+  console.warnings(writeSolved(folder / name, lit, shownScene(lit, showing), showing));
   laps.lap("write_s");
   ordered_json text = description(lit, showing);
   text["edits"] = frame.written;
@@ -94,8 +94,9 @@ void solve(SolveOptions asked, Context& context) {
   laps.lap("discretize_s");
   const std::optional<BoundedSolution> bounded = solvedWithin(asked, scene, unsplit, layout, console);
   const SolveOptions& options = bounded ? bounded->options : asked;
+  Convergence ofDynamic;
   const std::unique_ptr<radiosity::DynamicSolution> dynamic =
-      isEdited ? dynamicSolution(options, scene, std::move(unsplit), console) : nullptr;
+      isEdited ? dynamicSolution(options, scene, std::move(unsplit), ofDynamic, console) : nullptr;
   const Solved solved = dynamic   ? solvedBy(*dynamic)
                         : bounded ? bounded->solved
                                   : solvedBy(options, scene, std::move(unsplit), layout, console);
@@ -105,18 +106,28 @@ void solve(SolveOptions asked, Context& context) {
   Staging staging(options.output);
   const Lit lit{scene, solved.discretization, layout, solved.solution};
   const Showing showing{options, camera, exposureOf(options, lit)};
-  console.warnings(writeSolved(staging.folder(), lit, showing));
+  radiosity::LitScene shown = shownScene(lit, showing);
+  console.warnings(writeSolved(staging.folder(), lit, shown, showing));
+  if (!options.report) shown = {};  // textures take much memory
+  const std::optional<SolveRecord> record =
+      options.report ? std::optional(recordOf(lit, options, dynamic ? ofDynamic : solved.convergence)) : std::nullopt;
   laps.lap("write_s");
   ordered_json text = description(lit, showing);
   text["captured"] = solved.captured;
-  if (bounded) text["expected_error"] = bounded->expectedError;
+  text["expected_error"] = bounded ? ordered_json(bounded->expectedError) : ordered_json();  // null: not measured
   for (std::size_t f = 0; f < frames.size(); ++f)
     text["frames"].push_back(writeFrame(staging.folder(), f + 1, frames[f], *dynamic, showing, console));
   text["times"] = laps.times();
   text["warnings"] = console.given();
   raster::writeFile(staging.folder() / "solution.json", toText(text));
+  if (record) writeReport(staging.folder(), shown, showing, text, *record);
   staging.commit();
-  std::cout << (context.json ? toText(text) : summary(text) + filesText(options.output));
+  // The page of an earlier solution would show what the folder no longer holds.
+  if (!record) std::filesystem::remove(options.output / "report.html");
+  if (context.json)
+    std::cout << toText(text);
+  else if (console.verbosity != Verbosity::Quiet)
+    std::cout << summary(text) << filesText(options.output, options.report);
 }
 
 }  // namespace
@@ -125,8 +136,8 @@ void addSolve(Command program, Context& context) {
   const auto options = std::make_shared<SolveOptions>();
   const Command command = program.addCommand("solve", "Compute the light of a scene by progressive radiosity");
   addSolveOptions(command, *options);
-  command.addExamples(
-      {"data/cornell-box.obj -o lit", "data/cornell-box.obj -o lit --max-error 0.01 --filter bicubic --size 1200x900"});
+  command.addExamples({"data/cornell-box.obj -o lit --report",
+                       "data/cornell-box.obj -o lit --max-error 0.01 --filter bicubic --size 1200x900"});
   command.onRead([options, command, &context] {
     completeOptions(command, *options);
     context.command = [options, &context] { solve(*options, context); };
