@@ -26,6 +26,9 @@ std::uint8_t encodeSrgb(double linear);
 /// pixels.
 Image readImage(const std::filesystem::path& file);
 
+/// As readImage for the bytes of a PNG or JPEG file; `name` is for messages.
+Image decodeImage(const std::vector<unsigned char>& bytes, const std::filesystem::path& name);
+
 /// Writes an 8-bit sRGB PNG; equal pixels give equal files. Throws InputError if the file cannot be written.
 void writePng(const std::filesystem::path& file, const Image& image);
 /// Writes a 32-bit float linear RGB EXR; equal pixels give equal files. Throws InputError as writePng, and if a value
