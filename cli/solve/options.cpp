@@ -9,6 +9,8 @@ namespace {
 using radiosity::TextureFilter;
 using AskedFilter = std::optional<TextureFilter>;
 
+constexpr int maxMagnification = 16;
+
 Choices<AskedFilter> filterChoices() {
   return {{"one-to-one", TextureFilter::OneToOne}, {"triangle", TextureFilter::Triangle},
           {"bilinear", TextureFilter::Bilinear},   {"bicubic", TextureFilter::Bicubic},
@@ -79,12 +81,11 @@ void addTextureOptions(Command command, SolveOptions& options) {
   addChoice<AskedFilter>(
       command, "--filter", options.filter, filterChoices(),
       "interpolate elements in display textures: none (one-to-one), by a 3 x 3 triangle filter, bilinear or cubic "
-      "B-splines between texels, bilinear in quadtree leaves, or Gouraud shading (default triangle; "
+      "B-splines between texels, bilinear in quadtree leaves, or Gouraud shading (default bicubic; "
       "with --adaptive quadtree)");
-  addInteger(
-      command, "--magnify", options.magnification, 1, radiosity::maxMagnification,
-      "make display textures N times as wide and high as the grid (default 4 with bilinear, bicubic and gouraud, "
-      "else 1)");
+  addInteger(command, "--magnify", options.magnification, 1, maxMagnification,
+             "make display textures N times as wide and high as the grid (default 1 with one-to-one, else so that each "
+             "surface has at least 128 texels along its longer side, and all have at most 2^26)");
 }
 
 void addEdits(Command command, std::filesystem::path& edits) {
@@ -101,7 +102,7 @@ void addEdits(Command command, std::filesystem::path& edits) {
 
 /// Throws a usage error for a filter between texels with quadtrees, whose elements are not texels.
 void validateFilter(const SolveOptions& options) {
-  const TextureFilter filter = texturesOf(options).filter;
+  const TextureFilter filter = filterOf(options);
   const bool isOfTexels =
       filter == TextureFilter::Triangle || filter == TextureFilter::Bilinear || filter == TextureFilter::Bicubic;
   if (options.adaptive && isOfTexels)
@@ -142,12 +143,13 @@ void completeOptions(Command command, SolveOptions& options) {
 
 bool usesRays(const SolveOptions& options) { return options.method == "rays"; }
 
-radiosity::TextureSettings texturesOf(const SolveOptions& options) {
-  const TextureFilter filter =
-      options.filter.value_or(options.adaptive ? TextureFilter::Quadtree : TextureFilter::Triangle);
-  const bool isFiner =
-      filter == TextureFilter::Bilinear || filter == TextureFilter::Bicubic || filter == TextureFilter::Gouraud;
-  return {filter, options.magnification.value_or(isFiner ? 4 : 1)};
+TextureFilter filterOf(const SolveOptions& options) {
+  return options.filter.value_or(options.adaptive ? TextureFilter::Quadtree : TextureFilter::Bicubic);
+}
+
+radiosity::Magnification magnificationOf(const SolveOptions& options) {
+  if (filterOf(options) == TextureFilter::OneToOne) return {options.magnification.value_or(1)};
+  return {options.magnification};
 }
 
 std::string nameOf(TextureFilter filter) { return nameOf(filterChoices(), AskedFilter(filter)); }

@@ -26,7 +26,6 @@ ordered_json surfaceTexelsJson(const radiosity::DiscretizationSettings& settings
 /// The settings that the result depends on.
 ordered_json settingsJson(const Showing& showing) {
   const SolveOptions& options = showing.options;
-  const radiosity::TextureSettings textures = texturesOf(options);
   const auto orNull = [](const auto& value) { return value ? ordered_json(*value) : ordered_json(); };
   const auto ofProjections = [&](const auto& value) {
     return usesRays(options) ? ordered_json() : ordered_json(value);
@@ -56,11 +55,15 @@ ordered_json settingsJson(const Showing& showing) {
           {"max_error", orNull(options.maxError)},
           {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
           {"shots", orNull(options.solver.shots)},
-          {"filter", nameOf(textures.filter)},
-          {"magnify", textures.magnification},
+          {"filter", nameOf(filterOf(options))},
+          {"magnify", orNull(options.magnification)},
           {"camera", toJson(showing.camera)},
           {"size", {options.camera.width, options.camera.height}},
           {"exposure", showing.exposure}};
+}
+
+radiosity::TextureLayout textureLayout(const SolveOptions& options, const Lit& lit) {
+  return radiosity::layOutTextures(lit.scene, lit.discretization, magnificationOf(options));
 }
 
 std::string shotsText(const ordered_json& solution, double seconds) {
@@ -92,24 +95,27 @@ double exposureOf(const SolveOptions& options, const Lit& lit) {
   return options.camera.exposure.value_or(radiosity::defaultExposure(lit.scene, lit.discretization, lit.displayed));
 }
 
-void writeSolved(const std::filesystem::path& folder, const Lit& lit, const Showing& showing) {
+std::vector<std::string> writeSolved(const std::filesystem::path& folder, const Lit& lit, const Showing& showing) {
   const SolveOptions& options = showing.options;
-  const radiosity::LitScene shown =
-      radiosity::makeLitScene(lit.scene, lit.discretization, lit.displayed, showing.exposure, texturesOf(options));
-  radiosity::writeLitScene(folder, shown, lit.discretization, lit.solution.radiosity);
-  radiosity::writePng(folder / "render.png", radiosity::unlitPicture(shown.scene, showing.camera, options.camera.width,
-                                                                     options.camera.height));
+  const int width = options.camera.width, height = options.camera.height;
+  const radiosity::LitScene shown = radiosity::makeLitScene(lit.scene, lit.discretization, textureLayout(options, lit),
+                                                            lit.displayed, showing.exposure, filterOf(options));
+  const radiosity::PictureView view{showing.camera, static_cast<double>(width) / height};
+  const std::vector<std::string> warnings =
+      radiosity::writeLitScene(folder, shown, view, lit.discretization, lit.solution.radiosity);
+  radiosity::writePng(folder / "render.png", radiosity::unlitPicture(shown, showing.camera, width, height));
   raster::writeFile(folder / "scene.view.json", toText(toJson(showing.camera)));
   std::ostringstream elements;
   writeCsv(elements, elementTable(lit.scene, lit.discretization, lit.solution));
   raster::writeFile(folder / "elements.csv", elements.view());
+  return warnings;
 }
 
 ordered_json description(const Lit& lit, const Showing& showing) {
   ordered_json text = {{"settings", settingsJson(showing)}};
   const MaterialOptions& materials = showing.options.scene.materials;
   if (materials.areGiven()) text["settings"]["materials"] = toJson(materials);
-  text.update(describe(lit.scene, lit.discretization, lit.layout, lit.solution));
+  text.update(describe(lit.scene, lit.discretization, lit.layout, textureLayout(showing.options, lit), lit.solution));
   return text;
 }
 

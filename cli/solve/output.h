@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "cli/solve/options.h"
 #include "radiosity/discretization/discretization.h"
@@ -34,8 +35,8 @@ struct Showing {
 /// The given exposure, or the default for the solution.
 double exposureOf(const SolveOptions& options, const Lit& lit);
 
-/// Writes the lit scene, its picture and elements.csv, but not solution.json.
-void writeSolved(const std::filesystem::path& folder, const Lit& lit, const Showing& showing);
+/// Writes the lit scene, its picture and elements.csv, but not solution.json. Returns warnings for the user.
+std::vector<std::string> writeSolved(const std::filesystem::path& folder, const Lit& lit, const Showing& showing);
 
 /// The object of solution.json without times and warnings: the settings that the result depends on, and the solution.
 /// It contains no path and no thread count, so that equal results have equal files.

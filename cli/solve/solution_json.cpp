@@ -3,7 +3,6 @@
 #include "cli/common/json.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/index_maps/phantom_indices.h"
-#include "radiosity/textures/radiosity_texture.h"
 
 namespace hemitex::cli {
 
@@ -51,8 +50,8 @@ std::uint64_t buriedTexels(const radiosity::Discretization& discretization) {
   return buried;
 }
 
-ordered_json surfacesJson(const radiosity::Scene& scene, const radiosity::Discretization& discretization) {
-  const radiosity::TextureLayout textures = radiosity::layOutTextures(scene, discretization);
+ordered_json surfacesJson(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                          const radiosity::TextureLayout& textures) {
   ordered_json surfaces = ordered_json::array();
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
     const radiosity::Grid& grid = discretization.grids[s];
@@ -69,7 +68,8 @@ ordered_json surfacesJson(const radiosity::Scene& scene, const radiosity::Discre
                           {"width", textures.textures[texture].width},
                           {"height", textures.textures[texture].height},
                           {"column", place.column},
-                          {"row", place.row}}}});
+                          {"row", place.row},
+                          {"magnification", textures.textures[texture].magnification}}}});
   }
   return surfaces;
 }
@@ -77,10 +77,11 @@ ordered_json surfacesJson(const radiosity::Scene& scene, const radiosity::Discre
 }  // namespace
 
 ordered_json describe(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                      const radiosity::IdLayout& layout, const radiosity::Solution& solution) {
+                      const radiosity::IdLayout& layout, const radiosity::TextureLayout& textures,
+                      const radiosity::Solution& solution) {
   const radiosity::Phantoms phantoms = radiosity::countPhantoms(discretization, layout);
   const radiosity::Energy& energy = solution.energy;
-  return {{"surfaces", surfacesJson(scene, discretization)},
+  return {{"surfaces", surfacesJson(scene, discretization, textures)},
           {"elements", discretization.elements.size()},
           {"patches", discretization.patches.size()},
           {"phantoms", phantoms.spareTexels + phantoms.alignmentGaps},

@@ -53,7 +53,7 @@ ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number,
   std::filesystem::create_directory(folder / name);
   const Lit lit{dynamic.scene(), dynamic.discretization(), dynamic.layout(), dynamic.solution()};
   console.warnings(lit.solution.warnings);
-  writeSolved(folder / name, lit, showing);
+  console.warnings(writeSolved(folder / name, lit, showing));
   laps.lap("write_s");
   ordered_json text = description(lit, showing);
   text["edits"] = frame.written;
@@ -105,7 +105,7 @@ void solve(SolveOptions asked, Context& context) {
   Staging staging(options.output);
   const Lit lit{scene, solved.discretization, layout, solved.solution};
   const Showing showing{options, camera, exposureOf(options, lit)};
-  writeSolved(staging.folder(), lit, showing);
+  console.warnings(writeSolved(staging.folder(), lit, showing));
   laps.lap("write_s");
   ordered_json text = description(lit, showing);
   text["captured"] = solved.captured;

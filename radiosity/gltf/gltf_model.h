@@ -36,7 +36,8 @@ struct GltfCamera {
       1.0};           ///< from the camera, which looks along -z with y upwards, to positions relative to the origin
   double fov = 1;     ///< vertical, in radians, in (0, pi)
   double aspect = 1;  ///< width over height
-  double near = 1;    ///< distance of the near plane, above 0
+  double near = 1;    ///< distances of the near and far planes, 0 < near < far
+  double far = 2;
 };
 
 struct GltfModel {

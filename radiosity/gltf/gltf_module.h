@@ -12,7 +12,7 @@ namespace hemitex::radiosity {
 /// What the module exports under the name `hemitexGltfWriter`.
 struct GltfWriter {
   /// Writes a model as binary glTF (.glb). Equal models give equal bytes. The caller checks the stream.
-  void (*write)(const GltfModel& model, std::ostream& stream);
+  void (*write)(GltfModel model, std::ostream& stream);
 };
 
 /// What the module exports under the name `hemitexGltfReader`.

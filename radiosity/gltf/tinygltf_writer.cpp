@@ -116,6 +116,7 @@ void appendCamera(tinygltf::Model& gltf, const GltfCamera& camera, const glm::dv
   perspective.perspective.yfov = camera.fov;
   perspective.perspective.aspectRatio = camera.aspect;
   perspective.perspective.znear = camera.near;
+  perspective.perspective.zfar = camera.far;
   gltf.cameras.push_back(std::move(perspective));
 
   tinygltf::Node node;
@@ -135,7 +136,8 @@ tinygltf::Sampler linearSampler() {
   return sampler;
 }
 
-void write(const GltfModel& model, std::ostream& stream) {
+/// Frees the parts of the model as it goes, because tinygltf needs a second copy of the buffer.
+void write(GltfModel model, std::ostream& stream) {
   tinygltf::Model gltf;
   gltf.asset.version = "2.0";
   gltf.asset.generator = "hemitex";
@@ -144,9 +146,15 @@ void write(const GltfModel& model, std::ostream& stream) {
   gltf.scenes.emplace_back();
   gltf.defaultScene = 0;
   gltf.samplers = {linearSampler()};
-  for (const GltfTexture& texture : model.textures) appendTexture(gltf, texture);
+  for (GltfTexture& texture : model.textures) {
+    appendTexture(gltf, texture);
+    texture = {};
+  }
   for (const GltfMaterial& material : model.materials) gltf.materials.push_back(unlitMaterial(material));
-  for (const GltfObject& object : model.objects) appendObject(gltf, object, model.origin);
+  for (GltfObject& object : model.objects) {
+    appendObject(gltf, object, model.origin);
+    object = {};
+  }
   appendCamera(gltf, model.camera, model.origin);
   tinygltf::TinyGLTF().WriteGltfSceneToStream(&gltf, stream, false, true);
 }
