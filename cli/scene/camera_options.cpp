@@ -26,7 +26,7 @@ std::optional<glm::dvec3> vectorAt(const nlohmann::json& view, const std::string
 }
 
 /// The camera of a scene file as options; empty options if it has none.
-CameraOptions optionsOf(const std::optional<radiosity::View>& seen) {
+CameraOptions optionsOf(const std::optional<radiosity::SceneCamera>& seen) {
   CameraOptions view;
   if (!seen) return view;
   view.eye = seen->eye;
@@ -81,7 +81,7 @@ void addCameraOptions(Command command, CameraOptions& options) {
 
 radiosity::Camera cameraOf(const CameraOptions& options, const radiosity::Scene& scene,
                            const std::filesystem::path& sceneFile) {
-  const CameraOptions view = readViewFile(viewFileOf(sceneFile)).value_or(optionsOf(scene.view));
+  const CameraOptions view = readViewFile(viewFileOf(sceneFile)).value_or(optionsOf(scene.camera));
   const auto eye = options.eye ? options.eye : view.eye;
   const auto lookAt = options.lookAt ? options.lookAt : view.lookAt;
   radiosity::Camera camera = eye && lookAt ? radiosity::Camera{} : radiosity::defaultCamera(scene);

@@ -155,7 +155,7 @@ GltfFile readGltf(const std::filesystem::path& file) {
   GltfFile gltf{std::move(builder).mesh(), std::move(imported.materials), std::move(imported.images), {}};
   gltf.mesh.warnings = std::move(imported.warnings);
   if (const auto& camera = imported.camera)
-    gltf.view = View{camera->eye, camera->eye + camera->direction, camera->up, camera->fov};
+    gltf.camera = SceneCamera{camera->eye, camera->eye + camera->direction, camera->up, camera->fov};
   return gltf;
 }
 

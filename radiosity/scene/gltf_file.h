@@ -25,7 +25,7 @@ struct GltfFile {
   PolygonMesh mesh;  ///< all triangles
   std::vector<ImportedMaterial> materials;
   std::vector<ImportedImage> images;
-  std::optional<View> view;
+  std::optional<SceneCamera> camera;
 };
 
 /// Reads a file. Throws InputError if it cannot be read, is malformed, names files outside its folder, or has an index

@@ -142,7 +142,7 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
   const MaterialChoice choice = chooseMaterials(sections);
   MaterialSet found = gltf ? gltfMaterials(choice.names, *gltf, file, settings)
                            : findMaterials(choice.names, materialFiles(mesh, file.parent_path()), settings);
-  if (gltf) scene.view = gltf->view;
+  if (gltf) scene.camera = gltf->camera;
   scene.materials = std::move(found.materials);
   scene.images = std::move(found.images);
   std::move(found.warnings.begin(), found.warnings.end(), std::back_inserter(scene.warnings));

@@ -49,7 +49,7 @@ struct Surface {
 };
 
 /// A camera that a scene file contains.
-struct View {
+struct SceneCamera {
   glm::dvec3 eye{0.0};
   glm::dvec3 lookAt{0.0, 0.0, -1.0};
   glm::dvec3 up{0.0, 1.0, 0.0};
@@ -62,8 +62,8 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Image> images;
   std::vector<Surface> surfaces;  ///< in the order of their first faces; in two-sided scenes all fronts, then all backs
-  std::vector<std::string> warnings;  ///< one sentence each, for the user
-  std::optional<View> view = {};      ///< OBJ files have none
+  std::vector<std::string> warnings;       ///< one sentence each, for the user
+  std::optional<SceneCamera> camera = {};  ///< OBJ files have none
 };
 
 /// The area of a triangle, and its unit normal on the front side.
