@@ -433,7 +433,7 @@ std::string sameName(const std::string& name, void*) { return name; }
 /// The first line of a message.
 std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-tinygltf::Model parse(const std::string& bytes, std::string folder, GltfImport& import) {
+tinygltf::Model parse(const std::string& bytes, std::string folder) {
   constexpr const char* advice = "give a glTF 2.0 file; files that it names must lie in its folder or below";
   if (bytes.size() > std::numeric_limits<unsigned int>::max())
     throw Fault{"the file has more than 4 GiB", "divide the scene"};
@@ -441,7 +441,7 @@ tinygltf::Model parse(const std::string& bytes, std::string folder, GltfImport& 
   reader.SetImageLoader(keepImage, nullptr);
   reader.SetFsCallbacks({fileExists, sameName, readWholeFile, nullptr, &folder});
   tinygltf::Model gltf;
-  std::string error, warning;
+  std::string error, warning;  // it warns of missing images, which have no bytes
   const auto size = static_cast<unsigned int>(bytes.size());
   const bool isRead =
       bytes.starts_with("glTF")
@@ -449,7 +449,6 @@ tinygltf::Model parse(const std::string& bytes, std::string folder, GltfImport& 
                                         size, folder)
           : reader.LoadASCIIFromString(&gltf, &error, &warning, bytes.data(), size, folder);
   if (!isRead || !error.empty()) throw Fault{"is no valid glTF: " + firstLine(error), advice};
-  if (!warning.empty()) import.warnings.push_back(firstLine(warning));
   return gltf;
 }
 
@@ -475,7 +474,7 @@ void warnOfOmissions(const tinygltf::Model& gltf, GltfImport& import) {
 }
 
 void readFile(const std::string& bytes, const std::string& folder, GltfImport& import) {
-  const tinygltf::Model gltf = parse(bytes, folder, import);
+  const tinygltf::Model gltf = parse(bytes, folder);
   checkExtensions(gltf);
   warnOfOmissions(gltf, import);
   import.images = imagesOf(gltf);

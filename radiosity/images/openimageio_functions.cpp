@@ -10,13 +10,15 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// Reads a file, or `memory` with the format that the name of the file ends with.
-ImageProblem readFrom(const std::string& file, OIIO::Filesystem::IOProxy* memory, std::uint64_t maxPixels,
-                      ImageSamples& samples) {
+/// Alpha is dropped, so colours must not be multiplied by it.
+OIIO::ImageSpec unassociatedAlpha() {
   OIIO::ImageSpec config;
-  config.attribute("oiio:UnassociatedAlpha", 1);  // alpha is dropped, so colours must not be multiplied by it
-  const auto input = OIIO::ImageInput::open(file, &config, memory);
-  if (!input) return {"cannot be read as an image: " + OIIO::geterror(), ""};
+  config.attribute("oiio:UnassociatedAlpha", 1);
+  return config;
+}
+
+/// Reads the pixels of an image that is open.
+ImageProblem readPixels(OIIO::ImageInput* input, std::uint64_t maxPixels, ImageSamples& samples) {
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.image_pixels() > maxPixels) return {"has too many pixels", "scale it down to at most 16384 x 16384"};
   samples = {spec.width, spec.height, spec.nchannels, {}, {}};
@@ -31,7 +33,10 @@ ImageProblem readFrom(const std::string& file, OIIO::Filesystem::IOProxy* memory
 }
 
 ImageProblem read(const std::string& file, std::uint64_t maxPixels, ImageSamples& samples) {
-  return readFrom(file, nullptr, maxPixels, samples);
+  const OIIO::ImageSpec config = unassociatedAlpha();
+  const auto input = OIIO::ImageInput::open(file, &config);
+  if (!input) return {"cannot be read as an image: " + OIIO::geterror(), ""};
+  return readPixels(input.get(), maxPixels, samples);
 }
 
 ImageProblem decode(const std::vector<unsigned char>& bytes, std::uint64_t maxPixels, ImageSamples& samples) {
@@ -41,8 +46,13 @@ ImageProblem decode(const std::vector<unsigned char>& bytes, std::uint64_t maxPi
     return bytes.size() > start.size() && std::equal(start.begin(), start.end(), bytes.begin());
   };
   if (!beginsWith(png) && !beginsWith(jpeg)) return {"is neither PNG nor JPEG", "export it as PNG"};
+  const std::string format = beginsWith(png) ? "png" : "jpeg";
   OIIO::Filesystem::IOMemReader memory(const_cast<unsigned char*>(bytes.data()), bytes.size());
-  return readFrom(beginsWith(png) ? "image.png" : "image.jpg", &memory, maxPixels, samples);
+  const auto input = OIIO::ImageInput::create(format);
+  OIIO::ImageSpec spec;
+  if (!input || !input->set_ioproxy(&memory) || !input->open("image." + format, spec, unassociatedAlpha()))
+    return {"cannot be decoded: " + (input ? input->geterror() : OIIO::geterror()), ""};
+  return readPixels(input.get(), maxPixels, samples);
 }
 
 ImageProblem encode(const std::string& format, const std::string& colourSpace, const ImageSamples& samples,

@@ -108,6 +108,10 @@ class DecodedImages {
 
  private:
   std::optional<int> decodeNew(const ImportedImage& image) {
+    if (image.bytes.empty()) {
+      set_.warnings.push_back(file_.string() + ": the image " + image.name + " cannot be read; 0.5 stands for it");
+      return {};
+    }
     try {
       set_.images.push_back(decodeImage(image.bytes, file_.string() + ": " + image.name));
     } catch (const InputError& error) {

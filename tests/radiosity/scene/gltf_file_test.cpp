@@ -237,6 +237,7 @@ TEST_CASE("gltfMaterials scales the factor by the texture", "[gltf]") {
   gltf.text["materials"][1]["emissiveTexture"] = {{"index", 1}};
   writeAll(folder.folder.path / "scene.glb", gltf.glb());
   const Scene scene = loadScene(folder.folder.path / "scene.glb", {.emission = EmissionUnit::Radiance});
+  CAPTURE(scene.warnings);
   REQUIRE(scene.images.size() == 2);
   for (const Image& found : scene.images) CHECK(found.pixels == decoded.pixels);
   CHECK(scene.materials.at(0).reflectance == glm::dvec3(0.5, 0.9999, 0.25));
