@@ -109,7 +109,7 @@ void appendObject(tinygltf::Model& gltf, const GltfObject& object, const glm::dv
   appendNode(gltf, std::move(node));
 }
 
-void appendCamera(tinygltf::Model& gltf, const GltfCamera& camera, const glm::dvec3& origin) {
+void appendCamera(tinygltf::Model& gltf, const GltfCamera& camera) {
   tinygltf::Camera perspective;
   perspective.name = "camera";
   perspective.type = "perspective";
@@ -123,8 +123,7 @@ void appendCamera(tinygltf::Model& gltf, const GltfCamera& camera, const glm::dv
   node.name = "camera";
   node.camera = last(gltf.cameras);
   for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row)
-      node.matrix.push_back(camera.toWorld[column][row] + (column == 3 && row < 3 ? origin[row] : 0));
+    for (int row = 0; row < 4; ++row) node.matrix.push_back(camera.toWorld[column][row]);
   appendNode(gltf, std::move(node));
 }
 
@@ -155,7 +154,7 @@ void write(GltfModel model, std::ostream& stream) {
     appendObject(gltf, object, model.origin);
     object = {};
   }
-  appendCamera(gltf, model.camera, model.origin);
+  appendCamera(gltf, model.camera);
   tinygltf::TinyGLTF().WriteGltfSceneToStream(&gltf, stream, false, true);
 }
 

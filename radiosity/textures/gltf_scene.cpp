@@ -77,14 +77,13 @@ GltfObject objectOf(const Scene& lit, const Part& part) {
 /// of 5 m sees what is farther than 5 mm.
 GltfCamera cameraOf(const Scene& lit, const PictureView& view) {
   const CameraAxes axes = axesOf(view.camera);
-  const glm::dvec3 eye = view.camera.eye - lit.origin;
   GltfCamera camera;
   camera.toWorld = {glm::dvec4(axes.right, 0), glm::dvec4(axes.up, 0), glm::dvec4(-axes.forward, 0),
-                    glm::dvec4(eye, 1)};
+                    glm::dvec4(view.camera.eye, 1)};
   camera.fov = view.camera.fov * std::numbers::pi / 180;
   camera.aspect = view.aspect;
   camera.near = lit.extent / 1000;
-  camera.far = glm::length(eye) + lit.extent;
+  camera.far = glm::distance(view.camera.eye, lit.origin) + lit.extent;
   return camera;
 }
 
@@ -97,6 +96,10 @@ GltfModel makeGltfModel(const Scene& lit, const PictureView& view, std::vector<s
   for (std::size_t t = 0; t < pngs.size(); ++t) model.textures.push_back({lit.materials[t].name, std::move(pngs[t])});
   for (const Material& material : lit.materials) model.materials.push_back({material.name, material.reflectanceMap});
   const std::vector<Part> parts = lit.surfaces.size() <= maxObjects ? partsBySurface(lit) : partsByMaterial(lit);
+  const auto isUsed = [&](int material) {
+    return std::any_of(parts.begin(), parts.end(), [&](const Part& part) { return part.material == material; });
+  };
+  if (!isUsed(static_cast<int>(model.materials.size()) - 1)) model.materials.pop_back();  // the one without a map
   model.objects.resize(parts.size());
   raster::parallelFor(parts.size(), [&](std::size_t p) { model.objects[p] = objectOf(lit, parts[p]); });
   model.camera = cameraOf(lit, view);
