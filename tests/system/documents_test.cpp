@@ -1,4 +1,5 @@
-/// README.md files, the pages of docs/ and comments: the files that they name exist, and sentences are short.
+/// README.md files, CONTRIBUTING.md, the pages of docs/ and comments: the files that they name exist, and sentences are
+/// short.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -32,6 +33,7 @@ std::vector<fs::path> overviews() {
 std::vector<fs::path> pages() {
   std::vector<fs::path> found = overviews();
   found.push_back(top / "README.md");
+  found.push_back(top / "CONTRIBUTING.md");
   for (const auto& entry : fs::directory_iterator(top / "docs")) {
     if (entry.path().extension() == ".md") found.push_back(entry.path());
   }
