@@ -43,7 +43,7 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
   const auto solveBy = [&](auto& rows) {
     const auto rowOf = [&rows](std::uint32_t patch) { return rows.ofPatch(patch); };
     radiosity::Solution solution = radiosity::solve(scene, drawn.discretization(), rowOf, options.solver,
-                                                    progressOf(options.solver, console), drawn.splits());
+                                                    progressOf(options.solver, console), drawn.splits(), drawn.outsideFlux());
     console.endProgress();
     return solution;
   };
