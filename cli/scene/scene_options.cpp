@@ -107,8 +107,9 @@ void requireLight(const radiosity::Scene& scene, const std::filesystem::path& fi
     const std::vector<std::string> largest = largestFamilies(scene);
     std::string names;
     for (const std::string& name : largest) names += (names.empty() ? "`" : ", `") + name + "`";
-    throw raster::InputError(file.string(), 0, "nothing in the scene emits light",
-                             "add --emit '" + largest.front() + "=10,10,10' (largest surfaces: " + names + ")" + alternative);
+    throw raster::InputError(
+        file.string(), 0, "nothing in the scene emits light",
+        "add --emit '" + largest.front() + "=10,10,10' (largest surfaces: " + names + ")" + alternative);
   }
   radiosity::requireEmission(scene, file);
 }

@@ -82,8 +82,7 @@ Solution finished(Solution solution, const Scene& scene, const Discretization& d
 }  // namespace
 
 Solution solve(const Scene& scene, const Discretization& discretization, const RowSource& rowOf,
-               const SolverSettings& settings, const Progress& progress, const PatchSplit& split,
-               OutsideFlux outside) {
+               const SolverSettings& settings, const Progress& progress, const PatchSplit& split, OutsideFlux outside) {
   assert(!discretization.patches.empty());
   ShootingState state(scene, discretization, std::move(outside));
   RowCache rows(settings.rowCacheBytes);

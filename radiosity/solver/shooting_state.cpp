@@ -270,7 +270,9 @@ std::vector<glm::dvec3> ShootingState::radiosity() && {
 }
 
 std::size_t ShootingState::bytes() const {
-  return (light_.shot.capacity() + light_.received.capacity() + light_.outside.received.capacity()) * sizeof(glm::dvec3) + unshot_.bytes();
+  return (light_.shot.capacity() + light_.received.capacity() + light_.outside.received.capacity()) *
+             sizeof(glm::dvec3) +
+         unshot_.bytes();
 }
 
 /// Converts the received flux of elements to radiosity: outgoing flux over area.

@@ -105,7 +105,8 @@ TEST_CASE("outsideFlux lights the floor of an open box by its form factor to the
   CHECK(lit.irradiance(7 * 15 + 7) ==
         Approx(reference::elementToParallelRectangle({{-1.5, 1.5}, {-1, 1}}, 1.5)).epsilon(0.02));
   // A wall that contains an edge of the opening.
-  CHECK(lit.ofSurface(3) == Approx(reference::perpendicularRectangles({{0, 2}, {0, 1.5}}, {{0, 2}, {0, 3}})).epsilon(0.004));
+  CHECK(lit.ofSurface(3) ==
+        Approx(reference::perpendicularRectangles({{0, 2}, {0, 1.5}}, {{0, 2}, {0, 3}})).epsilon(0.004));
   // Outside, the backs of the five walls see all of the sky.
   CHECK(lit.flux.onBacks.r == Approx(3 * 2 + 2 * (3 * 1.5 + 2 * 1.5)).epsilon(0.005));
 }
@@ -125,8 +126,9 @@ TEST_CASE("outsideFlux lights a plane by the sun with the cosine of its incidenc
     CHECK(lit.ofSurface(0) == Approx(4 * glm::normalize(towards).z).epsilon(0.003));
     CHECK(lit.flux.onBacks == glm::dvec3(0));
   }
-  const Lit below(sceneWith({tests::parallelogram("plane", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})}, sun({0, 1, -1}, {4, 2, 1})),
-                  {.texels = 8});
+  const Lit below(
+      sceneWith({tests::parallelogram("plane", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})}, sun({0, 1, -1}, {4, 2, 1})),
+      {.texels = 8});
   CHECK(sumOf(below.flux) == glm::dvec3(0));
   CHECK(below.flux.onBacks.g == Approx(2 * std::sqrt(0.5)).epsilon(0.003));
 }
@@ -180,8 +182,8 @@ TEST_CASE("outsideFlux lights elements that are smaller than a pixel", "[outside
   OutsideLight outside = sun({0, 0, 1}, glm::dvec3(2));
   outside.sky = glm::dvec3(1);
   const Lit lit(sceneWith({tests::parallelogram("floor", {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}),
-                           tests::parallelogram("roof", {-1, -1, 0.01}, {1, 0, 0}, {0, 1, 0}), chip("dark", {-0.5, -0.5, 0.002}),
-                           chip("open", {1, 1, 0.002})},
+                           tests::parallelogram("roof", {-1, -1, 0.01}, {1, 0, 0}, {0, 1, 0}),
+                           chip("dark", {-0.5, -0.5, 0.002}), chip("open", {1, 1, 0.002})},
                           outside),
                 {.surfaceTexels = {{"floor", 32}, {"roof", 8}, {"dark", 1}, {"open", 1}}});
   CHECK(lit.ofSurface(2) == 0);

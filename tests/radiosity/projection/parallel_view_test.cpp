@@ -22,9 +22,11 @@ raster::DrawList trianglesOf(const Scene& scene) {
   list.format = *raster::formatNamed("r32ui");
   for (const Surface& surface : scene.surfaces)
     for (const Triangle& triangle : surface.triangles) {
-      list.draws.push_back({.first = static_cast<std::uint32_t>(list.indices.size()),
-                            .count = 3,
-                            .offset = static_cast<raster::ItemId>(list.draws.size())});
+      raster::Draw draw;
+      draw.first = static_cast<std::uint32_t>(list.indices.size());
+      draw.count = 3;
+      draw.offset = static_cast<raster::ItemId>(list.draws.size());
+      list.draws.push_back(draw);
       for (const glm::dvec3& corner : triangle.position) {
         list.indices.push_back(static_cast<std::uint32_t>(list.positions.size()));
         list.positions.emplace_back(corner - scene.origin);
