@@ -126,7 +126,7 @@ void addSolve(Command program, Context& context) {
   const Command command = program.addCommand("solve", "Compute the light of a scene by progressive radiosity");
   addSolveOptions(command, *options);
   command.addExamples(
-      {"data/cornell-box.obj -o lit", "data/cornell-box.obj -o lit --max-error 0.01 --filter bicubic --size 1200x900"});
+      {"data/cornell-box.obj -o lit", "house.obj -o lit --sky 1,1,1.2 --sun 1,3,2=4,4,3.5 --max-error 0.02 --filter bicubic"});
   command.onRead([options, command, &context] {
     completeOptions(command, *options);
     context.command = [options, &context] { solve(*options, context); };

@@ -23,7 +23,7 @@ std::unique_ptr<raster::ItemBufferRenderer> sceneRenderer(const Scene& scene, co
 SceneFormFactors::SceneFormFactors(const Scene& scene, Discretization unsplit, IdLayout layout,
                                    const DrawingSettings& settings, const RendererFactory& makeRenderer)
     : scene_(scene),
-      directions_(std::max(2 * settings.resolution, minDirections)),
+      directions_(std::max(8 * settings.resolution, minDirections)),
       layout_(std::move(layout)),
       discretization_(std::move(unsplit)),
       renderer_(sceneRenderer(scene, discretization_, layout_, settings.elementsBy, makeRenderer)),
