@@ -46,7 +46,8 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
     const auto rowOf = [&rows](std::uint32_t patch) { return rows.ofPatch(patch); };
     radiosity::Solution solution =
         radiosity::solve(scene, drawn.discretization(), rowOf, options.solver,
-                         recording(convergence, progressOf(options.solver, console)), drawn.splits());
+                         recording(convergence, progressOf(options.solver, console)), drawn.splits(),
+                         drawn.outsideFlux());
     console.endProgress();
     return solution;
   };

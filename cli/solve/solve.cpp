@@ -82,7 +82,7 @@ void solve(SolveOptions asked, Context& context) {
   asked.discretization.isUnburied = !asked.edits.empty();
   Laps laps;
   const radiosity::Scene scene = sceneOf(asked.scene, console);
-  requireLight(scene, asked.scene.file);
+  requireLight(scene, asked.scene.file, ", or --sky 1,1,1 for light from outside");
   const radiosity::Camera camera = cameraOf(asked.camera, scene, asked.scene.file);
   const bool isEdited = !asked.edits.empty();
   const std::vector<Frame> frames =
@@ -137,7 +137,7 @@ void addSolve(Command program, Context& context) {
   const Command command = program.addCommand("solve", "Compute the light of a scene by progressive radiosity");
   addSolveOptions(command, *options);
   command.addExamples({"data/cornell-box.obj -o lit --report",
-                       "data/cornell-box.obj -o lit --max-error 0.01 --filter bicubic --size 1200x900"});
+                       "house.obj -o lit --sky 1,1,1.2 --sun 1,3,2=4,4,3.5 --max-error 0.02 --filter bicubic"});
   command.onRead([options, command, &context] {
     completeOptions(command, *options);
     context.command = [options, &context] { solve(*options, context); };
