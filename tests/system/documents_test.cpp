@@ -1,4 +1,5 @@
-/// README.md, CONTRIBUTING.md, the pages of docs/ and comments: the files that they name exist, and sentences are short.
+/// README.md, CONTRIBUTING.md, the pages of docs/ and comments: the files that they name exist, and sentences are
+/// short.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
