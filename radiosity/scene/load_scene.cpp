@@ -137,7 +137,8 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
   const PolygonMesh mesh = gltf ? gltf->mesh : readObj(file);
   scene.warnings = mesh.warnings;
   std::vector<Section> sections = cutIntoSections(mesh, scene.warnings);
-  if (sections.empty()) fail({file}, "the scene is empty: it has no face with area", "give an OBJ or glTF file with faces");
+  if (sections.empty())
+    fail({file}, "the scene is empty: it has no face with area", "give an OBJ or glTF file with faces");
 
   const MaterialChoice choice = chooseMaterials(sections);
   MaterialSet found = gltf ? gltfMaterials(choice.names, *gltf, file, settings)
