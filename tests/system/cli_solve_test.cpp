@@ -304,7 +304,7 @@ TEST_CASE("hemitex solve --method rays agrees with hemicubes within their errors
     whole += lastNumber(byHemicubes[i]);
   }
   CHECK(difference < 0.015 * whole);
-  CHECK(shell.output("solve --help").find("differs between machines") != std::string::npos);
+  CHECK(shell.output("solve --help-all").find("differs between machines") != std::string::npos);
 }
 
 TEST_CASE("hemitex solve --adaptive keeps elements together where light changes little", "[cli]") {
