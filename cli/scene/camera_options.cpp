@@ -25,11 +25,22 @@ std::optional<glm::dvec3> vectorAt(const nlohmann::json& view, const std::string
   return glm::dvec3(values[0], values[1], values[2]);
 }
 
-/// The camera options of a view file; empty options if the file does not exist.
-CameraOptions readViewFile(const std::filesystem::path& file) {
+/// The camera of a scene file as options; empty options if it has none.
+CameraOptions optionsOf(const std::optional<radiosity::SceneCamera>& seen) {
   CameraOptions view;
+  if (!seen) return view;
+  view.eye = seen->eye;
+  view.lookAt = seen->lookAt;
+  view.up = seen->up;
+  view.fov = seen->fov;
+  return view;
+}
+
+/// The camera options of a view file; nothing if the file does not exist.
+std::optional<CameraOptions> readViewFile(const std::filesystem::path& file) {
   const std::optional<std::string> text = raster::tryReadFile(file);
-  if (!text) return view;
+  if (!text) return std::nullopt;
+  CameraOptions view;
   try {
     const auto json = nlohmann::json::parse(*text);
     view.eye = vectorAt(json, "eye");
@@ -47,9 +58,9 @@ CameraOptions readViewFile(const std::filesystem::path& file) {
 
 void addCameraOptions(Command command, CameraOptions& options) {
   command = command.under("Picture");
-  addVectorOption(
-      command, "--eye", options.eye,
-      "position of the camera (default: from SCENE.view.json, else a position that shows most of the scene)");
+  addVectorOption(command, "--eye", options.eye,
+                  "position of the camera (default: from SCENE.view.json, else from the scene, else a position that "
+                  "shows most of it)");
   addVectorOption(command, "--look-at", options.lookAt,
                   "point that is shown in the middle of the picture (default: as for --eye)");
   addVectorOption(command, "--up", options.up,
@@ -70,7 +81,7 @@ void addCameraOptions(Command command, CameraOptions& options) {
 
 radiosity::Camera cameraOf(const CameraOptions& options, const radiosity::Scene& scene,
                            const std::filesystem::path& sceneFile) {
-  const CameraOptions view = readViewFile(viewFileOf(sceneFile));
+  const CameraOptions view = readViewFile(viewFileOf(sceneFile)).value_or(optionsOf(scene.camera));
   const auto eye = options.eye ? options.eye : view.eye;
   const auto lookAt = options.lookAt ? options.lookAt : view.lookAt;
   radiosity::Camera camera = eye && lookAt ? radiosity::Camera{} : radiosity::defaultCamera(scene);

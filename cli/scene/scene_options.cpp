@@ -79,7 +79,7 @@ Choices<radiosity::ProjectionKind> projectionChoices() {
 
 void addSceneOptions(Command command, SceneOptions& options) {
   command = command.under("Scene");
-  command.addPath("SCENE", options.file, "Wavefront OBJ file").required();
+  command.addPath("SCENE", options.file, "scene: Wavefront OBJ, or glTF 2.0 (.gltf, .glb)").required();
   addChoice(command, "--charts", options.settings.charts, chartsChoices(),
             "take charts from the texture coordinates of the file (file), or make one per planar part (planar); auto "
             "uses the coordinates that form a chart and planar parts otherwise (default auto)");

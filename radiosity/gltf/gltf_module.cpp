@@ -9,4 +9,9 @@ const GltfWriter& gltfWriter() {
   return *static_cast<const GltfWriter*>(writer);
 }
 
+const GltfReader& gltfReader() {
+  static const void* const reader = moduleSymbol("hemitex_gltf.so", "hemitexGltfReader");
+  return *static_cast<const GltfReader*>(reader);
+}
+
 }  // namespace hemitex::radiosity

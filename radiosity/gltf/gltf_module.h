@@ -4,6 +4,7 @@
 #include <iosfwd>
 #include <string>
 
+#include "radiosity/gltf/gltf_import.h"
 #include "radiosity/gltf/gltf_model.h"
 
 namespace hemitex::radiosity {
@@ -14,7 +15,15 @@ struct GltfWriter {
   void (*write)(GltfModel model, std::ostream& stream);
 };
 
-/// Opens the module at the first call. Throws std::runtime_error where it is not found.
+/// What the module exports under the name `hemitexGltfReader`.
+struct GltfReader {
+  /// Reads the bytes of a .gltf or .glb file. Files that it names are read from `folder` and below, never from
+  /// elsewhere. Throws nothing but std::bad_alloc.
+  ImportProblem (*read)(const std::string& bytes, const std::string& folder, GltfImport& import);
+};
+
+/// Open the module at the first call. Throw std::runtime_error where it is not found.
 const GltfWriter& gltfWriter();
+const GltfReader& gltfReader();
 
 }  // namespace hemitex::radiosity

@@ -97,6 +97,17 @@ std::vector<glm::dvec3> linearPixels(const ImageSamples& samples) {
   return linearPixels(samples.codes, samples.channels, [&](std::uint8_t code) { return decoded[code]; });
 }
 
+/// Throws InputError, with the name of the file, for a value that is not finite.
+Image linearImage(const ImageSamples& samples, const std::filesystem::path& file) {
+  const Image image{samples.width, samples.height, linearPixels(samples)};
+  const auto isFinite = [](const glm::dvec3& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+  };
+  if (!std::all_of(image.pixels.begin(), image.pixels.end(), isFinite))
+    throw raster::InputError(file.string(), 0, "holds a value that is not finite", "repair the image");
+  return image;
+}
+
 /// Encodes in memory, so that a full disk is detected when the bytes are written, whatever the encoder does.
 std::vector<unsigned char> encode(const std::filesystem::path& file, const std::string& format,
                                   const std::string& colourSpace, const ImageSamples& samples) {
@@ -138,13 +149,13 @@ glm::dvec3 bilinear(const CodedImage& image, const glm::dvec2& uv) { return bili
 Image readImage(const std::filesystem::path& file) {
   ImageSamples samples;
   throwIfAny(functionsFor(file).read(file.string(), maxPixels, samples), file);
-  const Image image{samples.width, samples.height, linearPixels(samples)};
-  const auto isFinite = [](const glm::dvec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-  };
-  if (!std::all_of(image.pixels.begin(), image.pixels.end(), isFinite))
-    throw raster::InputError(file.string(), 0, "holds a value that is not finite", "repair the image");
-  return image;
+  return linearImage(samples, file);
+}
+
+Image decodeImage(const std::vector<unsigned char>& bytes, const std::filesystem::path& name) {
+  ImageSamples samples;
+  throwIfAny(functionsFor(name).decode(bytes, maxPixels, samples), name);
+  return linearImage(samples, name);
 }
 
 std::vector<unsigned char> encodePng(const CodedImage& image, const std::filesystem::path& file) {

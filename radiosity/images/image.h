@@ -39,6 +39,9 @@ glm::dvec3 bilinear(const CodedImage& image, const glm::dvec2& uv);
 /// pixels.
 Image readImage(const std::filesystem::path& file);
 
+/// As readImage for the bytes of a PNG or JPEG file; `name` is for messages.
+Image decodeImage(const std::vector<unsigned char>& bytes, const std::filesystem::path& name);
+
 /// The bytes of an 8-bit sRGB PNG; equal pixels give equal bytes. Throws InputError, which names `file`, if the image
 /// cannot be encoded.
 std::vector<unsigned char> encodePng(const CodedImage& image, const std::filesystem::path& file);

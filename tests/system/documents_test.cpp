@@ -1,4 +1,4 @@
-/// README.md, the pages of docs/ and comments: the files that they name exist, and sentences are short.
+/// README.md, CONTRIBUTING.md, the pages of docs/ and comments: the files that they name exist, and sentences are short.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -18,7 +18,7 @@ namespace {
 const fs::path top = HEMITEX_SOURCE;
 
 std::vector<fs::path> pages() {
-  std::vector<fs::path> found = {top / "README.md"};
+  std::vector<fs::path> found = {top / "README.md", top / "CONTRIBUTING.md"};
   for (const auto& entry : fs::directory_iterator(top / "docs")) {
     if (entry.path().extension() == ".md") found.push_back(entry.path());
   }
