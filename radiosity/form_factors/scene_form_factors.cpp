@@ -41,7 +41,10 @@ void SceneFormFactors::splitAll() {
 }
 
 OutsideFlux SceneFormFactors::outsideFlux() {
-  return radiosity::outsideFlux(scene_, discretization_, layout_, *renderer_, directions_);
+  // All views together draw at most about this number of triangles.
+  constexpr std::size_t maxDrawn = std::size_t{1} << 28;
+  const int affordable = std::max(static_cast<int>(maxDrawn / triangleCount(scene_)), minDirections);
+  return radiosity::outsideFlux(scene_, discretization_, layout_, *renderer_, std::min(directions_, affordable));
 }
 
 PatchSplit SceneFormFactors::splits() {
