@@ -64,3 +64,13 @@ TEST_CASE("SIGTERM ends a measurement at once and leaves nothing behind", "[resu
   CHECK(outcome.exitCode == 143);
   CHECK(shell.files() == before);
 }
+
+TEST_CASE("Pipes and devices are refused as input before anything is read", "[results]") {
+  const Shell shell;
+  shell.execute("mkfifo pipe; ln -s /dev/zero zero");
+  const auto arguments = GENERATE(as<std::string>{}, "solve pipe -o out", "solve zero -o out", "solve /dev/zero -o out",
+                                  "solve room.obj -o out --edits pipe", "solve room.obj -o out --lights zero");
+  const Outcome outcome = shell.execute("timeout 20 " + program + arguments);
+  CHECK(outcome.exitCode == 2);
+  CHECK(outcome.err.find("is a pipe or a device, not a file") != std::string::npos);
+}
