@@ -1,11 +1,13 @@
 #include "cli/scene/material_options.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
 #include "cli/common/json.h"
 #include "radiosity/scene/materials.h"
+#include "radiosity/scene/mtl_file.h"
 #include "radiosity/scene/scene_edits.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
@@ -33,27 +35,78 @@ void addColors(Command command, const std::string& option, std::vector<NamedColo
   });
 }
 
-/// Throws InputError, with the name, for a value that is not a list of three numbers of at least 0.
-NamedColor readLight(const std::string& name, const ordered_json& value, const std::string& file) {
-  bool isColor = value.is_array() && value.size() == 3;
-  for (const ordered_json& band : value) isColor = isColor && band.is_number() && band.get<double>() >= 0;
-  if (!isColor)
-    throw InputError(file, 0, "`" + name + "` has the value " + value.dump(),
-                     "write a list of three numbers of at least 0");
-  return {name, {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()}, file};
+/// Reads an irradiance; throws a usage error.
+glm::dvec3 readIrradiance(const std::string& option, const std::string& text) {
+  const glm::dvec3 irradiance = vectorOption(option, text);
+  if (isNegative(irradiance)) usageError(option, "`" + text + "` has a number below 0");
+  return irradiance;
 }
 
-std::vector<NamedColor> readLights(const std::filesystem::path& file) {
+/// The unit vector along a vector that is not 0, of any length.
+glm::dvec3 unit(const glm::dvec3& vector) {
+  const glm::dvec3 sizes = glm::abs(vector);
+  return glm::normalize(vector / std::max({sizes.x, sizes.y, sizes.z}));
+}
+
+/// Reads `x,y,z=R,G,B`.
+radiosity::Sun readSun(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const auto towards = parseVector(text.substr(0, equals));
+  if (equals == std::string::npos || !towards) usageError("--sun", "`" + text + "` is not x,y,z=R,G,B");
+  if (*towards == glm::dvec3(0)) usageError("--sun", "`" + text + "` has no direction");
+  return {unit(*towards), readIrradiance("--sun", text.substr(equals + 1))};
+}
+
+bool areNumbers(const ordered_json& value) {
+  bool are = value.is_array() && value.size() == 3;
+  for (const ordered_json& number : value) are = are && number.is_number();
+  return are;
+}
+
+glm::dvec3 vectorOf(const ordered_json& value) {
+  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
+
+/// Throws InputError, with the name, for a value that is not a list of three numbers of at least 0.
+NamedColor readLight(const std::string& name, const ordered_json& value, const std::string& file) {
+  if (!areNumbers(value) || isNegative(vectorOf(value)))
+    throw InputError(file, 0, "`" + name + "` has the value " + value.dump(),
+                     "write a list of three numbers of at least 0");
+  return {name, vectorOf(value), file};
+}
+
+/// Throws InputError for a value that is not {"towards": [x,y,z], "irradiance": [R,G,B]}.
+radiosity::Sun readSun(const ordered_json& value, const std::string& file) {
+  const auto member = [&](const char* name) {
+    return value.is_object() && value.contains(name) ? value[name] : ordered_json();
+  };
+  const ordered_json towards = member("towards"), irradiance = member("irradiance");
+  if (!areNumbers(towards) || vectorOf(towards) == glm::dvec3(0) || value.size() != 2)
+    throw InputError(file, 0, "`sun` has the value " + value.dump(),
+                     R"(write {"towards": [x,y,z], "irradiance": [R,G,B]}, or a list of these)");
+  return {unit(vectorOf(towards)), readLight("sun", irradiance, file).color};
+}
+
+/// Reads the file of `--lights`.
+void readLights(const std::filesystem::path& file, MaterialOptions& options) {
   const std::string form = R"(write {"NAME": [R,G,B], ...})";
-  std::vector<NamedColor> lights;
+  options.lights.clear();
+  options.outside = {};
   try {
     const auto content = ordered_json::parse(raster::readFile(file, "give a JSON file of lights"));
     if (!content.is_object()) throw InputError(file.string(), 0, "is no JSON object", form);
-    for (const auto& [name, value] : content.items()) lights.push_back(readLight(name, value, file.string()));
+    for (const auto& [name, value] : content.items()) {
+      if (name == "sky")
+        options.outside.sky = readLight(name, value, file.string()).color;
+      else if (name != "sun")
+        options.lights.push_back(readLight(name, value, file.string()));
+      else
+        for (const ordered_json& sun : value.is_array() ? value : ordered_json::array({value}))
+          options.outside.suns.push_back(readSun(sun, file.string()));
+    }
   } catch (const ordered_json::exception& error) {
     throw InputError(file.string(), 0, error.what(), form);
   }
-  return lights;
 }
 
 void apply(radiosity::Scene& scene, const NamedColor& change, const radiosity::Edit& edit) {
@@ -72,8 +125,24 @@ void addMaterialOptions(Command command, MaterialOptions& options) {
             "means any rest. Later options override earlier ones.");
   addColors(command, "--reflectance", options.reflectances,
             "set the reflectance of a surface, group or material (repeatable; see --emit)");
-  command.addText("--lights", "FILE.json", R"(read emissions from a JSON object {"NAME": [R,G,B], ...}; see --emit)",
-                  [&options](const std::string& text) { options.lights = readLights(text); });
+  command.addText("--sky", "R,G,B",
+                  "light the scene from outside, equally from all directions; the unit is the irradiance of an open "
+                  "plane in W/m^2",
+                  [&options](const std::string& text) { options.sky = readIrradiance("--sky", text); });
+  command.addTexts("--sun", "x,y,z=R,G,B",
+                   "add parallel light from the direction x,y,z; R,G,B is the irradiance of a plane at right angles to "
+                   "it, in W/m^2 (repeatable)",
+                   [&options](const std::vector<std::string>& texts) {
+                     for (const std::string& text : texts) options.suns.push_back(readSun(text));
+                   });
+  command.addText("--lights", "FILE.json",
+                  R"(read emissions from a JSON object {"NAME": [R,G,B], ...}; see --emit. The names "sky" and "sun" )"
+                  R"(mean --sky and --sun: {"sky": [R,G,B], "sun": {"towards": [x,y,z], "irradiance": [R,G,B]}})",
+                  [&options](const std::string& text) { readLights(text, options); });
+}
+
+radiosity::OutsideLight outsideLight(const MaterialOptions& options) {
+  return {options.sky.value_or(options.outside.sky), options.suns.empty() ? options.outside.suns : options.suns};
 }
 
 radiosity::Scene withMaterials(radiosity::Scene scene, const MaterialOptions& options,
@@ -88,6 +157,9 @@ radiosity::Scene withMaterials(radiosity::Scene scene, const MaterialOptions& op
       scene.warnings.push_back("`" + paint.name + "`: " + *warning);
     apply(scene, paint, radiosity::SetReflectance{paint.name, reflectance});
   }
+  scene.outside = outsideLight(options);
+  if (radiosity::brightest(scene.outside) > radiosity::largestEmission)
+    throw InputError("the light from outside is above 1e30 W/m^2", "scale it down");
   return scene;
 }
 
@@ -99,6 +171,14 @@ ordered_json toJson(const MaterialOptions& options) {
   for (const NamedColor& paint : options.reflectances)
     changes.push_back({{"reflectance", paint.name}, {"to", toJson(paint.color)}});
   return changes;
+}
+
+ordered_json toJson(const radiosity::OutsideLight& light) {
+  ordered_json text = ordered_json::object();
+  if (light.sky != glm::dvec3(0)) text["sky"] = toJson(light.sky);
+  for (const radiosity::Sun& sun : light.suns)
+    text["sun"].push_back({{"towards", toJson(sun.towards)}, {"irradiance", toJson(sun.irradiance)}});
+  return text;
 }
 
 }  // namespace hemitex::cli

@@ -1,13 +1,15 @@
-/// Options that change emissions and reflectances of a scene: `--emit`, `--reflectance` and `--lights`. A name is that
-/// of a surface, a group or a material; `*` at its end means any rest (scene_edits.h).
+/// Options that change the light and the reflectances of a scene: `--emit`, `--reflectance`, `--sky`, `--sun` and
+/// `--lights`. A name is that of a surface, a group or a material; `*` at its end means any rest (scene_edits.h).
 #pragma once
 
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/common/options.h"
+#include "radiosity/scene/outside_light.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/scene/scene_settings.h"
 
@@ -24,11 +26,20 @@ struct MaterialOptions {
   std::vector<NamedColor> lights;        ///< of `--lights`, in the order of the file; in the unit of `Ke`
   std::vector<NamedColor> emissions;     ///< of `--emit`; in the unit of `Ke`
   std::vector<NamedColor> reflectances;  ///< of `--reflectance`
+  std::optional<glm::dvec3> sky;         ///< of `--sky`
+  std::vector<radiosity::Sun> suns;      ///< of `--sun`
+  radiosity::OutsideLight outside;       ///< of `--lights`
 
-  bool areGiven() const { return !lights.empty() || !emissions.empty() || !reflectances.empty(); }
+  bool changeMaterials() const { return !lights.empty() || !emissions.empty() || !reflectances.empty(); }
+  bool areGiven() const {
+    return changeMaterials() || sky || !suns.empty() || !outside.suns.empty() || outside.sky != glm::dvec3(0);
+  }
 };
 
 void addMaterialOptions(Command command, MaterialOptions& options);
+
+/// The light from outside: `--sky` overrides the sky of `--lights`, and `--sun` its suns.
+radiosity::OutsideLight outsideLight(const MaterialOptions& options);
 
 /// The scene with the changes; later ones override earlier ones, and `--emit` overrides `--lights`. A reflectance of 1
 /// or more is lowered to `settings.maxReflectance` with a warning, as Kd is. Throws InputError with similar names for a
@@ -38,5 +49,8 @@ radiosity::Scene withMaterials(radiosity::Scene scene, const MaterialOptions& op
 
 /// The given changes in the form of edits: `[{"emission": NAME, "to": [r, g, b]}, ...]`.
 nlohmann::ordered_json toJson(const MaterialOptions& options);
+
+/// `{"sky": [r, g, b], "sun": [{"towards": [x, y, z], "irradiance": [r, g, b]}, ...]}`, without what is not given.
+nlohmann::ordered_json toJson(const radiosity::OutsideLight& light);
 
 }  // namespace hemitex::cli

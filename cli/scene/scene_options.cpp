@@ -102,13 +102,14 @@ radiosity::Scene sceneOf(const SceneOptions& options, Console& console) {
   return scene;
 }
 
-void requireLight(const radiosity::Scene& scene, const std::filesystem::path& file) {
+void requireLight(const radiosity::Scene& scene, const std::filesystem::path& file, const std::string& alternative) {
   if (!radiosity::emitsLight(scene)) {
     const std::vector<std::string> largest = largestFamilies(scene);
     std::string names;
     for (const std::string& name : largest) names += (names.empty() ? "`" : ", `") + name + "`";
-    throw raster::InputError(file.string(), 0, "nothing in the scene emits light",
-                             "add --emit '" + largest.front() + "=10,10,10' (largest surfaces: " + names + ")");
+    throw raster::InputError(
+        file.string(), 0, "nothing in the scene emits light",
+        "add --emit '" + largest.front() + "=10,10,10' (largest surfaces: " + names + ")" + alternative);
   }
   radiosity::requireEmission(scene, file);
 }

@@ -38,7 +38,9 @@ radiosity::Scene loadedScene(const SceneOptions& options);
 /// As loadedScene, and prints the warnings of the scene.
 radiosity::Scene sceneOf(const SceneOptions& options, Console& console);
 /// As radiosity::requireEmission. For a scene without any light the message names the largest surfaces and the option.
-void requireLight(const radiosity::Scene& scene, const std::filesystem::path& file);
+/// `alternative` continues that advice.
+void requireLight(const radiosity::Scene& scene, const std::filesystem::path& file,
+                  const std::string& alternative = "");
 
 /// Adds the options for dividing surfaces into elements and patches.
 void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings& settings);

@@ -68,6 +68,11 @@ std::string shotsText(const ordered_json& solution, double seconds) {
          percentText(solution["residual"]) + " of the flux unshot\n";
 }
 
+std::string titleOf(const std::string& flux) {
+  if (flux == "lost_to_backs") return "  to backs";
+  return flux == "sky_on_backs" ? "sky on backs" : flux;
+}
+
 /// One line per kind of flux: W in each band, and the share of the emitted flux, summed over bands.
 std::string fluxText(const ordered_json& energy) {
   const auto sum = [](const ordered_json& bands) {
@@ -78,7 +83,7 @@ std::string fluxText(const ordered_json& energy) {
   text << '\n' << std::left << std::setw(16) << "flux in W" << std::right;
   for (const char* title : {"red", "green", "blue", "of emitted"}) text << std::setw(12) << title;
   for (const auto& [name, bands] : energy.items()) {
-    text << '\n' << std::left << std::setw(16) << (name == "lost_to_backs" ? "  to backs" : name) << std::right;
+    text << '\n' << std::left << std::setw(16) << titleOf(name) << std::right;
     for (const ordered_json& flux : bands) text << std::setw(12) << roundedText(flux);
     text << std::setw(12) << (emitted > 0 ? percentText(sum(bands) / emitted) : "-");
   }
@@ -108,7 +113,8 @@ void writeSolved(const std::filesystem::path& folder, const Lit& lit, const Show
 ordered_json description(const Lit& lit, const Showing& showing) {
   ordered_json text = {{"settings", settingsJson(showing)}};
   const MaterialOptions& materials = showing.options.scene.materials;
-  if (materials.areGiven()) text["settings"]["materials"] = toJson(materials);
+  if (materials.changeMaterials()) text["settings"]["materials"] = toJson(materials);
+  text["settings"].update(toJson(lit.scene.outside));
   text.update(describe(lit.scene, lit.discretization, lit.layout, lit.solution));
   return text;
 }

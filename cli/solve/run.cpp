@@ -43,8 +43,9 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
   radiosity::SceneFormFactors drawn(scene, std::move(discretization), layout, options.drawing);
   const auto solveBy = [&](auto& rows) {
     const auto rowOf = [&rows](std::uint32_t patch) { return rows.ofPatch(patch); };
-    radiosity::Solution solution = radiosity::solve(scene, drawn.discretization(), rowOf, options.solver,
-                                                    progressOf(options.solver, console), drawn.splits());
+    radiosity::Solution solution =
+        radiosity::solve(scene, drawn.discretization(), rowOf, options.solver, progressOf(options.solver, console),
+                         drawn.splits(), drawn.outsideFlux());
     console.endProgress();
     return solution;
   };

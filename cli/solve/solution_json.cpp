@@ -74,12 +74,21 @@ ordered_json surfacesJson(const radiosity::Scene& scene, const radiosity::Discre
   return surfaces;
 }
 
+ordered_json energyJson(const radiosity::Energy& energy, bool isLitFromOutside) {
+  ordered_json text = {{"emitted", toJson(energy.emitted)},
+                       {"absorbed", toJson(energy.absorbed)},
+                       {"unshot", toJson(energy.unshot)},
+                       {"lost", toJson(energy.lost)},
+                       {"lost_to_backs", toJson(energy.lostToBacks)}};
+  if (isLitFromOutside) text["sky_on_backs"] = toJson(energy.skyOnBacks);
+  return text;
+}
+
 }  // namespace
 
 ordered_json describe(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                       const radiosity::IdLayout& layout, const radiosity::Solution& solution) {
   const radiosity::Phantoms phantoms = radiosity::countPhantoms(discretization, layout);
-  const radiosity::Energy& energy = solution.energy;
   return {{"surfaces", surfacesJson(scene, discretization)},
           {"elements", discretization.elements.size()},
           {"patches", discretization.patches.size()},
@@ -89,12 +98,7 @@ ordered_json describe(const radiosity::Scene& scene, const radiosity::Discretiza
           {"index_bits", layout.indexBits},
           {"shots", solution.shots},
           {"residual", solution.residual},
-          {"energy",
-           {{"emitted", toJson(energy.emitted)},
-            {"absorbed", toJson(energy.absorbed)},
-            {"unshot", toJson(energy.unshot)},
-            {"lost", toJson(energy.lost)},
-            {"lost_to_backs", toJson(energy.lostToBacks)}}}};
+          {"energy", energyJson(solution.energy, radiosity::brightest(scene.outside) > 0)}};
 }
 
 }  // namespace hemitex::cli

@@ -82,7 +82,7 @@ void solve(SolveOptions asked, Context& context) {
   asked.discretization.isUnburied = !asked.edits.empty();
   Laps laps;
   const radiosity::Scene scene = sceneOf(asked.scene, console);
-  requireLight(scene, asked.scene.file);
+  requireLight(scene, asked.scene.file, ", or --sky 1,1,1 for light from outside");
   const radiosity::Camera camera = cameraOf(asked.camera, scene, asked.scene.file);
   const bool isEdited = !asked.edits.empty();
   const std::vector<Frame> frames =

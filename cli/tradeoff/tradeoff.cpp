@@ -16,6 +16,7 @@
 #include "cli/tradeoff/page.h"
 #include "radiosity/discretization/discretize.h"
 #include "raster/base/file_io.h"
+#include "raster/base/input_error.h"
 #include "reference/bench/timing.h"
 
 namespace hemitex::cli {
@@ -124,6 +125,8 @@ void measure(const TradeoffOptions& options, Context& context) {
   const reference::Stopwatch all;
   const radiosity::Scene scene = sceneOf(options.scene, console);
   requireLight(scene, options.scene.file);
+  if (radiosity::brightest(scene.outside) > 0)
+    throw raster::InputError("tradeoff does not measure light from outside", "omit --sky and --sun");
   const radiosity::Camera camera = cameraOf({}, scene, options.scene.file);
   Staging staging(options.output);
   const int finest = *std::max_element(options.texels.begin(), options.texels.end());

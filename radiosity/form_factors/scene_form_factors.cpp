@@ -1,5 +1,6 @@
 #include "radiosity/form_factors/scene_form_factors.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "radiosity/index_maps/meshed_draws.h"
@@ -21,7 +22,9 @@ std::unique_ptr<raster::ItemBufferRenderer> sceneRenderer(const Scene& scene, co
 
 SceneFormFactors::SceneFormFactors(const Scene& scene, Discretization unsplit, IdLayout layout,
                                    const DrawingSettings& settings, const RendererFactory& makeRenderer)
-    : layout_(std::move(layout)),
+    : scene_(scene),
+      directions_(std::max(2 * settings.resolution, minDirections)),
+      layout_(std::move(layout)),
       discretization_(std::move(unsplit)),
       renderer_(sceneRenderer(scene, discretization_, layout_, settings.elementsBy, makeRenderer)),
       rows_(scene, discretization_, layout_, *renderer_,
@@ -35,6 +38,10 @@ SceneFormFactors::SceneFormFactors(const Scene& scene, Discretization unsplit, I
 void SceneFormFactors::splitAll() {
   const auto count = static_cast<std::uint32_t>(discretization_.patches.size());
   for (std::uint32_t patch = 0; splitter_ && patch < count; ++patch) splitter_->split(patch, 1);
+}
+
+OutsideFlux SceneFormFactors::outsideFlux() {
+  return radiosity::outsideFlux(scene_, discretization_, layout_, *renderer_, directions_);
 }
 
 PatchSplit SceneFormFactors::splits() {

@@ -9,6 +9,7 @@
 
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/form_factor_row.h"
+#include "radiosity/form_factors/outside_flux.h"
 #include "radiosity/form_factors/patch_subdivision.h"
 #include "radiosity/form_factors/projected_form_factors.h"
 #include "radiosity/index_maps/id_layout.h"
@@ -64,8 +65,12 @@ class SceneFormFactors {
   PatchSplit splits();
   const IdLayout& layout() const { return layout_; }
   ProjectedFormFactors& rows() { return rows_; }
+  /// The flux from `scene.outside`, with twice as many directions as a face has pixels along its side.
+  OutsideFlux outsideFlux();
 
  private:
+  const Scene& scene_;
+  int directions_;
   IdLayout layout_;
   Discretization discretization_;
   std::unique_ptr<raster::ItemBufferRenderer> renderer_;

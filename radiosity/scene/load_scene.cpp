@@ -146,13 +146,13 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
   return scene;
 }
 
-bool emitsLight(const Scene& scene) { return brightestEmission(scene) > 0; }
+bool emitsLight(const Scene& scene) { return brightestEmission(scene) > 0 || brightest(scene.outside) > 0; }
 
 void requireEmission(const Scene& scene, const std::filesystem::path& file) {
-  const double brightest = brightestEmission(scene);
-  if (brightest == 0)
+  const double largest = std::max(brightestEmission(scene), brightest(scene.outside));
+  if (largest == 0)
     fail({file}, "nothing in the scene emits light", "give a material an emission (Ke in the MTL file)");
-  if (brightest < smallestEmission) fail({file}, "nothing in the scene emits 1e-30 or more", "scale the light up");
+  if (largest < smallestEmission) fail({file}, "nothing in the scene emits 1e-30 or more", "scale the light up");
 }
 
 }  // namespace hemitex::radiosity

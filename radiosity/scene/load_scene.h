@@ -19,10 +19,10 @@ namespace hemitex::radiosity {
 /// dropped without a warning. A scene without emission is no error here; callers that need light call requireEmission.
 Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings = {});
 
-/// Whether a surface emits in any band.
+/// Whether a surface emits in any band, or light comes from outside.
 bool emitsLight(const Scene& scene);
 
-/// Throws InputError if nothing in the scene emits, or if the emission is too small for the range of images.
+/// Throws InputError if there is no light (see emitsLight), or if it is too weak for the range of images.
 void requireEmission(const Scene& scene, const std::filesystem::path& file);
 
 }  // namespace hemitex::radiosity

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "radiosity/images/image.h"
+#include "radiosity/scene/outside_light.h"
 
 namespace hemitex::radiosity {
 
@@ -54,6 +55,7 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Image> images;
   std::vector<Surface> surfaces;  ///< in the order of their first faces; in two-sided scenes all fronts, then all backs
+  OutsideLight outside = {};          ///< not part of the file
   std::vector<std::string> warnings;  ///< one sentence each, for the user
 };
 

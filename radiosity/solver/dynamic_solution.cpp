@@ -135,9 +135,9 @@ class LightUpdate {
         kept_(kept),
         rows_(rowCacheBytes) {}
 
-  /// `mayLeave` is the flux that may become stale.
-  void update(const ShotLight& light, double mayLeave) {
-    carry(light);
+  /// `outside` is the flux from outside after the edit, `mayLeave` the flux that may become stale.
+  void update(const ShotLight& light, OutsideFlux outside, double mayLeave) {
+    carry(light, std::move(outside));
     const std::vector<double> shares = largestShares();
     std::vector<double> bounds;
     for (std::size_t p = 0; p < shares.size(); ++p) bounds.push_back(2 * shares[p] * bandSum(glm::abs(light.shot[p])));
@@ -170,7 +170,7 @@ class LightUpdate {
   const UpdateCost& cost() const { return cost_; }
 
  private:
-  void carry(const ShotLight& light) {
+  void carry(const ShotLight& light, OutsideFlux outside) {
     light_ = {std::vector<glm::dvec3>(after_.discretization().patches.size()),
               std::vector<glm::dvec3>(gone_ + 1),
               light.lost,
@@ -180,6 +180,10 @@ class LightUpdate {
     for (std::size_t p = 0; p < light.shot.size(); ++p)
       if (numbers_.patch[p]) light_.shot[*numbers_.patch[p]] = light.shot[p];
     for (std::size_t e = 0; e < light.received.size(); ++e) light_.received[numbers_.element[e]] += light.received[e];
+    for (std::size_t e = 0; e < light.outside.received.size(); ++e)
+      light_.received[numbers_.element[e]] -= light.outside.received[e];
+    for (std::size_t e = 0; e < outside.received.size(); ++e) light_.received[e] += outside.received[e];
+    light_.outside = std::move(outside);
   }
 
   /// Bounds of the share of each former patch's light through pixels that can change.
@@ -276,7 +280,7 @@ DynamicSolution::DynamicSolution(Scene scene, Discretization unsplit, DynamicSet
       world_(std::make_unique<World>(std::move(scene), std::move(unsplit), layOut_, settings_.drawing, makeRenderer_)),
       rows_(settings_.solver.rowCacheBytes) {
   settings_.discretization = followingScene(world_->scene, settings_.discretization);
-  refine(ShootingState(world_->scene, discretization()), progress);
+  refine(ShootingState(world_->scene, discretization(), world_->drawn.outsideFlux()), progress);
 }
 
 DynamicSolution::~DynamicSolution() = default;
@@ -312,7 +316,8 @@ UpdateCost DynamicSolution::update(std::span<const Edit> edits, const Progress& 
   Discretization shooting = carried(discretization(), edit, settings_.discretization);
   auto next =
       std::make_unique<World>(std::move(edit.scene), std::move(shooting), layOut_, settings_.drawing, makeRenderer_);
-  const double emitted = bandSum(emittedFlux(next->scene, next->drawn.discretization()));
+  OutsideFlux outside = next->drawn.outsideFlux();
+  const double emitted = bandSum(emittedFlux(next->scene, next->drawn.discretization()) + sumOf(outside));
   const double allowed = settings_.solver.residual * (emitted > 0 ? emitted : light_.lastEmitted);
   LightUpdate update(world_->scene, world_->drawn, next->scene, next->drawn, edit.origins, rows_,
                      settings_.solver.rowCacheBytes);
@@ -320,7 +325,7 @@ UpdateCost DynamicSolution::update(std::span<const Edit> edits, const Progress& 
   if (startsOver)
     update.keepRows();
   else
-    update.update(light_, shareLeftStale * (allowed - light_.stale));
+    update.update(light_, std::move(outside), shareLeftStale * (allowed - light_.stale));
   UpdateCost cost = update.cost();
   cost.startedOver = startsOver;
 
@@ -328,7 +333,7 @@ UpdateCost DynamicSolution::update(std::span<const Edit> edits, const Progress& 
   rows_ = std::move(update.rows());
   ShotLight light = std::move(update.light());
   world_ = std::move(next);
-  refine(startsOver ? ShootingState(scene(), discretization())
+  refine(startsOver ? ShootingState(scene(), discretization(), std::move(outside))
                     : ShootingState(scene(), discretization(), std::move(light)),
          progress);
   return cost;

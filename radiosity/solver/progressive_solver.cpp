@@ -82,9 +82,9 @@ Solution finished(Solution solution, const Scene& scene, const Discretization& d
 }  // namespace
 
 Solution solve(const Scene& scene, const Discretization& discretization, const RowSource& rowOf,
-               const SolverSettings& settings, const Progress& progress, const PatchSplit& split) {
+               const SolverSettings& settings, const Progress& progress, const PatchSplit& split, OutsideFlux outside) {
   assert(!discretization.patches.empty());
-  ShootingState state(scene, discretization);
+  ShootingState state(scene, discretization, std::move(outside));
   RowCache rows(settings.rowCacheBytes);
   Solution solution = shoot(state, rows, rowOf, settings, progress, split);
   return finished(std::move(solution), scene, discretization, std::move(state));

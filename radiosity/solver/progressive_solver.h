@@ -41,11 +41,13 @@ using PatchSplit = std::function<std::vector<std::uint32_t>(std::uint32_t patch,
 /// Called after each shot with the number of shots and the residual. The solution ends there if it returns false.
 using Progress = std::function<bool(int shots, double residual)>;
 
-/// Starts from the emission of the elements and shoots until a limit of the settings is reached. `split` splits patches
+/// Starts from the emission of the elements and the light from outside, and shoots until a limit of the settings is
+/// reached. `split` splits patches
 /// of `discretization`; without it no patch is split. The result does not depend on the number of threads or on the
 /// memory of the row cache.
 Solution solve(const Scene& scene, const Discretization& discretization, const RowSource& rowOf,
-               const SolverSettings& settings, const Progress& progress = {}, const PatchSplit& split = {});
+               const SolverSettings& settings, const Progress& progress = {}, const PatchSplit& split = {},
+               OutsideFlux outside = {});
 
 /// Continues a refinement of the scene until a limit of the settings is reached; counts shots from here.
 Solution refine(const Scene& scene, const Discretization& discretization, ShootingState& state, RowCache& rows,

@@ -11,9 +11,13 @@
 namespace hemitex::radiosity {
 namespace {
 
-ShotLight nothingShot(const Discretization& discretization) {
-  return {std::vector<glm::dvec3>(discretization.patches.size()),
-          std::vector<glm::dvec3>(discretization.elements.size())};
+ShotLight nothingShot(const Discretization& discretization, OutsideFlux outside) {
+  ShotLight light;
+  light.shot.resize(discretization.patches.size());
+  light.received = outside.received;
+  light.received.resize(discretization.elements.size());
+  light.outside = std::move(outside);
+  return light;
 }
 
 /// One past the last element of a surface.
@@ -179,12 +183,12 @@ glm::dvec3 emittedFlux(const Scene& scene, const Discretization& discretization)
   return sum.value();
 }
 
-ShootingState::ShootingState(const Scene& scene, const Discretization& discretization)
+ShootingState::ShootingState(const Scene& scene, const Discretization& discretization, OutsideFlux outside)
     : scene_(scene),
       discretization_(discretization),
-      light_(nothingShot(discretization)),
-      unshot_(emittedByPatches(scene, discretization)),
-      emitted_(emittedFlux(scene, discretization)) {
+      light_(nothingShot(discretization, std::move(outside))),
+      unshot_(light_.outside.received.empty() ? emittedByPatches(scene, discretization) : unshotByPatches()),
+      emitted_(emittedFlux(scene, discretization) + sumOf(light_.outside)) {
   light_.lastEmitted = bandSum(emitted_);
 }
 
@@ -193,7 +197,7 @@ ShootingState::ShootingState(const Scene& scene, const Discretization& discretiz
       discretization_(discretization),
       light_(std::move(light)),
       unshot_(unshotByPatches()),
-      emitted_(emittedFlux(scene, discretization)) {
+      emitted_(emittedFlux(scene, discretization) + sumOf(light_.outside)) {
   if (bandSum(emitted_) > 0) light_.lastEmitted = bandSum(emitted_);
   lost_.add(light_.lost);
   lostToBacks_.add(light_.lostToBacks);
@@ -225,7 +229,7 @@ std::size_t ShootingState::shoot(std::uint32_t patch, const FormFactorRow& row) 
 Energy ShootingState::energy() const {
   KahanSum unshot;
   for (const glm::dvec3& flux : unshot_.flux()) unshot.add(flux);
-  return {emitted_, absorbed(), unshot.value(), lost_.value(), lostToBacks_.value()};
+  return {emitted_, absorbed(), unshot.value(), lost_.value(), lostToBacks_.value(), light_.outside.onBacks};
 }
 
 /// The flux that the elements received and do not reflect. Short sums are plain sums, which are four times as fast and
@@ -266,7 +270,9 @@ std::vector<glm::dvec3> ShootingState::radiosity() && {
 }
 
 std::size_t ShootingState::bytes() const {
-  return (light_.shot.capacity() + light_.received.capacity()) * sizeof(glm::dvec3) + unshot_.bytes();
+  return (light_.shot.capacity() + light_.received.capacity() + light_.outside.received.capacity()) *
+             sizeof(glm::dvec3) +
+         unshot_.bytes();
 }
 
 /// Converts the received flux of elements to radiosity: outgoing flux over area.

@@ -1,11 +1,12 @@
 /// The state of progressive refinement (Cohen, Chen, Wallace and Greenberg 1988), in flux, which is radiosity times
 /// area.
 ///
-/// Let T_p be the flux that patch p has shot along its row. Element e received I_e = sum_p F_pe T_p and sends out E_e +
-/// rho_e I_e. The part of a patch's outgoing flux that T_p does not include yet is unshot. This holds whatever was
-/// shot. So a solution can be continued after a change of emission, reflectances or rows: the same sums with the new E,
-/// rho and F give the new unshot flux. It is negative where the change removed light, and shooting negative flux
-/// retracts the excess (Chen 1990, George, Sillion and Greenberg 1990).
+/// Let T_p be the flux that patch p has shot along its row, and S_e the flux that element e receives from outside the
+/// scene. Element e received I_e = S_e + sum_p F_pe T_p and sends out E_e + rho_e I_e. The part of a patch's outgoing
+/// flux that T_p does not include yet is unshot. This holds whatever was shot. So a solution can be continued after a
+/// change of emission, reflectances or rows: the same sums with the new E, rho and F give the new unshot flux. It is
+/// negative where the change removed light, and shooting negative flux retracts the excess (Chen 1990, George, Sillion
+/// and Greenberg 1990).
 ///
 /// A patch shoots the sum of its elements' unshot flux along one row, so that only this sum matters. The residual is
 /// the sum of the absolute values of these sums over patches. It bounds the error, because unshot flux of either sign
@@ -24,6 +25,7 @@
 
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/form_factor_row.h"
+#include "radiosity/form_factors/outside_flux.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solver/kahan_sum.h"
 #include "radiosity/solver/unshot_tree.h"
@@ -32,11 +34,12 @@ namespace hemitex::radiosity {
 
 /// Flux per RGB band. emitted = absorbed + unshot + lost.
 struct Energy {
-  glm::dvec3 emitted{0.0};
+  glm::dvec3 emitted{0.0};  ///< by elements, and what elements receive from outside
   glm::dvec3 absorbed{0.0};
   glm::dvec3 unshot{0.0};       ///< signed: flux to be retracted lowers it
   glm::dvec3 lost{0.0};         ///< left the scene or was absorbed by backs
   glm::dvec3 lostToBacks{0.0};  ///< part of `lost` that backs absorbed
+  glm::dvec3 skyOnBacks{0.0};   ///< from outside, absorbed by backs; in no other number
 };
 
 /// The flux that was shot, and where it arrived: all that is needed to continue.
@@ -47,7 +50,8 @@ struct ShotLight {
   glm::dvec3 lostToBacks{0.0};       ///< part of `lost` that backs absorbed
   /// Upper bound of stale flux, bands summed: it was shot along rows that were not updated. Part of the residual.
   double stale = 0;
-  double lastEmitted = 0;  ///< bands summed: the reference of the residual when nothing is emitted
+  double lastEmitted = 0;    ///< bands summed: the reference of the residual when nothing is emitted
+  OutsideFlux outside = {};  ///< included in `received`
 };
 
 /// The flux that all elements emit.
@@ -55,9 +59,9 @@ glm::dvec3 emittedFlux(const Scene& scene, const Discretization& discretization)
 
 class ShootingState {
  public:
-  /// The state before the first shot. Both must outlive this object.
-  ShootingState(const Scene& scene, const Discretization& discretization);
-  /// Continues from a state whose account is balanced: sum of `shot` = sum of `received` + `lost`.
+  /// The state before the first shot. The references must outlive this object.
+  ShootingState(const Scene& scene, const Discretization& discretization, OutsideFlux outside = {});
+  /// Continues from a state whose account is balanced: sum of `shot` + sum of `outside` = sum of `received` + `lost`.
   ShootingState(const Scene& scene, const Discretization& discretization, ShotLight light);
 
   /// The patch with the largest absolute unshot flux, bands summed; the first of equals.

@@ -64,7 +64,7 @@ ShotLight freshLight(const DynamicSolution& dynamic, double limit = residual) {
   DrawingSettings unsplit = settings().drawing;
   unsplit.split = 1;
   SceneFormFactors drawn(dynamic.scene(), dynamic.discretization(), dynamic.layout(), unsplit);
-  ShootingState state(dynamic.scene(), drawn.discretization());
+  ShootingState state(dynamic.scene(), drawn.discretization(), drawn.outsideFlux());
   RowCache rows(std::size_t{1} << 30);
   refine(dynamic.scene(), drawn.discretization(), state, rows,
          [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); }, {.residual = limit});
@@ -361,4 +361,19 @@ TEST_CASE("DynamicSolution::update gives the same bits for any number of threads
     CHECK(solution.radiosity == reference.radiosity);
     CHECK(solution.shots == reference.shots);
   }
+}
+
+TEST_CASE("DynamicSolution lets the light of the sky and the sun follow objects", "[dynamic]") {
+  Scene open = lampRoom();
+  open.surfaces.erase(open.surfaces.begin() + 1);
+  open.outside = {{2, 3, 4}, {{glm::normalize(glm::dvec3(0.3, 0.2, 1)), {9, 8, 7}}}};
+  Discretization discretization = discretize(open, settings().discretization);
+  DynamicSolution dynamic(std::move(open), std::move(discretization), settings(), layOutIds);
+  const glm::dvec3 emitted = dynamic.solution().energy.emitted;
+  checkIsFresh(dynamic);
+  dynamic.update({{Edit(Move{"cube", {0.75, 0.5, 1.0}})}});
+  checkIsFresh(dynamic);
+  CHECK(dynamic.solution().energy.emitted != emitted);
+  dynamic.update({{Edit(Remove{"post"}), Edit(SetReflectance{"room0", {0.1, 0.2, 0.3}})}});
+  checkIsFresh(dynamic);
 }

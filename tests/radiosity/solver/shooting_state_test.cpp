@@ -64,6 +64,40 @@ TEST_CASE("ShootingState made from stored shots continues as if it had not been 
   }
 }
 
+TEST_CASE("ShootingState counts light from outside as emitted, and its account closes", "[refinement]") {
+  Scene open = litCube({3, 2, 1});
+  open.surfaces.pop_back();
+  open.outside = {{4, 5, 6}, {{glm::normalize(glm::dvec3(0.1, 0.2, 1)), {7, 8, 9}}}};
+  tests::HemicubeWorld world(std::move(open), 4, 2);
+  ProjectedFormFactors rows = world.rows(32);
+  RowCache cache(std::size_t{1} << 30);
+  const RowSource rowOf = rowsOf(rows, cache);
+  const OutsideFlux outside = outsideFlux(world.scene, world.discretization, world.layout, world.renderer, 64);
+  const glm::dvec3 entered = sumOf(outside);
+  ShootingState state(world.scene, world.discretization, outside);
+  CHECK(state.residual() > 0.5);
+  for (const int shots : {0, 1, 50}) {
+    shoot(state, rowOf, shots);
+    const Energy energy = state.energy();
+    CHECK(energy.emitted.r == Approx(3 + entered.r).epsilon(1e-12));
+    CHECK(energy.skyOnBacks == outside.onBacks);
+    for (int band = 0; band < 3; ++band)
+      CHECK(energy.absorbed[band] + energy.unshot[band] + energy.lost[band] ==
+            Approx(energy.emitted[band]).epsilon(1e-12));
+  }
+  // Without reflectance the radiosity is the emission: what comes from outside is received, not emitted again.
+  Scene black = world.scene;
+  for (Material& material : black.materials) material.reflectance = glm::dvec3(0);
+  const ShootingState absorbing(black, world.discretization, outside);
+  CHECK(absorbing.energy().unshot.r == Approx(3));
+  CHECK(absorbing.energy().absorbed.g == Approx(entered.g).epsilon(1e-12));
+  CHECK(absorbing.radiosity()[0] == glm::dvec3(0));
+  // Continued from its light, the state is the same.
+  const ShootingState continued(world.scene, world.discretization, state.light());
+  CHECK(continued.residual() == Approx(state.residual()).epsilon(1e-12));
+  CHECK(continued.energy().emitted == state.energy().emitted);
+}
+
 TEST_CASE("ShootingState retracts a light that was switched off by negative shots, and the account closes",
           "[refinement]") {
   tests::HemicubeWorld world(litCube({3, 2, 1}), 4, 2);

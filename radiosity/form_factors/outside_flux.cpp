@@ -1,0 +1,217 @@
+#include "radiosity/form_factors/outside_flux.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "radiosity/discretization/patch_points.h"
+#include "radiosity/form_factors/form_factor_row.h"
+#include "radiosity/form_factors/item_buffer_sum.h"
+#include "radiosity/geometry/ray_tree.h"
+#include "radiosity/projection/parallel_view.h"
+#include "radiosity/projection/patch_view.h"
+#include "radiosity/projection/sphere_directions.h"
+#include "radiosity/solver/kahan_sum.h"
+#include "raster/base/parallel.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// Pixels of a view for an element of mean area that faces the light.
+constexpr double pixelsPerElement = 16;
+constexpr int smallestViews = 256, largestViews = 4096;
+/// Elements with fewer pixels per view are lit at their centre.
+constexpr double minPixels = 0.5;
+/// One of this number of directions to the sky lights the centres of small elements.
+constexpr int directionsPerRay = 4;
+constexpr int directionsPerSunView = 8;
+
+ParallelViews viewsFor(const Scene& scene, const Discretization& discretization) {
+  double area = 0;
+  for (const Element& element : discretization.elements) area += element.area;
+  const double side = std::sqrt(area / (static_cast<double>(discretization.elements.size()) * pixelsPerElement));
+  const BoundingSphere bounds = boundingSphere(scene);
+  const double across = std::min(2 * bounds.radius / side, double{largestViews});
+  return {bounds, std::clamp(2 * static_cast<int>(across / 2 + 1), smallestViews, largestViews)};
+}
+
+bool isTwoSided(const Scene& scene) { return scene.surfaces.front().twin.has_value(); }
+
+/// The corners of a triangle in an order that does not depend on the side.
+std::array<glm::dvec3, 3> sortedCorners(const Triangle& triangle) {
+  std::array<glm::dvec3, 3> corners = triangle.position;
+  std::sort(corners.begin(), corners.end(),
+            [](const glm::dvec3& a, const glm::dvec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
+  return corners;
+}
+
+/// Whether the back of another face lies on the triangle, at its middle and near its corners. A sheet of two equal
+/// faces covers neither.
+bool isCovered(const Scene& scene, const RayTree& rays, const Triangle& triangle) {
+  const glm::dvec3 n = normal(triangle);
+  const glm::dvec3 middle = (triangle.position[0] + triangle.position[1] + triangle.position[2]) / 3.0;
+  const auto isCoveredAt = [&](const glm::dvec3& point) {
+    const auto hit = rays.firstHit(point + eyeLift * scene.extent * n, -n);
+    return hit && !hit->isFront && hit->distance <= 2 * eyeLift * scene.extent &&
+           sortedCorners(scene.surfaces[hit->surface].triangles[hit->triangle]) != sortedCorners(triangle);
+  };
+  return isCoveredAt(middle) &&
+         std::all_of(triangle.position.begin(), triangle.position.end(),
+                     [&](const glm::dvec3& p) { return isCoveredAt(glm::mix(p, middle, 0.02)); });
+}
+
+/// The triangles that lie under the back of another face, as the bottom of a box under that of a floor. An item buffer
+/// would show one or the other by chance.
+std::vector<std::uint32_t> coveredTriangles(const Scene& scene, const RayTree& rays) {
+  std::vector<std::vector<bool>> areCovered(scene.surfaces.size());
+  raster::parallelFor(scene.surfaces.size(), [&](std::size_t s) {
+    for (const Triangle& triangle : scene.surfaces[s].triangles)
+      areCovered[s].push_back(isCovered(scene, rays, triangle));
+  });
+  std::vector<std::uint32_t> covered;
+  std::uint32_t number = 0;
+  for (const std::vector<bool>& ofSurface : areCovered)
+    for (const bool is : ofSurface) {
+      if (is) covered.push_back(number);
+      ++number;
+    }
+  return covered;
+}
+
+/// Draws views against the light and counts their pixels.
+class PixelCounts {
+ public:
+  PixelCounts(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
+              raster::ItemBufferRenderer& renderer, const ParallelViews& views, std::vector<std::uint32_t> covered)
+      : scene_(scene),
+        renderer_(renderer),
+        views_(views),
+        covered_(std::move(covered)),
+        shares_(views.pixelCounts()),
+        sum_(discretization, layout) {}
+
+  /// The pixels of all views together, one view per direction.
+  FormFactorRow of(std::span<const glm::dvec3> directions) {
+    const std::size_t atOnce = isTwoSided(scene_) ? 1 : viewsAtOnce();
+    for (std::size_t first = 0; first < directions.size(); first += atOnce)
+      draw(directions, first, std::min(first + atOnce, directions.size()));
+    return sum_.takeRow();
+  }
+
+ private:
+  /// As many as fit into 64 MiB, but enough for several threads.
+  std::size_t viewsAtOnce() const {
+    return std::clamp(std::size_t{1 << 24} / shares_.captured, std::size_t{2}, std::size_t{16});
+  }
+
+  void draw(std::span<const glm::dvec3> directions, std::size_t first, std::size_t end) {
+    std::vector<raster::Face> faces;
+    for (std::size_t i = first; i < end; ++i)
+      faces.push_back(views_.face(scene_.origin, directions[i], static_cast<std::uint32_t>(i)));
+    const Window window = wholeFaces(shares_).front();
+    const std::vector<std::uint32_t> skipped =
+        isTwoSided(scene_) ? hiddenSides(scene_, glm::dvec3(faces.front().eye) + scene_.origin) : covered_;
+    renderer_.draw(faces, skipped, buffers_, [&](std::size_t f) { sum_.add(shares_, window, buffers_[f]); });
+  }
+
+  const Scene& scene_;
+  raster::ItemBufferRenderer& renderer_;
+  ParallelViews views_;
+  std::vector<std::uint32_t> covered_;
+  Projection shares_;
+  ItemBufferSum sum_;
+  std::vector<raster::ItemBuffer> buffers_;
+};
+
+/// Directions of the same light, and the irradiance of each on a plane at right angles to it.
+struct Beams {
+  std::vector<glm::dvec3> directions;
+  glm::dvec3 irradiance{0.0};
+};
+
+/// A plane faces half of the directions, with a mean cosine of a half.
+Beams skyBeams(const glm::dvec3& irradiance, int count) {
+  return {sphereDirections(count), irradiance * (4.0 / count)};
+}
+
+Beams sunBeams(const Sun& sun, int count) {
+  return {std::vector<glm::dvec3>(static_cast<std::size_t>(count), sun.towards), sun.irradiance / double(count)};
+}
+
+/// Lights the centres of elements.
+class CentreLight {
+ public:
+  CentreLight(const Scene& scene, const Discretization& discretization, const RayTree& rays, int directions)
+      : scene_(scene), discretization_(discretization), rays_(rays), lights_{skyBeams(scene.outside.sky, directions)} {
+    for (const Sun& sun : scene.outside.suns) lights_.push_back(sunBeams(sun, 1));
+  }
+
+  glm::dvec3 irradiance(std::uint32_t element) const {
+    const std::uint32_t surface = discretization_.elements[element].surface;
+    const SurfacePoint point = elementCentre(scene_, discretization_, element);
+    const glm::dvec3 start = eyeOver(scene_, surface, point);
+    glm::dvec3 sum(0);
+    for (const Beams& light : lights_) {
+      double cosines = 0;
+      for (const glm::dvec3& direction : light.directions) {
+        const double cosine = glm::dot(point.normal, direction);
+        if (cosine > 0 && !rays_.firstHit(start, direction)) cosines += cosine;
+      }
+      sum += light.irradiance * cosines;
+    }
+    return sum;
+  }
+
+ private:
+  const Scene& scene_;
+  const Discretization& discretization_;
+  const RayTree& rays_;
+  std::vector<Beams> lights_;
+};
+
+/// Replaces the flux of elements that are small against a pixel of this area.
+void lightCentres(const CentreLight& light, const Discretization& discretization, double pixelArea, OutsideFlux& flux) {
+  raster::parallelFor(discretization.elements.size(), [&](std::size_t e) {
+    const double area = discretization.elements[e].area;
+    if (area < minPixels * pixelArea) flux.received[e] = light.irradiance(static_cast<std::uint32_t>(e)) * area;
+  });
+}
+
+}  // namespace
+
+glm::dvec3 sumOf(const OutsideFlux& flux) {
+  KahanSum sum;
+  for (const glm::dvec3& received : flux.received) sum.add(received);
+  return sum.value();
+}
+
+OutsideFlux outsideFlux(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
+                        raster::ItemBufferRenderer& renderer, int directions) {
+  OutsideFlux flux;
+  if (!(brightest(scene.outside) > 0)) return flux;
+  flux.received.resize(discretization.elements.size());
+  const ParallelViews views = viewsFor(scene, discretization);
+  const double pixelArea = views.pixelSide() * views.pixelSide();
+  const RayTree rays(scene);
+  PixelCounts pixels(scene, discretization, layout, renderer, views,
+                     isTwoSided(scene) ? std::vector<std::uint32_t>() : coveredTriangles(scene, rays));
+  const auto add = [&](const Beams& light) {
+    if (light.irradiance == glm::dvec3(0)) return;
+    const FormFactorRow counts = pixels.of(light.directions);
+    const glm::dvec3 perPixel = light.irradiance * pixelArea;
+    for (std::size_t i = 0; i < counts.elements.size(); ++i)
+      flux.received[counts.elements[i]] += perPixel * static_cast<double>(counts.shares[i]);
+    flux.onBacks += perPixel * static_cast<double>(counts.back);
+  };
+  add(skyBeams(scene.outside.sky, directions));
+  for (const Sun& sun : scene.outside.suns) add(sunBeams(sun, std::max(directions / directionsPerSunView, 1)));
+  lightCentres(CentreLight(scene, discretization, rays, std::max(directions / directionsPerRay, 1)), discretization,
+               pixelArea, flux);
+  return flux;
+}
+
+}  // namespace hemitex::radiosity

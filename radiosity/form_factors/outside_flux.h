@@ -1,0 +1,41 @@
+/// The flux that arrives from outside the scene: from the sky and from suns.
+///
+/// The sky is replaced by parallel beams from evenly spread directions. For each beam the scene is drawn in a far,
+/// narrow view (parallel_view.h). Each pixel carries the same flux to the element that it shows. A sun is one direction
+/// with many views, whose pixels lie between each other. So elements receive light at the resolution of texels, and one
+/// drawing serves all elements. The alternative is reciprocity: the share of the background in the row of each patch is
+/// the share of the sky that it sees. That needs one row per element, and cannot show a sun (docs/light.md compares
+/// both).
+///
+/// The resolution of the views follows the mean area of the elements. An element much smaller than a pixel would be met
+/// by chance. It is lit at its centre instead, by rays to some of the directions (ray_tree.h).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "radiosity/discretization/discretization.h"
+#include "radiosity/index_maps/id_layout.h"
+#include "radiosity/scene/scene.h"
+#include "raster/interface/item_buffer_renderer.h"
+
+namespace hemitex::radiosity {
+
+struct OutsideFlux {
+  std::vector<glm::dvec3> received;  ///< one per element, W per band; empty if no light comes from outside
+  glm::dvec3 onBacks{0.0};           ///< absorbed by backs, also by the outer sides of walls; W per band
+};
+
+/// The sum of the received flux.
+glm::dvec3 sumOf(const OutsideFlux& flux);
+
+inline constexpr int minDirections = 64;
+
+/// The flux from `scene.outside`. `renderer` draws the scene (see sceneRenderer). `directions` is the number of
+/// directions to the sky, at least minDirections; a sun has an eighth as many views.
+OutsideFlux outsideFlux(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
+                        raster::ItemBufferRenderer& renderer, int directions);
+
+}  // namespace hemitex::radiosity

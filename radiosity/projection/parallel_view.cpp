@@ -1,0 +1,75 @@
+#include "radiosity/projection/parallel_view.h"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+
+#include "radiosity/projection/patch_view.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// Point i of a sequence that fills the unit square evenly for any count, minus its centre: a lattice with the powers
+/// of the plastic number (Roberts 2018).
+glm::dvec2 shiftOf(std::uint32_t i) {
+  constexpr double plastic = 1.32471795724474602596;
+  const glm::dvec2 steps = static_cast<double>(i) * glm::dvec2(1 / plastic, 1 / (plastic * plastic)) + 0.5;
+  return steps - glm::floor(steps) - 0.5;
+}
+
+}  // namespace
+
+BoundingSphere boundingSphere(const Scene& scene) {
+  glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
+  for (const Surface& surface : scene.surfaces)
+    for (const Triangle& triangle : surface.triangles)
+      for (const glm::dvec3& corner : triangle.position) {
+        low = glm::min(low, corner);
+        high = glm::max(high, corner);
+      }
+  return {0.5 * (low + high), 0.5 * glm::length(high - low)};
+}
+
+raster::Face ParallelViews::face(const glm::dvec3& origin, const glm::dvec3& towards, std::uint32_t number) const {
+  const double distance = farDistance * bounds.radius;
+  // The picture plane passes through the centre of the scene, where w = 1.
+  const glm::dvec3 w = -towards / distance;
+  const glm::dvec3 up = upOf(Orientation::Turned, towards, number, 0), right = glm::cross(up, towards);
+  const glm::dvec2 shift = shiftOf(number) * (2.0 / resolution);
+  const double halfWidth = 0.5 * resolution * pixelSide();
+  raster::Face face;
+  face.eye = bounds.centre + distance * towards - origin;
+  face.x = right / (glm::length(right) * halfWidth) + shift.x * w;
+  face.y = up / (glm::length(up) * halfWidth) + shift.y * w;
+  face.w = w;
+  face.nearDistance = 0.5F;
+  face.resolution = resolution;
+  face.scissor = {0, 0, resolution, resolution};
+  return face;
+}
+
+Projection ParallelViews::pixelCounts() const {
+  const auto side = static_cast<std::size_t>(resolution);
+  Projection projection;
+  projection.faces.resize(1);
+  projection.faces.front().resolution = resolution;
+  projection.faces.front().scissor = {0, 0, resolution, resolution};
+  projection.sharesBefore.emplace_back(side * side + 1);
+  std::iota(projection.sharesBefore.front().begin(), projection.sharesBefore.front().end(), std::uint64_t{0});
+  projection.captured = projection.sharesBefore.front().back();
+  return projection;
+}
+
+std::vector<std::uint32_t> hiddenSides(const Scene& scene, const glm::dvec3& eye) {
+  std::vector<std::uint32_t> hidden;
+  std::uint32_t number = 0;
+  for (const Surface& surface : scene.surfaces)
+    for (const Triangle& triangle : surface.triangles) {
+      if (surface.twin && glm::dot(normal(triangle), eye - triangle.position[0]) < 0) hidden.push_back(number);
+      ++number;
+    }
+  return hidden;
+}
+
+}  // namespace hemitex::radiosity

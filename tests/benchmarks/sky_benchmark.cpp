@@ -1,0 +1,113 @@
+/// The error and the time of light from the sky (radiosity/form_factors/outside_flux.h) against rays of Embree, and of
+/// the alternative: the share of the background in the hemicube of each element. Usage: hemitex_sky_errors SCENE.obj
+/// [SURFACE to remove...]. Prints one line per setting: the sum of the flux errors of all elements over all flux.
+/// Elements that touch the inside of a wall are left out: rays start on the wall's other side.
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/form_factors/outside_flux.h"
+#include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/scene/load_scene.h"
+#include "radiosity/scene/scene_edits.h"
+#include "reference/bench/timing.h"
+#include "reference/rays/monte_carlo_form_factors.h"
+
+using namespace hemitex;
+
+namespace {
+
+constexpr int rays = 1 << 14;
+
+struct World {
+  radiosity::Scene scene;
+  radiosity::Discretization discretization;
+  radiosity::IdLayout layout;
+
+  explicit World(radiosity::Scene given)
+      : scene(std::move(given)),
+        discretization(radiosity::discretize(scene, {.patch = 1})),
+        layout(radiosity::layOut(discretization)) {}
+};
+
+/// The flux per element from a sky of irradiance 1, by rays.
+std::vector<double> trueFlux(const World& world) {
+  const reference::RayFormFactors factors(world.scene, world.discretization);
+  const reference::Receivers elements = reference::everyElement(world.discretization);
+  std::vector<double> flux;
+  for (std::uint32_t e = 0; e < world.discretization.elements.size(); ++e) {
+    const std::vector<std::uint32_t> own{e};
+    const reference::MeasuredRow row =
+        factors.overHemisphere(reference::areaRaySource(factors.pieces(), own), elements, {.samples = rays});
+    flux.push_back(row.background.value * world.discretization.elements[e].area);
+  }
+  return flux;
+}
+
+/// Sets the flux of elements to 0 that see nothing but the sky, although views of the scene do not show them.
+void leaveOutCovered(const World& world, std::vector<double>& truth) {
+  const auto renderer =
+      radiosity::sceneRenderer(world.scene, world.discretization, world.layout, radiosity::ElementsBy::Texture);
+  const radiosity::OutsideFlux found =
+      radiosity::outsideFlux(world.scene, world.discretization, world.layout, *renderer, radiosity::minDirections);
+  for (std::size_t e = 0; e < truth.size(); ++e)
+    if (found.received[e].r == 0 && truth[e] > 0.99 * world.discretization.elements[e].area) truth[e] = 0;
+}
+
+double errorOf(const std::vector<double>& flux, const std::vector<double>& truth) {
+  double error = 0;
+  for (std::size_t e = 0; e < flux.size(); ++e)
+    if (truth[e] > 0) error += std::abs(flux[e] - truth[e]);
+  return error / std::accumulate(truth.begin(), truth.end(), 0.0);
+}
+
+void print(const char* what, int setting, const std::vector<double>& flux, const std::vector<double>& truth,
+           double seconds) {
+  std::printf("%-12s %5d  error %.3f %%  %.2f s\n", what, setting, 100 * errorOf(flux, truth), seconds);
+}
+
+void measureBeams(const World& world, const std::vector<double>& truth) {
+  for (const int directions : {128, 256, 512, 1024, 2048}) {
+    const reference::Stopwatch watch;
+    const auto renderer =
+        radiosity::sceneRenderer(world.scene, world.discretization, world.layout, radiosity::ElementsBy::Texture);
+    const radiosity::OutsideFlux found =
+        radiosity::outsideFlux(world.scene, world.discretization, world.layout, *renderer, directions);
+    const double seconds = watch.seconds();
+    std::vector<double> flux;
+    for (const glm::dvec3& received : found.received) flux.push_back(received.r);
+    print("directions", directions, flux, truth, seconds);
+  }
+}
+
+void measureRows(const World& world, const std::vector<double>& truth) {
+  for (const int resolution : {16, 32, 64, 128}) {
+    const reference::Stopwatch watch;
+    radiosity::SceneFormFactors drawn(world.scene, world.discretization, world.layout,
+                                      {.resolution = resolution, .split = 1});
+    std::vector<double> flux(truth.size());
+    for (std::uint32_t p = 0; p < world.discretization.patches.size(); ++p) {
+      const std::uint32_t e = world.discretization.patchElements[world.discretization.patches[p].firstElement];
+      flux[e] = radiosity::formFactor(drawn.rows().ofPatch(p).background) * world.discretization.elements[e].area;
+    }
+    print("hemicubes", resolution, flux, truth, watch.seconds());
+  }
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  radiosity::Scene scene = radiosity::loadScene(arguments[1]);
+  for (int i = 2; i < count; ++i)
+    scene = radiosity::edited(std::move(scene), {}, {{radiosity::Edit(radiosity::Remove{arguments[i]})}}).scene;
+  scene.outside.sky = glm::dvec3(1);
+  const World world(std::move(scene));
+  std::vector<double> truth = trueFlux(world);
+  leaveOutCovered(world, truth);
+  std::printf("%s: %zu elements\n", arguments[1], truth.size());
+  measureBeams(world, truth);
+  measureRows(world, truth);
+}
