@@ -5,6 +5,7 @@
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -96,8 +97,7 @@ void measureRest(reference::BenchReport& report, const std::vector<reference::Be
     report.parts.push_back(reference::solutionParts(box.scene, texels, side, 300, settings.repeats));
 }
 
-void writeFiles(const nlohmann::ordered_json& result, const std::filesystem::path& output) {
-  Staging staging(output);
+void writeFiles(const nlohmann::ordered_json& result, Staging& staging) {
   raster::writeFile(staging.folder() / "bench.json", toText(result));
   raster::writeFile(staging.folder() / "tables.md", benchText(result));
   raster::writeFile(staging.folder() / "report.html", completePage(benchPageText, result));
@@ -106,7 +106,8 @@ void writeFiles(const nlohmann::ordered_json& result, const std::filesystem::pat
 
 void bench(const BenchOptions& options, Context& context) {
   Console& console = context.console;
-  if (!options.output.empty()) Staging{options.output};  // reports a folder that cannot be written before the work
+  std::optional<Staging> staging;
+  if (!options.output.empty()) staging.emplace(options.output);
   const std::vector<reference::BenchScene> scenes = scenesOf(options);
   const reference::BenchSettings settings = settingsOf(options, context);
   reference::BenchReport report;
@@ -122,7 +123,7 @@ void bench(const BenchOptions& options, Context& context) {
                 [&](const std::string& what) { console.progress(done / all, what); });
   console.endProgress();
   const nlohmann::ordered_json result = toJson(report);
-  if (!options.output.empty()) writeFiles(result, options.output);
+  if (staging) writeFiles(result, *staging);
   std::cout << (context.json ? toText(result) : benchText(result));
 }
 

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <new>
 
+#include "cli/common/interruption.h"
 #include "cli/common/unknown_argument.h"
 #include "cli/help/help_formatter.h"
 #include "cli/help/shell_files.h"
@@ -71,13 +72,14 @@ int run(const Program& program, int argc, char** argv, Context& context) {
   context.command();
   if (!std::cout.flush())
     throw raster::InputError("standard output cannot be written; check the disk or the pipe that it goes to");
-  return context.failed ? comparisonFailed : 0;
+  return stoppedExitCode().value_or(context.failed ? comparisonFailed : 0);
 }
 
 }  // namespace
 
 int runProgram(const Program& program, int argc, char** argv) {
   std::signal(SIGABRT, [](int) { std::_Exit(ourFault); });  // raised by a failed assertion
+  watchSignals();
   Context context;
   try {
     return run(program, argc, argv, context);

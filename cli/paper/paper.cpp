@@ -29,7 +29,7 @@ std::vector<reference::PaperDevice> devices(Console& console) {
 void makePaper(const std::filesystem::path& output, Context& context) {
   Console& console = context.console;
   const reference::Stopwatch all;
-  Staging{output};  // reports a folder that cannot be written before the work
+  Staging staging(output);
   const auto progress = [&console](double fraction, const std::string& what) { console.progress(fraction, what); };
   // The paper measured on one processor. More threads would hide the cost of the serial parts.
   const raster::ThreadLimit oneProcessor(1);
@@ -37,7 +37,6 @@ void makePaper(const std::filesystem::path& output, Context& context) {
   const std::vector<reference::PaperRun> runs = reference::measurePaperRuns(scenes, devices(console), {}, progress);
   ordered_json result = paperJson(runs);
   result["phantoms"] = phantomsJson(scenes);
-  Staging staging(output);
   result["figures"] = writePaperFigures(sceneFolder(), scenes, staging.folder(),
                                         [&console](const std::string& what) { console.progress(1, what); });
   console.endProgress();

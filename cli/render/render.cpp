@@ -164,7 +164,7 @@ Image projectionView(const RenderOptions& options, const Subject& subject, Conso
 
 void render(const RenderOptions& options, Context& context) {
   const Image image = options.show(options, subjectOf(options, context.console), context.console);
-  Staging staging(std::filesystem::absolute(options.output).parent_path());
+  Staging staging(std::filesystem::absolute(options.output).parent_path(), FolderUse::SeveralRuns);
   radiosity::writePng(staging.folder() / options.output.filename(), image);
   staging.commit();
   if (context.json)

@@ -9,6 +9,7 @@
 #include "radiosity/images/image.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "reference/vectors/json_text.h"
 
 namespace hemitex::cli {
 namespace {
@@ -52,7 +53,7 @@ std::optional<SolvedFolder> SolvedFolder::around(const std::filesystem::path& sc
   const std::optional<std::string> text = raster::tryReadFile(file);
   if (!text) return std::nullopt;
   try {
-    const json solution = json::parse(*text);
+    const json solution = reference::parseJson<json>(*text);
     const json& settings = solution.at("settings");
     if (const json& texels = settings.at("texels"); !texels.is_null()) solved.settings_.texels = texels.get<int>();
     solved.settings_.patch = settings.at("patch").get<int>();

@@ -1,6 +1,5 @@
 #include "cli/scene/camera_options.h"
 
-#include <array>
 #include <limits>
 
 #include "cli/common/json.h"
@@ -8,6 +7,7 @@
 #include "radiosity/pictures/default_camera.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "reference/vectors/json_text.h"
 
 namespace hemitex::cli {
 namespace {
@@ -21,8 +21,7 @@ std::filesystem::path viewFileOf(const std::filesystem::path& sceneFile) {
 
 std::optional<glm::dvec3> vectorAt(const nlohmann::json& view, const std::string& key) {
   if (!view.contains(key)) return std::nullopt;
-  const auto values = view.at(key).get<std::array<double, 3>>();
-  return glm::dvec3(values[0], values[1], values[2]);
+  return reference::vectorAt(view, key);
 }
 
 /// The camera of a scene file as options; empty options if it has none.
@@ -38,18 +37,21 @@ CameraOptions optionsOf(const std::optional<radiosity::SceneCamera>& seen) {
 
 /// The camera options of a view file; nothing if the file does not exist.
 std::optional<CameraOptions> readViewFile(const std::filesystem::path& file) {
+  const std::string form = "write {\"eye\": [x,y,z], \"look_at\": [x,y,z], \"up\": [x,y,z], \"fov\": degrees}";
   const std::optional<std::string> text = raster::tryReadFile(file);
   if (!text) return std::nullopt;
   CameraOptions view;
   try {
-    const auto json = nlohmann::json::parse(*text);
+    const auto json = reference::parseJson<nlohmann::json>(*text);
+    if (!json.is_object()) throw raster::InputError("it is no JSON object", form);
     view.eye = vectorAt(json, "eye");
     view.lookAt = vectorAt(json, "look_at");
     view.up = vectorAt(json, "up");
     if (json.contains("fov")) view.fov = json.at("fov").get<double>();
   } catch (const nlohmann::json::exception& error) {
-    throw raster::InputError(file.string(), 0, std::string("is not a valid view: ") + error.what(),
-                             "write {\"eye\": [x,y,z], \"look_at\": [x,y,z], \"up\": [x,y,z], \"fov\": degrees}");
+    throw raster::InputError(file.string(), 0, std::string("is not a valid view: ") + error.what(), form);
+  } catch (const raster::InputError& error) {
+    throw raster::InputError(file.string(), 0, std::string("is not a valid view: ") + error.what());
   }
   return view;
 }
@@ -89,7 +91,12 @@ radiosity::Camera cameraOf(const CameraOptions& options, const radiosity::Scene&
   camera.lookAt = lookAt.value_or(camera.lookAt);
   camera.up = options.up.value_or(view.up.value_or(camera.up));
   camera.fov = options.fov.value_or(view.fov.value_or(camera.fov));
-  radiosity::cameraFace(scene, camera, options.width, options.height);  // throws if the camera is invalid
+  try {
+    radiosity::cameraFace(scene, camera, options.width, options.height);  // throws if the camera is invalid
+  } catch (const raster::InputError& error) {
+    if (!view.eye && !view.lookAt && !view.up && !view.fov) throw;
+    throw raster::InputError(viewFileOf(sceneFile).string(), 0, error.what());
+  }
   return camera;
 }
 

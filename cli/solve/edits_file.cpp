@@ -1,6 +1,5 @@
 #include "cli/solve/edits_file.h"
 
-#include <array>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -11,6 +10,7 @@
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "raster/base/name_suggestions.h"
+#include "reference/vectors/json_text.h"
 
 namespace hemitex::cli {
 namespace {
@@ -38,12 +38,14 @@ const std::map<std::string, EditForm>& editForms() {
 /// The kind of an edit, which is one of its keys. Throws InputError for an unknown kind and for wrong keys.
 std::string kindOf(const json& object) {
   if (!object.is_object() || object.empty())
-    throw InputError("an edit is not a JSON object with keys: " + object.dump(), form);
+    throw InputError("an edit is not a JSON object with keys: " + reference::shortText(object), form);
   std::string kind;
   for (const auto& [key, value] : object.items())
     if (editForms().contains(key))
-      kind = kind.empty() ? key
-                          : throw InputError("an edit is two edits at once; write two objects: " + object.dump(), form);
+      kind = kind.empty()
+                 ? key
+                 : throw InputError("an edit is two edits at once; write two objects: " + reference::shortText(object),
+                                    form);
   std::set<std::string> known;
   for (const auto& [name, some] : editForms()) known.insert({name, some.argument});
   known.erase("");
@@ -59,8 +61,7 @@ std::string kindOf(const json& object) {
 
 glm::dvec3 vectorOf(const json& object, const std::string& key) {
   if (!object.contains(key)) return glm::dvec3(0);
-  const auto values = object.at(key).get<std::array<double, 3>>();
-  return {values[0], values[1], values[2]};
+  return reference::vectorAt(object, key);
 }
 
 std::vector<std::string> namesOf(const json& value) {
@@ -84,7 +85,7 @@ void appendEdits(const json& object, const std::filesystem::path& folder, const 
 }
 
 json framesOf(const std::filesystem::path& file) {
-  const json content = json::parse(raster::readFile(file, "give a JSON file of edits"));
+  const json content = reference::parseJson<json>(raster::readFile(file, "give a JSON file of edits"));
   if (!content.is_object() || !content.contains("frames") || content.size() != 1 || !content.at("frames").is_array())
     throw InputError(file.string(), 0, "is no list of frames", form);
   return content.at("frames");

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "cli/common/interruption.h"
 #include "cli/common/json.h"
 #include "radiosity/discretization/adaptive_subdivision.h"
 #include "radiosity/form_factors/scene_form_factors.h"
@@ -85,6 +86,7 @@ radiosity::Progress progressOf(const radiosity::SolverSettings& settings, Consol
     const double fraction = settings.shots ? static_cast<double>(shots) / *settings.shots
                                            : std::log(residual) / std::log(settings.residual);
     console.progress(fraction, "shot " + std::to_string(shots) + ", " + percentText(residual) + " of the flux unshot");
+    return !LongRun::isStopping();
   };
 }
 

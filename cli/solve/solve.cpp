@@ -88,7 +88,7 @@ void solve(SolveOptions asked, Context& context) {
   const std::vector<Frame> frames =
       isEdited ? readEdits(asked.edits, scene, asked.scene.settings) : std::vector<Frame>();
   laps.lap("load_s");
-  Staging{asked.output};  // reports a folder that cannot be written before the work
+  Staging staging(asked.output);
   radiosity::Discretization unsplit = discretizationFor(asked, scene, console);
   const radiosity::IdLayout layout = layoutOf(asked.id, unsplit, console);
   laps.lap("discretize_s");
@@ -103,7 +103,6 @@ void solve(SolveOptions asked, Context& context) {
   warnOf(solved, console);
   laps.lap("solve_s");
 
-  Staging staging(options.output);
   const Lit lit{scene, solved.discretization, layout, solved.solution};
   const Showing showing{options, camera, exposureOf(options, lit)};
   radiosity::LitScene shown = shownScene(lit, showing);

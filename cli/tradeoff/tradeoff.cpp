@@ -128,7 +128,7 @@ void measure(const TradeoffOptions& options, Context& context) {
   if (radiosity::brightest(scene.outside) > 0)
     throw raster::InputError("tradeoff does not measure light from outside", "omit --sky and --sun");
   const radiosity::Camera camera = cameraOf({}, scene, options.scene.file);
-  Staging{options.output};  // reports a folder that cannot be written before the work
+  Staging staging(options.output);
   const int finest = *std::max_element(options.texels.begin(), options.texels.end());
   const radiosity::Discretization fine =
       radiosity::discretize(scene, {.texels = finest, .patch = options.patches.front()});
@@ -145,7 +145,6 @@ void measure(const TradeoffOptions& options, Context& context) {
   result["times"]["truth_s"] = truthSeconds;
   result["times"]["threads"] = context.threads;
   result["times"]["all_s"] = all.seconds();
-  Staging staging(options.output);
   std::ostringstream csv;
   writeCsv(csv, choiceTable(result["choices"]));
   raster::writeFile(staging.folder() / "tradeoff.csv", csv.view());

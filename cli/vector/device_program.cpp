@@ -1,9 +1,8 @@
 #include "cli/vector/device_program.h"
 
-#include <atomic>
-#include <csignal>
 #include <cstdlib>
 
+#include "cli/common/interruption.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::cli {
@@ -12,14 +11,6 @@ namespace {
 namespace fs = std::filesystem;
 using reference::DeviceFailure;
 using reference::DeviceFault;
-
-std::atomic<bool> isInterrupted{false};
-std::atomic<int> interruptingSignal{0};
-
-void interrupt(int signal) {
-  interruptingSignal = signal;
-  isInterrupted = true;
-}
 
 fs::path makeScratchFolder() {
   std::string name = (fs::temp_directory_path() / "hemitex-XXXXXX").string();
@@ -47,21 +38,6 @@ std::optional<DeviceFailure> checkFiles(const reference::TestVector& vector, con
 
 }  // namespace
 
-Interruption::Interruption() {
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
-  std::signal(SIGCHLD, SIG_DFL);  // a parent may have ignored it, and then no exit code arrives
-}
-
-Interruption::~Interruption() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
-}
-
-bool Interruption::hasHappened() { return isInterrupted; }
-
-void Interruption::passOn() { std::raise(interruptingSignal); }
-
 ScratchFolder::ScratchFolder() : path(makeScratchFolder()) {}
 
 ScratchFolder::~ScratchFolder() {
@@ -73,7 +49,7 @@ std::optional<DeviceFailure> draw(const DeviceProgram& program, const reference:
                                   const fs::path& folder, const fs::path& output) {
   fs::create_directories(output);
   const auto words = reference::fillCommand(program.command, folder.string(), output.string());
-  const reference::ProcessResult process = reference::runProcess(words, program.timeLimit, &isInterrupted);
+  const reference::ProcessResult process = reference::runProcess(words, program.timeLimit, &LongRun::isStopping());
   if (hasSucceeded(process)) return checkFiles(vector, output, process);
   return failureOf(process);
 }

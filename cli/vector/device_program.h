@@ -16,20 +16,6 @@ struct DeviceProgram {
   double timeLimit = 10;             ///< seconds per vector
 };
 
-/// During its lifetime SIGINT and SIGTERM stop the programs of the device before this one ends.
-class Interruption {
- public:
-  Interruption();
-  ~Interruption();
-  Interruption(const Interruption&) = delete;
-  Interruption& operator=(const Interruption&) = delete;
-
-  /// Whether a signal arrived. Then programs of the device no longer start.
-  static bool hasHappened();
-  /// Ends this program by the signal that arrived.
-  static void passOn();
-};
-
 /// A new empty folder for files that nobody keeps.
 class ScratchFolder {
  public:
@@ -42,7 +28,7 @@ class ScratchFolder {
 };
 
 /// Starts the program for the vector in `folder`. It writes its item ID files into `output`, an empty folder that this
-/// function makes. Returns why there are none.
+/// function makes. Returns why there are none. A LongRun that stops ends the program.
 std::optional<reference::DeviceFailure> draw(const DeviceProgram& program, const reference::TestVector& vector,
                                              const std::filesystem::path& folder, const std::filesystem::path& output);
 

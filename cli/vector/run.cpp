@@ -1,8 +1,11 @@
 /// `hemitex vector run` starts the program of a device for each vector and judges what it writes.
+#include <csignal>
 #include <memory>
+#include <set>
 #include <thread>
 
 #include "cli/common/commands.h"
+#include "cli/common/interruption.h"
 #include "cli/common/staging.h"
 #include "cli/vector/device_program.h"
 #include "cli/vector/judging.h"
@@ -43,7 +46,7 @@ Drawing drawRepeatedly(const RunOptions& options, const SuiteVector& vector, con
   if (options.repetitions == 1 || drawing.failure) return drawing;
   reference::RepeatedRuns runs(vector.vector);
   runs.add(reference::readCandidate(output, vector.vector));
-  for (int run = 2; run <= options.repetitions && !Interruption::hasHappened(); ++run) {
+  for (int run = 2; run <= options.repetitions && !LongRun::isStopping(); ++run) {
     const ScratchFolder scratch;
     drawing.failure = draw(options.device, vector.vector, vector.folder, scratch.path);
     if (drawing.failure) {
@@ -62,7 +65,7 @@ std::vector<Drawing> drawAll(const RunOptions& options, const Suite& suite, cons
   std::vector<Drawing> drawings(suite.vectors.size());
   raster::forEachOnThreads(suite.vectors.size(), jobs, [&](std::size_t k) {
     const SuiteVector& vector = suite.vectors[k];
-    if (Interruption::hasHappened() || isUnsupported(vector)) return;
+    if (LongRun::isStopping() || isUnsupported(vector)) return;
     drawings[k] = drawRepeatedly(options, vector, answerFolder(suite, vector, folder));
   });
   return drawings;
@@ -118,7 +121,7 @@ bool failsAlike(const Answer& answer, const reference::TestVector& vector, const
 SmallFailure minimizeOnDevice(const RunOptions& options, const SuiteVector& vector, const reference::Report& report) {
   const reference::DeviceProfile profile = profileOf(options.judging);
   const auto fails = [&](const reference::TestVector& smaller) {
-    if (Interruption::hasHappened() || smaller.list.indices.empty()) return false;
+    if (LongRun::isStopping() || smaller.list.indices.empty()) return false;
     return failsAlike(answerTo(options.device, smaller), smaller, report, profile);
   };
   const reference::TestVector smallest = reference::reduce(vector.vector, fails, maxReductionRuns);
@@ -130,7 +133,7 @@ fs::path canonicalPath(const fs::path& folder) {
   return path.has_filename() ? path : path.parent_path();
 }
 
-/// The folders of the answers are replaced, so no vector may lie in them.
+/// Item ID files in the folders of the answers are replaced, so no vector may lie in them.
 void refuseToReplace(const Suite& suite, const fs::path& output) {
   for (const SuiteVector& answered : suite.vectors)
     for (const SuiteVector& vector : suite.vectors) {
@@ -142,28 +145,30 @@ void refuseToReplace(const Suite& suite, const fs::path& output) {
     }
 }
 
-/// Item ID files of an earlier run that this run did not write.
-void removeOldFiles(const Suite& suite, const fs::path& staged, const fs::path& output) {
-  if (!suite.isSingle) return;
-  for (const reference::VectorFace& face : suite.vectors[0].vector.faces)
-    if (!fs::exists(staged / face.ids)) fs::remove(output / face.ids);
+/// The item ID files of an earlier run that this run did not write, relative to `output`.
+std::set<std::string> filesToRemove(const Suite& suite, const fs::path& output) {
+  std::set<std::string> files;
+  for (const SuiteVector& vector : suite.vectors)
+    for (const reference::VectorFace& face : vector.vector.faces)
+      files.insert((answerFolder(suite, vector, output) / face.ids).lexically_relative(output).string());
+  return files;
 }
 
 void run(const RunOptions& options, Context& context) {
   const Suite suite = readSuite(options.judging);
   refuseToReplace(suite, options.output);
-  const Interruption interruption;
+  const LongRun stopsPrograms;
+  std::signal(SIGCHLD, SIG_DFL);  // a parent may have ignored it, and then no exit code arrives
   std::vector<reference::Report> reports;
   {
     Staging staging(options.output);
     const std::vector<Drawing> drawings = drawAll(options, suite, staging.folder());
-    if (!Interruption::hasHappened()) {
+    if (!LongRun::isStopping()) {
       reports = judgeAll(options.judging, suite, staging.folder(), drawings);
-      removeOldFiles(suite, staging.folder(), options.output);
-      staging.commit();
+      staging.commit({}, filesToRemove(suite, options.output));
     }
   }
-  if (Interruption::hasHappened()) Interruption::passOn();
+  if (LongRun::isStopping()) return;
   const auto minimize = [&](const SuiteVector& vector, const reference::Report& report) {
     return minimizeOnDevice(options, vector, report);
   };

@@ -15,6 +15,7 @@
 #include "radiosity/scene/load_scene.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "reference/vectors/json_text.h"
 
 namespace hemitex::cli {
 namespace {
@@ -34,7 +35,7 @@ std::string pageOf(const fs::path& solved) {
   std::vector<radiosity::CodedImage> textures;
   for (const radiosity::Image& image : lit.images) textures.push_back(radiosity::encodeSrgb(image));
   try {
-    const ordered_json solution = ordered_json::parse(text);
+    const ordered_json solution = reference::parseJson<ordered_json>(text);
     return solvedPage({lit, textures, surfaceOf}, cameraOf({}, lit, sceneFile), solution, std::nullopt);
   } catch (const std::exception& error) {
     throw raster::InputError((solved / "solution.json").string(), 0,

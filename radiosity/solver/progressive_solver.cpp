@@ -54,7 +54,7 @@ Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, con
   Solution solution;
   solution.residual = state.residual();
   const auto isDone = [&] {
-    return solution.residual <= settings.residual || (settings.shots && solution.shots >= *settings.shots);
+    return solution.isInterrupted || solution.residual <= settings.residual || (settings.shots && solution.shots >= *settings.shots);
   };
   const double unitFlux = state.light().lastEmitted / unitsOfFlux;
   const auto hasBeenSplit = [&](std::uint32_t patch) {
@@ -71,7 +71,7 @@ Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, con
     state.shoot(patch, row);
     ++solution.shots;
     solution.residual = state.residual();
-    if (progress) progress(solution.shots, solution.residual);
+    if (progress) solution.isInterrupted = !progress(solution.shots, solution.residual);
   }
   return solution;
 }

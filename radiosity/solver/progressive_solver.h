@@ -31,6 +31,7 @@ struct Solution {
   std::vector<glm::dvec3> absorbedByBacks;
   double residual = 0;  ///< unshot over emitted flux, bands summed (see ShootingState::residual)
   int shots = 0;
+  bool isInterrupted = false;  ///< ended by Progress before a limit was reached
   std::vector<std::string> warnings;
 };
 
@@ -39,8 +40,8 @@ struct Solution {
 /// patch have moved to them.
 using PatchSplit = std::function<std::vector<std::uint32_t>(std::uint32_t patch, double weight)>;
 
-/// Called after each shot with the number of shots and the residual.
-using Progress = std::function<void(int shots, double residual)>;
+/// Called after each shot with the number of shots and the residual. The solution ends there if it returns false.
+using Progress = std::function<bool(int shots, double residual)>;
 
 /// Starts from the emission of the elements and the light from outside, and shoots until a limit of the settings is
 /// reached. `split` splits patches

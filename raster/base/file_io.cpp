@@ -20,7 +20,7 @@ void removeBroken(const std::filesystem::path& file) {
 
 std::optional<std::string> tryReadFile(const std::filesystem::path& file) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) return {};
+  if (!std::filesystem::is_regular_file(file, ignored)) return {};
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return {};
   std::ostringstream text;
@@ -31,6 +31,9 @@ std::optional<std::string> tryReadFile(const std::filesystem::path& file) {
 
 std::string readFile(const std::filesystem::path& file, const std::string& advice) {
   std::optional<std::string> bytes = tryReadFile(file);
+  std::error_code ignored;
+  if (!bytes && std::filesystem::is_other(file, ignored))
+    throw InputError(file.string(), 0, "is a pipe or a device, not a file", advice);
   if (!bytes) throw InputError(file.string(), 0, "cannot be read", advice);
   return std::move(*bytes);
 }

@@ -8,7 +8,8 @@
 
 namespace hemitex::raster {
 
-/// Returns the bytes of a file, or nothing if they cannot be read: no such file, a folder, an I/O error.
+/// Returns the bytes of a regular file, or nothing if they cannot be read: no such file, an I/O error, a folder, or a
+/// pipe or device, which might never end.
 std::optional<std::string> tryReadFile(const std::filesystem::path& file);
 
 /// As tryReadFile, but throws InputError with the file's name and `advice` if the file cannot be read.

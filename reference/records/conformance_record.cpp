@@ -7,6 +7,7 @@
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/records/sha256.h"
+#include "reference/vectors/json_text.h"
 
 namespace hemitex::reference {
 namespace {
@@ -110,7 +111,7 @@ std::vector<std::string> damageOf(const Json& entries, const ConformanceRecord& 
 }
 
 Json parseRecord(const std::string& text) {
-  const Json json = Json::parse(text);
+  const Json json = parseJson<Json>(text);
   if (!json.is_object() || json.value("format", "") != formatName) throw InputError("is not a conformance record");
   if (json.at("version") != formatVersion)
     throw InputError("has version " + json.at("version").dump(), "this program reads version 1");

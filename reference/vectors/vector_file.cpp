@@ -13,6 +13,7 @@
 #include "raster/base/input_error.h"
 #include "reference/vectors/array_file.h"
 #include "reference/vectors/enum_names.h"
+#include "reference/vectors/json_text.h"
 
 namespace hemitex::reference {
 namespace {
@@ -255,7 +256,7 @@ TestVector readVector(const filesystem::path& folder) {
   if (!filesystem::is_regular_file(file))
     throw InputError(file.string(), 0, "is missing or not a file", "a test vector is a folder with a vector.json");
   try {
-    return readJson(folder, Json::parse(raster::readFile(file)));
+    return readJson(folder, parseJson<Json>(raster::readFile(file)));
   } catch (const Json::exception& error) {
     throw InputError(file.string(), 0, error.what());
   } catch (const InputError& error) {

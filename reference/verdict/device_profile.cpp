@@ -8,6 +8,7 @@
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/vectors/enum_names.h"
+#include "reference/vectors/json_text.h"
 
 namespace hemitex::reference {
 namespace {
@@ -102,7 +103,7 @@ std::string toJson(const DeviceProfile& profile) {
 
 DeviceProfile parseProfile(const std::string& text) {
   try {
-    const Json json = Json::parse(text);
+    const Json json = parseJson<Json>(text);
     if (!json.is_object()) throw InputError("a device profile is a JSON object");
     DeviceProfile profile;
     checkVersion(json);

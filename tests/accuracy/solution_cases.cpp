@@ -45,6 +45,7 @@ FurnaceFindings findingsOf(const FurnaceCase& furnace) {
   const Solution solution = solutionOf(world, 32, [&](int, double residual) {
     findings.grew |= residual > before;
     before = residual;
+    return true;
   });
   double area = 0, flux = 0;
   for (std::size_t e = 0; e < solution.radiosity.size(); ++e) {

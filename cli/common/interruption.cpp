@@ -1,0 +1,66 @@
+#include "cli/common/interruption.h"
+
+#include <pthread.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+#include "cli/common/staging.h"
+
+namespace hemitex::cli {
+namespace {
+
+/// Signals reach a process, not an object. Never destroyed, because a signal may arrive until the very end.
+struct Shared {
+  std::atomic<bool> isLongRun = false, isStopping = false;
+  std::atomic<int> signal = 0;
+};
+
+Shared& shared() {
+  static Shared& state = *new Shared;
+  return state;
+}
+
+sigset_t watchedSignals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int number : {SIGINT, SIGTERM}) {
+    struct sigaction present = {};
+    // A shell starts commands in the background with SIGINT ignored.
+    if (sigaction(number, nullptr, &present) == 0 && present.sa_handler != SIG_IGN) sigaddset(&signals, number);
+  }
+  return signals;
+}
+
+void waitForSignals(const sigset_t& signals) {
+  int number = 0;
+  while (sigwait(&signals, &number) == 0) {
+    shared().signal = number;
+    if (shared().isLongRun && !shared().isStopping.exchange(true)) continue;
+    removeTemporaryFolders();
+    std::_Exit(*stoppedExitCode());
+  }
+}
+
+}  // namespace
+
+void watchSignals() {
+  shared();
+  const sigset_t signals = watchedSignals();
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::thread([signals] { waitForSignals(signals); }).detach();
+}
+
+LongRun::LongRun() { shared().isLongRun = true; }
+
+LongRun::~LongRun() { shared().isLongRun = false; }
+
+const std::atomic<bool>& LongRun::isStopping() { return shared().isStopping; }
+
+std::optional<int> stoppedExitCode() {
+  const int signal = shared().signal;
+  return signal ? std::optional(128 + signal) : std::nullopt;
+}
+
+}  // namespace hemitex::cli
