@@ -20,7 +20,7 @@ using namespace hemitex::radiosity;
 
 namespace {
 
-constexpr int directions = 512;
+constexpr int directions = 2048;
 
 Scene sceneWith(std::vector<Surface> surfaces, OutsideLight outside) {
   Scene scene;
