@@ -45,10 +45,9 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
   Convergence convergence;
   const auto solveBy = [&](auto& rows) {
     const auto rowOf = [&rows](std::uint32_t patch) { return rows.ofPatch(patch); };
-    radiosity::Solution solution =
-        radiosity::solve(scene, drawn.discretization(), rowOf, options.solver,
-                         recording(convergence, progressOf(options.solver, console)), drawn.splits(),
-                         drawn.outsideFlux());
+    radiosity::Solution solution = radiosity::solve(scene, drawn.discretization(), rowOf, options.solver,
+                                                    recording(convergence, progressOf(options.solver, console)),
+                                                    drawn.splits(), drawn.outsideFlux());
     console.endProgress();
     return solution;
   };
@@ -94,7 +93,7 @@ radiosity::Progress recording(Convergence& convergence, radiosity::Progress prog
   return [&convergence, progress = std::move(progress), watch = reference::Stopwatch()](int shots, double residual) {
     convergence.residual.push_back(residual);
     convergence.seconds.push_back(watch.seconds());
-    progress(shots, residual);
+    return progress(shots, residual);
   };
 }
 
