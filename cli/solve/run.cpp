@@ -45,7 +45,7 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
     const auto rowOf = [&rows](std::uint32_t patch) { return rows.ofPatch(patch); };
     radiosity::Solution solution =
         radiosity::solve(scene, drawn.discretization(), rowOf, options.solver, progressOf(options.solver, console),
-                         drawn.splits(), drawn.outsideFlux());
+                         drawn.splits(), {.outside = drawn.outsideFlux()});
     console.endProgress();
     return solution;
   };
@@ -78,10 +78,11 @@ Solved solvedBy(const radiosity::DynamicSolution& dynamic) {
 }
 
 radiosity::Progress progressOf(const radiosity::SolverSettings& settings, Console& console) {
-  return [&settings, &console](int shots, double residual) {
-    const double fraction = settings.shots ? static_cast<double>(shots) / *settings.shots
-                                           : std::log(residual) / std::log(settings.residual);
-    console.progress(fraction, "shot " + std::to_string(shots) + ", " + percentText(residual) + " of the flux unshot");
+  return [&settings, &console](const radiosity::Step& step) {
+    const double fraction = settings.shots ? static_cast<double>(step.shots) / *settings.shots
+                                           : std::log(step.residual) / std::log(settings.residual);
+    console.progress(fraction,
+                     "shot " + std::to_string(step.shots) + ", " + percentText(step.residual) + " of the flux unshot");
     return !LongRun::isStopping();
   };
 }
