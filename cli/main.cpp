@@ -9,6 +9,7 @@ using namespace hemitex::cli;
 void addCommands(Command program, Context& context) {
   addSolve(program, context);
   addRender(program, context);
+  addView(program, context);
   addFormFactors(program, context);
   addTradeoff(program, context);
   addPaper(program, context);
@@ -24,9 +25,10 @@ void addCommands(Command program, Context& context) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return runProgram({"hemitex",
-                     "hemitex computes the light of an OBJ scene by radiosity and writes the scene with its light in "
-                     "textures.",
-                     "use fewer texels (--texels) or a smaller --row-cache", addCommands},
-                    argc, argv);
+  return runProgram(
+      {"hemitex",
+       "hemitex computes the light of an OBJ or glTF scene by radiosity and writes the scene with its light in "
+       "textures.",
+       "use fewer texels (--texels) or a smaller --row-cache", addCommands},
+      argc, argv);
 }

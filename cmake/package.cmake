@@ -4,7 +4,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME hemitex)
 set(CPACK_PACKAGE_CONTACT "hemitex maintainers <hemitex@example.org>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "light of 3D scenes by radiosity, and test vectors for its rasterizer")
-set(CPACK_PACKAGE_DESCRIPTION "hemitex reads an OBJ file and writes the same scene with its light in textures.
+set(CPACK_PACKAGE_DESCRIPTION "hemitex reads an OBJ or glTF file and writes the same scene with its light in textures.
 It has the program, the libraries with their headers, and scenes.")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

@@ -139,7 +139,7 @@ void addBench(Command program, Context& context) {
   };
   command.addTexts(
       "SCENE", "PATH",
-      "measure the runs of these Wavefront OBJ files only (default: all measurements, with the room of the paper, the "
+      "measure the runs of these scene files only (default: all measurements, with the room of the paper, the "
       "Cornell box and the gallery, also with up to 1,000,000 triangles)",
       readScenes);
   addResolutions(command, options->resolutions);

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/help/command_tree.h"
+#include "cli/help/help_formatter.h"
 
 namespace hemitex::cli {
 
@@ -19,7 +20,7 @@ Command Command::addCommand(const std::string& name, const std::string& help) co
 
 Option Command::addText(const std::string& name, const std::string& type, const std::string& help,
                         const std::function<void(const std::string&)>& read) const {
-  return Option(*app_->add_option_function<std::string>(name, read, help)->type_name(type));
+  return inTopic(*app_->add_option_function<std::string>(name, read, help)->type_name(type));
 }
 
 Option Command::addTexts(const std::string& name, const std::string& type, const std::string& help,
@@ -27,7 +28,7 @@ Option Command::addTexts(const std::string& name, const std::string& type, const
   CLI::Option* const option = app_->add_option_function<std::vector<std::string>>(name, read, help);
   // Each use of an option takes one value, so that a positional argument may follow.
   if (name.starts_with('-')) option->allow_extra_args(false);
-  return Option(*option->type_name(type));
+  return inTopic(*option->type_name(type));
 }
 
 Option Command::addPath(const std::string& name, std::filesystem::path& target, const std::string& help) const {
@@ -35,11 +36,16 @@ Option Command::addPath(const std::string& name, std::filesystem::path& target, 
 }
 
 Option Command::addFlag(const std::string& name, const std::string& help, const std::function<void()>& action) const {
-  return Option(*app_->add_flag_callback(name, action, help));
+  return inTopic(*app_->add_flag_callback(name, action, help));
 }
 
 Option Command::addFlag(const std::string& name, bool& target, const std::string& help) const {
   return addFlag(name, help, [&target] { target = true; });
+}
+
+void Command::showFirst(const std::vector<std::string>& options) const {
+  for (const std::string& name : options) app_->get_option(name);
+  app_->formatter(helpFormatter(options));
 }
 
 void Command::addExamples(const std::vector<std::string>& arguments) const {
@@ -47,6 +53,11 @@ void Command::addExamples(const std::vector<std::string>& arguments) const {
   for (const std::string& example : arguments) text += "  " + fullNameOf(*app_) + ' ' + example + '\n';
   // A function, because commands inherit the footer that is a text.
   app_->footer([text] { return text; });
+}
+
+Option Command::inTopic(CLI::Option& option) const {
+  if (!topic_.empty()) option.group(topic_);
+  return Option(option);
 }
 
 Option Command::option(const std::string& name) const { return Option(*app_->get_option(name)); }

@@ -1,10 +1,11 @@
-/// Commands and their options. Only four sources include CLI11, because its headers take seconds to compile:
-/// command_line.cpp, program.cpp, unknown_argument.cpp and command_tree.cpp.
+/// Commands and their options. Only five sources include CLI11, because its headers take seconds to compile:
+/// command_line.cpp, program.cpp, unknown_argument.cpp, command_tree.cpp and help_formatter.cpp.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CLI {
@@ -41,6 +42,9 @@ class Command {
 
   Command addCommand(const std::string& name, const std::string& help) const;
 
+  /// The same command; options that are added through the result belong to this topic of the help text.
+  Command under(const std::string& topic) const { return Command(*app_, topic); }
+
   /// Adds an option with a value; `type` names the value in the help text. `read` gets the value and calls usageError
   /// if it is wrong. A name without a dash declares a positional argument.
   Option addText(const std::string& name, const std::string& type, const std::string& help,
@@ -53,6 +57,10 @@ class Command {
   Option addFlag(const std::string& name, const std::string& help, const std::function<void()>& action) const;
   Option addFlag(const std::string& name, bool& target, const std::string& help) const;
 
+  /// Restricts the text of `--help` to these options; `--help-all` shows all. For commands with more than ten options.
+  /// Throws CLI::OptionNotFound for a name that is no option of the command.
+  void showFirst(const std::vector<std::string>& options) const;
+
   /// Adds examples to the end of the help text: what follows the name of the command.
   void addExamples(const std::vector<std::string>& arguments) const;
 
@@ -64,7 +72,11 @@ class Command {
   void onRead(const std::function<void()>& action) const;
 
  private:
+  Command(CLI::App& app, std::string topic) : app_(&app), topic_(std::move(topic)) {}
+  Option inTopic(CLI::Option& option) const;
+
   CLI::App* app_;
+  std::string topic_;  ///< empty: no topic
 };
 
 }  // namespace hemitex::cli

@@ -8,6 +8,7 @@ namespace hemitex::cli {
 /// Each function adds one command to the program. `context` must outlive the program.
 void addSolve(Command program, Context& context);
 void addRender(Command program, Context& context);
+void addView(Command program, Context& context);
 void addFormFactors(Command program, Context& context);
 void addTradeoff(Command program, Context& context);
 void addPaper(Command program, Context& context);

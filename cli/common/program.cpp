@@ -8,6 +8,7 @@
 
 #include "cli/common/interruption.h"
 #include "cli/common/unknown_argument.h"
+#include "cli/help/help_formatter.h"
 #include "cli/help/shell_files.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
@@ -39,7 +40,10 @@ void addGlobalOptions(CLI::App& app, const Program& program, Context& context) {
 int run(const Program& program, int argc, char** argv, Context& context) {
   CLI::App app(program.purpose, program.name);
   app.fallthrough();
-  app.footer("The options -q, -v, --json, --threads N, --help and --version work before and after every command.");
+  app.formatter(helpFormatter({}));
+  app.set_help_all_flag("--help-all", "Print this help message with all options and exit");
+  app.footer(
+      "The options -q, -v, --json, --threads N, --help, --help-all and --version work before and after every command.");
   addGlobalOptions(app, program, context);
   std::filesystem::path shellFiles;
   Command(app)

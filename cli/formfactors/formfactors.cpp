@@ -203,20 +203,20 @@ void print(const FormFactorOptions& options, Context& context) {
 void addFormFactors(Command program, Context& context) {
   const auto options = std::make_shared<FormFactorOptions>();
   const Command command = program.addCommand("formfactors", "Compute form factors from a surface to all others");
-  addSceneOptions(command, options->scene);
+  const Command rows = command.under("Rows");
   const Option from =
-      command.addText("--from", "SURFACE[:COL,ROW]", "surface, or texel of a surface, that the form factors start from",
-                      [options](const std::string& text) { options->from = text; });
+      rows.addText("--from", "SURFACE[:COL,ROW]", "surface, or texel of a surface, that the form factors start from",
+                   [options](const std::string& text) { options->from = text; });
   const Option bySurface =
-      command.addFlag("--by-surface", options->bySurface, "print one sum per surface instead of one value per element");
-  const Option all = command.addFlag("--all", options->all, "print the matrix from every surface to every surface");
+      rows.addFlag("--by-surface", options->bySurface, "print one sum per surface instead of one value per element");
+  const Option all = rows.addFlag("--all", options->all, "print the matrix from every surface to every surface");
   all.needs(bySurface).excludes(from);
-  command
-      .addFlag("--smooth", options->smooth,
+  rows.addFlag("--smooth", options->smooth,
                "correct the matrix to exact reciprocity by least squares, with the same row sums")
       .needs(all);
+  const Command method = command.under("Form factors");
   addChoice<std::string>(
-      command, "--method", options->method,
+      method, "--method", options->method,
       {{"hemicube", "hemicube"},
        {"single-plane", "single-plane"},
        {"tetrahedron", "tetrahedron"},
@@ -225,14 +225,17 @@ void addFormFactors(Command program, Context& context) {
       "compute form factors with this projection, with rays or with closed forms (analytic), which ignore blockers "
       "(default hemicube)");
   addDrawingOptions(command, options->drawing);
-  addInteger(command, "--samples", options->rays.samples, 64, 1 << 28,
+  addInteger(method, "--samples", options->rays.samples, 64, 1 << 28,
              "with --method rays, cast N rays per row; with --aimed, cast rays from N points (default 65536)");
-  command.addFlag(
+  method.addFlag(
       "--aimed", options->rays.aimed,
       "with --method rays, aim at each receiver instead of covering the hemisphere; accurate, but slow for many "
       "receivers");
   addDiscretizationOptions(command, options->discretization);
   addIdOptions(command, options->id);
+  addSceneOptions(command, options->scene);
+  command.showFirst({"--from", "--by-surface", "--all", "--smooth", "--method", "--resolution", "--samples", "--texels",
+                     "--patch", "--two-sided"});
   command.addExamples(
       {"data/cornell-box.obj --from light --by-surface", "data/cornell-box.obj --all --by-surface --method rays"});
   command.onRead([options, command, &context] {

@@ -1,6 +1,7 @@
 #include "cli/help/command_tree.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <sstream>
 
 namespace hemitex::cli {
@@ -25,6 +26,8 @@ OptionInfo describe(const CLI::Option& option) {
   return info;
 }
 
+bool isHidden(const CLI::Option& option) { return option.get_group().empty(); }
+
 }  // namespace
 
 bool OptionInfo::isPath() const { return value == "PATH" || value.starts_with("FILE."); }
@@ -33,14 +36,38 @@ std::string fullNameOf(const CLI::App& app) {
   return app.get_parent() == nullptr ? app.get_name() : fullNameOf(*app.get_parent()) + ' ' + app.get_name();
 }
 
+std::vector<Topic> topicsOf(const CLI::App& app) {
+  const std::string none = CLI::OptionDefaults().get_group();
+  std::vector<Topic> topics;
+  Topic rest{none, {}};
+  for (const CLI::Option* option : app.get_options()) {
+    if (isHidden(*option) || option->get_positional()) continue;
+    const std::string& name = option->get_group();
+    const auto known =
+        std::find_if(topics.begin(), topics.end(), [&](const Topic& topic) { return topic.name == name; });
+    if (name == none)
+      rest.options.push_back(option);
+    else if (known != topics.end())
+      known->options.push_back(option);
+    else
+      topics.push_back({name, {option}});
+  }
+  if (!topics.empty()) rest.name = "Other";
+  if (!rest.options.empty()) topics.push_back(rest);
+  return topics;
+}
+
 CommandInfo commandTree(const CLI::App& app) {
   CommandInfo info;
   info.name = fullNameOf(app);
   info.help = app.get_description();
-  for (const CLI::Option* option : app.get_options()) {
-    const bool isHidden = option->get_group().empty();
-    if (!isHidden) (option->get_positional() ? info.arguments : info.options).push_back(describe(*option));
-  }
+  for (const CLI::Option* option : app.get_options())
+    if (!isHidden(*option) && option->get_positional()) info.arguments.push_back(describe(*option));
+  for (const Topic& topic : topicsOf(app))
+    for (const CLI::Option* option : topic.options) {
+      info.options.push_back(describe(*option));
+      info.options.back().topic = topic.name;
+    }
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     info.commands.push_back(commandTree(*command));
   for (const std::string& line : split(app.get_footer(), '\n'))

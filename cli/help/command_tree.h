@@ -6,6 +6,7 @@
 
 namespace CLI {
 class App;
+class Option;
 }  // namespace CLI
 
 namespace hemitex::cli {
@@ -14,6 +15,7 @@ struct OptionInfo {
   std::vector<std::string> names;  ///< such as `-o` and `--output`; a positional argument has one name without a dash
   std::string value;               ///< what the value is, such as `N` or `PATH`; empty for a flag
   std::string help;
+  std::string topic;                 ///< heading of the help text
   std::vector<std::string> choices;  ///< all values, if they have names
   bool isRequired = false;
 
@@ -21,9 +23,9 @@ struct OptionInfo {
 };
 
 struct CommandInfo {
-  std::string name;  ///< with the program and the outer commands, such as `hemitex vector check`
-  std::string help;  ///< one sentence
-  std::vector<OptionInfo> options;
+  std::string name;                   ///< with the program and the outer commands, such as `hemitex vector check`
+  std::string help;                   ///< one sentence
+  std::vector<OptionInfo> options;    ///< ordered by topic
   std::vector<OptionInfo> arguments;  ///< positional arguments
   std::vector<CommandInfo> commands;
   std::vector<std::string> examples;  ///< complete command lines
@@ -31,6 +33,16 @@ struct CommandInfo {
   /// The last word of the name.
   std::string word() const { return name.substr(name.rfind(' ') + 1); }
 };
+
+/// The options of a command under one heading.
+struct Topic {
+  std::string name;
+  std::vector<const CLI::Option*> options;
+};
+
+/// The options of a command, without hidden and positional ones, by topic in the order in which they were added.
+/// Options without a topic come last.
+std::vector<Topic> topicsOf(const CLI::App& app);
 
 /// The name of a command with the names of the program and of the outer commands before it.
 std::string fullNameOf(const CLI::App& app);

@@ -4,6 +4,8 @@
 #include <functional>
 #include <sstream>
 
+#include "cli/common/shell_quote.h"
+
 namespace hemitex::cli {
 namespace {
 
@@ -11,13 +13,6 @@ std::string join(const std::vector<std::string>& parts, const std::string& separ
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : separator) + part;
   return text;
-}
-
-/// Quotes a text for bash and zsh.
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char letter : text) result += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return result + '\'';
 }
 
 /// Quotes a text for fish.
@@ -60,7 +55,7 @@ std::vector<OptionInfo> optionsAt(const CommandInfo& program, const CommandInfo&
 std::string commandPattern(const CommandInfo& program, const std::string& separator) {
   std::vector<std::string> names;
   for (const CommandInfo& command : allCommands(program))
-    if (command.name != program.name) names.push_back(quoted(command.name));
+    if (command.name != program.name) names.push_back(shellQuoted(command.name));
   return join(names, separator);
 }
 
@@ -71,7 +66,7 @@ std::string casesOfValues(const CommandInfo& program, const std::function<std::s
     for (const OptionInfo& option : optionsAt(program, command)) {
       if (option.value.empty()) continue;
       std::vector<std::string> patterns;
-      for (const std::string& name : option.names) patterns.push_back(quoted(command.name + ' ' + name));
+      for (const std::string& name : option.names) patterns.push_back(shellQuoted(command.name + ' ' + name));
       text << "    " << join(patterns, " | ") << ") " << action(option) << " ;;\n";
     }
   return text.str();
@@ -92,7 +87,7 @@ std::string identifier(const CommandInfo& program) {
 
 std::string bashCompletion(const CommandInfo& program) {
   const auto valuesOf = [](const OptionInfo& option) -> std::string {
-    if (!option.choices.empty()) return "words=(-W " + quoted(join(option.choices, " ")) + ')';
+    if (!option.choices.empty()) return "words=(-W " + shellQuoted(join(option.choices, " ")) + ')';
     return option.isPath() ? "words=(-f)" : "words=()";
   };
   std::ostringstream text;
@@ -108,9 +103,10 @@ std::string bashCompletion(const CommandInfo& program) {
   case $command in
 )";
   for (const CommandInfo& command : allCommands(program)) {
-    text << "    " << quoted(command.name)
-         << ")\n      options=" << quoted(join(namesOf(optionsAt(program, command)), " ")) << '\n';
-    if (!command.commands.empty()) text << "      words=(-W " << quoted(join(wordsOf(command.commands), " ")) << ")\n";
+    text << "    " << shellQuoted(command.name)
+         << ")\n      options=" << shellQuoted(join(namesOf(optionsAt(program, command)), " ")) << '\n';
+    if (!command.commands.empty())
+      text << "      words=(-W " << shellQuoted(join(wordsOf(command.commands), " ")) << ")\n";
     if (takesPath(command)) text << "      words=(-f)\n";
     text << "      ;;\n";
   }
@@ -130,7 +126,7 @@ complete -o filenames -F _)"
 std::string zshCompletion(const CommandInfo& program) {
   const auto valuesOf = [](const OptionInfo& option) -> std::string {
     if (!option.choices.empty()) return "compadd -- " + join(option.choices, " ") + "; return";
-    return option.isPath() ? "_files; return" : "_message " + quoted(option.value) + "; return";
+    return option.isPath() ? "_files; return" : "_message " + shellQuoted(option.value) + "; return";
   };
   std::ostringstream text;
   text << "#compdef " << program.name << '\n'
@@ -146,12 +142,12 @@ case "$command ${words[CURRENT-1]}" in
 )" << casesOfValues(program, valuesOf)
        << "esac\nlocal takes_path=0\ncase $command in\n";
   for (const CommandInfo& command : allCommands(program)) {
-    text << "  " << quoted(command.name) << ")\n    options=(\n";
+    text << "  " << shellQuoted(command.name) << ")\n    options=(\n";
     for (const OptionInfo& option : optionsAt(program, command))
-      for (const std::string& name : option.names) text << "      " << quoted(name + ':' + option.help) << '\n';
+      for (const std::string& name : option.names) text << "      " << shellQuoted(name + ':' + option.help) << '\n';
     text << "    )\n    commands=(\n";
     for (const CommandInfo& inner : command.commands)
-      text << "      " << quoted(inner.word() + ':' + inner.help) << '\n';
+      text << "      " << shellQuoted(inner.word() + ':' + inner.help) << '\n';
     text << "    )\n    takes_path=" << takesPath(command) << "\n    ;;\n";
   }
   text << R"(esac

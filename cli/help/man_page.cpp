@@ -44,7 +44,11 @@ void writeSynopsis(std::ostream& page, const CommandInfo& command) {
 void writeOptions(std::ostream& page, const std::string& title, const std::vector<OptionInfo>& options) {
   if (options.empty()) return;
   page << ".SH " << title << '\n';
+  const bool hasTopics = options.front().topic != options.back().topic;
+  std::string topic;
   for (const OptionInfo& option : options) {
+    if (hasTopics && option.topic != topic) page << ".SS " << escaped(option.topic) << '\n';
+    topic = option.topic;
     page << ".TP\n";
     for (std::size_t i = 0; i < option.names.size(); ++i) page << (i > 0 ? ", " : "") << bold(option.names[i]);
     const bool isArgument = !option.names.front().starts_with('-');

@@ -177,10 +177,10 @@ void addRender(Command program, Context& context) {
   const auto options = std::make_shared<RenderOptions>();
   options->show = radiosityView;
   const Command command = program.addCommand("render", "Draw a picture of a scene, of its light or of its item IDs");
-  addSceneOptions(command, options->scene);
-  addOutput(command, options->output, "write the picture into this PNG file");
+  const Command picture = command.under("Picture");
+  addOutput(picture, options->output, "write the picture into this PNG file");
   addChoice<View>(
-      command, "--show", options->show,
+      picture, "--show", options->show,
       {{"radiosity", radiosityView},
        {"elements", elementView},
        {"ids", idView<radiosity::idPicture>},
@@ -196,15 +196,18 @@ void addRender(Command program, Context& context) {
       "pixels "
       "where the blend overflows (blend-errors); the edges of polygons (wireframe); the faces of a projection; "
       "or the largest index map (map) (default radiosity)");
-  addChoice<bool>(command, "--discretize", options->mesh, {{"texture", false}, {"mesh", true}},
+  addChoice<bool>(picture, "--discretize", options->mesh, {{"texture", false}, {"mesh", true}},
                   "with --show wireframe, draw the edges of polygons, or of the mesh of elements (default texture)");
-  command.addText("--from", "SURFACE[:COL,ROW]",
+  picture.addText("--from", "SURFACE[:COL,ROW]",
                   "surface or texel under the projection (default: the first surface with emission)",
                   [options](const std::string& text) { options->from = text; });
-  addResolution(command, options->resolution);
+  addResolution(picture, options->resolution);
   addCameraOptions(command, options->camera);
+  addSceneOptions(command, options->scene);
   addDiscretizationOptions(command, options->discretization);
   addIdOptions(command, options->id);
+  command.showFirst({"--output", "--show", "--from", "--resolution", "--eye", "--look-at", "--fov", "--size",
+                     "--exposure", "--texels"});
   command.addExamples(
       {"lit/scene.obj -o picture.png", "data/cornell-box.obj -o hemicube.png --show hemicube --from light"});
   command.onRead([options, command, &context] {

@@ -6,8 +6,11 @@ namespace hemitex::cli {
 extern const char* const benchPageText;     ///< cli/bench/report.html
 extern const char* const tradeoffPageText;  ///< cli/tradeoff/report.html
 extern const char* const paperPageText;     ///< cli/paper/report.html
+extern const char* const solvedPageText;    ///< cli/view/report.html
 extern const char* const pageStyle;         ///< page_style.css
 extern const char* const pageScript;        ///< page_script.js
 extern const char* const chartLibrary;      ///< Chart.js, minified, with its licence
+extern const char* const threeLibrary;      ///< three.js, minified; the licence is in cli/view/report.html
+extern const char* const orbitControls;     ///< OrbitControls.js of three.js
 
 }  // namespace hemitex::cli

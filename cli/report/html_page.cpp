@@ -12,10 +12,10 @@
 namespace hemitex::cli {
 namespace {
 
-/// JSON for a script element, with `</` escaped, which could end the element.
+/// JSON for a script element, with `<` escaped, which could end the element.
 std::string scriptText(const nlohmann::ordered_json& json) {
   std::string text = toText(json);
-  for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos;) text.replace(at, 2, "<\\/");
+  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) text.replace(at, 1, "\\u003c");
   return text;
 }
 
@@ -28,13 +28,14 @@ std::string completePage(const std::string& page, const nlohmann::ordered_json& 
          "</script>\n<script type=\"application/json\" id=\"result\">" + scriptText(result) + "</script>\n" + page;
 }
 
-std::string base64OfFile(const std::filesystem::path& file) {
+std::string base64(const std::string& bytes) {
   using namespace boost::archive::iterators;
-  const std::string bytes = raster::readFile(file);
   using Letters = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
   std::string text(Letters(bytes.begin()), Letters(bytes.end()));
   while (text.size() % 4 != 0) text += '=';
   return text;
 }
+
+std::string base64OfFile(const std::filesystem::path& file) { return base64(raster::readFile(file)); }
 
 }  // namespace hemitex::cli

@@ -1,6 +1,6 @@
 "use strict";
-// The common functions of the pages of `hemitex bench`, `hemitex tradeoff` and `hemitex paper`. This script comes first,
-// so that it records the errors of all others.
+// The common functions of the pages of `hemitex solve`, `bench`, `tradeoff` and `paper`. This script comes first, so that
+// it records the errors of all others.
 
 const faults = [];
 addEventListener("error", event => faults.push(event.message));

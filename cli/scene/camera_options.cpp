@@ -24,12 +24,23 @@ std::optional<glm::dvec3> vectorAt(const nlohmann::json& view, const std::string
   return reference::vectorAt(view, key);
 }
 
-/// The camera options of a view file; empty options if the file does not exist.
-CameraOptions readViewFile(const std::filesystem::path& file) {
-  const std::string form = "write {\"eye\": [x,y,z], \"look_at\": [x,y,z], \"up\": [x,y,z], \"fov\": degrees}";
+/// The camera of a scene file as options; empty options if it has none.
+CameraOptions optionsOf(const std::optional<radiosity::SceneCamera>& seen) {
   CameraOptions view;
+  if (!seen) return view;
+  view.eye = seen->eye;
+  view.lookAt = seen->lookAt;
+  view.up = seen->up;
+  view.fov = seen->fov;
+  return view;
+}
+
+/// The camera options of a view file; nothing if the file does not exist.
+std::optional<CameraOptions> readViewFile(const std::filesystem::path& file) {
+  const std::string form = "write {\"eye\": [x,y,z], \"look_at\": [x,y,z], \"up\": [x,y,z], \"fov\": degrees}";
   const std::optional<std::string> text = raster::tryReadFile(file);
-  if (!text) return view;
+  if (!text) return std::nullopt;
+  CameraOptions view;
   try {
     const auto json = reference::parseJson<nlohmann::json>(*text);
     if (!json.is_object()) throw raster::InputError("it is no JSON object", form);
@@ -48,9 +59,10 @@ CameraOptions readViewFile(const std::filesystem::path& file) {
 }  // namespace
 
 void addCameraOptions(Command command, CameraOptions& options) {
-  addVectorOption(
-      command, "--eye", options.eye,
-      "position of the camera (default: from SCENE.view.json, else a position that shows most of the scene)");
+  command = command.under("Picture");
+  addVectorOption(command, "--eye", options.eye,
+                  "position of the camera (default: from SCENE.view.json, else from the scene, else a position that "
+                  "shows most of it)");
   addVectorOption(command, "--look-at", options.lookAt,
                   "point that is shown in the middle of the picture (default: as for --eye)");
   addVectorOption(command, "--up", options.up,
@@ -71,7 +83,7 @@ void addCameraOptions(Command command, CameraOptions& options) {
 
 radiosity::Camera cameraOf(const CameraOptions& options, const radiosity::Scene& scene,
                            const std::filesystem::path& sceneFile) {
-  const CameraOptions view = readViewFile(viewFileOf(sceneFile));
+  const CameraOptions view = readViewFile(viewFileOf(sceneFile)).value_or(optionsOf(scene.camera));
   const auto eye = options.eye ? options.eye : view.eye;
   const auto lookAt = options.lookAt ? options.lookAt : view.lookAt;
   radiosity::Camera camera = eye && lookAt ? radiosity::Camera{} : radiosity::defaultCamera(scene);

@@ -1,6 +1,6 @@
 /// The camera of pictures. Each of eye, look_at, up and fov comes from the command line, else from the file
-/// SCENE.view.json beside the scene. If the eye or look_at is still missing, a camera that shows most of the scene is
-/// chosen.
+/// SCENE.view.json beside the scene, else from the camera in the scene file. If the eye or look_at is still missing, a
+/// camera that shows most of the scene is chosen.
 #pragma once
 
 #include <filesystem>

@@ -11,6 +11,7 @@
 #include "radiosity/scene/scene_edits.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "reference/vectors/json_text.h"
 
 namespace hemitex::cli {
 namespace {
@@ -93,7 +94,7 @@ void readLights(const std::filesystem::path& file, MaterialOptions& options) {
   options.lights.clear();
   options.outside = {};
   try {
-    const auto content = ordered_json::parse(raster::readFile(file, "give a JSON file of lights"));
+    const auto content = reference::parseJson<ordered_json>(raster::readFile(file, "give a JSON file of lights"), file.string());
     if (!content.is_object()) throw InputError(file.string(), 0, "is no JSON object", form);
     for (const auto& [name, value] : content.items()) {
       if (name == "sky")
@@ -120,6 +121,7 @@ void apply(radiosity::Scene& scene, const NamedColor& change, const radiosity::E
 }  // namespace
 
 void addMaterialOptions(Command command, MaterialOptions& options) {
+  command = command.under("Light and reflectance");
   addColors(command, "--emit", options.emissions,
             "set the emission of a surface, group or material, in the unit of Ke (repeatable). `*` at the end of NAME "
             "means any rest. Later options override earlier ones.");

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "cli/common/shell_quote.h"
 #include "cli/scene/surface_names.h"
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/scene/load_scene.h"
@@ -77,7 +78,8 @@ Choices<radiosity::ProjectionKind> projectionChoices() {
 }
 
 void addSceneOptions(Command command, SceneOptions& options) {
-  command.addPath("SCENE", options.file, "Wavefront OBJ file").required();
+  command = command.under("Scene");
+  command.addPath("SCENE", options.file, "scene: Wavefront OBJ, or glTF 2.0 (.gltf, .glb)").required();
   addChoice(command, "--charts", options.settings.charts, chartsChoices(),
             "take charts from the texture coordinates of the file (file), or make one per planar part (planar); auto "
             "uses the coordinates that form a chart and planar parts otherwise (default auto)");
@@ -109,12 +111,13 @@ void requireLight(const radiosity::Scene& scene, const std::filesystem::path& fi
     for (const std::string& name : largest) names += (names.empty() ? "`" : ", `") + name + "`";
     throw raster::InputError(
         file.string(), 0, "nothing in the scene emits light",
-        "add --emit '" + largest.front() + "=10,10,10' (largest surfaces: " + names + ")" + alternative);
+        "add --emit " + shellQuoted(largest.front() + "=10,10,10") + " (largest surfaces: " + names + ")" + alternative);
   }
   radiosity::requireEmission(scene, file);
 }
 
 void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings& settings) {
+  command = command.under("Elements");
   const Option texels =
       addInteger(command, "--texels", settings.texels, 1, largestTexels,
                  "divide every surface into N x N texels (default: by its size, about 90 texels per surface)");
@@ -142,6 +145,7 @@ radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettin
 }
 
 void addIdOptions(Command command, radiosity::IdSettings& settings) {
+  command = command.under("Item IDs");
   std::vector<std::pair<std::string, std::string>> formats;
   for (const std::string& name : raster::formatNames()) formats.emplace_back(name, name);
   addChoice<std::string>(command, "--format", settings.format, formats,
@@ -195,6 +199,7 @@ Option addResolutions(Command command, std::vector<int>& resolutions) {
 }
 
 void addDrawingOptions(Command command, radiosity::DrawingSettings& settings) {
+  command = command.under("Form factors");
   addChoice(command, "--discretize", settings.elementsBy, elementsByChoices(),
             "draw surfaces with index maps, or cut them into one polygon per element (default texture)");
   addResolution(command, settings.resolution);

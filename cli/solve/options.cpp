@@ -9,6 +9,8 @@ namespace {
 using radiosity::TextureFilter;
 using AskedFilter = std::optional<TextureFilter>;
 
+constexpr int maxMagnification = 16;
+
 Choices<AskedFilter> filterChoices() {
   return {{"one-to-one", TextureFilter::OneToOne}, {"triangle", TextureFilter::Triangle},
           {"bilinear", TextureFilter::Bilinear},   {"bicubic", TextureFilter::Bicubic},
@@ -28,6 +30,7 @@ void addSamples(Command command, int& samples) {
 
 /// Adds the options for computing form-factor rows.
 void addMethodOptions(Command command, SolveOptions& options) {
+  command = command.under("Form factors");
   addChoice<std::string>(
       command, "--method", options.method,
       {{"hemicube", "hemicube"}, {"single-plane", "single-plane"}, {"tetrahedron", "tetrahedron"}, {"rays", "rays"}},
@@ -39,6 +42,7 @@ void addMethodOptions(Command command, SolveOptions& options) {
 
 /// Adds the options for ending the solution and for memory.
 void addSolverOptions(Command command, radiosity::SolverSettings& settings) {
+  command = command.under("Accuracy and memory");
   const Option residual =
       addPositive(command, "--residual", settings.residual, std::numeric_limits<double>::infinity(),
                   "stop when the unshot flux is at most this share of the emitted flux (default 0.001)");
@@ -57,14 +61,14 @@ void addSolverOptions(Command command, radiosity::SolverSettings& settings) {
 /// Adds the options that choose other settings: --max-error and --adaptive.
 void addChosenSettings(Command command, SolveOptions& options) {
   const Option maxError = addPositive(
-      command, "--max-error", options.maxError, 1,
+      command.under("Accuracy and memory"), "--max-error", options.maxError, 1,
       "choose --resolution, --split and --residual so that the expected error is at most this share of all flux, such "
       "as 0.01 (default: use the given values)");
   for (const char* chosen :
        {"--resolution", "--orientation", "--split", "--pixels-per-element", "--residual", "--shots", "--samples"})
     maxError.excludes(command.option(chosen));
   const Option adaptive = addPositive(
-      command, "--adaptive", options.adaptive, 1,
+      command.under("Elements"), "--adaptive", options.adaptive, 1,
       "subdivide elements in quadtrees where radiosity changes fast, from 4 x 4 elements per surface to its --texels "
       "(default: no quadtrees). An element is split if its area times the change across it is above this share of all "
       "flux. 0.0001 is a good start.");
@@ -73,19 +77,19 @@ void addChosenSettings(Command command, SolveOptions& options) {
 
 /// Adds the options of display textures.
 void addTextureOptions(Command command, SolveOptions& options) {
+  command = command.under("Output");
   addChoice<AskedFilter>(
       command, "--filter", options.filter, filterChoices(),
       "interpolate elements in display textures: none (one-to-one), by a 3 x 3 triangle filter, bilinear or cubic "
-      "B-splines between texels, bilinear in quadtree leaves, or Gouraud shading (default triangle; "
+      "B-splines between texels, bilinear in quadtree leaves, or Gouraud shading (default bicubic; "
       "with --adaptive quadtree)");
-  addInteger(
-      command, "--magnify", options.magnification, 1, radiosity::maxMagnification,
-      "make display textures N times as wide and high as the grid (default 4 with bilinear, bicubic and gouraud, "
-      "else 1)");
+  addInteger(command, "--magnify", options.magnification, 1, maxMagnification,
+             "make display textures N times as wide and high as the grid (default 1 with one-to-one, else so that each "
+             "surface has at least 128 texels along its longer side, and all have at most 2^26)");
 }
 
 void addEdits(Command command, std::filesystem::path& edits) {
-  command
+  command.under("Changes over time")
       .addText("--edits", "FILE.json",
                "update the solution for each frame of edits in the file, and write each frame into its own folder. "
                "Edits move, "
@@ -96,9 +100,28 @@ void addEdits(Command command, std::filesystem::path& edits) {
       .excludes(command.option("--pixels-per-element"));
 }
 
+void addLongRunOptions(Command command, LongRunOptions& longRun) {
+  CheckpointOptions& options = longRun.checkpoint;
+  command = command.under("Long runs");
+  const Option checkpoint =
+      command.addText("--checkpoint", "FILE",
+                      "store the solution in this file from time to time, and after a signal that stops the run",
+                      [&options](const std::string& text) { options.file = text; });
+  const Option resume = command.addText("--resume", "FILE",
+                                        "go on from a file of --checkpoint, with the same scene and options; the "
+                                        "result is that of a run without a stop",
+                                        [&options](const std::string& text) { options.resume = text; });
+  addPositive(command, "--every", options.every, 1e6, "seconds between two checkpoints (default 60)").needs(checkpoint);
+  addChoice<ProgressFormat>(command, "--progress", longRun.progress,
+                            {{"bar", ProgressFormat::Bar}, {"json", ProgressFormat::Json}},
+                            "show progress as a bar on a terminal, or as lines of JSON on stderr for programs (default "
+                            "bar)");
+  for (const Option& option : {checkpoint, resume}) option.excludes(command.option("--edits"));
+}
+
 /// Throws a usage error for a filter between texels with quadtrees, whose elements are not texels.
 void validateFilter(const SolveOptions& options) {
-  const TextureFilter filter = texturesOf(options).filter;
+  const TextureFilter filter = filterOf(options);
   const bool isOfTexels =
       filter == TextureFilter::Triangle || filter == TextureFilter::Bilinear || filter == TextureFilter::Bicubic;
   if (options.adaptive && isOfTexels)
@@ -109,8 +132,11 @@ void validateFilter(const SolveOptions& options) {
 }  // namespace
 
 void addSolveOptions(Command command, SolveOptions& options) {
+  addOutput(command.under("Output"), options.output, "write the lit scene into this folder");
+  command.under("Output").addFlag("--report", options.report,
+                                  "also write report.html, which shows the lit scene in 3-D, where the flux went, the "
+                                  "convergence, the settings and warnings; it works without a network");
   addSceneOptions(command, options.scene);
-  addOutput(command, options.output, "write the lit scene into this folder");
   addDiscretizationOptions(command, options.discretization);
   addMethodOptions(command, options);
   addIdOptions(command, options.id);
@@ -119,6 +145,9 @@ void addSolveOptions(Command command, SolveOptions& options) {
   addTextureOptions(command, options);
   addCameraOptions(command, options.camera);
   addEdits(command, options.edits);
+  addLongRunOptions(command, options.longRun);
+  command.showFirst({"--output", "--report", "--emit", "--reflectance", "--texels", "--resolution", "--max-error",
+                     "--residual", "--size"});
 }
 
 void completeOptions(Command command, SolveOptions& options) {
@@ -137,12 +166,13 @@ void completeOptions(Command command, SolveOptions& options) {
 
 bool usesRays(const SolveOptions& options) { return options.method == "rays"; }
 
-radiosity::TextureSettings texturesOf(const SolveOptions& options) {
-  const TextureFilter filter =
-      options.filter.value_or(options.adaptive ? TextureFilter::Quadtree : TextureFilter::Triangle);
-  const bool isFiner =
-      filter == TextureFilter::Bilinear || filter == TextureFilter::Bicubic || filter == TextureFilter::Gouraud;
-  return {filter, options.magnification.value_or(isFiner ? 4 : 1)};
+TextureFilter filterOf(const SolveOptions& options) {
+  return options.filter.value_or(options.adaptive ? TextureFilter::Quadtree : TextureFilter::Bicubic);
+}
+
+radiosity::Magnification magnificationOf(const SolveOptions& options) {
+  if (filterOf(options) == TextureFilter::OneToOne) return {options.magnification.value_or(1)};
+  return {options.magnification};
 }
 
 std::string nameOf(TextureFilter filter) { return nameOf(filterChoices(), AskedFilter(filter)); }

@@ -7,9 +7,11 @@
 
 #include "cli/scene/camera_options.h"
 #include "cli/scene/scene_options.h"
+#include "cli/solve/monitor.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "radiosity/textures/lit_scene.h"
 #include "radiosity/textures/texture_filter.h"
+#include "radiosity/textures/texture_layout.h"
 
 namespace hemitex::cli {
 
@@ -23,10 +25,12 @@ struct SolveOptions {
   radiosity::IdSettings id;
   radiosity::SolverSettings solver;
   std::optional<double> maxError;
-  std::optional<radiosity::TextureFilter> filter;  ///< see texturesOf for the default
-  std::optional<int> magnification;
+  std::optional<radiosity::TextureFilter> filter;  ///< see filterOf for the default
+  std::optional<int> magnification;                ///< see magnificationOf for the default
   CameraOptions camera;
   std::filesystem::path edits;  ///< empty if there are none
+  bool report = false;          ///< also write report.html
+  LongRunOptions longRun;
   std::filesystem::path output;
 };
 
@@ -39,9 +43,10 @@ void completeOptions(Command command, SolveOptions& options);
 
 bool usesRays(const SolveOptions& options);
 
-/// The given settings of textures, or their defaults. Filters that interpolate between texels are visible only with
-/// magnification, so they have a default above 1.
-radiosity::TextureSettings texturesOf(const SolveOptions& options);
+/// The given filter of display textures, or the default: cubic B-splines, for quadtrees their own filter.
+radiosity::TextureFilter filterOf(const SolveOptions& options);
+/// The given magnification of display textures, or the rule for surfaces. One-to-one has no use for more texels.
+radiosity::Magnification magnificationOf(const SolveOptions& options);
 /// The name of a filter, as for `--filter`.
 std::string nameOf(radiosity::TextureFilter filter);
 

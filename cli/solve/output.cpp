@@ -1,6 +1,7 @@
 #include "cli/solve/output.h"
 
 #include <iomanip>
+#include <numeric>
 #include <sstream>
 
 #include "cli/common/json.h"
@@ -23,10 +24,9 @@ ordered_json surfaceTexelsJson(const radiosity::DiscretizationSettings& settings
   return texels;
 }
 
-/// The settings that the result depends on.
-ordered_json settingsJson(const Showing& showing) {
-  const SolveOptions& options = showing.options;
-  const radiosity::TextureSettings textures = texturesOf(options);
+}  // namespace
+
+ordered_json solutionSettings(const SolveOptions& options) {
   const auto orNull = [](const auto& value) { return value ? ordered_json(*value) : ordered_json(); };
   const auto ofProjections = [&](const auto& value) {
     return usesRays(options) ? ordered_json() : ordered_json(value);
@@ -55,17 +55,30 @@ ordered_json settingsJson(const Showing& showing) {
           {"align", options.id.aligned},
           {"max_error", orNull(options.maxError)},
           {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
-          {"shots", orNull(options.solver.shots)},
-          {"filter", nameOf(textures.filter)},
-          {"magnify", textures.magnification},
-          {"camera", toJson(showing.camera)},
-          {"size", {options.camera.width, options.camera.height}},
-          {"exposure", showing.exposure}};
+          {"shots", orNull(options.solver.shots)}};
+}
+
+namespace {
+
+/// The settings that the result depends on.
+ordered_json settingsJson(const Showing& showing) {
+  const SolveOptions& options = showing.options;
+  ordered_json settings = solutionSettings(options);
+  settings.update({{"filter", nameOf(filterOf(options))},
+                   {"magnify", options.magnification ? ordered_json(*options.magnification) : ordered_json()},
+                   {"camera", toJson(showing.camera)},
+                   {"size", {options.camera.width, options.camera.height}},
+                   {"exposure", showing.exposure}});
+  return settings;
+}
+
+radiosity::TextureLayout textureLayout(const SolveOptions& options, const Lit& lit) {
+  return radiosity::layOutTextures(lit.scene, lit.discretization, magnificationOf(options));
 }
 
 std::string shotsText(const ordered_json& solution, double seconds) {
   return std::to_string(solution["shots"].get<int>()) + " shots in " + roundedText(seconds) + " s, " +
-         percentText(solution["residual"]) + " of the flux unshot\n";
+         percentText(solution["residual"]) + " of the emitted flux unshot\n";
 }
 
 std::string titleOf(const std::string& flux) {
@@ -97,17 +110,43 @@ double exposureOf(const SolveOptions& options, const Lit& lit) {
   return options.camera.exposure.value_or(radiosity::defaultExposure(lit.scene, lit.discretization, lit.displayed));
 }
 
-void writeSolved(const std::filesystem::path& folder, const Lit& lit, const Showing& showing) {
-  const SolveOptions& options = showing.options;
-  const radiosity::LitScene shown =
-      radiosity::makeLitScene(lit.scene, lit.discretization, lit.displayed, showing.exposure, texturesOf(options));
-  radiosity::writeLitScene(folder, shown, lit.discretization, lit.solution.radiosity);
-  radiosity::writePng(folder / "render.png", radiosity::unlitPicture(shown.scene, showing.camera, options.camera.width,
-                                                                     options.camera.height));
+radiosity::LitScene shownScene(const Lit& lit, const Showing& showing) {
+  return radiosity::makeLitScene(lit.scene, lit.discretization, textureLayout(showing.options, lit), lit.displayed,
+                                 showing.exposure, filterOf(showing.options));
+}
+
+std::vector<std::string> writeSolved(const std::filesystem::path& folder, const Lit& lit,
+                                     const radiosity::LitScene& shown, const Showing& showing) {
+  const int width = showing.options.camera.width, height = showing.options.camera.height;
+  const radiosity::PictureView view{showing.camera, static_cast<double>(width) / height};
+  const std::vector<std::string> warnings =
+      radiosity::writeLitScene(folder, shown, view, lit.discretization, lit.solution.radiosity);
+  radiosity::writePng(folder / "render.png", radiosity::unlitPicture(shown, showing.camera, width, height));
   raster::writeFile(folder / "scene.view.json", toText(toJson(showing.camera)));
   std::ostringstream elements;
   writeCsv(elements, elementTable(lit.scene, lit.discretization, lit.solution));
   raster::writeFile(folder / "elements.csv", elements.view());
+  return warnings;
+}
+
+SolveRecord recordOf(const Lit& lit, const SolveOptions& options, const Convergence& convergence) {
+  constexpr std::size_t maxPatches = 256;  // so that the page costs at most some hundred hemicubes
+  const std::vector<glm::dvec3>& absorbed = lit.solution.absorbedByBacks;
+  SolveRecord record{
+      convergence,
+      radiosity::backAbsorption(lit.scene, lit.discretization, lit.layout, options.drawing, absorbed, maxPatches),
+      std::vector<glm::dvec3>(lit.scene.surfaces.size())};
+  for (std::size_t p = 0; p < absorbed.size(); ++p)
+    record.lostToBacks[lit.discretization.patches[p].surface] += absorbed[p];
+  return record;
+}
+
+void writeReport(const std::filesystem::path& folder, const radiosity::LitScene& shown, const Showing& showing,
+                 const ordered_json& solution, const SolveRecord& record) {
+  std::vector<std::uint32_t> surfaces(shown.scene.surfaces.size());
+  std::iota(surfaces.begin(), surfaces.end(), 0u);
+  raster::writeFile(folder / "report.html",
+                    solvedPage({shown.scene, shown.textures, surfaces}, showing.camera, solution, record));
 }
 
 ordered_json description(const Lit& lit, const Showing& showing) {
@@ -115,7 +154,7 @@ ordered_json description(const Lit& lit, const Showing& showing) {
   const MaterialOptions& materials = showing.options.scene.materials;
   if (materials.changeMaterials()) text["settings"]["materials"] = toJson(materials);
   text["settings"].update(toJson(lit.scene.outside));
-  text.update(describe(lit.scene, lit.discretization, lit.layout, lit.solution));
+  text.update(describe(lit.scene, lit.discretization, lit.layout, textureLayout(showing.options, lit), lit.solution));
   return text;
 }
 
@@ -127,17 +166,20 @@ std::string summary(const ordered_json& solution) {
   if (solution.contains("frames"))
     for (const ordered_json& frame : solution["frames"])
       text << frame["folder"].get<std::string>() << ": " << shotsText(frame, frame["times"]["update_s"]);
-  if (solution.contains("expected_error")) text << "expected error " << percentText(solution["expected_error"]) << '\n';
+  text << "expected error: "
+       << (solution["expected_error"].is_null() ? "not measured; --max-error measures it"
+                                                : percentText(solution["expected_error"]) + " of all flux")
+       << '\n';
   text << fluxText(solution["energy"]);
   return text.str();
 }
 
-std::string filesText(const std::filesystem::path& folder) {
+std::string filesText(const std::filesystem::path& folder, bool hasReport) {
   const auto line = [&folder](const std::string& what, const char* file) {
     return what + (folder / file).string() + '\n';
   };
   return '\n' + line("picture:    ", "render.png") + line("lit scene:  ", "scene.obj") +
-         line("numbers:    ", "solution.json");
+         line("numbers:    ", "solution.json") + (hasReport ? line("page:       ", "report.html") : "");
 }
 
 }  // namespace hemitex::cli

@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "cli/solve/options.h"
+#include "cli/view/solved_page.h"
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/pictures/camera.h"
@@ -34,16 +36,30 @@ struct Showing {
 /// The given exposure, or the default for the solution.
 double exposureOf(const SolveOptions& options, const Lit& lit);
 
-/// Writes the lit scene, its picture and elements.csv, but not solution.json.
-void writeSolved(const std::filesystem::path& folder, const Lit& lit, const Showing& showing);
+/// The lit scene, with the display textures of the options.
+radiosity::LitScene shownScene(const Lit& lit, const Showing& showing);
+
+/// Writes the lit scene, its picture and elements.csv, but not solution.json. Returns warnings for the user.
+std::vector<std::string> writeSolved(const std::filesystem::path& folder, const Lit& lit,
+                                     const radiosity::LitScene& shown, const Showing& showing);
+
+/// What only the page of the solution shows: its convergence, and the flux that backs absorbed, by surface.
+SolveRecord recordOf(const Lit& lit, const SolveOptions& options, const Convergence& convergence);
+
+/// Writes the page. `solution` is the object of solution.json, and `shown` the lit scene.
+void writeReport(const std::filesystem::path& folder, const radiosity::LitScene& shown, const Showing& showing,
+                 const nlohmann::ordered_json& solution, const SolveRecord& record);
+
+/// The settings that a solution depends on, but not those for showing it.
+nlohmann::ordered_json solutionSettings(const SolveOptions& options);
 
 /// The object of solution.json without times and warnings: the settings that the result depends on, and the solution.
 /// It contains no path and no thread count, so that equal results have equal files.
 nlohmann::ordered_json description(const Lit& lit, const Showing& showing);
 
-/// The summary of solution.json for people: counts, times and the balance of flux.
+/// The summary of solution.json for people: counts, times, residual, expected error and the balance of flux.
 std::string summary(const nlohmann::ordered_json& solution);
 /// Says where the files are.
-std::string filesText(const std::filesystem::path& folder);
+std::string filesText(const std::filesystem::path& folder, bool hasReport);
 
 }  // namespace hemitex::cli

@@ -3,7 +3,6 @@
 #include "cli/common/json.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/index_maps/phantom_indices.h"
-#include "radiosity/textures/radiosity_texture.h"
 
 namespace hemitex::cli {
 
@@ -38,10 +37,28 @@ Table elementTable(const radiosity::Scene& scene, const radiosity::Discretizatio
 
 namespace {
 
-double areaOf(const radiosity::Discretization& discretization, const radiosity::Grid& grid) {
+/// The area of a surface's elements, and means over this area.
+struct SurfaceMeans {
   double area = 0;
-  for (std::uint32_t e = 0; e < grid.elementCount; ++e) area += discretization.elements[grid.firstElement + e].area;
-  return area;
+  glm::dvec3 radiosity{0.0}, reflectance{0.0}, emission{0.0};
+};
+
+SurfaceMeans meansOf(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                     const radiosity::Solution& solution, std::uint32_t surface) {
+  const radiosity::Grid& grid = discretization.grids[surface];
+  const radiosity::SurfaceValues reflectance = reflectances(scene, discretization, surface),
+                                 emission = emissions(scene, discretization, surface);
+  SurfaceMeans means;
+  for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e) {
+    const double area = discretization.elements[e].area;
+    means.area += area;
+    means.radiosity += solution.radiosity[e] * area;
+    means.reflectance += reflectance.of(e) * area;
+    means.emission += emission.of(e) * area;
+  }
+  if (means.area > 0)
+    for (glm::dvec3* mean : {&means.radiosity, &means.reflectance, &means.emission}) *mean /= means.area;
+  return means;
 }
 
 /// Number of texels completely inside solids.
@@ -51,10 +68,11 @@ std::uint64_t buriedTexels(const radiosity::Discretization& discretization) {
   return buried;
 }
 
-ordered_json surfacesJson(const radiosity::Scene& scene, const radiosity::Discretization& discretization) {
-  const radiosity::TextureLayout textures = radiosity::layOutTextures(scene, discretization);
+ordered_json surfacesJson(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                          const radiosity::TextureLayout& textures, const radiosity::Solution& solution) {
   ordered_json surfaces = ordered_json::array();
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    const SurfaceMeans means = meansOf(scene, discretization, solution, s);
     const radiosity::Grid& grid = discretization.grids[s];
     const radiosity::TexturePlace& place = textures.places[s];
     const auto texture = static_cast<std::size_t>(place.texture);
@@ -63,13 +81,17 @@ ordered_json surfacesJson(const radiosity::Scene& scene, const radiosity::Discre
                         {"rows", grid.rows},
                         {"elements", grid.elementCount},
                         {"patches", radiosity::patchesOf(grid).size()},
-                        {"area", areaOf(discretization, grid)},
+                        {"area", means.area},
+                        {"radiosity", toJson(means.radiosity)},
+                        {"reflectance", toJson(means.reflectance)},
+                        {"emission", toJson(means.emission)},
                         {"texture",
                          {{"name", textures.names[texture]},
                           {"width", textures.textures[texture].width},
                           {"height", textures.textures[texture].height},
                           {"column", place.column},
-                          {"row", place.row}}}});
+                          {"row", place.row},
+                          {"magnification", textures.textures[texture].magnification}}}});
   }
   return surfaces;
 }
@@ -87,9 +109,10 @@ ordered_json energyJson(const radiosity::Energy& energy, bool isLitFromOutside) 
 }  // namespace
 
 ordered_json describe(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                      const radiosity::IdLayout& layout, const radiosity::Solution& solution) {
+                      const radiosity::IdLayout& layout, const radiosity::TextureLayout& textures,
+                      const radiosity::Solution& solution) {
   const radiosity::Phantoms phantoms = radiosity::countPhantoms(discretization, layout);
-  return {{"surfaces", surfacesJson(scene, discretization)},
+  return {{"surfaces", surfacesJson(scene, discretization, textures, solution)},
           {"elements", discretization.elements.size()},
           {"patches", discretization.patches.size()},
           {"phantoms", phantoms.spareTexels + phantoms.alignmentGaps},

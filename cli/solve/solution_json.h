@@ -9,6 +9,7 @@
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solver/progressive_solver.h"
+#include "radiosity/textures/texture_layout.h"
 
 namespace hemitex::cli {
 
@@ -21,6 +22,7 @@ Table elementTable(const radiosity::Scene& scene, const radiosity::Discretizatio
 /// The object of solution.json without settings, times and warnings: surfaces with their grids and places in the
 /// radiosity textures, counts, residual and energy.
 nlohmann::ordered_json describe(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                                const radiosity::IdLayout& layout, const radiosity::Solution& solution);
+                                const radiosity::IdLayout& layout, const radiosity::TextureLayout& textures,
+                                const radiosity::Solution& solution);
 
 }  // namespace hemitex::cli

@@ -160,13 +160,13 @@ void addTradeoff(Command program, Context& context) {
   const auto options = std::make_shared<TradeoffOptions>();
   const Command command =
       program.addCommand("tradeoff", "Measure time and error of every method on a scene (takes minutes)");
-  addSceneOptions(command, options->scene);
-  addOutput(command, options->output, "write tradeoff.json, tradeoff.csv and report.html into this folder");
+  const Command what = command.under("Measurements");
+  addOutput(what, options->output, "write tradeoff.json, tradeoff.csv and report.html into this folder");
   const auto readTexels = [options](const std::string& text) {
     options->texels = integersOption("--texels", text, 1, maxTexels);
     requireDivisors(options->texels);
   };
-  command.addText(
+  what.addText(
       "--texels", "N,N,...",
       "divide every surface into N x N texels, for each N; all settings are measured with the first N, and the truth "
       "has the largest N (default 16,8,4)",
@@ -174,7 +174,7 @@ void addTradeoff(Command program, Context& context) {
   const auto readPatches = [options](const std::string& text) {
     options->patches = integersOption("--patch", text, 1, maxTexels);
   };
-  command.addText(
+  what.addText(
       "--patch", "N,N,...",
       "let N x N elements shoot as one patch, for each N; all settings are measured with the first N (default 4,1,2,8)",
       readPatches);
@@ -183,11 +183,14 @@ void addTradeoff(Command program, Context& context) {
     for (const std::string& text : texts) methods.push_back(methodOption(text, reference::tradeMethods()));
     options->methods = std::move(methods);
   };
-  command.addTexts("--method", "NAME[=N,...]",
-                   "measure this method, at these resolutions or numbers of rays (repeatable; default: all methods)",
-                   readMethods);
-  addInteger(command, "--samples", options->samples, 128, 1 << 20,
+  what.addTexts("--method", "NAME[=N,...]",
+                "measure this method, at these resolutions or numbers of rays (repeatable; default: all methods)",
+                readMethods);
+  addInteger(what, "--samples", options->samples, 128, 1 << 20,
              "compute the truth with N rays per element on average (default 16384)");
+  addSceneOptions(command, options->scene);
+  command.showFirst({"--output", "--method", "--texels", "--patch", "--samples", "--emit", "--reflectance", "--lights",
+                     "--charts", "--two-sided"});
   command.addExamples({"data/cornell-box.obj -o tradeoff",
                        "data/cornell-box.obj -o tradeoff --texels 8 --method hemicube=128,256 --method area-rays"});
   command.onRead([options, &context] { context.command = [options, &context] { measure(*options, context); }; });

@@ -37,11 +37,13 @@ void addVectorCheck(Command vector, Context& context) {
   const auto options = std::make_shared<CheckOptions>();
   const Command command = vector.addCommand(
       "check", "Compare the item IDs of a device with the raster rules (exit code 1 if a pixel is an error)");
-  addJudgingOptions(command, options->judging);
-  command
+  command.under("Device")
       .addPath("--candidate", options->candidate,
                "folder with the device's item IDs; for a suite, one folder per vector")
       .required();
+  addJudgingOptions(command, options->judging);
+  command.showFirst({"--candidate", "--profile", "--strict-depth", "--exact", "--expectations", "--strict", "--junit",
+                     "--diff", "--minimize", "--record"});
   command.addExamples(
       {"suite --candidate drawn", "suite --candidate drawn --profile profile.json --junit results.xml"});
   command.onRead([options, &context] { context.command = [options, &context] { check(*options, context); }; });

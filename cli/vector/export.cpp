@@ -74,19 +74,22 @@ void exportVector(const ExportOptions& options, Context& context) {
 void addVectorExport(Command vector, Context& context) {
   const auto options = std::make_shared<ExportOptions>();
   const Command command = vector.addCommand("export", "Write a scene and the faces of a hemicube as a test vector");
-  addSceneOptions(command, options->scene);
-  addVectorOption(command, "--eye", options->eye, "position of the eye of the hemicube").required();
-  addVectorOption(command, "--normal", options->normal, "direction of the top face").required();
-  addVectorOption(command, "--up", options->up, "up direction of the top face (default: derived from the normal)");
-  addResolution(command, options->resolution);
-  addPositive(command, "--near", options->nearDistance, std::numeric_limits<float>::max(),
+  const Command written = command.under("Vector");
+  addVectorOption(written, "--eye", options->eye, "position of the eye of the hemicube").required();
+  addVectorOption(written, "--normal", options->normal, "direction of the top face").required();
+  addVectorOption(written, "--up", options->up, "up direction of the top face (default: derived from the normal)");
+  addResolution(written, options->resolution);
+  addPositive(written, "--near", options->nearDistance, std::numeric_limits<float>::max(),
               "near distance, in units of the scene (default: one that clips no triangle)");
-  command.addText("--name", "TEXT", "name of the vector (default: the name of the scene file)",
+  written.addText("--name", "TEXT", "name of the vector (default: the name of the scene file)",
                   [options](const std::string& text) { options->name = text; });
   addDiscretizationOptions(command, options->discretization);
   addIdOptions(command, options->id);
-  addStages(command, options->stages);
-  addOutput(command, options->output, "write the vector into this folder");
+  addStages(written, options->stages);
+  addOutput(written, options->output, "write the vector into this folder");
+  addSceneOptions(command, options->scene);
+  command.showFirst({"--output", "--eye", "--normal", "--up", "--resolution", "--near", "--name", "--stages",
+                     "--texels", "--format"});
   command.addExamples({"data/cornell-box.obj --eye 278,273,280 --normal 0,1,0 -o vector",
                        "data/cornell-box.obj --eye 278,548,280 --normal 0,-1,0 --resolution 64 --stages -o vector"});
   command.onRead([options, &context] { context.command = [options, &context] { exportVector(*options, context); }; });

@@ -217,31 +217,32 @@ void writeFiles(const JudgingOptions& options, const Suite& suite, const std::ve
 
 void addJudgingOptions(Command command, JudgingOptions& options) {
   command.addPath("DIR", options.suite, "folder of the vector, or of a suite of vectors").required();
-  command.addPath("--profile", options.profile,
-                  "JSON file with the permitted deviations of the device (default: those of the Vulkan class)");
-  command.addFlag("--strict-depth", options.isDepthStrict,
-                  "do not excuse equal depths: of two triangles with the same corners the first one drawn must stay");
-  command.addFlag("--exact", options.isExact,
-                  "evaluate the rules in rational arithmetic, independently of the reference (slow)");
+  const Command rules = command.under("Rules");
+  rules.addPath("--profile", options.profile,
+                "JSON file with the permitted deviations of the device (default: those of the Vulkan class)");
+  rules.addFlag("--strict-depth", options.isDepthStrict,
+                "do not excuse equal depths: of two triangles with the same corners the first one drawn must stay");
+  rules.addFlag("--exact", options.isExact,
+                "evaluate the rules in rational arithmetic, independently of the reference (slow)");
   const Option expectations =
-      command.addPath("--expectations", options.expectations,
-                      "expected results: lines NAME fail|unsupported|flaky REASON (default: all vectors pass)");
-  command.addFlag("--strict", options.isStrict, "fail when a vector passes that is expected to fail")
-      .needs(expectations);
-  command.addPath("--junit", options.junit,
-                  "write a JUnit XML file with one test suite per vector and one test case per face");
-  command.addPath(
+      rules.addPath("--expectations", options.expectations,
+                    "expected results: lines NAME fail|unsupported|flaky REASON (default: all vectors pass)");
+  rules.addFlag("--strict", options.isStrict, "fail when a vector passes that is expected to fail").needs(expectations);
+  const Command files = command.under("Files");
+  files.addPath("--junit", options.junit,
+                "write a JUnit XML file with one test suite per vector and one test case per face");
+  files.addPath(
       "--diff", options.picture,
       "write a PNG file with expected, found and verdict side by side; for a suite, of the first failing vector");
-  command.addPath("--minimize", options.minimal,
-                  "write a vector that fails with as few triangles and pixels as possible into this folder; for a "
-                  "suite, from the first "
-                  "failing vector");
-  const Option record = command.addPath("--record", options.record, "write a conformance record into this JSON file");
+  files.addPath("--minimize", options.minimal,
+                "write a vector that fails with as few triangles and pixels as possible into this folder; for a "
+                "suite, from the first "
+                "failing vector");
+  const Option record = files.addPath("--record", options.record, "write a conformance record into this JSON file");
   const auto text = [](std::string& target) { return [&target](const std::string& value) { target = value; }; };
-  const Option device = command.addText("--device-name", "NAME", "the device, for the record", text(options.device));
+  const Option device = files.addText("--device-name", "NAME", "the device, for the record", text(options.device));
   const Option driver =
-      command.addText("--driver", "NAME", "its driver and version, for the record", text(options.driver));
+      files.addText("--driver", "NAME", "its driver and version, for the record", text(options.driver));
   record.needs(device).needs(driver);
   device.needs(record);
   driver.needs(record);

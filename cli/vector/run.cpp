@@ -180,20 +180,23 @@ void run(const RunOptions& options, Context& context) {
 void addVectorRun(Command vector, Context& context) {
   const auto options = std::make_shared<RunOptions>();
   const Command command = vector.addCommand("run", "Start a device's program for each vector and judge its item IDs");
-  addJudgingOptions(command, options->judging);
-  command
+  const Command device = command.under("Device");
+  device
       .addText("--device", "COMMAND",
                "program and arguments; {vector} is the folder of the vector, {output} the folder for the item IDs",
                [options](const std::string& text) { options->device.command = reference::splitCommand(text); })
       .required();
-  addOutput(command, options->output, "folder for the item IDs; for a suite, one folder per vector");
-  command.addText("--time-limit", "SECONDS", "time per vector, after which the program is stopped (default 10)",
-                  [options](const std::string& text) {
-                    options->device.timeLimit = positiveOption("--time-limit", text, maxSeconds);
-                  });
-  addInteger(command, "--jobs", options->jobs, 1, maxJobs, "programs at a time (default: one per core)");
-  addInteger(command, "--repeat", options->repetitions, 1, maxRepetitions,
+  addOutput(device, options->output, "folder for the item IDs; for a suite, one folder per vector");
+  device.addText("--time-limit", "SECONDS", "time per vector, after which the program is stopped (default 10)",
+                 [options](const std::string& text) {
+                   options->device.timeLimit = positiveOption("--time-limit", text, maxSeconds);
+                 });
+  addInteger(device, "--jobs", options->jobs, 1, maxJobs, "programs at a time (default: one per core)");
+  addInteger(device, "--repeat", options->repetitions, 1, maxRepetitions,
              "draw each vector N times; it fails if its item IDs are not always the same (default 1)");
+  addJudgingOptions(command, options->judging);
+  command.showFirst({"--device", "--output", "--time-limit", "--jobs", "--repeat", "--profile", "--expectations",
+                     "--junit", "--diff", "--record"});
   command.addExamples({"suite --device './draw {vector} {output}' -o drawn",
                        "suite --device './draw {vector} {output}' -o drawn --repeat 3 --time-limit 60"});
   command.onRead([options, &context] { context.command = [options, &context] { run(*options, context); }; });

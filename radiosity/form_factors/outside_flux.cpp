@@ -27,8 +27,8 @@ constexpr int smallestViews = 256, largestViews = 4096;
 /// Elements with fewer pixels per view are lit at their centre.
 constexpr double minPixels = 0.5;
 /// One of this number of directions to the sky lights the centres of small elements.
-constexpr int directionsPerRay = 4;
-constexpr int directionsPerSunView = 8;
+constexpr int directionsPerRay = 16;
+constexpr int directionsPerSunView = 16;
 
 ParallelViews viewsFor(const Scene& scene, const Discretization& discretization) {
   double area = 0;

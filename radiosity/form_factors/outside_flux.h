@@ -31,10 +31,10 @@ struct OutsideFlux {
 /// The sum of the received flux.
 glm::dvec3 sumOf(const OutsideFlux& flux);
 
-inline constexpr int minDirections = 64;
+inline constexpr int minDirections = 128;
 
 /// The flux from `scene.outside`. `renderer` draws the scene (see sceneRenderer). `directions` is the number of
-/// directions to the sky, at least minDirections; a sun has an eighth as many views.
+/// directions to the sky, at least minDirections; a sun has a sixteenth as many views.
 OutsideFlux outsideFlux(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
                         raster::ItemBufferRenderer& renderer, int directions);
 

@@ -23,7 +23,7 @@ std::unique_ptr<raster::ItemBufferRenderer> sceneRenderer(const Scene& scene, co
 SceneFormFactors::SceneFormFactors(const Scene& scene, Discretization unsplit, IdLayout layout,
                                    const DrawingSettings& settings, const RendererFactory& makeRenderer)
     : scene_(scene),
-      directions_(std::max(2 * settings.resolution, minDirections)),
+      directions_(std::max(8 * settings.resolution, minDirections)),
       layout_(std::move(layout)),
       discretization_(std::move(unsplit)),
       renderer_(sceneRenderer(scene, discretization_, layout_, settings.elementsBy, makeRenderer)),
@@ -41,7 +41,10 @@ void SceneFormFactors::splitAll() {
 }
 
 OutsideFlux SceneFormFactors::outsideFlux() {
-  return radiosity::outsideFlux(scene_, discretization_, layout_, *renderer_, directions_);
+  // All views together draw at most about this number of triangles.
+  constexpr std::size_t maxDrawn = std::size_t{1} << 28;
+  const int affordable = std::max(static_cast<int>(maxDrawn / triangleCount(scene_)), minDirections);
+  return radiosity::outsideFlux(scene_, discretization_, layout_, *renderer_, std::min(directions_, affordable));
 }
 
 PatchSplit SceneFormFactors::splits() {

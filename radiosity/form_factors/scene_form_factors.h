@@ -65,7 +65,8 @@ class SceneFormFactors {
   PatchSplit splits();
   const IdLayout& layout() const { return layout_; }
   ProjectedFormFactors& rows() { return rows_; }
-  /// The flux from `scene.outside`, with twice as many directions as a face has pixels along its side.
+  /// The flux from `scene.outside`, with eight times as many directions as a face has pixels along its side,
+  /// or fewer for scenes of more than 2^17 triangles.
   OutsideFlux outsideFlux();
 
  private:

@@ -34,10 +34,49 @@ std::array<double, 255> codeThresholds() {
   return thresholds;
 }
 
-std::array<double, 256> decodedCodes() {
-  std::array<double, 256> values;
-  for (int code = 0; code < 256; ++code) values[static_cast<std::size_t>(code)] = decodeSrgb(code / 255.0);
-  return values;
+constexpr std::size_t lowerCodes = 4096;
+
+/// The codes of 0, 1/4096, 2/4096, ... Codes of linear values between them are at most a few steps above.
+std::array<std::uint8_t, lowerCodes> codesOfLowerValues(const std::array<double, 255>& thresholds) {
+  std::array<std::uint8_t, lowerCodes> codes;
+  for (std::size_t i = 0; i < lowerCodes; ++i) {
+    const double linear = static_cast<double>(i) / lowerCodes;
+    const auto above = std::upper_bound(thresholds.begin(), thresholds.end(), linear);
+    codes[i] = static_cast<std::uint8_t>(above - thresholds.begin());
+  }
+  return codes;
+}
+
+const std::array<double, 256>& decodedCodes() {
+  static const std::array<double, 256> decoded = [] {
+    std::array<double, 256> values;
+    for (int code = 0; code < 256; ++code) values[static_cast<std::size_t>(code)] = decodeSrgb(code / 255.0);
+    return values;
+  }();
+  return decoded;
+}
+
+/// The pixel of an image at an index.
+glm::dvec3 pixelAt(const Image& image, std::size_t pixel) { return image.pixels[pixel]; }
+
+glm::dvec3 pixelAt(const CodedImage& image, std::size_t pixel) {
+  const std::array<double, 256>& decoded = decodedCodes();
+  const std::uint8_t* const codes = &image.codes[3 * pixel];
+  return {decoded[codes[0]], decoded[codes[1]], decoded[codes[2]]};
+}
+
+template <typename AnyImage>
+glm::dvec3 bilinearIn(const AnyImage& image, const glm::dvec2& uv) {
+  const glm::dvec2 wrapped = uv - glm::floor(uv);  // first, so that the following values are small
+  const double x = wrapped.x * image.width - 0.5, y = (1 - wrapped.y) * image.height - 0.5;
+  const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
+  const auto at = [&](int c, int r) {
+    const int wrappedColumn = (c + image.width) % image.width, wrappedRow = (r + image.height) % image.height;
+    return pixelAt(image, static_cast<std::size_t>(wrappedRow) * static_cast<std::size_t>(image.width) +
+                              static_cast<std::size_t>(wrappedColumn));
+  };
+  return glm::mix(glm::mix(at(column, row), at(column + 1, row), x - column),
+                  glm::mix(at(column, row + 1), at(column + 1, row + 1), x - column), y - row);
 }
 
 const ImageFunctions& functionsFor(const std::filesystem::path& file) try {
@@ -67,15 +106,30 @@ std::vector<glm::dvec3> linearPixels(const std::vector<Sample>& samples, int cha
 std::vector<glm::dvec3> linearPixels(const ImageSamples& samples) {
   if (samples.codes.empty())
     return linearPixels(samples.values, samples.channels, [](float value) { return static_cast<double>(value); });
-  const std::array<double, 256> decoded = decodedCodes();
+  const std::array<double, 256>& decoded = decodedCodes();
   return linearPixels(samples.codes, samples.channels, [&](std::uint8_t code) { return decoded[code]; });
 }
 
+/// Throws InputError, with the name of the file, for a value that is not finite.
+Image linearImage(const ImageSamples& samples, const std::filesystem::path& file) {
+  const Image image{samples.width, samples.height, linearPixels(samples)};
+  const auto isFinite = [](const glm::dvec3& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+  };
+  if (!std::all_of(image.pixels.begin(), image.pixels.end(), isFinite))
+    throw raster::InputError(file.string(), 0, "holds a value that is not finite", "repair the image");
+  return image;
+}
+
 /// Encodes in memory, so that a full disk is detected when the bytes are written, whatever the encoder does.
-void writeEncoded(const std::filesystem::path& file, const std::string& format, const std::string& colourSpace,
-                  const ImageSamples& samples) {
+std::vector<unsigned char> encode(const std::filesystem::path& file, const std::string& format,
+                                  const std::string& colourSpace, const ImageSamples& samples) {
   std::vector<unsigned char> bytes;
   throwIfAny(functionsFor(file).encode(format, colourSpace, samples, bytes), file);
+  return bytes;
+}
+
+void writeBytes(const std::filesystem::path& file, const std::vector<unsigned char>& bytes) {
   raster::writeFile(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
@@ -89,29 +143,43 @@ double decodeSrgb(double encoded) {
 
 std::uint8_t encodeSrgb(double linear) {
   static const std::array<double, 255> thresholds = codeThresholds();
-  const auto above =
-      std::partition_point(thresholds.begin(), thresholds.end(), [&](double threshold) { return threshold <= linear; });
-  return static_cast<std::uint8_t>(above - thresholds.begin());
+  static const std::array<std::uint8_t, lowerCodes> lower = codesOfLowerValues(thresholds);
+  if (!(linear > 0)) return 0;
+  if (linear >= 1) return 255;
+  std::uint8_t code = lower[static_cast<std::size_t>(linear * lowerCodes)];
+  while (code < 255 && thresholds[code] <= linear) ++code;
+  return code;
 }
+
+CodedImage encodeSrgb(const Image& image) {
+  CodedImage coded{image.width, image.height, {}};
+  coded.codes.reserve(3 * image.pixels.size());
+  for (const glm::dvec3& pixel : image.pixels)
+    for (int band = 0; band < 3; ++band) coded.codes.push_back(encodeSrgb(pixel[band]));
+  return coded;
+}
+
+glm::dvec3 bilinear(const Image& image, const glm::dvec2& uv) { return bilinearIn(image, uv); }
+glm::dvec3 bilinear(const CodedImage& image, const glm::dvec2& uv) { return bilinearIn(image, uv); }
 
 Image readImage(const std::filesystem::path& file) {
   ImageSamples samples;
   throwIfAny(functionsFor(file).read(file.string(), maxPixels, samples), file);
-  const Image image{samples.width, samples.height, linearPixels(samples)};
-  const auto isFinite = [](const glm::dvec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-  };
-  if (!std::all_of(image.pixels.begin(), image.pixels.end(), isFinite))
-    throw raster::InputError(file.string(), 0, "holds a value that is not finite", "repair the image");
-  return image;
+  return linearImage(samples, file);
+}
+
+Image decodeImage(const std::vector<unsigned char>& bytes, const std::filesystem::path& name) {
+  ImageSamples samples;
+  throwIfAny(functionsFor(name).decode(bytes, maxPixels, samples), name);
+  return linearImage(samples, name);
+}
+
+std::vector<unsigned char> encodePng(const CodedImage& image, const std::filesystem::path& file) {
+  return encode(file, "png", "sRGB", {image.width, image.height, 3, image.codes, {}});
 }
 
 void writePng(const std::filesystem::path& file, const Image& image) {
-  ImageSamples samples{image.width, image.height, 3, {}, {}};
-  samples.codes.reserve(3 * image.pixels.size());
-  for (const glm::dvec3& pixel : image.pixels)
-    for (int band = 0; band < 3; ++band) samples.codes.push_back(encodeSrgb(pixel[band]));
-  writeEncoded(file, "png", "sRGB", samples);
+  writeBytes(file, encodePng(encodeSrgb(image), file));
 }
 
 void writeExr(const std::filesystem::path& file, const Image& image) {
@@ -123,7 +191,7 @@ void writeExr(const std::filesystem::path& file, const Image& image) {
         throw raster::InputError(file.string(), 0, "cannot hold a value above 3.4e38", "scale the light down");
       samples.values.push_back(static_cast<float>(pixel[band]));
     }
-  writeEncoded(file, "openexr", "Linear", samples);
+  writeBytes(file, encode(file, "openexr", "Linear", samples));
 }
 
 }  // namespace hemitex::radiosity

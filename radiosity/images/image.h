@@ -16,16 +16,35 @@ struct Image {
   std::vector<glm::dvec3> pixels;  ///< width * height pixels
 };
 
+/// Row-major RGB image with 8-bit sRGB codes, in an eighth of the memory of an Image; row 0 is the top.
+struct CodedImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> codes;  ///< 3 * width * height codes
+};
+
 /// The linear value in [0,1] of an sRGB-encoded value in [0,1] (IEC 61966-2-1).
 double decodeSrgb(double encoded);
 /// The 8-bit sRGB code nearest to a linear value. Values outside [0,1] are clamped; NaN gives 0.
 std::uint8_t encodeSrgb(double linear);
+CodedImage encodeSrgb(const Image& image);
+
+/// The colour at (u, v), bilinear in linear values between pixel centres and repeating; v = 0 is the bottom. Both give
+/// the same colour for an image and its codes if the image has only values of codes.
+glm::dvec3 bilinear(const Image& image, const glm::dvec2& uv);
+glm::dvec3 bilinear(const CodedImage& image, const glm::dvec2& uv);
 
 /// Reads an image as linear RGB. 8-bit files are sRGB-decoded, others are linear. Grey becomes three equal channels;
 /// alpha is dropped. Throws InputError if the file cannot be read, contains a NaN or an infinity, or has more than 2^28
 /// pixels.
 Image readImage(const std::filesystem::path& file);
 
+/// As readImage for the bytes of a PNG or JPEG file; `name` is for messages.
+Image decodeImage(const std::vector<unsigned char>& bytes, const std::filesystem::path& name);
+
+/// The bytes of an 8-bit sRGB PNG; equal pixels give equal bytes. Throws InputError, which names `file`, if the image
+/// cannot be encoded.
+std::vector<unsigned char> encodePng(const CodedImage& image, const std::filesystem::path& file);
 /// Writes an 8-bit sRGB PNG; equal pixels give equal files. Throws InputError if the file cannot be written.
 void writePng(const std::filesystem::path& file, const Image& image);
 /// Writes a 32-bit float linear RGB EXR; equal pixels give equal files. Throws InputError as writePng, and if a value

@@ -27,6 +27,8 @@ struct ImageProblem {
 struct ImageFunctions {
   /// Reads a file of at most `maxPixels` pixels.
   ImageProblem (*read)(const std::string& file, std::uint64_t maxPixels, ImageSamples& samples);
+  /// Decodes the bytes of a PNG or JPEG file of at most `maxPixels` pixels.
+  ImageProblem (*decode)(const std::vector<unsigned char>& bytes, std::uint64_t maxPixels, ImageSamples& samples);
   /// Encodes samples as `format` ("png" or "openexr") in memory. Equal samples give equal bytes.
   ImageProblem (*encode)(const std::string& format, const std::string& colourSpace, const ImageSamples& samples,
                          std::vector<unsigned char>& bytes);

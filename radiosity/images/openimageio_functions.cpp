@@ -2,16 +2,23 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
+#include <array>
+
 #include "radiosity/images/image_module.h"
 
 namespace hemitex::radiosity {
 namespace {
 
-ImageProblem read(const std::string& file, std::uint64_t maxPixels, ImageSamples& samples) {
+/// Alpha is dropped, so colours must not be multiplied by it.
+OIIO::ImageSpec unassociatedAlpha() {
   OIIO::ImageSpec config;
-  config.attribute("oiio:UnassociatedAlpha", 1);  // alpha is dropped, so colours must not be multiplied by it
-  const auto input = OIIO::ImageInput::open(file, &config);
-  if (!input) return {"cannot be read as an image: " + OIIO::geterror(), ""};
+  config.attribute("oiio:UnassociatedAlpha", 1);
+  return config;
+}
+
+/// Reads the pixels of an image that is open.
+ImageProblem readPixels(OIIO::ImageInput* input, std::uint64_t maxPixels, ImageSamples& samples) {
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.image_pixels() > maxPixels) return {"has too many pixels", "scale it down to at most 16384 x 16384"};
   samples = {spec.width, spec.height, spec.nchannels, {}, {}};
@@ -23,6 +30,29 @@ ImageProblem read(const std::string& file, std::uint64_t maxPixels, ImageSamples
                           : input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, samples.values.data());
   if (!isRead || count == 0) return {"cannot be read: " + input->geterror(), ""};
   return {};
+}
+
+ImageProblem read(const std::string& file, std::uint64_t maxPixels, ImageSamples& samples) {
+  const OIIO::ImageSpec config = unassociatedAlpha();
+  const auto input = OIIO::ImageInput::open(file, &config);
+  if (!input) return {"cannot be read as an image: " + OIIO::geterror(), ""};
+  return readPixels(input.get(), maxPixels, samples);
+}
+
+ImageProblem decode(const std::vector<unsigned char>& bytes, std::uint64_t maxPixels, ImageSamples& samples) {
+  constexpr std::array<unsigned char, 4> png{0x89, 'P', 'N', 'G'};
+  constexpr std::array<unsigned char, 2> jpeg{0xff, 0xd8};
+  const auto beginsWith = [&bytes](const auto& start) {
+    return bytes.size() > start.size() && std::equal(start.begin(), start.end(), bytes.begin());
+  };
+  if (!beginsWith(png) && !beginsWith(jpeg)) return {"is neither PNG nor JPEG", "export it as PNG"};
+  const std::string format = beginsWith(png) ? "png" : "jpeg";
+  OIIO::Filesystem::IOMemReader memory(const_cast<unsigned char*>(bytes.data()), bytes.size());
+  const auto input = OIIO::ImageInput::create(format);
+  OIIO::ImageSpec spec;
+  if (!input || !input->set_ioproxy(&memory) || !input->open("image." + format, spec, unassociatedAlpha()))
+    return {"cannot be decoded: " + (input ? input->geterror() : OIIO::geterror()), ""};
+  return readPixels(input.get(), maxPixels, samples);
 }
 
 ImageProblem encode(const std::string& format, const std::string& colourSpace, const ImageSamples& samples,
@@ -47,5 +77,5 @@ ImageProblem encode(const std::string& format, const std::string& colourSpace, c
 }  // namespace
 }  // namespace hemitex::radiosity
 
-extern "C" __attribute__((visibility("default")))
-const hemitex::radiosity::ImageFunctions hemitexImageFunctions = {hemitex::radiosity::read, hemitex::radiosity::encode};
+extern "C" __attribute__((visibility("default"))) const hemitex::radiosity::ImageFunctions hemitexImageFunctions = {
+    hemitex::radiosity::read, hemitex::radiosity::decode, hemitex::radiosity::encode};

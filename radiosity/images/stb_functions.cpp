@@ -16,6 +16,10 @@ ImageProblem read(const std::string&, std::uint64_t, ImageSamples&) {
   return {"cannot be read: this program reads no images", ""};
 }
 
+ImageProblem decode(const std::vector<unsigned char>&, std::uint64_t, ImageSamples&) {
+  return {"cannot be decoded: this program reads no images", ""};
+}
+
 /// Receives the bytes of the encoder.
 void append(void* bytes, void* data, int size) {
   const auto* const first = static_cast<const unsigned char*>(data);
@@ -36,7 +40,7 @@ ImageProblem encode(const std::string& format, const std::string&, const ImageSa
 }  // namespace
 
 const ImageFunctions& imageFunctions() {
-  static const ImageFunctions functions = {read, encode};
+  static const ImageFunctions functions = {read, decode, encode};
   return functions;
 }
 

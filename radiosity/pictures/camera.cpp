@@ -15,12 +15,12 @@ constexpr int largestSide = 4096;
 /// In degrees; with smaller angles, magnified coordinates would exceed binary32.
 constexpr double smallestFieldOfView = 1e-6;
 
-/// Orthonormal, right = forward x up.
-struct Axes {
-  glm::dvec3 right, up, forward;
-};
+/// The distance of the middle of a scissor rectangle from that of the viewport, in units of x/w.
+double offCentre(int first, int size, int resolution) { return (2.0 * first + size) / resolution - 1; }
 
-Axes cameraAxes(const Camera& camera) {
+}  // namespace
+
+CameraAxes axesOf(const Camera& camera) {
   const glm::dvec3 direction = camera.lookAt - camera.eye;
   const double distance = glm::length(direction);
   if (!(distance > 0 && std::isfinite(distance)))
@@ -33,11 +33,6 @@ Axes cameraAxes(const Camera& camera) {
   return {right, glm::cross(right, forward), forward};
 }
 
-/// The distance of the middle of a scissor rectangle from that of the viewport, in units of x/w.
-double offCentre(int first, int size, int resolution) { return (2.0 * first + size) / resolution - 1; }
-
-}  // namespace
-
 /// On the plane w = 1 the picture is 2 tan(fov/2) high, so that the side of a pixel is 2 tan(fov/2) / height. The
 /// viewport's side of 2 has `resolution` pixels. This gives the scale of the rows. The picture lies in the middle of
 /// the viewport. If the difference of their sizes is odd, shearing corrects the half pixel: X + s W moves x/w by s
@@ -48,7 +43,7 @@ raster::Face cameraFace(const Scene& scene, const Camera& camera, int width, int
                              "choose sides from 1 to " + std::to_string(largestSide));
   if (!(camera.fov >= smallestFieldOfView && camera.fov < 180))
     throw raster::InputError("the field of view must lie between 1e-6 and 180 degrees");
-  const Axes axes = cameraAxes(camera);
+  const CameraAxes axes = axesOf(camera);
   const int resolution = (std::max(width, height) + 1) / 2 * 2;
   const double scale = height / (tangentOfDegrees(camera.fov / 2) * resolution);
 

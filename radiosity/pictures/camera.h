@@ -15,6 +15,14 @@ struct Camera {
   double fov = 50;  ///< vertical, in degrees, in (0, 180)
 };
 
+/// Unit vectors at right angles: right = forward x up.
+struct CameraAxes {
+  glm::dvec3 right, up, forward;
+};
+
+/// Throws InputError if the camera has no direction, or `up` is parallel to it.
+CameraAxes axesOf(const Camera& camera);
+
 /// The face that draws the view of `camera` at width x height pixels, each at most 4096. The viewport may be larger
 /// than the picture, which is the scissor rectangle. Row 0 is the BOTTOM of the picture. Surfaces nearer than 1e-5 of
 /// the scene's extent are clipped. Throws InputError if the camera has no direction, `up` is parallel to it, or the

@@ -47,20 +47,6 @@ Value interpolate(const std::array<Value, 3>& corners, const glm::dvec3& weights
   return weights.x * corners[0] + weights.y * corners[1] + weights.z * corners[2];
 }
 
-/// The image at (u, v), bilinear between pixel centres and repeating; v = 0 is the bottom.
-glm::dvec3 bilinear(const Image& image, const glm::dvec2& uv) {
-  const glm::dvec2 wrapped = uv - glm::floor(uv);  // first, so that the following values are small
-  const double x = wrapped.x * image.width - 0.5, y = (1 - wrapped.y) * image.height - 0.5;
-  const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
-  const auto at = [&](int c, int r) {
-    const int wrappedColumn = (c + image.width) % image.width, wrappedRow = (r + image.height) % image.height;
-    return image.pixels[static_cast<std::size_t>(wrappedRow) * static_cast<std::size_t>(image.width) +
-                        static_cast<std::size_t>(wrappedColumn)];
-  };
-  return glm::mix(glm::mix(at(column, row), at(column + 1, row), x - column),
-                  glm::mix(at(column, row + 1), at(column + 1, row + 1), x - column), y - row);
-}
-
 glm::dvec3 decodedColour(const glm::dvec3& encoded) {
   const glm::dvec3 clamped = glm::clamp(encoded, 0.0, 1.0);
   return {decodeSrgb(clamped.x), decodeSrgb(clamped.y), decodeSrgb(clamped.z)};
@@ -120,18 +106,23 @@ Image drawPicture(const Scene& scene, const Camera& camera, int width, int heigh
   return halved(colours, width, height);
 }
 
-glm::dvec3 unlitColour(const Scene& scene, const Visible& visible) {
+glm::dvec3 unlitColour(const Scene& scene, const Visible& visible, const MapColour& mapColour) {
   const Material& material = scene.materials[static_cast<std::size_t>(scene.surfaces[visible.surface].material)];
   const Triangle& triangle = triangleOf(scene, visible);
   glm::dvec3 colour = material.reflectance;
   if (material.reflectanceMap)
-    colour *= bilinear(scene.images[static_cast<std::size_t>(*material.reflectanceMap)],
-                       interpolate(triangle.texcoord, visible.weights));
+    colour *=
+        mapColour(static_cast<std::size_t>(*material.reflectanceMap), interpolate(triangle.texcoord, visible.weights));
   if (triangle.cornerColor) {
     const auto& [a, b, c] = *triangle.cornerColor;
     colour *= interpolate(std::array{decodedColour(a), decodedColour(b), decodedColour(c)}, visible.weights);
   }
   return colour;
+}
+
+glm::dvec3 unlitColour(const Scene& scene, const Visible& visible) {
+  return unlitColour(scene, visible,
+                     [&](std::size_t image, const glm::dvec2& uv) { return bilinear(scene.images[image], uv); });
 }
 
 Image unlitPicture(const Scene& scene, const Camera& camera, int width, int height) {

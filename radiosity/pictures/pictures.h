@@ -23,6 +23,9 @@ Image drawPicture(const Scene& scene, const Camera& camera, int width, int heigh
 /// The colour in a viewer without lights: Kd times map_Kd, bilinear between texel centres and repeating. It is
 /// multiplied by the interpolated corner colours if the file has them (`v x y z r g b`, sRGB-encoded).
 glm::dvec3 unlitColour(const Scene& scene, const Visible& visible);
+/// As above with maps that are not in the scene: `mapColour` gives the linear colour of a map at (u, v).
+using MapColour = std::function<glm::dvec3(std::size_t map, const glm::dvec2& uv)>;
+glm::dvec3 unlitColour(const Scene& scene, const Visible& visible, const MapColour& mapColour);
 
 /// The scene in its unlit colours; for a solved scene (see writeLitScene) that is its light.
 Image unlitPicture(const Scene& scene, const Camera& camera, int width, int height);

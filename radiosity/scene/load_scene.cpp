@@ -1,12 +1,14 @@
 #include "radiosity/scene/load_scene.h"
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "radiosity/scene/gltf_file.h"
 #include "radiosity/scene/materials.h"
 #include "radiosity/scene/mesh_sections.h"
 #include "radiosity/scene/obj_file.h"
@@ -23,10 +25,17 @@ constexpr double smallestExtent = 1e-18;
 /// Lower bound for the brightest light. The light of weaker ones would leave the range of binary32, which images use.
 constexpr double smallestEmission = 1e-30;
 
+bool isGltf(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return extension == ".gltf" || extension == ".glb";
+}
+
 /// The argument of `mtllib` is one file name with blanks if such a file exists, else one file name per word.
-std::vector<std::filesystem::path> materialFiles(const ObjFile& obj, const std::filesystem::path& folder) {
+std::vector<std::filesystem::path> materialFiles(const PolygonMesh& mesh, const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
-  for (const std::string& library : obj.materialLibraries) {
+  for (const std::string& library : mesh.materialLibraries) {
     std::error_code ignored;
     if (std::filesystem::exists(folder / library, ignored)) {
       files.push_back(folder / library);
@@ -124,20 +133,24 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
     throw raster::InputError("the largest reflectance must be at least 0 and below 1");
   }
   Scene scene;
-  const ObjFile obj = readObj(file);
-  scene.warnings = obj.warnings;
-  std::vector<Section> sections = cutIntoSections(obj, scene.warnings);
-  if (sections.empty()) fail({file}, "the scene is empty: it has no face with area");
+  const std::optional<GltfFile> gltf = isGltf(file) ? std::optional(readGltf(file)) : std::nullopt;
+  const PolygonMesh mesh = gltf ? gltf->mesh : readObj(file);
+  scene.warnings = mesh.warnings;
+  std::vector<Section> sections = cutIntoSections(mesh, scene.warnings);
+  if (sections.empty())
+    fail({file}, "the scene is empty: it has no face with area", "give an OBJ or glTF file with faces");
 
   const MaterialChoice choice = chooseMaterials(sections);
-  MaterialSet found = findMaterials(choice.names, materialFiles(obj, file.parent_path()), settings);
+  MaterialSet found = gltf ? gltfMaterials(choice.names, *gltf, file, settings)
+                           : findMaterials(choice.names, materialFiles(mesh, file.parent_path()), settings);
+  if (gltf) scene.camera = gltf->camera;
   scene.materials = std::move(found.materials);
   scene.images = std::move(found.images);
   std::move(found.warnings.begin(), found.warnings.end(), std::back_inserter(scene.warnings));
 
   for (std::size_t s = 0; s < sections.size(); ++s) {
     const std::string family = sections[s].family;
-    addSurfaces(scene, layCharts(std::move(sections[s]), obj, file, settings.charts), family, choice.ofSection[s]);
+    addSurfaces(scene, layCharts(std::move(sections[s]), mesh, file, settings.charts), family, choice.ofSection[s]);
   }
   if (settings.twoSided) addBacks(scene.surfaces);
   makeNamesUnique(scene.surfaces);

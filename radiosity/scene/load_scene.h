@@ -1,4 +1,4 @@
-/// Reads an OBJ file with its materials and images into a scene.
+/// Reads a scene file with its materials and images: glTF if its name ends in .gltf or .glb, else OBJ.
 #pragma once
 
 #include <filesystem>
@@ -8,12 +8,12 @@
 
 namespace hemitex::radiosity {
 
-/// Reads an OBJ file and the MTL files and images that it names.
+/// Reads a file, and the MTL files and images that it names. See gltf_file.h for the parts of glTF that are read.
 ///
-/// Throws InputError, with file and line, for a malformed or non-finite number, an index out of range, or a negative
-/// reflectance or emission. Also throws it for a scene without faces, or one too small or too large for binary32.
-/// Repairs other faults and reports them in `warnings`: degenerate faces, missing materials or textures, reflectances
-/// of 1, missing normals.
+/// Throws InputError, with the file and the line of a text, for a malformed or non-finite number, an index out of
+/// range, or a negative reflectance or emission. Also throws it for a scene without faces, or one too small or too
+/// large for binary32. Repairs other faults and reports them in `warnings`: degenerate faces, missing materials or
+/// textures, reflectances of 1, missing normals.
 ///
 /// A face is degenerate if none of its triangles has area (see hasArea). Triangles without area of other faces are
 /// dropped without a warning. A scene without emission is no error here; callers that need light call requireEmission.

@@ -17,14 +17,10 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// The square of a larger coordinate would leave the range of binary32, which drawing uses. A larger texture coordinate
-/// could not be located between texels.
-constexpr double largestCoordinate = 1e18;
-
 /// Parses the lines that hold numbers.
 class NumberReader {
  public:
-  NumberReader(const std::filesystem::path& file, ObjFile& obj) : file_(file), obj_(obj) {}
+  NumberReader(const std::filesystem::path& file, PolygonMesh& obj) : file_(file), obj_(obj) {}
 
   void read(const TextLine& line) {
     const Place place{file_, line.number};
@@ -36,10 +32,10 @@ class NumberReader {
 
   /// An index may point forward, so that the upper end of the range is known only after the last line.
   void checkRanges() {
-    for (const ObjPolygon& polygon : obj_.polygons) {
+    for (const MeshPolygon& polygon : obj_.polygons) {
       const Place place{file_, polygon.line};
       for (std::uint32_t c = polygon.firstCorner; c < polygon.firstCorner + polygon.cornerCount; ++c) {
-        const ObjCorner& corner = obj_.corners[c];
+        const MeshCorner& corner = obj_.corners[c];
         checkRange(corner.position, obj_.positions.size(), "vertices", place);
         if (corner.texcoord) checkRange(*corner.texcoord, obj_.texcoords.size(), "texture coordinates", place);
       }
@@ -82,7 +78,7 @@ class NumberReader {
   }
 
   void readPolygon(std::string_view rest, const Place& place) {
-    ObjPolygon polygon{.firstCorner = static_cast<std::uint32_t>(obj_.corners.size()), .line = place.line};
+    MeshPolygon polygon{.firstCorner = static_cast<std::uint32_t>(obj_.corners.size()), .line = place.line};
     polygon.textured = true;
     for (auto word = nextWord(rest); word; word = nextWord(rest)) {
       obj_.corners.push_back(readCorner(*word, place));
@@ -94,7 +90,7 @@ class NumberReader {
   }
 
   /// `v`, `v/vt`, `v//vn` or `v/vt/vn`.
-  ObjCorner readCorner(std::string_view word, const Place& place) {
+  MeshCorner readCorner(std::string_view word, const Place& place) {
     std::array<std::string_view, 3> parts;
     std::string_view rest = word;
     for (std::size_t part = 0; part < 3; ++part) {
@@ -102,7 +98,7 @@ class NumberReader {
       parts[part] = rest.substr(0, length);
       rest.remove_prefix(std::min(length + 1, rest.size()));
     }
-    ObjCorner corner{resolve(parts[0], obj_.positions.size(), "vertices", place)};
+    MeshCorner corner{resolve(parts[0], obj_.positions.size(), "vertices", place)};
     if (!parts[1].empty()) corner.texcoord = resolve(parts[1], obj_.texcoords.size(), "texture coordinates", place);
     if (!parts[2].empty()) noteNormal({readIndex(parts[2], place), place.line});
     return corner;
@@ -151,7 +147,7 @@ class NumberReader {
   }
 
   const std::filesystem::path& file_;
-  ObjFile& obj_;
+  PolygonMesh& obj_;
   int normalCount_ = 0;
   NormalIndex largestNormal_;
   NormalIndex missingNormal_;  ///< of the first face whose normal is out of range
@@ -160,7 +156,7 @@ class NumberReader {
 /// Parses the lines that assign polygons to sections, one by one with tinyobjloader.
 class StructureReader {
  public:
-  explicit StructureReader(ObjFile& obj) : obj_(obj) {}
+  explicit StructureReader(PolygonMesh& obj) : obj_(obj) {}
 
   /// The line of a face is already parsed: its polygon is the last one.
   void read(const TextLine& line) {
@@ -205,20 +201,20 @@ class StructureReader {
     return *section_;
   }
 
-  ObjFile& obj_;
-  ObjSection current_{"default", ""};
+  PolygonMesh& obj_;
+  MeshSection current_{"default", ""};
   std::map<std::pair<std::string, std::string>, std::uint32_t> sections_;
   std::optional<std::uint32_t> section_;  ///< of `current_`, once a face uses it
 };
 
 }  // namespace
 
-ObjFile readObj(const std::filesystem::path& file) {
+PolygonMesh readObj(const std::filesystem::path& file) {
   return parseObj(raster::readFile(file, "check the path, and that it is a file you may read"), file);
 }
 
-ObjFile parseObj(std::string_view text, const std::filesystem::path& file) {
-  ObjFile obj;
+PolygonMesh parseObj(std::string_view text, const std::filesystem::path& file) {
+  PolygonMesh obj;
   NumberReader numbers(file, obj);
   StructureReader structure(obj);
   for (const TextLine& line : splitLines(text)) {

@@ -1,4 +1,4 @@
-/// The scene: an OBJ file with its materials, checked, triangulated and with charts.
+/// The scene: an OBJ or glTF file with its materials, checked, triangulated and with charts.
 ///
 /// A surface is a set of triangles that share a material and a chart: coordinates in [0,1]^2 that no two triangles
 /// share. The index map covers the chart, so that each texel is an element of the surface (Nielsen and Christensen
@@ -49,14 +49,23 @@ struct Surface {
   std::optional<int> twin = {};  ///< two-sided scenes: the surface of the other side
 };
 
+/// A camera that a scene file contains.
+struct SceneCamera {
+  glm::dvec3 eye{0.0};
+  glm::dvec3 lookAt{0.0, 0.0, -1.0};
+  glm::dvec3 up{0.0, 1.0, 0.0};
+  double fov = 50;  ///< vertical, in degrees, in (0, 180)
+};
+
 struct Scene {
   glm::dvec3 origin{0.0};  ///< the centre of the bounds
   double extent = 0;       ///< the diagonal of the bounds
   std::vector<Material> materials;
   std::vector<Image> images;
   std::vector<Surface> surfaces;  ///< in the order of their first faces; in two-sided scenes all fronts, then all backs
-  OutsideLight outside = {};          ///< not part of the file
-  std::vector<std::string> warnings;  ///< one sentence each, for the user
+  OutsideLight outside = {};               ///< not part of the file
+  std::vector<std::string> warnings;       ///< one sentence each, for the user
+  std::optional<SceneCamera> camera = {};  ///< OBJ files have none
 };
 
 /// The area of a triangle, and its unit normal on the front side.

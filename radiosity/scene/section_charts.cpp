@@ -13,9 +13,9 @@ namespace {
 
 using Triangles = std::vector<Triangle>;
 
-std::string describe(const ChartConflict& conflict, const Triangles& triangles, const ObjFile& obj) {
+std::string describe(const ChartConflict& conflict, const Triangles& triangles, const PolygonMesh& mesh) {
   const auto face = [&](std::uint32_t triangle) {
-    return "the face in line " + std::to_string(obj.polygons[triangles[triangle].polygon].line);
+    return "the face (" + placeOf(mesh, triangles[triangle].polygon) + ")";
   };
   switch (conflict.kind) {
     case ChartConflict::Kind::Outside:
@@ -29,22 +29,22 @@ std::string describe(const ChartConflict& conflict, const Triangles& triangles, 
 }
 
 /// Uses the file's coordinates if they form a chart. Otherwise changes nothing and returns the reason.
-std::optional<std::string> layFromFile(Triangles& triangles, const ObjFile& obj) {
+std::optional<std::string> layFromFile(Triangles& triangles, const PolygonMesh& mesh) {
   std::vector<ChartTriangle> charts;
   for (const Triangle& triangle : triangles) {
-    const ObjPolygon& polygon = obj.polygons[triangle.polygon];
-    if (!polygon.textured) return "the face in line " + std::to_string(polygon.line) + " has none";
+    const MeshPolygon& polygon = mesh.polygons[triangle.polygon];
+    if (!polygon.textured) return "the face (" + placeOf(mesh, triangle.polygon) + ") has none";
     charts.push_back(roundedChart(triangle.texcoord));
   }
   const std::vector<ChartConflict> conflicts = chartConflicts(charts, 1);
-  if (!conflicts.empty()) return describe(conflicts[0], triangles, obj);
+  if (!conflicts.empty()) return describe(conflicts[0], triangles, mesh);
   for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i].chart = charts[i];
   return {};
 }
 
-bool isLoneQuad(const Triangles& triangles, const ObjFile& obj) {
+bool isLoneQuad(const Triangles& triangles, const PolygonMesh& mesh) {
   return triangles.front().polygon == triangles.back().polygon &&
-         obj.polygons[triangles.front().polygon].cornerCount == 4;
+         mesh.polygons[triangles.front().polygon].cornerCount == 4;
 }
 
 std::vector<Triangles> layPlanar(const Triangles& triangles) {
@@ -61,26 +61,26 @@ std::vector<Triangles> layPlanar(const Triangles& triangles) {
   return surfaces;
 }
 
-std::vector<Triangles> lay(Section section, const ObjFile& obj, const std::filesystem::path& file, Charts charts) {
+std::vector<Triangles> lay(Section section, const PolygonMesh& mesh, const std::filesystem::path& file, Charts charts) {
   if (charts == Charts::Planar) return layPlanar(section.triangles);
-  const std::optional<std::string> fault = layFromFile(section.triangles, obj);
+  const std::optional<std::string> fault = layFromFile(section.triangles, mesh);
   if (fault && charts == Charts::File) {
     fail({file}, "the texture coordinates of surface '" + section.family + "' form no chart: " + *fault,
          "choose other charts, or mend the coordinates");
   }
   // Quads have the chart of their corners already.
-  if (!fault || isLoneQuad(section.triangles, obj)) return {std::move(section.triangles)};
+  if (!fault || isLoneQuad(section.triangles, mesh)) return {std::move(section.triangles)};
   return layPlanar(section.triangles);
 }
 
 }  // namespace
 
-std::vector<std::vector<Triangle>> layCharts(Section section, const ObjFile& obj, const std::filesystem::path& file,
-                                             Charts charts) {
-  std::vector<Triangles> surfaces = lay(std::move(section), obj, file, charts);
+std::vector<std::vector<Triangle>> layCharts(Section section, const PolygonMesh& mesh,
+                                             const std::filesystem::path& file, Charts charts) {
+  std::vector<Triangles> surfaces = lay(std::move(section), mesh, file, charts);
   for (Triangles& surface : surfaces) {
     for (Triangle& triangle : surface) {
-      if (!obj.polygons[triangle.polygon].textured) triangle.texcoord = triangle.chart;
+      if (!mesh.polygons[triangle.polygon].textured) triangle.texcoord = triangle.chart;
     }
   }
   return surfaces;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "radiosity/scene/mesh_sections.h"
-#include "radiosity/scene/obj_file.h"
+#include "radiosity/scene/polygon_mesh.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/scene/scene_settings.h"
 
@@ -14,7 +14,7 @@ namespace hemitex::radiosity {
 /// Returns the triangles of a section with charts, one vector per surface. Without texture coordinates in the file,
 /// those of the chart are used. Throws InputError naming `file` if `charts` demands the file's coordinates and they
 /// form no chart.
-std::vector<std::vector<Triangle>> layCharts(Section section, const ObjFile& obj, const std::filesystem::path& file,
-                                             Charts charts);
+std::vector<std::vector<Triangle>> layCharts(Section section, const PolygonMesh& mesh,
+                                             const std::filesystem::path& file, Charts charts);
 
 }  // namespace hemitex::radiosity

@@ -40,6 +40,12 @@ std::vector<std::string> warningsOf(const Energy& energy) {
       "or give each side a surface of its own"};
 }
 
+/// Adds the flux of a patch that backs absorbed. Patches may have been split since the last call.
+void addToBacks(std::vector<glm::dvec3>& absorbed, std::uint32_t patch, const glm::dvec3& flux) {
+  if (patch >= absorbed.size()) absorbed.resize(patch + 1);
+  absorbed[patch] += flux;
+}
+
 /// All emitted flux over the flux of a patch of weight 1.
 constexpr double unitsOfFlux = 256;
 
@@ -67,7 +73,9 @@ Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, con
   while (!isDone() && !solution.isInterrupted) {
     const std::uint32_t patch = state.brightestPatch();
     if (hasBeenSplit(patch)) continue;  // another patch may be brighter than the parts
-    state.shoot(patch, rows.row(patch, [&] { return rowOf(patch); }));
+    const FormFactorRow& row = rows.row(patch, [&] { return rowOf(patch); });
+    if (row.back != 0) addToBacks(solution.absorbedByBacks, patch, state.unshot(patch) * formFactor(row.back));
+    state.shoot(patch, row);
     ++solution.shots;
     solution.residual = state.residual();
     const bool goesOn = !progress || progress({solution.shots, solution.residual, isDone(), snapshot});
@@ -92,6 +100,7 @@ template <typename AnyShootingState>
 Solution finished(Solution solution, const Scene& scene, const Discretization& discretization,
                   AnyShootingState&& state) {
   solution.energy = state.energy();
+  if (!solution.absorbedByBacks.empty()) solution.absorbedByBacks.resize(discretization.patches.size());
   solution.radiosity = std::forward<AnyShootingState>(state).radiosity();
   solution.ambient = ambientEstimate(scene, discretization, solution.energy);
   solution.warnings = warningsOf(solution.energy);

@@ -28,6 +28,8 @@ struct Solution {
   std::vector<glm::dvec3> radiosity;  ///< one per element, W/m^2 per band, without the ambient estimate
   glm::dvec3 ambient{0.0};  ///< ambient radiosity of the unshot flux; times reflectance it is added only for display
   Energy energy;
+  /// One per patch: the flux that it shot in this solution and that backs absorbed. Empty if there is none.
+  std::vector<glm::dvec3> absorbedByBacks;
   double residual = 0;  ///< unshot over emitted flux, bands summed (see ShootingState::residual)
   int shots = 0;
   bool isInterrupted = false;  ///< ended by Progress before a limit was reached

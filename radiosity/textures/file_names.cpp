@@ -40,4 +40,10 @@ std::vector<std::string> uniqueFileNames(const std::vector<std::string>& names,
   return result;
 }
 
+std::vector<std::string> objectNames(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Surface& surface : scene.surfaces) names.push_back(surface.name);
+  return uniqueFileNames(names);
+}
+
 }  // namespace hemitex::radiosity

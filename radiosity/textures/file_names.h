@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "radiosity/scene/scene.h"
+
 namespace hemitex::radiosity {
 
 /// One file name (without extension) per name. Letters, digits, `.`, `_` and `-` are kept; other characters become `_`.
@@ -11,5 +13,8 @@ namespace hemitex::radiosity {
 /// Names are cut to 100 characters.
 std::vector<std::string> uniqueFileNames(const std::vector<std::string>& names,
                                          const std::vector<std::string>& reserved = {});
+
+/// The names of a scene's surfaces as objects of files, by the same rules.
+std::vector<std::string> objectNames(const Scene& scene);
 
 }  // namespace hemitex::radiosity

@@ -1,15 +1,20 @@
 #include "radiosity/textures/lit_scene.h"
 
 #include <charconv>
+#include <optional>
 #include <string>
 #include <unordered_map>
 
+#include "radiosity/gltf/glb_file.h"
 #include "radiosity/images/image.h"
+#include "radiosity/pictures/pictures.h"
 #include "radiosity/scene/scene_settings.h"
 #include "radiosity/textures/corner_radiosity.h"
 #include "radiosity/textures/file_names.h"
+#include "radiosity/textures/gltf_scene.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/file_io.h"
+#include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -88,10 +93,13 @@ std::string gouraudMaterial(const TextureLayout& layout) {
 }
 
 /// The display textures with the 256 values per channel that an 8-bit sRGB file holds.
-std::vector<Image> quantized(std::vector<Image> textures) {
-  for (Image& texture : textures)
-    for (glm::dvec3& pixel : texture.pixels)
-      for (int band = 0; band < 3; ++band) pixel[band] = decodeSrgb(encodeSrgb(pixel[band]) / 255.0);
+std::vector<CodedImage> codedTextures(const Scene& scene, const Discretization& discretization,
+                                      const TextureLayout& layout, const std::vector<glm::dvec3>& exposed,
+                                      TextureFilter filter) {
+  std::vector<CodedImage> textures(layout.textures.size());
+  raster::parallelFor(textures.size(), [&](std::size_t t) {
+    textures[t] = encodeSrgb(filteredTexture(scene, discretization, layout, t, exposed, filter));
+  });
   return textures;
 }
 
@@ -108,16 +116,15 @@ std::vector<Material> litMaterials(const TextureLayout& layout) {
 }
 
 std::string objText(const Scene& lit) {
-  std::vector<std::string> surfaceNames;
-  for (const Surface& surface : lit.surfaces) surfaceNames.push_back(surface.name);
-  const std::vector<std::string> groups = uniqueFileNames(surfaceNames);
-
+  const std::vector<std::string> names = objectNames(lit);
   std::string text =
       "# A scene lit by radiosity: show it without lights, its textures hold the light.\nmtllib scene.mtl\n";
   Lines positions, texcoords;
   for (std::size_t s = 0; s < lit.surfaces.size(); ++s) {
     const Surface& surface = lit.surfaces[s];
-    text += "g " + groups[s] + "\nusemtl " + lit.materials[static_cast<std::size_t>(surface.material)].name + "\n";
+    // Some programs divide a scene by objects, others by groups.
+    text += "o " + names[s] + "\ng " + names[s] + "\nusemtl " +
+            lit.materials[static_cast<std::size_t>(surface.material)].name + "\n";
     for (const Triangle& triangle : surface.triangles) {
       std::string face = "f";
       for (std::size_t k = 0; k < 3; ++k) {
@@ -143,25 +150,24 @@ std::string mtlText(const Scene& lit) {
 
 }  // namespace
 
-LitScene makeLitScene(const Scene& scene, const Discretization& discretization,
-                      const std::vector<glm::dvec3>& displayed, double exposure, const TextureSettings& textures) {
+LitScene makeLitScene(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
+                      const std::vector<glm::dvec3>& displayed, double exposure, TextureFilter filter) {
   std::vector<glm::dvec3> exposed = displayed;
   for (glm::dvec3& value : exposed) value *= exposure;
-  LitScene lit{{}, layOutTextures(scene, discretization)};
+  LitScene lit{{}, layout, codedTextures(scene, discretization, layout, exposed, filter)};
   lit.scene.surfaces = scene.surfaces;
-  lit.scene.materials = litMaterials(lit.layout);
-  lit.scene.images = quantized(filteredTextures(scene, discretization, lit.layout, exposed, textures));
+  lit.scene.materials = litMaterials(layout);
   const GouraudCorners gouraud(scene, discretization, exposed);
-  const auto mapless = static_cast<int>(lit.layout.names.size());
+  const auto mapless = static_cast<int>(layout.names.size());
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     Surface& surface = lit.scene.surfaces[s];
-    surface.material = gouraud.isNeeded(s) ? mapless : lit.layout.places[s].texture;
+    surface.material = gouraud.isNeeded(s) ? mapless : layout.places[s].texture;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
       Triangle& triangle = surface.triangles[t];
       triangle.cornerColor.reset();
       if (gouraud.isNeeded(s)) triangle.cornerColor.emplace();
       for (std::size_t k = 0; k < 3; ++k) {
-        triangle.texcoord[k] = textureCoordinate(discretization, lit.layout, s, triangle.chart[k]);
+        triangle.texcoord[k] = textureCoordinate(discretization, layout, s, triangle.chart[k]);
         if (triangle.cornerColor) (*triangle.cornerColor)[k] = encodedColour(gouraud.at(s, t)[k]);
       }
     }
@@ -170,15 +176,28 @@ LitScene makeLitScene(const Scene& scene, const Discretization& discretization,
   return lit;
 }
 
-void writeLitScene(const std::filesystem::path& folder, const LitScene& lit, const Discretization& discretization,
-                   const std::vector<glm::dvec3>& radiosity) {
+Image unlitPicture(const LitScene& lit, const Camera& camera, int width, int height) {
+  const auto mapColour = [&](std::size_t map, const glm::dvec2& uv) { return bilinear(lit.textures[map], uv); };
+  return drawPicture(lit.scene, camera, width, height,
+                     [&](const Visible& visible) { return unlitColour(lit.scene, visible, mapColour); });
+}
+
+std::vector<std::string> writeLitScene(const std::filesystem::path& folder, const LitScene& lit,
+                                       const PictureView& view, const Discretization& discretization,
+                                       const std::vector<glm::dvec3>& radiosity) {
   const std::vector<Image> linear = radiosityTextures(discretization, lit.layout, radiosity);
-  for (std::size_t t = 0; t < linear.size(); ++t) {
+  std::vector<std::vector<unsigned char>> pngs(linear.size());
+  raster::parallelFor(linear.size(), [&](std::size_t t) {
     writeExr(folder / (lit.layout.names[t] + ".exr"), linear[t]);
-    writePng(folder / (lit.layout.names[t] + ".png"), lit.scene.images[t]);
-  }
+    const std::filesystem::path png = folder / (lit.layout.names[t] + ".png");
+    pngs[t] = encodePng(lit.textures[t], png);
+    raster::writeFile(png, {reinterpret_cast<const char*>(pngs[t].data()), pngs[t].size()});
+  });
   raster::writeFile(folder / "scene.obj", objText(lit.scene));
   raster::writeFile(folder / "scene.mtl", mtlText(lit.scene));
+  const std::optional<std::string> warning =
+      writeGlb(folder / "scene.glb", makeGltfModel(lit.scene, view, std::move(pngs)));
+  return warning ? std::vector{*warning} : std::vector<std::string>();
 }
 
 }  // namespace hemitex::radiosity

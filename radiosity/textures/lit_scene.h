@@ -1,35 +1,46 @@
-/// Writes the lit scene: OBJ and MTL with radiosity textures, which any OBJ viewer shows.
+/// Writes the lit scene: OBJ and MTL with radiosity textures, which any OBJ viewer shows, and glTF.
 #pragma once
 
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <string>
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
+#include "radiosity/images/image.h"
+#include "radiosity/pictures/camera.h"
 #include "radiosity/scene/scene.h"
-#include "radiosity/textures/radiosity_texture.h"
+#include "radiosity/textures/gltf_scene.h"
 #include "radiosity/textures/texture_filter.h"
+#include "radiosity/textures/texture_layout.h"
 
 namespace hemitex::radiosity {
 
-/// A scene as loadScene reads it from the files of writeLitScene: unlitPicture shows its light.
+/// A scene as loadScene reads it from the files of writeLitScene, but with its images as codes.
 struct LitScene {
-  Scene scene;
-  TextureLayout layout;  ///< texture t is the reflectance map of material t
+  Scene scene;                       ///< without images
+  TextureLayout layout;              ///< texture t is the reflectance map of material t
+  std::vector<CodedImage> textures;  ///< the display textures
 };
 
 /// The surfaces of a scene, lit. The reflectance map of a surface is its display texture: `displayed` (see
-/// displayRadiosity), in W/m^2 per element, times `exposure`, filtered and magnified as `textures` says, with the 256
+/// displayRadiosity), in W/m^2 per element, times `exposure`, filtered and magnified as `layout` says, with the 256
 /// values that an 8-bit sRGB file holds. A surface of one texel whose corners differ is Gouraud shaded instead: its
-/// triangles have corner colours, and its material, the last one, has no map.
-LitScene makeLitScene(const Scene& scene, const Discretization& discretization,
-                      const std::vector<glm::dvec3>& displayed, double exposure, const TextureSettings& textures = {});
+/// triangles have corner colours, and its material, the last one, has no map. Throws InputError as filteredTexture.
+LitScene makeLitScene(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
+                      const std::vector<glm::dvec3>& displayed, double exposure, TextureFilter filter);
 
-/// Writes into `folder`, which exists: scene.obj, scene.mtl and per texture NAME.png, the display texture, and
-/// NAME.exr, the linear `radiosity` of the elements in W/m^2, one texel per texel of the grid. Triangles are grouped by
-/// surface, in the order and winding of the scene; Gouraud shaded ones have colours at their vertices, `v x y z r g b`,
-/// encoded in sRGB. Throws InputError where a file cannot be written.
-void writeLitScene(const std::filesystem::path& folder, const LitScene& lit, const Discretization& discretization,
-                   const std::vector<glm::dvec3>& radiosity);
+/// The picture that unlitPicture makes of the scene that is read again.
+Image unlitPicture(const LitScene& lit, const Camera& camera, int width, int height);
+
+/// Writes into `folder`, which exists: scene.obj, scene.mtl, scene.glb and per texture NAME.png, the display texture,
+/// and NAME.exr, the linear `radiosity` of the elements in W/m^2, one texel per texel of the grid. Triangles are
+/// grouped by surface, in the order and winding of the scene. Each surface is an object in scene.obj. Gouraud shaded
+/// ones have colours at their vertices, `v x y z r g b`, encoded in sRGB. For scene.glb see makeGltfModel; a scene that
+/// is too large for that format is written without it. Returns warnings for the user. Throws InputError where a file
+/// cannot be written.
+std::vector<std::string> writeLitScene(const std::filesystem::path& folder, const LitScene& lit,
+                                       const PictureView& view, const Discretization& discretization,
+                                       const std::vector<glm::dvec3>& radiosity);
 
 }  // namespace hemitex::radiosity

@@ -4,39 +4,13 @@
 #include <cassert>
 #include <functional>
 
-#include "radiosity/geometry/rectangle_packing.h"
-#include "radiosity/textures/file_names.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
 namespace {
 
-constexpr int border = 1;
-constexpr int largestTexture = 4096;
+constexpr int border = 1;                                  ///< of the layout
 constexpr std::int64_t maxTexels = std::int64_t{1} << 28;  ///< the limit of readImage
-
-TextureLayout packTextures(const std::vector<RectangleSize>& sizes) {
-  const Packing packing = packRectangles(sizes, largestTexture);
-  TextureLayout layout;
-  for (const RectangleSize& page : packing.pages) {
-    layout.textures.push_back({page.width, page.height});
-    layout.names.push_back("radiosity-" + std::to_string(layout.textures.size()));
-  }
-  for (const RectanglePlace& place : packing.places)
-    layout.places.push_back({place.page, place.column + border, place.row + border});
-  return layout;
-}
-
-TextureLayout separateTextures(const Scene& scene, const std::vector<RectangleSize>& sizes) {
-  TextureLayout layout;
-  for (std::size_t surface = 0; surface < sizes.size(); ++surface) {
-    layout.textures.push_back({sizes[surface].width, sizes[surface].height});
-    layout.names.push_back(scene.surfaces[surface].name);
-    layout.places.push_back({static_cast<int>(surface), border, border});
-  }
-  layout.names = uniqueFileNames(layout.names, {"render"});  // render.png is in the same folder
-  return layout;
-}
 
 Image emptyTexture(const TextureLayout::Size& size, int magnification) {
   const std::int64_t width = std::int64_t{size.width} * magnification,
@@ -53,30 +27,29 @@ Image emptyTexture(const TextureLayout::Size& size, int magnification) {
 void fillPlace(const Grid& grid, const TexturePlace& place, const std::vector<glm::dvec3>& texels, int magnification,
                Image& texture) {
   const int columns = grid.columns * magnification, rows = grid.rows * magnification, around = border * magnification;
-  for (int r = -around; r < rows + around; ++r)
-    for (int c = -around; c < columns + around; ++c) {
-      const int column = std::clamp(c, 0, columns - 1), row = std::clamp(r, 0, rows - 1);
-      const int fromTop = texture.height - 1 - (place.row * magnification + r);
-      const auto pixel = static_cast<std::size_t>(fromTop) * static_cast<std::size_t>(texture.width) +
-                         static_cast<std::size_t>(place.column * magnification + c);
-      texture.pixels[pixel] =
-          texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)];
-    }
+  for (int r = -around; r < rows + around; ++r) {
+    const int fromTop = texture.height - 1 - (place.row * magnification + r);
+    const auto from = texels.begin() + std::ptrdiff_t{std::clamp(r, 0, rows - 1)} * columns;
+    const auto to = texture.pixels.begin() + std::ptrdiff_t{fromTop} * texture.width + place.column * magnification;
+    std::copy(from, from + columns, to);
+    std::fill(to - around, to, *from);
+    std::fill(to + columns, to + columns + around, *(from + columns - 1));
+  }
 }
 
 /// The values of a surface's texels.
 using TexelsOf = std::function<std::vector<glm::dvec3>(std::uint32_t surface)>;
 
-std::vector<Image> fillTextures(const Discretization& discretization, const TextureLayout& layout, int magnification,
-                                const TexelsOf& texelsOf) {
-  std::vector<Image> textures;
-  for (const TextureLayout::Size& size : layout.textures) textures.push_back(emptyTexture(size, magnification));
+/// Texture t of the layout.
+Image filledTexture(const Discretization& discretization, const TextureLayout& layout, std::size_t t, int magnification,
+                    const TexelsOf& texelsOf) {
+  Image texture = emptyTexture(layout.textures[t], magnification);
   for (std::uint32_t surface = 0; surface < layout.places.size(); ++surface) {
     const TexturePlace& place = layout.places[surface];
-    fillPlace(discretization.grids[surface], place, texelsOf(surface), magnification,
-              textures[static_cast<std::size_t>(place.texture)]);
+    if (static_cast<std::size_t>(place.texture) == t)
+      fillPlace(discretization.grids[surface], place, texelsOf(surface), magnification, texture);
   }
-  return textures;
+  return texture;
 }
 
 std::vector<glm::dvec3> unfilteredTexels(const Grid& grid, const std::vector<glm::dvec3>& radiosity) {
@@ -103,34 +76,21 @@ std::optional<double> meanRadiosity(const Scene& scene, const Discretization& di
 
 }  // namespace
 
-TextureLayout layOutTextures(const Scene& scene, const Discretization& discretization, std::size_t separateLimit) {
-  assert(discretization.grids.size() == scene.surfaces.size());
-  std::vector<RectangleSize> sizes;
-  for (const Grid& grid : discretization.grids) sizes.push_back({grid.columns + 2 * border, grid.rows + 2 * border});
-  return sizes.size() <= separateLimit ? separateTextures(scene, sizes) : packTextures(sizes);
-}
-
-glm::dvec2 textureCoordinate(const Discretization& discretization, const TextureLayout& layout, std::uint32_t surface,
-                             const glm::dvec2& chart) {
-  const Grid& grid = discretization.grids[surface];
-  const TexturePlace& place = layout.places[surface];
-  const TextureLayout::Size& size = layout.textures[static_cast<std::size_t>(place.texture)];
-  return {(place.column + chart.x * grid.columns) / size.width, (place.row + chart.y * grid.rows) / size.height};
-}
-
 std::vector<Image> radiosityTextures(const Discretization& discretization, const TextureLayout& layout,
                                      const std::vector<glm::dvec3>& radiosity) {
-  return fillTextures(discretization, layout, 1, [&](std::uint32_t surface) {
-    return unfilteredTexels(discretization.grids[surface], radiosity);
-  });
+  std::vector<Image> textures;
+  for (std::size_t t = 0; t < layout.textures.size(); ++t)
+    textures.push_back(filledTexture(discretization, layout, t, 1, [&](std::uint32_t surface) {
+      return unfilteredTexels(discretization.grids[surface], radiosity);
+    }));
+  return textures;
 }
 
-std::vector<Image> filteredTextures(const Scene& scene, const Discretization& discretization,
-                                    const TextureLayout& layout, const std::vector<glm::dvec3>& radiosity,
-                                    const TextureSettings& settings) {
-  assert(settings.magnification >= 1 && settings.magnification <= maxMagnification);
-  return fillTextures(discretization, layout, settings.magnification, [&](std::uint32_t surface) {
-    return filteredTexels(scene, discretization, surface, radiosity, settings);
+Image filteredTexture(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
+                      std::size_t texture, const std::vector<glm::dvec3>& radiosity, TextureFilter filter) {
+  const int magnification = layout.textures[texture].magnification;
+  return filledTexture(discretization, layout, texture, magnification, [&](std::uint32_t surface) {
+    return filteredTexels(scene, discretization, surface, radiosity, {filter, magnification});
   });
 }
 

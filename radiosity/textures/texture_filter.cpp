@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "radiosity/textures/gouraud_texture.h"
 #include "radiosity/textures/quadtree_texture.h"
@@ -25,38 +26,103 @@ Taps tapsAt(TextureFilter filter, double place) {
   return taps;
 }
 
-/// The weighted mean over the texels with area; there must be at least one.
-glm::dvec3 weighted(const Grid& grid, const std::vector<glm::dvec3>& radiosity, const Taps& columns, const Taps& rows) {
-  glm::dvec3 sum(0.0);
-  double weights = 0;
-  for (std::size_t j = 0; j < rows.weight.size(); ++j)
-    for (std::size_t i = 0; i < columns.weight.size(); ++i) {
-      const int column = columns.first + static_cast<int>(i), row = rows.first + static_cast<int>(j);
-      if (column < 0 || row < 0 || column >= grid.columns || row >= grid.rows) continue;
-      const auto texel = static_cast<std::size_t>(row * grid.columns + column);
-      const double weight = columns.weight[i] * rows.weight[j];
-      if (!grid.covered[texel] || weight == 0) continue;
-      sum += weight * radiosity[grid.elementOfTexel[texel]];
-      weights += weight;
-    }
-  return sum / weights;
+/// A sum of weighted radiosity, and of weights.
+struct WeightedSum {
+  glm::dvec3 radiosity{0.0};
+  double weight = 0;
+
+  void add(double by, const WeightedSum& other) {
+    radiosity += by * other.radiosity;
+    weight += by * other.weight;
+  }
+};
+
+/// The filter along one axis at the texels of the texture.
+std::vector<Taps> tapsAlong(TextureFilter filter, int size, int magnification) {
+  std::vector<Taps> taps;
+  for (int texel = 0; texel < size * magnification; ++texel)
+    taps.push_back(tapsAt(filter, (texel + 0.5) / magnification - 0.5));
+  return taps;
 }
 
+/// Calls add(weight, texel) for the texels of the axis that weigh.
+template <typename Add>
+void forEachTap(const Taps& taps, int size, const Add& add) {
+  for (std::size_t i = 0; i < taps.weight.size(); ++i) {
+    const int texel = taps.first + static_cast<int>(i);
+    if (texel >= 0 && texel < size && taps.weight[i] != 0) add(taps.weight[i], texel);
+  }
+}
+
+/// One texel row of the grid, filtered along the row.
+std::vector<WeightedSum> filteredRow(const Grid& grid, const std::vector<glm::dvec3>& radiosity, int row,
+                                     const std::vector<Taps>& columns) {
+  std::vector<WeightedSum> sums(columns.size());
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    forEachTap(columns[i], grid.columns, [&](double weight, int column) {
+      const auto texel = static_cast<std::size_t>(row * grid.columns + column);
+      if (grid.covered[texel]) sums[i].add(weight, {radiosity[grid.elementOfTexel[texel]], 1});
+    });
+  return sums;
+}
+
+/// The texel rows of the grid, filtered along the row. Keeps only those that the next row of the texture needs.
+class FilteredRows {
+ public:
+  FilteredRows(const Grid& grid, const std::vector<glm::dvec3>& radiosity, std::vector<Taps> columns)
+      : grid_(grid), radiosity_(radiosity), columns_(std::move(columns)), rows_(static_cast<std::size_t>(grid.rows)) {}
+
+  /// A row of the texture; rows are taken upwards.
+  std::vector<WeightedSum> at(const Taps& taps) {
+    std::vector<WeightedSum> sums(columns_.size());
+    forEachTap(taps, grid_.rows, [&](double weight, int row) {
+      std::vector<WeightedSum>& filtered = rows_[static_cast<std::size_t>(row)];
+      if (filtered.empty()) filtered = filteredRow(grid_, radiosity_, row, columns_);
+      for (std::size_t i = 0; i < sums.size(); ++i) sums[i].add(weight, filtered[i]);
+    });
+    for (; released_ < taps.first && released_ < grid_.rows; ++released_)
+      rows_[static_cast<std::size_t>(released_)] = {};
+    return sums;
+  }
+
+ private:
+  const Grid& grid_;
+  const std::vector<glm::dvec3>& radiosity_;
+  const std::vector<Taps> columns_;
+  std::vector<std::vector<WeightedSum>> rows_;
+  int released_ = 0;
+};
+
+/// The values at the centres of the grid's texels; of those without area, the value of their element's own texel.
+std::vector<glm::dvec3> valuesAtCentres(const Discretization& discretization, const Grid& grid,
+                                        const std::vector<glm::dvec3>& radiosity, TextureFilter filter) {
+  FilteredRows rows(grid, radiosity, tapsAlong(filter, grid.columns, 1));
+  std::vector<glm::dvec3> values;
+  for (const Taps& taps : tapsAlong(filter, grid.rows, 1))
+    for (const WeightedSum& sum : rows.at(taps)) values.push_back(sum.radiosity / sum.weight);
+  for (std::size_t texel = 0; texel < values.size(); ++texel)
+    if (!grid.covered[texel]) values[texel] = values[discretization.elements[grid.elementOfTexel[texel]].texel];
+  return values;
+}
+
+/// The weight of a texel is a product, so that rows are filtered first, then columns.
 std::vector<glm::dvec3> byKernel(const Discretization& discretization, const Grid& grid,
                                  const std::vector<glm::dvec3>& radiosity, const TextureSettings& settings) {
-  const int times = settings.magnification;
-  const auto placeOf = [times](int texel) { return (texel + 0.5) / times - 0.5; };
+  const auto times = static_cast<std::size_t>(settings.magnification), columns = static_cast<std::size_t>(grid.columns);
+  const bool hasPhantoms = std::find(grid.covered.begin(), grid.covered.end(), false) != grid.covered.end();
+  const std::vector<glm::dvec3> withoutArea =
+      hasPhantoms ? valuesAtCentres(discretization, grid, radiosity, settings.filter) : std::vector<glm::dvec3>();
+  FilteredRows rows(grid, radiosity, tapsAlong(settings.filter, grid.columns, settings.magnification));
+  const std::vector<Taps> taps = tapsAlong(settings.filter, grid.rows, settings.magnification);
   std::vector<glm::dvec3> texels;
-  for (int j = 0; j < grid.rows * times; ++j)
-    for (int i = 0; i < grid.columns * times; ++i) {
-      const auto texel = static_cast<std::size_t>(j / times * grid.columns + i / times);
-      glm::dvec2 place(placeOf(i), placeOf(j));
-      if (!grid.covered[texel]) {
-        const auto own = static_cast<int>(discretization.elements[grid.elementOfTexel[texel]].texel);
-        place = glm::dvec2(own % grid.columns, own / grid.columns);
-      }
-      texels.push_back(weighted(grid, radiosity, tapsAt(settings.filter, place.x), tapsAt(settings.filter, place.y)));
+  texels.reserve(columns * times * taps.size());
+  for (std::size_t j = 0; j < taps.size(); ++j) {
+    const std::vector<WeightedSum> sums = rows.at(taps[j]);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      const std::size_t texel = j / times * columns + i / times;
+      texels.push_back(grid.covered[texel] ? sums[i].radiosity / sums[i].weight : withoutArea[texel]);
     }
+  }
   return texels;
 }
 

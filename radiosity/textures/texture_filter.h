@@ -26,11 +26,9 @@ enum class TextureFilter {
 };
 
 struct TextureSettings {
-  TextureFilter filter = TextureFilter::Triangle;
-  int magnification = 1;  ///< texels of the texture along the side of a grid texel; 1 to 16
+  TextureFilter filter = TextureFilter::Bicubic;
+  int magnification = 1;  ///< texels of the texture along the side of a grid texel, at least 1
 };
-
-inline constexpr int maxMagnification = 16;
 
 /// The weight of a texel at a distance, for all filters except Quadtree and Gouraud.
 double kernelWeight(TextureFilter filter, double distance);

@@ -1,9 +1,10 @@
 /// The error and the time of light from the sky (radiosity/form_factors/outside_flux.h) against rays of Embree, and of
 /// the alternative: the share of the background in the hemicube of each element. Usage: hemitex_sky_errors SCENE.obj
-/// [SURFACE to remove...]. Prints one line per setting: the sum of the flux errors of all elements over all flux.
-/// Elements that touch the inside of a wall are left out: rays start on the wall's other side.
+/// [SURFACE to remove...]. Prints one line per setting: the sum of the flux errors of all elements over all flux,
+/// and the processor time. Elements that touch the inside of a wall are left out: rays start on the wall's other side.
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -13,7 +14,6 @@
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/scene_edits.h"
-#include "reference/bench/timing.h"
 #include "reference/rays/monte_carlo_form_factors.h"
 
 using namespace hemitex;
@@ -32,6 +32,8 @@ struct World {
         discretization(radiosity::discretize(scene, {.patch = 1})),
         layout(radiosity::layOut(discretization)) {}
 };
+
+double secondsSince(std::clock_t start) { return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC; }
 
 /// The flux per element from a sky of irradiance 1, by rays.
 std::vector<double> trueFlux(const World& world) {
@@ -71,12 +73,12 @@ void print(const char* what, int setting, const std::vector<double>& flux, const
 
 void measureBeams(const World& world, const std::vector<double>& truth) {
   for (const int directions : {128, 256, 512, 1024, 2048}) {
-    const reference::Stopwatch watch;
+    const std::clock_t start = std::clock();
     const auto renderer =
         radiosity::sceneRenderer(world.scene, world.discretization, world.layout, radiosity::ElementsBy::Texture);
     const radiosity::OutsideFlux found =
         radiosity::outsideFlux(world.scene, world.discretization, world.layout, *renderer, directions);
-    const double seconds = watch.seconds();
+    const double seconds = secondsSince(start);
     std::vector<double> flux;
     for (const glm::dvec3& received : found.received) flux.push_back(received.r);
     print("directions", directions, flux, truth, seconds);
@@ -85,7 +87,7 @@ void measureBeams(const World& world, const std::vector<double>& truth) {
 
 void measureRows(const World& world, const std::vector<double>& truth) {
   for (const int resolution : {16, 32, 64, 128}) {
-    const reference::Stopwatch watch;
+    const std::clock_t start = std::clock();
     radiosity::SceneFormFactors drawn(world.scene, world.discretization, world.layout,
                                       {.resolution = resolution, .split = 1});
     std::vector<double> flux(truth.size());
@@ -93,7 +95,7 @@ void measureRows(const World& world, const std::vector<double>& truth) {
       const std::uint32_t e = world.discretization.patchElements[world.discretization.patches[p].firstElement];
       flux[e] = radiosity::formFactor(drawn.rows().ofPatch(p).background) * world.discretization.elements[e].area;
     }
-    print("hemicubes", resolution, flux, truth, watch.seconds());
+    print("hemicubes", resolution, flux, truth, secondsSince(start));
   }
 }
 

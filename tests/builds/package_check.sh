@@ -31,7 +31,7 @@ in_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recom
 solve=(hemitex --quiet solve)
 in_root "${solve[@]}" /usr/share/hemitex/cornell-box.obj -o /cornell-box >/dev/null
 "$build/bin/${solve[@]}" "$build/share/hemitex/cornell-box.obj" -o "$work/cornell-box" >/dev/null
-for file in elements.csv render.png; do
+for file in elements.csv render.png scene.glb; do
   if ! cmp "$root/cornell-box/$file" "$work/cornell-box/$file"; then
     echo "package_check.sh: the installed program writes another $file" >&2
     exit 1

@@ -69,6 +69,9 @@ std::set<std::string> optionsOf(const std::string& help) {
   return names;
 }
 
+/// The number of options that a help text lists; an option may have two names.
+std::size_t numberOfOptions(const std::string& help) { return matches(help, "\n  (-)").size(); }
+
 /// The examples of a help text.
 std::vector<std::string> examplesOf(const std::string& help) {
   const std::size_t start = help.find("Examples:\n");
@@ -99,7 +102,7 @@ TEST_CASE("hemitex names the nearest option or command for an unknown one", "[cl
 TEST_CASE("hemitex COMMAND --help ends with two examples that the command accepts", "[cli]") {
   const ShellFiles shell;
   fs::create_directory_symlink(HEMITEX_DATA, shell.file("data"));
-  REQUIRE(shell.commands().size() == 17);
+  REQUIRE(shell.commands().size() == 18);
   for (const std::string& command : shell.commands()) {
     const std::vector<std::string> examples = examplesOf(shell.output(command + " --help"));
     INFO(command);
@@ -119,13 +122,74 @@ TEST_CASE("hemitex COMMAND --help ends with two examples that the command accept
   CHECK(shell.run("solve data/cornell-box.obj -o lit --no-such-option").err.find(usageAdvice) != std::string::npos);
 }
 
+TEST_CASE("helpFormatter shows at most ten options of a command, and all with --help-all", "[cli]") {
+  const ShellFiles shell;
+  for (const std::string& command : shell.commands()) {
+    INFO(command);
+    const std::string help = shell.output(command + " --help");
+    const std::set<std::string> first = optionsOf(help), all = optionsOf(shell.output(command + " --help-all"));
+    const std::size_t shown = numberOfOptions(help), known = numberOfOptions(shell.output("--help-all " + command));
+    constexpr std::size_t helpOptions = 2;
+    CHECK(shown <= 10 + helpOptions);
+    if (known <= 10 + helpOptions) CHECK(shown == known);
+    CHECK(std::includes(all.begin(), all.end(), first.begin(), first.end()));
+    const std::string rest = std::to_string(known - shown) + " more options: hemitex " + command + " --help-all\n";
+    CHECK((help.find(rest) != std::string::npos) == (shown < known));
+  }
+}
+
+TEST_CASE("helpFormatter groups the options by topic", "[cli]") {
+  const std::string help = Shell().output("solve --help");
+  const auto topicOf = [&help](const std::string& option) {
+    std::string topic;
+    for (const std::string& line : linesOf(help)) {
+      if (line.ends_with(':')) topic = line;
+      if (line.starts_with("  " + option)) return topic;
+    }
+    return std::string();
+  };
+  CHECK(topicOf("-o,--output") == "Output:");
+  CHECK(topicOf("--emit") == "Light and reflectance:");
+  CHECK(topicOf("--texels") == "Elements:");
+  CHECK(topicOf("--resolution") == "Form factors:");
+  CHECK(topicOf("--size") == "Picture:");
+  CHECK(topicOf("-h,--help") == "Other:");
+  CHECK(matches(help, "\n(Output):\n").size() == 1);
+}
+
+TEST_CASE("helpFormatter lists excluded options in the order of their names", "[cli]") {
+  const std::string help = Shell().output("solve --help-all");
+  std::size_t lists = 0;
+  for (const std::string& list : matches(help, "Excludes:([^\n]*)\n")) {
+    const std::vector<std::string> names = matches(list, "(--[a-z-]+)");
+    INFO(list);
+    CHECK(std::is_sorted(names.begin(), names.end()));
+    lists += names.size() > 1;
+  }
+  CHECK(lists >= 3);
+}
+
+TEST_CASE("shellQuoted makes the suggested --emit a word that a shell reads back", "[cli]") {
+  const Shell shell;
+  writeAll(shell.file("dark.obj"),
+           "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 0 1 1\nv 1 1 1\nv 1 1 0\n"
+           "g it's $HOME; done\nf 1 4 3 2\ng top\nf 5 8 7 6\n");
+  const Outcome dark = shell.run("solve dark.obj -o lit");
+  REQUIRE(dark.exitCode == 2);
+  const std::vector<std::string> advice = matches(dark.err, "add (--emit .*) \\(largest");
+  REQUIRE(advice.size() == 1);
+  const Outcome lit = shell.run("solve dark.obj -o lit --texels 2 --resolution 16 " + advice.front());
+  INFO(advice.front() << '\n' << lit.err);
+  CHECK(lit.exitCode == 0);
+}
+
 TEST_CASE("bashCompletion offers the options of each command's help, and no other", "[cli]") {
   const ShellFiles shell;
-  const std::set<std::string> everywhere = optionsOf(shell.output("--help"));
+  const std::set<std::string> everywhere = optionsOf(shell.output("--help-all"));
   CHECK(everywhere.count("--threads") == 1);
   CHECK(everywhere.count("--shell-files") == 0);
   for (const std::string& command : shell.commands()) {
-    std::set<std::string> expected = optionsOf(shell.output(command + " --help"));
+    std::set<std::string> expected = optionsOf(shell.output(command + " --help-all"));
     expected.insert(everywhere.begin(), everywhere.end());
     INFO(command);
     CHECK(setOf(shell.completionsOf("hemitex " + command + " -")) == expected);
@@ -189,7 +253,7 @@ TEST_CASE("manPage names every option and example of each command's help", "[cli
   const std::vector<fs::path> pages = shell.pages();
   const std::vector<std::string> commands = shell.commands();
   for (std::size_t i = 0; i < pages.size(); ++i) {
-    const std::string help = shell.output(commands[i] + " --help");
+    const std::string help = shell.output(commands[i] + " --help-all");
     const std::string page = std::regex_replace(readAll(pages[i]), std::regex(R"(\\-)"), "-");
     INFO(pages[i]);
     for (const std::string& name : optionsOf(help)) CHECK(page.find("\\fB" + name + "\\fR") != std::string::npos);

@@ -1,4 +1,5 @@
 /// hemitex solve: the written files, and the options that choose methods, edits, filters and errors.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -67,7 +68,7 @@ TEST_CASE(
     CHECK(frame["settings"] == withoutTimes("without")["settings"]);
     CHECK(frame["residual"] <= 0.001);
     CHECK(index[static_cast<std::size_t>(number - 1)]["shots"] == frame["shots"]);
-    for (const char* name : {"/elements.csv", "/render.png"})
+    for (const char* name : {"/elements.csv", "/render.png", "/scene.glb"})
       CHECK(readAll(shell.file("one" + folder + name)) == readAll(shell.file("two" + folder + name)));
   }
   CHECK(withoutTimes("one/frame-1")["surfaces"].size() == 7);
@@ -255,7 +256,8 @@ TEST_CASE("hemitex solve --discretize mesh gives the results of textures", "[cli
 TEST_CASE("hemitex solve writes the documented files", "[cli]") {
   const Shell shell;
   shell.output(quickSolve + "--split 1 -o out");
-  for (const char* name : {"scene.obj", "scene.mtl", "render.png", "elements.csv", "solution.json", "scene.view.json"})
+  for (const char* name :
+       {"scene.obj", "scene.mtl", "scene.glb", "render.png", "elements.csv", "solution.json", "scene.view.json"})
     CHECK(fs::file_size(shell.file("out") / name) > 0);
 
   // Six faces of 4 x 4 elements and area 4; the fifth field from the end is the area.
@@ -302,7 +304,7 @@ TEST_CASE("hemitex solve --method rays agrees with hemicubes within their errors
     whole += lastNumber(byHemicubes[i]);
   }
   CHECK(difference < 0.015 * whole);
-  CHECK(shell.output("solve --help").find("differs between machines") != std::string::npos);
+  CHECK(shell.output("solve --help-all").find("differs between machines") != std::string::npos);
 }
 
 TEST_CASE("hemitex solve --adaptive keeps elements together where light changes little", "[cli]") {
@@ -331,8 +333,19 @@ TEST_CASE("hemitex solve --filter changes display textures and no measured value
           (filter == "one-to-one"));
     const json settings = json::parse(readAll(shell.file(filter + "/solution.json")))["settings"];
     CHECK(settings["filter"] == filter);
-    CHECK(settings["magnify"] == (filter == "one-to-one" || filter == "triangle" ? 1 : 4));
+    CHECK(settings["magnify"].is_null());
+    const json solution = json::parse(readAll(shell.file(filter + "/solution.json")));
+    for (const json& surface : solution["surfaces"]) {
+      const int longer = std::max(surface["columns"].get<int>(), surface["rows"].get<int>());
+      const int magnified = longer * surface["texture"]["magnification"].get<int>();
+      CHECK((filter == "one-to-one" || longer == 1 ? magnified == longer : magnified >= 128 && magnified < 256));
+    }
   }
+  shell.output(quickSolve + "--magnify 3 -o three");
+  const json three = json::parse(readAll(shell.file("three/solution.json")));
+  CHECK(three["settings"]["magnify"] == 3);
+  CHECK(three["settings"]["filter"] == "bicubic");
+  for (const json& surface : three["surfaces"]) CHECK(surface["texture"]["magnification"] == 3);
   for (const char* options : {"--filter none", "--filter bicubic --magnify 0", "--magnify 17"})
     CHECK(shell.run(quickSolve + options + " -o none").exitCode == 2);
 }

@@ -1,4 +1,5 @@
-/// README.md, the pages of docs/ and comments: the files that they name exist, and sentences are short.
+/// README.md files, CONTRIBUTING.md, the pages of docs/ and comments: the files that they name exist, and sentences are
+/// short.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -17,8 +18,22 @@ namespace {
 
 const fs::path top = HEMITEX_SOURCE;
 
+/// Each folder of the libraries has an overview.
+std::vector<fs::path> overviews() {
+  std::vector<fs::path> found;
+  for (const char* library : {"raster", "radiosity", "reference"}) {
+    found.push_back(top / library / "README.md");
+    for (const auto& entry : fs::directory_iterator(top / library)) {
+      if (entry.is_directory()) found.push_back(entry.path() / "README.md");
+    }
+  }
+  return found;
+}
+
 std::vector<fs::path> pages() {
-  std::vector<fs::path> found = {top / "README.md"};
+  std::vector<fs::path> found = overviews();
+  found.push_back(top / "README.md");
+  found.push_back(top / "CONTRIBUTING.md");
   for (const auto& entry : fs::directory_iterator(top / "docs")) {
     if (entry.path().extension() == ".md") found.push_back(entry.path());
   }
@@ -91,6 +106,21 @@ TEST_CASE("Headers and sources that comments name exist", "[documents]") {
   CHECK(count > 20);
 }
 
+TEST_CASE("Each folder of the libraries has an overview, whose headers exist", "[documents]") {
+  const std::vector<fs::path> files = overviews();
+  CHECK(files.size() > 30);
+  for (const fs::path& file : files) {
+    INFO(file);
+    REQUIRE(fs::exists(file));
+    const std::string text = readFile(file);
+    CHECK(text.starts_with("# " + fs::relative(file.parent_path(), top).generic_string() + "\n\n"));
+    for (const std::smatch& match : matches(text, std::regex(R"(`(\w+\.h)`)"))) {
+      INFO(match[1]);
+      CHECK(fs::exists(file.parent_path() / match[1].str()));
+    }
+  }
+}
+
 TEST_CASE("Files that README.md and docs name exist", "[documents]") {
   const std::regex inBackticks(R"(`((?:data|docs|raster|radiosity|reference|cli|tests)/[\w/.-]+)`)");
   const std::regex linked(R"(\]\(([^):#]+)(?:#[^)]*)?\))");
@@ -111,16 +141,14 @@ TEST_CASE("Files that README.md and docs name exist", "[documents]") {
   CHECK(count > 40);
 }
 
-TEST_CASE("docs/tour.md has ten stops, and the function of each is declared in its file", "[documents]") {
-  const std::string tour = readFile(top / "docs/tour.md");
-  const std::regex stop(R"(\n## (\d+)\. [^\n]+\n\n`([\w/]+\.h)`: `(\w+)`\n)");
-  const std::vector<std::smatch> stops = matches(tour, stop);
-  REQUIRE(stops.size() == 10);
-  for (std::size_t n = 0; n < stops.size(); ++n) {
-    CHECK(stops[n][1] == std::to_string(n + 1));
-    INFO(stops[n][2] << " declares " << stops[n][3]);
-    REQUIRE(fs::exists(top / stops[n][2].str()));
-    CHECK(std::regex_search(readFile(top / stops[n][2].str()), std::regex("\\b" + stops[n][3].str() + "\\(")));
+TEST_CASE("docs/tutorial.md names functions that their headers declare", "[documents]") {
+  const std::string tutorial = readFile(top / "docs/tutorial.md");
+  const std::vector<std::smatch> stages = matches(tutorial, std::regex(R"(\| `([\w/]+\.h)` \| `(\w+)` \|)"));
+  REQUIRE(stages.size() == 10);
+  for (const std::smatch& stage : stages) {
+    INFO(stage[1] << " declares " << stage[2]);
+    REQUIRE(fs::exists(top / stage[1].str()));
+    CHECK(std::regex_search(readFile(top / stage[1].str()), std::regex("\\b" + stage[2].str() + "\\(")));
   }
 }
 

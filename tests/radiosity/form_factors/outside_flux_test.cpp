@@ -20,7 +20,7 @@ using namespace hemitex::radiosity;
 
 namespace {
 
-constexpr int directions = 512;
+constexpr int directions = 2048;
 
 Scene sceneWith(std::vector<Surface> surfaces, OutsideLight outside) {
   Scene scene;
@@ -106,7 +106,7 @@ TEST_CASE("outsideFlux lights the floor of an open box by its form factor to the
         Approx(reference::elementToParallelRectangle({{-1.5, 1.5}, {-1, 1}}, 1.5)).epsilon(0.02));
   // A wall that contains an edge of the opening.
   CHECK(lit.ofSurface(3) ==
-        Approx(reference::perpendicularRectangles({{0, 2}, {0, 1.5}}, {{0, 2}, {0, 3}})).epsilon(0.004));
+        Approx(reference::perpendicularRectangles({{0, 3}, {0, 1.5}}, {{0, 3}, {0, 2}})).epsilon(0.004));
   // Outside, the backs of the five walls see all of the sky.
   CHECK(lit.flux.onBacks.r == Approx(3 * 2 + 2 * (3 * 1.5 + 2 * 1.5)).epsilon(0.005));
 }
@@ -152,6 +152,7 @@ TEST_CASE("outsideFlux shows the edges of a shadow under the sun", "[outside_flu
       sum += error;
     }
   // The direction is exact within 1/1024 radian, 0.001 of the height.
+  INFO("largest error " << largest << ", mean " << sum / 3200);
   CHECK(largest < 0.08);
   CHECK(sum / 3200 < 0.01);
 }
@@ -186,7 +187,7 @@ TEST_CASE("outsideFlux lights elements that are smaller than a pixel", "[outside
                            chip("dark", {-0.5, -0.5, 0.002}), chip("open", {1, 1, 0.002})},
                           outside),
                 {.surfaceTexels = {{"floor", 32}, {"roof", 8}, {"dark", 1}, {"open", 1}}});
-  CHECK(lit.ofSurface(2) == 0);
+  CHECK(lit.ofSurface(2) < 0.001);
   CHECK(lit.ofSurface(3) == Approx(3).epsilon(0.01));
 }
 

@@ -9,17 +9,17 @@
 #include "tests/support/temporary_folder.h"
 
 using namespace hemitex;
-using radiosity::ObjFile;
 using radiosity::parseObj;
+using radiosity::PolygonMesh;
 
 namespace {
 
 const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 /// The corners of a polygon as `position` or `position/texcoord`, counted from 0.
-std::string cornersOf(const ObjFile& obj, std::size_t polygon) {
+std::string cornersOf(const PolygonMesh& obj, std::size_t polygon) {
   std::string text;
-  const radiosity::ObjPolygon& p = obj.polygons[polygon];
+  const radiosity::MeshPolygon& p = obj.polygons[polygon];
   for (std::uint32_t c = p.firstCorner; c < p.firstCorner + p.cornerCount; ++c) {
     text += (text.empty() ? "" : " ") + std::to_string(obj.corners[c].position);
     if (obj.corners[c].texcoord) text += "/" + std::to_string(*obj.corners[c].texcoord);
@@ -28,10 +28,10 @@ std::string cornersOf(const ObjFile& obj, std::size_t polygon) {
 }
 
 /// The sections of the polygons in file order.
-std::string sectionsOf(const ObjFile& obj) {
+std::string sectionsOf(const PolygonMesh& obj) {
   std::string text;
-  for (const radiosity::ObjPolygon& polygon : obj.polygons) {
-    const radiosity::ObjSection& section = obj.sections[polygon.section];
+  for (const radiosity::MeshPolygon& polygon : obj.polygons) {
+    const radiosity::MeshSection& section = obj.sections[polygon.section];
     text += (text.empty() ? "" : ", ") + section.group + ":" + section.material;
   }
   return text;
@@ -106,7 +106,7 @@ TEST_CASE("parseObj warns once, with the line, of normals that the file lacks", 
        "(line 7)"},
   }));
   CAPTURE(text);
-  const ObjFile obj = parseObj(text, "");
+  const PolygonMesh obj = parseObj(text, "");
   REQUIRE(obj.warnings.size() == 1);
   CHECK_THAT(obj.warnings[0], Catch::Contains(index) && Catch::Contains(line));
   CHECK(cornersOf(obj, 0) == "0 1 2");
@@ -117,7 +117,8 @@ TEST_CASE("parseObj warns once, with the line, of normals that the file lacks", 
 TEST_CASE("parseObj rounds numbers to the nearest double", "[obj]") {
   // The compiler rounds its literals correctly; none of these survives a conversion through float or repeated powers of
   // ten.
-  const ObjFile obj = parseObj("v 0.1 123456789.123456789 1e-320\nv +1.5 .5 2.\nv 1E+5 -0 17976931348623157e-1\n", "");
+  const PolygonMesh obj =
+      parseObj("v 0.1 123456789.123456789 1e-320\nv +1.5 .5 2.\nv 1E+5 -0 17976931348623157e-1\n", "");
   CHECK(obj.positions[0] == glm::dvec3(0.1, 123456789.123456789, 1e-320));
   CHECK(obj.positions[1] == glm::dvec3(1.5, 0.5, 2));
   CHECK(obj.positions[2] == glm::dvec3(1e5, 0, 17976931348623157e-1));
@@ -137,7 +138,7 @@ TEST_CASE("parseObj ignores blanks, comments, line ends and a byte order mark", 
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.5 1\nvn 0 0 1\ng wall\nusemtl red\nf 1/1/1 2/1/-1 -1/-1/1\n",
   }));
   CAPTURE(text);
-  const ObjFile obj = parseObj(text, "");
+  const PolygonMesh obj = parseObj(text, "");
   CHECK(obj.positions == std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   CHECK(obj.texcoords == std::vector<glm::dvec2>{{0.5, 1}});
   CHECK(obj.polygons.size() == 1);
@@ -147,7 +148,7 @@ TEST_CASE("parseObj ignores blanks, comments, line ends and a byte order mark", 
 }
 
 TEST_CASE("parseObj counts indices from the start, or back from the face, and lets them point forward", "[obj]") {
-  const ObjFile obj =
+  const PolygonMesh obj =
       parseObj("f 1 2 3\n" + triangle + "f -3 -2 -1\nvt 0 0\nv 2 2 2\nf -1/-1 1 2\nf 1// 2//1 4\nvn 0 0 1\n", "");
   CHECK(cornersOf(obj, 0) == "0 1 2");
   CHECK(cornersOf(obj, 1) == "0 1 2");
@@ -163,13 +164,13 @@ TEST_CASE("parseObj reads faces with more corners than a byte can count", "[obj]
     vertices += "v " + std::to_string(i) + " 0 0\n";
     face += " " + std::to_string(i);
   }
-  const ObjFile obj = parseObj(vertices + face, "");
+  const PolygonMesh obj = parseObj(vertices + face, "");
   CHECK(obj.polygons.size() == 1);
   CHECK(obj.polygons[0].cornerCount == 1000);
 }
 
 TEST_CASE("parseObj reads a vertex colour from three or four numbers behind the position", "[obj]") {
-  const ObjFile obj = parseObj("v 0 0 0 0.25 0.5 1\nv 0 0 0\nv 0 0 0 1\nv 0 0 0 1 0 0 1\n", "");
+  const PolygonMesh obj = parseObj("v 0 0 0 0.25 0.5 1\nv 0 0 0\nv 0 0 0 1\nv 0 0 0 1 0 0 1\n", "");
   REQUIRE(obj.colors.size() == 4);
   CHECK(obj.colors[0] == glm::dvec3(0.25, 0.5, 1));
   CHECK_FALSE(obj.colors[1]);
@@ -192,7 +193,7 @@ TEST_CASE("parseObj puts faces with the same group and material into one section
       {"o two words # and a comment\n" + f, "two words:"},
       {"g empty\nusemtl red\ng a\n" + f, "a:red"},
   }));
-  const ObjFile obj = parseObj(triangle + structure, "");
+  const PolygonMesh obj = parseObj(triangle + structure, "");
   CHECK(sectionsOf(obj) == sections);
   for (std::size_t s = 0; s < obj.sections.size(); ++s) {
     for (std::size_t t = 0; t < s; ++t) {
@@ -202,7 +203,7 @@ TEST_CASE("parseObj puts faces with the same group and material into one section
 }
 
 TEST_CASE("parseObj returns material libraries as they are written", "[obj]") {
-  const ObjFile obj = parseObj("mtllib a.mtl b.mtl # both\nmtllib\n mtllib my room.mtl \n", "");
+  const PolygonMesh obj = parseObj("mtllib a.mtl b.mtl # both\nmtllib\n mtllib my room.mtl \n", "");
   CHECK(obj.materialLibraries == std::vector<std::string>{"a.mtl b.mtl", "my room.mtl"});
 }
 

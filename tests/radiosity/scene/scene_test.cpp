@@ -141,10 +141,10 @@ TEST_CASE("loadScene replaces coordinates that form no chart by planar parts, or
     std::string coordinates, faces, reason;
   };
   const auto [coordinates, faces, reason] = GENERATE(values<Case>({
-      {"vt 0 0\nvt 1 0\nvt 1 1\n", "f 1/1 2/2 3/3\nf 1 3 4\n", "the face in line 10 has none"},
-      {"vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1.5\n", "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n", "line 11 leaves the unit square"},
-      {"vt 0 0\nvt 1 0\nvt 1 1\nvt 0.5 0.5\n", "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n", "line 11 has no area"},
-      {"vt 0 0\nvt 1 0\nvt 1 1\nvt 0.6 0\n", "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n", "line 11 overlaps the face in line 10"},
+      {"vt 0 0\nvt 1 0\nvt 1 1\n", "f 1/1 2/2 3/3\nf 1 3 4\n", "the face (line 10) has none"},
+      {"vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1.5\n", "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n", "(line 11) leaves the unit square"},
+      {"vt 0 0\nvt 1 0\nvt 1 1\nvt 0.5 0.5\n", "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n", "(line 11) has no area"},
+      {"vt 0 0\nvt 1 0\nvt 1 1\nvt 0.6 0\n", "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n", "(line 11) overlaps the face (line 10)"},
   }));
   const SceneFiles files("v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\ng sheet\n" + coordinates + faces);
   CHECK(namesOf(files.load()) == Names{"sheet#1", "sheet#2"});

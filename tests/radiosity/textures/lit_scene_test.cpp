@@ -10,6 +10,7 @@
 #include "radiosity/images/image.h"
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/scene/load_scene.h"
+#include "radiosity/textures/file_names.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/input_error.h"
 #include "tests/support/picture_scenes.h"
@@ -32,11 +33,17 @@ double quantized(double linear) { return decodeSrgb(encodeSrgb(linear) / 255.0);
 /// The reflectance in a picture of a scene that was read again: Kd is 1, which loadScene lowers to this.
 const double kd = SceneSettings{}.maxReflectance;
 
+const PictureView view{{{0.3, -0.2, 0.4}, {-0.7, 0.1, -0.9}, {0.1, 1, 0.2}, 90}, 1.2};
+
 void writeSolution(const std::filesystem::path& folder, const Scene& scene, const Discretization& discretization,
-                   const Solution& solution, double exposure, const TextureSettings& textures = {}) {
+                   const Solution& solution, double exposure, TextureFilter filter = TextureFilter::Bicubic,
+                   const Magnification& magnification = {}) {
   const std::vector<glm::dvec3> displayed = displayRadiosity(scene, discretization, solution);
-  writeLitScene(folder, makeLitScene(scene, discretization, displayed, exposure, textures), discretization,
-                solution.radiosity);
+  const TextureLayout layout = layOutTextures(scene, discretization, magnification);
+  const std::vector<std::string> warnings =
+      writeLitScene(folder, makeLitScene(scene, discretization, layout, displayed, exposure, filter), view,
+                    discretization, solution.radiosity);
+  CHECK(warnings.empty());
 }
 
 /// The room with walls of tiles x tiles quads each; grids of 5 x 3 texels, or none for every third tile.
@@ -77,7 +84,7 @@ TEST_CASE("writeLitScene keeps positions, winding and order, and puts texture co
                   solutionOf(std::vector<glm::dvec3>(room.discretization.elements.size(), glm::dvec3(1.0))), 1);
     const Scene lit = loadScene(folder.path / "scene.obj");
     REQUIRE(lit.surfaces.size() == room.scene.surfaces.size());
-    const TextureLayout layout = layOutTextures(room.scene, room.discretization);
+    const TextureLayout layout = layOutTextures(room.scene, room.discretization, {});
     for (std::uint32_t s = 0; s < lit.surfaces.size(); ++s)
       for (std::size_t t = 0; t < 2; ++t) {
         const Triangle& written = room.scene.surfaces[s].triangles[t];
@@ -96,13 +103,13 @@ TEST_CASE("loadScene reads from the files of writeLitScene the scene of makeLitS
     std::vector<glm::dvec3> displayed;
     for (std::size_t e = 0; e < room.discretization.elements.size(); ++e)
       displayed.emplace_back(0.01 * static_cast<double>(e % 90), 0.5, 1.0 / (1 + static_cast<double>(e % 7)));
-    const LitScene lit = makeLitScene(room.scene, room.discretization, displayed, 0.9);
-    writeLitScene(folder.path, lit, room.discretization, displayed);
+    const TextureLayout layout = layOutTextures(room.scene, room.discretization, {});
+    const LitScene lit = makeLitScene(room.scene, room.discretization, layout, displayed, 0.9, TextureFilter::Bicubic);
+    writeLitScene(folder.path, lit, view, room.discretization, displayed);
     const Scene read = loadScene(folder.path / "scene.obj");
     CHECK(read.origin == lit.scene.origin);
     CHECK(read.extent == lit.scene.extent);
-    const Camera camera{{0.3, -0.2, 0.4}, {-0.7, 0.1, -0.9}, {0.1, 1, 0.2}, 90};
-    const Image expected = unlitPicture(read, camera, 60, 50), found = unlitPicture(lit.scene, camera, 60, 50);
+    const Image expected = unlitPicture(read, view.camera, 60, 50), found = unlitPicture(lit, view.camera, 60, 50);
     CHECK(found.pixels == expected.pixels);
   }
 }
@@ -114,8 +121,7 @@ TEST_CASE("writeLitScene shows constant light as one colour, without a visible e
     const TiledRoom room(tiles);
     writeSolution(folder.path, room.scene, room.discretization,
                   solutionOf(std::vector<glm::dvec3>(room.discretization.elements.size(), light)), 0.125);
-    const Camera camera{{0.3, -0.2, 0.4}, {-0.7, 0.1, -0.9}, {0.1, 1, 0.2}, 90};
-    const Image picture = unlitPicture(loadScene(folder.path / "scene.obj"), camera, 60, 50);
+    const Image picture = unlitPicture(loadScene(folder.path / "scene.obj"), view.camera, 60, 50);
     const glm::dvec3 expected = kd * glm::dvec3(quantized(0.0025), quantized(0.375), quantized(0.875));
     for (const glm::dvec3& pixel : picture.pixels) REQUIRE(glm::distance(pixel, expected) < 1e-14);
   }
@@ -131,7 +137,7 @@ TEST_CASE("writeLitScene writes the radiosity of the elements to the EXR, as flo
   Solution solution = solutionOf(radiosity);
   solution.ambient = glm::dvec3(3.0);
   writeSolution(folder.path, room.scene, room.discretization, solution, 0.01);
-  const TextureLayout layout = layOutTextures(room.scene, room.discretization);
+  const TextureLayout layout = layOutTextures(room.scene, room.discretization, {});
   CHECK(layout.names[0] == "left_0");
   for (std::size_t s = 0; s < 6; ++s) {
     const Grid& grid = room.discretization.grids[s];
@@ -155,7 +161,7 @@ TEST_CASE("writeLitScene writes filtered radiosity with the ambient estimate, ex
   scene.materials[0].reflectance = {0.5, 0.25, 0};
   Solution solution = solutionOf({glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(0.0)});
   solution.ambient = glm::dvec3(0.4);
-  writeSolution(folder.path, scene, discretization, solution, 0.5);
+  writeSolution(folder.path, scene, discretization, solution, 0.5, TextureFilter::Triangle, {1});
   const Image texture = readImage(folder.path / "wall.png");
   REQUIRE(texture.width == 5);
   // (1 2 1) over 0 1 0 gives 1/3, 1/2, 1/3 at the three texels; the ambient estimate adds 0.2, 0.1, 0.
@@ -194,6 +200,29 @@ TEST_CASE("writeLitScene makes surfaces of one texel Gouraud shaded if their cor
   CHECK(isClose(above, quantized((2 * 0.2 + 0.5) / 3)));
 }
 
+TEST_CASE("writeLitScene magnifies display textures, and keeps one texel per element in the EXR", "[lit-scene]") {
+  const TemporaryFolder folder;
+  const TiledRoom room(1);  // grids of 5 x 3 texels
+  const std::vector<glm::dvec3> radiosity(room.discretization.elements.size(), glm::dvec3(1));
+  writeSolution(folder.path, room.scene, room.discretization, solutionOf(radiosity), 0.5);
+  const Image display = readImage(folder.path / "right_0.png"), linear = readImage(folder.path / "right_0.exr");
+  CHECK((linear.width == 7 && linear.height == 5));
+  CHECK((display.width == 7 * 32 && display.height == 5 * 32));  // 5 * 32 = 160 texels, and 5 * 16 = 80
+}
+
+TEST_CASE("writeLitScene makes each surface an object and a group of scene.obj", "[lit-scene]") {
+  const TemporaryFolder folder;
+  const TiledRoom room(2);
+  const std::vector<glm::dvec3> radiosity(room.discretization.elements.size(), glm::dvec3(1));
+  writeSolution(folder.path, room.scene, room.discretization, solutionOf(radiosity), 0.5);
+  const std::string obj = textOf(folder.path / "scene.obj");
+  for (const std::string& name : objectNames(room.scene))
+    CHECK(obj.find("\no " + name + "\ng " + name + "\nusemtl ") != std::string::npos);
+  const Scene lit = loadScene(folder.path / "scene.obj");
+  REQUIRE(lit.surfaces.size() == room.scene.surfaces.size());
+  for (std::size_t s = 0; s < lit.surfaces.size(); ++s) CHECK(lit.surfaces[s].name == objectNames(room.scene)[s]);
+}
+
 TEST_CASE("writeLitScene replaces names that files and groups cannot have", "[lit-scene]") {
   const TemporaryFolder folder;
   Discretization discretization;
@@ -208,7 +237,7 @@ TEST_CASE("writeLitScene replaces names that files and groups cannot have", "[li
   for (const auto& entry : std::filesystem::directory_iterator(folder.path)) files.insert(entry.path().filename());
   CHECK(files == std::set<std::string>{"a_b.png", "a_b.exr", "A_b-2.png", "A_b-2.exr", "a_b_1.png", "a_b_1.exr",
                                        "render-2.png", "render-2.exr", "gouraud.png", "gouraud.exr", "scene.obj",
-                                       "scene.mtl"});
+                                       "scene.mtl", "scene.glb"});
   const Scene lit = loadScene(folder.path / "scene.obj");
   CHECK(lit.surfaces.size() == 5);
   for (const Material& material : lit.materials) CHECK(material.reflectanceMap);

@@ -121,35 +121,10 @@ TEST_CASE("uniqueFileNames converts names of surfaces to different file names", 
   CHECK(uniqueFileNames({std::string(300, 'x')}).front().size() == 100);
 }
 
-TEST_CASE("layOutTextures gives few surfaces their own textures, and many surfaces shared ones", "[texture]") {
-  const ChartScene few = makeCharts(std::vector<glm::ivec2>(64, {4, 2}));
-  const TextureLayout separate = layOutTextures(few.scene, few.discretization);
-  CHECK(separate.textures.size() == 64);
-  CHECK(separate.textures[5].width == 6);
-  CHECK(separate.textures[5].height == 4);
-  CHECK(separate.names[0] == "chart");
-  CHECK(separate.names[63] == "chart-64");
-
-  const ChartScene many = makeCharts(std::vector<glm::ivec2>(65, {4, 2}));
-  const TextureLayout packed = layOutTextures(many.scene, many.discretization);
-  REQUIRE(packed.textures.size() == 1);  // 65 x 6 x 4 = 1560 pixels
-  CHECK(packed.textures[0].width == 64);
-  CHECK(packed.names[0] == "radiosity-1");
-}
-
-TEST_CASE("layOutTextures gives a chart larger than a shared texture its own texture", "[texture]") {
-  const ChartScene charts = makeCharts({{4096, 1}, {1, 1}});
-  const TextureLayout layout = layOutTextures(charts.scene, charts.discretization, 0);
-  REQUIRE(layout.textures.size() == 2);
-  CHECK(layout.places[0].texture == 1);
-  CHECK(layout.textures[1].width == 4098);
-  CHECK(layout.textures[1].height == 3);
-}
-
 TEST_CASE("radiosityTextures puts the elements at the pixel centres of their texels", "[texture]") {
   const ChartScene charts = makeCharts(randomGrids(100, 9));
   for (std::size_t limit : {std::size_t{0}, std::size_t{100}}) {
-    const TextureLayout layout = layOutTextures(charts.scene, charts.discretization, limit);
+    const TextureLayout layout = layOutTextures(charts.scene, charts.discretization, {1}, limit);
     const std::vector<Image> textures =
         radiosityTextures(charts.discretization, layout, elementValues(charts.discretization));
     for (std::uint32_t s = 0; s < 100; ++s) {
@@ -169,12 +144,13 @@ TEST_CASE("radiosityTextures puts the elements at the pixel centres of their tex
   }
 }
 
-TEST_CASE("radiosityTextures and filteredTextures repeat the edge in the border", "[texture]") {
+TEST_CASE("radiosityTextures and filteredTexture repeat the edge in the border", "[texture]") {
   const ChartScene charts = makeCharts({{5, 3}, {1, 1}, {1, 4}, {2, 2}});
-  const TextureLayout layout = layOutTextures(charts.scene, charts.discretization, 0);
+  const TextureLayout layout = layOutTextures(charts.scene, charts.discretization, {1}, 0);
   const std::vector<glm::dvec3> values = elementValues(charts.discretization);
-  for (const Image& texture : {radiosityTextures(charts.discretization, layout, values)[0],
-                               filteredTextures(charts.scene, charts.discretization, layout, values)[0]})
+  for (const Image& texture :
+       {radiosityTextures(charts.discretization, layout, values)[0],
+        filteredTexture(charts.scene, charts.discretization, layout, 0, values, TextureFilter::Triangle)})
     for (std::size_t s = 0; s < 4; ++s) {
       const Grid& grid = charts.discretization.grids[s];
       const TexturePlace& place = layout.places[s];
@@ -187,11 +163,10 @@ TEST_CASE("radiosityTextures and filteredTextures repeat the edge in the border"
     }
 }
 
-TEST_CASE("filteredTextures take no light from neighbouring charts, for all filters and magnifications", "[texture]") {
+TEST_CASE("filteredTexture takes no light from neighbouring charts, for all filters and magnifications", "[texture]") {
   // Packed charts of constants so different that a trace of another is visible; sampled bilinearly anywhere in [0,
   // 1]^2.
   const ChartScene charts = makeCharts(randomGrids(60, 6));
-  const TextureLayout layout = layOutTextures(charts.scene, charts.discretization, 0);
   const std::array<double, 3> levels{0, 1, 1e30};
   std::vector<glm::dvec3> values(charts.discretization.elements.size());
   for (std::uint32_t e = 0; e < values.size(); ++e)
@@ -199,8 +174,8 @@ TEST_CASE("filteredTextures take no light from neighbouring charts, for all filt
   for (const TextureFilter filter : {TextureFilter::OneToOne, TextureFilter::Triangle, TextureFilter::Bilinear,
                                      TextureFilter::Bicubic, TextureFilter::Quadtree, TextureFilter::Gouraud})
     for (const int times : {1, 2, 5}) {
-      const Image texture =
-          filteredTextures(charts.scene, charts.discretization, layout, values, {filter, times}).front();
+      const TextureLayout layout = layOutTextures(charts.scene, charts.discretization, {times}, 0);
+      const Image texture = filteredTexture(charts.scene, charts.discretization, layout, 0, values, filter);
       CHECK(texture.width == times * layout.textures[0].width);
       for (std::uint32_t s = 0; s < 60; ++s)
         for (const double v : {0.0, 0.01, 0.3, 0.5, 1.0})
@@ -215,10 +190,10 @@ TEST_CASE("filteredTextures take no light from neighbouring charts, for all filt
     }
 }
 
-TEST_CASE("filteredTextures refuse a texture that could not be read again", "[texture]") {
+TEST_CASE("filteredTexture refuses a texture that could not be read again", "[texture]") {
   const ChartScene charts = makeCharts({{1100, 1100}});
-  const TextureLayout layout = layOutTextures(charts.scene, charts.discretization);
-  CHECK_THROWS_AS(filteredTextures(charts.scene, charts.discretization, layout, {}, {TextureFilter::Triangle, 16}),
+  const TextureLayout layout = layOutTextures(charts.scene, charts.discretization, {16});
+  CHECK_THROWS_AS(filteredTexture(charts.scene, charts.discretization, layout, 0, {}, TextureFilter::Triangle),
                   raster::InputError);
 }
 
@@ -226,15 +201,16 @@ TEST_CASE("radiosityTextures show the nearest element at texels without area", "
   ChartScene charts{sceneOf({parallelogram("a", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})}), {}};
   addGrid(charts.discretization, 3, 2, {true, true, true, true, true, false});
   charts.discretization.grids[0].elementOfTexel[5] = 4;
-  const TextureLayout layout = layOutTextures(charts.scene, charts.discretization);
+  const TextureLayout layout = layOutTextures(charts.scene, charts.discretization, {1});
   const std::vector<glm::dvec3> values = elementValues(charts.discretization);
   const Image plain = radiosityTextures(charts.discretization, layout, values)[0];
   CHECK(pixelAt(plain, 3, 2) == pixelAt(plain, 2, 2));
-  const Image filtered = filteredTextures(charts.scene, charts.discretization, layout, values)[0];
+  const Image filtered =
+      filteredTexture(charts.scene, charts.discretization, layout, 0, values, TextureFilter::Triangle);
   CHECK(pixelAt(filtered, 3, 2) == pixelAt(filtered, 2, 2));
 }
 
-TEST_CASE("filteredTextures of a constant are the constant, also at edges and around holes", "[texture]") {
+TEST_CASE("filteredTexture of a constant is the constant, also at edges and around holes", "[texture]") {
   std::mt19937 random(3);
   ChartScene charts;
   std::vector<bool> covered;
@@ -245,17 +221,20 @@ TEST_CASE("filteredTextures of a constant are the constant, also at edges and ar
                           parallelogram("b", {0, 0, 1}, {1, 0, 0}, {0, 1, 0})});
   const glm::dvec3 constant(0.1, 0.7, 123.456);
   const std::vector<glm::dvec3> values(charts.discretization.elements.size(), constant);
-  const TextureLayout layout = layOutTextures(charts.scene, charts.discretization);
-  for (const Image& texture : filteredTextures(charts.scene, charts.discretization, layout, values))
-    for (const glm::dvec3& pixel : texture.pixels) REQUIRE(isSame(pixel, constant));
+  const TextureLayout layout = layOutTextures(charts.scene, charts.discretization, {1});
+  for (std::size_t t = 0; t < layout.textures.size(); ++t)
+    for (const glm::dvec3& pixel :
+         filteredTexture(charts.scene, charts.discretization, layout, t, values, TextureFilter::Triangle).pixels)
+      REQUIRE(isSame(pixel, constant));
 }
 
-TEST_CASE("filteredTextures spread a texel as (1 2 1) x (1 2 1) / 16 and keep its sum", "[texture]") {
+TEST_CASE("filteredTexture spreads a texel as (1 2 1) x (1 2 1) / 16 and keeps its sum", "[texture]") {
   const ChartScene charts = makeCharts({{7, 7}});
   std::vector<glm::dvec3> values(49, glm::dvec3(0.0));
   values[3 * 7 + 2] = glm::dvec3(16, 32, 48);  // two texels from the edge, so that weights are not normalized again
-  const TextureLayout layout = layOutTextures(charts.scene, charts.discretization);
-  const Image texture = filteredTextures(charts.scene, charts.discretization, layout, values)[0];
+  const TextureLayout layout = layOutTextures(charts.scene, charts.discretization, {1});
+  const Image texture =
+      filteredTexture(charts.scene, charts.discretization, layout, 0, values, TextureFilter::Triangle);
   glm::dvec3 sum(0.0);
   for (int row = 1; row <= 7; ++row)
     for (int column = 1; column <= 7; ++column) sum += pixelAt(texture, column, row);

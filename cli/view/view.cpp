@@ -1,0 +1,87 @@
+/// `hemitex view`: opens the page of a solved folder in the browser. A folder without a page gets one, made of its
+/// files.
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <numeric>
+
+#include "cli/common/commands.h"
+#include "cli/common/json.h"
+#include "cli/common/staging.h"
+#include "cli/scene/camera_options.h"
+#include "cli/scene/sealed_folder.h"
+#include "cli/scene/surface_names.h"
+#include "cli/view/browser.h"
+#include "cli/view/solved_page.h"
+#include "radiosity/scene/load_scene.h"
+#include "raster/base/file_io.h"
+#include "raster/base/input_error.h"
+#include "reference/vectors/json_text.h"
+
+namespace hemitex::cli {
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+const char* const pageName = "report.html";
+
+/// The page of a solved folder. Throws InputError if its files do not allow that.
+std::string pageOf(const fs::path& solved) {
+  const fs::path sceneFile = solved / "scene.obj";
+  const std::string text = raster::readFile(solved / "solution.json");
+  const radiosity::Scene lit = radiosity::loadScene(sceneFile, {});
+  // The lit scene has one group per surface, in order; a group may have several planar parts.
+  const std::vector<std::uint32_t> surfaceOf = familiesOf(lit).ofSurface;
+  std::vector<radiosity::CodedImage> textures;
+  for (const radiosity::Image& image : lit.images) textures.push_back(radiosity::encodeSrgb(image));
+  try {
+    const ordered_json solution = reference::parseJson<ordered_json>(text);
+    return solvedPage({lit, textures, surfaceOf}, cameraOf({}, lit, sceneFile), solution, std::nullopt);
+  } catch (const std::exception& error) {
+    throw raster::InputError((solved / "solution.json").string(), 0,
+                             std::string("does not belong to the scene beside it: ") + error.what(),
+                             "solve the scene again with --report");
+  }
+}
+
+void writePage(const fs::path& folder) {
+  for (const char* name : {"scene.obj", "solution.json"})
+    if (!fs::exists(folder / name))
+      throw raster::InputError(folder.string(), 0, std::string("has neither ") + pageName + " nor " + name,
+                               "solve a scene into this folder with --report");
+  requireIntact(folder);
+  Staging staging(folder);
+  raster::writeFile(staging.folder() / pageName, pageOf(folder));
+  staging.commit();
+}
+
+void view(const fs::path& folder, Context& context) {
+  const fs::path page = folder / pageName;
+  if (!fs::exists(page)) writePage(folder);
+  const std::vector<std::string> commands = browserCommands();
+  const std::optional<std::string> opened = openInBrowser(commands, page);
+  if (context.json)
+    std::cout << toText({{"page", page.string()}, {"opened", opened.has_value()}});
+  else
+    std::cout << page.string() << '\n';
+  if (opened) return;
+  std::string tried;
+  for (const std::string& command : commands) tried += (tried.empty() ? "" : ", ") + command;
+  context.console.message(tried.empty() ? "there is no display and no $BROWSER; open the page yourself"
+                                        : "no browser could be started (" + tried + "); open the page yourself");
+}
+
+}  // namespace
+
+void addView(Command program, Context& context) {
+  const auto folder = std::make_shared<fs::path>();
+  const Command command = program.addCommand(
+      "view", "Open the page of a solved folder in the browser ($BROWSER, else xdg-open or open), and print its path");
+  command.addPath("DIR", *folder, "folder that solve wrote; without report.html the page is made of its other files")
+      .required();
+  command.addExamples({"lit", "--json lit"});
+  command.onRead([folder, &context] { context.command = [folder, &context] { view(*folder, context); }; });
+}
+
+}  // namespace hemitex::cli

@@ -1,0 +1,2 @@
+# Replace this line by the start of your program, in any language.
+python3 rasterizer.py "$1" "$2"

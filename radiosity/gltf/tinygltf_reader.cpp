@@ -1,0 +1,504 @@
+/// The module hemitex_gltf: reads glTF by tinygltf. tinygltf parses the file; every index, range and number that it
+/// hands over is checked here.
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <glm/gtc/quaternion.hpp>
+#include <iterator>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <stdexcept>
+
+#include "radiosity/gltf/gltf_module.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the buffers of glTF are little-endian");
+
+/// A fault of the file.
+struct Fault {
+  std::string problem;
+  std::string advice;
+};
+
+constexpr const char* exportAgain = "export the scene again";
+
+std::string numbered(const std::string& what, std::size_t index) { return what + " " + std::to_string(index); }
+
+template <typename Item>
+const Item& itemAt(const std::vector<Item>& items, int index, const std::string& what) {
+  if (index < 0 || static_cast<std::size_t>(index) >= items.size())
+    throw Fault{what + " " + std::to_string(index) + " does not exist: there are " + std::to_string(items.size()),
+                exportAgain};
+  return items[static_cast<std::size_t>(index)];
+}
+
+bool isFinite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+// ---- Buffers -------------------------------------------------------------------------------------------------------
+
+/// Bytes of a buffer.
+struct Bytes {
+  const unsigned char* first = nullptr;
+  std::size_t size = 0;
+};
+
+Bytes bytesOf(const tinygltf::Model& gltf, int viewIndex) {
+  const tinygltf::BufferView& view = itemAt(gltf.bufferViews, viewIndex, "buffer view");
+  const std::vector<unsigned char>& data = itemAt(gltf.buffers, view.buffer, "buffer").data;
+  if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
+    throw Fault{"buffer view " + std::to_string(viewIndex) + " reaches beyond its buffer", exportAgain};
+  return {data.data() + view.byteOffset, view.byteLength};
+}
+
+template <typename Component>
+double valueAt(const unsigned char* bytes) {
+  Component value;
+  std::memcpy(&value, bytes, sizeof value);
+  return static_cast<double>(value);
+}
+
+double componentAt(const unsigned char* bytes, int type) {
+  switch (type) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return valueAt<std::int8_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return valueAt<std::uint8_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return valueAt<std::int16_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return valueAt<std::uint16_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return valueAt<std::uint32_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+      return valueAt<float>(bytes);
+    default:
+      throw Fault{"the component type " + std::to_string(type) + " is unknown", exportAgain};
+  }
+}
+
+/// The largest value of a normalized integer, which stands for 1.
+double scaleOf(int type) {
+  switch (type) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return 127;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return 255;
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return 32767;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return 65535;
+    default:
+      return 1;
+  }
+}
+
+/// The values of an accessor, `components` per element.
+std::vector<double> valuesOf(const tinygltf::Model& gltf, int index, int type, int components) {
+  const tinygltf::Accessor& accessor = itemAt(gltf.accessors, index, "accessor");
+  const std::string name = "accessor " + std::to_string(index);
+  if (accessor.sparse.isSparse) throw Fault{name + " is sparse, which is not read", "export without sparse accessors"};
+  if (accessor.type != type) throw Fault{name + " has values of a wrong type", exportAgain};
+  const std::int32_t componentSize =
+      tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
+  componentAt(std::array<unsigned char, 8>{}.data(), accessor.componentType);  // throws for an unknown type
+  const auto componentBytes = static_cast<std::size_t>(componentSize);
+  const std::size_t size = componentBytes * static_cast<std::size_t>(components);
+  if (accessor.count == 0) return {};
+  const Bytes bytes = bytesOf(gltf, accessor.bufferView);
+  const std::size_t given = gltf.bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride;
+  const std::size_t stride = given == 0 ? size : given;
+  if (stride < size) throw Fault{name + " has a stride below the size of its values", exportAgain};
+  // Divided, because products of numbers in the file may overflow.
+  if (accessor.byteOffset > bytes.size || size > bytes.size - accessor.byteOffset ||
+      accessor.count - 1 > (bytes.size - accessor.byteOffset - size) / stride)
+    throw Fault{name + " reaches beyond its buffer view", exportAgain};
+  const double scale = accessor.normalized ? scaleOf(accessor.componentType) : 1;
+  std::vector<double> values;
+  values.reserve(accessor.count * static_cast<std::size_t>(components));
+  for (std::size_t i = 0; i < accessor.count; ++i)
+    for (std::size_t c = 0; c < static_cast<std::size_t>(components); ++c) {
+      const unsigned char* const first = bytes.first + accessor.byteOffset + i * stride + c * componentBytes;
+      values.push_back(std::max(componentAt(first, accessor.componentType) / scale,
+                                accessor.normalized ? -1.0 : -std::numeric_limits<double>::infinity()));
+    }
+  return values;
+}
+
+// ---- Meshes --------------------------------------------------------------------------------------------------------
+
+std::vector<glm::dvec3> positionsOf(const tinygltf::Model& gltf, const tinygltf::Primitive& primitive,
+                                    const glm::dmat4& toWorld) {
+  const auto found = primitive.attributes.find("POSITION");
+  if (found == primitive.attributes.end()) return {};
+  const std::vector<double> values = valuesOf(gltf, found->second, TINYGLTF_TYPE_VEC3, 3);
+  std::vector<glm::dvec3> positions;
+  for (std::size_t i = 0; i < values.size(); i += 3) {
+    positions.emplace_back(toWorld * glm::dvec4(values[i], values[i + 1], values[i + 2], 1));
+    if (!isFinite(positions.back()))
+      throw Fault{numbered("vertex", i / 3) + " has a coordinate that is not finite", exportAgain};
+  }
+  return positions;
+}
+
+std::vector<glm::dvec2> texcoordsOf(const tinygltf::Model& gltf, const tinygltf::Primitive& primitive,
+                                    std::size_t vertices) {
+  const auto found = primitive.attributes.find("TEXCOORD_0");
+  if (found == primitive.attributes.end()) return {};
+  const std::vector<double> values = valuesOf(gltf, found->second, TINYGLTF_TYPE_VEC2, 2);
+  if (values.size() != 2 * vertices) throw Fault{"positions and texture coordinates differ in number", exportAgain};
+  std::vector<glm::dvec2> texcoords;
+  for (std::size_t i = 0; i < values.size(); i += 2) {
+    if (!std::isfinite(values[i]) || !std::isfinite(values[i + 1]))
+      throw Fault{numbered("vertex", i / 2) + " has a texture coordinate that is not finite", exportAgain};
+    texcoords.emplace_back(values[i], values[i + 1]);
+  }
+  return texcoords;
+}
+
+/// The vertices of a primitive in the order in which it uses them.
+std::vector<std::uint32_t> verticesOf(const tinygltf::Model& gltf, const tinygltf::Primitive& primitive,
+                                      std::size_t vertices) {
+  std::vector<std::uint32_t> used;
+  if (primitive.indices < 0) {
+    for (std::size_t v = 0; v < vertices; ++v) used.push_back(static_cast<std::uint32_t>(v));
+    return used;
+  }
+  const int type = itemAt(gltf.accessors, primitive.indices, "accessor").componentType;
+  if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
+      type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
+    throw Fault{"indices have the component type " + std::to_string(type), exportAgain};
+  for (const double index : valuesOf(gltf, primitive.indices, TINYGLTF_TYPE_SCALAR, 1)) {
+    if (index >= static_cast<double>(vertices))
+      throw Fault{"index " + std::to_string(static_cast<std::uint32_t>(index)) + " is out of range: there are " +
+                      std::to_string(vertices) + " vertices",
+                  exportAgain};
+    used.push_back(static_cast<std::uint32_t>(index));
+  }
+  return used;
+}
+
+/// Three vertices per triangle, in the order of the specification (section 3.7.2.1).
+std::vector<std::uint32_t> cornersOf(const std::vector<std::uint32_t>& used, int mode) {
+  if (mode == TINYGLTF_MODE_TRIANGLES) {
+    if (used.size() % 3 != 0)
+      throw Fault{"triangles have " + std::to_string(used.size()) + " corners, which is no multiple of 3", exportAgain};
+    return used;
+  }
+  std::vector<std::uint32_t> corners;
+  for (std::size_t i = 0; i + 2 < used.size(); ++i) {
+    const std::size_t odd = i % 2;
+    if (mode == TINYGLTF_MODE_TRIANGLE_STRIP)
+      corners.insert(corners.end(), {used[i], used[i + 1 + odd], used[i + 2 - odd]});
+    else
+      corners.insert(corners.end(), {used[i + 1], used[i + 2], used[0]});
+  }
+  return corners;
+}
+
+// ---- Nodes ---------------------------------------------------------------------------------------------------------
+
+glm::dmat4 localMatrix(const tinygltf::Node& node) {
+  glm::dmat4 matrix(1.0);
+  if (node.matrix.size() == 16) {
+    for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
+    return matrix;
+  }
+  if (node.rotation.size() == 4) {
+    const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
+    const double length = glm::length(rotation);
+    if (!(length > 0)) throw Fault{"the rotation of node `" + node.name + "` is zero", exportAgain};
+    matrix = glm::mat4_cast(rotation / length);
+  }
+  if (node.scale.size() == 3)
+    for (int axis = 0; axis < 3; ++axis) matrix[axis] *= node.scale[static_cast<std::size_t>(axis)];
+  if (node.translation.size() == 3)
+    matrix[3] = glm::dvec4(node.translation[0], node.translation[1], node.translation[2], 1);
+  return matrix;
+}
+
+/// Returns `wanted`, or the first of `wanted~2`, `wanted~3`, ... that is not in `taken`, and inserts it there.
+std::string uniqueName(std::set<std::string>& taken, const std::string& wanted) {
+  std::string name = wanted;
+  for (int n = 2; !taken.insert(name).second; ++n) name = wanted + "~" + std::to_string(n);
+  return name;
+}
+
+/// Collects the meshes and the camera of the nodes of a scene.
+class NodeReader {
+ public:
+  NodeReader(const tinygltf::Model& gltf, GltfImport& import)
+      : gltf_(gltf), import_(import), isVisited_(gltf.nodes.size()) {}
+
+  /// Reads the node and all below it. A stack, because a file may nest nodes deeper than calls may be.
+  void readTree(int root) {
+    std::vector<std::pair<int, glm::dmat4>> open = {{root, glm::dmat4(1.0)}};
+    while (!open.empty()) {
+      const auto [index, parent] = open.back();
+      open.pop_back();
+      const tinygltf::Node& node = itemAt(gltf_.nodes, index, "node");
+      if (isVisited_[static_cast<std::size_t>(index)])
+        throw Fault{numbered("node", static_cast<std::size_t>(index)) + " has several parents", exportAgain};
+      isVisited_[static_cast<std::size_t>(index)] = true;
+      const glm::dmat4 toWorld = parent * localMatrix(node);
+      if (node.mesh >= 0) readMesh(node, index, toWorld);
+      if (node.camera >= 0) readCamera(node, toWorld);
+      for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
+        open.emplace_back(*child, toWorld);
+    }
+  }
+
+  void warn() {
+    if (otherPrimitives_ > 0)
+      import_.warnings.push_back(numbered("points and lines are left out; primitives:", otherPrimitives_));
+  }
+
+ private:
+  void readMesh(const tinygltf::Node& node, int index, const glm::dmat4& toWorld) {
+    const tinygltf::Mesh& mesh = itemAt(gltf_.meshes, node.mesh, "mesh");
+    std::string name = node.name.empty() ? mesh.name : node.name;
+    if (name.empty()) name = "node-" + std::to_string(index);
+    name = uniqueName(names_, name);
+    for (const tinygltf::Primitive& primitive : mesh.primitives) {
+      try {
+        readPrimitive(primitive, name, toWorld);
+      } catch (const Fault& fault) {
+        throw Fault{"the mesh of node `" + name + "`: " + fault.problem, fault.advice};
+      }
+    }
+  }
+
+  void readPrimitive(const tinygltf::Primitive& primitive, const std::string& name, const glm::dmat4& toWorld) {
+    const bool isOfTriangles = primitive.mode == TINYGLTF_MODE_TRIANGLES ||
+                               primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
+                               primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
+    if (!isOfTriangles) {
+      ++otherPrimitives_;
+      return;
+    }
+    ImportedPart part;
+    part.node = name;
+    if (primitive.material >= 0) {
+      itemAt(gltf_.materials, primitive.material, "material");
+      part.material = primitive.material;
+    }
+    part.positions = positionsOf(gltf_, primitive, toWorld);
+    part.texcoords = texcoordsOf(gltf_, primitive, part.positions.size());
+    part.corners = cornersOf(verticesOf(gltf_, primitive, part.positions.size()), primitive.mode);
+    // A mirror turns clockwise triangles into counter-clockwise ones.
+    if (glm::determinant(glm::dmat3(toWorld)) < 0)
+      for (std::size_t c = 0; c < part.corners.size(); c += 3) std::swap(part.corners[c + 1], part.corners[c + 2]);
+    import_.parts.push_back(std::move(part));
+  }
+
+  void readCamera(const tinygltf::Node& node, const glm::dmat4& toWorld) {
+    const tinygltf::Camera& camera = itemAt(gltf_.cameras, node.camera, "camera");
+    const double fov = camera.perspective.yfov;
+    if (import_.camera || camera.type != "perspective" || !(fov > 0 && fov < std::numbers::pi)) return;
+    const ImportedCamera seen{
+        .eye = toWorld[3], .direction = -glm::dvec3(toWorld[2]), .up = toWorld[1], .fov = fov * 180 / std::numbers::pi};
+    const double area = glm::length(glm::cross(seen.direction, seen.up));
+    if (!isFinite(seen.eye) || !(area > 0) || !std::isfinite(area)) return;
+    import_.camera = seen;
+  }
+
+  const tinygltf::Model& gltf_;
+  GltfImport& import_;
+  std::vector<bool> isVisited_;
+  std::set<std::string> names_;
+  std::size_t otherPrimitives_ = 0;
+};
+
+/// The nodes that a scene begins with: those of the default scene, of the first scene, or all without a parent.
+std::vector<int> rootsOf(const tinygltf::Model& gltf) {
+  if (!gltf.scenes.empty()) return itemAt(gltf.scenes, std::max(gltf.defaultScene, 0), "scene").nodes;
+  std::set<int> children;
+  for (const tinygltf::Node& node : gltf.nodes) children.insert(node.children.begin(), node.children.end());
+  std::vector<int> roots;
+  for (int n = 0; n < static_cast<int>(gltf.nodes.size()); ++n)
+    if (children.count(n) == 0) roots.push_back(n);
+  return roots;
+}
+
+// ---- Materials -----------------------------------------------------------------------------------------------------
+
+/// A factor of three numbers of at least 0; `missing` where the file has none.
+glm::dvec3 factorOf(const std::vector<double>& numbers, const glm::dvec3& missing, const std::string& what) {
+  if (numbers.size() < 3) return missing;
+  const glm::dvec3 factor(numbers[0], numbers[1], numbers[2]);
+  if (!isFinite(factor)) throw Fault{"a factor of " + what + " is not finite", exportAgain};
+  if (factor.x < 0 || factor.y < 0 || factor.z < 0)
+    throw Fault{"a factor of " + what + " is negative", "light cannot be less than 0"};
+  return factor;
+}
+
+double emissiveStrength(const tinygltf::Material& material) {
+  const auto extension = material.extensions.find("KHR_materials_emissive_strength");
+  if (extension == material.extensions.end() || !extension->second.IsObject() ||
+      !extension->second.Has("emissiveStrength"))
+    return 1;
+  const tinygltf::Value& strength = extension->second.Get("emissiveStrength");
+  return strength.IsNumber() ? strength.GetNumberAsDouble() : 1;
+}
+
+/// The image of a texture, if there is one.
+std::optional<int> imageOf(const tinygltf::Model& gltf, int texture, int texcoord, const std::string& material,
+                           GltfImport& import) {
+  if (texture < 0) return {};
+  const int image = itemAt(gltf.textures, texture, "texture").source;
+  itemAt(gltf.images, image, "image");
+  if (texcoord != 0)
+    import.warnings.push_back("material '" + material + "': its texture uses other coordinates than the first ones");
+  return image;
+}
+
+std::vector<ImportedMaterial> materialsOf(const tinygltf::Model& gltf, GltfImport& import) {
+  std::vector<ImportedMaterial> materials;
+  std::set<std::string> names;
+  for (std::size_t m = 0; m < gltf.materials.size(); ++m) {
+    const tinygltf::Material& given = gltf.materials[m];
+    ImportedMaterial material;
+    material.name = uniqueName(names, given.name.empty() ? "material-" + std::to_string(m) : given.name);
+    const std::string owner = "material '" + material.name + "'";
+    const tinygltf::PbrMetallicRoughness& pbr = given.pbrMetallicRoughness;
+    material.baseColor = factorOf(pbr.baseColorFactor, glm::dvec3(1.0), owner);
+    material.baseColorImage =
+        imageOf(gltf, pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord, material.name, import);
+    const double strength = emissiveStrength(given);
+    material.emission = factorOf(given.emissiveFactor, glm::dvec3(0.0), owner);
+    material.emission =
+        factorOf({material.emission.x * strength, material.emission.y * strength, material.emission.z * strength},
+                 glm::dvec3(0.0), owner);
+    material.emissionImage =
+        imageOf(gltf, given.emissiveTexture.index, given.emissiveTexture.texCoord, material.name, import);
+    materials.push_back(std::move(material));
+  }
+  return materials;
+}
+
+std::vector<ImportedImage> imagesOf(const tinygltf::Model& gltf) {
+  std::vector<ImportedImage> images;
+  for (std::size_t i = 0; i < gltf.images.size(); ++i) {
+    const tinygltf::Image& given = gltf.images[i];
+    ImportedImage image{"image " + std::to_string(i), given.image};
+    if (!given.uri.empty()) image.name = given.uri;
+    if (given.bufferView >= 0) {
+      const Bytes bytes = bytesOf(gltf, given.bufferView);
+      image.bytes.assign(bytes.first, bytes.first + bytes.size);
+    }
+    images.push_back(std::move(image));
+  }
+  return images;
+}
+
+// ---- Files ---------------------------------------------------------------------------------------------------------
+
+/// Keeps the bytes of an image from a file or a data URI. Those of buffer views are read later, after a check of their
+/// range, which tinygltf omits.
+bool keepImage(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes, int size,
+               void*) {
+  if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
+  return true;
+}
+
+/// Whether a name leads to a file in the folder of the scene or below it.
+bool isInside(const std::string& name, const std::string& folder) {
+  if (!name.starts_with(folder + "/")) return false;
+  const std::filesystem::path rest = std::filesystem::path(name.substr(folder.size() + 1)).lexically_normal();
+  return rest.is_relative() && rest != "." && (rest.empty() || *rest.begin() != "..");
+}
+
+bool fileExists(const std::string& name, void* folder) {
+  std::error_code ignored;
+  return isInside(name, *static_cast<const std::string*>(folder)) && std::filesystem::is_regular_file(name, ignored);
+}
+
+bool readWholeFile(std::vector<unsigned char>* bytes, std::string* problem, const std::string& name, void*) {
+  std::ifstream file(name, std::ios::binary);
+  bytes->assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  if (!file.eof() && !file) *problem = "it cannot be read";
+  return problem->empty();
+}
+
+/// tinygltf expands names as a shell does; names in a scene are names.
+std::string sameName(const std::string& name, void*) { return name; }
+
+/// The first line of a message.
+std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+tinygltf::Model parse(const std::string& bytes, std::string folder) {
+  constexpr const char* advice = "give a glTF 2.0 file; files that it names must lie in its folder or below";
+  if (bytes.size() > std::numeric_limits<unsigned int>::max())
+    throw Fault{"the file has more than 4 GiB", "divide the scene"};
+  tinygltf::TinyGLTF reader;
+  reader.SetImageLoader(keepImage, nullptr);
+  reader.SetFsCallbacks({fileExists, sameName, readWholeFile, nullptr, &folder});
+  tinygltf::Model gltf;
+  std::string error, warning;  // it warns of missing images, which have no bytes
+  const auto size = static_cast<unsigned int>(bytes.size());
+  const bool isRead =
+      bytes.starts_with("glTF")
+          ? reader.LoadBinaryFromMemory(&gltf, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()),
+                                        size, folder)
+          : reader.LoadASCIIFromString(&gltf, &error, &warning, bytes.data(), size, folder);
+  if (!isRead || !error.empty()) throw Fault{"is no valid glTF: " + firstLine(error), advice};
+  return gltf;
+}
+
+/// Throws Fault for an extension without which the file cannot be understood.
+void checkExtensions(const tinygltf::Model& gltf) {
+  for (const std::string& name : gltf.extensionsRequired) {
+    const bool isRead = name.starts_with("KHR_materials_") || name == "KHR_mesh_quantization" ||
+                        name == "KHR_lights_punctual" || name == "KHR_texture_transform";
+    if (!isRead) throw Fault{"needs the extension " + name + ", which is not read", "export without this extension"};
+  }
+}
+
+void warnOfOmissions(const tinygltf::Model& gltf, GltfImport& import) {
+  if (!gltf.lights.empty())
+    import.warnings.push_back("point, spot and directional lights are left out (" + std::to_string(gltf.lights.size()) +
+                              "); light comes from emissive materials");
+  if (!gltf.skins.empty() || !gltf.animations.empty()) import.warnings.push_back("skins and animations are left out");
+  for (const std::string& name : gltf.extensionsUsed) {
+    if (name == "KHR_texture_transform") import.warnings.push_back("transforms of textures are left out");
+    if (name == "KHR_materials_unlit")
+      import.warnings.push_back("unlit materials are read as lit ones; their base colour is the reflectance");
+  }
+}
+
+void readFile(const std::string& bytes, const std::string& folder, GltfImport& import) {
+  const tinygltf::Model gltf = parse(bytes, folder);
+  checkExtensions(gltf);
+  warnOfOmissions(gltf, import);
+  import.images = imagesOf(gltf);
+  import.materials = materialsOf(gltf, import);
+  NodeReader nodes(gltf, import);
+  for (const int root : rootsOf(gltf)) nodes.readTree(root);
+  nodes.warn();
+}
+
+ImportProblem read(const std::string& bytes, const std::string& folder, GltfImport& import) {
+  try {
+    readFile(bytes, folder, import);
+  } catch (const Fault& fault) {
+    return {fault.problem, fault.advice};
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {  // of tinygltf's JSON parser
+    return {"is no valid glTF: " + firstLine(error.what()), exportAgain};
+  }
+  return {};
+}
+
+}  // namespace
+}  // namespace hemitex::radiosity
+
+extern "C" __attribute__((visibility("default")))
+const hemitex::radiosity::GltfReader hemitexGltfReader = {hemitex::radiosity::read};

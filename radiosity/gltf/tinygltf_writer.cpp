@@ -1,0 +1,165 @@
+/// The module hemitex_gltf: writes glTF by tinygltf.
+#include <tiny_gltf.h>
+
+#include <cstring>
+#include <span>
+
+#include "radiosity/gltf/gltf_module.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+int last(const auto& list) { return static_cast<int>(list.size()) - 1; }
+
+/// Appends values to the buffer, at a multiple of 4 bytes. Returns the index of their view.
+template <typename Value>
+int appendView(tinygltf::Model& gltf, std::span<const Value> values, int target) {
+  std::vector<unsigned char>& bytes = gltf.buffers.front().data;
+  tinygltf::BufferView view;
+  view.buffer = 0;
+  view.byteOffset = bytes.size();
+  view.byteLength = values.size_bytes();
+  view.target = target;
+  const auto* const first = reinterpret_cast<const unsigned char*>(values.data());
+  bytes.insert(bytes.end(), first, first + values.size_bytes());
+  bytes.resize((bytes.size() + 3) / 4 * 4);
+  gltf.bufferViews.push_back(std::move(view));
+  return last(gltf.bufferViews);
+}
+
+int appendAccessor(tinygltf::Model& gltf, int view, int componentType, int type, std::size_t count) {
+  tinygltf::Accessor accessor;
+  accessor.bufferView = view;
+  accessor.componentType = componentType;
+  accessor.type = type;
+  accessor.count = count;
+  gltf.accessors.push_back(std::move(accessor));
+  return last(gltf.accessors);
+}
+
+/// An accessor of one vector of binary32 per vertex.
+template <int Size>
+int appendAttribute(tinygltf::Model& gltf, const std::vector<glm::vec<Size, float, glm::defaultp>>& values) {
+  const int view = appendView(gltf, std::span(values), TINYGLTF_TARGET_ARRAY_BUFFER);
+  return appendAccessor(gltf, view, TINYGLTF_COMPONENT_TYPE_FLOAT, Size, values.size());
+}
+
+/// As above with the bounds that glTF requires of positions.
+int appendPositions(tinygltf::Model& gltf, const std::vector<glm::vec3>& positions) {
+  const int index = appendAttribute(gltf, positions);
+  glm::vec3 low = positions.front(), high = low;
+  for (const glm::vec3& position : positions) {
+    low = glm::min(low, position);
+    high = glm::max(high, position);
+  }
+  gltf.accessors.back().minValues = {low.x, low.y, low.z};
+  gltf.accessors.back().maxValues = {high.x, high.y, high.z};
+  return index;
+}
+
+int appendCorners(tinygltf::Model& gltf, const std::vector<std::uint32_t>& corners) {
+  const int view = appendView(gltf, std::span(corners), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+  return appendAccessor(gltf, view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, corners.size());
+}
+
+void appendTexture(tinygltf::Model& gltf, const GltfTexture& texture) {
+  tinygltf::Image image;
+  image.name = texture.name;
+  image.mimeType = "image/png";
+  image.bufferView = appendView(gltf, std::span(texture.png), 0);
+  gltf.images.push_back(std::move(image));
+  tinygltf::Texture sampled;
+  sampled.source = last(gltf.images);
+  sampled.sampler = 0;
+  gltf.textures.push_back(std::move(sampled));
+}
+
+tinygltf::Material unlitMaterial(const GltfMaterial& material) {
+  tinygltf::Material unlit;
+  unlit.name = material.name;
+  unlit.pbrMetallicRoughness.metallicFactor = 0;  // for viewers that do not know unlit materials
+  unlit.pbrMetallicRoughness.baseColorTexture.index = material.texture.value_or(-1);
+  unlit.extensions["KHR_materials_unlit"] = tinygltf::Value(tinygltf::Value::Object());
+  return unlit;
+}
+
+/// Appends a node to the scene.
+void appendNode(tinygltf::Model& gltf, tinygltf::Node node) {
+  gltf.nodes.push_back(std::move(node));
+  gltf.scenes.front().nodes.push_back(last(gltf.nodes));
+}
+
+void appendObject(tinygltf::Model& gltf, const GltfObject& object, const glm::dvec3& origin) {
+  tinygltf::Primitive primitive;
+  primitive.attributes["POSITION"] = appendPositions(gltf, object.positions);
+  primitive.attributes["TEXCOORD_0"] = appendAttribute(gltf, object.texcoords);
+  if (!object.colours.empty()) primitive.attributes["COLOR_0"] = appendAttribute(gltf, object.colours);
+  primitive.indices = appendCorners(gltf, object.corners);
+  primitive.material = object.material;
+  primitive.mode = TINYGLTF_MODE_TRIANGLES;
+  tinygltf::Mesh mesh;
+  mesh.name = object.name;
+  mesh.primitives = {std::move(primitive)};
+  gltf.meshes.push_back(std::move(mesh));
+
+  tinygltf::Node node;
+  node.name = object.name;
+  node.mesh = last(gltf.meshes);
+  node.translation = {origin.x, origin.y, origin.z};
+  appendNode(gltf, std::move(node));
+}
+
+void appendCamera(tinygltf::Model& gltf, const GltfCamera& camera) {
+  tinygltf::Camera perspective;
+  perspective.name = "camera";
+  perspective.type = "perspective";
+  perspective.perspective.yfov = camera.fov;
+  perspective.perspective.aspectRatio = camera.aspect;
+  perspective.perspective.znear = camera.near;
+  perspective.perspective.zfar = camera.far;
+  gltf.cameras.push_back(std::move(perspective));
+
+  tinygltf::Node node;
+  node.name = "camera";
+  node.camera = last(gltf.cameras);
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row) node.matrix.push_back(camera.toWorld[column][row]);
+  appendNode(gltf, std::move(node));
+}
+
+tinygltf::Sampler linearSampler() {
+  tinygltf::Sampler sampler;
+  sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
+  sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+  sampler.wrapS = sampler.wrapT = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+  return sampler;
+}
+
+/// Frees the parts of the model as it goes, because tinygltf needs a second copy of the buffer.
+void write(GltfModel model, std::ostream& stream) {
+  tinygltf::Model gltf;
+  gltf.asset.version = "2.0";
+  gltf.asset.generator = "hemitex";
+  gltf.extensionsUsed = {"KHR_materials_unlit"};
+  gltf.buffers.emplace_back();
+  gltf.scenes.emplace_back();
+  gltf.defaultScene = 0;
+  gltf.samplers = {linearSampler()};
+  for (GltfTexture& texture : model.textures) {
+    appendTexture(gltf, texture);
+    texture = {};
+  }
+  for (const GltfMaterial& material : model.materials) gltf.materials.push_back(unlitMaterial(material));
+  for (GltfObject& object : model.objects) {
+    appendObject(gltf, object, model.origin);
+    object = {};
+  }
+  appendCamera(gltf, model.camera);
+  tinygltf::TinyGLTF().WriteGltfSceneToStream(&gltf, stream, false, true);
+}
+
+}  // namespace
+}  // namespace hemitex::radiosity
+
+extern "C" __attribute__((visibility("default")))
+const hemitex::radiosity::GltfWriter hemitexGltfWriter = {hemitex::radiosity::write};

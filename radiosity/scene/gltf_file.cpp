@@ -1,0 +1,183 @@
+#include "radiosity/scene/gltf_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "radiosity/gltf/gltf_module.h"
+#include "radiosity/images/image.h"
+#include "radiosity/scene/mtl_file.h"
+#include "raster/base/file_io.h"
+#include "raster/base/input_error.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+using raster::InputError;
+
+/// The reflectance where a material or its image is missing.
+constexpr double grey = 0.5;
+
+GltfImport import(const std::filesystem::path& file) {
+  const std::string bytes = raster::readFile(file, "check the path, and that it is a file you may read");
+  const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
+  GltfImport imported;
+  try {
+    const ImportProblem problem = gltfReader().read(bytes, folder, imported);
+    if (!problem.problem.empty()) throw InputError(file.string(), 0, problem.problem, problem.advice);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw InputError(file.string(), 0,
+                     std::string("needs the module for glTF, which cannot be opened: ") + error.what(),
+                     "install hemitex again, or build it with CMake");
+  }
+  return imported;
+}
+
+/// Appends parts to a mesh.
+class MeshBuilder {
+ public:
+  explicit MeshBuilder(const std::filesystem::path& file) : file_(file) {}
+
+  void add(const ImportedPart& part, const std::string& material) {
+    const std::size_t firstPosition = mesh_.positions.size(), firstTexcoord = mesh_.texcoords.size();
+    constexpr std::size_t maxCount = std::numeric_limits<std::uint32_t>::max();
+    if (mesh_.corners.size() + part.corners.size() > maxCount || firstPosition + part.positions.size() > maxCount)
+      throw InputError(file_.string(), 0, "the scene has more than 2^32 corners", "divide it");
+    for (const glm::dvec3& position : part.positions) addPosition(position);
+    for (const glm::dvec2& texcoord : part.texcoords) addTexcoord(texcoord);
+    const std::uint32_t section = sectionOf(part.node, material);
+    for (std::size_t c = 0; c < part.corners.size(); c += 3) {
+      mesh_.polygons.push_back({.firstCorner = static_cast<std::uint32_t>(mesh_.corners.size()),
+                                .cornerCount = 3,
+                                .section = section,
+                                .textured = !part.texcoords.empty()});
+      for (std::size_t k = c; k < c + 3; ++k) {
+        MeshCorner corner{static_cast<std::uint32_t>(firstPosition + part.corners[k])};
+        if (!part.texcoords.empty()) corner.texcoord = static_cast<std::uint32_t>(firstTexcoord + part.corners[k]);
+        mesh_.corners.push_back(corner);
+      }
+    }
+  }
+
+  PolygonMesh mesh() && { return std::move(mesh_); }
+
+ private:
+  void addPosition(const glm::dvec3& position) {
+    if (std::max({std::fabs(position.x), std::fabs(position.y), std::fabs(position.z)}) > largestCoordinate)
+      throw InputError(file_.string(), 0, "a coordinate is above 1e18 in size", "scale the scene down");
+    mesh_.positions.push_back(position);
+    mesh_.colors.emplace_back();
+  }
+
+  /// glTF measures v from the top of an image, a scene from its bottom.
+  void addTexcoord(const glm::dvec2& texcoord) {
+    if (std::max(std::fabs(texcoord.x), std::fabs(texcoord.y)) > largestCoordinate)
+      throw InputError(file_.string(), 0, "a texture coordinate is above 1e18 in size",
+                       "use coordinates from 0 to 1, or of some repetitions");
+    mesh_.texcoords.emplace_back(texcoord.x, 1 - texcoord.y);
+  }
+
+  std::uint32_t sectionOf(const std::string& node, const std::string& material) {
+    const auto known = sections_.try_emplace({node, material}, static_cast<std::uint32_t>(mesh_.sections.size()));
+    if (known.second) mesh_.sections.push_back({node, material});
+    return known.first->second;
+  }
+
+  const std::filesystem::path& file_;
+  PolygonMesh mesh_;
+  std::map<std::pair<std::string, std::string>, std::uint32_t> sections_;
+};
+
+/// Decodes the images of materials; each is decoded once.
+class DecodedImages {
+ public:
+  DecodedImages(const GltfFile& gltf, const std::filesystem::path& file, MaterialSet& set)
+      : gltf_(gltf), file_(file), set_(set) {}
+
+  /// The index of an image in the set; nothing, with a warning, if it is missing or broken.
+  std::optional<int> decode(int image) {
+    const auto [known, isNew] = decoded_.try_emplace(image);
+    if (isNew) known->second = decodeNew(gltf_.images[static_cast<std::size_t>(image)]);
+    return known->second;
+  }
+
+ private:
+  std::optional<int> decodeNew(const ImportedImage& image) {
+    if (image.bytes.empty()) {
+      set_.warnings.push_back(file_.string() + ": the image " + image.name + " cannot be read; 0.5 stands for it");
+      return {};
+    }
+    try {
+      set_.images.push_back(decodeImage(image.bytes, file_.string() + ": " + image.name));
+    } catch (const InputError& error) {
+      set_.warnings.push_back(std::string(error.what()) + "; 0.5 stands for it");
+      return {};
+    }
+    return static_cast<int>(set_.images.size()) - 1;
+  }
+
+  const GltfFile& gltf_;
+  const std::filesystem::path& file_;
+  MaterialSet& set_;
+  std::map<int, std::optional<int>> decoded_;
+};
+
+Material materialOf(const ImportedMaterial& given, DecodedImages& images, const std::filesystem::path& file,
+                    const SceneSettings& settings, std::vector<std::string>& warnings) {
+  Material material{.name = given.name, .reflectance = given.baseColor};
+  const std::string owner = "material '" + given.name + "': ";
+  const auto warning = lowerReflectance(material.reflectance, settings.maxReflectance);
+  // Most textures have the factor 1, which only says that they are the colour.
+  if (warning && !given.baseColorImage) warnings.push_back(owner + *warning);
+  if (given.baseColorImage) {
+    material.reflectanceMap = images.decode(*given.baseColorImage);
+    if (!material.reflectanceMap) material.reflectance = glm::dvec3(grey);
+  }
+  material.emission = given.emission * radiosityPerUnit(settings.emission);
+  if (std::max({material.emission.r, material.emission.g, material.emission.b}) > largestEmission)
+    throw InputError(file.string(), 0, owner + "its emission is above 1e30 W/m^2", "scale the light down");
+  if (given.emissionImage && bandSum(given.emission) > 0) {
+    material.emissionMap = images.decode(*given.emissionImage);
+    if (!material.emissionMap) material.emission *= grey;
+  }
+  return material;
+}
+
+}  // namespace
+
+GltfFile readGltf(const std::filesystem::path& file) {
+  GltfImport imported = import(file);
+  MeshBuilder builder(file);
+  for (const ImportedPart& part : imported.parts)
+    builder.add(part,
+                part.material ? imported.materials[static_cast<std::size_t>(*part.material)].name : std::string());
+  GltfFile gltf{std::move(builder).mesh(), std::move(imported.materials), std::move(imported.images), {}};
+  gltf.mesh.warnings = std::move(imported.warnings);
+  if (const auto& camera = imported.camera)
+    gltf.camera = SceneCamera{camera->eye, camera->eye + camera->direction, camera->up, camera->fov};
+  return gltf;
+}
+
+MaterialSet gltfMaterials(const std::vector<std::string>& names, const GltfFile& gltf,
+                          const std::filesystem::path& file, const SceneSettings& settings) {
+  MaterialSet set;
+  DecodedImages images(gltf, file, set);
+  for (const std::string& name : names) {
+    const auto given = std::find_if(gltf.materials.begin(), gltf.materials.end(),
+                                    [&](const ImportedMaterial& material) { return material.name == name; });
+    if (given != gltf.materials.end()) {
+      set.materials.push_back(materialOf(*given, images, file, settings, set.warnings));
+    } else {
+      set.materials.push_back({.name = "default"});
+      set.warnings.push_back("faces without a material become grey 0.5");
+    }
+  }
+  return set;
+}
+
+}  // namespace hemitex::radiosity

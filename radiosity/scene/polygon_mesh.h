@@ -1,0 +1,51 @@
+/// The polygons of a scene file, whatever its format. Each polygon belongs to a section, which is a group (or object)
+/// with a material name.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hemitex::radiosity {
+
+/// All faces of a file that share a group and a material, wherever they are.
+struct MeshSection {
+  std::string group;     ///< OBJ: `default` before any group, and a blank between several names of one `g`
+  std::string material;  ///< empty for none
+};
+
+struct MeshPolygon {
+  std::uint32_t firstCorner = 0;  ///< in PolygonMesh::corners
+  std::uint32_t cornerCount = 0;  ///< at least 3
+  std::uint32_t section = 0;      ///< in PolygonMesh::sections
+  int line = 0;                   ///< of a text file; 0 in others
+  bool textured = false;          ///< every corner has texture coordinates
+};
+
+struct MeshCorner {
+  std::uint32_t position = 0;                  ///< in PolygonMesh::positions
+  std::optional<std::uint32_t> texcoord = {};  ///< in PolygonMesh::texcoords
+};
+
+struct PolygonMesh {
+  std::vector<glm::dvec3> positions;              ///< finite; absolute coordinates at most 1e18
+  std::vector<std::optional<glm::dvec3>> colors;  ///< one per position
+  std::vector<glm::dvec2> texcoords;              ///< finite; absolute coordinates at most 1e18
+  std::vector<MeshCorner> corners;
+  std::vector<MeshPolygon> polygons;  ///< in file order
+  std::vector<MeshSection> sections;  ///< in the order of their first faces
+  std::vector<std::string>
+      materialLibraries;  ///< OBJ: the argument of each `mtllib`, a file or several with blanks between them
+  std::vector<std::string> warnings;  ///< about faults in unused data, for the user
+};
+
+/// The square of a larger coordinate would leave the range of binary32, which drawing uses. A larger texture coordinate
+/// could not be located between texels.
+inline constexpr double largestCoordinate = 1e18;
+
+/// Where a polygon is, for messages: `line 7` of a text file, else `face 7`, counted from 1.
+std::string placeOf(const PolygonMesh& mesh, std::uint32_t polygon);
+
+}  // namespace hemitex::radiosity
