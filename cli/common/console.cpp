@@ -10,6 +10,7 @@ namespace {
 
 constexpr int barLength = 30;
 constexpr std::chrono::milliseconds barInterval{100};
+constexpr std::chrono::seconds lineInterval{10};
 
 }  // namespace
 
@@ -33,8 +34,14 @@ void Console::detail(const std::string& text) {
 }
 
 void Console::progress(double fraction, const std::string& text) {
-  if (verbosity == Verbosity::Quiet || isatty(STDERR_FILENO) == 0) return;
+  if (verbosity == Verbosity::Quiet) return;
   const auto now = std::chrono::steady_clock::now();
+  if (isatty(STDERR_FILENO) == 0) {
+    if (now - shown_ < lineInterval) return;
+    detail(text);
+    shown_ = now;
+    return;
+  }
   if (barShown_ && now - shown_ < barInterval) return;
   const int filled = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * barLength);
   const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
@@ -42,6 +49,11 @@ void Console::progress(double fraction, const std::string& text) {
   std::cerr << "\r\033[K[" << bar << "] " << text << std::flush;
   shown_ = now;
   barShown_ = true;
+}
+
+void Console::machineLine(const std::string& text) {
+  endProgress();
+  std::cerr << text << std::endl;
 }
 
 void Console::endProgress() {

@@ -27,9 +27,11 @@ class Console {
   /// All warnings so far, printed or not.
   const std::vector<std::string>& given() const { return given_; }
 
-  /// Shows a progress bar of `fraction` in [0, 1] with a text, only if stderr is a terminal. The bar changes at most
-  /// every 0.1 s. The next message removes it.
+  /// Shows a progress bar of `fraction` in [0, 1] with a text if stderr is a terminal. The bar changes at most every
+  /// 0.1 s. The next message removes it. Elsewhere prints the text as a detail, at most every 10 s.
   void progress(double fraction, const std::string& text);
+  /// Prints a line for programs, whatever the verbosity.
+  void machineLine(const std::string& text);
   /// Removes the bar.
   void endProgress();
 
@@ -37,7 +39,7 @@ class Console {
   void print(const std::string& line);
 
   std::vector<std::string> given_;
-  std::chrono::steady_clock::time_point shown_;  ///< when the bar was last drawn
+  std::chrono::steady_clock::time_point shown_;  ///< when the progress was last shown
   bool barShown_ = false;
 };
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "cli/scene/sealed_folder.h"
 #include "cli/scene/surface_names.h"
 #include "radiosity/images/image.h"
 #include "raster/base/file_io.h"
@@ -52,6 +53,7 @@ std::optional<SolvedFolder> SolvedFolder::around(const std::filesystem::path& sc
   const std::filesystem::path file = solved.folder_ / "solution.json";
   const std::optional<std::string> text = raster::tryReadFile(file);
   if (!text) return std::nullopt;
+  requireIntact(solved.folder_);
   try {
     const json solution = reference::parseJson<json>(*text);
     const json& settings = solution.at("settings");

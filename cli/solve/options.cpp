@@ -100,6 +100,25 @@ void addEdits(Command command, std::filesystem::path& edits) {
       .excludes(command.option("--pixels-per-element"));
 }
 
+void addLongRunOptions(Command command, LongRunOptions& longRun) {
+  CheckpointOptions& options = longRun.checkpoint;
+  command = command.under("Long runs");
+  const Option checkpoint =
+      command.addText("--checkpoint", "FILE",
+                      "store the solution in this file from time to time, and after a signal that stops the run",
+                      [&options](const std::string& text) { options.file = text; });
+  const Option resume = command.addText("--resume", "FILE",
+                                        "go on from a file of --checkpoint, with the same scene and options; the "
+                                        "result is that of a run without a stop",
+                                        [&options](const std::string& text) { options.resume = text; });
+  addPositive(command, "--every", options.every, 1e6, "seconds between two checkpoints (default 60)").needs(checkpoint);
+  addChoice<ProgressFormat>(command, "--progress", longRun.progress,
+                            {{"bar", ProgressFormat::Bar}, {"json", ProgressFormat::Json}},
+                            "show progress as a bar on a terminal, or as lines of JSON on stderr for programs (default "
+                            "bar)");
+  for (const Option& option : {checkpoint, resume}) option.excludes(command.option("--edits"));
+}
+
 /// Throws a usage error for a filter between texels with quadtrees, whose elements are not texels.
 void validateFilter(const SolveOptions& options) {
   const TextureFilter filter = filterOf(options);
@@ -126,6 +145,7 @@ void addSolveOptions(Command command, SolveOptions& options) {
   addTextureOptions(command, options);
   addCameraOptions(command, options.camera);
   addEdits(command, options.edits);
+  addLongRunOptions(command, options.longRun);
   command.showFirst({"--output", "--report", "--emit", "--reflectance", "--texels", "--resolution", "--max-error",
                      "--residual", "--size"});
 }

@@ -7,6 +7,7 @@
 
 #include "cli/scene/camera_options.h"
 #include "cli/scene/scene_options.h"
+#include "cli/solve/monitor.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "radiosity/textures/lit_scene.h"
 #include "radiosity/textures/texture_filter.h"
@@ -29,6 +30,7 @@ struct SolveOptions {
   CameraOptions camera;
   std::filesystem::path edits;  ///< empty if there are none
   bool report = false;          ///< also write report.html
+  LongRunOptions longRun;
   std::filesystem::path output;
 };
 

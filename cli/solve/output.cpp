@@ -24,9 +24,9 @@ ordered_json surfaceTexelsJson(const radiosity::DiscretizationSettings& settings
   return texels;
 }
 
-/// The settings that the result depends on.
-ordered_json settingsJson(const Showing& showing) {
-  const SolveOptions& options = showing.options;
+}  // namespace
+
+ordered_json solutionSettings(const SolveOptions& options) {
   const auto orNull = [](const auto& value) { return value ? ordered_json(*value) : ordered_json(); };
   const auto ofProjections = [&](const auto& value) {
     return usesRays(options) ? ordered_json() : ordered_json(value);
@@ -55,12 +55,21 @@ ordered_json settingsJson(const Showing& showing) {
           {"align", options.id.aligned},
           {"max_error", orNull(options.maxError)},
           {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
-          {"shots", orNull(options.solver.shots)},
-          {"filter", nameOf(filterOf(options))},
-          {"magnify", orNull(options.magnification)},
-          {"camera", toJson(showing.camera)},
-          {"size", {options.camera.width, options.camera.height}},
-          {"exposure", showing.exposure}};
+          {"shots", orNull(options.solver.shots)}};
+}
+
+namespace {
+
+/// The settings that the result depends on.
+ordered_json settingsJson(const Showing& showing) {
+  const SolveOptions& options = showing.options;
+  ordered_json settings = solutionSettings(options);
+  settings.update({{"filter", nameOf(filterOf(options))},
+                   {"magnify", options.magnification ? ordered_json(*options.magnification) : ordered_json()},
+                   {"camera", toJson(showing.camera)},
+                   {"size", {options.camera.width, options.camera.height}},
+                   {"exposure", showing.exposure}});
+  return settings;
 }
 
 radiosity::TextureLayout textureLayout(const SolveOptions& options, const Lit& lit) {

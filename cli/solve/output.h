@@ -50,6 +50,9 @@ SolveRecord recordOf(const Lit& lit, const SolveOptions& options, const Converge
 void writeReport(const std::filesystem::path& folder, const radiosity::LitScene& shown, const Showing& showing,
                  const nlohmann::ordered_json& solution, const SolveRecord& record);
 
+/// The settings that a solution depends on, but not those for showing it.
+nlohmann::ordered_json solutionSettings(const SolveOptions& options);
+
 /// The object of solution.json without times and warnings: the settings that the result depends on, and the solution.
 /// It contains no path and no thread count, so that equal results have equal files.
 nlohmann::ordered_json description(const Lit& lit, const Showing& showing);

@@ -1,54 +1,30 @@
 #include "cli/solve/run.h"
 
-#include <cmath>
-
-#include "cli/common/interruption.h"
-#include "cli/common/json.h"
 #include "radiosity/discretization/adaptive_subdivision.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/solver/error_control.h"
-#include "reference/bench/timing.h"
 #include "reference/rays/embree_form_factors.h"
 
 namespace hemitex::cli {
 
-std::optional<BoundedSolution> solvedWithin(const SolveOptions& asked, const radiosity::Scene& scene,
-                                            const radiosity::Discretization& discretization,
-                                            const radiosity::IdLayout& layout, Console& console) {
-  if (!asked.maxError) return std::nullopt;
-  BoundedSolution bounded{asked};
-  bounded.options.solver.residual = radiosity::residualFor(*asked.maxError);
-  const auto solveWith = [&](const radiosity::Effort& effort) {
-    bounded.options.drawing.resolution = effort.resolution;
-    bounded.options.drawing.split = effort.split;
-    bounded.solved = solvedBy(bounded.options, scene, discretization, layout, console);
-    return bounded.solved.solution.radiosity;
-  };
-  bounded.expectedError = radiosity::chooseEffort(discretization, solveWith, *asked.maxError).expectedError;
-  return bounded;
-}
+namespace {
 
-radiosity::Discretization discretizationFor(const SolveOptions& options, const radiosity::Scene& scene,
-                                            Console& console) {
-  if (!options.adaptive) return discretizationOf(options.discretization, scene);
-  const auto solveElements = [&](const radiosity::Discretization& discretization) {
-    const radiosity::IdLayout layout = layoutOf(options.id, discretization, console);
-    return solvedBy(options, scene, discretization, layout, console).solution.radiosity;
-  };
-  return radiosity::adaptiveDiscretization(scene, options.discretization, *options.adaptive, solveElements);
-}
+/// Ends a choice of settings between two of its solutions. Thrown and caught in this file.
+struct Stopped {};
 
+/// A solution and its discretization, with patches as split during the solution.
 Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radiosity::Discretization discretization,
-                const radiosity::IdLayout& layout, Console& console) {
+                const radiosity::IdLayout& layout, Monitor& monitor) {
   // Also used with rays, because patches are split by hemicubes for both methods.
   radiosity::SceneFormFactors drawn(scene, std::move(discretization), layout, options.drawing);
+  const std::optional<radiosity::Snapshot> snapshot = monitor.begin();
   Convergence convergence;
   const auto solveBy = [&](auto& rows) {
     const auto rowOf = [&rows](std::uint32_t patch) { return rows.ofPatch(patch); };
-    radiosity::Solution solution = radiosity::solve(scene, drawn.discretization(), rowOf, options.solver,
-                                                    recording(convergence, progressOf(options.solver, console)),
-                                                    drawn.splits(), drawn.outsideFlux());
-    console.endProgress();
+    radiosity::Solution solution = radiosity::solve(
+        scene, drawn.discretization(), rowOf, options.solver, monitor.progressOf(options.solver, convergence),
+        drawn.splits(), {.outside = drawn.outsideFlux(), .snapshot = snapshot ? &*snapshot : nullptr});
+    monitor.console().endProgress();
     return solution;
   };
   if (usesRays(options)) {
@@ -62,39 +38,81 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
           std::move(convergence)};
 }
 
-std::unique_ptr<radiosity::DynamicSolution> dynamicSolution(const SolveOptions& options, const radiosity::Scene& scene,
-                                                            radiosity::Discretization discretization,
-                                                            Convergence& convergence, Console& console) {
-  const auto layOut = [&id = options.id, &console](const radiosity::Discretization& edited) {
-    return layoutOf(id, edited, console);
+/// Solves with growing effort until the expected error is within --max-error.
+Outcome boundedOutcome(const SolveOptions& asked, const radiosity::Scene& scene,
+                       const radiosity::Discretization& discretization, Monitor& monitor) {
+  Outcome outcome{asked, layoutOf(asked.id, discretization, monitor.console())};
+  outcome.options.solver.residual = radiosity::residualFor(*asked.maxError);
+  const auto solveWith = [&](const radiosity::Effort& effort) {
+    outcome.options.drawing.resolution = effort.resolution;
+    outcome.options.drawing.split = effort.split;
+    outcome.solved = solvedBy(outcome.options, scene, discretization, outcome.layout, monitor);
+    if (outcome.solved.solution.isInterrupted) throw Stopped();
+    return outcome.solved.solution.radiosity;
   };
-  auto dynamic = std::make_unique<radiosity::DynamicSolution>(
-      scene, std::move(discretization),
-      radiosity::DynamicSettings{options.discretization, options.drawing, options.solver}, layOut,
-      recording(convergence, progressOf(options.solver, console)));
-  console.endProgress();
-  return dynamic;
+  try {
+    outcome.expectedError = radiosity::chooseEffort(discretization, solveWith, *asked.maxError).expectedError;
+  } catch (const Stopped&) {  // the last solution is the outcome
+  }
+  return outcome;
 }
 
-Solved solvedBy(const radiosity::DynamicSolution& dynamic) {
-  return {dynamic.discretization(), dynamic.solution(), radiosity::formFactor(dynamic.captured())};
+/// Solves with elements that become smaller where radiosity changes fast.
+Outcome adaptiveOutcome(const SolveOptions& asked, const radiosity::Scene& scene, Monitor& monitor) {
+  Outcome outcome{asked};
+  const auto solve = [&](const radiosity::Discretization& discretization) {
+    outcome.layout = layoutOf(asked.id, discretization, monitor.console());
+    outcome.solved = solvedBy(asked, scene, discretization, outcome.layout, monitor);
+  };
+  const auto solveElements = [&](const radiosity::Discretization& discretization) {
+    solve(discretization);
+    if (outcome.solved.solution.isInterrupted) throw Stopped();
+    return outcome.solved.solution.radiosity;
+  };
+  try {
+    solve(radiosity::adaptiveDiscretization(scene, asked.discretization, *asked.adaptive, solveElements));
+  } catch (const Stopped&) {  // the last solution is the outcome
+  }
+  return outcome;
 }
 
-radiosity::Progress progressOf(const radiosity::SolverSettings& settings, Console& console) {
-  return [&settings, &console](int shots, double residual) {
-    const double fraction = settings.shots ? static_cast<double>(shots) / *settings.shots
-                                           : std::log(residual) / std::log(settings.residual);
-    console.progress(fraction, "shot " + std::to_string(shots) + ", " + percentText(residual) + " of the flux unshot");
-    return !LongRun::isStopping();
-  };
+Outcome plainOutcome(const SolveOptions& asked, const radiosity::Scene& scene,
+                     const radiosity::Discretization& discretization, Monitor& monitor) {
+  Outcome outcome{asked, layoutOf(asked.id, discretization, monitor.console())};
+  outcome.solved = solvedBy(asked, scene, discretization, outcome.layout, monitor);
+  return outcome;
 }
 
-radiosity::Progress recording(Convergence& convergence, radiosity::Progress progress) {
-  return [&convergence, progress = std::move(progress), watch = reference::Stopwatch()](int shots, double residual) {
-    convergence.residual.push_back(residual);
-    convergence.seconds.push_back(watch.seconds());
-    return progress(shots, residual);
+/// Solves the scene for later edits.
+Outcome editableOutcome(Outcome outcome, const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                        Monitor& monitor) {
+  const auto layOut = [id = outcome.options.id, &monitor](const radiosity::Discretization& edited) {
+    return layoutOf(id, edited, monitor.console());
   };
+  const SolveOptions& options = outcome.options;
+  Convergence convergence;
+  outcome.dynamic = std::make_unique<radiosity::DynamicSolution>(
+      scene, discretization, radiosity::DynamicSettings{options.discretization, options.drawing, options.solver},
+      layOut, monitor.progressOf(options.solver, convergence));
+  monitor.console().endProgress();
+  const radiosity::DynamicSolution& dynamic = *outcome.dynamic;
+  outcome.layout = dynamic.layout();
+  outcome.solved = {dynamic.discretization(), dynamic.solution(), radiosity::formFactor(dynamic.captured()),
+                    std::move(convergence)};
+  return outcome;
+}
+
+}  // namespace
+
+Outcome solveScene(const SolveOptions& asked, const radiosity::Scene& scene,
+                   const radiosity::Discretization& discretization, Monitor& monitor) {
+  if (asked.adaptive) return adaptiveOutcome(asked, scene, monitor);
+  if (asked.edits.empty())
+    return asked.maxError ? boundedOutcome(asked, scene, discretization, monitor)
+                          : plainOutcome(asked, scene, discretization, monitor);
+  Outcome chosen = asked.maxError ? boundedOutcome(asked, scene, discretization, monitor) : Outcome{asked};
+  if (chosen.solved.solution.isInterrupted) return chosen;
+  return editableOutcome(std::move(chosen), scene, discretization, monitor);
 }
 
 }  // namespace hemitex::cli

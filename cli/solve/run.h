@@ -1,10 +1,10 @@
-/// The computation of `hemitex solve`: discretizes the scene, solves it, and chooses settings for a bound on the error.
+/// The computation of `hemitex solve`: solves the scene, and chooses elements or settings by solutions.
 #pragma once
 
 #include <memory>
 #include <optional>
 
-#include "cli/common/console.h"
+#include "cli/solve/monitor.h"
 #include "cli/solve/options.h"
 #include "cli/view/solved_page.h"
 #include "radiosity/discretization/discretization.h"
@@ -15,47 +15,26 @@
 
 namespace hemitex::cli {
 
-/// The discretization by texels, or by quadtrees that are refined with solutions.
-radiosity::Discretization discretizationFor(const SolveOptions& options, const radiosity::Scene& scene,
-                                            Console& console);
-
 /// A solution and its discretization, with patches as split during the solution.
 struct Solved {
-  radiosity::Discretization discretization;
-  radiosity::Solution solution;
+  radiosity::Discretization discretization = {};
+  radiosity::Solution solution = {};
   double captured = 1;  ///< share of the light of a patch that the projection captures; the rest is lost
   Convergence convergence = {};
 };
 
-/// Solves the scene.
-Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radiosity::Discretization discretization,
-                const radiosity::IdLayout& layout, Console& console);
-
-/// A solution within a bound on the error, with the settings chosen for it.
-struct BoundedSolution {
-  SolveOptions options;
+struct Outcome {
+  SolveOptions options;  ///< with the settings chosen for --max-error
+  radiosity::IdLayout layout = {};
   Solved solved = {};
-  double expectedError = 0;
+  std::optional<double> expectedError = {};                  ///< with --max-error, unless a signal stopped the choice
+  std::unique_ptr<radiosity::DynamicSolution> dynamic = {};  ///< with --edits; `solved` is its first state
 };
 
-/// Solves within --max-error; nothing if the option is not given. Throws InputError if the bound cannot be reached.
-std::optional<BoundedSolution> solvedWithin(const SolveOptions& asked, const radiosity::Scene& scene,
-                                            const radiosity::Discretization& discretization,
-                                            const radiosity::IdLayout& layout, Console& console);
-
-/// Solves the scene for later edits, and records the convergence of this first solution. `options` and `console` must
-/// outlive the result.
-std::unique_ptr<radiosity::DynamicSolution> dynamicSolution(const SolveOptions& options, const radiosity::Scene& scene,
-                                                            radiosity::Discretization discretization,
-                                                            Convergence& convergence, Console& console);
-/// The current state of a dynamic solution.
-Solved solvedBy(const radiosity::DynamicSolution& dynamic);
-
-/// Shows the progress of a solution: the share of the requested shots, or of the residual's decrease on a logarithmic
-/// scale. Both arguments must outlive the result.
-radiosity::Progress progressOf(const radiosity::SolverSettings& settings, Console& console);
-
-/// As `progress`, and adds each shot to `convergence`. The time starts now.
-radiosity::Progress recording(Convergence& convergence, radiosity::Progress progress);
+/// Solves the scene as the options ask. `discretization` is that of the options; with --adaptive it is not used. All
+/// arguments must outlive the result. After a signal the outcome is that of the last shot. Throws InputError if
+/// --max-error cannot be reached.
+Outcome solveScene(const SolveOptions& asked, const radiosity::Scene& scene,
+                   const radiosity::Discretization& discretization, Monitor& monitor);
 
 }  // namespace hemitex::cli

@@ -6,7 +6,9 @@
 
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
+#include "cli/common/shell_quote.h"
 #include "cli/common/staging.h"
+#include "cli/scene/sealed_folder.h"
 #include "cli/solve/edits_file.h"
 #include "cli/solve/options.h"
 #include "cli/solve/output.h"
@@ -44,9 +46,12 @@ ordered_json toJson(const radiosity::UpdateCost& cost) {
 
 /// Updates the solution for a frame and writes its folder. Returns the entry of the frame in the main solution.json.
 ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number, const Frame& frame,
-                        radiosity::DynamicSolution& dynamic, const Showing& showing, Console& console) {
+                        radiosity::DynamicSolution& dynamic, const Showing& showing, Monitor& monitor) {
+  Console& console = monitor.console();
   Laps laps;
-  const radiosity::UpdateCost cost = dynamic.update(frame.edits, progressOf(showing.options.solver, console));
+  Convergence convergence;
+  const radiosity::UpdateCost cost =
+      dynamic.update(frame.edits, monitor.progressOf(showing.options.solver, convergence));
   console.endProgress();
   laps.lap("update_s");
   const std::string name = "frame-" + std::to_string(number);
@@ -60,6 +65,7 @@ ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number,
   text["rows"] = toJson(cost);
   text["times"] = laps.times();
   text["warnings"] = lit.solution.warnings;
+  text["files"] = fileHashes(folder / name);
   raster::writeFile(folder / name / "solution.json", toText(text));
   return {{"folder", name},
           {"edits", frame.written},
@@ -77,6 +83,22 @@ void warnOf(const Solved& solved, Console& console) {
                     " of the flux of a patch; the rest is lost, so that the scene is too dark");
 }
 
+/// Says that a signal stopped the run, and how it goes on.
+void tellStop(const SolveOptions& options, int shots, Console& console) {
+  const std::string file = options.longRun.checkpoint.file.string();
+  console.message("a signal stopped the run after " + std::to_string(shots) + " shots; " +
+                  (file.empty() ? "with --checkpoint FILE a run can go on later"
+                                : "the same command with --resume " + shellQuoted(file) + " goes on"));
+}
+
+/// The files of an earlier solution in the folder that this one does not write. The page of an earlier solution would
+/// show what the folder no longer holds, even if that solution.json names no files.
+std::set<std::string> staleFiles(const std::filesystem::path& folder) {
+  std::set<std::string> files = filesOfSolution(folder);
+  files.insert("report.html");
+  return files;
+}
+
 void solve(SolveOptions asked, Context& context) {
   Console& console = context.console;
   asked.discretization.isUnburied = !asked.edits.empty();
@@ -89,40 +111,38 @@ void solve(SolveOptions asked, Context& context) {
       isEdited ? readEdits(asked.edits, scene, asked.scene.settings) : std::vector<Frame>();
   laps.lap("load_s");
   Staging staging(asked.output);
-  radiosity::Discretization unsplit = discretizationFor(asked, scene, console);
-  const radiosity::IdLayout layout = layoutOf(asked.id, unsplit, console);
+  Monitor monitor(console, asked.longRun, scene, solutionSettings(asked).dump());
+  const radiosity::Discretization unsplit =
+      asked.adaptive ? radiosity::Discretization() : discretizationOf(asked.discretization, scene);
   laps.lap("discretize_s");
-  const std::optional<BoundedSolution> bounded = solvedWithin(asked, scene, unsplit, layout, console);
-  const SolveOptions& options = bounded ? bounded->options : asked;
-  Convergence ofDynamic;
-  const std::unique_ptr<radiosity::DynamicSolution> dynamic =
-      isEdited ? dynamicSolution(options, scene, std::move(unsplit), ofDynamic, console) : nullptr;
-  const Solved solved = dynamic   ? solvedBy(*dynamic)
-                        : bounded ? bounded->solved
-                                  : solvedBy(options, scene, std::move(unsplit), layout, console);
+  const Outcome outcome = solveScene(asked, scene, unsplit, monitor);
+  const SolveOptions& options = outcome.options;
+  const Solved& solved = outcome.solved;
   warnOf(solved, console);
   laps.lap("solve_s");
 
-  const Lit lit{scene, solved.discretization, layout, solved.solution};
+  const Lit lit{scene, solved.discretization, outcome.layout, solved.solution};
   const Showing showing{options, camera, exposureOf(options, lit)};
   radiosity::LitScene shown = shownScene(lit, showing);
   console.warnings(writeSolved(staging.folder(), lit, shown, showing));
   if (!options.report) shown = {};  // textures take much memory
   const std::optional<SolveRecord> record =
-      options.report ? std::optional(recordOf(lit, options, dynamic ? ofDynamic : solved.convergence)) : std::nullopt;
+      options.report ? std::optional(recordOf(lit, options, solved.convergence)) : std::nullopt;
   laps.lap("write_s");
   ordered_json text = description(lit, showing);
   text["captured"] = solved.captured;
-  text["expected_error"] = bounded ? ordered_json(bounded->expectedError) : ordered_json();  // null: not measured
-  for (std::size_t f = 0; f < frames.size(); ++f)
-    text["frames"].push_back(writeFrame(staging.folder(), f + 1, frames[f], *dynamic, showing, console));
+  text["expected_error"] = outcome.expectedError ? ordered_json(*outcome.expectedError) : ordered_json();
+  for (std::size_t f = 0; f < frames.size() && !LongRun::isStopping(); ++f)
+    text["frames"].push_back(writeFrame(staging.folder(), f + 1, frames[f], *outcome.dynamic, showing, monitor));
+  const bool isInterrupted = LongRun::isStopping() && (isEdited || solved.solution.isInterrupted);
+  if (isInterrupted) text["interrupted"] = true;
   text["times"] = laps.times();
   text["warnings"] = console.given();
-  raster::writeFile(staging.folder() / "solution.json", toText(text));
   if (record) writeReport(staging.folder(), shown, showing, text, *record);
-  staging.commit();
-  // The page of an earlier solution would show what the folder no longer holds.
-  if (!record) std::filesystem::remove(options.output / "report.html");
+  text["files"] = fileHashes(staging.folder());
+  raster::writeFile(staging.folder() / "solution.json", toText(text));
+  staging.commit("solution.json", staleFiles(options.output));
+  if (isInterrupted) tellStop(options, solved.solution.shots, console);
   if (context.json)
     std::cout << toText(text);
   else if (console.verbosity != Verbosity::Quiet)

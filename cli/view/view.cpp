@@ -9,6 +9,7 @@
 #include "cli/common/json.h"
 #include "cli/common/staging.h"
 #include "cli/scene/camera_options.h"
+#include "cli/scene/sealed_folder.h"
 #include "cli/scene/surface_names.h"
 #include "cli/view/browser.h"
 #include "cli/view/solved_page.h"
@@ -49,6 +50,7 @@ void writePage(const fs::path& folder) {
     if (!fs::exists(folder / name))
       throw raster::InputError(folder.string(), 0, std::string("has neither ") + pageName + " nor " + name,
                                "solve a scene into this folder with --report");
+  requireIntact(folder);
   Staging staging(folder);
   raster::writeFile(staging.folder() / pageName, pageOf(folder));
   staging.commit();

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "radiosity/scene/scene.h"
+#include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -48,22 +49,28 @@ void addToBacks(std::vector<glm::dvec3>& absorbed, std::uint32_t patch, const gl
 /// All emitted flux over the flux of a patch of weight 1.
 constexpr double unitsOfFlux = 256;
 
-/// Shoots until a limit of the settings is reached.
+/// Shoots until a limit of the settings is reached, after the shots and splits of `past`.
 Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, const SolverSettings& settings,
-               const Progress& progress, const PatchSplit& split) {
+               const Progress& progress, const PatchSplit& split, const Snapshot& past = {}) {
   Solution solution;
+  solution.shots = past.shots;
   solution.residual = state.residual();
   const auto isDone = [&] {
-    return solution.isInterrupted || solution.residual <= settings.residual || (settings.shots && solution.shots >= *settings.shots);
+    return solution.residual <= settings.residual || (settings.shots && solution.shots >= *settings.shots);
   };
+  std::vector<SplitCall> splits = past.splits;
+  const auto snapshot = [&] { return Snapshot{solution.shots, splits, state.saved()}; };
   const double unitFlux = state.light().lastEmitted / unitsOfFlux;
   const auto hasBeenSplit = [&](std::uint32_t patch) {
     if (!split || state.hasShot(patch)) return false;
-    const std::vector<std::uint32_t> parts = split(patch, bandSum(glm::abs(state.unshot(patch))) / unitFlux);
-    if (!parts.empty()) state.split(patch, parts);
-    return !parts.empty();
+    const double weight = bandSum(glm::abs(state.unshot(patch))) / unitFlux;
+    const std::vector<std::uint32_t> parts = split(patch, weight);
+    if (parts.empty()) return false;
+    state.split(patch, parts);
+    splits.push_back({patch, weight});
+    return true;
   };
-  while (!isDone()) {
+  while (!isDone() && !solution.isInterrupted) {
     const std::uint32_t patch = state.brightestPatch();
     if (hasBeenSplit(patch)) continue;  // another patch may be brighter than the parts
     const FormFactorRow& row = rows.row(patch, [&] { return rowOf(patch); });
@@ -71,9 +78,21 @@ Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, con
     state.shoot(patch, row);
     ++solution.shots;
     solution.residual = state.residual();
-    if (progress) solution.isInterrupted = !progress(solution.shots, solution.residual);
+    const bool goesOn = !progress || progress({solution.shots, solution.residual, isDone(), snapshot});
+    solution.isInterrupted = !goesOn && !isDone();
   }
   return solution;
+}
+
+/// Splits the patches of the discretization as they were split before the snapshot.
+void splitAgain(const Discretization& discretization, const Snapshot& snapshot, const PatchSplit& split) {
+  for (const SplitCall& call : snapshot.splits)
+    if (!split || call.patch >= discretization.patches.size() || split(call.patch, call.weight).empty())
+      throw raster::InputError("the stored solution splits other patches");
+  const std::size_t patches = discretization.patches.size(), elements = discretization.elements.size();
+  const SavedShots& state = snapshot.state;
+  if (state.shot.size() != patches || state.unshot.size() != patches || state.received.size() != elements)
+    throw raster::InputError("the stored solution has another number of patches or elements");
 }
 
 /// Completes a solution with its account of flux. A temporary state gives its memory to the radiosity.
@@ -91,11 +110,14 @@ Solution finished(Solution solution, const Scene& scene, const Discretization& d
 }  // namespace
 
 Solution solve(const Scene& scene, const Discretization& discretization, const RowSource& rowOf,
-               const SolverSettings& settings, const Progress& progress, const PatchSplit& split, OutsideFlux outside) {
+               const SolverSettings& settings, const Progress& progress, const PatchSplit& split, Start start) {
   assert(!discretization.patches.empty());
-  ShootingState state(scene, discretization, std::move(outside));
+  const Snapshot past = start.snapshot ? *start.snapshot : Snapshot();
+  if (start.snapshot) splitAgain(discretization, past, split);
+  ShootingState state = start.snapshot ? ShootingState(scene, discretization, std::move(start.outside), past.state)
+                                       : ShootingState(scene, discretization, std::move(start.outside));
   RowCache rows(settings.rowCacheBytes);
-  Solution solution = shoot(state, rows, rowOf, settings, progress, split);
+  Solution solution = shoot(state, rows, rowOf, settings, progress, split, past);
   return finished(std::move(solution), scene, discretization, std::move(state));
 }
 

@@ -13,6 +13,7 @@
 #include "radiosity/form_factors/row_cache.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solver/shooting_state.h"
+#include "radiosity/solver/snapshot.h"
 
 namespace hemitex::radiosity {
 
@@ -40,16 +41,30 @@ struct Solution {
 /// patch have moved to them.
 using PatchSplit = std::function<std::vector<std::uint32_t>(std::uint32_t patch, double weight)>;
 
-/// Called after each shot with the number of shots and the residual. The solution ends there if it returns false.
-using Progress = std::function<bool(int shots, double residual)>;
+/// A solution after a shot.
+struct Step {
+  int shots = 0;
+  double residual = 0;
+  bool isLast = false;  ///< a limit of the settings is reached
+  std::function<Snapshot()> snapshot;  ///< from which `solve` goes on
+};
+
+/// Called after each shot. The solution ends there if it returns false.
+using Progress = std::function<bool(const Step&)>;
+
+/// How a solution begins.
+struct Start {
+  OutsideFlux outside = {};       ///< light from outside the scene
+  const Snapshot* snapshot = {};  ///< goes on from here, with the same arguments as the solution that it is of
+};
 
 /// Starts from the emission of the elements and the light from outside, and shoots until a limit of the settings is
-/// reached. `split` splits patches
-/// of `discretization`; without it no patch is split. The result does not depend on the number of threads or on the
-/// memory of the row cache.
+/// reached. `split` splits patches of `discretization`; without it no patch is split. The result does not depend on the
+/// number of threads, on the memory of the row cache, or on snapshots. Throws InputError for a snapshot of another
+/// solution.
 Solution solve(const Scene& scene, const Discretization& discretization, const RowSource& rowOf,
                const SolverSettings& settings, const Progress& progress = {}, const PatchSplit& split = {},
-               OutsideFlux outside = {});
+               Start start = {});
 
 /// Continues a refinement of the scene until a limit of the settings is reached; counts shots from here.
 Solution refine(const Scene& scene, const Discretization& discretization, ShootingState& state, RowCache& rows,

@@ -203,6 +203,24 @@ ShootingState::ShootingState(const Scene& scene, const Discretization& discretiz
   lostToBacks_.add(light_.lostToBacks);
 }
 
+ShootingState::ShootingState(const Scene& scene, const Discretization& discretization, OutsideFlux outside,
+                             SavedShots saved)
+    : scene_(scene),
+      discretization_(discretization),
+      unshot_(std::move(saved.unshot)),
+      emitted_(emittedFlux(scene, discretization) + sumOf(outside)),
+      lost_(saved.lost),
+      lostToBacks_(saved.lostToBacks) {
+  light_.shot = std::move(saved.shot);
+  light_.received = std::move(saved.received);
+  light_.outside = std::move(outside);
+  light_.lost = lost_.value();
+  light_.lostToBacks = lostToBacks_.value();
+  light_.lastEmitted = bandSum(emitted_);
+}
+
+SavedShots ShootingState::saved() const { return {light_.shot, light_.received, unshot_.flux(), lost_, lostToBacks_}; }
+
 std::size_t ShootingState::shoot(std::uint32_t patch, const FormFactorRow& row) {
   const glm::dvec3 shot = unshot_.flux()[patch];
   light_.shot[patch] += shot;

@@ -54,6 +54,14 @@ struct ShotLight {
   OutsideFlux outside = {};  ///< included in `received`
 };
 
+/// A state between two shots, with the rounding errors of its sums. Light from outside is computed again.
+struct SavedShots {
+  std::vector<glm::dvec3> shot;      ///< one per patch
+  std::vector<glm::dvec3> received;  ///< one per element
+  std::vector<glm::dvec3> unshot;    ///< one per patch
+  KahanSum lost, lostToBacks;
+};
+
 /// The flux that all elements emit.
 glm::dvec3 emittedFlux(const Scene& scene, const Discretization& discretization);
 
@@ -63,6 +71,10 @@ class ShootingState {
   ShootingState(const Scene& scene, const Discretization& discretization, OutsideFlux outside = {});
   /// Continues from a state whose account is balanced: sum of `shot` + sum of `outside` = sum of `received` + `lost`.
   ShootingState(const Scene& scene, const Discretization& discretization, ShotLight light);
+
+  /// Continues from a saved state of the same scene and discretization with the same bits.
+  ShootingState(const Scene& scene, const Discretization& discretization, OutsideFlux outside, SavedShots saved);
+  SavedShots saved() const;
 
   /// The patch with the largest absolute unshot flux, bands summed; the first of equals.
   std::uint32_t brightestPatch() const { return unshot_.brightest(); }

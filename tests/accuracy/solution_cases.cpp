@@ -42,9 +42,9 @@ FurnaceFindings findingsOf(const FurnaceCase& furnace) {
   tests::HemicubeWorld world(tests::closedCube(glm::dvec3(r), glm::dvec3(1)), 2, 2);
   FurnaceFindings findings{};
   double before = 1;
-  const Solution solution = solutionOf(world, 32, [&](int, double residual) {
-    findings.grew |= residual > before;
-    before = residual;
+  const Solution solution = solutionOf(world, 32, [&](const Step& step) {
+    findings.grew |= step.residual > before;
+    before = step.residual;
     return true;
   });
   double area = 0, flux = 0;

@@ -1,0 +1,52 @@
+/// What accompanies the solutions of a run: the progress on the terminal, checkpoints, the convergence curve, and the
+/// end by a signal.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "cli/common/console.h"
+#include "cli/common/interruption.h"
+#include "cli/solve/checkpoint.h"
+#include "cli/view/solved_page.h"
+#include "radiosity/solver/progressive_solver.h"
+
+namespace hemitex::cli {
+
+enum class ProgressFormat { Bar, Json };
+
+struct LongRunOptions {
+  CheckpointOptions checkpoint;
+  ProgressFormat progress = ProgressFormat::Bar;
+};
+
+/// The seconds until a solution with a number of shots is at a limit of its settings, from its convergence in the
+/// second half of the time so far; nothing if it does not converge. The residual decreases about exponentially with
+/// time.
+std::optional<double> secondsLeft(const radiosity::SolverSettings& settings, int shots, const Convergence& convergence);
+
+class Monitor {
+ public:
+  /// `console` must outlive this object. See Checkpoint for the other arguments and for errors.
+  Monitor(Console& console, const LongRunOptions& options, const radiosity::Scene& scene, const std::string& settings);
+
+  Console& console() { return console_; }
+
+  /// Begins the next solution of the run. Returns the snapshot from which it goes on; nothing at its start.
+  std::optional<radiosity::Snapshot> begin() { return checkpoint_.begin(); }
+  /// Shows each shot of a solution, adds it to `convergence`, writes checkpoints, and ends the solution after a signal.
+  /// The time of the curve starts now. The arguments must outlive the result.
+  radiosity::Progress progressOf(const radiosity::SolverSettings& settings, Convergence& convergence);
+
+ private:
+  void show(const radiosity::SolverSettings& settings, const radiosity::Step& step, const Convergence& convergence);
+
+  Console& console_;
+  bool isForPrograms_;
+  std::chrono::steady_clock::time_point shown_;
+  Checkpoint checkpoint_;
+  LongRun run_;
+};
+
+}  // namespace hemitex::cli

@@ -1,0 +1,32 @@
+/// A solution between two shots, from which it goes on with the same bits. Splits of patches are stored as calls, and
+/// made again.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "radiosity/solver/shooting_state.h"
+
+namespace hemitex::radiosity {
+
+/// A call of PatchSplit that split the patch.
+struct SplitCall {
+  std::uint32_t patch = 0;
+  double weight = 0;
+};
+
+struct Snapshot {
+  int shots = 0;
+  std::vector<SplitCall> splits;  ///< in the order of the calls
+  SavedShots state;
+};
+
+/// The snapshot as bytes, 96 per element at most.
+std::string toBytes(const Snapshot& snapshot);
+/// Reads the bytes of one snapshot from the start of `bytes` and removes them there. Throws InputError if they are too
+/// few.
+Snapshot takeSnapshot(std::string_view& bytes);
+
+}  // namespace hemitex::radiosity

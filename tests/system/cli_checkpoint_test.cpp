@@ -1,0 +1,130 @@
+/// Long runs of `hemitex solve`: checkpoints, signals, and folders that are whole.
+#include <catch2/catch.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "tests/support/shell.h"
+
+using namespace hemitex::tests;
+using Catch::Matchers::Contains;
+using nlohmann::json;
+
+namespace {
+
+const std::string program = "'" HEMITEX_PROGRAM "' ";
+
+/// A solution of about a second, by plain shots, by growing effort or with smaller elements.
+const std::string plain = "solve room.obj --texels 16 --patch 2 --resolution 128 --residual 1e-4 --size 40x30 ";
+const std::string bounded = "solve room.obj --texels 8 --patch 4 --max-error 0.002 --size 40x30 ";
+const std::string adaptive =
+    "solve room.obj --texels 32 --adaptive 0.0002 --resolution 64 --residual 1e-4 --size 40x30 ";
+
+/// The files of a result without the times of solution.json.
+std::map<std::string, std::string> resultIn(const Shell& shell, const std::string& folder) {
+  std::map<std::string, std::string> result;
+  for (const auto& [name, content] : shell.files())
+    if (name.starts_with(folder + "/")) result[name.substr(folder.size() + 1)] = content;
+  json solution = json::parse(result.at("solution.json"));
+  solution.erase("times");
+  result["solution.json"] = solution.dump();
+  return result;
+}
+
+/// Starts a command in the background, waits for a number of seconds, and sends a signal. Exits with its exit code.
+std::string stopped(const std::string& command, const std::string& seconds, const std::string& signal) {
+  return program + command + " & run=$!\nsleep " + seconds + "\nkill -" + signal + " $run\nwait $run";
+}
+
+}  // namespace
+
+TEST_CASE("A solve that is killed again and again ends with the bytes of one that ran through", "[checkpoint]") {
+  const auto command = GENERATE(as<std::string>{}, plain, bounded, adaptive);
+  INFO(command);
+  const Shell shell;
+  shell.output(command + "-o whole");
+  const std::string checked = command + "-o pieces --checkpoint c --every 0.01 ";
+  shell.execute(stopped(checked, "0.1", "KILL"));
+  // The last of the runs ends by itself.
+  const Outcome last = shell.execute("for pause in 0.15 0.2 0.25; do\n" + program + checked +
+                                     "--resume c -q & run=$!\nsleep $pause\nkill -KILL $run\nwait $run\ndone\n" +
+                                     program + checked + "--resume c");
+  INFO(last.err);
+  REQUIRE(last.exitCode == 0);
+  CHECK(resultIn(shell, "pieces") == resultIn(shell, "whole"));
+}
+
+TEST_CASE("A signal ends a solve after its shot, with its result and the way to go on", "[checkpoint]") {
+  const auto [name, code] = GENERATE(table<std::string, int>({{"INT", 130}, {"TERM", 143}}));
+  const Shell shell;
+  // The shell ignores SIGINT in background commands, so that a subshell restores it.
+  const std::string endless =
+      "solve room.obj --texels 16 --patch 1 --resolution 64 --residual 1e-300 --size 40x30 -o out ";
+  const Outcome outcome = shell.execute(
+      "python3 -c 'import os, signal, subprocess, sys, time\n"
+      "signal.signal(signal.SIGINT, signal.SIG_DFL)\n"
+      "run = subprocess.Popen(sys.argv[2:])\ntime.sleep(0.7)\n"
+      "run.send_signal(getattr(signal, \"SIG\" + sys.argv[1]))\nsys.exit(run.wait())' " +
+      name + " " + program + endless + "--checkpoint c");
+  CHECK(outcome.exitCode == code);
+  CHECK_THAT(outcome.err, Contains("a signal stopped the run after") && Contains("--resume c goes on"));
+  const json solution = json::parse(shell.files().at("out/solution.json"));
+  CHECK(solution["interrupted"] == true);
+  CHECK(solution["shots"] > 0);
+  shell.output("render out/scene.obj -o picture.png --size 40x30");
+}
+
+TEST_CASE("A checkpoint that does not fit is refused with the reason", "[checkpoint]") {
+  const Shell shell;
+  const std::string small = "solve room.obj --texels 4 --patch 2 --resolution 32 --size 40x30 -o out ";
+  shell.output(small + "--checkpoint c");
+  shell.output(small + "--resume c");
+  const auto refused = [&](const std::string& arguments, const std::string& reason) {
+    const Outcome outcome = shell.run(arguments);
+    INFO(arguments << '\n' << outcome.err);
+    CHECK(outcome.exitCode == 2);
+    CHECK_THAT(outcome.err, Contains(reason));
+  };
+  refused(small + "--resume c --split 0.5", "c: belongs to other settings");
+  refused(small + "--resume c --emit floor=1,1,1", "c: belongs to another scene");
+  refused(small + "--resume room.obj", "room.obj: is not a checkpoint");
+  refused(small + "--resume none", "none: cannot be read");
+  refused(small + "--checkpoint none/c", "cannot be opened for writing");
+  std::string bytes = readAll(shell.file("c"));
+  bytes[bytes.size() / 2] ^= 1;
+  writeAll(shell.file("c"), bytes);
+  refused(small + "--resume c", "c: is damaged");
+}
+
+TEST_CASE("solution.json names every file with its hash, and a mixture is refused", "[checkpoint]") {
+  const Shell shell;
+  shell.output(quickSolve + "-o out");
+  const json files = json::parse(shell.files().at("out/solution.json"))["files"];
+  std::set<std::string> present, named = {"solution.json"};
+  for (const auto& [name, content] : shell.files())
+    if (name.starts_with("out/")) present.insert(name.substr(4));
+  for (const auto& [name, hash] : files.items()) named.insert(name);
+  CHECK(named == present);
+  shell.output("render out/scene.obj -o picture.png --size 40x30");
+  const Outcome sum = shell.execute("cd out && sha256sum floor.exr");
+  CHECK(sum.out.substr(0, 64) == files["floor.exr"].get<std::string>());
+
+  writeAll(shell.file("out/floor.exr"), readAll(shell.file("out/left.exr")));
+  const Outcome mixed = shell.run("render out/scene.obj -o picture.png --size 40x30");
+  CHECK(mixed.exitCode == 2);
+  CHECK_THAT(mixed.err, Contains("floor.exr: is not the file that solution.json beside it names"));
+}
+
+TEST_CASE("A new result replaces the files of the old one and no others", "[checkpoint]") {
+  const Shell shell;
+  shell.output(quickSolve + "-o out --report");
+  writeAll(shell.file("out/my.png"), "mine");
+  shell.execute("sed -i s/left/links/ room.obj");
+  shell.output(quickSolve + "-o out");
+  const auto files = shell.files();
+  CHECK(files.contains("out/links.png"));
+  CHECK_FALSE(files.contains("out/left.png"));
+  CHECK_FALSE(files.contains("out/report.html"));
+  CHECK(files.at("out/my.png") == "mine");
+}
