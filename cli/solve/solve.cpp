@@ -6,10 +6,12 @@
 
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
+#include "cli/common/program.h"
 #include "cli/common/staging.h"
 #include "cli/solve/edits_file.h"
 #include "cli/solve/options.h"
 #include "cli/solve/output.h"
+#include "cli/solve/places.h"
 #include "cli/solve/run.h"
 #include "raster/base/file_io.h"
 #include "reference/bench/timing.h"
@@ -91,6 +93,7 @@ void solve(SolveOptions asked, Context& context) {
   Staging staging(asked.output);
   radiosity::Discretization unsplit = discretizationFor(asked, scene, console);
   const radiosity::IdLayout layout = layoutOf(asked.id, unsplit, console);
+  staging.requirePlaces(outputNames(asked, scene, unsplit, frames.size()), inputFiles(asked, scene, frames));
   laps.lap("discretize_s");
   const std::optional<BoundedSolution> bounded = solvedWithin(asked, scene, unsplit, layout, console);
   const SolveOptions& options = bounded ? bounded->options : asked;
@@ -127,6 +130,7 @@ void solve(SolveOptions asked, Context& context) {
     std::cout << toText(text);
   else if (console.verbosity != Verbosity::Quiet)
     std::cout << summary(text) << filesText(options.output, options.report);
+  requireOutput("; the result in " + options.output.string() + " is complete");
 }
 
 }  // namespace

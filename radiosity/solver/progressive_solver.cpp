@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "radiosity/scene/scene.h"
+#include "radiosity/solver/loss_warning.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -54,7 +55,8 @@ Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, con
   Solution solution;
   solution.residual = state.residual();
   const auto isDone = [&] {
-    return solution.isInterrupted || solution.residual <= settings.residual || (settings.shots && solution.shots >= *settings.shots);
+    return solution.isInterrupted || solution.residual <= settings.residual ||
+           (settings.shots && solution.shots >= *settings.shots);
   };
   const double unitFlux = state.light().lastEmitted / unitsOfFlux;
   const auto hasBeenSplit = [&](std::uint32_t patch) {
@@ -85,6 +87,7 @@ Solution finished(Solution solution, const Scene& scene, const Discretization& d
   solution.radiosity = std::forward<AnyShootingState>(state).radiosity();
   solution.ambient = ambientEstimate(scene, discretization, solution.energy);
   solution.warnings = warningsOf(solution.energy);
+  if (const auto warning = lossWarning(scene, solution.energy)) solution.warnings.push_back(*warning);
   return solution;
 }
 
