@@ -108,6 +108,8 @@ void bench(const BenchOptions& options, Context& context) {
   Console& console = context.console;
   std::optional<Staging> staging;
   if (!options.output.empty()) staging.emplace(options.output);
+  if (staging)
+    staging->requirePlaces({"bench.json", "tables.md", "report.html"}, {options.scenes.begin(), options.scenes.end()});
   const std::vector<reference::BenchScene> scenes = scenesOf(options);
   const reference::BenchSettings settings = settingsOf(options, context);
   reference::BenchReport report;

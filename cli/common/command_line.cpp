@@ -2,12 +2,15 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/common/console.h"
 #include "cli/help/command_tree.h"
 #include "cli/help/help_formatter.h"
 
 namespace hemitex::cli {
 
-void usageError(const std::string& option, const std::string& problem) { throw CLI::ValidationError(option, problem); }
+void usageError(const std::string& option, const std::string& problem) {
+  throw CLI::ValidationError(option, shortened(problem, 300));
+}
 
 Option Option::required() const { return Option(*option_->required()); }
 Option Option::hidden() const { return Option(*option_->group("")); }

@@ -9,10 +9,17 @@ namespace hemitex::cli {
 namespace {
 
 constexpr int barLength = 30;
+constexpr std::size_t maxLine = 1000;
 constexpr std::chrono::milliseconds barInterval{100};
 constexpr std::chrono::seconds lineInterval{10};
 
 }  // namespace
+
+std::string shortened(const std::string& text, std::size_t maxBytes) {
+  if (text.size() <= maxBytes) return text;
+  const std::size_t tail = maxBytes / 3;
+  return text.substr(0, maxBytes - tail) + " ... " + text.substr(text.size() - tail);
+}
 
 void Console::error(const std::string& text) { print("hemitex: error: " + text); }
 
@@ -63,7 +70,7 @@ void Console::endProgress() {
 
 void Console::print(const std::string& line) {
   endProgress();
-  std::cerr << line << '\n';
+  std::cerr << shortened(line, maxLine) << '\n';
 }
 
 }  // namespace hemitex::cli

@@ -13,6 +13,10 @@ enum class Verbosity {
   Verbose,  ///< also details
 };
 
+/// The text with `...` in its middle where it has more than `maxBytes` bytes, so that long input does not flood a
+/// terminal.
+std::string shortened(const std::string& text, std::size_t maxBytes);
+
 class Console {
  public:
   Verbosity verbosity = Verbosity::Normal;

@@ -53,7 +53,9 @@ int run(const Program& program, int argc, char** argv, Context& context) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& helpOrVersion) {
-    return app.exit(helpOrVersion);
+    const int code = app.exit(helpOrVersion);
+    requireOutput();
+    return code;
   } catch (const CLI::ParseError& error) {
     // An unknown argument often is the reason of other errors, such as a missing option.
     const std::string unknown = unknownArgument(app, {argv + 1, argv + argc});
@@ -70,15 +72,21 @@ int run(const Program& program, int argc, char** argv, Context& context) {
   }
   const raster::ThreadLimit limit(context.threads);
   context.command();
-  if (!std::cout.flush())
-    throw raster::InputError("standard output cannot be written; check the disk or the pipe that it goes to");
+  requireOutput();
   return stoppedExitCode().value_or(context.failed ? comparisonFailed : 0);
 }
 
 }  // namespace
 
+void requireOutput(const std::string& state) {
+  if (!std::cout.flush())
+    throw raster::InputError("standard output cannot be written" + state, "check the disk or the pipe that it goes to");
+}
+
 int runProgram(const Program& program, int argc, char** argv) {
   std::signal(SIGABRT, [](int) { std::_Exit(ourFault); });  // raised by a failed assertion
+  // Writing then fails with an error, which is reported, and temporary folders are removed.
+  for (const int failure : {SIGPIPE, SIGXFSZ}) std::signal(failure, SIG_IGN);
   watchSignals();
   Context context;
   try {

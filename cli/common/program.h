@@ -16,6 +16,10 @@ struct Program {
   std::function<void(Command, Context&)> addCommands;
 };
 
+/// Writes what stdout still holds. Throws InputError if that fails; `state` continues its message and may say which
+/// files are complete.
+void requireOutput(const std::string& state = {});
+
 /// Returns the exit code: 0 done; 1 a comparison failed; 2 the input or the usage is wrong; 3 internal error.
 int runProgram(const Program& program, int argc, char** argv);
 

@@ -163,8 +163,10 @@ Image projectionView(const RenderOptions& options, const Subject& subject, Conso
 }
 
 void render(const RenderOptions& options, Context& context) {
-  const Image image = options.show(options, subjectOf(options, context.console), context.console);
+  const Subject subject = subjectOf(options, context.console);
   Staging staging(std::filesystem::absolute(options.output).parent_path(), FolderUse::SeveralRuns);
+  staging.requirePlaces({options.output.filename()}, {subject.scene.files.begin(), subject.scene.files.end()});
+  const Image image = options.show(options, subject, context.console);
   radiosity::writePng(staging.folder() / options.output.filename(), image);
   staging.commit();
   if (context.json)

@@ -15,10 +15,6 @@ namespace {
 /// Pictures have 2 x 2 samples per pixel, and a view has at most 4096 samples per side.
 constexpr int largestSide = 2048;
 
-std::filesystem::path viewFileOf(const std::filesystem::path& sceneFile) {
-  return std::filesystem::path(sceneFile).replace_extension(".view.json");
-}
-
 std::optional<glm::dvec3> vectorAt(const nlohmann::json& view, const std::string& key) {
   if (!view.contains(key)) return std::nullopt;
   return reference::vectorAt(view, key);
@@ -79,6 +75,10 @@ void addCameraOptions(Command command, CameraOptions& options) {
   addPositive(
       command, "--exposure", options.exposure, std::numeric_limits<double>::infinity(),
       "factor from radiosity to brightness (default: shows the mean radiosity of surfaces without emission as 0.18)");
+}
+
+std::filesystem::path viewFileOf(const std::filesystem::path& sceneFile) {
+  return std::filesystem::path(sceneFile).replace_extension(".view.json");
 }
 
 radiosity::Camera cameraOf(const CameraOptions& options, const radiosity::Scene& scene,

@@ -23,6 +23,9 @@ struct CameraOptions {
 };
 void addCameraOptions(Command command, CameraOptions& options);
 
+/// The file beside a scene that may hold its camera.
+std::filesystem::path viewFileOf(const std::filesystem::path& sceneFile);
+
 /// The camera for a scene and the options. Throws InputError if the view file is malformed or the camera has no
 /// direction.
 radiosity::Camera cameraOf(const CameraOptions& options, const radiosity::Scene& scene,

@@ -71,7 +71,7 @@ glm::dvec3 vectorOf(const ordered_json& value) {
 /// Throws InputError, with the name, for a value that is not a list of three numbers of at least 0.
 NamedColor readLight(const std::string& name, const ordered_json& value, const std::string& file) {
   if (!areNumbers(value) || isNegative(vectorOf(value)))
-    throw InputError(file, 0, "`" + name + "` has the value " + value.dump(),
+    throw InputError(file, 0, "`" + raster::excerpt(name) + "` has the value " + raster::excerpt(value.dump()),
                      "write a list of three numbers of at least 0");
   return {name, vectorOf(value), file};
 }
@@ -83,7 +83,7 @@ radiosity::Sun readSun(const ordered_json& value, const std::string& file) {
   };
   const ordered_json towards = member("towards"), irradiance = member("irradiance");
   if (!areNumbers(towards) || vectorOf(towards) == glm::dvec3(0) || value.size() != 2)
-    throw InputError(file, 0, "`sun` has the value " + value.dump(),
+    throw InputError(file, 0, "`sun` has the value " + raster::excerpt(value.dump()),
                      R"(write {"towards": [x,y,z], "irradiance": [R,G,B]}, or a list of these)");
   return {unit(vectorOf(towards)), readLight("sun", irradiance, file).color};
 }
@@ -91,10 +91,12 @@ radiosity::Sun readSun(const ordered_json& value, const std::string& file) {
 /// Reads the file of `--lights`.
 void readLights(const std::filesystem::path& file, MaterialOptions& options) {
   const std::string form = R"(write {"NAME": [R,G,B], ...})";
+  options.lightsFile = file;
   options.lights.clear();
   options.outside = {};
   try {
-    const auto content = reference::parseJson<ordered_json>(raster::readFile(file, "give a JSON file of lights"), file.string());
+    const auto content =
+        reference::parseJson<ordered_json>(raster::readFile(file, "give a JSON file of lights"), file.string());
     if (!content.is_object()) throw InputError(file.string(), 0, "is no JSON object", form);
     for (const auto& [name, value] : content.items()) {
       if (name == "sky")
@@ -156,7 +158,7 @@ radiosity::Scene withMaterials(radiosity::Scene scene, const MaterialOptions& op
   for (const NamedColor& paint : options.reflectances) {
     glm::dvec3 reflectance = paint.color;
     if (const auto warning = radiosity::lowerReflectance(reflectance, settings.maxReflectance))
-      scene.warnings.push_back("`" + paint.name + "`: " + *warning);
+      scene.warnings.push_back("`" + raster::excerpt(paint.name) + "`: " + *warning);
     apply(scene, paint, radiosity::SetReflectance{paint.name, reflectance});
   }
   scene.outside = outsideLight(options);

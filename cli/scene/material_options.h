@@ -29,6 +29,7 @@ struct MaterialOptions {
   std::optional<glm::dvec3> sky;         ///< of `--sky`
   std::vector<radiosity::Sun> suns;      ///< of `--sun`
   radiosity::OutsideLight outside;       ///< of `--lights`
+  std::filesystem::path lightsFile;      ///< of `--lights`; empty if it is not given
 
   bool changeMaterials() const { return !lights.empty() || !emissions.empty() || !reflectances.empty(); }
   bool areGiven() const {

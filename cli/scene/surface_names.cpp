@@ -39,32 +39,33 @@ std::optional<std::pair<int, int>> parseTexel(const std::string& text) {
 std::vector<std::uint32_t> surfacesNamed(const radiosity::Scene& scene, const std::string& name) {
   std::vector<std::uint32_t> found = find(scene, name);
   if (found.empty())
-    throw raster::InputError("no surface is named `" + name + "`", "similar names: " + suggestions(scene, name));
+    throw raster::InputError("no surface is named `" + raster::excerpt(name) + "`",
+                             "similar names: " + suggestions(scene, name));
   return found;
 }
 
 Source sourceNamed(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                    const std::string& text) {
   const std::size_t colon = text.rfind(':');
-  const auto texel = colon == std::string::npos ? std::nullopt : parseTexel(text.substr(colon + 1));
+  const auto texel = colon == std::string::npos ? std::nullopt : parseTexel(raster::excerpt(text.substr(colon + 1)));
   if (!texel || !find(scene, text).empty()) return {surfacesNamed(scene, text)};
 
   const std::string name = text.substr(0, colon);
   const std::vector<std::uint32_t> surfaces = surfacesNamed(scene, name);
   if (surfaces.size() > 1)
     throw raster::InputError(
-        "`" + name + "` has " + std::to_string(surfaces.size()) + " parts",
-        "give the name of the part with the texel: `" + scene.surfaces[surfaces[0]].name + "`, ...");
+        "`" + raster::excerpt(name) + "` has " + std::to_string(surfaces.size()) + " parts",
+        "give the name of the part with the texel: `" + raster::excerpt(scene.surfaces[surfaces[0]].name) + "`, ...");
   const radiosity::Grid& grid = discretization.grids[surfaces[0]];
   const auto [column, row] = *texel;
   if (column < 0 || column >= grid.columns || row < 0 || row >= grid.rows)
-    throw raster::InputError("`" + name + "` has no texel " + text.substr(colon + 1),
+    throw raster::InputError("`" + raster::excerpt(name) + "` has no texel " + raster::excerpt(text.substr(colon + 1)),
                              "its grid has " + std::to_string(grid.columns) + " columns and " +
                                  std::to_string(grid.rows) + " rows, numbered from 0");
   const auto index =
       static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(column);
   if (!grid.covered[index])
-    throw raster::InputError("texel " + text.substr(colon + 1) + " of `" + name +
+    throw raster::InputError("texel " + raster::excerpt(text.substr(colon + 1)) + " of `" + raster::excerpt(name) +
                              "` lies outside the surface; choose another texel");
   return {surfaces, grid.elementOfTexel[index]};
 }

@@ -105,7 +105,7 @@ std::vector<Frame> readEdits(const std::filesystem::path& file, const radiosity:
       std::vector<Edit> edits;
       for (const json& object : frame) appendEdits(object, file.parent_path(), settings, edits);
       state = radiosity::edited(std::move(state.scene), std::move(state.removed), edits);
-      frames.push_back({frame, std::move(edits)});
+      frames.push_back({frame, std::move(edits), state.scene.files});
     }
   } catch (const json::exception& error) {
     throw InputError(file.string(), 0, where + error.what(), form);

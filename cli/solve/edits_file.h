@@ -25,6 +25,7 @@ namespace hemitex::cli {
 struct Frame {
   nlohmann::ordered_json written;  ///< the JSON list of the file
   std::vector<radiosity::Edit> edits;
+  std::vector<std::filesystem::path> files = {};  ///< of the scene and of all that was added so far
 };
 
 /// Reads the frames of a file and applies them to a copy of the scene, to find wrong names and numbers before the

@@ -6,12 +6,14 @@
 
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
+#include "cli/common/program.h"
 #include "cli/common/shell_quote.h"
 #include "cli/common/staging.h"
 #include "cli/scene/sealed_folder.h"
 #include "cli/solve/edits_file.h"
 #include "cli/solve/options.h"
 #include "cli/solve/output.h"
+#include "cli/solve/places.h"
 #include "cli/solve/run.h"
 #include "raster/base/file_io.h"
 #include "reference/bench/timing.h"
@@ -111,9 +113,9 @@ void solve(SolveOptions asked, Context& context) {
       isEdited ? readEdits(asked.edits, scene, asked.scene.settings) : std::vector<Frame>();
   laps.lap("load_s");
   Staging staging(asked.output);
+  const radiosity::Discretization unsplit = discretizationOf(asked.discretization, scene);
+  staging.requirePlaces(outputNames(asked, scene, unsplit, frames.size()), inputFiles(asked, scene, frames));
   Monitor monitor(console, asked.longRun, scene, solutionSettings(asked).dump());
-  const radiosity::Discretization unsplit =
-      asked.adaptive ? radiosity::Discretization() : discretizationOf(asked.discretization, scene);
   laps.lap("discretize_s");
   const Outcome outcome = solveScene(asked, scene, unsplit, monitor);
   const SolveOptions& options = outcome.options;
@@ -147,6 +149,7 @@ void solve(SolveOptions asked, Context& context) {
     std::cout << toText(text);
   else if (console.verbosity != Verbosity::Quiet)
     std::cout << summary(text) << filesText(options.output, options.report);
+  requireOutput("; the result in " + options.output.string() + " is complete");
 }
 
 }  // namespace

@@ -129,6 +129,7 @@ void measure(const TradeoffOptions& options, Context& context) {
     throw raster::InputError("tradeoff does not measure light from outside", "omit --sky and --sun");
   const radiosity::Camera camera = cameraOf({}, scene, options.scene.file);
   Staging staging(options.output);
+  staging.requirePlaces({"tradeoff.csv", "tradeoff.json", "report.html"}, {scene.files.begin(), scene.files.end()});
   const int finest = *std::max_element(options.texels.begin(), options.texels.end());
   const radiosity::Discretization fine =
       radiosity::discretize(scene, {.texels = finest, .patch = options.patches.front()});

@@ -63,6 +63,7 @@ reference::TestVector vectorOf(const ExportOptions& options, Console& console) {
 void exportVector(const ExportOptions& options, Context& context) {
   const reference::TestVector vector = vectorOf(options, context.console);
   Staging staging(options.output);
+  staging.requirePlaces({"vector.json", "stages.json"}, {options.scene.file});
   reference::writeVector(staging.folder(), vector, {});
   if (options.stages) reference::writeStages(staging.folder(), vector);
   staging.commit();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "radiosity/geometry/grid_clipping.h"
 
@@ -32,10 +33,12 @@ double pixelsShown(const Image& image, const Surface& surface) {
 
 bool isOnePixel(const Image& image) { return image.width == 1 && image.height == 1; }
 
-/// The image, halved until the surface shows few enough pixels.
-Image sizedFor(const Surface& surface, Image image) {
-  while (!isOnePixel(image) && pixelsShown(image, surface) > maxPixels) image = halved(image);
-  return image;
+/// The image, halved until the surface shows few enough pixels; nothing if it shows few enough already.
+std::optional<Image> reducedFor(const Surface& surface, const Image& image) {
+  std::optional<Image> reduced;
+  const auto last = [&]() -> const Image& { return reduced ? *reduced : image; };
+  while (!isOnePixel(last()) && pixelsShown(last(), surface) > maxPixels) reduced = halved(last());
+  return reduced;
 }
 
 /// The pixel at a cell of the repeated image; rows count from v = 0, the bottom of the picture.
@@ -72,7 +75,8 @@ glm::dvec3 meanOver(const Piece& piece, const std::array<glm::dvec2, 3>& texcoor
 }  // namespace
 
 std::vector<glm::dvec3> averageOverElements(const Image& image, const Surface& surface, const Grid& grid) {
-  const Image sized = sizedFor(surface, image);
+  const std::optional<Image> reduced = reducedFor(surface, image);
+  const Image& sized = reduced ? *reduced : image;
   std::vector<glm::dvec3> sum(grid.elementCount);
   std::vector<double> weight(grid.elementCount);
   forEachExposedPiece(surface, texelGrid(grid), [&](std::size_t texel, std::uint32_t t, const Piece& piece) {

@@ -4,12 +4,13 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <optional>
+#include <set>
+
+#include "radiosity/geometry/point_tree.h"
 
 namespace hemitex::radiosity {
 namespace {
-
-using Ring = std::vector<std::uint32_t>;
 
 double largestCoordinate(std::span<const glm::dvec3> points) {
   double largest = 0;
@@ -81,51 +82,136 @@ std::vector<std::array<std::uint32_t, 3>> fan(std::uint32_t corners) {
   return triangles;
 }
 
-/// The corner at `at` of the ring with its two neighbours.
-std::array<std::uint32_t, 3> cornerTriangle(const Ring& ring, std::size_t at) {
-  return {ring[(at + ring.size() - 1) % ring.size()], ring[at], ring[(at + 1) % ring.size()]};
-}
-
-bool holdsCorner(const Outline& outline, const Ring& ring, const std::array<std::uint32_t, 3>& triangle) {
-  const auto [a, b, c] = triangle;
-  const auto isCornerOf = [&, a = a, b = b, c = c](const glm::dvec2& p) {
-    return p == outline.points[a] || p == outline.points[b] || p == outline.points[c];
-  };
-  for (const std::uint32_t q : ring) {
-    if (isCornerOf(outline.points[q])) continue;
-    if (turn(outline, a, b, q) >= 0 && turn(outline, b, c, q) >= 0 && turn(outline, c, a, q) >= 0) return true;
-  }
-  return false;
-}
-
-/// Cuts off ears. After a round without an ear, collinear corners are accepted. After another such round, which happens
-/// only for a polygon that crosses itself, any corner is accepted.
-Triangulation clipEars(const Outline& outline) {
-  Triangulation result;
-  Ring ring(outline.points.size());
-  std::iota(ring.begin(), ring.end(), 0u);
-  std::size_t at = 0, refused = 0;
-  while (ring.size() > 3) {
-    const std::array<std::uint32_t, 3> triangle = cornerTriangle(ring, at);
-    const int turned = turn(outline, triangle[0], triangle[1], triangle[2]);
-    const bool isEar = turned > 0 && !holdsCorner(outline, ring, triangle);
-    const bool isStraight = turned == 0 && refused >= ring.size();
-    const bool isForced = refused >= 2 * ring.size();
-    if (isEar || isStraight || isForced) {
-      result.triangles.push_back(triangle);
-      result.crossing = result.crossing || !(isEar || isStraight);
-      ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(at));
-      refused = 0;
-    } else {
-      ++at;
-      ++refused;
+/// Cuts off ears. The next ear is the first one from the corner behind the last. Where there is none, the first
+/// collinear corner is cut off, or, which happens only for a polygon that crosses itself, the next corner.
+///
+/// A corner is tested again only if that can change the answer: when a neighbour was cut off, or the corner that was
+/// found in its triangle.
+class EarClipper {
+ public:
+  explicit EarClipper(const Outline& outline)
+      : outline_(outline),
+        before_(outline.points.size()),
+        after_(outline.points.size()),
+        isCut_(outline.points.size()),
+        blocked_(outline.points.size()),
+        rest_(outline.points),
+        longest_(2 * diagonal(outline)) {
+    const auto n = static_cast<std::uint32_t>(outline.points.size());
+    for (std::uint32_t i = 0; i < n; ++i) {
+      before_[i] = (i + n - 1) % n;
+      after_[i] = (i + 1) % n;
     }
-    at %= ring.size();
+    for (std::uint32_t i = 0; i < n; ++i) noteChange(i);
   }
-  result.crossing = result.crossing || turn(outline, ring[0], ring[1], ring[2]) < 0;
-  result.triangles.push_back({ring[0], ring[1], ring[2]});
-  return result;
-}
+
+  Triangulation clip() {
+    Triangulation result;
+    std::uint32_t at = 0;
+    for (std::size_t count = outline_.points.size(); count > 3; --count) {
+      std::optional<std::uint32_t> corner = nextEar(at);
+      if (!corner) corner = nextStraight(at);
+      result.crossing = result.crossing || !corner;
+      at = cutOff(corner.value_or(at), result);
+    }
+    const std::array<std::uint32_t, 3> last = std::array{at, after_[at], before_[at]};
+    const std::uint32_t first = *std::min_element(last.begin(), last.end());
+    result.triangles.push_back({first, after_[first], before_[first]});
+    result.crossing = result.crossing || turn(outline_, first, after_[first], before_[first]) < 0;
+    return result;
+  }
+
+ private:
+  static double diagonal(const Outline& outline) {
+    glm::dvec2 low = outline.points[0], high = low;
+    for (const glm::dvec2& p : outline.points) {
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+    return glm::length(high - low);
+  }
+
+  /// The first corner of a set from `at` on, around the ring.
+  static std::optional<std::uint32_t> firstFrom(const std::set<std::uint32_t>& corners, std::uint32_t at) {
+    if (corners.empty()) return std::nullopt;
+    const auto found = corners.lower_bound(at);
+    return found == corners.end() ? *corners.begin() : *found;
+  }
+
+  std::optional<std::uint32_t> nextEar(std::uint32_t at) {
+    for (;;) {
+      const std::optional<std::uint32_t> corner = firstFrom(open_, at);
+      if (!corner || isEar(*corner)) return corner;
+      open_.erase(*corner);
+    }
+  }
+
+  std::optional<std::uint32_t> nextStraight(std::uint32_t at) const { return firstFrom(straight_, at); }
+
+  bool isEar(std::uint32_t corner) {
+    const std::uint32_t a = before_[corner], b = corner, c = after_[corner];
+    if (turn(outline_, a, b, c) <= 0) return false;
+    const std::optional<std::uint32_t> inside = cornerWithin(a, b, c);
+    if (inside) blocked_[*inside].push_back(corner);
+    return !inside;
+  }
+
+  /// A remaining corner in a triangle or on its border, other than at its corners.
+  std::optional<std::uint32_t> cornerWithin(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    const std::vector<glm::dvec2>& points = outline_.points;
+    // Rounding is monotonic, so that no point of the box has a larger area than this corner of the box.
+    const auto reaches = [&](std::uint32_t from, std::uint32_t to, const glm::dvec2& low, const glm::dvec2& high) {
+      const glm::dvec2 edge = points[to] - points[from];
+      const double x = (edge.y > 0 ? low.x : high.x) - points[from].x;
+      const double y = (edge.x > 0 ? high.y : low.y) - points[from].y;
+      return edge.x * y - edge.y * x >= -outline_.noise * longest_;
+    };
+    return rest_.find(
+        [&](const glm::dvec2& low, const glm::dvec2& high) {
+          return reaches(a, b, low, high) && reaches(b, c, low, high) && reaches(c, a, low, high);
+        },
+        [&](std::uint32_t q) {
+          const glm::dvec2& p = points[q];
+          if (p == points[a] || p == points[b] || p == points[c]) return false;
+          return turn(outline_, a, b, q) >= 0 && turn(outline_, b, c, q) >= 0 && turn(outline_, c, a, q) >= 0;
+        });
+  }
+
+  /// Removes a corner with its triangle, and returns the next one.
+  std::uint32_t cutOff(std::uint32_t corner, Triangulation& result) {
+    const std::uint32_t previous = before_[corner], next = after_[corner];
+    result.triangles.push_back({previous, corner, next});
+    after_[previous] = next;
+    before_[next] = previous;
+    isCut_[corner] = true;
+    rest_.remove(corner);
+    open_.erase(corner);
+    straight_.erase(corner);
+    for (const std::uint32_t other : blocked_[corner])
+      if (!isCut_[other]) open_.insert(other);
+    noteChange(previous);
+    noteChange(next);
+    return next;
+  }
+
+  /// The neighbours of a corner are new.
+  void noteChange(std::uint32_t corner) {
+    open_.insert(open_.end(), corner);
+    if (turn(outline_, before_[corner], corner, after_[corner]) == 0)
+      straight_.insert(corner);
+    else
+      straight_.erase(corner);
+  }
+
+  const Outline& outline_;
+  std::vector<std::uint32_t> before_, after_;  ///< the neighbours of each corner
+  std::vector<bool> isCut_;
+  std::set<std::uint32_t> open_;                     ///< all ears, and corners that are not tested yet
+  std::set<std::uint32_t> straight_;                 ///< collinear with their neighbours
+  std::vector<std::vector<std::uint32_t>> blocked_;  ///< per corner: those in whose triangles it was found
+  PointTree rest_;                                   ///< the corners that are not cut off
+  double longest_;                                   ///< no two points are as far from each other
+};
 
 }  // namespace
 
@@ -145,7 +231,7 @@ Triangulation triangulate(std::span<const glm::dvec3> polygon) {
   if (!(glm::length(normal) > 0)) return {fan(corners), true};  // its loops cancel, or it has no area
   const Outline outline = projected(polygon, normal);
   if (isConvex(outline)) return {fan(corners)};
-  return clipEars(outline);
+  return EarClipper(outline).clip();
 }
 
 }  // namespace hemitex::radiosity

@@ -25,7 +25,8 @@ struct Triangulation {
   bool crossing = false;  ///< the polygon crosses itself, so that the triangles are a guess
 };
 
-/// Triangulates `polygon`, which has at least 3 corners. Ear clipping takes quadratic time.
+/// Triangulates `polygon`, which has at least 3 corners. A k-d tree finds corners in the triangles of others, so that
+/// 100,000 corners take seconds.
 Triangulation triangulate(std::span<const glm::dvec3> polygon);
 
 }  // namespace hemitex::radiosity

@@ -45,6 +45,7 @@ struct GltfImport {
   std::vector<ImportedPart> parts;       ///< in the order of a walk from the roots of the scene, children after parents
   std::optional<ImportedCamera> camera;  ///< the first one with a perspective
   std::vector<std::string> warnings;     ///< one sentence each, for the user
+  std::vector<std::string> files;        ///< buffers and images that were read, with the folder of the scene
 };
 
 /// Why a file was not read, and what to do about it; both are empty when it was.

@@ -408,6 +408,12 @@ bool keepImage(tinygltf::Image* image, int, std::string*, std::string*, int, int
   return true;
 }
 
+/// The folder of the scene, and the files in it that were read.
+struct SceneFolder {
+  const std::string& name;
+  std::vector<std::string>& read;
+};
+
 /// Whether a name leads to a file in the folder of the scene or below it.
 bool isInside(const std::string& name, const std::string& folder) {
   if (!name.starts_with(folder + "/")) return false;
@@ -417,10 +423,12 @@ bool isInside(const std::string& name, const std::string& folder) {
 
 bool fileExists(const std::string& name, void* folder) {
   std::error_code ignored;
-  return isInside(name, *static_cast<const std::string*>(folder)) && std::filesystem::is_regular_file(name, ignored);
+  return isInside(name, static_cast<const SceneFolder*>(folder)->name) &&
+         std::filesystem::is_regular_file(name, ignored);
 }
 
-bool readWholeFile(std::vector<unsigned char>* bytes, std::string* problem, const std::string& name, void*) {
+bool readWholeFile(std::vector<unsigned char>* bytes, std::string* problem, const std::string& name, void* folder) {
+  static_cast<SceneFolder*>(folder)->read.push_back(name);
   std::ifstream file(name, std::ios::binary);
   bytes->assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
   if (!file.eof() && !file) *problem = "it cannot be read";
@@ -431,15 +439,16 @@ bool readWholeFile(std::vector<unsigned char>* bytes, std::string* problem, cons
 std::string sameName(const std::string& name, void*) { return name; }
 
 /// The first line of a message.
-std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+std::string firstLine(const std::string& text) { return text.substr(0, std::min<std::size_t>(text.find('\n'), 200)); }
 
-tinygltf::Model parse(const std::string& bytes, std::string folder) {
+tinygltf::Model parse(const std::string& bytes, const std::string& folder, std::vector<std::string>& files) {
   constexpr const char* advice = "give a glTF 2.0 file; files that it names must lie in its folder or below";
   if (bytes.size() > std::numeric_limits<unsigned int>::max())
     throw Fault{"the file has more than 4 GiB", "divide the scene"};
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(keepImage, nullptr);
-  reader.SetFsCallbacks({fileExists, sameName, readWholeFile, nullptr, &folder});
+  SceneFolder opened{folder, files};
+  reader.SetFsCallbacks({fileExists, sameName, readWholeFile, nullptr, &opened});
   tinygltf::Model gltf;
   std::string error, warning;  // it warns of missing images, which have no bytes
   const auto size = static_cast<unsigned int>(bytes.size());
@@ -474,7 +483,7 @@ void warnOfOmissions(const tinygltf::Model& gltf, GltfImport& import) {
 }
 
 void readFile(const std::string& bytes, const std::string& folder, GltfImport& import) {
-  const tinygltf::Model gltf = parse(bytes, folder);
+  const tinygltf::Model gltf = parse(bytes, folder, import.files);
   checkExtensions(gltf);
   warnOfOmissions(gltf, import);
   import.images = imagesOf(gltf);

@@ -16,7 +16,8 @@ namespace {
 
 using namespace std::string_literals;
 
-constexpr std::uint64_t maxPixels = std::uint64_t{1} << 28;
+/// In a file, and in memory.
+constexpr std::uint64_t maxPixels = std::uint64_t{1} << 28, maxKeptPixels = std::uint64_t{1} << 24;
 
 /// a^(1/5) for a in [0.001, 1], the real root of y^5 = a, by Newton's iteration y <- (4 y + a / y^4) / 5. From y = 1 it
 /// decreases by at most a fifth per step, then doubles its digits. So y is below 0.26 after at most six steps, and has
@@ -90,36 +91,82 @@ void throwIfAny(const ImageProblem& problem, const std::filesystem::path& file) 
   if (!problem.problem.empty()) throw raster::InputError(file.string(), 0, problem.problem, problem.advice);
 }
 
-/// Three linear channels per pixel: `decode` turns a sample into a linear value, grey becomes three equal channels.
-template <typename Sample, typename Decode>
-std::vector<glm::dvec3> linearPixels(const std::vector<Sample>& samples, int channels, const Decode& decode) {
-  const auto stride = static_cast<std::size_t>(channels);
-  std::vector<glm::dvec3> pixels;
-  pixels.reserve(samples.size() / stride);
-  for (std::size_t first = 0; first < samples.size(); first += stride) {
-    const Sample* s = &samples[first];
-    pixels.push_back(stride < 3 ? glm::dvec3(decode(s[0])) : glm::dvec3(decode(s[0]), decode(s[1]), decode(s[2])));
+/// Makes an image of rows, with linear values. A larger one than is kept is reduced while its rows arrive: its sides
+/// are divided by the smallest power of two that makes it small enough, rounded up, and each new pixel is the mean of
+/// the pixels that it covers.
+class RowCollector {
+ public:
+  explicit RowCollector(const std::filesystem::path& file) : file_(file) {}
+
+  /// Throws InputError, with the name of the file, for a value that is not finite.
+  void add(const ImageSamples& rows, int height) {
+    if (image_.width == 0) begin(rows.width, height);
+    if (!rows.codes.empty()) {
+      const std::array<double, 256>& decoded = decodedCodes();
+      addRows(rows, rows.codes, [&](std::uint8_t code) { return decoded[code]; });
+    } else {
+      addRows(rows, rows.values, [](float value) { return static_cast<double>(value); });
+    }
   }
-  return pixels;
-}
 
-std::vector<glm::dvec3> linearPixels(const ImageSamples& samples) {
-  if (samples.codes.empty())
-    return linearPixels(samples.values, samples.channels, [](float value) { return static_cast<double>(value); });
-  const std::array<double, 256>& decoded = decodedCodes();
-  return linearPixels(samples.codes, samples.channels, [&](std::uint8_t code) { return decoded[code]; });
-}
+  Image image() && { return std::move(image_); }
 
-/// Throws InputError, with the name of the file, for a value that is not finite.
-Image linearImage(const ImageSamples& samples, const std::filesystem::path& file) {
-  const Image image{samples.width, samples.height, linearPixels(samples)};
-  const auto isFinite = [](const glm::dvec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-  };
-  if (!std::all_of(image.pixels.begin(), image.pixels.end(), isFinite))
-    throw raster::InputError(file.string(), 0, "holds a value that is not finite", "repair the image");
-  return image;
-}
+ private:
+  void begin(int width, int height) {
+    sourceWidth_ = width;
+    sourceHeight_ = height;
+    int shift = 0;
+    const auto reduced = [&shift](int length) { return ((length - 1) >> shift) + 1; };
+    while (static_cast<std::uint64_t>(reduced(width)) * static_cast<std::uint64_t>(reduced(height)) > maxKeptPixels)
+      ++shift;
+    image_.width = reduced(width);
+    image_.height = reduced(height);
+    sums_.resize(static_cast<std::size_t>(image_.width));
+    counts_.resize(sums_.size());
+    image_.pixels.reserve(sums_.size() * static_cast<std::size_t>(image_.height));
+  }
+
+  /// The new row or column of an old one.
+  static int covering(int old, int length, int reduced) {
+    return static_cast<int>(std::int64_t{old} * reduced / length);
+  }
+
+  template <typename Sample, typename Decode>
+  void addRows(const ImageSamples& rows, const std::vector<Sample>& samples, const Decode& decode) {
+    const auto stride = static_cast<std::size_t>(rows.channels);
+    const Sample* s = samples.data();
+    for (int row = 0; row < rows.height; ++row) {
+      for (int column = 0; column < rows.width; ++column, s += stride) {
+        const glm::dvec3 pixel =
+            stride < 3 ? glm::dvec3(decode(s[0])) : glm::dvec3(decode(s[0]), decode(s[1]), decode(s[2]));
+        if (!std::isfinite(pixel.r + pixel.g + pixel.b))
+          throw raster::InputError(file_.string(), 0, "holds a value that is not finite", "repair the image");
+        const auto place = static_cast<std::size_t>(covering(column, sourceWidth_, image_.width));
+        sums_[place] = counts_[place]++ == 0 ? pixel : sums_[place] + pixel;
+      }
+      endRow();
+    }
+  }
+
+  /// Appends the row of means if the next row belongs to another one.
+  void endRow() {
+    ++row_;
+    if (row_ < sourceHeight_ &&
+        covering(row_, sourceHeight_, image_.height) == covering(row_ - 1, sourceHeight_, image_.height))
+      return;
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+      image_.pixels.push_back(counts_[i] == 1 ? sums_[i] : sums_[i] / static_cast<double>(counts_[i]));
+      counts_[i] = 0;
+    }
+  }
+
+  const std::filesystem::path& file_;
+  Image image_;
+  int sourceWidth_ = 0, sourceHeight_ = 0;
+  int row_ = 0;                   ///< rows so far
+  std::vector<glm::dvec3> sums_;  ///< per pixel of the present row of the image
+  std::vector<int> counts_;
+};
 
 /// Encodes in memory, so that a full disk is detected when the bytes are written, whatever the encoder does.
 std::vector<unsigned char> encode(const std::filesystem::path& file, const std::string& format,
@@ -163,15 +210,22 @@ glm::dvec3 bilinear(const Image& image, const glm::dvec2& uv) { return bilinearI
 glm::dvec3 bilinear(const CodedImage& image, const glm::dvec2& uv) { return bilinearIn(image, uv); }
 
 Image readImage(const std::filesystem::path& file) {
-  ImageSamples samples;
-  throwIfAny(functionsFor(file).read(file.string(), maxPixels, samples), file);
-  return linearImage(samples, file);
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+  if (!std::filesystem::is_regular_file(status))
+    throw raster::InputError(file.string(), 0,
+                             std::filesystem::exists(status) ? "is not a regular file" : "does not exist");
+  RowCollector collector(file);
+  const auto receive = [&collector](const ImageSamples& rows, int height) { collector.add(rows, height); };
+  throwIfAny(functionsFor(file).read(file.string(), maxPixels, receive), file);
+  return std::move(collector).image();
 }
 
 Image decodeImage(const std::vector<unsigned char>& bytes, const std::filesystem::path& name) {
-  ImageSamples samples;
-  throwIfAny(functionsFor(name).decode(bytes, maxPixels, samples), name);
-  return linearImage(samples, name);
+  RowCollector collector(name);
+  const auto receive = [&collector](const ImageSamples& rows, int height) { collector.add(rows, height); };
+  throwIfAny(functionsFor(name).decode(bytes, maxPixels, receive), name);
+  return std::move(collector).image();
 }
 
 std::vector<unsigned char> encodePng(const CodedImage& image, const std::filesystem::path& file) {

@@ -35,8 +35,9 @@ glm::dvec3 bilinear(const Image& image, const glm::dvec2& uv);
 glm::dvec3 bilinear(const CodedImage& image, const glm::dvec2& uv);
 
 /// Reads an image as linear RGB. 8-bit files are sRGB-decoded, others are linear. Grey becomes three equal channels;
-/// alpha is dropped. Throws InputError if the file cannot be read, contains a NaN or an infinity, or has more than 2^28
-/// pixels.
+/// alpha is dropped. An image of more than 2^24 pixels is reduced while it is read: its sides are divided by the
+/// smallest power of two that gives at most 2^24 pixels, and each new pixel is the mean of the linear values that it
+/// covers. Throws InputError if the file cannot be read, contains a NaN or an infinity, or has more than 2^28 pixels.
 Image readImage(const std::filesystem::path& file);
 
 /// As readImage for the bytes of a PNG or JPEG file; `name` is for messages.

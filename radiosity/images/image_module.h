@@ -3,12 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace hemitex::radiosity {
 
-/// The samples of an image as its file holds them, row-major, channel by channel: `codes` or `values`.
+/// Samples as a file holds them, row-major, channel by channel: `codes` or `values`.
 struct ImageSamples {
   int width = 0;
   int height = 0;
@@ -17,18 +18,23 @@ struct ImageSamples {
   std::vector<float> values;        ///< of all other files, else empty
 };
 
+/// Receives the rows of an image from the top, some at a time; `height` is that of the whole image. Alpha and further
+/// channels are left out, so that there are 1 or 3.
+using RowReceiver = std::function<void(const ImageSamples& rows, int height)>;
+
 /// Why an image was not read or written, and what to do about it; both are empty when it was.
 struct ImageProblem {
   std::string problem;
   std::string advice;
 };
 
-/// What the module exports under the name `hemitexImageFunctions`. The functions throw nothing but std::bad_alloc.
+/// What the module exports under the name `hemitexImageFunctions`. The functions throw nothing but std::bad_alloc and
+/// what `receive` throws.
 struct ImageFunctions {
   /// Reads a file of at most `maxPixels` pixels.
-  ImageProblem (*read)(const std::string& file, std::uint64_t maxPixels, ImageSamples& samples);
+  ImageProblem (*read)(const std::string& file, std::uint64_t maxPixels, const RowReceiver& receive);
   /// Decodes the bytes of a PNG or JPEG file of at most `maxPixels` pixels.
-  ImageProblem (*decode)(const std::vector<unsigned char>& bytes, std::uint64_t maxPixels, ImageSamples& samples);
+  ImageProblem (*decode)(const std::vector<unsigned char>& bytes, std::uint64_t maxPixels, const RowReceiver& receive);
   /// Encodes samples as `format` ("png" or "openexr") in memory. Equal samples give equal bytes.
   ImageProblem (*encode)(const std::string& format, const std::string& colourSpace, const ImageSamples& samples,
                          std::vector<unsigned char>& bytes);

@@ -10,6 +10,9 @@
 namespace hemitex::radiosity {
 namespace {
 
+/// The first line of a message; further ones repeat it in other words.
+std::string firstLine(const std::string& message) { return message.substr(0, message.find('\n')); }
+
 /// Alpha is dropped, so colours must not be multiplied by it.
 OIIO::ImageSpec unassociatedAlpha() {
   OIIO::ImageSpec config;
@@ -17,29 +20,61 @@ OIIO::ImageSpec unassociatedAlpha() {
   return config;
 }
 
-/// Reads the pixels of an image that is open.
-ImageProblem readPixels(OIIO::ImageInput* input, std::uint64_t maxPixels, ImageSamples& samples) {
+/// The maximum size of what is decoded at a time: rows, or a row of tiles.
+constexpr std::uint64_t maxBytesAtOnce = std::uint64_t{1} << 28;
+
+/// The number of rows to decode at a time: those of a tile, or about 2^22 samples.
+int rowsAtOnce(const OIIO::ImageSpec& spec, int channels) {
+  if (spec.tile_height > 0) return std::min(spec.tile_height, spec.height);
+  const std::int64_t samplesPerRow = std::int64_t{spec.width} * channels;
+  return static_cast<int>(std::clamp<std::int64_t>((1 << 22) / samplesPerRow, 1, spec.height));
+}
+
+/// Decodes rows [begin, end). False if the file is broken.
+template <typename Sample>
+bool readRows(OIIO::ImageInput* input, int begin, int end, OIIO::TypeDesc type, ImageSamples& rows,
+              std::vector<Sample>& samples) {
   const OIIO::ImageSpec& spec = input->spec();
+  rows.height = end - begin;
+  samples.resize(static_cast<std::size_t>(rows.width) * static_cast<std::size_t>(rows.height) *
+                 static_cast<std::size_t>(rows.channels));
+  begin += spec.y;
+  end += spec.y;
+  if (spec.tile_width == 0)
+    return input->read_scanlines(0, 0, begin, end, spec.z, 0, rows.channels, type, samples.data());
+  return input->read_tiles(0, 0, spec.x, spec.x + spec.width, begin, end, spec.z, spec.z + 1, 0, rows.channels, type,
+                           samples.data());
+}
+
+/// Reads the pixels of an image that is open. Memory grows with the rows that the file holds, not with what its header
+/// promises.
+ImageProblem readPixels(OIIO::ImageInput* input, std::uint64_t maxPixels, const RowReceiver& receive) {
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0) return {"cannot be read: it has no pixels", ""};
   if (spec.image_pixels() > maxPixels) return {"has too many pixels", "scale it down to at most 16384 x 16384"};
-  samples = {spec.width, spec.height, spec.nchannels, {}, {}};
-  const std::size_t count = spec.image_pixels() * static_cast<std::size_t>(spec.nchannels);
-  const bool holdsCodes = spec.format == OIIO::TypeDesc::UINT8;
-  holdsCodes ? samples.codes.resize(count) : samples.values.resize(count);
-  const bool isRead = holdsCodes
-                          ? input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, samples.codes.data())
-                          : input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, samples.values.data());
-  if (!isRead || count == 0) return {"cannot be read: " + input->geterror(), ""};
+  ImageSamples rows{spec.width, 0, spec.nchannels < 3 ? 1 : 3, {}, {}};
+  const int step = rowsAtOnce(spec, rows.channels);
+  if (static_cast<std::uint64_t>(step) * spec.scanline_bytes(true) > maxBytesAtOnce)
+    return {"has tiles or rows of more than 256 MiB", "save it with smaller tiles"};
+  for (int begin = 0; begin < spec.height; begin += step) {
+    const int end = std::min(begin + step, spec.height);
+    const bool isRead = spec.format == OIIO::TypeDesc::UINT8
+                            ? readRows(input, begin, end, OIIO::TypeDesc::UINT8, rows, rows.codes)
+                            : readRows(input, begin, end, OIIO::TypeDesc::FLOAT, rows, rows.values);
+    if (!isRead) return {"cannot be read: " + firstLine(input->geterror()), ""};
+    receive(rows, spec.height);
+  }
   return {};
 }
 
-ImageProblem read(const std::string& file, std::uint64_t maxPixels, ImageSamples& samples) {
+ImageProblem read(const std::string& file, std::uint64_t maxPixels, const RowReceiver& receive) {
   const OIIO::ImageSpec config = unassociatedAlpha();
   const auto input = OIIO::ImageInput::open(file, &config);
-  if (!input) return {"cannot be read as an image: " + OIIO::geterror(), ""};
-  return readPixels(input.get(), maxPixels, samples);
+  if (!input) return {"cannot be read as an image: " + firstLine(OIIO::geterror()), ""};
+  return readPixels(input.get(), maxPixels, receive);
 }
 
-ImageProblem decode(const std::vector<unsigned char>& bytes, std::uint64_t maxPixels, ImageSamples& samples) {
+ImageProblem decode(const std::vector<unsigned char>& bytes, std::uint64_t maxPixels, const RowReceiver& receive) {
   constexpr std::array<unsigned char, 4> png{0x89, 'P', 'N', 'G'};
   constexpr std::array<unsigned char, 2> jpeg{0xff, 0xd8};
   const auto beginsWith = [&bytes](const auto& start) {
@@ -51,8 +86,8 @@ ImageProblem decode(const std::vector<unsigned char>& bytes, std::uint64_t maxPi
   const auto input = OIIO::ImageInput::create(format);
   OIIO::ImageSpec spec;
   if (!input || !input->set_ioproxy(&memory) || !input->open("image." + format, spec, unassociatedAlpha()))
-    return {"cannot be decoded: " + (input ? input->geterror() : OIIO::geterror()), ""};
-  return readPixels(input.get(), maxPixels, samples);
+    return {"cannot be decoded: " + firstLine(input ? input->geterror() : OIIO::geterror()), ""};
+  return readPixels(input.get(), maxPixels, receive);
 }
 
 ImageProblem encode(const std::string& format, const std::string& colourSpace, const ImageSamples& samples,

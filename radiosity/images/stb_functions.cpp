@@ -12,11 +12,11 @@
 namespace hemitex::radiosity {
 namespace {
 
-ImageProblem read(const std::string&, std::uint64_t, ImageSamples&) {
+ImageProblem read(const std::string&, std::uint64_t, const RowReceiver&) {
   return {"cannot be read: this program reads no images", ""};
 }
 
-ImageProblem decode(const std::vector<unsigned char>&, std::uint64_t, ImageSamples&) {
+ImageProblem decode(const std::vector<unsigned char>&, std::uint64_t, const RowReceiver&) {
   return {"cannot be decoded: this program reads no images", ""};
 }
 

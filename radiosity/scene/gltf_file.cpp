@@ -156,8 +156,9 @@ GltfFile readGltf(const std::filesystem::path& file) {
   for (const ImportedPart& part : imported.parts)
     builder.add(part,
                 part.material ? imported.materials[static_cast<std::size_t>(*part.material)].name : std::string());
-  GltfFile gltf{std::move(builder).mesh(), std::move(imported.materials), std::move(imported.images), {}};
+  GltfFile gltf{std::move(builder).mesh(), std::move(imported.materials), std::move(imported.images), {}, {}};
   gltf.mesh.warnings = std::move(imported.warnings);
+  gltf.files.assign(imported.files.begin(), imported.files.end());
   if (const auto& camera = imported.camera)
     gltf.camera = SceneCamera{camera->eye, camera->eye + camera->direction, camera->up, camera->fov};
   return gltf;
@@ -166,6 +167,7 @@ GltfFile readGltf(const std::filesystem::path& file) {
 MaterialSet gltfMaterials(const std::vector<std::string>& names, const GltfFile& gltf,
                           const std::filesystem::path& file, const SceneSettings& settings) {
   MaterialSet set;
+  set.files = gltf.files;
   DecodedImages images(gltf, file, set);
   for (const std::string& name : names) {
     const auto given = std::find_if(gltf.materials.begin(), gltf.materials.end(),

@@ -26,6 +26,7 @@ struct GltfFile {
   std::vector<ImportedMaterial> materials;
   std::vector<ImportedImage> images;
   std::optional<SceneCamera> camera;
+  std::vector<std::filesystem::path> files;  ///< buffers and images that were read
 };
 
 /// Reads a file. Throws InputError if it cannot be read, is malformed, names files outside its folder, or has an index

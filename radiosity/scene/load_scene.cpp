@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <iomanip>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <set>
+#include <sstream>
 #include <utility>
 
 #include "radiosity/scene/gltf_file.h"
@@ -126,6 +129,34 @@ double brightestEmission(const Scene& scene) {
   return brightest;
 }
 
+/// A number as messages show it.
+std::string shortNumber(double value) {
+  std::ostringstream text;
+  text << std::setprecision(3) << value;
+  return text.str();
+}
+
+/// The scene has no face with area. Throws InputError, which tells a scene without faces from one whose faces are too
+/// small for the rounding of its coordinates.
+[[noreturn]] void failEmpty(const PolygonMesh& mesh, const std::filesystem::path& file) {
+  double coordinate = 0, size = 0;
+  for (const MeshPolygon& polygon : mesh.polygons) {
+    const glm::dvec3& first = mesh.positions[mesh.corners[polygon.firstCorner].position];
+    for (std::uint32_t c = 0; c < polygon.cornerCount; ++c) {
+      const glm::dvec3& corner = mesh.positions[mesh.corners[polygon.firstCorner + c].position];
+      coordinate = std::max({coordinate, std::fabs(corner.x), std::fabs(corner.y), std::fabs(corner.z)});
+      size = std::max(size, glm::length(corner - first));
+    }
+  }
+  constexpr double resolved = 1e-12;  // of the coordinates; above it some digits of a height are left
+  if (size > 0 && size < resolved * coordinate)
+    fail({file},
+         "no face has an area above rounding: the largest one is " + shortNumber(size) +
+             " units across, at coordinates up to " + shortNumber(coordinate),
+         "move the scene to the origin, or scale its faces up");
+  fail({file}, "the scene is empty: it has no face with area", "give an OBJ or glTF file with faces");
+}
+
 }  // namespace
 
 Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings) {
@@ -137,8 +168,7 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
   const PolygonMesh mesh = gltf ? gltf->mesh : readObj(file);
   scene.warnings = mesh.warnings;
   std::vector<Section> sections = cutIntoSections(mesh, scene.warnings);
-  if (sections.empty())
-    fail({file}, "the scene is empty: it has no face with area", "give an OBJ or glTF file with faces");
+  if (sections.empty()) failEmpty(mesh, file);
 
   const MaterialChoice choice = chooseMaterials(sections);
   MaterialSet found = gltf ? gltfMaterials(choice.names, *gltf, file, settings)
@@ -146,6 +176,8 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
   if (gltf) scene.camera = gltf->camera;
   scene.materials = std::move(found.materials);
   scene.images = std::move(found.images);
+  scene.files = std::move(found.files);
+  scene.files.insert(scene.files.begin(), file);
   std::move(found.warnings.begin(), found.warnings.end(), std::back_inserter(scene.warnings));
 
   for (std::size_t s = 0; s < sections.size(); ++s) {

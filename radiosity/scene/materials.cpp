@@ -23,14 +23,15 @@ struct Definition {
 };
 
 std::map<std::string, Definition> readDefinitions(const std::vector<std::filesystem::path>& files, EmissionUnit unit,
-                                                  std::vector<std::string>& warnings) {
+                                                  MaterialSet& set) {
   std::map<std::string, Definition> definitions;
   for (const std::filesystem::path& file : files) {
     const std::optional<std::string> text = raster::tryReadFile(file);
     if (!text) {
-      warnings.push_back("the material file " + file.string() + " cannot be read; its materials become grey 0.5");
+      set.warnings.push_back("the material file " + file.string() + " cannot be read; its materials become grey 0.5");
       continue;
     }
+    set.files.push_back(file);
     for (MaterialStatement& statement : parseMaterials(*text, file, unit)) {
       definitions.try_emplace(statement.name, Definition{statement, file.parent_path()});
     }
@@ -52,7 +53,7 @@ class MapImages {
 
   /// The image of a map; nothing, with a warning, if it cannot be read.
   std::optional<int> emission(const MapStatement& map, const Definition& definition) {
-    const std::string owner = "material '" + definition.statement.name + "': ";
+    const std::string owner = "material '" + raster::excerpt(definition.statement.name) + "': ";
     if (map.image.empty()) {
       set_.warnings.push_back(owner + "a map names no image; 0.5 stands for it");
       return {};
@@ -91,6 +92,7 @@ class MapImages {
       return {};
     }
     if (anyValue(image, [](double value) { return value < 0; })) fail({file}, "a map with negative values");
+    set_.files.push_back(file);
     set_.images.push_back(std::move(image));
     return static_cast<int>(set_.images.size()) - 1;
   }
@@ -103,7 +105,7 @@ class MapImages {
 Material makeMaterial(const Definition& definition, const SceneSettings& settings, MapImages& images,
                       std::vector<std::string>& warnings) {
   const MaterialStatement& statement = definition.statement;
-  const std::string owner = "material '" + statement.name + "': ";
+  const std::string owner = "material '" + raster::excerpt(statement.name) + "': ";
   Material material{.name = statement.name};
   if (statement.reflectance) {
     material.reflectance = *statement.reflectance;
@@ -128,6 +130,15 @@ Material makeMaterial(const Definition& definition, const SceneSettings& setting
   return material;
 }
 
+/// The first names of a list, and how many others there are.
+std::string firstOf(const std::vector<std::string>& names) {
+  constexpr std::size_t maxNames = 8;
+  std::string text;
+  for (std::size_t n = 0; n < std::min(names.size(), maxNames); ++n)
+    text += (n == 0 ? "'" : ", '") + raster::excerpt(names[n]) + "'";
+  return names.size() > maxNames ? text + " and " + std::to_string(names.size() - maxNames) + " others" : text;
+}
+
 }  // namespace
 
 std::optional<std::string> lowerReflectance(glm::dvec3& reflectance, double maxReflectance) {
@@ -144,9 +155,9 @@ std::optional<std::string> lowerReflectance(glm::dvec3& reflectance, double maxR
 MaterialSet findMaterials(const std::vector<std::string>& names, const std::vector<std::filesystem::path>& files,
                           const SceneSettings& settings) {
   MaterialSet set;
-  const std::map<std::string, Definition> definitions = readDefinitions(files, settings.emission, set.warnings);
+  const std::map<std::string, Definition> definitions = readDefinitions(files, settings.emission, set);
   MapImages images(set);
-  std::string unknown;
+  std::vector<std::string> unknown;
   for (const std::string& name : names) {
     const auto found = definitions.find(name);
     if (found != definitions.end()) {
@@ -156,10 +167,11 @@ MaterialSet findMaterials(const std::vector<std::string>& names, const std::vect
       set.warnings.push_back("faces without a material become grey 0.5");
     } else {
       set.materials.push_back({.name = name});
-      unknown += (unknown.empty() ? "'" : ", '") + name + "'";
+      unknown.push_back(name);
     }
   }
-  if (!unknown.empty()) set.warnings.push_back("materials that are in no material file become grey 0.5: " + unknown);
+  if (!unknown.empty())
+    set.warnings.push_back("materials that are in no material file become grey 0.5: " + firstOf(unknown));
   return set;
 }
 

@@ -18,6 +18,7 @@ struct MaterialSet {
   std::vector<Material> materials;  ///< one per requested name
   std::vector<Image> images;
   std::vector<std::string> warnings;
+  std::vector<std::filesystem::path> files = {};  ///< those that were read
 };
 
 /// Lowers bands of 1 or more to `maxReflectance`. Returns a warning without its subject, or nothing if none is lowered.

@@ -40,7 +40,7 @@ MapStatement readMap(const TextLine& line) {
 std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::filesystem::path& file,
                                               EmissionUnit unit) {
   std::vector<MaterialStatement> materials;
-  for (const TextLine& line : splitLines(text)) {
+  for (const TextLine& line : splitLines(text, file)) {
     const Place place{file, line.number};
     if (line.keyword == "newmtl") materials.push_back({std::string(line.rest)});
     if (materials.empty()) continue;

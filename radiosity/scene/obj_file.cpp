@@ -10,6 +10,7 @@
 
 #include "radiosity/scene/obj_lines.h"
 #include "raster/base/file_io.h"
+#include "raster/base/input_error.h"
 
 #define TINYOBJLOADER_IMPLEMENTATION
 #include <tiny_obj_loader.h>
@@ -109,7 +110,7 @@ class NumberReader {
     int index = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
     if (error != std::errc() || end != word.data() + word.size()) {
-      fail(place, "'" + std::string(word) + "' is not an index");
+      fail(place, "'" + raster::excerpt(word) + "' is not an index");
     }
     if (index == 0) fail(place, "index 0 in a face", "indices count from 1");
     return index;
@@ -217,7 +218,7 @@ PolygonMesh parseObj(std::string_view text, const std::filesystem::path& file) {
   PolygonMesh obj;
   NumberReader numbers(file, obj);
   StructureReader structure(obj);
-  for (const TextLine& line : splitLines(text)) {
+  for (const TextLine& line : splitLines(text, file)) {
     numbers.read(line);
     structure.read(line);
     if (line.keyword == "mtllib" && !line.rest.empty()) obj.materialLibraries.emplace_back(line.rest);

@@ -43,7 +43,7 @@ double readNumber(std::string_view word, const Place& place) {
   if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);  // from_chars accepts no plus sign
   double number = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  const auto refuse = [&](const char* why) { fail(place, "'" + std::string(word) + "' " + why); };
+  const auto refuse = [&](const char* why) { fail(place, "'" + raster::excerpt(word) + "' " + why); };
   if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) refuse("is not a number");
   if (error == std::errc::result_out_of_range) refuse("is outside the range of binary64");
   if (!std::isfinite(number)) refuse("is not a finite number");
@@ -52,13 +52,15 @@ double readNumber(std::string_view word, const Place& place) {
 
 }  // namespace
 
-std::vector<TextLine> splitLines(std::string_view text) {
+std::vector<TextLine> splitLines(std::string_view text, const std::filesystem::path& file) {
   constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
   std::vector<TextLine> lines;
   for (int number = 1; !text.empty(); ++number) {
     const std::string_view line = withoutComment(trim(takeLine(text)));
     if (line.empty()) continue;
+    if (line.find('\0') != std::string_view::npos)
+      fail({file, number}, "the line has a NUL byte", "save the file as text in ASCII or UTF-8");
     const std::size_t keywordLength = std::min(line.find_first_of(blanks), line.size());
     lines.push_back({number, line.substr(0, keywordLength), trim(line.substr(keywordLength))});
   }
@@ -77,7 +79,7 @@ std::size_t readNumbers(std::string_view rest, std::span<double> numbers, const 
   std::size_t count = 0;
   for (auto word = nextWord(rest); word; word = nextWord(rest)) {
     const double number = readNumber(*word, place);
-    if (count == numbers.size()) fail(place, "'" + std::string(*word) + "' is one number too many");
+    if (count == numbers.size()) fail(place, "'" + raster::excerpt(*word) + "' is one number too many");
     numbers[count++] = number;
   }
   return count;

@@ -25,8 +25,9 @@ struct Place {
 };
 
 /// Splits a text at LF, CR LF or CR. A comment begins at a `#` at the start of the line or at a `#` that is a word of
-/// its own. So names such as `wall#1` and `Material #25` stay whole. The views point into `text`.
-std::vector<TextLine> splitLines(std::string_view text);
+/// its own. So names such as `wall#1` and `Material #25` stay whole. The views point into `text`. Throws InputError for
+/// a line with a NUL byte, which would end a name.
+std::vector<TextLine> splitLines(std::string_view text, const std::filesystem::path& file);
 
 /// Removes the next word from `rest` and returns it; nothing at the end or before a word that begins with `#`. For
 /// lines of numbers.

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
@@ -63,9 +64,10 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Image> images;
   std::vector<Surface> surfaces;  ///< in the order of their first faces; in two-sided scenes all fronts, then all backs
-  OutsideLight outside = {};               ///< not part of the file
-  std::vector<std::string> warnings;       ///< one sentence each, for the user
-  std::optional<SceneCamera> camera = {};  ///< OBJ files have none
+  OutsideLight outside = {};      ///< not part of the file
+  std::vector<std::string> warnings;              ///< one sentence each, for the user
+  std::optional<SceneCamera> camera = {};         ///< OBJ files have none
+  std::vector<std::filesystem::path> files = {};  ///< all that were read: the scene, its materials, images and buffers
 };
 
 /// The area of a triangle, and its unit normal on the front side.

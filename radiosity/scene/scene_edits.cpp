@@ -46,7 +46,7 @@ std::vector<std::uint32_t> findOrFail(const std::vector<Surface>& surfaces, cons
   std::set<std::string> families;
   for (const Surface& surface : surfaces) families.insert(surface.family);
   throw InputError(
-      "no surface " + where + " is named `" + name + "`",
+      "no surface " + where + " is named `" + raster::excerpt(name) + "`",
       families.empty() ? "nothing was removed so far" : "similar names: " + raster::nearestNames(families, name));
 }
 
@@ -66,7 +66,7 @@ std::vector<std::uint32_t> findByMaterial(const Scene& scene, const std::string&
   if (!found.empty()) return found;
   std::set<std::string> names;
   for (const Surface& surface : scene.surfaces) names.insert({surface.family, materialOf(surface)});
-  throw InputError("no surface, group or material of the scene is named `" + name + "`",
+  throw InputError("no surface, group or material of the scene is named `" + raster::excerpt(name) + "`",
                    "similar names: " + raster::nearestNames(names, name));
 }
 
@@ -83,7 +83,7 @@ void move(const Scene& scene, Surface& surface, const glm::dvec3& by) {
     for (glm::dvec3& corner : triangle.position) {
       corner += by;
       if (!(glm::length(corner - scene.origin) <= farthestEdit * scene.extent))
-        throw InputError("an edit puts `" + surface.name + "` farther than " +
+        throw InputError("an edit puts `" + raster::excerpt(surface.name) + "` farther than " +
                              std::to_string(static_cast<int>(farthestEdit)) + " extents from the scene",
                          "move it less, or solve the scene anew");
     }
@@ -132,6 +132,7 @@ class Editor {
     }
     std::move(added.images.begin(), added.images.end(), std::back_inserter(scene_.images));
     std::move(added.warnings.begin(), added.warnings.end(), std::back_inserter(scene_.warnings));
+    std::move(added.files.begin(), added.files.end(), std::back_inserter(scene_.files));
     rename(added.surfaces);
     for (Surface& surface : added.surfaces) {
       surface.material += firstMaterial;
@@ -145,14 +146,14 @@ class Editor {
   void apply(const SetEmission& edit) {
     requireAll(
         edit.to, [](double value) { return value >= 0 && value <= largestEmission; },
-        "the emission of `" + edit.name + "` is below 0 or above 1e30 W/m^2");
+        "the emission of `" + raster::excerpt(edit.name) + "` is below 0 or above 1e30 W/m^2");
     setMaterial(edit.name, [&](Material& material) { material.emission = edit.to; });
   }
 
   void apply(const SetReflectance& edit) {
     requireAll(
         edit.to, [](double value) { return value >= 0 && value < 1; },
-        "the reflectance of `" + edit.name + "` is not at least 0 and below 1");
+        "the reflectance of `" + raster::excerpt(edit.name) + "` is not at least 0 and below 1");
     setMaterial(edit.name, [&](Material& material) { material.reflectance = edit.to; });
   }
 

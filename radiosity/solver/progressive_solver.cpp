@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "radiosity/scene/scene.h"
+#include "radiosity/solver/loss_warning.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
@@ -54,12 +55,13 @@ Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, con
                const Progress& progress, const PatchSplit& split, const Snapshot& past = {}) {
   Solution solution;
   solution.shots = past.shots;
+  solution.absorbedByBacks = past.absorbedByBacks;
   solution.residual = state.residual();
   const auto isDone = [&] {
     return solution.residual <= settings.residual || (settings.shots && solution.shots >= *settings.shots);
   };
   std::vector<SplitCall> splits = past.splits;
-  const auto snapshot = [&] { return Snapshot{solution.shots, splits, state.saved()}; };
+  const auto snapshot = [&] { return Snapshot{solution.shots, splits, solution.absorbedByBacks, state.saved()}; };
   const double unitFlux = state.light().lastEmitted / unitsOfFlux;
   const auto hasBeenSplit = [&](std::uint32_t patch) {
     if (!split || state.hasShot(patch)) return false;
@@ -104,6 +106,7 @@ Solution finished(Solution solution, const Scene& scene, const Discretization& d
   solution.radiosity = std::forward<AnyShootingState>(state).radiosity();
   solution.ambient = ambientEstimate(scene, discretization, solution.energy);
   solution.warnings = warningsOf(solution.energy);
+  if (const auto warning = lossWarning(scene, solution.energy)) solution.warnings.push_back(*warning);
   return solution;
 }
 

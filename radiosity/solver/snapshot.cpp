@@ -52,6 +52,7 @@ template <typename AnySnapshot, typename Visit>
 void forEachPart(AnySnapshot& snapshot, const Visit& visit) {
   visit(snapshot.shots);
   visit(snapshot.splits);
+  visit(snapshot.absorbedByBacks);
   visit(snapshot.state.shot);
   visit(snapshot.state.received);
   visit(snapshot.state.unshot);

@@ -20,6 +20,7 @@ struct SplitCall {
 struct Snapshot {
   int shots = 0;
   std::vector<SplitCall> splits;  ///< in the order of the calls
+  std::vector<glm::dvec3> absorbedByBacks;  ///< see Solution
   SavedShots state;
 };
 

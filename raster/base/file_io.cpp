@@ -1,9 +1,9 @@
 #include "raster/base/file_io.h"
 
 #include <fstream>
-#include <sstream>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "raster/base/input_error.h"
 
@@ -23,10 +23,12 @@ std::optional<std::string> tryReadFile(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file, ignored)) return {};
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return {};
-  std::ostringstream text;
-  text << stream.rdbuf();
+  std::string text;
+  std::vector<char> block(std::size_t{1} << 16);
+  while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) || stream.gcount() > 0)
+    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
   if (stream.bad()) return {};
-  return std::move(text).str();
+  return text;
 }
 
 std::string readFile(const std::filesystem::path& file, const std::string& advice) {

@@ -1,5 +1,7 @@
 #include "raster/base/input_error.h"
 
+#include <algorithm>
+
 namespace hemitex::raster {
 namespace {
 
@@ -12,6 +14,17 @@ std::string message(const std::string& file, int line, const std::string& what, 
 }
 
 }  // namespace
+
+std::string excerpt(std::string_view text) {
+  constexpr std::size_t maxBytes = 200;
+  std::size_t length = std::min(text.size(), maxBytes);
+  const auto continues = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; };
+  while (length > 0 && length < text.size() && continues(text[length])) --length;  // whole characters of UTF-8
+  std::string cut(text.substr(0, length));
+  for (char& byte : cut)
+    if (static_cast<unsigned char>(byte) < 0x20 || byte == 0x7F) byte = '?';
+  return length < text.size() ? cut + "..." : cut;
+}
 
 InputError::InputError(const std::string& what, const std::string& advice) : InputError({}, 0, what, advice) {}
 

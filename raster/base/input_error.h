@@ -5,8 +5,12 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace hemitex::raster {
+
+/// Input as messages quote it: at most 200 bytes, with `?` for control characters, and `...` where it is cut.
+std::string excerpt(std::string_view text);
 
 class InputError : public std::runtime_error {
  public:

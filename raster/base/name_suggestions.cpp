@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "raster/base/input_error.h"
+
 namespace hemitex::raster {
 namespace {
 
@@ -36,7 +38,7 @@ std::string nearestNames(const std::set<std::string>& names, const std::string& 
     if (nearest.size() > maxSuggestions) nearest.erase(std::prev(nearest.end()));
   }
   std::string text;
-  for (const auto& [distance, name] : nearest) text += (text.empty() ? "`" : ", `") + name + "`";
+  for (const auto& [distance, name] : nearest) text += (text.empty() ? "`" : ", `") + excerpt(name) + "`";
   return text;
 }
 

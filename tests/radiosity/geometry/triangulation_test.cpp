@@ -3,6 +3,7 @@
 // which is 1 inside; none is negative.)
 #include "radiosity/geometry/triangulation.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
@@ -71,6 +72,62 @@ void checkCovers(const Polygon& polygon, const Triangulation& cut) {
   CHECK(allWindAlike);
   CHECK(edges == outline);
   CHECK(area == Approx(glm::length(whole)).epsilon(1e-9));
+}
+
+/// Ear clipping as triangulation.h defines it, for polygons with integer-like outlines in the plane z = 0: tests all
+/// corners in turn, and each against all others. Empty for polygons of which triangulate makes a fan.
+Triangulation cutInTurn(const Polygon& polygon) {
+  double largest = 0;
+  for (const glm::dvec3& p : polygon) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
+  const double noise = 4 * std::numeric_limits<double>::epsilon() * largest;
+  glm::dvec3 normal(0);
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    normal += glm::cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+  if (normal.z == 0) return {};
+  // The axes of triangulate for a normal along z.
+  std::vector<glm::dvec2> points;
+  for (const glm::dvec3& p : polygon) {
+    const glm::dvec3 from = p - polygon[0];
+    points.emplace_back(normal.z > 0 ? from.y : -from.y, -from.x);
+  }
+  const auto turn = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const glm::dvec2 ab = points[b] - points[a], ac = points[c] - points[a], bc = points[c] - points[b];
+    const double area = ab.x * ac.y - ab.y * ac.x;
+    if (std::fabs(area) <= noise * std::sqrt(std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(bc, bc)})))
+      return 0;
+    return area > 0 ? 1 : -1;
+  };
+  std::vector<std::uint32_t> ring;
+  for (std::uint32_t i = 0; i < points.size(); ++i) ring.push_back(i);
+  bool isConvex = true;
+  for (std::uint32_t i = 0; i < ring.size(); ++i) {
+    const auto next = static_cast<std::uint32_t>((i + 1) % ring.size());
+    if (turn(i, next, static_cast<std::uint32_t>((i + 2) % ring.size())) < 0 || turn(0, i, next) < 0) isConvex = false;
+  }
+  if (isConvex) return {};
+  Triangulation result;
+  std::size_t at = 0, refused = 0;
+  while (ring.size() > 3) {
+    const std::uint32_t a = ring[(at + ring.size() - 1) % ring.size()], b = ring[at], c = ring[(at + 1) % ring.size()];
+    const bool isEmpty = std::none_of(ring.begin(), ring.end(), [&](std::uint32_t q) {
+      if (points[q] == points[a] || points[q] == points[b] || points[q] == points[c]) return false;
+      return turn(a, b, q) >= 0 && turn(b, c, q) >= 0 && turn(c, a, q) >= 0;
+    });
+    const bool isEar = turn(a, b, c) > 0 && isEmpty, isStraight = turn(a, b, c) == 0 && refused >= ring.size();
+    if (isEar || isStraight || refused >= 2 * ring.size()) {
+      result.triangles.push_back({a, b, c});
+      result.crossing = result.crossing || !(isEar || isStraight);
+      ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(at));
+      refused = 0;
+    } else {
+      ++at;
+      ++refused;
+    }
+    at %= ring.size();
+  }
+  result.triangles.push_back({ring[0], ring[1], ring[2]});
+  result.crossing = result.crossing || turn(ring[0], ring[1], ring[2]) < 0;
+  return result;
 }
 
 }  // namespace
@@ -145,6 +202,52 @@ TEST_CASE("triangulate covers random star-shaped polygons exactly once", "[trian
     CAPTURE(n);
     for (const Polygon& polygon : placed(outline)) checkCovers(polygon, triangulate(polygon));
   }
+}
+
+TEST_CASE("triangulate cuts off the same ears in the same order as a search that visits all corners", "[triangulate]") {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const std::vector<glm::dvec3> grid = [] {  // coarse coordinates, so that many corners coincide or are collinear
+    std::vector<glm::dvec3> points;
+    for (int i = 0; i < 25; ++i) points.emplace_back(i % 5, i / 5, 0);
+    return points;
+  }();
+  for (int run = 0; run < 300; ++run) {
+    const int n = 4 + static_cast<int>(unit(random) * 200);
+    Polygon star, crossing, coarse;
+    for (int i = 0; i < n; ++i) {
+      const double r = 0.05 + unit(random), angle = 2 * M_PI * i / n;
+      star.emplace_back(r * std::cos(angle), r * std::sin(angle), 0);
+      crossing.emplace_back(unit(random), unit(random), 0);
+      coarse.push_back(grid[static_cast<std::size_t>(unit(random) * 25)]);
+    }
+    CAPTURE(run, n);
+    for (const Polygon& polygon : {star, crossing, coarse}) {
+      const Triangulation cut = triangulate(polygon), expected = cutInTurn(polygon);
+      if (expected.triangles.empty()) continue;  // convex, or without area
+      REQUIRE(cut.triangles == expected.triangles);
+      REQUIRE(cut.crossing == expected.crossing);
+    }
+  }
+}
+
+TEST_CASE("triangulate covers polygons of 100,000 corners exactly once", "[triangulate]") {
+  constexpr int n = 100000;
+  Polygon comb{{0, 0, 0}, {n / 4, 0, 0}}, spiral, notched;
+  for (int tooth = n / 4 - 1; tooth >= 0; --tooth)
+    for (const glm::dvec2& p : {glm::dvec2(0.75, 900), glm::dvec2(0.5, 1), glm::dvec2(0.25, 1000), glm::dvec2(0, 0.5)})
+      comb.emplace_back(tooth + p.x, p.y, 0);
+  for (int i = 0; i < n / 2; ++i) {
+    const double angle = i * 0.0125, r = 1 + 0.1 * angle;
+    spiral.emplace_back(r * std::cos(angle), r * std::sin(angle), 0);
+  }
+  for (int i = n / 2 - 1; i >= 0; --i)
+    spiral.push_back(spiral[static_cast<std::size_t>(i)] * (1 + 0.2 / (1 + 0.00125 * i)));
+  for (int i = 0; i < n; ++i) {
+    const double r = i % 2 == 0 ? 1 : 0.999, angle = 2 * M_PI * i / n;
+    notched.emplace_back(r * std::cos(angle), r * std::sin(angle), 0);
+  }
+  for (const Polygon& polygon : {comb, spiral, notched}) checkCovers(polygon, triangulate(polygon));
 }
 
 TEST_CASE("triangulate reports a polygon that crosses itself, and still makes two triangles less than corners",

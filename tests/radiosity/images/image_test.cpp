@@ -1,6 +1,9 @@
 /// Images: the sRGB curve compared with pow, and files that are read as they were written.
 #include "radiosity/images/image.h"
 
+#include <sys/stat.h>
+
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <cmath>
@@ -135,6 +138,44 @@ TEST_CASE("readImage throws InputError for an image with more pixels than memory
   const TemporaryFolder folder;
   writeBytes(folder.path / "huge.pgm", "P5 60000 60000 255\n");
   CHECK_THROWS_AS(readImage(folder.path / "huge.pgm"), raster::InputError);
+}
+
+TEST_CASE("readImage reduces an image of more than 2^24 pixels to means of linear values", "[image]") {
+  const TemporaryFolder folder;
+  constexpr int width = 6001, height = 4000;  // the sides are halved, the longer one rounded up
+  std::string bytes = "P5 " + std::to_string(width) + " " + std::to_string(height) + " 255\n";
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column) bytes += static_cast<char>((row + column) % 2 == 0 ? 255 : 0);
+  writeBytes(folder.path / "chess.pgm", bytes);
+  const Image chess = readImage(folder.path / "chess.pgm");
+  CHECK(chess.width == 3001);
+  CHECK(chess.height == 2000);
+  REQUIRE(chess.pixels.size() == 3001 * 2000);
+  // Each new pixel covers as many white as black ones: half the light, and not the light of half the code.
+  CHECK(
+      std::all_of(chess.pixels.begin(), chess.pixels.end(), [](const glm::dvec3& p) { return p == glm::dvec3(0.5); }));
+}
+
+TEST_CASE("readImage keeps an image of 2^24 pixels as it is", "[image]") {
+  const TemporaryFolder folder;
+  std::string bytes = "P5 4096 4096 255\n";
+  for (int i = 0; i < 1 << 24; ++i) bytes += static_cast<char>(i * 7 % 251);
+  writeBytes(folder.path / "full.pgm", bytes);
+  const Image full = readImage(folder.path / "full.pgm");
+  CHECK(full.width == 4096);
+  REQUIRE(full.pixels.size() == std::size_t{1} << 24);
+  bool isEqual = true;
+  for (int i = 0; i < 1 << 24; ++i)
+    isEqual = isEqual && full.pixels[static_cast<std::size_t>(i)] == glm::dvec3(decodeSrgb(i * 7 % 251 / 255.0));
+  CHECK(isEqual);
+}
+
+TEST_CASE("readImage throws InputError for what is no regular file", "[image]") {
+  const TemporaryFolder folder;
+  REQUIRE(mkfifo((folder.path / "pipe.png").c_str(), 0600) == 0);
+  CHECK_THROWS_WITH(readImage(folder.path / "pipe.png"), Catch::Contains("is not a regular file"));
+  CHECK_THROWS_WITH(readImage(folder.path), Catch::Contains("is not a regular file"));
+  CHECK_THROWS_WITH(readImage("/dev/zero"), Catch::Contains("is not a regular file"));
 }
 
 TEST_CASE("writePng throws InputError and leaves nothing behind if the file cannot be written", "[image]") {

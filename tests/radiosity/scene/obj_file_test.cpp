@@ -214,3 +214,23 @@ TEST_CASE("readObj names a file that cannot be read", "[obj]") {
   std::ofstream(folder.path / "empty.obj");
   CHECK(radiosity::readObj(folder.path / "empty.obj").polygons.empty());
 }
+
+TEST_CASE("parseObj refuses a NUL byte, which would end a name", "[obj]") {
+  using namespace std::string_literals;
+  CHECK_THROWS_WITH(parseObj(triangle + "g a\0b\nf 1 2 3\n"s, "nul.obj"),
+                    Catch::Contains("nul.obj:4: the line has a NUL byte"));
+  CHECK(parseObj(triangle + "# a\0b\nf 1 2 3\n"s, "nul.obj").polygons.size() == 1);
+}
+
+TEST_CASE("parseObj quotes at most 200 bytes of a wrong word", "[obj]") {
+  const std::string word(100000, 'x');
+  for (const std::string& line : {"v 0 0 " + word, "f 1 2 " + word, "v 0 0 0 0 0 0 0 " + std::string(5000, '1')}) {
+    try {
+      parseObj(triangle + line + "\n", "long.obj");
+      FAIL("no error");
+    } catch (const raster::InputError& error) {
+      CHECK(std::string(error.what()).size() < 300);
+      CHECK_THAT(error.what(), Catch::StartsWith("long.obj:4: '"));
+    }
+  }
+}

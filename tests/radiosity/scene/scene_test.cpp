@@ -365,3 +365,25 @@ TEST_CASE("loadScene gives corners the colours of the file if all corners have o
   CHECK(*triangles[0].cornerColor == std::array{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)});
   CHECK_FALSE(triangles[1].cornerColor);
 }
+
+TEST_CASE("Scene::files are the files that loadScene read", "[scene]") {
+  const SceneFiles files("mtllib scene.mtl absent.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl paint\nf 1 2 3\n",
+                         "newmtl paint\nKd 1 1 1\nmap_Kd dot.pgm\nmap_Ke absent.png\n");
+  files.write("dot.pgm", "P5 1 1 255\n@");
+  CHECK(files.load().files == std::vector{files.path("scene.obj"), files.path("scene.mtl"), files.path("dot.pgm")});
+}
+
+TEST_CASE("loadScene says that coordinates are too large for the size of faces", "[scene]") {
+  const SceneFiles files("v 1e15 1e15 1e15\nv 1000000000000000.5 1e15 1e15\nv 1e15 1000000000000000.5 1e15\nf 1 2 3\n");
+  CHECK_THROWS_WITH(files.load(), Catch::Contains("scene.obj: no face has an area above rounding: the largest one is "
+                                                  "0.5 units across, at coordinates up to 1e+15; move the scene"));
+  CHECK_THROWS_WITH(load("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), Catch::Contains("the scene is empty"));
+}
+
+TEST_CASE("findMaterials names at most 8 unknown materials, and at most 200 bytes of each", "[scene]") {
+  std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int m = 0; m < 50; ++m) obj += "usemtl " + std::string(1000, 'x') + std::to_string(m) + "\nf 1 2 3\n";
+  const Scene scene = load(obj);
+  CHECK(scene.warnings.back().size() < 2000);
+  CHECK_THAT(scene.warnings.back(), Catch::EndsWith(" and 42 others"));
+}

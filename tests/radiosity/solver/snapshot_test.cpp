@@ -48,6 +48,7 @@ void checkEqual(const Solution& a, const Solution& b) {
   CHECK(a.shots == b.shots);
   CHECK(a.residual == b.residual);
   CHECK(a.warnings == b.warnings);
+  CHECK(a.absorbedByBacks == b.absorbedByBacks);
   for (const auto flux : {&Energy::emitted, &Energy::absorbed, &Energy::unshot, &Energy::lost, &Energy::lostToBacks})
     CHECK(a.energy.*flux == b.energy.*flux);
 }
