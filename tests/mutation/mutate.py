@@ -152,7 +152,7 @@ class Build:
 
     def answer(self, name, seconds):
         """What the program prints: of tests, whether they pass. None if it fails or takes longer."""
-        arguments = ["--abort"] if name.endswith("tests") else []
+        arguments = ["--abort"] if name.endswith("tests") else ["2"]  # threads
         process = subprocess.Popen([self.build / "bin" / name, *arguments], stdout=subprocess.PIPE,
                                    stderr=subprocess.DEVNULL, start_new_session=True, preexec_fn=limit_memory)
         try:
