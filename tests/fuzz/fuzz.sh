@@ -18,11 +18,11 @@ fuzz() {  # NAME=HARNESS
     png | jpeg | exr) length=16384 leaks=0 ;;  # libpng leaves functions of OpenImageIO by longjmp, which loses strings
   esac
   mkdir -p "$folder/corpus/$name"
-  "$harness" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=3000 -max_len=$length -detect_leaks=$leaks \
-    -print_final_stats=1 -artifact_prefix="$folder/findings/$name-" "$folder/corpus/$name" "$seeds/$name" \
+  ASAN_OPTIONS=detect_leaks=$leaks "$harness" -max_total_time="$seconds" -timeout=20 -report_slow_units=20 \
+    -rss_limit_mb=3000 -max_len=$length -print_final_stats=1 -artifact_prefix="$folder/findings/$name-" "$folder/corpus/$name" "$seeds/$name" \
     >"$folder/logs/$name" 2>&1 || true
   local executions took
-  executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/logs/$name")
+  executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/logs/$name" | tail -n 1)
   took=$(sed -n 's/^Done [0-9]* runs in \([0-9]*\) second.*/\1/p' "$folder/logs/$name")
   printf '%-14s %12s %8s %10s\n' "$name" "${executions:--}" "${took:--}" \
     "$(find "$folder/findings" -name "$name-*" | wc -l)"
