@@ -130,9 +130,9 @@ class Build:
                 copy.write_bytes((root / file).read_bytes())
                 copy.chmod((root / file).stat().st_mode)
         subprocess.run(["cmake", "-S", self.source, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                        "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -w", f"-DCMAKE_CXX_COMPILER_LAUNCHER={os.environ.get('LAUNCHER', '')}"],
+                        "-DCMAKE_CXX_FLAGS_RELEASE=-O2", f"-DCMAKE_CXX_COMPILER_LAUNCHER={root}/tests/mutation/compile.sh"],
                        check=True, stdout=subprocess.DEVNULL)
-        if not self.make(needed):
+        if not self.make(needed, {}):
             sys.exit("mutate.py: the sources do not compile; build them first")
         self.hashes = {name: self.hash_of(name) for name in needed}
         self.normal = {}
@@ -144,15 +144,15 @@ class Build:
             if self.answers[name] is None:
                 sys.exit(f"mutate.py: {name} fails without a mutant")
 
-    def make(self, names):
-        return subprocess.run(["cmake", "--build", self.build, "--target", *names], capture_output=True).returncode == 0
+    def make(self, names, variables):
+        return subprocess.run(["cmake", "--build", self.build, "--target", *names], capture_output=True,
+                              env={**os.environ, **variables}).returncode == 0
 
     def hash_of(self, name):
         return hashlib.sha256((self.build / "bin" / name).read_bytes()).hexdigest()
 
-    def answer(self, name, seconds):
-        """What the program prints: of tests, whether they pass. None if it fails or takes longer."""
-        arguments = ["--abort"] if name.endswith("tests") else ["2"]  # threads
+    def output(self, name, arguments, seconds):
+        """What a program prints. None if it fails or takes longer."""
         process = subprocess.Popen([self.build / "bin" / name, *arguments], stdout=subprocess.PIPE,
                                    stderr=subprocess.DEVNULL, start_new_session=True, preexec_fn=limit_memory)
         try:
@@ -161,9 +161,16 @@ class Build:
             os.killpg(process.pid, signal.SIGKILL)
             process.communicate()
             return None
-        if process.returncode != 0:
-            return None
-        return b"passed" if name.endswith("tests") else output
+        return output if process.returncode == 0 else None
+
+    def answer(self, name, seconds, first=""):
+        """What a program prints; of tests, whether all pass, those of the file `first` first."""
+        if not name.endswith("tests"):
+            return self.output(name, ["2"], seconds)  # threads
+        for tests in [["--filenames-as-tags", f"[#{first}_test]"], []]:
+            if self.output(name, ["--abort", *tests], seconds) is None:
+                return None
+        return b"passed"
 
     def verdict(self, mutant):
         names = programs_of(mutant.file)
@@ -173,12 +180,12 @@ class Build:
         lines[mutant.line - 1] = mutant.after
         file.write_text("\n".join(lines))
         try:
-            if not self.make(names):
+            if not self.make(names, {"HEMITEX_MUTANT": "yes"}):
                 return "does not compile"
             if all(self.hash_of(name) == self.hashes[name] for name in names):
                 return "same program"
             for name in names:
-                if self.answer(name, 5 * self.normal[name] + 1) != self.answers[name]:
+                if self.answer(name, 5 * self.normal[name] + 1, Path(mutant.file).stem) != self.answers[name]:
                     return "killed"
             return "survived"
         finally:
