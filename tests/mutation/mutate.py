@@ -122,16 +122,16 @@ class Build:
     """A copy of the sources and its programs."""
 
     def __init__(self, folder, needed):
-        self.source, self.build = folder / "source", folder / "build"
+        # As in the repository, so that ccache finds the objects of its build.
+        self.source, self.build = folder / "copy", folder / "copy/build/release"
         for file in tracked_files():
             copy = self.source / file
             copy.parent.mkdir(parents=True, exist_ok=True)
             if not copy.exists() or copy.read_bytes() != (root / file).read_bytes():
                 copy.write_bytes((root / file).read_bytes())
                 copy.chmod((root / file).stat().st_mode)
-        subprocess.run(["cmake", "-S", self.source, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                        "-DCMAKE_CXX_FLAGS_RELEASE=-O2", f"-DCMAKE_CXX_COMPILER_LAUNCHER={root}/tests/mutation/compile.sh"],
-                       check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(["cmake", "--preset", "release", f"-DCMAKE_CXX_COMPILER_LAUNCHER={root}/tests/mutation/compile.sh"],
+                       cwd=self.source, check=True, stdout=subprocess.DEVNULL)
         if not self.make(needed, {}):
             sys.exit("mutate.py: the sources do not compile; build them first")
         self.hashes = {name: self.hash_of(name) for name in needed}
@@ -145,7 +145,7 @@ class Build:
                 sys.exit(f"mutate.py: {name} fails without a mutant")
 
     def make(self, names, variables):
-        return subprocess.run(["cmake", "--build", self.build, "--target", *names], capture_output=True,
+        return subprocess.run(["cmake", "--build", self.build, "--parallel", str(os.cpu_count()), "--target", *names], capture_output=True,
                               env={**os.environ, **variables}).returncode == 0
 
     def hash_of(self, name):
