@@ -45,6 +45,7 @@ TEST_CASE("validate accepts scissor rectangles with pixels that lie in the viewp
   for (const Scissor& wrong : {Scissor{-1, 0, 2, 8}, Scissor{0, -1, 8, 2}, Scissor{0, 0, 0, 8}, Scissor{0, 0, 8, 0},
                                Scissor{4, 3, 5, 5}, Scissor{3, 4, 5, 5}, Scissor{0, 0, -1, 8}, Scissor{0, 0, 8, -1}})
     CHECK_FALSE(isValid([&](Face& f) { f.scissor = wrong; }));
+  CHECK(isValid([](Face& f) { f.scissor = {.width = 8, .height = 8}; }));
   CHECK_FALSE(isValid([](Face& f) { f.scissor = {}; }));
 }
 
