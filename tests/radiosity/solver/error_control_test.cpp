@@ -97,6 +97,11 @@ TEST_CASE("chooseEffort makes more effort for smaller bounds", "[error_bound]") 
   CHECK(before > 100 * 64 / 0.07);
 }
 
+TEST_CASE("residualFor leaves a tenth of the bound", "[error_bound]") {
+  CHECK(residualFor(0.02) == Approx(0.002));
+  CHECK(residualFor(1) == Approx(0.1));
+}
+
 TEST_CASE("chooseEffort refines patches and hemicubes with each effort, by about the same factor", "[error_bound]") {
   const Discretization discretization = twoSquares();
   std::vector<Effort> efforts;
