@@ -19,7 +19,8 @@ fuzz() {  # NAME=HARNESS
   esac
   mkdir -p "$folder/corpus/$name"
   ASAN_OPTIONS=detect_leaks=$leaks "$harness" -max_total_time="$seconds" -timeout=20 -report_slow_units=20 \
-    -rss_limit_mb=3000 -max_len=$length -print_final_stats=1 -artifact_prefix="$folder/findings/$name-" "$folder/corpus/$name" "$seeds/$name" \
+    -rss_limit_mb=3000 -max_len=$length -print_final_stats=1 -artifact_prefix="$folder/findings/$name-" \
+    "$folder/corpus/$name" "$seeds/$name" \
     >"$folder/logs/$name" 2>&1 || true
   local executions took
   executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/logs/$name" | tail -n 1)

@@ -8,8 +8,8 @@ smaller by 1, one statement removed, or one condition negated. The sample is dra
 mutant is killed if its test program fails or runs longer than 5 times the normal time. It does not count if it does not
 compile, if the compiler makes the same program of it, or if equivalent.txt says why it does the same.
 
-BUILD holds a copy of the sources and results.csv, one line per mutant. A second run with the same seed goes on where the
-first one ended. Exit code: 1 if fewer than 90 % of the mutants that count are killed.
+BUILD holds a copy of the sources and results-SEED.csv, one line per mutant. A second run with the same seed goes on
+where the first one ended. Exit code: 1 if fewer than 90 % of the mutants that count are killed.
 """
 import argparse
 import csv
