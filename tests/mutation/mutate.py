@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Changes the sources of `raster` and `radiosity/solver` one place at a time, and counts the changes that their tests find.
+"""Changes the sources of `raster` and `radiosity/solver` one place at a time, and counts what their tests find.
 
     tests/mutation/mutate.py BUILD [--sample 500] [--seed 1] [--files REGEX] [--list]
 
@@ -30,7 +30,8 @@ root = Path(__file__).resolve().parents[2]
 programs = {"raster/": ["hemitex_raster_tests", "hemitex_suite_hashes"], "radiosity/solver/": ["hemitex_solver_tests"]}
 
 exchanged = {
-    "comparison": {"<": ["<=", ">="], "<=": ["<", ">"], ">": [">=", "<="], ">=": [">", "<"], "==": ["!="], "!=": ["=="]},
+    "comparison": {"<": ["<=", ">="], "<=": ["<", ">"], ">": [">=", "<="], ">=": [">", "<"], "==": ["!="],
+                   "!=": ["=="]},
     "arithmetic": {"+": ["-"], "-": ["+"], "*": ["/"], "/": ["*"], "%": ["*"], "+=": ["-="], "-=": ["+="],
                    "*=": ["/="], "/=": ["*="], "<<": [">>"], ">>": ["<<"], "&": ["|"], "|": ["&"], "^": ["&"],
                    "&=": ["|="], "|=": ["&="]},
@@ -56,7 +57,8 @@ class Mutant(NamedTuple):
 
 def without_texts(source):
     """The source with blanks in place of comments, strings and lines of the preprocessor: positions stay."""
-    texts = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\])+\'|^#[^\n]*', re.DOTALL | re.MULTILINE)
+    texts = re.compile(r'//[^\n]*|/\*.*?\*/|'
+                       r'"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\])+\'|^#[^\n]*', re.DOTALL | re.MULTILINE)
     return texts.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), source)
 
 
@@ -130,7 +132,8 @@ class Build:
             if not copy.exists() or copy.read_bytes() != (root / file).read_bytes():
                 copy.write_bytes((root / file).read_bytes())
                 copy.chmod((root / file).stat().st_mode)
-        subprocess.run(["cmake", "--preset", "release", f"-DCMAKE_CXX_COMPILER_LAUNCHER={root}/tests/mutation/compile.sh"],
+        subprocess.run(["cmake", "--preset", "release",
+                        f"-DCMAKE_CXX_COMPILER_LAUNCHER={root}/tests/mutation/compile.sh"],
                        cwd=self.source, check=True, stdout=subprocess.DEVNULL)
         if not self.make(needed, {}):
             sys.exit("mutate.py: the sources do not compile; build them first")
@@ -145,8 +148,8 @@ class Build:
                 sys.exit(f"mutate.py: {name} fails without a mutant")
 
     def make(self, names, variables):
-        return subprocess.run(["cmake", "--build", self.build, "--parallel", str(os.cpu_count()), "--target", *names], capture_output=True,
-                              env={**os.environ, **variables}).returncode == 0
+        command = ["cmake", "--build", self.build, "--parallel", str(os.cpu_count()), "--target", *names]
+        return subprocess.run(command, capture_output=True, env={**os.environ, **variables}).returncode == 0
 
     def hash_of(self, name):
         return hashlib.sha256((self.build / "bin" / name).read_bytes()).hexdigest()
