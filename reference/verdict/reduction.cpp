@@ -153,9 +153,9 @@ bool removeVertices(TestVector& vector, const Fails& fails) {
   if (smallest.list.positions.size() == vector.list.positions.size()) return false;
   if (replace(vector, smallest, fails)) return true;
   const raster::DrawList whole = vector.list;
-  const auto [least, most] = std::minmax_element(whole.indices.begin(), whole.indices.end());
+  const auto used = std::minmax_element(whole.indices.begin(), whole.indices.end());
   return shrink({0, static_cast<int>(whole.positions.size())}, [&](const Interval& kept) {
-    if (std::int64_t{*least} < kept.first || std::int64_t{*most} >= kept.last) return false;
+    if (std::int64_t{*used.first} < kept.first || std::int64_t{*used.second} >= kept.last) return false;
     TestVector smaller = vector;
     smaller.list.positions.assign(whole.positions.begin() + kept.first, whole.positions.begin() + kept.last);
     smaller.list.texcoords.assign(whole.texcoords.begin() + kept.first, whole.texcoords.begin() + kept.last);

@@ -97,6 +97,28 @@ TEST_CASE("chooseEffort makes more effort for smaller bounds", "[error_bound]") 
   CHECK(before > 100 * 64 / 0.07);
 }
 
+TEST_CASE("residualFor leaves a tenth of the bound", "[error_bound]") {
+  CHECK(residualFor(0.02) == Approx(0.002));
+  CHECK(residualFor(1) == Approx(0.1));
+}
+
+TEST_CASE("chooseEffort refines patches and hemicubes with each effort, by about the same factor", "[error_bound]") {
+  const Discretization discretization = twoSquares();
+  std::vector<Effort> efforts;
+  const SolveWith differing = [&](const Effort& effort) {
+    efforts.push_back(effort);
+    return std::vector<glm::dvec3>(discretization.elements.size(), glm::dvec3(efforts.size() % 2 == 0 ? 1.0 : 2.0));
+  };
+  CHECK_THROWS_AS(chooseEffort(discretization, differing, 0.1), raster::InputError);
+  REQUIRE(efforts.size() > 5);
+  // The split is halved, and the resolution doubles in two steps.
+  for (std::size_t step = 1; step < efforts.size(); ++step) {
+    CHECK(efforts[step].split / efforts[step - 1].split == Approx(0.5).margin(0.04));
+    const double factor = 1.0 * efforts[step].resolution / efforts[step - 1].resolution;
+    CHECK(factor == Approx(step % 2 == 1 ? 3.0 / 2 : 4.0 / 3));
+  }
+}
+
 TEST_CASE("chooseEffort refuses a bound out of reach, and names one that is in reach", "[error_bound]") {
   const Discretization discretization = twoSquares();
   const SolveWith solutions = solutionsWithError(discretization.elements.size(), 40);

@@ -53,6 +53,32 @@ TEST_CASE("UnshotTree gives the brightest patch and the sum of sizes of all patc
   }
 }
 
+TEST_CASE("UnshotTree::grow appends patches without flux, and keeps all others", "[refinement]") {
+  std::mt19937 random(7);
+  for (const std::size_t count : {1, 64, 65, 4096})
+    for (const std::size_t larger : {count, count + 1, 64 * count, 64 * count + 1, std::size_t{300'000}}) {
+      INFO(count << " patches, then " << larger);
+      UnshotTree unshot(randomFlux(count, random));
+      unshot.grow(larger);
+      CHECK(unshot.flux().size() == larger);
+      // The flux of a patch goes on to a new one, as where a patch is split.
+      const auto last = static_cast<std::uint32_t>(larger - 1), former = unshot.brightest();
+      const glm::dvec3 flux = unshot.flux()[former];
+      unshot.clear(former);
+      unshot.add(last, flux);
+      const std::vector<std::uint32_t> blocks{former / UnshotTree::patchesInBlock, last / UnshotTree::patchesInBlock};
+      unshot.update(blocks);
+      checkAgainstAll(unshot);
+    }
+}
+
+TEST_CASE("UnshotTree::grow needs an update only of blocks that change", "[refinement]") {
+  UnshotTree unshot({{1, 0, 0}, {0, 5, 0}});
+  unshot.grow(65);
+  CHECK(unshot.brightest() == 1);
+  CHECK(unshot.sizes() == glm::dvec3(1, 5, 0));
+}
+
 TEST_CASE("UnshotTree gives the sums of a new tree, to the last bit", "[refinement]") {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> some(-1, 1);

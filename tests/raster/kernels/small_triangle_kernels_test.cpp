@@ -129,3 +129,28 @@ TEST_CASE("SmallTriangleKernels::findSamples gives the samples and texels of the
   CHECK(decided > 5000);
   CHECK(undecided > 100);
 }
+
+TEST_CASE("SmallTriangleKernels::findSamples finds one of the four smallest triangles around a sample",
+          "[small_triangle_kernels]") {
+  // Half a square of 1/256 pixel in each quadrant of the sample of column 10 and row 12, at w = 1.
+  const Face face = tests::frontFace(64);
+  constexpr float step = 1 / 8192.0f;
+  const glm::vec3 sample(10.5f / 32 - 1, 12.5f / 32 - 1, 1);
+  DrawList list;
+  list.format = {{8, 8, 8}};
+  tests::addDraw(list, 1, std::nullopt, std::nullopt);
+  const std::array<glm::vec3, 4> sides{{{step, 0, 0}, {0, step, 0}, {-step, 0, 0}, {0, -step, 0}}};
+  for (std::size_t k = 0; k < 4; ++k)
+    tests::addTriangle(list, {sample, sample + sides[k], sample + sides[(k + 1) % 4]});
+  const std::vector<Cluster> clusters = clustersOf(list);
+  const ClusterMesh mesh = meshOf(list, clusters);
+  REQUIRE(mesh.parts.size() == 1);
+  const Seen seen(mesh, mesh.parts[0], face);
+  REQUIRE(seen.small == 0b1111);
+  SmallSamples found;
+  scalarKernels<SmallTriangleKernels>().findSamples({mesh, mesh.parts[0], seen.placed, seen.small, 1, 1}, face.scissor,
+                                                    found);
+  REQUIRE(found.count == 1);
+  CHECK(found.columns[0] == 10);
+  CHECK(found.rows[0] == 12);
+}

@@ -1,0 +1,49 @@
+/// What the harnesses of this folder share. A harness gives bytes to a function of the library. It may throw
+/// InputError; anything else that leaves it is a finding, as is a message of a sanitizer.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "raster/base/input_error.h"
+#include "tests/support/temporary_folder.h"
+
+/// The function that libFuzzer calls.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace hemitex::fuzz {
+
+inline std::string textOf(const std::uint8_t* data, std::size_t size) {
+  return {reinterpret_cast<const char*>(data), size};
+}
+
+/// A file in a folder of its own, for functions that read files. Each input replaces its content.
+class InputFile {
+ public:
+  explicit InputFile(const std::string& name) : path_(folder_.path / name) {}
+
+  const std::filesystem::path& write(const std::uint8_t* data, std::size_t size) const {
+    std::ofstream(path_, std::ios::binary) << textOf(data, size);
+    return path_;
+  }
+  const std::filesystem::path& folder() const { return folder_.path; }
+
+ private:
+  TemporaryFolder folder_;
+  std::filesystem::path path_;
+};
+
+/// Calls `read`, and ignores the faults that it reports.
+template <typename Read>
+int ignoringInputErrors(const Read& read) {
+  try {
+    read();
+  } catch (const raster::InputError&) {
+  }
+  return 0;
+}
+
+}  // namespace hemitex::fuzz

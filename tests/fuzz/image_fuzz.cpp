@@ -1,0 +1,28 @@
+// Images: PNG and JPEG in memory as in glTF files, EXR as a file. Those of more than a million pixels are refused, so
+// that the memory of a run is bounded.
+#include <array>
+
+#include "radiosity/images/image_module.h"
+#include "tests/fuzz/fuzz_input.h"
+
+using namespace hemitex;
+
+namespace {
+
+bool isExr(const std::uint8_t* data, std::size_t size) {
+  constexpr std::array<std::uint8_t, 4> magic{0x76, 0x2f, 0x31, 0x01};
+  return size >= magic.size() && std::equal(magic.begin(), magic.end(), data);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const fuzz::InputFile file("image.exr");
+  constexpr std::uint64_t maxPixels = 1u << 20;
+  radiosity::ImageSamples samples;
+  if (isExr(data, size))
+    radiosity::imageFunctions().read(file.write(data, size).string(), maxPixels, samples);
+  else
+    radiosity::imageFunctions().decode({data, data + size}, maxPixels, samples);
+  return 0;
+}

@@ -1,0 +1,51 @@
+// Whole files: what writeFile writes, readFile reads.
+#include "raster/base/file_io.h"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "raster/base/input_error.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace hemitex;
+using raster::InputError;
+
+TEST_CASE("readFile and tryReadFile return the bytes that writeFile wrote", "[file_io]") {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path / "bytes";
+  for (const std::string& bytes : {std::string("a\r\n\0b", 5), std::string(), std::string(100'000, 'x')}) {
+    raster::writeFile(file, bytes);
+    CHECK(raster::readFile(file) == bytes);
+    CHECK(raster::tryReadFile(file) == bytes);
+  }
+}
+
+TEST_CASE("tryReadFile returns nothing for what is no regular file", "[file_io]") {
+  const TemporaryFolder folder;
+  CHECK_FALSE(raster::tryReadFile(folder.path / "missing"));
+  CHECK_FALSE(raster::tryReadFile(folder.path));
+  CHECK_FALSE(raster::tryReadFile("/dev/zero"));
+}
+
+TEST_CASE("readFile reports file and advice", "[file_io]") {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path / "missing";
+  try {
+    raster::readFile(file, "give another one");
+    FAIL("no exception");
+  } catch (const InputError& error) {
+    CHECK(error.file() == file.string());
+    CHECK(error.advice() == "give another one");
+  }
+}
+
+TEST_CASE("writeFile reports a file that it cannot write, and leaves none", "[file_io]") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_AS(raster::writeFile(folder.path / "no folder" / "file", "bytes"), InputError);
+  CHECK_THROWS_AS(raster::writeFile(folder.path, "bytes"), InputError);
+  CHECK(std::filesystem::is_empty(folder.path));
+}
+
+TEST_CASE("writeFile reports a full device", "[file_io]") {
+  CHECK_THROWS_AS(raster::writeFile("/dev/full", "bytes"), InputError);
+}

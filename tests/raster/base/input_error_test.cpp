@@ -1,0 +1,23 @@
+// The text of an InputError, and its parts.
+#include "raster/base/input_error.h"
+
+#include <catch2/catch.hpp>
+
+using hemitex::raster::InputError;
+
+TEST_CASE("InputError joins file, line, problem and advice, without what is missing", "[input_error]") {
+  CHECK(std::string(InputError("a.obj", 12, "is wrong", "mend it").what()) == "a.obj:12: is wrong; mend it");
+  CHECK(std::string(InputError("a.obj", 1, "is wrong").what()) == "a.obj:1: is wrong");
+  CHECK(std::string(InputError("a.obj", 0, "is wrong").what()) == "a.obj: is wrong");
+  CHECK(std::string(InputError("is wrong", "mend it").what()) == "is wrong; mend it");
+  CHECK(std::string(InputError("is wrong").what()) == "is wrong");
+}
+
+TEST_CASE("InputError holds its parts", "[input_error]") {
+  const InputError error("a.obj", 12, "is wrong", "mend it");
+  CHECK(error.file() == "a.obj");
+  CHECK(error.line() == 12);
+  CHECK(error.advice() == "mend it");
+  CHECK(InputError("is wrong", "mend it").advice() == "mend it");
+  CHECK(InputError("is wrong").line() == 0);
+}
