@@ -67,10 +67,9 @@ Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, con
     if (!split || state.hasShot(patch)) return false;
     const double weight = bandSum(glm::abs(state.unshot(patch))) / unitFlux;
     const std::vector<std::uint32_t> parts = split(patch, weight);
-    if (parts.empty()) return false;
-    state.split(patch, parts);
     splits.push_back({patch, weight});
-    return true;
+    if (!parts.empty()) state.split(patch, parts);
+    return !parts.empty();
   };
   while (!isDone() && !solution.isInterrupted) {
     const std::uint32_t patch = state.brightestPatch();
@@ -89,7 +88,9 @@ Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, con
 /// Splits the patches of the discretization as they were split before the snapshot.
 void splitAgain(const Discretization& discretization, const Snapshot& snapshot, const PatchSplit& split) {
   for (const SplitCall& call : snapshot.splits)
-    if (!split || call.patch >= discretization.patches.size() || split(call.patch, call.weight).empty())
+    if (split && call.patch < discretization.patches.size())
+      split(call.patch, call.weight);
+    else
       throw raster::InputError("the stored solution splits other patches");
   const std::size_t patches = discretization.patches.size(), elements = discretization.elements.size();
   const SavedShots& state = snapshot.state;

@@ -25,7 +25,7 @@ void append(std::string& bytes, const std::vector<Value>& values) {
 }
 
 /// The next `count` bytes.
-std::string_view take(std::string_view& bytes, std::size_t count) {
+std::string_view takeBytes(std::string_view& bytes, std::size_t count) {
   if (count > bytes.size()) throw raster::InputError("the stored solution is cut off");
   const std::string_view taken = bytes.substr(0, count);
   bytes.remove_prefix(count);
@@ -34,7 +34,7 @@ std::string_view take(std::string_view& bytes, std::size_t count) {
 
 template <typename Value>
 void take(std::string_view& bytes, Value& value) {
-  std::memcpy(static_cast<void*>(&value), take(bytes, sizeof value).data(), sizeof value);
+  std::memcpy(static_cast<void*>(&value), takeBytes(bytes, sizeof value).data(), sizeof value);
 }
 
 template <typename Value>
@@ -43,7 +43,7 @@ void take(std::string_view& bytes, std::vector<Value>& values) {
   take(bytes, count);
   if (count > bytes.size() / sizeof(Value)) throw raster::InputError("the stored solution is cut off");
   values.resize(count);
-  const std::string_view taken = take(bytes, count * sizeof(Value));
+  const std::string_view taken = takeBytes(bytes, count * sizeof(Value));
   if (count > 0) std::memcpy(static_cast<void*>(values.data()), taken.data(), taken.size());
 }
 

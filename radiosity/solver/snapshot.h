@@ -11,7 +11,7 @@
 
 namespace hemitex::radiosity {
 
-/// A call of PatchSplit that split the patch.
+/// A call of PatchSplit. One that leaves the patch whole counts too: it chooses the resolution of its hemicube.
 struct SplitCall {
   std::uint32_t patch = 0;
   double weight = 0;

@@ -68,7 +68,7 @@ TEST_CASE("A signal ends a solve after its shot, with its result and the way to 
       "run.send_signal(getattr(signal, \"SIG\" + sys.argv[1]))\nsys.exit(run.wait())' " +
       name + " " + program + endless + "--checkpoint c");
   CHECK(outcome.exitCode == code);
-  CHECK_THAT(outcome.err, Contains("a signal stopped the run after") && Contains("--resume c goes on"));
+  CHECK_THAT(outcome.err, Contains("a signal stopped the run after") && Contains("--resume 'c' goes on"));
   const json solution = json::parse(shell.files().at("out/solution.json"));
   CHECK(solution["interrupted"] == true);
   CHECK(solution["shots"] > 0);
