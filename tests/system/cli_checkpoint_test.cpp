@@ -97,6 +97,24 @@ TEST_CASE("A checkpoint that does not fit is refused with the reason", "[checkpo
   refused(small + "--resume c", "c: is damaged");
 }
 
+TEST_CASE("--progress json prints lines of JSON, and the last one is that of the last shot", "[checkpoint]") {
+  const Shell shell;
+  const Outcome outcome = shell.run(plain + "-o out -q --progress json");
+  REQUIRE(outcome.exitCode == 0);
+  const std::vector<std::string> lines = linesOf(outcome.err);
+  REQUIRE_FALSE(lines.empty());
+  int shots = 0;
+  for (const std::string& line : lines) {
+    const json progress = json::parse(line);
+    CHECK(progress["shots"] > shots);
+    CHECK(progress["shots_per_s"] > 0);
+    shots = progress["shots"];
+  }
+  const json solution = json::parse(shell.files().at("out/solution.json"));
+  CHECK(solution["shots"] == shots);
+  CHECK(json::parse(lines.back())["residual"] == solution["residual"]);
+}
+
 TEST_CASE("solution.json names every file with its hash, and a mixture is refused", "[checkpoint]") {
   const Shell shell;
   shell.output(quickSolve + "-o out");
