@@ -3,8 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <cstring>
-
+#include "raster/base/bytes.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/records/sha256.h"
@@ -14,11 +13,13 @@ namespace {
 
 namespace fs = std::filesystem;
 using raster::InputError;
+using raster::takeBytes;
+using raster::takeValue;
 
 const std::string title = "hemitex checkpoint 1\n";
 constexpr std::size_t hashLength = 64;
 
-/// Collects values as bytes for a hash.
+/// Collects values for a hash.
 struct Bytes {
   std::string text;
 
@@ -28,7 +29,7 @@ struct Bytes {
   }
   template <typename Value>
   void add(const Value& value) {
-    text.append(reinterpret_cast<const char*>(&value), sizeof value);
+    raster::appendBytes(text, value);
   }
   template <typename Value>
   void add(const std::optional<Value>& value) {
@@ -51,20 +52,6 @@ void add(Bytes& bytes, const radiosity::Material& material) {
   bytes.add(material.emission);
   bytes.add(material.reflectanceMap);
   bytes.add(material.emissionMap);
-}
-
-/// Removes the first `count` bytes of a text and returns them. Throws InputError if there are fewer.
-std::string_view take(std::string_view& text, std::size_t count) {
-  if (count > text.size()) throw InputError("is cut off");
-  const std::string_view taken = text.substr(0, count);
-  text.remove_prefix(count);
-  return taken;
-}
-
-std::uint64_t takeCount(std::string_view& text) {
-  std::uint64_t count = 0;
-  std::memcpy(&count, take(text, sizeof count).data(), sizeof count);
-  return count;
 }
 
 /// Makes sure that the bytes of a file are on the disk.
@@ -139,13 +126,13 @@ void Checkpoint::read(const fs::path& file) {
   try {
     std::string_view rest = text;
     if (!rest.starts_with(title)) throw InputError("is not a checkpoint of this version");
-    take(rest, title.size());
-    const std::string_view hash = take(rest, hashLength);
+    takeBytes(rest, title.size());
+    const std::string_view hash = takeBytes(rest, hashLength);
     if (reference::sha256(rest) != hash) throw InputError("is damaged");
-    if (take(rest, hashLength) != scene_) throw InputError("belongs to another scene", "solve without --resume");
-    if (take(rest, hashLength) != settings_)
+    if (takeBytes(rest, hashLength) != scene_) throw InputError("belongs to another scene", "solve without --resume");
+    if (takeBytes(rest, hashLength) != settings_)
       throw InputError("belongs to other settings", "repeat the options of the run that wrote it");
-    while (!rest.empty()) snapshots_.emplace_back(take(rest, takeCount(rest)));
+    while (!rest.empty()) snapshots_.emplace_back(takeBytes(rest, takeValue<std::uint64_t>(rest)));
   } catch (const InputError& error) {
     throw InputError(file.string(), 0, error.what());
   }
@@ -154,8 +141,7 @@ void Checkpoint::read(const fs::path& file) {
 void Checkpoint::write() const {
   std::string content = scene_ + settings_;
   for (const std::string& snapshot : snapshots_) {
-    const std::uint64_t size = snapshot.size();
-    content.append(reinterpret_cast<const char*>(&size), sizeof size);
+    raster::appendBytes(content, std::uint64_t{snapshot.size()});
     content += snapshot;
   }
   const fs::path partial = options_.file.string() + ".partial";

@@ -134,9 +134,11 @@ void solve(SolveOptions asked, Context& context) {
   ordered_json text = description(lit, showing);
   text["captured"] = solved.captured;
   text["expected_error"] = outcome.expectedError ? ordered_json(*outcome.expectedError) : ordered_json();
-  for (std::size_t f = 0; f < frames.size() && !LongRun::isStopping(); ++f)
+  bool isInterrupted = solved.solution.isInterrupted;
+  for (std::size_t f = 0; f < frames.size() && !isInterrupted; ++f) {
     text["frames"].push_back(writeFrame(staging.folder(), f + 1, frames[f], *outcome.dynamic, showing, monitor));
-  const bool isInterrupted = LongRun::isStopping() && (isEdited || solved.solution.isInterrupted);
+    isInterrupted = outcome.dynamic->solution().isInterrupted;
+  }
   if (isInterrupted) text["interrupted"] = true;
   text["times"] = laps.times();
   text["warnings"] = console.given();
@@ -158,8 +160,8 @@ void addSolve(Command program, Context& context) {
   const auto options = std::make_shared<SolveOptions>();
   const Command command = program.addCommand("solve", "Compute the light of a scene by progressive radiosity");
   addSolveOptions(command, *options);
-  command.addExamples({"data/cornell-box.obj -o lit --report",
-                       "house.obj -o lit --sky 1,1,1.2 --sun 1,3,2=4,4,3.5 --max-error 0.02 --filter bicubic"});
+  command.addExamples(
+      {"data/cornell-box.obj -o lit --report", "house.obj -o lit --sky 1,1,1.2 --sun 1,3,2=4,4,3.5 --max-error 0.02"});
   command.onRead([options, command, &context] {
     completeOptions(command, *options);
     context.command = [options, &context] { solve(*options, context); };

@@ -89,7 +89,7 @@ Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, con
 void splitAgain(const Discretization& discretization, const Snapshot& snapshot, const PatchSplit& split) {
   for (const SplitCall& call : snapshot.splits)
     if (split && call.patch < discretization.patches.size())
-      split(call.patch, call.weight);
+      split(static_cast<std::uint32_t>(call.patch), call.weight);
     else
       throw raster::InputError("the stored solution splits other patches");
   const std::size_t patches = discretization.patches.size(), elements = discretization.elements.size();

@@ -108,11 +108,13 @@ TEST_CASE("--progress json prints lines of JSON, and the last one is that of the
     const json progress = json::parse(line);
     CHECK(progress["shots"] > shots);
     CHECK(progress["shots_per_s"] > 0);
+    CHECK((progress["left_s"].is_null() || progress["left_s"] >= 0));
     shots = progress["shots"];
   }
   const json solution = json::parse(shell.files().at("out/solution.json"));
   CHECK(solution["shots"] == shots);
   CHECK(json::parse(lines.back())["residual"] == solution["residual"]);
+  CHECK(json::parse(lines.back())["left_s"] == 0);  // the residual is below its limit
 }
 
 TEST_CASE("solution.json names every file with its hash, and a mixture is refused", "[checkpoint]") {

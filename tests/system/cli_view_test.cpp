@@ -146,6 +146,16 @@ TEST_CASE("hemitex view starts $BROWSER with the page and prints its path", "[cl
   CHECK(readAll(shell.file("opened")) == before + shell.file("out/report.html").string() + "\n");
 }
 
+TEST_CASE("hemitex view starts the browser with the signals of a shell: none is blocked or ignored", "[cli]") {
+  const Shell shell;
+  shell.output(quickSolve + "--report -o out");
+  writeAll(shell.file("browser"),
+           "#!/bin/sh\ngrep -E '^Sig(Blk|Ign)' /proc/$$/status >\"$(dirname \"$0\")/signals\"\n");
+  fs::permissions(shell.file("browser"), fs::perms::owner_all);
+  CHECK(shell.execute(withVariables("BROWSER=\"$PWD/browser\"", "view out")).exitCode == 0);
+  CHECK(readAll(shell.file("signals")) == "SigBlk:\t0000000000000000\nSigIgn:\t0000000000000000\n");
+}
+
 TEST_CASE("hemitex view says that the user must open the page where no browser can", "[cli]") {
   const Shell shell;
   shell.output(quickSolve + "--report -o out");
