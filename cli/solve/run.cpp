@@ -94,7 +94,7 @@ radiosity::Progress recording(Convergence& convergence, radiosity::Progress prog
   return [&convergence, progress = std::move(progress), watch = reference::Stopwatch()](int shots, double residual) {
     convergence.residual.push_back(residual);
     convergence.seconds.push_back(watch.seconds());
-    progress(shots, residual);
+    return progress(shots, residual);
   };
 }
 
