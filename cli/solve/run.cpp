@@ -6,6 +6,9 @@
 #include "cli/common/json.h"
 #include "radiosity/discretization/adaptive_subdivision.h"
 #include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/ranks/message_bytes.h"
+#include "radiosity/ranks/rows_ahead.h"
+#include "radiosity/ranks/shared_tasks.h"
 #include "radiosity/solver/error_control.h"
 #include "reference/bench/timing.h"
 #include "reference/rays/embree_form_factors.h"
@@ -38,18 +41,55 @@ radiosity::Discretization discretizationFor(const SolveOptions& options, const r
   return radiosity::adaptiveDiscretization(scene, options.discretization, *options.adaptive, solveElements);
 }
 
+namespace {
+
+/// Sends the radiosity to the other ranks: with some options, the next step of all ranks depends on it.
+void toOtherRanks(radiosity::Messenger& ranks, const std::vector<glm::dvec3>& radiosity) {
+  radiosity::MessageWriter message;
+  message.add(radiosity);
+  const std::string bytes = message.take();
+  for (int rank = 1; rank < ranks.ranks(); ++rank) ranks.send(rank, radiosity::MessageKind::Solution, bytes);
+}
+std::vector<glm::dvec3> fromRankZero(radiosity::Messenger& ranks) {
+  return radiosity::MessageReader(radiosity::awaited(ranks).bytes).list<glm::dvec3>();
+}
+
+std::string textOf(const radiosity::RowCounts& counts) {
+  return "other ranks computed " + std::to_string(counts.ofOthers) + " rows, of which " + std::to_string(counts.used) +
+         " were used; rank 0 computed " + std::to_string(counts.ofRankZero);
+}
+
+}  // namespace
+
 Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radiosity::Discretization discretization,
                 const radiosity::IdLayout& layout, Console& console) {
   // Also used with rays, because patches are split by hemicubes for both methods.
   radiosity::SceneFormFactors drawn(scene, std::move(discretization), layout, options.drawing);
+  if (options.ranks != nullptr && options.ranks->rank() > 0) {
+    radiosity::computeRows(*options.ranks, drawn.rows());
+    Solved solved{drawn.discretization(), {}};
+    solved.solution.radiosity = fromRankZero(*options.ranks);
+    return solved;
+  }
   Convergence convergence;
   const auto solveBy = [&](auto& rows) {
     const auto rowOf = [&rows](std::uint32_t patch) { return rows.ofPatch(patch); };
-    radiosity::Solution solution =
-        radiosity::solve(scene, drawn.discretization(), rowOf, options.solver,
-                         recording(convergence, progressOf(options.solver, console)), drawn.splits(),
-                         drawn.outsideFlux());
+    radiosity::Solution solution = radiosity::solve(scene, drawn.discretization(), rowOf, options.solver,
+                                                    recording(convergence, progressOf(options.solver, console)),
+                                                    drawn.splits(), drawn.outsideFlux());
     console.endProgress();
+    return solution;
+  };
+  const auto solveByRanks = [&] {
+    radiosity::RowsAhead rows(*options.ranks, drawn, options.solver.rowCacheBytes);
+    radiosity::Solution solution = radiosity::solve(
+        scene, drawn.discretization(), [&rows](std::uint32_t patch) { return rows.row(patch); }, options.solver,
+        recording(convergence, progressOf(options.solver, console)), drawn.splits(), drawn.outsideFlux(),
+        [&rows](const auto& likelyShots) { rows.lookAhead(likelyShots); });
+    console.endProgress();
+    rows.end();
+    console.detail(textOf(rows.counts()));
+    toOtherRanks(*options.ranks, solution.radiosity);
     return solution;
   };
   if (usesRays(options)) {
@@ -58,7 +98,7 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
     radiosity::Solution solution = solveBy(rows);
     return {drawn.discretization(), std::move(solution), 1, std::move(convergence)};
   }
-  radiosity::Solution solution = solveBy(drawn.rows());
+  radiosity::Solution solution = options.ranks != nullptr ? solveByRanks() : solveBy(drawn.rows());
   return {drawn.discretization(), std::move(solution), radiosity::formFactor(drawn.rows().projection().captured),
           std::move(convergence)};
 }

@@ -77,7 +77,21 @@ void warnOf(const Solved& solved, Console& console) {
                     " of the flux of a patch; the rest is lost, so that the scene is too dark");
 }
 
+/// The part of the ranks other than 0: computes rows and writes nothing.
+void computeForRankZero(const SolveOptions& options, Console& console) {
+  const radiosity::Scene scene = sceneOf(options.scene, console);
+  requireLight(scene, options.scene.file, {});
+  radiosity::Discretization unsplit = discretizationFor(options, scene, console);
+  const radiosity::IdLayout layout = layoutOf(options.id, unsplit, console);
+  if (options.maxError)
+    solvedWithin(options, scene, unsplit, layout, console);
+  else
+    solvedBy(options, scene, std::move(unsplit), layout, console);
+}
+
 void solve(SolveOptions asked, Context& context) {
+  asked.ranks = context.ranks.get();
+  if (!context.isWriter()) return computeForRankZero(asked, context.console);
   Console& console = context.console;
   asked.discretization.isUnburied = !asked.edits.empty();
   Laps laps;
@@ -139,6 +153,7 @@ void addSolve(Command program, Context& context) {
                        "house.obj -o lit --sky 1,1,1.2 --sun 1,3,2=4,4,3.5 --max-error 0.02 --filter bicubic"});
   command.onRead([options, command, &context] {
     completeOptions(command, *options);
+    context.isShared = options->edits.empty() && !usesRays(*options);
     context.command = [options, &context] { solve(*options, context); };
   });
 }

@@ -17,13 +17,13 @@ constexpr int scoutResolution = 32;
 /// square. The smallest error for a given time needs resolutions proportional to the weight to the power of 1 / 2.5.
 constexpr double weightOfWhole = 2, weightOfHalving = 5.656854249492381;
 
+}  // namespace
+
 int halvingsFor(double weight) {
   int halvings = 0;
   for (; weight * weightOfHalving <= weightOfWhole && halvings < maxHalvings; weight *= weightOfHalving) ++halvings;
   return halvings;
 }
-
-}  // namespace
 
 /// A part of a patch: a block of texels and the elements whose own texels lie there.
 struct PatchSubdivision::Part {

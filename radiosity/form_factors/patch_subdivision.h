@@ -44,6 +44,9 @@ inline constexpr int maxSplits = 4;
 /// Maximum number of times that a resolution is halved.
 inline constexpr int maxHalvings = 8;
 
+/// Number of halvings of the resolution for a patch of this weight that is not split.
+int halvingsFor(double weight);
+
 /// Splits the patches of a discretization, which it modifies; elements stay the same.
 class PatchSubdivision {
  public:

@@ -13,16 +13,21 @@
 
 namespace hemitex::radiosity {
 
+/// Whether copied bytes are a copy of the value. GLM's vectors have copy constructors of their own, which copy the
+/// bytes.
+template <typename Value>
+inline constexpr bool isPlain = std::is_standard_layout_v<Value>&& std::is_trivially_destructible_v<Value>;
+
 class MessageWriter {
  public:
   template <typename Value>
   void add(const Value& value) {
-    static_assert(std::is_trivially_copyable_v<Value>);
+    static_assert(isPlain<Value>);
     bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
   template <typename Value>
   void add(const std::vector<Value>& values) {
-    static_assert(std::is_trivially_copyable_v<Value>);
+    static_assert(isPlain<Value>);
     add(std::uint64_t{values.size()});
     bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value));
   }
@@ -39,7 +44,7 @@ class MessageReader {
 
   template <typename Value>
   Value value() {
-    static_assert(std::is_trivially_copyable_v<Value>);
+    static_assert(isPlain<Value>);
     Value value;
     copy(&value, sizeof value);
     return value;

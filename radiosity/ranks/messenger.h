@@ -10,11 +10,12 @@
 namespace hemitex::radiosity {
 
 enum class MessageKind {
-  Task,    ///< from rank 0: what to compute
-  Result,  ///< to rank 0: what was computed
-  Over,    ///< from rank 0: there are no more tasks
-  Done,    ///< to rank 0: the answer to `Over`, the last message about these tasks
-  Failed,  ///< to rank 0: an error, which ends all ranks (see RankError)
+  Task,      ///< from rank 0: what to compute
+  Result,    ///< to rank 0: what was computed
+  Over,      ///< from rank 0: there are no more tasks
+  Done,      ///< to rank 0: the answer to `Over`, the last message about these tasks
+  Solution,  ///< from rank 0: the radiosity of a solution
+  Failed,    ///< to rank 0: an error, which ends all ranks (see RankError)
 };
 
 struct Message {

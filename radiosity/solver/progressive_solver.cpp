@@ -50,22 +50,31 @@ constexpr double unitsOfFlux = 256;
 
 /// Shoots until a limit of the settings is reached.
 Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, const SolverSettings& settings,
-               const Progress& progress, const PatchSplit& split) {
+               const Progress& progress, const PatchSplit& split, const LookAhead& lookAhead = {}) {
   Solution solution;
   solution.residual = state.residual();
   const auto isDone = [&] {
-    return solution.isInterrupted || solution.residual <= settings.residual || (settings.shots && solution.shots >= *settings.shots);
+    return solution.isInterrupted || solution.residual <= settings.residual ||
+           (settings.shots && solution.shots >= *settings.shots);
   };
   const double unitFlux = state.light().lastEmitted / unitsOfFlux;
+  const auto weightOf = [&](std::uint32_t patch) { return bandSum(glm::abs(state.unshot(patch))) / unitFlux; };
+  const auto likelyShots = [&](std::size_t count) {
+    std::vector<LikelyShot> shots;
+    for (const std::uint32_t patch : state.brightestPatches(count))
+      if (rows.find(patch) == nullptr) shots.push_back({patch, weightOf(patch)});
+    return shots;
+  };
   const auto hasBeenSplit = [&](std::uint32_t patch) {
     if (!split || state.hasShot(patch)) return false;
-    const std::vector<std::uint32_t> parts = split(patch, bandSum(glm::abs(state.unshot(patch))) / unitFlux);
+    const std::vector<std::uint32_t> parts = split(patch, weightOf(patch));
     if (!parts.empty()) state.split(patch, parts);
     return !parts.empty();
   };
   while (!isDone()) {
     const std::uint32_t patch = state.brightestPatch();
     if (hasBeenSplit(patch)) continue;  // another patch may be brighter than the parts
+    if (lookAhead) lookAhead(likelyShots);
     const FormFactorRow& row = rows.row(patch, [&] { return rowOf(patch); });
     if (row.back != 0) addToBacks(solution.absorbedByBacks, patch, state.unshot(patch) * formFactor(row.back));
     state.shoot(patch, row);
@@ -91,11 +100,12 @@ Solution finished(Solution solution, const Scene& scene, const Discretization& d
 }  // namespace
 
 Solution solve(const Scene& scene, const Discretization& discretization, const RowSource& rowOf,
-               const SolverSettings& settings, const Progress& progress, const PatchSplit& split, OutsideFlux outside) {
+               const SolverSettings& settings, const Progress& progress, const PatchSplit& split, OutsideFlux outside,
+               const LookAhead& lookAhead) {
   assert(!discretization.patches.empty());
   ShootingState state(scene, discretization, std::move(outside));
   RowCache rows(settings.rowCacheBytes);
-  Solution solution = shoot(state, rows, rowOf, settings, progress, split);
+  Solution solution = shoot(state, rows, rowOf, settings, progress, split, lookAhead);
   return finished(std::move(solution), scene, discretization, std::move(state));
 }
 

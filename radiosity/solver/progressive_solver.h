@@ -40,6 +40,17 @@ struct Solution {
 /// patch have moved to them.
 using PatchSplit = std::function<std::vector<std::uint32_t>(std::uint32_t patch, double weight)>;
 
+/// A patch that will probably shoot soon, and its weight (see PatchSplit) if it shot now.
+struct LikelyShot {
+  std::uint32_t patch = 0;
+  double weight = 0;
+};
+
+/// Called before each shot with a function that lists likely shots, without those whose rows are in the cache. The
+/// first is the next shot, and all others have less flux; at most `count`. The result does not depend on what is done
+/// with them.
+using LookAhead = std::function<void(const std::function<std::vector<LikelyShot>(std::size_t count)>& likelyShots)>;
+
 /// Called after each shot with the number of shots and the residual. The solution ends there if it returns false.
 using Progress = std::function<bool(int shots, double residual)>;
 
@@ -49,7 +60,7 @@ using Progress = std::function<bool(int shots, double residual)>;
 /// memory of the row cache.
 Solution solve(const Scene& scene, const Discretization& discretization, const RowSource& rowOf,
                const SolverSettings& settings, const Progress& progress = {}, const PatchSplit& split = {},
-               OutsideFlux outside = {});
+               OutsideFlux outside = {}, const LookAhead& lookAhead = {});
 
 /// Continues a refinement of the scene until a limit of the settings is reached; counts shots from here.
 Solution refine(const Scene& scene, const Discretization& discretization, ShootingState& state, RowCache& rows,

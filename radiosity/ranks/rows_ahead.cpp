@@ -1,0 +1,148 @@
+#include "radiosity/ranks/rows_ahead.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "radiosity/ranks/message_bytes.h"
+#include "radiosity/ranks/shared_tasks.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// Tasks that a rank holds: the one that it computes and the next one.
+constexpr std::size_t tasksPerRank = 2;
+/// Likely shots per other rank: rows that arrived and rows under way. More would compute more rows in vain.
+constexpr std::size_t shotsPerRank = 4;
+/// Rank 0 waits for the row of another rank at most this number of times as long as it would compute the row.
+constexpr double patience = 2;
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::size_t bytesOf(const FormFactorRow& row) {
+  return row.elements.size() * (sizeof(row.elements[0]) + sizeof(row.shares[0]));
+}
+
+std::string messageOf(std::uint64_t task, const FormFactorRow& row) {
+  MessageWriter message;
+  message.add(task);
+  message.add(row.elements);
+  message.add(row.shares);
+  message.add(row.background);
+  message.add(row.back);
+  return message.take();
+}
+
+FormFactorRow readRow(MessageReader& message) {
+  FormFactorRow row;
+  row.elements = message.list<std::uint32_t>();
+  row.shares = message.list<std::uint64_t>();
+  row.background = message.value<std::uint64_t>();
+  row.back = message.value<std::uint64_t>();
+  return row;
+}
+
+}  // namespace
+
+RowsAhead::RowsAhead(Messenger& ranks, SceneFormFactors& formFactors, std::size_t budget)
+    : ranks_(ranks), formFactors_(formFactors), budget_(budget), tasksOf_(static_cast<std::size_t>(ranks.ranks())) {}
+
+void RowsAhead::takeMessages() {
+  while (const auto message = received(ranks_)) {
+    MessageReader bytes(message->bytes);
+    const auto number = bytes.value<std::uint64_t>();
+    --tasksOf_[static_cast<std::size_t>(message->from)];
+    ++counts_.ofOthers;
+    const auto task = tasks_.find(number);
+    if (task == tasks_.end()) continue;  // rank 0 has computed the row
+    drop(task->second.patch);
+    FormFactorRow row = readRow(bytes);
+    keptBytes_ += bytesOf(row);
+    kept_.insert_or_assign(task->second.patch, Row{std::move(task->second.points), std::move(row)});
+    tasks_.erase(task);
+  }
+}
+
+void RowsAhead::drop(std::uint32_t patch) {
+  const auto old = kept_.find(patch);
+  if (old == kept_.end()) return;
+  keptBytes_ -= bytesOf(old->second.row);
+  kept_.erase(old);
+}
+
+bool RowsAhead::isUnderWay(std::uint32_t patch, const Points& points) const {
+  return std::any_of(tasks_.begin(), tasks_.end(),
+                     [&](const auto& task) { return task.second.patch == patch && task.second.points == points; });
+}
+
+bool RowsAhead::isKept(std::uint32_t patch, const Points& points) const {
+  const auto found = kept_.find(patch);
+  return found != kept_.end() && found->second.points == points;
+}
+
+void RowsAhead::lookAhead(const std::function<std::vector<LikelyShot>(std::size_t count)>& likelyShots) {
+  takeMessages();
+  const std::size_t others = tasksOf_.size() - 1;
+  const auto least = std::min_element(tasksOf_.begin() + 1, tasksOf_.end());
+  if (others == 0 || *least >= tasksPerRank || keptBytes_ >= budget_) return;
+  std::vector<LikelyShot> shots = likelyShots(shotsPerRank * others + 1);
+  std::size_t next = 0;
+  for (std::size_t held = *least; held < tasksPerRank; ++held)
+    for (std::size_t rank = 1; rank <= others; ++rank) {
+      if (tasksOf_[rank] > held) continue;
+      for (; next < shots.size(); ++next) {
+        Points points = formFactors_.likelyPoints(shots[next].patch, shots[next].weight);
+        if (isKept(shots[next].patch, points) || isUnderWay(shots[next].patch, points)) continue;
+        MessageWriter task;
+        task.add(nextTask_);
+        task.add(points);
+        ranks_.send(static_cast<int>(rank), MessageKind::Task, task.take());
+        tasks_[nextTask_++] = {shots[next++].patch, std::move(points)};
+        ++tasksOf_[rank];
+        break;
+      }
+    }
+}
+
+FormFactorRow RowsAhead::computed(const Points& points) {
+  const auto start = Clock::now();
+  FormFactorRow row = formFactors_.rows().ofPoints(points);
+  slowestRow_ = std::max(slowestRow_, secondsSince(start));
+  ++counts_.ofRankZero;
+  return row;
+}
+
+FormFactorRow RowsAhead::row(std::uint32_t patch) {
+  const Points points = formFactors_.rows().pointsOfPatch(patch);
+  const auto start = Clock::now();
+  while (isUnderWay(patch, points) && secondsSince(start) < patience * slowestRow_) {
+    takeMessages();
+    std::this_thread::yield();
+  }
+  if (!isKept(patch, points)) {
+    std::erase_if(tasks_, [&](const auto& task) { return task.second.patch == patch; });
+    drop(patch);
+    return computed(points);
+  }
+  FormFactorRow row = std::move(kept_.at(patch).row);
+  keptBytes_ -= bytesOf(row);
+  kept_.erase(patch);
+  ++counts_.used;
+  return row;
+}
+
+void RowsAhead::end() { endTasks(ranks_); }
+
+void computeRows(Messenger& ranks, ProjectedFormFactors& rows) {
+  for (Message message = awaited(ranks); message.kind != MessageKind::Over; message = awaited(ranks)) {
+    MessageReader bytes(message.bytes);
+    const auto task = bytes.value<std::uint64_t>();
+    ranks.send(0, MessageKind::Result, messageOf(task, rows.ofPoints(bytes.list<ViewPoint>())));
+  }
+  ranks.send(0, MessageKind::Done, {});
+}
+
+}  // namespace hemitex::radiosity
