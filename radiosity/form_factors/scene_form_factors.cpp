@@ -52,8 +52,9 @@ PatchSplit SceneFormFactors::splits() {
   return [this](std::uint32_t patch, double weight) { return splitter_->split(patch, weight); };
 }
 
-std::vector<ViewPoint> SceneFormFactors::likelyPoints(std::uint32_t number, double weight) const {
+std::vector<ViewPoint> SceneFormFactors::likelyPoints(std::uint32_t number, double weight) {
   Patch patch = discretization_.patches[number];
+  if (splitter_ && splitter_->wouldSplit(number, weight)) return {};
   if (splitter_ && !patch.isSettled) patch.halvings = halvingsFor(weight);
   return rows_.pointsOfPatch(number, patch);
 }

@@ -95,7 +95,7 @@ void RowsAhead::lookAhead(const std::function<std::vector<LikelyShot>(std::size_
       if (tasksOf_[rank] > held) continue;
       for (; next < shots.size(); ++next) {
         Points points = formFactors_.likelyPoints(shots[next].patch, shots[next].weight);
-        if (isKept(shots[next].patch, points) || isUnderWay(shots[next].patch, points)) continue;
+        if (points.empty() || isKept(shots[next].patch, points) || isUnderWay(shots[next].patch, points)) continue;
         MessageWriter task;
         task.add(nextTask_);
         task.add(points);
