@@ -73,9 +73,8 @@ void RowsAhead::drop(std::uint32_t patch) {
   kept_.erase(old);
 }
 
-bool RowsAhead::isUnderWay(std::uint32_t patch, const Points& points) const {
-  return std::any_of(tasks_.begin(), tasks_.end(),
-                     [&](const auto& task) { return task.second.patch == patch && task.second.points == points; });
+bool RowsAhead::isUnderWay(std::uint32_t patch) const {
+  return std::any_of(tasks_.begin(), tasks_.end(), [&](const auto& task) { return task.second.patch == patch; });
 }
 
 bool RowsAhead::isKept(std::uint32_t patch, const Points& points) const {
@@ -94,8 +93,9 @@ void RowsAhead::lookAhead(const std::function<std::vector<LikelyShot>(std::size_
     for (std::size_t rank = 1; rank <= others; ++rank) {
       if (tasksOf_[rank] > held) continue;
       for (; next < shots.size(); ++next) {
+        if (kept_.contains(shots[next].patch) || isUnderWay(shots[next].patch)) continue;
         Points points = formFactors_.likelyPoints(shots[next].patch, shots[next].weight);
-        if (points.empty() || isKept(shots[next].patch, points) || isUnderWay(shots[next].patch, points)) continue;
+        if (points.empty()) continue;
         MessageWriter task;
         task.add(nextTask_);
         task.add(points);
@@ -118,7 +118,7 @@ FormFactorRow RowsAhead::computed(const Points& points) {
 FormFactorRow RowsAhead::row(std::uint32_t patch) {
   const Points points = formFactors_.rows().pointsOfPatch(patch);
   const auto start = Clock::now();
-  while (isUnderWay(patch, points) && secondsSince(start) < patience * slowestRow_) {
+  while (isUnderWay(patch) && secondsSince(start) < patience * slowestRow_) {
     takeMessages();
     std::this_thread::yield();
   }

@@ -51,7 +51,7 @@ class RowsAhead {
   };
 
   void takeMessages();
-  bool isUnderWay(std::uint32_t patch, const Points& points) const;
+  bool isUnderWay(std::uint32_t patch) const;
   bool isKept(std::uint32_t patch, const Points& points) const;
   FormFactorRow computed(const Points& points);
   void drop(std::uint32_t patch);
