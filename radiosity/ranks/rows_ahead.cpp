@@ -13,13 +13,15 @@ namespace {
 
 /// Tasks that a rank holds: the one that it computes and the next one.
 constexpr std::size_t tasksPerRank = 2;
-/// Likely shots per other rank: rows that arrived and rows under way. More would compute more rows in vain.
-constexpr std::size_t shotsPerRank = 4;
+/// Limits of likely shots, rows that arrived and rows under way, per other rank and beyond what a shot waits for. More
+/// would compute more rows in vain.
+constexpr std::size_t shotsPerRank = 4, spareShots = 8;
 /// Rank 0 waits for the row of another rank at most this number of times as long as it would compute the row.
 constexpr double patience = 2;
 
 using Clock = std::chrono::steady_clock;
 
+double seconds() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 std::size_t bytesOf(const FormFactorRow& row) {
@@ -73,6 +75,14 @@ void RowsAhead::drop(std::uint32_t patch) {
   kept_.erase(old);
 }
 
+/// The number of shots to look ahead: about twice those that rank 0 shoots while another rank computes a row.
+std::size_t RowsAhead::rowsNeeded() const {
+  const std::size_t most = shotsPerRank * (tasksOf_.size() - 1) + 1;
+  if (shots_ == 0) return most;
+  const double shotsPerRow = slowestRow_ * static_cast<double>(shots_) / shotSeconds_;
+  return static_cast<std::size_t>(std::min(static_cast<double>(most), spareShots + 2 * shotsPerRow));
+}
+
 bool RowsAhead::isUnderWay(std::uint32_t patch) const {
   return std::any_of(tasks_.begin(), tasks_.end(), [&](const auto& task) { return task.second.patch == patch; });
 }
@@ -87,7 +97,9 @@ void RowsAhead::lookAhead(const std::function<std::vector<LikelyShot>(std::size_
   const std::size_t others = tasksOf_.size() - 1;
   const auto least = std::min_element(tasksOf_.begin() + 1, tasksOf_.end());
   if (others == 0 || *least >= tasksPerRank || keptBytes_ >= budget_) return;
-  std::vector<LikelyShot> shots = likelyShots(shotsPerRank * others + 1);
+  const std::size_t needed = rowsNeeded();
+  if (kept_.size() + tasks_.size() >= needed) return;
+  const std::vector<LikelyShot> shots = likelyShots(needed);
   std::size_t next = 0;
   for (std::size_t held = *least; held < tasksPerRank; ++held)
     for (std::size_t rank = 1; rank <= others; ++rank) {
@@ -116,6 +128,16 @@ FormFactorRow RowsAhead::computed(const Points& points) {
 }
 
 FormFactorRow RowsAhead::row(std::uint32_t patch) {
+  if (rowGiven_) {
+    shotSeconds_ += seconds() - *rowGiven_;
+    ++shots_;
+  }
+  FormFactorRow row = rowOf(patch);
+  rowGiven_ = seconds();
+  return row;
+}
+
+FormFactorRow RowsAhead::rowOf(std::uint32_t patch) {
   const Points points = formFactors_.rows().pointsOfPatch(patch);
   const auto start = Clock::now();
   while (isUnderWay(patch) && secondsSince(start) < patience * slowestRow_) {

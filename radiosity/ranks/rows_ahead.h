@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -51,8 +52,10 @@ class RowsAhead {
   };
 
   void takeMessages();
+  std::size_t rowsNeeded() const;
   bool isUnderWay(std::uint32_t patch) const;
   bool isKept(std::uint32_t patch, const Points& points) const;
+  FormFactorRow rowOf(std::uint32_t patch);
   FormFactorRow computed(const Points& points);
   void drop(std::uint32_t patch);
 
@@ -64,6 +67,9 @@ class RowsAhead {
   std::map<std::uint64_t, Task> tasks_;  ///< by number
   std::map<std::uint32_t, Row> kept_;    ///< by patch
   double slowestRow_ = 0;                ///< seconds, on rank 0
+  double shotSeconds_ = 0;               ///< of all shots of rank 0, without their rows
+  std::size_t shots_ = 0;
+  std::optional<double> rowGiven_;  ///< when `row` returned last
   RowCounts counts_;
 };
 

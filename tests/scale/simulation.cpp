@@ -1,6 +1,10 @@
 /// Simulates parallel solutions: the time and the useful share of rows for 2 to 64 ranks. Row times and the time of
 /// rank 0 are measured on one thread; the clocks of the other ranks and the network are simulated. The decisions are
 /// those of RowsAhead itself.
+///
+///     hemitex_scale [SCENE.obj [SHOTS [SPLIT]]]
+///
+/// With SPLIT 1 no patch is split (see PatchSubdivision).
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -110,10 +114,11 @@ struct Run {
   RowCounts counts;
 };
 
-Run simulated(int ranks, const Scene& scene, const Discretization& discretization, int resolution,
+Run simulated(int ranks, const Scene& scene, const Discretization& discretization, int resolution, double split,
               const SolverSettings& settings, MeasuredRows& measured) {
-  SceneFormFactors formFactors(scene, discretization, layOut(discretization), {.resolution = resolution});
-  SceneFormFactors ofOthers(scene, discretization, layOut(discretization), {.resolution = resolution});
+  SceneFormFactors formFactors(scene, discretization, layOut(discretization),
+                               {.resolution = resolution, .split = split});
+  SceneFormFactors ofOthers(scene, discretization, layOut(discretization), {.resolution = resolution, .split = split});
   SimulatedRanks messenger(ranks, ofOthers.rows(), measured);
   RowsAhead rows(messenger, formFactors, settings.rowCacheBytes);
   solve(
@@ -130,6 +135,7 @@ int main(int count, char** arguments) {
   const raster::ThreadLimit oneThread(1);
   const std::string file = count > 1 ? arguments[1] : HEMITEX_DATA "/gallery.obj";
   const SolverSettings settings{.residual = 0.001, .shots = count > 2 ? std::atoi(arguments[2]) : 2000};
+  const double split = count > 3 ? std::atof(arguments[3]) : defaultMaxMisdirected;
   const Scene scene = loadScene(file);
   const Discretization discretization = discretize(scene, {});
   std::printf("| R | ranks | seconds | speed-up | useful rows | rank 0 waits |\n|---|---|---|---|---|---|\n");
@@ -137,7 +143,7 @@ int main(int count, char** arguments) {
     MeasuredRows measured;
     double alone = 0;
     for (const int ranks : {1, 2, 4, 8, 16, 32, 64}) {
-      const Run run = simulated(ranks, scene, discretization, resolution, settings, measured);
+      const Run run = simulated(ranks, scene, discretization, resolution, split, settings, measured);
       if (ranks == 1) alone = run.seconds;
       const auto rows = static_cast<double>(run.counts.ofOthers);
       std::printf("| %d | %d | %.3g | %.3g | %.3g %% | %.3g %% |\n", resolution, ranks, run.seconds,
