@@ -60,12 +60,16 @@ void RowsAhead::takeMessages() {
     ++counts_.ofOthers;
     const auto task = tasks_.find(number);
     if (task == tasks_.end()) continue;  // rank 0 has computed the row
-    drop(task->second.patch);
     FormFactorRow row = readRow(bytes);
-    keptBytes_ += bytesOf(row);
-    kept_.insert_or_assign(task->second.patch, Row{std::move(task->second.points), std::move(row)});
+    keep(std::move(task->second), std::move(row));
     tasks_.erase(task);
   }
+}
+
+void RowsAhead::keep(Task task, FormFactorRow row) {
+  drop(task.patch);
+  keptBytes_ += bytesOf(row);
+  kept_.insert_or_assign(task.patch, Row{std::move(task.points), std::move(row)});
 }
 
 void RowsAhead::drop(std::uint32_t patch) {
@@ -94,29 +98,49 @@ bool RowsAhead::isKept(std::uint32_t patch, const Points& points) const {
 
 void RowsAhead::lookAhead(const std::function<std::vector<LikelyShot>(std::size_t count)>& likelyShots) {
   takeMessages();
-  const std::size_t others = tasksOf_.size() - 1;
-  const auto least = std::min_element(tasksOf_.begin() + 1, tasksOf_.end());
-  if (others == 0 || *least >= tasksPerRank || keptBytes_ >= budget_) return;
+  if (tasksOf_.size() == 1 || keptBytes_ >= budget_) return;
   const std::size_t needed = rowsNeeded();
-  if (kept_.size() + tasks_.size() >= needed) return;
+  const std::size_t least = *std::min_element(tasksOf_.begin() + 1, tasksOf_.end());
+  const bool isRoom = least < tasksPerRank && kept_.size() + tasks_.size() < needed;
+  if (!isRoom && !areOthersSlow()) return;
   const std::vector<LikelyShot> shots = likelyShots(needed);
   std::size_t next = 0;
-  for (std::size_t held = *least; held < tasksPerRank; ++held)
-    for (std::size_t rank = 1; rank <= others; ++rank) {
+  for (std::size_t held = least; isRoom && held < tasksPerRank; ++held)
+    for (std::size_t rank = 1; rank < tasksOf_.size(); ++rank) {
       if (tasksOf_[rank] > held) continue;
-      for (; next < shots.size(); ++next) {
-        if (kept_.contains(shots[next].patch) || isUnderWay(shots[next].patch)) continue;
-        Points points = formFactors_.likelyPoints(shots[next].patch, shots[next].weight);
-        if (points.empty()) continue;
-        MessageWriter task;
-        task.add(nextTask_);
-        task.add(points);
-        ranks_.send(static_cast<int>(rank), MessageKind::Task, task.take());
-        tasks_[nextTask_++] = {shots[next++].patch, std::move(points)};
-        ++tasksOf_[rank];
-        break;
-      }
+      std::optional<Task> task = nextTask(shots, next);
+      if (!task) break;
+      MessageWriter message;
+      message.add(tasksGiven_);
+      message.add(task->points);
+      ranks_.send(static_cast<int>(rank), MessageKind::Task, message.take());
+      tasks_[tasksGiven_++] = *std::move(task);
+      ++tasksOf_[rank];
     }
+  if (!areOthersSlow() || shots.empty() || !isUnderWay(shots.front().patch)) return;
+  if (std::optional<Task> task = nextTask(shots, next)) {
+    const double start = seconds();
+    FormFactorRow row = computed(task->points);
+    keep(*std::move(task), std::move(row));
+    shotSeconds_ -= seconds() - start;
+  }
+}
+
+/// The first likely shot from `next` on whose row no rank has or computes.
+std::optional<RowsAhead::Task> RowsAhead::nextTask(const std::vector<LikelyShot>& shots, std::size_t& next) {
+  while (next < shots.size()) {
+    const LikelyShot& shot = shots[next++];
+    if (kept_.contains(shot.patch) || isUnderWay(shot.patch)) continue;
+    Points points = formFactors_.likelyPoints(shot.patch, shot.weight);
+    if (!points.empty()) return Task{shot.patch, std::move(points)};
+  }
+  return std::nullopt;
+}
+
+/// Whether rank 0 shoots faster than the other ranks compute rows, so that it computes rows ahead, too.
+bool RowsAhead::areOthersSlow() const {
+  const auto others = static_cast<double>(tasksOf_.size() - 1);
+  return shots_ > 0 && others * shotSeconds_ / static_cast<double>(shots_) < slowestRow_;
 }
 
 FormFactorRow RowsAhead::computed(const Points& points) {

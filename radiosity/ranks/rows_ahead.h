@@ -57,12 +57,15 @@ class RowsAhead {
   bool isKept(std::uint32_t patch, const Points& points) const;
   FormFactorRow rowOf(std::uint32_t patch);
   FormFactorRow computed(const Points& points);
+  std::optional<Task> nextTask(const std::vector<LikelyShot>& shots, std::size_t& next);
+  bool areOthersSlow() const;
+  void keep(Task task, FormFactorRow row);
   void drop(std::uint32_t patch);
 
   Messenger& ranks_;
   SceneFormFactors& formFactors_;
   std::size_t budget_, keptBytes_ = 0;
-  std::uint64_t nextTask_ = 0;
+  std::uint64_t tasksGiven_ = 0;
   std::vector<std::size_t> tasksOf_;     ///< number of tasks that each rank holds
   std::map<std::uint64_t, Task> tasks_;  ///< by number
   std::map<std::uint32_t, Row> kept_;    ///< by patch
