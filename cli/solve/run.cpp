@@ -55,8 +55,8 @@ std::vector<glm::dvec3> fromRankZero(radiosity::Messenger& ranks) {
 }
 
 std::string textOf(const radiosity::RowCounts& counts) {
-  return "other ranks computed " + std::to_string(counts.ofOthers) + " rows, of which " + std::to_string(counts.used) +
-         " were used; rank 0 computed " + std::to_string(counts.ofRankZero);
+  return std::to_string(counts.ahead) + " rows were computed ahead, of which " + std::to_string(counts.used) +
+         " were used; rank 0 computed " + std::to_string(counts.ofRankZero) + " when they were needed";
 }
 
 }  // namespace

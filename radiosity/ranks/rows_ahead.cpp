@@ -57,7 +57,7 @@ void RowsAhead::takeMessages() {
     MessageReader bytes(message->bytes);
     const auto number = bytes.value<std::uint64_t>();
     --tasksOf_[static_cast<std::size_t>(message->from)];
-    ++counts_.ofOthers;
+    ++counts_.ahead;
     const auto task = tasks_.find(number);
     if (task == tasks_.end()) continue;  // rank 0 has computed the row
     FormFactorRow row = readRow(bytes);
@@ -123,6 +123,7 @@ void RowsAhead::lookAhead(const std::function<std::vector<LikelyShot>(std::size_
     FormFactorRow row = computed(task->points);
     keep(*std::move(task), std::move(row));
     shotSeconds_ -= seconds() - start;
+    ++counts_.ahead;
   }
 }
 
@@ -147,7 +148,6 @@ FormFactorRow RowsAhead::computed(const Points& points) {
   const auto start = Clock::now();
   FormFactorRow row = formFactors_.rows().ofPoints(points);
   slowestRow_ = std::max(slowestRow_, secondsSince(start));
-  ++counts_.ofRankZero;
   return row;
 }
 
@@ -171,6 +171,7 @@ FormFactorRow RowsAhead::rowOf(std::uint32_t patch) {
   if (!isKept(patch, points)) {
     std::erase_if(tasks_, [&](const auto& task) { return task.second.patch == patch; });
     drop(patch);
+    ++counts_.ofRankZero;
     return computed(points);
   }
   FormFactorRow row = std::move(kept_.at(patch).row);

@@ -20,9 +20,9 @@ namespace hemitex::radiosity {
 
 /// Numbers of rows.
 struct RowCounts {
-  std::size_t ofOthers = 0;  ///< computed by other ranks
-  std::size_t used = 0;      ///< those of them that were shot along
-  std::size_t ofRankZero = 0;
+  std::size_t ahead = 0;       ///< computed before they were needed, by all ranks
+  std::size_t used = 0;        ///< those of them that were shot along
+  std::size_t ofRankZero = 0;  ///< computed by rank 0 when they were needed
 };
 
 /// The part of rank 0.

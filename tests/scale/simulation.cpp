@@ -146,7 +146,7 @@ int main(int count, char** arguments) {
     for (const int ranks : {1, 2, 4, 8, 16, 32, 64}) {
       const Run run = simulated(ranks, scene, discretization, resolution, split, settings, measured);
       if (ranks == 1) alone = run.seconds;
-      const auto rows = static_cast<double>(run.counts.ofOthers);
+      const auto rows = static_cast<double>(run.counts.ahead);
       std::printf("| %d | %d | %.3g | %.3g | %.3g %% | %.3g %% |\n", resolution, ranks, run.seconds,
                   alone / run.seconds, rows > 0 ? 100 * static_cast<double>(run.counts.used) / rows : 100.0,
                   100 * run.waited / run.seconds);
