@@ -1,18 +1,24 @@
 /// `hemitex formfactors`: computes form factors from a surface to elements or surfaces, and prints them as CSV or JSON.
 /// For the matrix of all surfaces it also prints row sums and deviations from reciprocity.
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
 #include "cli/common/table.h"
+#include "cli/common/text_hash.h"
 #include "cli/formfactors/methods.h"
+#include "cli/formfactors/row_file.h"
 #include "cli/scene/scene_options.h"
 #include "cli/scene/surface_names.h"
+#include "radiosity/ranks/shared_tasks.h"
+#include "raster/base/input_error.h"
 #include "reference/solution/form_factor_matrix.h"
 #include "reference/solution/reciprocity_smoothing.h"
 
@@ -30,6 +36,7 @@ struct FormFactorOptions {
   bool bySurface = false;
   bool all = false;
   bool smooth = false;
+  std::filesystem::path output;  ///< empty: standard output
 };
 
 const std::string blockersIgnored = "blockers are not looked at";
@@ -161,18 +168,79 @@ void tellChecks(const std::vector<Row>& matrix, const reference::MatrixChecks& c
                   families.names[checks.to] + ")");
 }
 
+template <typename Value>
+std::uint64_t hashOfValue(const Value& value, std::uint64_t hash) {
+  static_assert(std::has_unique_object_representations_v<Value> || std::is_floating_point_v<Value>);
+  return hashOf({reinterpret_cast<const char*>(&value), sizeof value}, hash);
+}
+
+/// A hash of all that rows of form factors depend on in the scene.
+std::uint64_t hashOfScene(const radiosity::Scene& scene, const radiosity::Discretization& discretization) {
+  std::uint64_t hash = hashOf("");
+  for (const radiosity::Surface& surface : scene.surfaces) {
+    hash = hashOf(surface.name + '\n', hash);
+    for (const radiosity::Triangle& triangle : surface.triangles)
+      for (int corner = 0; corner < 3; ++corner) {
+        const auto c = static_cast<std::size_t>(corner);
+        for (int axis = 0; axis < 3; ++axis) hash = hashOfValue(triangle.position[c][axis], hash);
+        for (int axis = 0; axis < 2; ++axis) hash = hashOfValue(triangle.chart[c][axis], hash);
+      }
+  }
+  for (const radiosity::Element& element : discretization.elements)
+    hash = hashOfValue(element.texel, hashOfValue(element.area, hash));
+  for (const radiosity::Patch& patch : discretization.patches) hash = hashOfValue(patch.elementCount, hash);
+  return hash;
+}
+
+/// Identifies the computation of a matrix.
+std::string computationOf(const FormFactorOptions& options, const radiosity::Scene& scene,
+                          const radiosity::Discretization& discretization) {
+  nlohmann::ordered_json computation = settingsOf(options);
+  computation["ids"] = {options.id.format, static_cast<int>(options.id.blend), options.id.aligned};
+  computation["scene"] = hashText(hashOfScene(scene, discretization));
+  return computation.dump();
+}
+
+/// The file that rows are kept in; nothing without --output, and on all ranks but the one that writes.
+std::optional<RowFile> rowFileOf(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
+                                 const radiosity::Discretization& discretization) {
+  if (options.output.empty() || !context.isWriter()) return std::nullopt;
+  std::optional<RowFile> file(std::in_place, options.output, computationOf(options, scene, discretization));
+  if (file->wasDamaged()) context.console.warning("the last line of the unfinished result was damaged; it is dropped");
+  if (!file->rows().empty())
+    context.console.message("goes on after " + std::to_string(file->rows().size()) + " rows that an earlier run left");
+  return file;
+}
+
+/// All rows, on the rank that writes; the ranks of a parallel run share the work.
+std::vector<Row> matrixOf(const RowMethod& rowFrom, const Families& families, std::optional<RowFile>& file,
+                          Context& context) {
+  const std::size_t count = families.names.size();
+  std::vector<Row> matrix;
+  if (file) std::transform(file->rows().begin(), file->rows().end(), std::back_inserter(matrix), rowOf);
+  radiosity::run(context.ranks.get(),
+                 {.first = matrix.size(),
+                  .end = count,
+                  .compute = [&](std::size_t from) { return lineOf(rowFrom({families.surfaces[from]})); },
+                  .take =
+                      [&](std::size_t from, const std::string& line) {
+                        matrix.push_back(rowOf(line));
+                        if (file) file->append(line);
+                        context.console.progress(static_cast<double>(from + 1) / static_cast<double>(count),
+                                                 families.names[from]);
+                      }});
+  context.console.endProgress();
+  return matrix;
+}
+
 void printMatrix(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
                  const radiosity::Discretization& discretization) {
   const Families families = familiesOf(scene);
   const Receivers receivers = familiesAsReceivers(discretization, families);
+  std::optional<RowFile> file = rowFileOf(options, context, scene, discretization);
   const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context.console);
-  const std::size_t count = families.names.size();
-  std::vector<Row> matrix;
-  for (std::size_t from = 0; from < count; ++from) {
-    context.console.progress(static_cast<double>(from) / static_cast<double>(count), families.names[from]);
-    matrix.push_back(rowFrom({families.surfaces[from]}));
-  }
-  context.console.endProgress();
+  std::vector<Row> matrix = matrixOf(rowFrom, families, file, context);
+  if (!context.isWriter()) return;
   nlohmann::ordered_json result = settingsOf(options);
   if (options.smooth) {
     const reference::MatrixDifference moved = smooth(matrix, receivers);
@@ -184,16 +252,26 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
   tellCaptured(matrix.front(), context.console);
   tellChecks(matrix, checks, families, context.console);
   const Table table = tableOf(families, matrix);
-  if (!context.json) return writeCsv(std::cout, table);
-  result.update({{"matrix", toJson(table)},
-                 {"row_sums", {checks.smallestRowSum, checks.largestRowSum}},
-                 {"reciprocity", checks.reciprocity}});
-  if (matrix.front().captured) result["captured"] = *matrix.front().captured;
-  std::cout << toText(result);
+  std::ostringstream text;
+  std::ostream& output = file ? text : std::cout;
+  if (context.json) {
+    result.update({{"matrix", toJson(table)},
+                   {"row_sums", {checks.smallestRowSum, checks.largestRowSum}},
+                   {"reciprocity", checks.reciprocity}});
+    if (matrix.front().captured) result["captured"] = *matrix.front().captured;
+    output << toText(result);
+  } else {
+    writeCsv(output, table);
+  }
+  if (file) file->finish(text.str());
 }
 
 void print(const FormFactorOptions& options, Context& context) {
   const radiosity::Scene scene = sceneOf(options.scene, context.console);
+  std::error_code isMissing;
+  if (std::filesystem::equivalent(options.output, options.scene.file, isMissing))
+    throw raster::InputError(options.output.string(), 0, "is the scene, which the result would replace",
+                             "choose another file");
   const radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
   (options.all ? printMatrix : printRow)(options, context, scene, discretization);
 }
@@ -213,6 +291,9 @@ void addFormFactors(Command program, Context& context) {
   all.needs(bySurface).excludes(from);
   rows.addFlag("--smooth", options->smooth,
                "correct the matrix to exact reciprocity by least squares, with the same row sums")
+      .needs(all);
+  rows.addPath("-o,--output", options->output,
+               "write the matrix into this file; rows are kept in FILE.part, from which an interrupted run goes on")
       .needs(all);
   const Command method = command.under("Form factors");
   addChoice<std::string>(
@@ -239,6 +320,7 @@ void addFormFactors(Command program, Context& context) {
   command.addExamples(
       {"data/cornell-box.obj --from light --by-surface", "data/cornell-box.obj --all --by-surface --method rays"});
   command.onRead([options, command, &context] {
+    context.isShared = options->all;
     if (options->from.empty() && !options->all)
       usageError("--from", "is required; or print the matrix with --all --by-surface");
     const auto projection = projectionNamed(options->method);

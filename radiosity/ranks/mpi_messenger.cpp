@@ -1,0 +1,81 @@
+/// The messenger of the module hemitex_mpi.
+#include <mpi.h>
+
+#include <cstdlib>
+#include <list>
+
+#include "radiosity/ranks/mpi_module.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+class MpiMessenger final : public Messenger {
+ public:
+  MpiMessenger() {
+    MPI_Init(nullptr, nullptr);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks_);
+  }
+  ~MpiMessenger() override {
+    for (Sending& sending : sending_) MPI_Wait(&sending.request, MPI_STATUS_IGNORE);
+    MPI_Finalize();
+  }
+  MpiMessenger(const MpiMessenger&) = delete;
+  MpiMessenger& operator=(const MpiMessenger&) = delete;
+
+  int rank() const override { return rank_; }
+  int ranks() const override { return ranks_; }
+
+  void send(int to, MessageKind kind, std::string bytes) override {
+    forgetSent();
+    Sending& sending = sending_.emplace_back(Sending{std::move(bytes), MPI_REQUEST_NULL});
+    MPI_Isend(sending.bytes.data(), static_cast<int>(sending.bytes.size()), MPI_BYTE, to, static_cast<int>(kind),
+              MPI_COMM_WORLD, &sending.request);
+  }
+
+  std::optional<Message> receive() override {
+    forgetSent();
+    int hasArrived = 0;
+    MPI_Message arrived;
+    MPI_Status status;
+    MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &hasArrived, &arrived, &status);
+    if (hasArrived == 0) return std::nullopt;
+    int size = 0;
+    MPI_Get_count(&status, MPI_BYTE, &size);
+    Message message{status.MPI_SOURCE, static_cast<MessageKind>(status.MPI_TAG), {}};
+    message.bytes.resize(static_cast<std::size_t>(size));
+    MPI_Mrecv(message.bytes.data(), size, MPI_BYTE, &arrived, MPI_STATUS_IGNORE);
+    return message;
+  }
+
+  [[noreturn]] void abort(int exitCode) override {
+    MPI_Abort(MPI_COMM_WORLD, exitCode);
+    std::_Exit(exitCode);
+  }
+
+ private:
+  /// A message whose bytes MPI may still read.
+  struct Sending {
+    std::string bytes;
+    MPI_Request request;
+  };
+
+  void forgetSent() {
+    sending_.remove_if([](Sending& sending) {
+      int isSent = 0;
+      MPI_Test(&sending.request, &isSent, MPI_STATUS_IGNORE);
+      return isSent != 0;
+    });
+  }
+
+  int rank_ = 0, ranks_ = 1;
+  std::list<Sending> sending_;
+};
+
+std::unique_ptr<Messenger> start() { return std::make_unique<MpiMessenger>(); }
+
+}  // namespace
+}  // namespace hemitex::radiosity
+
+extern "C" __attribute__((visibility("default")))
+const hemitex::radiosity::MpiFunctions hemitexMpiFunctions = {hemitex::radiosity::start};
