@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <new>
+#include <optional>
 
 #include "cli/common/interruption.h"
 #include "cli/common/launched_rank.h"
@@ -76,8 +77,12 @@ int run(const Program& program, int argc, char** argv, Context& context) {
   }
   const raster::ThreadLimit limit(context.threads);
   if (rank && context.isShared) context.ranks = program.joinRanks();
+  // Launchers send a signal to all ranks, and rank 0 alone decides what the first one does.
+  std::optional<LongRun> helping;
+  if (!context.isWriter()) helping.emplace();
   context.command();
   requireOutput();
+  if (!context.isWriter()) return 0;
   return stoppedExitCode().value_or(context.failed ? comparisonFailed : 0);
 }
 

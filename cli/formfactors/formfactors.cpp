@@ -12,13 +12,13 @@
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
 #include "cli/common/table.h"
-#include "cli/common/text_hash.h"
 #include "cli/formfactors/methods.h"
 #include "cli/formfactors/row_file.h"
+#include "cli/scene/scene_hash.h"
 #include "cli/scene/scene_options.h"
 #include "cli/scene/surface_names.h"
 #include "radiosity/ranks/shared_tasks.h"
-#include "raster/base/input_error.h"
+#include "reference/records/sha256.h"
 #include "reference/solution/form_factor_matrix.h"
 #include "reference/solution/reciprocity_smoothing.h"
 
@@ -168,44 +168,18 @@ void tellChecks(const std::vector<Row>& matrix, const reference::MatrixChecks& c
                   families.names[checks.to] + ")");
 }
 
-template <typename Value>
-std::uint64_t hashOfValue(const Value& value, std::uint64_t hash) {
-  static_assert(std::has_unique_object_representations_v<Value> || std::is_floating_point_v<Value>);
-  return hashOf({reinterpret_cast<const char*>(&value), sizeof value}, hash);
-}
-
-/// A hash of all that rows of form factors depend on in the scene.
-std::uint64_t hashOfScene(const radiosity::Scene& scene, const radiosity::Discretization& discretization) {
-  std::uint64_t hash = hashOf("");
-  for (const radiosity::Surface& surface : scene.surfaces) {
-    hash = hashOf(surface.name + '\n', hash);
-    for (const radiosity::Triangle& triangle : surface.triangles)
-      for (int corner = 0; corner < 3; ++corner) {
-        const auto c = static_cast<std::size_t>(corner);
-        for (int axis = 0; axis < 3; ++axis) hash = hashOfValue(triangle.position[c][axis], hash);
-        for (int axis = 0; axis < 2; ++axis) hash = hashOfValue(triangle.chart[c][axis], hash);
-      }
-  }
-  for (const radiosity::Element& element : discretization.elements)
-    hash = hashOfValue(element.texel, hashOfValue(element.area, hash));
-  for (const radiosity::Patch& patch : discretization.patches) hash = hashOfValue(patch.elementCount, hash);
-  return hash;
-}
-
 /// Identifies the computation of a matrix.
-std::string computationOf(const FormFactorOptions& options, const radiosity::Scene& scene,
-                          const radiosity::Discretization& discretization) {
-  nlohmann::ordered_json computation = settingsOf(options);
-  computation["ids"] = {options.id.format, static_cast<int>(options.id.blend), options.id.aligned};
-  computation["scene"] = hashText(hashOfScene(scene, discretization));
-  return computation.dump();
+std::string computationOf(const FormFactorOptions& options, const radiosity::Scene& scene) {
+  nlohmann::ordered_json settings = settingsOf(options);
+  settings.update(toJson(options.discretization));
+  settings.update(toJson(options.id));
+  return reference::sha256(hashOf(scene) + toText(settings));
 }
 
-/// The file that rows are kept in; nothing without --output, and on all ranks but the one that writes.
-std::optional<RowFile> rowFileOf(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
-                                 const radiosity::Discretization& discretization) {
-  if (options.output.empty() || !context.isWriter()) return std::nullopt;
-  std::optional<RowFile> file(std::in_place, options.output, computationOf(options, scene, discretization));
+/// The file that rows are kept in; null without --output, and on all ranks but the one that writes.
+std::unique_ptr<RowFile> rowFileOf(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene) {
+  if (options.output.empty() || !context.isWriter()) return nullptr;
+  auto file = std::make_unique<RowFile>(options.output, scene.files, computationOf(options, scene));
   if (file->wasDamaged()) context.console.warning("the last line of the unfinished result was damaged; it is dropped");
   if (!file->rows().empty())
     context.console.message("goes on after " + std::to_string(file->rows().size()) + " rows that an earlier run left");
@@ -213,8 +187,7 @@ std::optional<RowFile> rowFileOf(const FormFactorOptions& options, Context& cont
 }
 
 /// All rows, on the rank that writes; the ranks of a parallel run share the work.
-std::vector<Row> matrixOf(const RowMethod& rowFrom, const Families& families, std::optional<RowFile>& file,
-                          Context& context) {
+std::vector<Row> matrixOf(const RowMethod& rowFrom, const Families& families, RowFile* file, Context& context) {
   const std::size_t count = families.names.size();
   std::vector<Row> matrix;
   if (file) std::transform(file->rows().begin(), file->rows().end(), std::back_inserter(matrix), rowOf);
@@ -237,9 +210,9 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
                  const radiosity::Discretization& discretization) {
   const Families families = familiesOf(scene);
   const Receivers receivers = familiesAsReceivers(discretization, families);
-  std::optional<RowFile> file = rowFileOf(options, context, scene, discretization);
+  const std::unique_ptr<RowFile> file = rowFileOf(options, context, scene);
   const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context.console);
-  std::vector<Row> matrix = matrixOf(rowFrom, families, file, context);
+  std::vector<Row> matrix = matrixOf(rowFrom, families, file.get(), context);
   if (!context.isWriter()) return;
   nlohmann::ordered_json result = settingsOf(options);
   if (options.smooth) {
@@ -268,10 +241,6 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
 
 void print(const FormFactorOptions& options, Context& context) {
   const radiosity::Scene scene = sceneOf(options.scene, context.console);
-  std::error_code isMissing;
-  if (std::filesystem::equivalent(options.output, options.scene.file, isMissing))
-    throw raster::InputError(options.output.string(), 0, "is the scene, which the result would replace",
-                             "choose another file");
   const radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
   (options.all ? printMatrix : printRow)(options, context, scene, discretization);
 }

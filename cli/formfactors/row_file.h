@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/common/staging.h"
 #include "cli/formfactors/methods.h"
 
 namespace hemitex::cli {
@@ -20,9 +21,14 @@ Row rowOf(const std::string& line);
 /// Each line ends with the hash of its text, so that the tail of a file that was being written is recognized.
 class RowFile {
  public:
-  /// Continues the file, or starts it if there is none. `computation` identifies scene and settings. Throws InputError
-  /// if the file cannot be written, or belongs to another computation.
-  RowFile(const std::filesystem::path& output, const std::string& computation);
+  /// Continues the file, or starts it if there is none. `computation` identifies scene and settings in one line.
+  /// `inputs` are the files that the run reads. Throws InputError if a file cannot be written, if the result would
+  /// replace an input, if another run writes the same result, or if the rows belong to another computation.
+  RowFile(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs,
+          const std::string& computation);
+  ~RowFile();
+  RowFile(const RowFile&) = delete;
+  RowFile& operator=(const RowFile&) = delete;
 
   /// The rows that the file held when it was opened.
   const std::vector<std::string>& rows() const { return rows_; }
@@ -34,7 +40,13 @@ class RowFile {
   void finish(const std::string& result);
 
  private:
-  std::filesystem::path output_, part_;
+  void lock();
+  void read(const std::string& computation);
+
+  Staging staging_;
+  std::string name_;  ///< of the result
+  std::filesystem::path part_;
+  int lock_ = -1;
   std::vector<std::string> rows_;
   bool wasDamaged_ = false;
   std::ofstream stream_;

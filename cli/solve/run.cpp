@@ -2,10 +2,10 @@
 
 #include "radiosity/discretization/adaptive_subdivision.h"
 #include "radiosity/form_factors/scene_form_factors.h"
-#include "radiosity/ranks/message_bytes.h"
 #include "radiosity/ranks/rows_ahead.h"
 #include "radiosity/ranks/shared_tasks.h"
 #include "radiosity/solver/error_control.h"
+#include "raster/base/bytes.h"
 #include "reference/rays/embree_form_factors.h"
 
 namespace hemitex::cli {
@@ -14,22 +14,24 @@ namespace {
 /// Ends a choice of settings between two of its solutions. Thrown and caught in this file.
 struct Stopped {};
 
-/// Tells the other ranks how a solution ended, because their next step depends on it.
+/// Whether the next step of a run depends on the radiosity of a solution.
+bool isChoosing(const SolveOptions& options) { return options.adaptive || options.maxError; }
+
+/// Tells the other ranks how a solution ended.
 void tellOtherRanks(radiosity::Messenger& ranks, const radiosity::Solution& solution) {
-  radiosity::MessageWriter message;
-  message.add(solution.isInterrupted);
-  message.add(solution.radiosity);
-  const std::string bytes = message.take();
+  std::string bytes;
+  raster::appendBytes(bytes, solution.isInterrupted);
+  raster::appendList(bytes, solution.radiosity);
   for (int rank = 1; rank < ranks.ranks(); ++rank) ranks.send(rank, radiosity::MessageKind::Solution, bytes);
 }
 
 /// What rank 0 tells of its solution.
 radiosity::Solution solutionOfRankZero(radiosity::Messenger& ranks) {
   const radiosity::Message message = radiosity::awaited(ranks);
-  radiosity::MessageReader bytes(message.bytes);
+  std::string_view bytes = message.bytes;
   radiosity::Solution solution;
-  solution.isInterrupted = bytes.value<bool>();
-  solution.radiosity = bytes.list<glm::dvec3>();
+  solution.isInterrupted = raster::takeValue<bool>(bytes);
+  solution.radiosity = raster::takeList<glm::dvec3>(bytes);
   return solution;
 }
 
@@ -44,7 +46,7 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
   radiosity::SceneFormFactors drawn(scene, std::move(discretization), layout, options.drawing);
   if (options.ranks && options.ranks->rank() > 0) {
     radiosity::computeRows(*options.ranks, drawn.rows());
-    return {drawn.discretization(), solutionOfRankZero(*options.ranks)};
+    return {drawn.discretization(), isChoosing(options) ? solutionOfRankZero(*options.ranks) : radiosity::Solution()};
   }
   const std::optional<radiosity::Snapshot> snapshot = monitor.begin();
   Convergence convergence;
@@ -64,7 +66,7 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
                                            [&rows](const auto& likelyShots) { rows.lookAhead(likelyShots); });
     rows.end();
     monitor.console().detail(textOf(rows.counts()));
-    tellOtherRanks(ranks, solution);
+    if (isChoosing(options)) tellOtherRanks(ranks, solution);
     return solution;
   };
   if (usesRays(options)) {

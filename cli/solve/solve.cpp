@@ -126,7 +126,7 @@ void solve(SolveOptions asked, Context& context) {
   Staging staging(asked.output);
   const radiosity::Discretization unsplit = discretizationOf(asked.discretization, scene);
   staging.requirePlaces(outputNames(asked, scene, unsplit, frames.size()), inputFiles(asked, scene, frames));
-  Monitor monitor(console, asked.longRun, scene, solutionSettings(asked).dump());
+  Monitor monitor(console, asked.longRun, scene, toText(solutionSettings(asked)));
   laps.lap("discretize_s");
   const Outcome outcome = solveScene(asked, scene, unsplit, monitor);
   const SolveOptions& options = outcome.options;

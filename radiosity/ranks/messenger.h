@@ -39,7 +39,7 @@ class Messenger {
   virtual int rank() const = 0;
   /// The number of ranks, at least 1.
   virtual int ranks() const = 0;
-  /// Sends a message and returns at once. Messages from one rank to another arrive in their order.
+  /// Sends a message of at most 2 GiB and returns at once. Messages from one rank to another arrive in their order.
   virtual void send(int to, MessageKind kind, std::string bytes) = 0;
   /// The next message that has arrived; nothing if there is none.
   virtual std::optional<Message> receive() = 0;

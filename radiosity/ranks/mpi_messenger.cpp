@@ -1,8 +1,12 @@
 /// The messenger of the module hemitex_mpi.
 #include <mpi.h>
 
+#include <chrono>
+#include <climits>
 #include <cstdlib>
 #include <list>
+#include <stdexcept>
+#include <thread>
 
 #include "radiosity/ranks/mpi_module.h"
 
@@ -16,7 +20,15 @@ class MpiMessenger final : public Messenger {
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &ranks_);
   }
+  /// Waits for the other ranks. MPI_Finalize also waits, but keeps a core busy meanwhile.
   ~MpiMessenger() override {
+    MPI_Request allAreHere;
+    MPI_Ibarrier(MPI_COMM_WORLD, &allAreHere);
+    while (!isComplete(allAreHere)) {
+      const std::optional<Message> message = receive();
+      if (message && message->kind == MessageKind::Failed) abort(message->bytes.front());
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
     for (Sending& sending : sending_) MPI_Wait(&sending.request, MPI_STATUS_IGNORE);
     MPI_Finalize();
   }
@@ -27,6 +39,7 @@ class MpiMessenger final : public Messenger {
   int ranks() const override { return ranks_; }
 
   void send(int to, MessageKind kind, std::string bytes) override {
+    if (bytes.size() > INT_MAX) throw std::length_error("a message between ranks is longer than 2 GiB");
     forgetSent();
     Sending& sending = sending_.emplace_back(Sending{std::move(bytes), MPI_REQUEST_NULL});
     MPI_Isend(sending.bytes.data(), static_cast<int>(sending.bytes.size()), MPI_BYTE, to, static_cast<int>(kind),
@@ -60,12 +73,13 @@ class MpiMessenger final : public Messenger {
     MPI_Request request;
   };
 
+  static bool isComplete(MPI_Request& request) {
+    int isComplete = 0;
+    MPI_Test(&request, &isComplete, MPI_STATUS_IGNORE);
+    return isComplete != 0;
+  }
   void forgetSent() {
-    sending_.remove_if([](Sending& sending) {
-      int isSent = 0;
-      MPI_Test(&sending.request, &isSent, MPI_STATUS_IGNORE);
-      return isSent != 0;
-    });
+    sending_.remove_if([](Sending& sending) { return isComplete(sending.request); });
   }
 
   int rank_ = 0, ranks_ = 1;

@@ -5,8 +5,8 @@
 #include <thread>
 #include <utility>
 
-#include "radiosity/ranks/message_bytes.h"
 #include "radiosity/ranks/shared_tasks.h"
+#include "raster/base/bytes.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -28,22 +28,19 @@ std::size_t bytesOf(const FormFactorRow& row) {
   return row.elements.size() * (sizeof(row.elements[0]) + sizeof(row.shares[0]));
 }
 
-std::string messageOf(std::uint64_t task, const FormFactorRow& row) {
-  MessageWriter message;
-  message.add(task);
-  message.add(row.elements);
-  message.add(row.shares);
-  message.add(row.background);
-  message.add(row.back);
-  return message.take();
+void append(std::string& bytes, const FormFactorRow& row) {
+  raster::appendList(bytes, row.elements);
+  raster::appendList(bytes, row.shares);
+  raster::appendBytes(bytes, row.background);
+  raster::appendBytes(bytes, row.back);
 }
 
-FormFactorRow readRow(MessageReader& message) {
+FormFactorRow takeRow(std::string_view& bytes) {
   FormFactorRow row;
-  row.elements = message.list<std::uint32_t>();
-  row.shares = message.list<std::uint64_t>();
-  row.background = message.value<std::uint64_t>();
-  row.back = message.value<std::uint64_t>();
+  row.elements = raster::takeList<std::uint32_t>(bytes);
+  row.shares = raster::takeList<std::uint64_t>(bytes);
+  row.background = raster::takeValue<std::uint64_t>(bytes);
+  row.back = raster::takeValue<std::uint64_t>(bytes);
   return row;
 }
 
@@ -54,13 +51,13 @@ RowsAhead::RowsAhead(Messenger& ranks, SceneFormFactors& formFactors, std::size_
 
 void RowsAhead::takeMessages() {
   while (const auto message = received(ranks_)) {
-    MessageReader bytes(message->bytes);
-    const auto number = bytes.value<std::uint64_t>();
+    std::string_view bytes = message->bytes;
+    const auto number = raster::takeValue<std::uint64_t>(bytes);
     --tasksOf_[static_cast<std::size_t>(message->from)];
     ++counts_.ahead;
     const auto task = tasks_.find(number);
     if (task == tasks_.end()) continue;  // rank 0 has computed the row
-    FormFactorRow row = readRow(bytes);
+    FormFactorRow row = takeRow(bytes);
     keep(std::move(task->second), std::move(row));
     tasks_.erase(task);
   }
@@ -110,10 +107,10 @@ void RowsAhead::lookAhead(const std::function<std::vector<LikelyShot>(std::size_
       if (tasksOf_[rank] > held) continue;
       std::optional<Task> task = nextTask(shots, next);
       if (!task) break;
-      MessageWriter message;
-      message.add(tasksGiven_);
-      message.add(task->points);
-      ranks_.send(static_cast<int>(rank), MessageKind::Task, message.take());
+      std::string message;
+      raster::appendBytes(message, tasksGiven_);
+      raster::appendList(message, task->points);
+      ranks_.send(static_cast<int>(rank), MessageKind::Task, std::move(message));
       tasks_[tasksGiven_++] = *std::move(task);
       ++tasksOf_[rank];
     }
@@ -183,12 +180,15 @@ FormFactorRow RowsAhead::rowOf(std::uint32_t patch) {
 
 void RowsAhead::end() { endTasks(ranks_); }
 
+std::string resultOf(std::string_view task, ProjectedFormFactors& rows) {
+  std::string result(raster::takeBytes(task, sizeof(std::uint64_t)));
+  append(result, rows.ofPoints(raster::takeList<ViewPoint>(task)));
+  return result;
+}
+
 void computeRows(Messenger& ranks, ProjectedFormFactors& rows) {
-  for (Message message = awaited(ranks); message.kind != MessageKind::Over; message = awaited(ranks)) {
-    MessageReader bytes(message.bytes);
-    const auto task = bytes.value<std::uint64_t>();
-    ranks.send(0, MessageKind::Result, messageOf(task, rows.ofPoints(bytes.list<ViewPoint>())));
-  }
+  for (Message message = awaited(ranks); message.kind != MessageKind::Over; message = awaited(ranks))
+    ranks.send(0, MessageKind::Result, resultOf(message.bytes, rows));
   ranks.send(0, MessageKind::Done, {});
 }
 

@@ -8,7 +8,8 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "radiosity/form_factors/form_factor_row.h"
@@ -76,6 +77,8 @@ class RowsAhead {
   RowCounts counts_;
 };
 
+/// The answer of another rank to the bytes of a task: the number of the task and its row.
+std::string resultOf(std::string_view task, ProjectedFormFactors& rows);
 /// The part of the other ranks: computes rows until rank 0 ends it.
 void computeRows(Messenger& ranks, ProjectedFormFactors& rows);
 

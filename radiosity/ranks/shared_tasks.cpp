@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-#include "radiosity/ranks/message_bytes.h"
+#include "raster/base/bytes.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -15,9 +15,9 @@ namespace {
 constexpr std::size_t tasksPerRank = 3;
 
 std::string bytesOf(std::size_t task, const std::string& result = {}) {
-  MessageWriter bytes;
-  bytes.add(std::uint64_t{task});
-  return bytes.take() + result;
+  std::string bytes;
+  raster::appendBytes(bytes, std::uint64_t{task});
+  return bytes + result;
 }
 
 /// The work of rank 0.
@@ -46,9 +46,9 @@ class HandingOut {
   }
   void takeMessages() {
     while (const auto message = received(ranks_)) {
-      MessageReader bytes(message->bytes);
-      const auto task = static_cast<std::size_t>(bytes.value<std::uint64_t>());
-      keep(task, std::string(bytes.rest()));
+      std::string_view result = message->bytes;
+      const std::size_t task = raster::takeValue<std::uint64_t>(result);
+      keep(task, std::string(result));
       giveTask(message->from);
     }
   }
@@ -70,7 +70,8 @@ class HandingOut {
 
 void computeTasks(Messenger& ranks, const SharedTasks& tasks) {
   for (Message message = awaited(ranks); message.kind != MessageKind::Over; message = awaited(ranks)) {
-    const std::size_t task = MessageReader(message.bytes).value<std::uint64_t>();
+    std::string_view bytes = message.bytes;
+    const std::size_t task = raster::takeValue<std::uint64_t>(bytes);
     ranks.send(0, MessageKind::Result, bytesOf(task, tasks.compute(task)));
   }
   ranks.send(0, MessageKind::Done, {});

@@ -16,7 +16,6 @@
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/scene_form_factors.h"
-#include "radiosity/ranks/message_bytes.h"
 #include "radiosity/ranks/rows_ahead.h"
 #include "radiosity/scene/load_scene.h"
 #include "raster/base/parallel.h"
@@ -36,7 +35,10 @@ double now() {
 /// A network of 10 Gbit/s.
 constexpr double latency = 20e-6, bytesPerSecond = 1.25e9;
 
-/// A row as a message, and the seconds that it took.
+/// A task and its result start with the number of the task.
+constexpr std::size_t numberBytes = sizeof(std::uint64_t);
+
+/// A result without its number, and the seconds that it took.
 struct Measured {
   std::string bytes;
   double seconds = 0;
@@ -57,13 +59,12 @@ class SimulatedRanks final : public Messenger {
     const double sent = clock();
     if (kind == MessageKind::Over) return add(sent, {to, MessageKind::Done, {}});
     const double before = now();
-    const std::string number = bytes.substr(0, sizeof(std::uint64_t));
-    const Measured& row = computed(bytes.substr(number.size()));
+    const Measured& row = computed(bytes);
     outside_ += now() - before;
     double& free = free_[static_cast<std::size_t>(to)];
     free = std::max(free, sent + latency) + row.seconds;
     add(free + latency + static_cast<double>(row.bytes.size()) / bytesPerSecond,
-        {to, MessageKind::Result, number + row.bytes});
+        {to, MessageKind::Result, bytes.substr(0, numberBytes) + row.bytes});
   }
   std::optional<Message> receive() override {
     if (arriving_.empty()) return std::nullopt;
@@ -85,18 +86,12 @@ class SimulatedRanks final : public Messenger {
 
  private:
   void add(double time, Message message) { arriving_.emplace(time, std::move(message)); }
-  const Measured& computed(const std::string& points) {
-    const auto [found, isNew] = measured_.try_emplace(points);
+  const Measured& computed(const std::string& task) {
+    const auto [found, isNew] = measured_.try_emplace(task.substr(numberBytes));
     if (isNew) {
-      const std::vector<ViewPoint> list = MessageReader(points).list<ViewPoint>();
       const double before = now();
-      const FormFactorRow row = rows_.ofPoints(list);
-      MessageWriter message;
-      message.add(row.elements);
-      message.add(row.shares);
-      message.add(row.background);
-      message.add(row.back);
-      found->second = {message.take(), now() - before};
+      const std::string result = resultOf(task, rows_);
+      found->second = {result.substr(numberBytes), now() - before};
     }
     return found->second;
   }
