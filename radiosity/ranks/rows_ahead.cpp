@@ -98,7 +98,7 @@ void RowsAhead::lookAhead(const std::function<std::vector<LikelyShot>(std::size_
   if (tasksOf_.size() == 1 || keptBytes_ >= budget_) return;
   const std::size_t needed = rowsNeeded();
   const std::size_t least = *std::min_element(tasksOf_.begin() + 1, tasksOf_.end());
-  const bool isRoom = least < tasksPerRank && kept_.size() + tasks_.size() < needed;
+  const bool isRoom = least < tasksPerRank;
   if (!isRoom && !areOthersSlow()) return;
   const std::vector<LikelyShot> shots = likelyShots(needed);
   std::size_t next = 0;
@@ -128,6 +128,7 @@ void RowsAhead::lookAhead(const std::function<std::vector<LikelyShot>(std::size_
 std::optional<RowsAhead::Task> RowsAhead::nextTask(const std::vector<LikelyShot>& shots, std::size_t& next) {
   while (next < shots.size()) {
     const LikelyShot& shot = shots[next++];
+    if (shot.weight == 0) return std::nullopt;  // its row will have another resolution, as will those of the rest
     if (kept_.contains(shot.patch) || isUnderWay(shot.patch)) continue;
     Points points = formFactors_.likelyPoints(shot.patch, shot.weight);
     if (!points.empty()) return Task{shot.patch, std::move(points)};
