@@ -52,7 +52,8 @@ reference::BenchSettings settingsOf(const BenchOptions& options, Context& contex
   settings.threads = std::max(1, context.threads);
   // Mesa's CPU rasterizer reads this variable when the first context is made; other devices ignore it.
   setenv("LP_NUM_THREADS", std::to_string(settings.threads).c_str(), 1);
-  settings.openGl = openGlRenderers(context.console, "OpenGL is not measured");
+  settings.openGl = openGlRenderers(Device::OpenGl, context.console, "OpenGL is not measured");
+  if (settings.openGl) settings.plainOpenGl = openGlRenderers(Device::OpenGlPlain, context.console, "");
   return settings;
 }
 

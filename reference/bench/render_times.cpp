@@ -27,25 +27,30 @@ constexpr std::size_t patchesAtOnce = 3;
 
 /// A scene with its renderers and ray tracer.
 struct World {
-  World(const radiosity::Scene& itsScene, const BenchScene& bench, bool hasMesh,
-        const radiosity::RendererFactory& device)
+  World(const radiosity::Scene& itsScene, const BenchScene& bench, bool hasMesh, const BenchSettings& settings)
       : scene(itsScene),
         discretization(radiosity::discretize(scene, bench.elements)),
         layout(radiosity::layOut(discretization, bench.ids)),
         textures(radiosity::sceneRenderer(scene, discretization, layout, ElementsBy::Texture)),
         mesh(hasMesh ? radiosity::sceneRenderer(scene, discretization, layout, ElementsBy::Mesh) : nullptr),
-        openGl(device ? device(radiosity::makeDrawList(scene, discretization, layout)) : nullptr),
+        openGl(deviceRenderer(settings.openGl)),
+        plainOpenGl(deviceRenderer(settings.plainOpenGl)),
         rays(radiosity::makeDrawList(scene, discretization, layout)) {}
 
   const radiosity::Scene& scene;
   radiosity::Discretization discretization;
   radiosity::IdLayout layout;
-  std::unique_ptr<raster::ItemBufferRenderer> textures, mesh, openGl;
+  std::unique_ptr<raster::ItemBufferRenderer> textures, mesh, openGl, plainOpenGl;
   PixelRays rays;
+
+ private:
+  std::unique_ptr<raster::ItemBufferRenderer> deviceRenderer(const radiosity::RendererFactory& device) const {
+    return device ? device(radiosity::makeDrawList(scene, discretization, layout)) : nullptr;
+  }
 };
 
-/// From this number of triangles on, OpenGL is measured at the highest resolution only. It spends most of its time on
-/// vertices at any resolution, so its ratio is best there.
+/// From this number of triangles on, OpenGL by the rules is measured at the highest resolution only. It spends most of
+/// its time on vertices at any resolution, so its ratio is best there.
 constexpr std::size_t slowTriangles = 100000;
 
 /// A measured task; one call of `call` counts as `calls` calls.
@@ -72,8 +77,8 @@ class Tasks {
     add("embree", [this](std::size_t i) { world_.rays.cast(views_[i].faces, hits_); });
     // One patch only: a hemicube finds its item IDs in the cache, but those of several patches do not fit there.
     tasks_.push_back({"floor", [this] { floor_.row(drawn_.front()); }});
-    if (world.openGl && withOpenGl)
-      add("opengl", [this](std::size_t i) { raster::draw(*world_.openGl, views_[i].faces, views_[i].skipped, ids_); });
+    if (world.plainOpenGl) addDevice("opengl-plain", *world.plainOpenGl);
+    if (world.openGl && withOpenGl) addDevice("opengl", *world.openGl);
     if (!world.mesh) return;
     meshRows_ = std::make_unique<ProjectedFormFactors>(world.scene, world.discretization, world.layout, *world.mesh,
                                                        radiosity::ViewSettings{.resolution = resolution});
@@ -101,6 +106,10 @@ class Tasks {
       for (std::size_t i = 0; i < patches_.size(); ++i) ofPatch(i);
     };
     tasks_.push_back({what, all, patches_.size()});
+  }
+
+  void addDevice(const std::string& what, raster::ItemBufferRenderer& device) {
+    add(what, [this, &device](std::size_t i) { raster::draw(device, views_[i].faces, views_[i].skipped, ids_); });
   }
 
   void draw(std::size_t i) { raster::draw(*world_.textures, views_[i].faces, views_[i].skipped, ids_); }
@@ -161,7 +170,7 @@ std::vector<BenchRun> benchRuns(const BenchScene& bench, const BenchSettings& se
   std::vector<BenchRun> runs;
   for (const std::size_t count : counts) {
     const radiosity::Scene scene = finerScene(bench.scene, count);
-    World world(scene, bench, count == own, settings.openGl);
+    World world(scene, bench, count == own, settings);
     for (const int resolution : settings.resolutions) {
       progress(bench.name + " of " + std::to_string(count) + " triangles, R = " + std::to_string(resolution));
       appendRuns(world, bench.name, resolution, settings, runs);
@@ -178,7 +187,7 @@ std::vector<GrowthPoint> growthOf(const radiosity::Scene& scene, std::span<const
   for (const int side : sides) {
     const BenchScene finer{{}, scene, {.texels = side, .patches = 4}, {.format = "r32ui"}};
     Tasks& own =
-        tasks.emplace_back(worlds.emplace_back(scene, finer, false, nullptr), resolution, patchesAtOnce, false);
+        tasks.emplace_back(worlds.emplace_back(scene, finer, false, BenchSettings()), resolution, patchesAtOnce, false);
     calls.push_back([&own] { own.drawAll(); });
     calls.push_back([&own] { own.sumAll(); });
   }

@@ -24,8 +24,10 @@ struct BenchRun {
   /// - hemicube-mesh: the same with one polygon per element;
   /// - draw: draws faces and resolves item IDs;
   /// - embree: finds the nearest triangle of a ray through each of the same pixels (pixel_rays.h);
-  /// - opengl: draws the faces and reads them back, without the sum. From 100,000 triangles on it is slow, and is
-  ///   measured only at the highest resolution;
+  /// - opengl-plain: draws the faces by plain OpenGL and reads them back, without the sum (OpenGlPath::Plain);
+  /// - opengl: the same by the rules of docs/item-buffers.md (OpenGlPath::Shader). From 100,000 triangles on it is
+  /// slow,
+  ///   and is measured only at the highest resolution;
   /// - floor: clears buffers and sums the row of the first patch from item IDs drawn before (baseline.h);
   /// - solution: `benchShots` shots of the solver, or fewer if no light is left; shot: their mean.
   std::string what;
@@ -41,7 +43,7 @@ struct BenchSettings {
   std::vector<std::size_t> triangles = {8000, 100000, 1000000};
   int threads = 1;
   int repeats = 11;
-  radiosity::RendererFactory openGl;  ///< empty if there is no device
+  radiosity::RendererFactory openGl, plainOpenGl;  ///< by the rules, and plain; empty if there is no device
 };
 
 /// Measures the original and the subdivided scenes at every resolution. Meshing and solutions are measured for the

@@ -15,6 +15,24 @@ std::vector<EqualTimeError> equalTimeErrors(const std::string& scene, const RowC
   return errors;
 }
 
+namespace {
+
+bool isOpenGl(const BenchRatio& ratio) { return ratio.what == "opengl" || ratio.what == "opengl-plain"; }
+
+auto placeOf(const BenchRatio& ratio) { return std::tie(ratio.scene, ratio.triangles, ratio.resolution); }
+
+/// Removes the slower device of OpenGL from each place.
+void keepFasterOpenGl(std::vector<BenchRatio>& ratios) {
+  const std::vector<BenchRatio> all = ratios;
+  std::erase_if(ratios, [&all](const BenchRatio& ratio) {
+    return isOpenGl(ratio) && std::any_of(all.begin(), all.end(), [&ratio](const BenchRatio& other) {
+             return isOpenGl(other) && placeOf(other) == placeOf(ratio) && other.overHemicube < ratio.overHemicube;
+           });
+  });
+}
+
+}  // namespace
+
 std::vector<BenchRatio> benchRatios(const std::vector<BenchRun>& runs) {
   const auto place = [](const BenchRun& run) { return std::tie(run.scene, run.triangles, run.resolution); };
   std::vector<BenchRatio> ratios;
@@ -26,6 +44,7 @@ std::vector<BenchRatio> benchRatios(const std::vector<BenchRun>& runs) {
     if (hemicube == runs.end()) continue;
     ratios.push_back({run.scene, run.triangles, run.resolution, run.what, ratioOf(run.seconds, hemicube->seconds)});
   }
+  keepFasterOpenGl(ratios);
   return ratios;
 }
 

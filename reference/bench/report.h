@@ -51,7 +51,8 @@ struct BenchRatio {
   std::string what;
   double overHemicube = 0;
 };
-/// The ratios of all runs except hemicubes, and except solutions, which choose their own patches.
+/// The ratios of all runs except hemicubes, and except solutions, which choose their own patches. Of opengl and
+/// opengl-plain only that of the faster.
 std::vector<BenchRatio> benchRatios(const std::vector<BenchRun>& runs);
 
 /// The number of triangles from which on Embree is faster. Interpolates linearly between the logarithms of triangles

@@ -30,8 +30,8 @@ struct DrawBatch {
   VertexRuns runs;
 };
 
-/// The batches of all draws without the `skipped` triangles (see ItemBufferRenderer::draw). Vertices are numbered as in
-/// the buffers: draw after draw. The batches point into the list.
+/// The batches of all draws without the `skipped` triangles (see ItemBufferRenderer::draw). Vertices are numbered as
+/// the corners of triangles: draw after draw. The batches point into the list.
 std::vector<DrawBatch> batchesOf(const raster::DrawList& list, std::span<const std::uint32_t> skipped,
                                  const DrawsJoin& join);
 

@@ -1,6 +1,8 @@
 #include "reference/opengl/opengl_renderer.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
@@ -21,26 +23,55 @@ std::unique_ptr<OpenGlPipeline> makePipeline(const raster::DrawList& list, OpenG
   return path == OpenGlPath::Shader ? makeShader(list) : makePlain(list);
 }
 
-/// Textures with the item IDs of the index maps, in their order.
-std::vector<GLuint> makeTextures(const std::vector<raster::IndexMap>& maps, const OpenGlPipeline& pipeline) {
+GLuint makeTexture(const raster::IndexMap& map, const OpenGlPipeline& pipeline) {
   const OpenGlPixels pixels = pipeline.pixels();
   const GLenum target = pipeline.textureTarget();
+  GLuint texture = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(target, texture);
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glTexImage2D(target, 0, pixels.storage, map.width, map.height, 0, pixels.format, pixels.type, map.ids.data());
+  return texture;
+}
+
+/// Textures with the item IDs of the index maps, in their order, and one with a single texel 0.
+std::vector<GLuint> makeTextures(const std::vector<raster::IndexMap>& maps, const OpenGlPipeline& pipeline) {
+  const GLenum target = pipeline.textureTarget();
   const int largest = openGlLimit(target == GL_TEXTURE_2D ? GL_MAX_TEXTURE_SIZE : GL_MAX_RECTANGLE_TEXTURE_SIZE);
-  std::vector<GLuint> textures(maps.size());
-  glGenTextures(static_cast<GLsizei>(textures.size()), textures.data());
-  for (std::size_t m = 0; m < maps.size(); ++m) {
-    if (std::max(maps[m].width, maps[m].height) > largest)
-      throw InputError("index map " + std::to_string(m) + " is larger than the textures of the OpenGL device",
-                       "use at most " + std::to_string(largest) + " texels a side");
-    glBindTexture(target, textures[m]);
-    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glTexImage2D(target, 0, pixels.storage, maps[m].width, maps[m].height, 0, pixels.format, pixels.type,
-                 maps[m].ids.data());
+  std::vector<GLuint> textures;
+  for (const raster::IndexMap& map : maps) {
+    if (std::max(map.width, map.height) > largest)
+      throw InputError(
+          "index map " + std::to_string(textures.size()) + " is larger than the textures of the OpenGL device",
+          "use at most " + std::to_string(largest) + " texels a side");
+    textures.push_back(makeTexture(map, pipeline));
   }
+  textures.push_back(makeTexture({1, 1, {0}}, pipeline));
   return textures;
+}
+
+/// A framebuffer and its renderbuffers.
+struct Framebuffer {
+  GLuint framebuffer = 0, colour = 0, depth = 0;
+};
+
+/// Makes and binds a framebuffer.
+Framebuffer makeFramebuffer(int width, int height, GLint colourStorage) {
+  Framebuffer made;
+  glGenFramebuffers(1, &made.framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, made.framebuffer);
+  const auto attach = [=](GLuint& buffer, GLenum attachment, GLint storage) {
+    glGenRenderbuffers(1, &buffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+    glRenderbufferStorage(GL_RENDERBUFFER, static_cast<GLenum>(storage), width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+  };
+  attach(made.colour, GL_COLOR_ATTACHMENT0, colourStorage);
+  attach(made.depth, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F);
+  return made;
 }
 
 }  // namespace
@@ -53,14 +84,15 @@ class OpenGlRenderer::Implementation {
 
  private:
   void setSize(int width, int height);
+  void deleteFramebuffers();
   void setView(const raster::Face& face);
   void draw(const raster::Face& face, const std::vector<DrawBatch>& batches, raster::ItemBuffer& buffer);
 
   raster::DrawList list_;
   std::unique_ptr<OpenGlContext> context_;
   std::unique_ptr<OpenGlPipeline> pipeline_;
-  std::vector<GLuint> textures_;
-  GLuint colour_ = 0, depth_ = 0;
+  std::vector<GLuint> textures_;  ///< one per index map, and the last for draws without index map
+  std::map<std::pair<int, int>, Framebuffer> framebuffers_;  ///< by width and height
 };
 
 OpenGlRenderer::Implementation::Implementation(const raster::DrawList& list, OpenGlPath path)
@@ -74,23 +106,25 @@ OpenGlRenderer::Implementation::Implementation(const raster::DrawList& list, Ope
   textures_ = makeTextures(list.indexMaps, *pipeline_);
   glEnable(GL_DEPTH_TEST);
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-
-  GLuint framebuffer = 0;
-  glGenFramebuffers(1, &framebuffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glGenRenderbuffers(1, &colour_);
-  glGenRenderbuffers(1, &depth_);
 }
 
-/// Renderbuffers of the size of the scissor rectangle.
+/// Binds a framebuffer of the size of the scissor rectangle. The faces of a hemicube have two sizes, so those of some
+/// sizes are kept.
 void OpenGlRenderer::Implementation::setSize(int width, int height) {
-  const auto attach = [=](GLuint buffer, GLenum attachment, GLint storage) {
-    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-    glRenderbufferStorage(GL_RENDERBUFFER, static_cast<GLenum>(storage), width, height);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
-  };
-  attach(colour_, GL_COLOR_ATTACHMENT0, pipeline_->pixels().storage);
-  attach(depth_, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F);
+  constexpr std::size_t maxKept = 16;
+  const auto known = framebuffers_.find({width, height});
+  if (known != framebuffers_.end()) return glBindFramebuffer(GL_FRAMEBUFFER, known->second.framebuffer);
+  if (framebuffers_.size() == maxKept) deleteFramebuffers();
+  framebuffers_[{width, height}] = makeFramebuffer(width, height, pipeline_->pixels().storage);
+}
+
+void OpenGlRenderer::Implementation::deleteFramebuffers() {
+  for (const auto& [size, framebuffer] : framebuffers_) {
+    glDeleteFramebuffers(1, &framebuffer.framebuffer);
+    glDeleteRenderbuffers(1, &framebuffer.colour);
+    glDeleteRenderbuffers(1, &framebuffer.depth);
+  }
+  framebuffers_.clear();
 }
 
 /// The device clips triangles at the sides of its viewport. So the viewport is as wide as the pipeline asks, or as the
@@ -118,7 +152,8 @@ void OpenGlRenderer::Implementation::draw(const raster::Face& face, const std::v
   pipeline_->clear(raster::backgroundId(list_.format));
   for (const DrawBatch& batch : batches) {
     const raster::Draw& draw = *batch.draw;
-    if (draw.indexMap) glBindTexture(pipeline_->textureTarget(), textures_[static_cast<std::size_t>(*draw.indexMap)]);
+    const std::size_t map = draw.indexMap ? static_cast<std::size_t>(*draw.indexMap) : textures_.size() - 1;
+    glBindTexture(pipeline_->textureTarget(), textures_[map]);
     pipeline_->draw(draw, batch.runs);
   }
   const OpenGlPixels pixels = pipeline_->pixels();

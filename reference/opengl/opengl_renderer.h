@@ -31,8 +31,8 @@ enum class OpenGlPath {
   /// Index maps are textures of 32-bit integers, and shaders do the rest: the vertex stage by the rules, depth and
   /// texels in double precision, and item IDs of any format.
   Shader,
-  /// What an application does by default, without any remedy: a matrix, unit texture coordinates, a sampler, one call
-  /// per draw, and the clipping of the API. It shows what the remedies of the other paths are worth.
+  /// What an application does by default, without any remedy: a matrix, unit texture coordinates, a sampler, and the
+  /// clipping of the API. It shows what the remedies of the other paths are worth, and what they cost.
   Plain,
 };
 

@@ -34,7 +34,7 @@ class OpenGlPipeline {
   virtual void setView(const raster::Face& face, int width) = 0;
   /// Whether both draws can be drawn as one.
   virtual bool joins(const raster::Draw& draw, const raster::Draw& next) const = 0;
-  /// Requires that the texture of the draw's index map, if any, is bound.
+  /// Requires that the texture of the draw's index map is bound; without one, a texture of a single texel 0.
   virtual void draw(const raster::Draw& draw, const VertexRuns& runs) = 0;
 };
 

@@ -1,10 +1,39 @@
 #include "reference/opengl/plain_pipeline.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "reference/opengl/shader_programs.h"
 #include "reference/opengl/vertex_buffers.h"
 
 namespace hemitex::reference {
 namespace {
+
+/// The largest value of each channel of a map's item IDs.
+raster::ItemId largestChannels(const raster::IndexMap& map, const raster::IdFormat& format) {
+  raster::ItemId largest = 0;
+  int shift = 0;
+  for (const int bits : format.channelBits) {
+    const raster::ItemId channel = raster::backgroundId({{bits}}) << shift;
+    raster::ItemId ofChannel = 0;
+    for (const raster::ItemId id : map.ids) ofChannel = std::max(ofChannel, id & channel);
+    largest |= ofChannel;
+    shift += bits;
+  }
+  return largest;
+}
+
+/// Whether a sum of offset and texel exceeds a channel.
+bool clamps(const raster::DrawList& list) {
+  if (list.blend != raster::Blend::ClampedAdd) return false;
+  std::vector<raster::ItemId> largest;
+  for (const raster::IndexMap& map : list.indexMaps) largest.push_back(largestChannels(map, list.format));
+  return std::any_of(list.draws.begin(), list.draws.end(), [&](const raster::Draw& draw) {
+    if (!draw.indexMap) return false;
+    const raster::ItemId texel = largest[static_cast<std::size_t>(*draw.indexMap)];
+    return blend(list.format, list.blend, draw.offset, texel) != draw.offset + texel;
+  });
+}
 
 class Plain final : public OpenGlPipeline {
  public:
@@ -14,18 +43,18 @@ class Plain final : public OpenGlPipeline {
   int viewportWidth() const override { return 1; }
   void clear(raster::ItemId background) override;
   void setView(const raster::Face& face, int width) override;
-  bool joins(const raster::Draw&, const raster::Draw&) const override { return false; }
+  /// Each vertex has the offset of its draw.
+  bool joins(const raster::Draw& draw, const raster::Draw& next) const override {
+    return draw.back == next.back && draw.indexMap == next.indexMap;
+  }
   void draw(const raster::Draw& draw, const VertexRuns& runs) override;
-
- private:
-  raster::Blend blend_;
 };
 
-Plain::Plain(const raster::DrawList& list) : blend_(list.blend) {
-  glUseProgram(linkPlainPrograms());
+Plain::Plain(const raster::DrawList& list) {
+  glUseProgram(linkPlainPrograms(clamps(list)));
   setFormat(list.format);
   glDepthFunc(GL_LESS);
-  uploadCorners(list, VertexAttribute::position, VertexAttribute::texcoord);
+  uploadVertices(list);
 }
 
 void Plain::clear(raster::ItemId background) {
@@ -44,9 +73,8 @@ void Plain::setView(const raster::Face& face, int) {
 }
 
 void Plain::draw(const raster::Draw& draw, const VertexRuns& runs) {
-  glUniform1ui(PlainUniform::offset, draw.offset);
-  setBlend(draw, blend_);
-  drawRuns(runs);
+  setBack(draw);
+  drawIndexedRuns(runs);
 }
 
 }  // namespace

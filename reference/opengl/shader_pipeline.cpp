@@ -1,7 +1,5 @@
 #include "reference/opengl/shader_pipeline.h"
 
-#include <vector>
-
 #include "reference/opengl/shader_programs.h"
 #include "reference/opengl/vertex_buffers.h"
 
@@ -25,16 +23,6 @@ class Shader final : public OpenGlPipeline {
  private:
   raster::Blend blend_;
 };
-
-/// Corners in one buffer, the offsets of their draws in another.
-void uploadVertices(const raster::DrawList& list) {
-  uploadCorners(list, VertexAttribute::position, VertexAttribute::texcoord);
-  std::vector<ItemId> offsets;
-  for (const raster::Draw& draw : list.draws) offsets.insert(offsets.end(), draw.count, draw.offset);
-  makeVertexBuffer(offsets.data(), offsets.size() * sizeof(ItemId), GL_STATIC_DRAW);
-  glEnableVertexAttribArray(VertexAttribute::drawOffset);
-  glVertexAttribIPointer(VertexAttribute::drawOffset, 1, GL_UNSIGNED_INT, sizeof(ItemId), vertexOffset(0));
-}
 
 Shader::Shader(const raster::DrawList& list) : blend_(list.blend) {
   glUseProgram(linkShaderPrograms());
@@ -60,8 +48,9 @@ void Shader::setView(const raster::Face& face, int width) {
 }
 
 void Shader::draw(const raster::Draw& draw, const VertexRuns& runs) {
-  setBlend(draw, blend_);
-  drawRuns(runs);
+  setBack(draw);
+  setOperation(draw, blend_);
+  drawIndexedRuns(runs);
 }
 
 }  // namespace

@@ -105,11 +105,10 @@ void main() {
 }
 )";
 
-// The blend of both paths (docs/item-buffers.md, "blend").
-constexpr const char* blendProgram = R"(#version 450
+// Back-facing triangles and the clamped add of both paths (docs/item-buffers.md, "blend").
+constexpr const char* channelProgram = R"(#version 450
 layout(location = 7) uniform uint back;
 layout(location = 8) uniform bool hasBack;
-layout(location = 9) uniform int operation;  // 0: no index map, 1: clamped add, 2: integer add, 3: replace
 layout(location = 10) uniform uint allBits;
 layout(location = 11) uniform int channels;
 layout(location = 12) uniform uint channel[32];  // the bits of each
@@ -122,6 +121,11 @@ uint clampedAdd(uint a, uint b) {
   }
   return sum;
 }
+)";
+
+// All blends.
+constexpr const char* blendProgram = R"(
+layout(location = 9) uniform int operation;  // 0: no index map, 1: clamped add, 2: integer add, 3: replace
 
 uint blended(uint offset, uint texel) {
   if (operation == 1) return clampedAdd(offset, texel);
@@ -157,28 +161,33 @@ void main() {
 constexpr const char* plainVertexProgram = R"(#version 450
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec2 texcoord;
+layout(location = 2) in uint drawOffset;
 layout(location = 0) uniform mat4 matrix;
 out vec2 uv;
+flat out uint offset;
 
 void main() {
   gl_Position = matrix * vec4(position, 1);
   uv = texcoord;
+  offset = drawOffset;
 }
 )";
 
+constexpr const char* integerSumProgram = R"(
+uint sum(uint offset, uint texel) { return (offset + texel) & allBits; }
+)";
+
+constexpr const char* clampedSumProgram = R"(
+uint sum(uint offset, uint texel) { return clampedAdd(offset, texel); }
+)";
+
 constexpr const char* plainFragmentProgram = R"(
-layout(location = 6) uniform uint offset;
 layout(binding = 0) uniform usampler2D map;
 in vec2 uv;
+flat in uint offset;
 out uint word;
 
-void main() {
-  word = offset;
-  if (hasBack && !gl_FrontFacing)
-    word = back;
-  else if (operation != 0)
-    word = blended(offset, texture(map, uv).x);
-}
+void main() { word = hasBack && !gl_FrontFacing ? back : sum(offset, texture(map, uv).x); }
 )";
 
 using Texts = std::vector<const char*>;
@@ -207,12 +216,13 @@ GLuint linkProgram(const std::vector<std::pair<GLenum, Texts>>& shaders) {
 GLuint linkShaderPrograms() {
   return linkProgram({{GL_VERTEX_SHADER, {vertexProgram}},
                       {GL_GEOMETRY_SHADER, {geometryProgram}},
-                      {GL_FRAGMENT_SHADER, {blendProgram, fragmentProgram}}});
+                      {GL_FRAGMENT_SHADER, {channelProgram, blendProgram, fragmentProgram}}});
 }
 
-GLuint linkPlainPrograms() {
+GLuint linkPlainPrograms(bool clamps) {
   return linkProgram(
-      {{GL_VERTEX_SHADER, {plainVertexProgram}}, {GL_FRAGMENT_SHADER, {blendProgram, plainFragmentProgram}}});
+      {{GL_VERTEX_SHADER, {plainVertexProgram}},
+       {GL_FRAGMENT_SHADER, {channelProgram, clamps ? clampedSumProgram : integerSumProgram, plainFragmentProgram}}});
 }
 
 void setFormat(const raster::IdFormat& format) {
@@ -227,9 +237,12 @@ void setFormat(const raster::IdFormat& format) {
   glUniform1uiv(Uniform::channel, static_cast<GLsizei>(channels.size()), channels.data());
 }
 
-void setBlend(const raster::Draw& draw, raster::Blend blend) {
+void setBack(const raster::Draw& draw) {
   glUniform1ui(Uniform::back, draw.back.value_or(0));
   glUniform1i(Uniform::hasBack, draw.back.has_value());
+}
+
+void setOperation(const raster::Draw& draw, raster::Blend blend) {
   glUniform1i(Uniform::operation, draw.indexMap ? 1 + static_cast<GLint>(blend) : 0);
 }
 

@@ -37,19 +37,20 @@ struct Uniform {
   static constexpr GLint channel = 12;   ///< uint[32]: bits of each channel
 };
 
-/// Inputs that only OpenGlPath::Plain has, next to those per item ID format and those of the blend.
+/// Input that only OpenGlPath::Plain has, next to those per item ID format and those of back-facing triangles.
 struct PlainUniform {
   static constexpr GLint matrix = 0;  ///< mat4
-  static constexpr GLint offset = 6;  ///< uint
 };
 
 /// Compile and link the shaders of a path to one program. Require a current context. Throw InputError with the message
 /// of the driver if it rejects them.
 GLuint linkShaderPrograms();
-GLuint linkPlainPrograms();
+/// `clamps`: sums of offset and texel are clamped per channel.
+GLuint linkPlainPrograms(bool clamps);
 
-/// Set the inputs per item ID format, and those per draw, of the program in use.
+/// Set the inputs per item ID format, and those per draw, of the program in use. OpenGlPath::Plain has no operation.
 void setFormat(const raster::IdFormat& format);
-void setBlend(const raster::Draw& draw, raster::Blend blend);
+void setBack(const raster::Draw& draw);
+void setOperation(const raster::Draw& draw, raster::Blend blend);
 
 }  // namespace hemitex::reference

@@ -8,17 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/scene_form_factors.h"
-#include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/error_control.h"
 #include "radiosity/solver/progressive_solver.h"
-#include "reference/solution/baked_radiosity.h"
-#include "reference/solution/radiosity_error.h"
 #include "reference/tradeoff/methods.h"
 #include "reference/tradeoff/tradeoff.h"
+#include "tests/benchmarks/traced_scene.h"
 
 using namespace hemitex;
+using tests::TracedScene;
 
 namespace {
 
@@ -40,29 +38,7 @@ struct Timed {
   double seconds = 0;
 };
 
-/// A scene with the default elements, and their true radiosity.
-struct World {
-  radiosity::Scene scene;
-  radiosity::Discretization discretization;
-  Radiosity truth;
-
-  explicit World(const std::string& file)
-      : scene(radiosity::loadScene(file)), discretization(radiosity::discretize(scene, {})) {
-    const radiosity::Discretization unburied = radiosity::discretizeUnburied(scene, {});
-    const reference::BakedRadiosity baked =
-        reference::bakedRadiosity(scene, unburied, {.paths = paths, .points = 32, .seed = 0});
-    truth.resize(discretization.elements.size());
-    for (std::size_t e = 0; e < unburied.elements.size(); ++e) {
-      const radiosity::Element& element = unburied.elements[e];
-      truth[discretization.grids[element.surface].elementOfTexel[element.texel]] += baked.flux[e];
-    }
-    for (std::size_t e = 0; e < truth.size(); ++e) truth[e] /= discretization.elements[e].area;
-  }
-
-  double errorOf(const Radiosity& found) const { return reference::errorOf(discretization, found, truth).fluxWeighted; }
-};
-
-Timed solvedWithin(const World& world, double bound) {
+Timed solvedWithin(const TracedScene& world, double bound) {
   const ProcessorWatch watch;
   Timed timed;
   const auto solveWith = [&](const radiosity::Effort& effort) {
@@ -78,12 +54,9 @@ Timed solvedWithin(const World& world, double bound) {
   return timed;
 }
 
-Timed solvedBy(const World& world, const reference::TradeMethod& method, int setting) {
+Timed solvedBy(const TracedScene& world, const reference::TradeMethod& method, int setting) {
   const ProcessorWatch watch;
-  const reference::TradeRows rows = method.rows(world.scene, world.discretization, setting);
-  Radiosity radiosity = radiosity::solve(world.scene, *rows.discretization, rows.rowOf,
-                                         {.residual = reference::tradeResidual}, {}, rows.split)
-                            .radiosity;
+  Radiosity radiosity = world.solvedBy(method, setting, reference::tradeResidual);
   return {std::move(radiosity), watch.seconds()};
 }
 
@@ -92,7 +65,7 @@ struct Setting {
   double error = 0, seconds = 0;
 };
 
-std::vector<Setting> measuredSettings(const World& world) {
+std::vector<Setting> measuredSettings(const TracedScene& world) {
   std::vector<Setting> settings;
   for (const reference::TradeMethod& method : reference::tradeMethods())
     for (const int setting : method.measured) {
@@ -112,7 +85,7 @@ int main(int argc, char** argv) {
   std::vector<std::vector<double>> ratios(bounds.size());
   std::vector<int> kept(bounds.size());
   for (int i = 1; i < argc; ++i) {
-    const World world(argv[i]);
+    const TracedScene world(argv[i], paths);
     const std::vector<Setting> settings = measuredSettings(world);
     for (std::size_t b = 0; b < bounds.size(); ++b) {
       const Timed chosen = solvedWithin(world, bounds[b]);

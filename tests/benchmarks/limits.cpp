@@ -44,7 +44,7 @@ void checkRatio(const json& ratio, bool isOwn) {
   if (what == "embree" && isRoom) CHECK(overHemicube >= 5);
   if (what == "embree" && isGallery) CHECK(overHemicube >= 4);
   if (what == "embree" && triangles >= 1000000 && resolution >= 512) CHECK(overHemicube >= 1);
-  if (what == "opengl") CHECK(overHemicube >= (triangles >= 8000 ? 8 : 5));
+  if (what.starts_with("opengl")) CHECK(overHemicube >= (triangles >= 8000 ? 8 : 5));
   if (what == "floor" && isRoom && resolution == 1024) CHECK(overHemicube >= 1 / 2.5);
   if (what == "hemicube-mesh" && isGallery && resolution == 128) CHECK(overHemicube >= 13.3);
 }

@@ -33,6 +33,19 @@ TEST_CASE("benchRatios compares with the hemicube of the same scene, triangles a
   CHECK(ratios[2].overHemicube == Approx(0.25));
 }
 
+TEST_CASE("benchRatios has the faster of both OpenGL paths only", "[bench]") {
+  const std::vector<BenchRatio> ratios = benchRatios(
+      {run("room", 26, 128, "hemicube", 1), run("room", 26, 128, "opengl-plain", 3), run("room", 26, 128, "opengl", 12),
+       run("room", 26, 512, "hemicube", 1), run("room", 26, 512, "opengl-plain", 5), run("room", 26, 512, "opengl", 4),
+       run("room", 800, 128, "hemicube", 1), run("room", 800, 128, "opengl-plain", 6)});
+  REQUIRE(ratios.size() == 3);
+  CHECK(ratios[0].what == "opengl-plain");
+  CHECK(ratios[0].overHemicube == Approx(3));
+  CHECK(ratios[1].what == "opengl");
+  CHECK(ratios[1].overHemicube == Approx(4));
+  CHECK(ratios[2].overHemicube == Approx(6));  // measured alone
+}
+
 TEST_CASE("crossovers interpolates the number of triangles from which Embree is faster", "[bench]") {
   // Embree takes twice the time at 100 triangles and half the time at 10,000, so the same time at 1000.
   std::vector<BenchRun> runs{run("a", 100, 64, "hemicube", 1),   run("a", 100, 64, "embree", 2),

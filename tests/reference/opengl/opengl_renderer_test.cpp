@@ -157,12 +157,28 @@ TEST_CASE("OpenGlRenderer leaves out skipped triangles", "[opengl]") {
   const raster::DrawList whole = vector.list;
   std::vector<std::uint32_t> all(whole.indices.size() / 3);
   for (std::uint32_t t = 0; t < all.size(); ++t) all[t] = t;
-  for (const OpenGlPath path : paths) {
+  for (const OpenGlPath path : {OpenGlPath::FixedFunction, OpenGlPath::Shader, OpenGlPath::Plain}) {
     OpenGlRenderer renderer(whole, path);
     for (const std::vector<std::uint32_t>& skipped : {{}, {0}, {1, 2, 7}, {3, 4, 5, 11}, all}) {
       vector.list = tests::without(whole, skipped);
       CHECK(!hasErrors(judge(vector, render(renderer, facesOf(vector), skipped), {})));
     }
+  }
+}
+
+TEST_CASE("OpenGlRenderer draws faces of many sizes like a new renderer per face", "[opengl]") {
+  if (!hasDevice()) return;
+  const raster::DrawList list = tests::suiteVector("five-faces").list;
+  std::vector<raster::Face> faces;
+  for (int size = 1; size <= 20; ++size) {
+    faces.push_back(tests::frontFace(32));
+    faces.back().scissor = {3, 2, size, 21 - size};
+  }
+  faces.push_back(faces.front());
+  for (const OpenGlPath path : {OpenGlPath::Shader, OpenGlPath::Plain}) {
+    const std::vector<raster::ItemBuffer> buffers = render(OpenGlRenderer(list, path), faces, {});
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      CHECK(buffers[f].ids == render(OpenGlRenderer(list, path), {&faces[f], 1}, {}).front().ids);
   }
 }
 
