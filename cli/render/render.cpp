@@ -86,9 +86,10 @@ Image elementView(const RenderOptions& options, const Subject& subject, Console&
     throw raster::InputError(options.scene.file.string(), 0, "is not a solved scene",
                              "solve it first, then render scene.obj of its folder without options for texels");
   const radiosity::Discretization discretization = shownDiscretization(options, subject);
-  std::vector<glm::dvec3> values = subject.solved->radiosity(discretization);
-  for (glm::dvec3& value : values) value *= options.camera.exposure.value_or(subject.solved->exposure());
-  return radiosity::elementPicture(subject.scene, discretization, values, subject.camera, options.camera.width,
+  const std::vector<glm::dvec3> radiosity = subject.solved->radiosity(discretization);
+  const double exposure = options.camera.exposure.value_or(subject.solved->exposure());
+  const auto colours = [&](std::uint32_t element) { return radiosity[element] * exposure; };
+  return radiosity::elementPicture(subject.scene, discretization, colours, subject.camera, options.camera.width,
                                    options.camera.height);
 }
 

@@ -30,6 +30,8 @@ struct SolveOptions {
   CameraOptions camera;
   std::filesystem::path edits;  ///< empty if there are none
   bool report = false;          ///< also write report.html
+  bool noElements = false;      ///< do not write elements.csv
+  bool noTextures = false;      ///< do not write textures, nor the lit scene, which shows them
   LongRunOptions longRun;
   std::filesystem::path output;
 };

@@ -31,11 +31,11 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
     reference::RayRows rows(scene, drawn.discretization(),
                             {.rays = options.samples, .start = reference::RayStart::Area});
     radiosity::Solution solution = solveBy(rows);
-    return {drawn.discretization(), std::move(solution), 1, std::move(convergence)};
+    return {drawn.takeDiscretization(), std::move(solution), 1, std::move(convergence)};
   }
   radiosity::Solution solution = solveBy(drawn.rows());
-  return {drawn.discretization(), std::move(solution), radiosity::formFactor(drawn.rows().projection().captured),
-          std::move(convergence)};
+  const double captured = radiosity::formFactor(drawn.rows().projection().captured);
+  return {drawn.takeDiscretization(), std::move(solution), captured, std::move(convergence)};
 }
 
 /// Solves with growing effort until the expected error is within --max-error.
@@ -76,10 +76,10 @@ Outcome adaptiveOutcome(const SolveOptions& asked, const radiosity::Scene& scene
   return outcome;
 }
 
-Outcome plainOutcome(const SolveOptions& asked, const radiosity::Scene& scene,
-                     const radiosity::Discretization& discretization, Monitor& monitor) {
+Outcome plainOutcome(const SolveOptions& asked, const radiosity::Scene& scene, radiosity::Discretization discretization,
+                     Monitor& monitor) {
   Outcome outcome{asked, layoutOf(asked.id, discretization, monitor.console())};
-  outcome.solved = solvedBy(asked, scene, discretization, outcome.layout, monitor);
+  outcome.solved = solvedBy(asked, scene, std::move(discretization), outcome.layout, monitor);
   return outcome;
 }
 
@@ -105,11 +105,11 @@ Outcome editableOutcome(Outcome outcome, const radiosity::Scene& scene, const ra
 }  // namespace
 
 Outcome solveScene(const SolveOptions& asked, const radiosity::Scene& scene,
-                   const radiosity::Discretization& discretization, Monitor& monitor) {
+                   radiosity::Discretization discretization, Monitor& monitor) {
   if (asked.adaptive) return adaptiveOutcome(asked, scene, monitor);
   if (asked.edits.empty())
     return asked.maxError ? boundedOutcome(asked, scene, discretization, monitor)
-                          : plainOutcome(asked, scene, discretization, monitor);
+                          : plainOutcome(asked, scene, std::move(discretization), monitor);
   Outcome chosen = asked.maxError ? boundedOutcome(asked, scene, discretization, monitor) : Outcome{asked};
   if (chosen.solved.solution.isInterrupted) return chosen;
   return editableOutcome(std::move(chosen), scene, discretization, monitor);
