@@ -10,6 +10,7 @@
 #include "cli/render/solved_folder.h"
 #include "cli/scene/camera_options.h"
 #include "cli/scene/scene_options.h"
+#include "cli/scene/sealed_folder.h"
 #include "cli/scene/surface_names.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/index_maps/scene_draw_list.h"
@@ -50,6 +51,7 @@ struct RenderOptions {
 };
 
 Subject subjectOf(const RenderOptions& options, Console& console) {
+  if (options.scene.file.filename() == "scene.obj") requireLitScene(options.scene.file.parent_path());
   Subject subject{loadedScene(options.scene), {}, {}};
   subject.solved = SolvedFolder::around(options.scene.file, subject.scene);
   if (subject.solved && options.scene.materials.areGiven())
