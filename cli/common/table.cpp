@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "cli/common/numbers.h"
+#include "raster/base/parallel.h"
 
 namespace hemitex::cli {
 namespace {
@@ -27,9 +28,22 @@ std::string field(const std::string& text) {
 std::string field(std::int64_t number) { return std::to_string(number); }
 std::string field(double number) { return toText(number); }
 
-void writeLine(std::ostream& stream, const std::vector<std::string>& fields) {
-  for (std::size_t i = 0; i < fields.size(); ++i) stream << (i > 0 ? "," : "") << fields[i];
-  stream << '\n';
+void appendLine(std::string& text, const std::vector<std::string>& fields) {
+  for (std::size_t i = 0; i < fields.size(); ++i) text.append(i > 0 ? "," : "").append(fields[i]);
+  text += '\n';
+}
+
+/// Lines [first, end) of a CSV file.
+std::string csvLines(const Table& table, std::size_t first, std::size_t end) {
+  std::string text;
+  for (std::size_t i = first; i < end; ++i) {
+    std::vector<std::string> fields;
+    for (const Cell& cell : table.row(i))
+      fields.push_back(std::visit([](const auto& value) { return field(value); }, cell));
+    assert(fields.size() == table.columns.size());
+    appendLine(text, fields);
+  }
+  return text;
 }
 
 std::string rounded(const std::string& text) { return text; }
@@ -99,13 +113,17 @@ void writeMarkdown(std::ostream& stream, const std::string& title, const ordered
 }
 
 void writeCsv(std::ostream& stream, const Table& table) {
-  writeLine(stream, table.columns);
-  for (std::size_t i = 0; i < table.size; ++i) {
-    std::vector<std::string> fields;
-    for (const Cell& cell : table.row(i))
-      fields.push_back(std::visit([](const auto& value) { return field(value); }, cell));
-    assert(fields.size() == table.columns.size());
-    writeLine(stream, fields);
+  constexpr std::size_t rowsOfBlock = 1024, blocksAtOnce = 64;
+  std::string header;
+  appendLine(header, table.columns);
+  stream << header;
+  std::vector<std::string> blocks(blocksAtOnce);
+  for (std::size_t first = 0; first < table.size; first += rowsOfBlock * blocksAtOnce) {
+    raster::parallelFor(blocksAtOnce, [&](std::size_t block) {
+      const std::size_t begin = std::min(first + block * rowsOfBlock, table.size);
+      blocks[block] = csvLines(table, begin, std::min(begin + rowsOfBlock, table.size));
+    });
+    for (const std::string& block : blocks) stream << block;
   }
 }
 

@@ -18,7 +18,8 @@ using Cell = std::variant<std::string, std::int64_t, double>;
 struct Table {
   std::vector<std::string> columns;
   std::size_t size = 0;                               ///< number of rows
-  std::function<std::vector<Cell>(std::size_t)> row;  ///< the cells of a row, one per column
+  /// The cells of a row, one per column. Several threads may call it at the same time.
+  std::function<std::vector<Cell>(std::size_t)> row;
 };
 
 /// The table of a list of JSON objects; a single object is one row. Columns are the keys of all objects in the order of

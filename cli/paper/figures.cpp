@@ -82,13 +82,13 @@ Shown solved(const Scene& scene, const Discretization& discretization, const IdL
   const auto rowOf = [&drawn](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
   const radiosity::Solution solution = radiosity::solve(scene, drawn.discretization(), rowOf, settings);
   Shown shown{drawn.discretization(), radiosity::displayRadiosity(scene, drawn.discretization(), solution)};
-  const double exposure = radiosity::defaultExposure(scene, shown.discretization, shown.values);
+  const double exposure = radiosity::defaultExposure(scene, shown.discretization, radiosity::valuesIn(shown.values));
   for (glm::dvec3& value : shown.values) value *= exposure;
   return shown;
 }
 
 Image unfiltered(const Scene& scene, const Shown& shown, const Camera& camera) {
-  return radiosity::elementPicture(scene, shown.discretization, shown.values, camera, width, height);
+  return radiosity::elementPicture(scene, shown.discretization, radiosity::valuesIn(shown.values), camera, width, height);
 }
 
 const reference::PaperLevel& mediumOf(const reference::PaperScene& scene) {

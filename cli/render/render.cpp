@@ -10,6 +10,7 @@
 #include "cli/render/solved_folder.h"
 #include "cli/scene/camera_options.h"
 #include "cli/scene/scene_options.h"
+#include "cli/scene/sealed_folder.h"
 #include "cli/scene/surface_names.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/index_maps/scene_draw_list.h"
@@ -50,6 +51,7 @@ struct RenderOptions {
 };
 
 Subject subjectOf(const RenderOptions& options, Console& console) {
+  if (options.scene.file.filename() == "scene.obj") requireLitScene(options.scene.file.parent_path());
   Subject subject{loadedScene(options.scene), {}, {}};
   subject.solved = SolvedFolder::around(options.scene.file, subject.scene);
   if (subject.solved && options.scene.materials.areGiven())
@@ -86,9 +88,10 @@ Image elementView(const RenderOptions& options, const Subject& subject, Console&
     throw raster::InputError(options.scene.file.string(), 0, "is not a solved scene",
                              "solve it first, then render scene.obj of its folder without options for texels");
   const radiosity::Discretization discretization = shownDiscretization(options, subject);
-  std::vector<glm::dvec3> values = subject.solved->radiosity(discretization);
-  for (glm::dvec3& value : values) value *= options.camera.exposure.value_or(subject.solved->exposure());
-  return radiosity::elementPicture(subject.scene, discretization, values, subject.camera, options.camera.width,
+  const std::vector<glm::dvec3> radiosity = subject.solved->radiosity(discretization);
+  const double exposure = options.camera.exposure.value_or(subject.solved->exposure());
+  const auto colours = [&](std::uint32_t element) { return radiosity[element] * exposure; };
+  return radiosity::elementPicture(subject.scene, discretization, colours, subject.camera, options.camera.width,
                                    options.camera.height);
 }
 

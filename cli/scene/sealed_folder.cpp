@@ -43,7 +43,7 @@ ordered_json fileHashes(const fs::path& folder) {
   ordered_json hashes = ordered_json::object();
   for (const fs::path& name : names)
     hashes[name.string()] =
-        hasTimes(name) ? ordered_json() : ordered_json(reference::sha256(raster::readFile(folder / name)));
+        hasTimes(name) ? ordered_json() : ordered_json(reference::sha256OfFile(folder / name));
   return hashes;
 }
 
@@ -63,9 +63,15 @@ void requireIntact(const fs::path& folder) {
     const std::string advice = "solve the scene again, or remove solution.json";
     if (!staysInside(name) || !fs::is_regular_file(file))
       throw raster::InputError(file.string(), 0, "is missing, but solution.json beside it names it", advice);
-    if (hash.is_string() && reference::sha256(raster::readFile(file)) != hash)
+    if (hash.is_string() && reference::sha256OfFile(file) != hash)
       throw raster::InputError(file.string(), 0, "is not the file that solution.json beside it names", advice);
   }
+}
+
+void requireLitScene(const fs::path& folder) {
+  if (fs::exists(folder / "scene.obj") || namedFiles(folder).empty()) return;
+  throw raster::InputError(folder.string(), 0, "holds no lit scene: it was solved with --no-textures",
+                           "solve the scene again without --no-textures");
 }
 
 }  // namespace hemitex::cli

@@ -20,4 +20,7 @@ std::set<std::string> filesOfSolution(const std::filesystem::path& folder);
 /// Throws InputError if a file that the solution.json of a folder names is missing or has another hash.
 void requireIntact(const std::filesystem::path& folder);
 
+/// Throws InputError for a solved folder without scene.obj (solve --no-textures).
+void requireLitScene(const std::filesystem::path& folder);
+
 }  // namespace hemitex::cli

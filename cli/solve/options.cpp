@@ -88,6 +88,17 @@ void addTextureOptions(Command command, SolveOptions& options) {
              "surface has at least 128 texels along its longer side, and all have at most 2^26)");
 }
 
+/// Adds the options that leave out large files.
+void addOmissions(Command command, SolveOptions& options) {
+  command = command.under("Output");
+  command.addFlag("--no-elements", options.noElements, "do not write elements.csv, which has a line per element");
+  const Option noTextures = command.addFlag(
+      "--no-textures", options.noTextures,
+      "do not write textures, nor scene.obj, scene.mtl and scene.glb, which show them; render.png shows elements "
+      "without filtering. For scenes of many millions of elements.");
+  for (const char* ofTextures : {"--filter", "--magnify", "--report"}) noTextures.excludes(command.option(ofTextures));
+}
+
 void addEdits(Command command, std::filesystem::path& edits) {
   command.under("Changes over time")
       .addText("--edits", "FILE.json",
@@ -143,6 +154,7 @@ void addSolveOptions(Command command, SolveOptions& options) {
   addSolverOptions(command, options.solver);
   addChosenSettings(command, options);
   addTextureOptions(command, options);
+  addOmissions(command, options);
   addCameraOptions(command, options.camera);
   addEdits(command, options.edits);
   addLongRunOptions(command, options.longRun);

@@ -32,6 +32,8 @@ struct SolveOptions {
   std::filesystem::path edits;            ///< empty if there are none
   radiosity::Messenger* ranks = nullptr;  ///< the ranks that share rows; null if this process is alone
   bool report = false;                    ///< also write report.html
+  bool noElements = false;                ///< do not write elements.csv
+  bool noTextures = false;                ///< do not write textures, nor the lit scene, which shows them
   LongRunOptions longRun;
   std::filesystem::path output;
 };

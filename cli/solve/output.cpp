@@ -46,7 +46,7 @@ namespace {
 ordered_json settingsJson(const Showing& showing) {
   const SolveOptions& options = showing.options;
   ordered_json settings = solutionSettings(options);
-  settings.update({{"filter", nameOf(filterOf(options))},
+  settings.update({{"filter", options.noTextures ? ordered_json() : ordered_json(nameOf(filterOf(options)))},
                    {"magnify", options.magnification ? ordered_json(*options.magnification) : ordered_json()},
                    {"camera", toJson(showing.camera)},
                    {"size", {options.camera.width, options.camera.height}},
@@ -54,8 +54,23 @@ ordered_json settingsJson(const Showing& showing) {
   return settings;
 }
 
-radiosity::TextureLayout textureLayout(const SolveOptions& options, const Lit& lit) {
+/// Nothing with --no-textures.
+std::optional<radiosity::TextureLayout> textureLayout(const SolveOptions& options, const Lit& lit) {
+  if (options.noTextures) return std::nullopt;
   return radiosity::layOutTextures(lit.scene, lit.discretization, magnificationOf(options));
+}
+
+radiosity::ElementValues displayed(const Lit& lit) {
+  return [&lit](std::uint32_t element) {
+    return radiosity::displayRadiosity(lit.scene, lit.discretization, lit.solution, element);
+  };
+}
+
+/// The light of each element, without filtering.
+radiosity::Image elementPicture(const Lit& lit, const Showing& showing) {
+  const auto colours = [&, light = displayed(lit)](std::uint32_t element) { return light(element) * showing.exposure; };
+  return radiosity::elementPicture(lit.scene, lit.discretization, colours, showing.camera,
+                                   showing.options.camera.width, showing.options.camera.height);
 }
 
 std::string shotsText(const ordered_json& solution, double seconds) {
@@ -89,25 +104,31 @@ std::string fluxText(const ordered_json& energy) {
 }  // namespace
 
 double exposureOf(const SolveOptions& options, const Lit& lit) {
-  return options.camera.exposure.value_or(radiosity::defaultExposure(lit.scene, lit.discretization, lit.displayed));
+  if (options.camera.exposure) return *options.camera.exposure;
+  return radiosity::defaultExposure(lit.scene, lit.discretization, displayed(lit));
 }
 
-radiosity::LitScene shownScene(const Lit& lit, const Showing& showing) {
-  return radiosity::makeLitScene(lit.scene, lit.discretization, textureLayout(showing.options, lit), lit.displayed,
+std::optional<radiosity::LitScene> shownScene(const Lit& lit, const Showing& showing) {
+  const std::optional<radiosity::TextureLayout> layout = textureLayout(showing.options, lit);
+  if (!layout) return std::nullopt;
+  return radiosity::makeLitScene(lit.scene, lit.discretization, *layout,
+                                 radiosity::displayRadiosity(lit.scene, lit.discretization, lit.solution),
                                  showing.exposure, filterOf(showing.options));
 }
 
 std::vector<std::string> writeSolved(const std::filesystem::path& folder, const Lit& lit,
-                                     const radiosity::LitScene& shown, const Showing& showing) {
+                                     const std::optional<radiosity::LitScene>& shown, const Showing& showing) {
   const int width = showing.options.camera.width, height = showing.options.camera.height;
   const radiosity::PictureView view{showing.camera, static_cast<double>(width) / height};
-  const std::vector<std::string> warnings =
-      radiosity::writeLitScene(folder, shown, view, lit.discretization, lit.solution.radiosity);
-  radiosity::writePng(folder / "render.png", radiosity::unlitPicture(shown, showing.camera, width, height));
+  std::vector<std::string> warnings;
+  if (shown) warnings = radiosity::writeLitScene(folder, *shown, view, lit.discretization, lit.solution.radiosity);
+  radiosity::writePng(folder / "render.png", shown ? radiosity::unlitPicture(*shown, showing.camera, width, height)
+                                                   : elementPicture(lit, showing));
   raster::writeFile(folder / "scene.view.json", toText(toJson(showing.camera)));
-  std::ostringstream elements;
-  writeCsv(elements, elementTable(lit.scene, lit.discretization, lit.solution));
-  raster::writeFile(folder / "elements.csv", elements.view());
+  if (!showing.options.noElements)
+    raster::writeFile(folder / "elements.csv", [&lit](std::ostream& stream) {
+      writeCsv(stream, elementTable(lit.scene, lit.discretization, lit.solution));
+    });
   return warnings;
 }
 
@@ -156,12 +177,13 @@ std::string summary(const ordered_json& solution) {
   return text.str();
 }
 
-std::string filesText(const std::filesystem::path& folder, bool hasReport) {
-  const auto line = [&folder](const std::string& what, const char* file) {
-    return what + (folder / file).string() + '\n';
+std::string filesText(const SolveOptions& options) {
+  const auto line = [&options](const std::string& what, const char* file) {
+    return what + (options.output / file).string() + '\n';
   };
-  return '\n' + line("picture:    ", "render.png") + line("lit scene:  ", "scene.obj") +
-         line("numbers:    ", "solution.json") + (hasReport ? line("page:       ", "report.html") : "");
+  return '\n' + line("picture:    ", "render.png") +
+         (options.noTextures ? "" : line("lit scene:  ", "scene.obj")) + line("numbers:    ", "solution.json") +
+         (options.report ? line("page:       ", "report.html") : "");
 }
 
 }  // namespace hemitex::cli

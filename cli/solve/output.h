@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@
 #include "radiosity/pictures/camera.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solver/progressive_solver.h"
-#include "radiosity/textures/radiosity_texture.h"
+#include "radiosity/textures/lit_scene.h"
 
 namespace hemitex::cli {
 
@@ -23,7 +24,6 @@ struct Lit {
   const radiosity::Discretization& discretization;
   const radiosity::IdLayout& layout;
   const radiosity::Solution& solution;
-  std::vector<glm::dvec3> displayed = radiosity::displayRadiosity(scene, discretization, solution);
 };
 
 /// Settings for showing solutions, equal for all frames.
@@ -36,12 +36,13 @@ struct Showing {
 /// The given exposure, or the default for the solution.
 double exposureOf(const SolveOptions& options, const Lit& lit);
 
-/// The lit scene, with the display textures of the options.
-radiosity::LitScene shownScene(const Lit& lit, const Showing& showing);
+/// The lit scene, with the display textures of the options; nothing with --no-textures.
+std::optional<radiosity::LitScene> shownScene(const Lit& lit, const Showing& showing);
 
-/// Writes the lit scene, its picture and elements.csv, but not solution.json. Returns warnings for the user.
+/// Writes the lit scene if there is one, its picture and elements.csv, but not solution.json. Returns warnings for the
+/// user.
 std::vector<std::string> writeSolved(const std::filesystem::path& folder, const Lit& lit,
-                                     const radiosity::LitScene& shown, const Showing& showing);
+                                     const std::optional<radiosity::LitScene>& shown, const Showing& showing);
 
 /// What only the page of the solution shows: its convergence, and the flux that backs absorbed, by surface.
 SolveRecord recordOf(const Lit& lit, const SolveOptions& options, const Convergence& convergence);
@@ -60,6 +61,6 @@ nlohmann::ordered_json description(const Lit& lit, const Showing& showing);
 /// The summary of solution.json for people: counts, times, residual, expected error and the balance of flux.
 std::string summary(const nlohmann::ordered_json& solution);
 /// Says where the files are.
-std::string filesText(const std::filesystem::path& folder, bool hasReport);
+std::string filesText(const SolveOptions& options);
 
 }  // namespace hemitex::cli

@@ -6,10 +6,13 @@ namespace hemitex::cli {
 
 std::set<std::string> outputNames(const SolveOptions& options, const radiosity::Scene& scene,
                                   const radiosity::Discretization& discretization, std::size_t frames) {
-  std::set<std::string> names{"scene.obj",  "scene.mtl",    "scene.glb",     "scene.view.json",
-                              "render.png", "elements.csv", "solution.json", "report.html"};
-  for (const std::string& texture : radiosity::layOutTextures(scene, discretization, magnificationOf(options)).names)
-    names.insert({texture + ".png", texture + ".exr"});
+  std::set<std::string> names{"scene.view.json", "render.png", "solution.json", "report.html"};
+  if (!options.noElements) names.insert("elements.csv");
+  if (!options.noTextures) {
+    names.insert({"scene.obj", "scene.mtl", "scene.glb"});
+    for (const std::string& texture : radiosity::layOutTextures(scene, discretization, magnificationOf(options)).names)
+      names.insert({texture + ".png", texture + ".exr"});
+  }
   const std::set<std::string> ofFrame = names;
   for (std::size_t f = 1; f <= frames; ++f)
     for (const std::string& name : ofFrame) names.insert("frame-" + std::to_string(f) + "/" + name);

@@ -46,7 +46,8 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
   radiosity::SceneFormFactors drawn(scene, std::move(discretization), layout, options.drawing);
   if (options.ranks && options.ranks->rank() > 0) {
     radiosity::computeRows(*options.ranks, drawn.rows());
-    return {drawn.discretization(), isChoosing(options) ? solutionOfRankZero(*options.ranks) : radiosity::Solution()};
+    return {drawn.takeDiscretization(),
+            isChoosing(options) ? solutionOfRankZero(*options.ranks) : radiosity::Solution()};
   }
   const std::optional<radiosity::Snapshot> snapshot = monitor.begin();
   Convergence convergence;
@@ -73,11 +74,11 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
     reference::RayRows rows(scene, drawn.discretization(),
                             {.rays = options.samples, .start = reference::RayStart::Area});
     radiosity::Solution solution = solveAlone(rows);
-    return {drawn.discretization(), std::move(solution), 1, std::move(convergence)};
+    return {drawn.takeDiscretization(), std::move(solution), 1, std::move(convergence)};
   }
   radiosity::Solution solution = options.ranks ? solveWithRanks(*options.ranks) : solveAlone(drawn.rows());
-  return {drawn.discretization(), std::move(solution), radiosity::formFactor(drawn.rows().projection().captured),
-          std::move(convergence)};
+  const double captured = radiosity::formFactor(drawn.rows().projection().captured);
+  return {drawn.takeDiscretization(), std::move(solution), captured, std::move(convergence)};
 }
 
 /// Solves with growing effort until the expected error is within --max-error.
@@ -118,10 +119,10 @@ Outcome adaptiveOutcome(const SolveOptions& asked, const radiosity::Scene& scene
   return outcome;
 }
 
-Outcome plainOutcome(const SolveOptions& asked, const radiosity::Scene& scene,
-                     const radiosity::Discretization& discretization, Monitor& monitor) {
+Outcome plainOutcome(const SolveOptions& asked, const radiosity::Scene& scene, radiosity::Discretization discretization,
+                     Monitor& monitor) {
   Outcome outcome{asked, layoutOf(asked.id, discretization, monitor.console())};
-  outcome.solved = solvedBy(asked, scene, discretization, outcome.layout, monitor);
+  outcome.solved = solvedBy(asked, scene, std::move(discretization), outcome.layout, monitor);
   return outcome;
 }
 
@@ -146,12 +147,12 @@ Outcome editableOutcome(Outcome outcome, const radiosity::Scene& scene, const ra
 
 }  // namespace
 
-Outcome solveScene(const SolveOptions& asked, const radiosity::Scene& scene,
-                   const radiosity::Discretization& discretization, Monitor& monitor) {
+Outcome solveScene(const SolveOptions& asked, const radiosity::Scene& scene, radiosity::Discretization discretization,
+                   Monitor& monitor) {
   if (asked.adaptive) return adaptiveOutcome(asked, scene, monitor);
   if (asked.edits.empty())
     return asked.maxError ? boundedOutcome(asked, scene, discretization, monitor)
-                          : plainOutcome(asked, scene, discretization, monitor);
+                          : plainOutcome(asked, scene, std::move(discretization), monitor);
   Outcome chosen = asked.maxError ? boundedOutcome(asked, scene, discretization, monitor) : Outcome{asked};
   if (chosen.solved.solution.isInterrupted) return chosen;
   return editableOutcome(std::move(chosen), scene, discretization, monitor);

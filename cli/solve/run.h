@@ -31,10 +31,10 @@ struct Outcome {
   std::unique_ptr<radiosity::DynamicSolution> dynamic = {};  ///< with --edits; `solved` is its first state
 };
 
-/// Solves the scene as the options ask. `discretization` is that of the options; with --adaptive it is not used. All
-/// arguments must outlive the result. After a signal the outcome is that of the last shot. Throws InputError if
+/// Solves the scene as the options ask. `discretization` is that of the options; with --adaptive it is not used. The
+/// other arguments must outlive the result. After a signal the outcome is that of the last shot. Throws InputError if
 /// --max-error cannot be reached.
 Outcome solveScene(const SolveOptions& asked, const radiosity::Scene& scene,
-                   const radiosity::Discretization& discretization, Monitor& monitor);
+                   radiosity::Discretization discretization, Monitor& monitor);
 
 }  // namespace hemitex::cli

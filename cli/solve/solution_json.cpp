@@ -68,14 +68,22 @@ std::uint64_t buriedTexels(const radiosity::Discretization& discretization) {
   return buried;
 }
 
+/// The texture of a surface and its place there.
+ordered_json placeJson(const radiosity::TextureLayout& textures, std::uint32_t surface) {
+  const radiosity::TexturePlace& place = textures.places[surface];
+  const auto texture = static_cast<std::size_t>(place.texture);
+  const radiosity::TextureLayout::Size& size = textures.textures[texture];
+  return {{"name", textures.names[texture]}, {"width", size.width}, {"height", size.height},
+          {"column", place.column},          {"row", place.row},    {"magnification", size.magnification}};
+}
+
 ordered_json surfacesJson(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                          const radiosity::TextureLayout& textures, const radiosity::Solution& solution) {
+                          const std::optional<radiosity::TextureLayout>& textures,
+                          const radiosity::Solution& solution) {
   ordered_json surfaces = ordered_json::array();
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const SurfaceMeans means = meansOf(scene, discretization, solution, s);
     const radiosity::Grid& grid = discretization.grids[s];
-    const radiosity::TexturePlace& place = textures.places[s];
-    const auto texture = static_cast<std::size_t>(place.texture);
     surfaces.push_back({{"name", scene.surfaces[s].name},
                         {"columns", grid.columns},
                         {"rows", grid.rows},
@@ -85,13 +93,7 @@ ordered_json surfacesJson(const radiosity::Scene& scene, const radiosity::Discre
                         {"radiosity", toJson(means.radiosity)},
                         {"reflectance", toJson(means.reflectance)},
                         {"emission", toJson(means.emission)},
-                        {"texture",
-                         {{"name", textures.names[texture]},
-                          {"width", textures.textures[texture].width},
-                          {"height", textures.textures[texture].height},
-                          {"column", place.column},
-                          {"row", place.row},
-                          {"magnification", textures.textures[texture].magnification}}}});
+                        {"texture", textures ? placeJson(*textures, s) : ordered_json()}});
   }
   return surfaces;
 }
@@ -109,7 +111,8 @@ ordered_json energyJson(const radiosity::Energy& energy, bool isLitFromOutside) 
 }  // namespace
 
 ordered_json describe(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                      const radiosity::IdLayout& layout, const radiosity::TextureLayout& textures,
+                      const radiosity::IdLayout& layout,
+                      const std::optional<radiosity::TextureLayout>& textures,
                       const radiosity::Solution& solution) {
   const radiosity::Phantoms phantoms = radiosity::countPhantoms(discretization, layout);
   return {{"surfaces", surfacesJson(scene, discretization, textures, solution)},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "cli/common/table.h"
 #include "radiosity/discretization/discretization.h"
@@ -20,9 +21,10 @@ Table elementTable(const radiosity::Scene& scene, const radiosity::Discretizatio
                    const radiosity::Solution& solution);
 
 /// The object of solution.json without settings, times and warnings: surfaces with their grids and places in the
-/// radiosity textures, counts, residual and energy.
+/// radiosity textures (null without `textures`), counts, residual and energy.
 nlohmann::ordered_json describe(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                                const radiosity::IdLayout& layout, const radiosity::TextureLayout& textures,
+                                const radiosity::IdLayout& layout,
+                                const std::optional<radiosity::TextureLayout>& textures,
                                 const radiosity::Solution& solution);
 
 }  // namespace hemitex::cli

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
@@ -124,11 +125,11 @@ void solve(SolveOptions asked, Context& context) {
       isEdited ? readEdits(asked.edits, scene, asked.scene.settings) : std::vector<Frame>();
   laps.lap("load_s");
   Staging staging(asked.output);
-  const radiosity::Discretization unsplit = discretizationOf(asked.discretization, scene);
+  radiosity::Discretization unsplit = discretizationOf(asked.discretization, scene);
   staging.requirePlaces(outputNames(asked, scene, unsplit, frames.size()), inputFiles(asked, scene, frames));
   Monitor monitor(console, asked.longRun, scene, toText(solutionSettings(asked)));
   laps.lap("discretize_s");
-  const Outcome outcome = solveScene(asked, scene, unsplit, monitor);
+  const Outcome outcome = solveScene(asked, scene, std::move(unsplit), monitor);
   const SolveOptions& options = outcome.options;
   const Solved& solved = outcome.solved;
   warnOf(solved, console);
@@ -136,9 +137,9 @@ void solve(SolveOptions asked, Context& context) {
 
   const Lit lit{scene, solved.discretization, outcome.layout, solved.solution};
   const Showing showing{options, camera, exposureOf(options, lit)};
-  radiosity::LitScene shown = shownScene(lit, showing);
+  std::optional<radiosity::LitScene> shown = shownScene(lit, showing);
   console.warnings(writeSolved(staging.folder(), lit, shown, showing));
-  if (!options.report) shown = {};  // textures take much memory
+  if (!options.report) shown.reset();  // textures take much memory
   const std::optional<SolveRecord> record =
       options.report ? std::optional(recordOf(lit, options, solved.convergence)) : std::nullopt;
   laps.lap("write_s");
@@ -153,7 +154,7 @@ void solve(SolveOptions asked, Context& context) {
   if (isInterrupted) text["interrupted"] = true;
   text["times"] = laps.times();
   text["warnings"] = console.given();
-  if (record) writeReport(staging.folder(), shown, showing, text, *record);
+  if (record) writeReport(staging.folder(), *shown, showing, text, *record);
   text["files"] = fileHashes(staging.folder());
   raster::writeFile(staging.folder() / "solution.json", toText(text));
   staging.commit("solution.json", staleFiles(options.output));
@@ -161,7 +162,7 @@ void solve(SolveOptions asked, Context& context) {
   if (context.json)
     std::cout << toText(text);
   else if (console.verbosity != Verbosity::Quiet)
-    std::cout << summary(text) << filesText(options.output, options.report);
+    std::cout << summary(text) << filesText(options);
   requireOutput("; the result in " + options.output.string() + " is complete");
 }
 

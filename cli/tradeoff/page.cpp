@@ -58,7 +58,7 @@ class Pictures {
 
   void add(const std::string& title, const std::vector<glm::dvec3>& colours, const ordered_json& choice) {
     const radiosity::Image image =
-        radiosity::elementPicture(tradeoff_.scene, tradeoff_.fine, colours, camera_, pictureWidth, pictureHeight);
+        radiosity::elementPicture(tradeoff_.scene, tradeoff_.fine, radiosity::valuesIn(colours), camera_, pictureWidth, pictureHeight);
     list_.push_back({{"title", title}, {"choice", choice}, {"png", pngLetters(image, folder_)}});
   }
   const ordered_json& list() const { return list_; }
@@ -72,7 +72,7 @@ class Pictures {
 
 std::vector<glm::dvec3> exposedTruth(const Tradeoff& tradeoff) {
   std::vector<glm::dvec3> colours = tradeoff.truth.radiosity;
-  const double exposure = radiosity::defaultExposure(tradeoff.scene, tradeoff.fine, colours);
+  const double exposure = radiosity::defaultExposure(tradeoff.scene, tradeoff.fine, radiosity::valuesIn(colours));
   for (glm::dvec3& colour : colours) colour *= exposure;
   return colours;
 }

@@ -46,6 +46,7 @@ std::string pageOf(const fs::path& solved) {
 }
 
 void writePage(const fs::path& folder) {
+  requireLitScene(folder);
   for (const char* name : {"scene.obj", "solution.json"})
     if (!fs::exists(folder / name))
       throw raster::InputError(folder.string(), 0, std::string("has neither ") + pageName + " nor " + name,

@@ -1,12 +1,14 @@
-/// Writes scenes into a folder: those of data/, or random rooms.
+/// Writes scenes into a folder: those of data/, random rooms, or a room of many surfaces.
 
 #include <charconv>
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <limits>
 
 #include "data/generate/models.h"
 #include "data/generate/random_room.h"
+#include "data/generate/tiled_room.h"
 #include "raster/base/input_error.h"
 
 namespace {
@@ -24,26 +26,28 @@ void write(const std::string& folder, const Model& model) {
   for (const File& file : files(model)) write(folder + '/' + file.name, file.text);
 }
 
-/// The number of random rooms in the arguments; 0 for the scenes of data/, negative for wrong arguments.
-int roomsOf(int argc, char** argv) {
-  if (argc == 2) return 0;
-  int rooms = -1;
-  if (argc == 4 && std::strcmp(argv[2], "--rooms") == 0)
-    std::from_chars(argv[3], argv[3] + std::strlen(argv[3]), rooms);
-  return rooms == 0 ? -1 : rooms;
+/// The number after `option` in the arguments; 0 if there is none in [least, most].
+int numberAfter(const char* option, int argc, char** argv, int least, int most) {
+  int number = 0;
+  if (argc == 4 && std::strcmp(argv[2], option) == 0) std::from_chars(argv[3], argv[3] + std::strlen(argv[3]), number);
+  return number >= least && number <= most ? number : 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int rooms = roomsOf(argc, argv);
-  if (rooms < 0) {
+  const int rooms = numberAfter("--rooms", argc, argv, 1, std::numeric_limits<int>::max());
+  const int tiles = numberAfter("--tiles", argc, argv, 2, maxTiles);
+  if (argc != 2 && rooms == 0 && tiles == 0) {
     std::cerr << "usage: hemitex_data DIR            writes the scenes of data/ into a folder\n"
-                 "       hemitex_data DIR --rooms N  writes N rooms drawn at random, from the seeds 1 to N\n";
+                 "       hemitex_data DIR --rooms N  writes N rooms drawn at random, from the seeds 1 to N\n"
+                 "       hemitex_data DIR --tiles N  writes a room of 16 N^2 surfaces, N from 2 to "
+              << maxTiles << '\n';
     return 2;
   }
   try {
-    if (rooms == 0)
+    if (tiles > 0) write(argv[1], tiledRoom(tiles));
+    if (argc == 2)
       for (const Model& model : allModels()) write(argv[1], model);
     for (int seed = 1; seed <= rooms; ++seed) write(argv[1], randomRoom(static_cast<std::uint32_t>(seed)));
   } catch (const hemitex::raster::InputError& error) {

@@ -2,10 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/geometry/core/cs.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -14,6 +10,7 @@
 #include "radiosity/discretization/exposed_pieces.h"
 #include "radiosity/discretization/neighbours.h"
 #include "radiosity/discretization/texel_areas.h"
+#include "radiosity/geometry/box_tree.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -53,41 +50,32 @@ std::optional<Range> coverOf(const Range& range, glm::dvec2 from, glm::dvec2 to,
   return Range{low, high};
 }
 
-namespace index = boost::geometry::index;
-using BoostPoint = boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian>;
-using BoostBox = boost::geometry::model::box<BoostPoint>;
-
-BoostBox boxAround(const glm::dvec2& a, const glm::dvec2& b, double margin) {
-  const glm::dvec2 low = glm::min(a, b) - margin, high = glm::max(a, b) + margin;
-  return {{low.x, low.y}, {high.x, high.y}};
+PlaneBox boxAround(const glm::dvec2& a, const glm::dvec2& b, double margin) {
+  return {glm::min(a, b) - margin, glm::max(a, b) + margin};
 }
 
 /// Segments in the plane of a triangle, in a tree for box queries.
 class SegmentTree {
  public:
   /// Queries find segments within `margin` of a box.
-  SegmentTree(const std::vector<Slice>& segments, double margin) : margin_(margin) {
-    std::vector<std::pair<BoostBox, std::uint32_t>> boxes;
-    boxes.reserve(segments.size());
-    for (std::uint32_t i = 0; i < segments.size(); ++i)
-      boxes.emplace_back(boxAround(segments[i].from, segments[i].to, 0), i);
-    tree_ = Tree(boxes);
-  }
+  SegmentTree(const std::vector<Slice>& segments, double margin) : margin_(margin), tree_(boxesOf(segments)) {}
 
   /// The numbers of the segments near the box around two points, ascending.
   const std::vector<std::uint32_t>& near(const glm::dvec2& low, const glm::dvec2& high) {
-    found_.clear();
-    for (auto it = tree_.qbegin(index::intersects(boxAround(low, high, margin_))); it != tree_.qend(); ++it)
-      found_.push_back(it->second);
-    std::sort(found_.begin(), found_.end());
+    tree_.find(boxAround(low, high, margin_), found_);
     return found_;
   }
 
  private:
-  using Tree = index::rtree<std::pair<BoostBox, std::uint32_t>, index::quadratic<16>>;
+  static std::vector<PlaneBox> boxesOf(const std::vector<Slice>& segments) {
+    std::vector<PlaneBox> boxes;
+    boxes.reserve(segments.size());
+    for (const Slice& segment : segments) boxes.push_back(boxAround(segment.from, segment.to, 0));
+    return boxes;
+  }
 
   double margin_;
-  Tree tree_;
+  BoxTree tree_;
   std::vector<std::uint32_t> found_;
 };
 
@@ -146,6 +134,63 @@ std::vector<Piece> splitBy(const Piece& piece, const TrianglePlane& plane, const
   }
   return result;
 }
+
+/// The bounds of a piece in the plane.
+PlaneBox boxOf(const Piece& piece, const TrianglePlane& plane) {
+  PlaneBox box{plane.place(piece.corners[0].weight), plane.place(piece.corners[0].weight)};
+  for (std::size_t i = 1; i < piece.size; ++i) {
+    const glm::dvec2 corner = plane.place(piece.corners[i].weight);
+    box = {glm::min(box.low, corner), glm::max(box.high, corner)};
+  }
+  return box;
+}
+
+/// The pieces of a texel while slices cut them. Many pieces are searched with a tree.
+class PieceList {
+ public:
+  PieceList(const Piece& whole, const TrianglePlane& plane) : plane_(plane), pieces_{whole} {
+    boxes_.push_back(boxOf(whole, plane));
+  }
+
+  const PlaneBox& bounds() const { return boxes_.front(); }  // of the whole, before the first cut
+  const Piece& at(std::uint32_t number) const { return pieces_[number]; }
+
+  /// The numbers of the pieces whose boxes meet a box, ascending.
+  const std::vector<std::uint32_t>& near(const PlaneBox& box) {
+    found_.clear();
+    if (tree_)
+      tree_->find(box, found_);
+    else
+      for (std::uint32_t i = 0; i < boxes_.size(); ++i)
+        if (meet(boxes_[i], box)) found_.push_back(i);
+    return found_;
+  }
+
+  /// Replaces a piece by parts: one takes its number, and the others go to the end.
+  void replace(std::uint32_t number, const std::vector<Piece>& parts) {
+    if (tree_) tree_->remove(boxes_[number], number);
+    pieces_[number] = parts.front();
+    boxes_[number] = boxOf(parts.front(), plane_);
+    if (tree_) tree_->add(boxes_[number], number);
+    for (auto part = parts.begin() + 1; part != parts.end(); ++part) {
+      pieces_.push_back(*part);
+      boxes_.push_back(boxOf(*part, plane_));
+      if (tree_) tree_->add(boxes_.back(), static_cast<std::uint32_t>(boxes_.size() - 1));
+    }
+    if (!tree_ && boxes_.size() > maxListed) tree_.emplace(boxes_);
+  }
+
+  std::vector<Piece> take() { return std::move(pieces_); }
+
+ private:
+  static constexpr std::size_t maxListed = 32;
+
+  const TrianglePlane& plane_;
+  std::vector<Piece> pieces_;
+  std::vector<PlaneBox> boxes_;  ///< of the pieces
+  std::optional<BoxTree> tree_;  ///< of the boxes, if they are many
+  std::vector<std::uint32_t> found_;
+};
 
 /// Whether two segments share a part of a line that no slice covers.
 bool areJoined(const Slice& one, const Slice& other, const std::vector<Slice>& slices, SegmentTree& tree,
@@ -268,39 +313,14 @@ class SurfaceCutter {
   /// The pieces into which slices cut a piece.
   std::vector<Piece> piecesOf(const Piece& whole, const TrianglePlane& plane, const std::vector<Slice>& slices,
                               SegmentTree& tree) const {
-    glm::dvec2 low = plane.place(whole.corners[0].weight), high = low;
-    for (std::size_t i = 1; i < whole.size; ++i) {
-      low = glm::min(low, plane.place(whole.corners[i].weight));
-      high = glm::max(high, plane.place(whole.corners[i].weight));
-    }
-    std::vector<Piece> pieces{whole};
-    for (const std::uint32_t slice : tree.near(low, high)) {
-      // One part replaces the piece, and the other goes to the end, so that this slice does not visit it.
-      const std::size_t count = pieces.size();
-      for (std::size_t i = 0; i < count; ++i) {
-        if (!mayCut(slices[slice], plane, pieces[i])) continue;
-        std::vector<Piece> parts = splitBy(pieces[i], plane, slices[slice], tolerance_);
+    PieceList pieces(whole, plane);
+    for (const std::uint32_t slice : tree.near(pieces.bounds().low, pieces.bounds().high))
+      for (const std::uint32_t i : pieces.near(boxAround(slices[slice].from, slices[slice].to, 0))) {
+        std::vector<Piece> parts = splitBy(pieces.at(i), plane, slices[slice], tolerance_);
         std::erase_if(parts, [](const Piece& part) { return share(part) <= smallestShare; });
-        if (parts.empty()) continue;
-        pieces[i] = parts.front();
-        pieces.insert(pieces.end(), parts.begin() + 1, parts.end());
+        if (!parts.empty()) pieces.replace(i, parts);
       }
-    }
-    return pieces;
-  }
-
-  /// Whether the two bounding boxes intersect.
-  static bool mayCut(const Slice& slice, const TrianglePlane& plane, const Piece& piece) {
-    bool isLeft = true, isRight = true, isBelow = true, isAbove = true;
-    const glm::dvec2 low = glm::min(slice.from, slice.to), high = glm::max(slice.from, slice.to);
-    for (std::size_t i = 0; i < piece.size; ++i) {
-      const glm::dvec2 corner = plane.place(piece.corners[i].weight);
-      isLeft = isLeft && corner.x < low.x;
-      isRight = isRight && corner.x > high.x;
-      isBelow = isBelow && corner.y < low.y;
-      isAbove = isAbove && corner.y > high.y;
-    }
-    return !isLeft && !isRight && !isBelow && !isAbove;
+    return pieces.take();
   }
 
   std::uint32_t rootOf(std::uint32_t cutting) {
@@ -367,16 +387,17 @@ class SurfaceCutter {
     return {{{0, frame.length}, first_[triangle]}};
   }
 
-  /// Adds the slices along a part of an edge. `isReversed` means that places count from the other end of the edge.
-  void addCovers(std::uint32_t triangle, const EdgeFrame& frame, bool isReversed, const Range& range,
-                 std::vector<Range>& covers) const {
+  /// The slices that come near an edge, as places along it and heights above it. `isReversed` means that places
+  /// count from the other end of the edge.
+  void addNear(std::uint32_t triangle, const EdgeFrame& frame, bool isReversed, std::vector<Slice>& near) const {
     for (const Slice& slice : slices_[triangle]) {
       glm::dvec2 from = frame.place(slice.from), to = frame.place(slice.to);
+      if (std::min(from.y, to.y) > 4 * tolerance_ || std::max(from.y, to.y) < -4 * tolerance_) continue;
       if (isReversed) {
         from.x = frame.length - from.x;
         to.x = frame.length - to.x;
       }
-      if (const auto cover = coverOf(range, from, to, 2 * tolerance_)) covers.push_back(*cover);
+      near.push_back({from, to});
     }
   }
 
@@ -403,14 +424,17 @@ class SurfaceCutter {
     const Triangle &here = surface_.triangles[triangle], &there = surface_.triangles[other];
     const EdgeFrame frame(here, corner), otherFrame(there, oppositeCorner(here, corner, there));
     const bool isReversed = here.position[(corner + 1) % 3] != there.position[(otherFrame.opposite + 1) % 3];
+    std::vector<Slice> slices;
+    addNear(triangle, frame, false, slices);
+    addNear(other, otherFrame, isReversed, slices);
     for (EdgePart& part : edgeParts(other, otherFrame)) {
       if (isReversed) part.range = {frame.length - part.range.high, frame.length - part.range.low};
       for (const EdgePart& own : edgeParts(triangle, frame)) {
         const Range range{std::max(own.range.low, part.range.low), std::min(own.range.high, part.range.high)};
         if (range.high - range.low <= 4 * tolerance_ || rootOf(own.cutting) == rootOf(part.cutting)) continue;
         std::vector<Range> covers;
-        addCovers(triangle, frame, false, range, covers);
-        addCovers(other, otherFrame, isReversed, range, covers);
+        for (const Slice& slice : slices)
+          if (const auto cover = coverOf(range, slice.from, slice.to, 2 * tolerance_)) covers.push_back(*cover);
         if (uncovered(range, covers) > 4 * tolerance_) join(own.cutting, part.cutting);
       }
     }

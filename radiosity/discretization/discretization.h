@@ -20,6 +20,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <map>
 #include <optional>
@@ -134,6 +135,14 @@ class SurfaceValues {
   const glm::dvec3& ofMaterial_;
   const glm::dvec3* mapped_;
 };
+
+/// A value of each element, by its number, such as its radiosity.
+using ElementValues = std::function<glm::dvec3(std::uint32_t element)>;
+
+/// The values of a list, which must outlive the result.
+inline ElementValues valuesIn(const std::vector<glm::dvec3>& list) {
+  return [&list](std::uint32_t element) { return list[element]; };
+}
 
 /// Diffuse reflectances and emitted radiosities of the elements of a surface; maps are averaged over each element.
 SurfaceValues reflectances(const Scene& scene, const Discretization& discretization, std::uint32_t surface);

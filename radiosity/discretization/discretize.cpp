@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -231,19 +232,20 @@ Discretization discretizeSurface(const Scene& scene, std::uint32_t number, const
   return part;
 }
 
-/// Appends the discretization of one surface to that of the surfaces before it.
+/// Appends the discretization of some surfaces to that of the surfaces before them.
 void append(Discretization& whole, Discretization part) {
   const auto firstElement = static_cast<std::uint32_t>(whole.elements.size());
   const auto firstPatch = static_cast<std::uint32_t>(whole.patches.size());
-  Grid& grid = part.grids.front();
-  grid.firstElement = firstElement;
-  grid.firstPatch = firstPatch;
-  for (std::uint32_t& element : grid.elementOfTexel) element += firstElement;
+  for (Grid& grid : part.grids) {
+    grid.firstElement += firstElement;
+    grid.firstPatch += firstPatch;
+    for (std::uint32_t& element : grid.elementOfTexel) element += firstElement;
+  }
   for (std::uint32_t& patch : part.patchOf) patch += firstPatch;
   for (Patch& patch : part.patches) patch.firstElement += firstElement;
   for (std::uint32_t& element : part.patchElements) element += firstElement;
+  std::move(part.grids.begin(), part.grids.end(), std::back_inserter(whole.grids));
   const auto moveTo = [](auto& all, const auto& some) { all.insert(all.end(), some.begin(), some.end()); };
-  whole.grids.push_back(std::move(grid));
   moveTo(whole.elements, part.elements);
   moveTo(whole.patchOf, part.patchOf);
   moveTo(whole.triangleOf, part.triangleOf);
@@ -251,20 +253,17 @@ void append(Discretization& whole, Discretization part) {
   moveTo(whole.patchElements, part.patchElements);
 }
 
-/// Discretizes all surfaces one after the other. One quadtree per surface or none at all; cut texels of each surface.
-Discretization assembled(const Scene& scene, const DiscretizationSettings& settings,
-                         const std::vector<Quadtree>& quadtrees, const std::vector<std::vector<CutTexel>>& cut) {
-  std::vector<Discretization> parts(scene.surfaces.size());
-  raster::parallelFor(parts.size(), [&](std::size_t surface) {
-    const Quadtree* quadtree = quadtrees.empty() ? nullptr : &quadtrees[surface];
-    parts[surface] = discretizeSurface(scene, static_cast<std::uint32_t>(surface), settings, quadtree, cut[surface]);
-  });
-  std::size_t elements = 0, patches = 0;
+/// Joins the discretizations of consecutive surfaces; each is released as soon as it is copied.
+Discretization joined(std::vector<Discretization> parts) {
+  if (parts.size() == 1) return std::move(parts.front());
+  std::size_t grids = 0, elements = 0, patches = 0;
   for (const Discretization& part : parts) {
+    grids += part.grids.size();
     elements += part.elements.size();
     patches += part.patches.size();
   }
   Discretization whole;
+  whole.grids.reserve(grids);
   whole.elements.reserve(elements);
   whole.patchOf.reserve(elements);
   whole.triangleOf.reserve(elements);
@@ -272,6 +271,36 @@ Discretization assembled(const Scene& scene, const DiscretizationSettings& setti
   whole.patches.reserve(patches);
   for (Discretization& part : parts) append(whole, std::exchange(part, {}));
   return whole;
+}
+
+/// The end of the surfaces from `first` on that are discretized before their parts are joined. Many small parts leave
+/// gaps in memory, so that they should not be there for all surfaces at once.
+std::size_t endOfBlock(const Scene& scene, const DiscretizationSettings& settings, std::size_t first) {
+  constexpr std::int64_t texelsAtOnce = std::int64_t{1} << 24;
+  std::int64_t texels = 0;
+  std::size_t end = first;
+  while (end < scene.surfaces.size() && texels < texelsAtOnce) {
+    const GridSize size = gridSizeOf(scene.surfaces[end++], settings);
+    texels += std::int64_t{size.columns} * size.rows;
+  }
+  return end;
+}
+
+/// Discretizes all surfaces one after the other. One quadtree per surface or none at all; cut texels of each surface.
+Discretization assembled(const Scene& scene, const DiscretizationSettings& settings,
+                         const std::vector<Quadtree>& quadtrees, const std::vector<std::vector<CutTexel>>& cut) {
+  std::vector<Discretization> blocks;
+  for (std::size_t first = 0, end = 0; first < scene.surfaces.size(); first = end) {
+    end = endOfBlock(scene, settings, first);
+    std::vector<Discretization> parts(end - first);
+    raster::parallelFor(parts.size(), [&](std::size_t i) {
+      const std::size_t surface = first + i;
+      const Quadtree* quadtree = quadtrees.empty() ? nullptr : &quadtrees[surface];
+      parts[i] = discretizeSurface(scene, static_cast<std::uint32_t>(surface), settings, quadtree, cut[surface]);
+    });
+    blocks.push_back(joined(std::move(parts)));
+  }
+  return joined(std::move(blocks));
 }
 
 /// One quadtree per surface, or none at all.

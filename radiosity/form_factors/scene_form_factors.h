@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/form_factor_row.h"
@@ -58,6 +59,8 @@ class SceneFormFactors {
 
   /// The discretization with split patches; elements are unchanged.
   const Discretization& discretization() const { return discretization_; }
+  /// Moves it out. This object must not be used afterwards.
+  Discretization takeDiscretization() { return std::move(discretization_); }
   /// Splits all patches with weight 1.
   void splitAll();
   /// The function that splits patches of `discretization()` during a solution; empty if no patch is to be split. Keeps

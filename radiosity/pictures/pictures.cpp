@@ -129,10 +129,10 @@ Image unlitPicture(const Scene& scene, const Camera& camera, int width, int heig
   return drawPicture(scene, camera, width, height, [&](const Visible& visible) { return unlitColour(scene, visible); });
 }
 
-Image elementPicture(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& values,
+Image elementPicture(const Scene& scene, const Discretization& discretization, const ElementValues& values,
                      const Camera& camera, int width, int height) {
   return drawPicture(scene, camera, width, height,
-                     [&](const Visible& visible) { return values[elementAt(scene, discretization, visible)]; });
+                     [&](const Visible& visible) { return values(elementAt(scene, discretization, visible)); });
 }
 
 Image wireframePicture(const Scene& scene, const Camera& camera, int width, int height) {

@@ -31,7 +31,7 @@ glm::dvec3 unlitColour(const Scene& scene, const Visible& visible, const MapColo
 Image unlitPicture(const Scene& scene, const Camera& camera, int width, int height);
 
 /// One value per element, without filtering: a solution after a one-to-one mapping (Figure 3).
-Image elementPicture(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& values,
+Image elementPicture(const Scene& scene, const Discretization& discretization, const ElementValues& values,
                      const Camera& camera, int width, int height);
 
 /// Figure 2 (d): the borders of the file's polygons, hidden lines removed, black on white.

@@ -52,9 +52,17 @@ std::vector<glm::dvec3> positionsOf(const PolygonMesh& mesh, const MeshPolygon& 
   return positions;
 }
 
+/// Makes room for the triangles of all polygons, so that the lists are not copied as they grow.
+void reserveTriangles(const PolygonMesh& mesh, std::vector<Section>& sections) {
+  std::vector<std::size_t> counts(sections.size());
+  for (const MeshPolygon& polygon : mesh.polygons) counts[polygon.section] += polygon.cornerCount - 2;
+  for (std::size_t s = 0; s < sections.size(); ++s) sections[s].triangles.reserve(counts[s]);
+}
+
 /// One section per section of the file; some may be empty.
 std::vector<Section> cutPolygons(const PolygonMesh& mesh, std::vector<std::string>& warnings) {
   std::vector<Section> sections(mesh.sections.size());
+  reserveTriangles(mesh, sections);
   FaceCount degenerate, crossing;
   for (std::uint32_t p = 0; p < mesh.polygons.size(); ++p) {
     const MeshPolygon& polygon = mesh.polygons[p];

@@ -40,15 +40,16 @@ MapStatement readMap(const TextLine& line) {
 std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::filesystem::path& file,
                                               EmissionUnit unit) {
   std::vector<MaterialStatement> materials;
-  for (const TextLine& line : splitLines(text, file)) {
-    const Place place{file, line.number};
-    if (line.keyword == "newmtl") materials.push_back({std::string(line.rest)});
+  LineReader lines(text, file);
+  while (const std::optional<TextLine> line = lines.next()) {
+    const Place place{file, line->number};
+    if (line->keyword == "newmtl") materials.push_back({std::string(line->rest)});
     if (materials.empty()) continue;
     MaterialStatement& material = materials.back();
-    if (line.keyword == "Kd") material.reflectance = readColor(line, place);
-    if (line.keyword == "Ke") material.emission = readEmission(line, place, unit);
-    if (line.keyword == "map_Kd") material.reflectanceMap = readMap(line);
-    if (line.keyword == "map_Ke") material.emissionMap = readMap(line);
+    if (line->keyword == "Kd") material.reflectance = readColor(*line, place);
+    if (line->keyword == "Ke") material.emission = readEmission(*line, place, unit);
+    if (line->keyword == "map_Kd") material.reflectanceMap = readMap(*line);
+    if (line->keyword == "map_Ke") material.emissionMap = readMap(*line);
   }
   return materials;
 }

@@ -218,10 +218,11 @@ PolygonMesh parseObj(std::string_view text, const std::filesystem::path& file) {
   PolygonMesh obj;
   NumberReader numbers(file, obj);
   StructureReader structure(obj);
-  for (const TextLine& line : splitLines(text, file)) {
-    numbers.read(line);
-    structure.read(line);
-    if (line.keyword == "mtllib" && !line.rest.empty()) obj.materialLibraries.emplace_back(line.rest);
+  LineReader lines(text, file);
+  while (const std::optional<TextLine> line = lines.next()) {
+    numbers.read(*line);
+    structure.read(*line);
+    if (line->keyword == "mtllib" && !line->rest.empty()) obj.materialLibraries.emplace_back(line->rest);
   }
   numbers.checkRanges();
   return obj;

@@ -52,19 +52,22 @@ double readNumber(std::string_view word, const Place& place) {
 
 }  // namespace
 
-std::vector<TextLine> splitLines(std::string_view text, const std::filesystem::path& file) {
+LineReader::LineReader(std::string_view text, const std::filesystem::path& file) : text_(text), file_(file) {
   constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
-  std::vector<TextLine> lines;
-  for (int number = 1; !text.empty(); ++number) {
-    const std::string_view line = withoutComment(trim(takeLine(text)));
+  if (text_.starts_with(byteOrderMark)) text_.remove_prefix(byteOrderMark.size());
+}
+
+std::optional<TextLine> LineReader::next() {
+  while (!text_.empty()) {
+    ++number_;
+    const std::string_view line = withoutComment(trim(takeLine(text_)));
     if (line.empty()) continue;
     if (line.find('\0') != std::string_view::npos)
-      fail({file, number}, "the line has a NUL byte", "save the file as text in ASCII or UTF-8");
+      fail({file_, number_}, "the line has a NUL byte", "save the file as text in ASCII or UTF-8");
     const std::size_t keywordLength = std::min(line.find_first_of(blanks), line.size());
-    lines.push_back({number, line.substr(0, keywordLength), trim(line.substr(keywordLength))});
+    return TextLine{number_, line.substr(0, keywordLength), trim(line.substr(keywordLength))};
   }
-  return lines;
+  return std::nullopt;
 }
 
 std::optional<std::string_view> nextWord(std::string_view& rest) {

@@ -7,7 +7,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace hemitex::radiosity {
 
@@ -25,9 +24,20 @@ struct Place {
 };
 
 /// Splits a text at LF, CR LF or CR. A comment begins at a `#` at the start of the line or at a `#` that is a word of
-/// its own. So names such as `wall#1` and `Material #25` stay whole. The views point into `text`. Throws InputError for
-/// a line with a NUL byte, which would end a name.
-std::vector<TextLine> splitLines(std::string_view text, const std::filesystem::path& file);
+/// its own. So names such as `wall#1` and `Material #25` stay whole. The views point into the text.
+class LineReader {
+ public:
+  /// Both arguments must outlive this object.
+  LineReader(std::string_view text, const std::filesystem::path& file);
+
+  /// The next line; nothing at the end. Throws InputError for a line with a NUL byte, which would end a name.
+  std::optional<TextLine> next();
+
+ private:
+  std::string_view text_;  ///< what is left
+  const std::filesystem::path& file_;
+  int number_ = 0;  ///< of the last line
+};
 
 /// Removes the next word from `rest` and returns it; nothing at the end or before a word that begins with `#`. For
 /// lines of numbers.

@@ -47,12 +47,30 @@ bool isLoneQuad(const Triangles& triangles, const PolygonMesh& mesh) {
          mesh.polygons[triangles.front().polygon].cornerCount == 4;
 }
 
-std::vector<Triangles> layPlanar(const Triangles& triangles) {
-  std::vector<TrianglePositions> positions;
-  for (const Triangle& triangle : triangles) positions.push_back(triangle.position);
+/// A list of one surface. A list in braces would copy the triangles.
+std::vector<Triangles> oneSurface(Triangles triangles) {
   std::vector<Triangles> surfaces;
-  for (const PlanarPart& part : planarParts(positions)) {
+  surfaces.push_back(std::move(triangles));
+  return surfaces;
+}
+
+std::vector<PlanarPart> planarPartsOf(const Triangles& triangles) {
+  std::vector<TrianglePositions> positions;
+  positions.reserve(triangles.size());
+  for (const Triangle& triangle : triangles) positions.push_back(triangle.position);
+  return planarParts(positions);
+}
+
+std::vector<Triangles> layPlanar(Triangles triangles) {
+  const std::vector<PlanarPart> parts = planarPartsOf(triangles);
+  if (parts.size() == 1) {  // without a copy: the part has all triangles
+    for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i].chart = parts.front().charts[i];
+    return oneSurface(std::move(triangles));
+  }
+  std::vector<Triangles> surfaces;
+  for (const PlanarPart& part : parts) {
     Triangles& surface = surfaces.emplace_back();
+    surface.reserve(part.triangles.size());
     for (std::size_t i = 0; i < part.triangles.size(); ++i) {
       surface.push_back(triangles[part.triangles[i]]);
       surface.back().chart = part.charts[i];
@@ -62,15 +80,15 @@ std::vector<Triangles> layPlanar(const Triangles& triangles) {
 }
 
 std::vector<Triangles> lay(Section section, const PolygonMesh& mesh, const std::filesystem::path& file, Charts charts) {
-  if (charts == Charts::Planar) return layPlanar(section.triangles);
+  if (charts == Charts::Planar) return layPlanar(std::move(section.triangles));
   const std::optional<std::string> fault = layFromFile(section.triangles, mesh);
   if (fault && charts == Charts::File) {
     fail({file}, "the texture coordinates of surface '" + section.family + "' form no chart: " + *fault,
          "choose other charts, or mend the coordinates");
   }
   // Quads have the chart of their corners already.
-  if (!fault || isLoneQuad(section.triangles, mesh)) return {std::move(section.triangles)};
-  return layPlanar(section.triangles);
+  if (!fault || isLoneQuad(section.triangles, mesh)) return oneSurface(std::move(section.triangles));
+  return layPlanar(std::move(section.triangles));
 }
 
 }  // namespace

@@ -151,8 +151,8 @@ std::string mtlText(const Scene& lit) {
 }  // namespace
 
 LitScene makeLitScene(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
-                      const std::vector<glm::dvec3>& displayed, double exposure, TextureFilter filter) {
-  std::vector<glm::dvec3> exposed = displayed;
+                      std::vector<glm::dvec3> displayed, double exposure, TextureFilter filter) {
+  std::vector<glm::dvec3> exposed = std::move(displayed);
   for (glm::dvec3& value : exposed) value *= exposure;
   LitScene lit{{}, layout, codedTextures(scene, discretization, layout, exposed, filter)};
   lit.scene.surfaces = scene.surfaces;

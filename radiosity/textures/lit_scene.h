@@ -28,7 +28,7 @@ struct LitScene {
 /// values that an 8-bit sRGB file holds. A surface of one texel whose corners differ is Gouraud shaded instead: its
 /// triangles have corner colours, and its material, the last one, has no map. Throws InputError as filteredTexture.
 LitScene makeLitScene(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
-                      const std::vector<glm::dvec3>& displayed, double exposure, TextureFilter filter);
+                      std::vector<glm::dvec3> displayed, double exposure, TextureFilter filter);
 
 /// The picture that unlitPicture makes of the scene that is read again.
 Image unlitPicture(const LitScene& lit, const Camera& camera, int width, int height);

@@ -63,11 +63,11 @@ bool isZero(const glm::dvec3& value) { return value == glm::dvec3(0.0); }
 
 /// The mean over all elements, or only over those that do not emit.
 std::optional<double> meanRadiosity(const Scene& scene, const Discretization& discretization,
-                                    const std::vector<glm::dvec3>& radiosity, bool withEmitters) {
+                                    const ElementValues& radiosity, bool withEmitters) {
   double flux = 0, totalArea = 0;
   for (std::uint32_t e = 0; e < discretization.elements.size(); ++e) {
     if (!withEmitters && !isZero(emission(scene, discretization, e))) continue;
-    const glm::dvec3& b = radiosity[e];
+    const glm::dvec3 b = radiosity(e);
     flux += discretization.elements[e].area * (bandSum(b) / 3);
     totalArea += discretization.elements[e].area;
   }
@@ -94,17 +94,21 @@ Image filteredTexture(const Scene& scene, const Discretization& discretization, 
   });
 }
 
+glm::dvec3 displayRadiosity(const Scene& scene, const Discretization& discretization, const Solution& solution,
+                            std::uint32_t element) {
+  return solution.radiosity[element] + reflectance(scene, discretization, element) * solution.ambient;
+}
+
 std::vector<glm::dvec3> displayRadiosity(const Scene& scene, const Discretization& discretization,
                                          const Solution& solution) {
   std::vector<glm::dvec3> result;
   result.reserve(solution.radiosity.size());
   for (std::uint32_t e = 0; e < solution.radiosity.size(); ++e)
-    result.push_back(solution.radiosity[e] + reflectance(scene, discretization, e) * solution.ambient);
+    result.push_back(displayRadiosity(scene, discretization, solution, e));
   return result;
 }
 
-double defaultExposure(const Scene& scene, const Discretization& discretization,
-                       const std::vector<glm::dvec3>& radiosity) {
+double defaultExposure(const Scene& scene, const Discretization& discretization, const ElementValues& radiosity) {
   std::optional<double> mean = meanRadiosity(scene, discretization, radiosity, false);
   if (!mean) mean = meanRadiosity(scene, discretization, radiosity, true);
   return mean && *mean > 0 ? 0.18 / *mean : 1;

@@ -25,13 +25,15 @@ std::vector<Image> radiosityTextures(const Discretization& discretization, const
 Image filteredTexture(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
                       std::size_t texture, const std::vector<glm::dvec3>& radiosity, TextureFilter filter);
 
-/// The displayed value per element: radiosity plus reflectance times the ambient estimate.
+/// The displayed value of an element: radiosity plus reflectance times the ambient estimate.
+glm::dvec3 displayRadiosity(const Scene& scene, const Discretization& discretization, const Solution& solution,
+                            std::uint32_t element);
+/// As above, of all elements.
 std::vector<glm::dvec3> displayRadiosity(const Scene& scene, const Discretization& discretization,
                                          const Solution& solution);
 
 /// The factor that maps the area-weighted mean radiosity (bands averaged) of elements that do not emit to 0.18. If all
 /// emit, uses the mean of all; returns 1 if that is zero.
-double defaultExposure(const Scene& scene, const Discretization& discretization,
-                       const std::vector<glm::dvec3>& radiosity);
+double defaultExposure(const Scene& scene, const Discretization& discretization, const ElementValues& radiosity);
 
 }  // namespace hemitex::radiosity

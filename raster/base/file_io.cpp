@@ -41,9 +41,15 @@ std::string readFile(const std::filesystem::path& file, const std::string& advic
 }
 
 void writeFile(const std::filesystem::path& file, std::string_view bytes) {
+  writeFile(file, [bytes](std::ostream& stream) {
+    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  });
+}
+
+void writeFile(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write) {
   std::ofstream stream(file, std::ios::binary);
   if (!stream) throw InputError(file.string(), 0, "cannot be opened for writing", "choose another folder");
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  write(stream);
   stream.close();
   if (stream) return;
   removeBroken(file);

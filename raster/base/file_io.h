@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,5 +20,8 @@ std::string readFile(const std::filesystem::path& file, const std::string& advic
 /// Writes `bytes` to `file` and replaces its content. Throws InputError on failure, and then leaves no partly written
 /// file.
 void writeFile(const std::filesystem::path& file, std::string_view bytes);
+
+/// As above for content that need not be in memory: `write` writes it to a stream.
+void writeFile(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 
 }  // namespace hemitex::raster

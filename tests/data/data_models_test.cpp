@@ -11,6 +11,7 @@
 #include "data/generate/models.h"
 #include "data/generate/random_room.h"
 #include "data/generate/shapes.h"
+#include "data/generate/tiled_room.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/scene.h"
 #include "tests/support/temporary_folder.h"
@@ -552,5 +553,22 @@ TEST_CASE("randomRoom gives boxes that face outwards and lights that no box buri
         if (group.name.rfind("light", 0) == 0 && group.name.find("case") == std::string::npos)
           CHECK(front == Approx(1).margin(1e-6));
       }
+  }
+}
+
+TEST_CASE("tiledRoom is closed, faces inwards, and has 16 * tiles^2 squares of one square metre", "[data]") {
+  for (const int tiles : {2, 7}) {
+    const Model room = tiledRoom(tiles);
+    CHECK(room.groups.size() == static_cast<std::size_t>(16 * tiles * tiles));
+    const std::vector<Polygon> polygons = polygonsOf(room);
+    for (const Polygon& polygon : polygons) REQUIRE(glm::length(twiceArea(polygon)) == 2);
+    const std::map<Edge, int> counts = edgeCounts(polygons);
+    for (const auto& [side, count] : counts) {
+      REQUIRE(count == 1);
+      REQUIRE(counts.count({side[3], side[4], side[5], side[0], side[1], side[2]}) == 1);
+    }
+    CHECK(solidAngle(polygons, room.view.eye) == Approx(4 * pi).epsilon(1e-12));
+    CHECK(std::count_if(room.groups.begin(), room.groups.end(),
+                        [](const Group& group) { return group.material == "light"; }) == (tiles == 2 ? 1 : 4));
   }
 }

@@ -697,3 +697,20 @@ TEST_CASE("discretize cuts texels the same for any number of threads", "[exposur
     CHECK(areEqual(withThreads(3), one));
   }
 }
+
+TEST_CASE("cutTexels subtracts many solids that stand on one texel", "[exposure]") {
+  // So many pieces that a tree finds those that a slice cuts.
+  constexpr int side = 12;
+  Surfaces surfaces = room();
+  double buried = 0;
+  for (int i = 0; i < side * side; ++i) {
+    const glm::dvec3 low(0.1 + 3.8 * (i % side) / side, 0.1 + 2.8 * (i / side) / side, 0);
+    const glm::dvec3 size(0.05 + 0.001 * i, 0.15, 0.3);
+    const Surfaces faces = box("box" + std::to_string(i) + "-", low, size, false);
+    surfaces.insert(surfaces.end(), faces.begin(), faces.end());
+    buried += size.x * size.y;
+  }
+  const Scene scene = tests::sceneOf(std::move(surfaces));
+  const Discretization discretization = discretize(scene, {.texels = 1, .patch = 1});
+  CHECK(discretization.elements[0].area == Approx(floorArea - buried).epsilon(1e-9));
+}

@@ -124,7 +124,7 @@ TEST_CASE("elementPicture shows one value per element, v upwards", "[picture]") 
   addGrid(discretization, 2, 2);
   addGrid(discretization, 1, 1);
   const std::vector<glm::dvec3> values{blue, yellow, red, green, glm::dvec3(9.0)};
-  const Image picture = elementPicture(scene, discretization, values, straight, 8, 8);
+  const Image picture = elementPicture(scene, discretization, valuesIn(values), straight, 8, 8);
   for (int row = 0; row < 8; ++row)
     for (int column = 0; column < 8; ++column)
       CHECK(pixelAt(picture, column, row) == (row < 4 ? (column < 4 ? red : green) : (column < 4 ? blue : yellow)));

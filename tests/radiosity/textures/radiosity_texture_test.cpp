@@ -246,10 +246,10 @@ TEST_CASE("defaultExposure shows the mean of elements that do not emit as 0.18",
   // Without the light: the bands' averages are 1 on area 1 and 2 on area 3, with a mean of 7/4. With the light the mean
   // is 1007/5.
   charts.scene.surfaces[1].material = 1;
-  CHECK(defaultExposure(charts.scene, charts.discretization, values) == Approx(0.18 / 1.75).epsilon(1e-15));
+  CHECK(defaultExposure(charts.scene, charts.discretization, valuesIn(values)) == Approx(0.18 / 1.75).epsilon(1e-15));
   charts.scene.surfaces[0].material = 1;
-  CHECK(defaultExposure(charts.scene, charts.discretization, values) == Approx(0.18 / 201.4).epsilon(1e-15));
-  CHECK(defaultExposure(charts.scene, charts.discretization, std::vector<glm::dvec3>(3)) == 1);
+  CHECK(defaultExposure(charts.scene, charts.discretization, valuesIn(values)) == Approx(0.18 / 201.4).epsilon(1e-15));
+  CHECK(defaultExposure(charts.scene, charts.discretization, [](std::uint32_t) { return glm::dvec3(0); }) == 1);
 }
 
 TEST_CASE("cornerRadiosity averages over smooth neighbours of the same material by area", "[texture]") {
