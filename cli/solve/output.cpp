@@ -48,6 +48,7 @@ ordered_json solutionSettings(const SolveOptions& options) {
           {"split", options.drawing.split},
           {"pixels_per_element", ofProjections(options.drawing.pixelsPerElement)},
           {"samples", usesRays(options) ? ordered_json(options.samples) : ordered_json()},
+          {"seed", usesRays(options) ? ordered_json(options.seed) : ordered_json()},
           {"format", options.id.format},
           {"index_maps", nameOf(indexMapsChoices(), options.id.indexMaps)},
           {"page", orNull(options.id.page)},
