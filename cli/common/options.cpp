@@ -27,6 +27,11 @@ glm::dvec3 vectorOption(const std::string& name, const std::string& text) {
   usageError(name, "`" + text + "` is not a vector x,y,z of three finite numbers");
 }
 
+Option addSeed(Command command, std::uint32_t& seed) {
+  return addInteger(command, "--seed", seed, 0, std::numeric_limits<int>::max(),
+                    "cast other random rays for each N, which gives independent estimates (default 0)");
+}
+
 Option addOutput(Command command, std::filesystem::path& output, const std::string& help) {
   return command.addPath("-o,--output", output, help).required();
 }

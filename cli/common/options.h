@@ -1,6 +1,7 @@
 /// Options with values: reads and checks them. A wrong value is a usage error that names the option.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -47,6 +48,9 @@ Option addInteger(Command command, const std::string& name, Target& target, int 
   };
   return command.addText(name, "N", help, read);
 }
+
+/// Adds `--seed`, which gives rays another random sequence.
+Option addSeed(Command command, std::uint32_t& seed);
 
 /// Adds an option with a number above 0 and below `limit`. `target` is a double or an optional double.
 template <typename Target>

@@ -51,7 +51,10 @@ RowMethod methodOf(const FormFactorOptions& options, const radiosity::Scene& sce
 /// The settings that the JSON output repeats.
 nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
   if (options.method == "rays")
-    return {{"method", options.method}, {"samples", options.rays.samples}, {"aimed", options.rays.aimed}};
+    return {{"method", options.method},
+            {"samples", options.rays.samples},
+            {"seed", options.rays.seed},
+            {"aimed", options.rays.aimed}};
   if (options.method == "analytic") return {{"method", options.method}, {"blockers_ignored", true}};
   return {{"method", options.method},
           {"discretize", nameOf(elementsByChoices(), options.drawing.elementsBy)},
@@ -277,6 +280,7 @@ void addFormFactors(Command program, Context& context) {
   addDrawingOptions(command, options->drawing);
   addInteger(method, "--samples", options->rays.samples, 64, 1 << 28,
              "with --method rays, cast N rays per row; with --aimed, cast rays from N points (default 65536)");
+  addSeed(method, options->rays.seed);
   method.addFlag(
       "--aimed", options->rays.aimed,
       "with --method rays, aim at each receiver instead of covering the hemisphere; accurate, but slow for many "
@@ -298,7 +302,7 @@ void addFormFactors(Command program, Context& context) {
       refuseUnused(command, drawingOptionNames(), options->method);
       refuseUnused(command, {"--split"}, options->method);
     }
-    if (options->method != "rays") refuseUnused(command, {"--samples", "--aimed"}, options->method);
+    if (options->method != "rays") refuseUnused(command, {"--samples", "--seed", "--aimed"}, options->method);
     context.command = [options, &context] { print(*options, context); };
   });
 }

@@ -119,7 +119,7 @@ RowMethod rayMethod(const radiosity::Scene& scene, const radiosity::Discretizati
     const reference::RaySource shooter = reference::areaRaySource(rays->shooting, elementsOf(discretization, source));
     const auto measure = options.aimed ? &reference::RayFormFactors::aimed : &reference::RayFormFactors::overHemisphere;
     const reference::MeasuredRow measured =
-        (rays->formFactors.*measure)(shooter, rays->receivers, {.samples = options.samples});
+        (rays->formFactors.*measure)(shooter, rays->receivers, {.samples = options.samples, .seed = options.seed});
     Row row{.formFactor = {},
             .standardError = {},
             .background = measured.background.value,

@@ -47,6 +47,7 @@ RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretiza
 /// Settings of the ray method.
 struct RayOptions {
   int samples = 1 << 16;
+  std::uint32_t seed = 0;
   bool aimed = false;  ///< rays aim at each receiver; otherwise they cover the hemisphere
 };
 

@@ -38,6 +38,7 @@ void addMethodOptions(Command command, SolveOptions& options) {
       "machines in the last digits.");
   addDrawingOptions(command, options.drawing);
   addSamples(command, options.samples);
+  addSeed(command, options.seed);
 }
 
 /// Adds the options for ending the solution and for memory.
@@ -64,8 +65,8 @@ void addChosenSettings(Command command, SolveOptions& options) {
       command.under("Accuracy and memory"), "--max-error", options.maxError, 1,
       "choose --resolution, --split and --residual so that the expected error is at most this share of all flux, such "
       "as 0.01 (default: use the given values)");
-  for (const char* chosen :
-       {"--resolution", "--orientation", "--split", "--pixels-per-element", "--residual", "--shots", "--samples"})
+  for (const char* chosen : {"--resolution", "--orientation", "--split", "--pixels-per-element", "--residual",
+                             "--shots", "--samples", "--seed"})
     maxError.excludes(command.option(chosen));
   const Option adaptive = addPositive(
       command.under("Elements"), "--adaptive", options.adaptive, 1,
@@ -163,7 +164,7 @@ void addSolveOptions(Command command, SolveOptions& options) {
 }
 
 void completeOptions(Command command, SolveOptions& options) {
-  refuseUnused(command, usesRays(options) ? drawingOptionNames() : std::vector<std::string>{"--samples"},
+  refuseUnused(command, usesRays(options) ? drawingOptionNames() : std::vector<std::string>{"--samples", "--seed"},
                options.method);
   // --max-error chooses settings of hemicubes.
   if (options.method != "hemicube") refuseUnused(command, {"--max-error"}, options.method);

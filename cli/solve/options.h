@@ -23,6 +23,7 @@ struct SolveOptions {
   radiosity::DrawingSettings drawing;
   std::string method = "hemicube";
   int samples = 1 << 16;
+  std::uint32_t seed = 0;
   radiosity::IdSettings id;
   radiosity::SolverSettings solver;
   std::optional<double> maxError;

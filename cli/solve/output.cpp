@@ -32,7 +32,8 @@ ordered_json solutionSettings(const SolveOptions& options) {
                    {"orientation", ofProjections(nameOf(orientationChoices(), options.drawing.orientation))},
                    {"split", options.drawing.split},
                    {"pixels_per_element", ofProjections(options.drawing.pixelsPerElement)},
-                   {"samples", usesRays(options) ? ordered_json(options.samples) : ordered_json()}});
+                   {"samples", usesRays(options) ? ordered_json(options.samples) : ordered_json()},
+                   {"seed", usesRays(options) ? ordered_json(options.seed) : ordered_json()}});
   settings.update(toJson(options.id));
   settings.update({{"max_error", orNull(options.maxError)},
                    {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
@@ -69,8 +70,8 @@ radiosity::ElementValues displayed(const Lit& lit) {
 /// The light of each element, without filtering.
 radiosity::Image elementPicture(const Lit& lit, const Showing& showing) {
   const auto colours = [&, light = displayed(lit)](std::uint32_t element) { return light(element) * showing.exposure; };
-  return radiosity::elementPicture(lit.scene, lit.discretization, colours, showing.camera,
-                                   showing.options.camera.width, showing.options.camera.height);
+  return radiosity::elementPicture(lit.scene, lit.discretization, colours, showing.camera, showing.options.camera.width,
+                                   showing.options.camera.height);
 }
 
 std::string shotsText(const ordered_json& solution, double seconds) {
@@ -181,9 +182,8 @@ std::string filesText(const SolveOptions& options) {
   const auto line = [&options](const std::string& what, const char* file) {
     return what + (options.output / file).string() + '\n';
   };
-  return '\n' + line("picture:    ", "render.png") +
-         (options.noTextures ? "" : line("lit scene:  ", "scene.obj")) + line("numbers:    ", "solution.json") +
-         (options.report ? line("page:       ", "report.html") : "");
+  return '\n' + line("picture:    ", "render.png") + (options.noTextures ? "" : line("lit scene:  ", "scene.obj")) +
+         line("numbers:    ", "solution.json") + (options.report ? line("page:       ", "report.html") : "");
 }
 
 }  // namespace hemitex::cli

@@ -72,7 +72,7 @@ Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radi
   };
   if (usesRays(options)) {
     reference::RayRows rows(scene, drawn.discretization(),
-                            {.rays = options.samples, .start = reference::RayStart::Area});
+                            {.rays = options.samples, .start = reference::RayStart::Area, .seed = options.seed});
     radiosity::Solution solution = solveAlone(rows);
     return {drawn.takeDiscretization(), std::move(solution), 1, std::move(convergence)};
   }

@@ -28,7 +28,9 @@ struct TradeoffOptions {
   SceneOptions scene;
   std::vector<int> texels = {16, 8, 4}, patches = {4, 1, 2, 8};
   int samples = 1 << 14;
-  std::vector<reference::TradeMethod> methods = reference::tradeMethods();
+  std::uint32_t seed = 0;
+  std::vector<std::string> methodTexts;  ///< as given; all methods if empty
+  std::vector<reference::TradeMethod> methods;
   std::filesystem::path output;
 };
 
@@ -70,12 +72,23 @@ reference::TradeMethod methodOption(const std::string& text, const std::vector<r
   usageError("--method", "`" + name + "` is none of " + names);
 }
 
+std::vector<reference::TradeMethod> methodsOf(const TradeoffOptions& options) {
+  const std::vector<reference::TradeMethod> all = reference::tradeMethods(options.seed);
+  std::vector<reference::TradeMethod> methods;
+  for (const std::string& text : options.methodTexts) methods.push_back(methodOption(text, all));
+  return methods.empty() ? all : methods;
+}
+
 ordered_json settingsJson(const TradeoffOptions& options) {
   ordered_json methods;
   for (const reference::TradeMethod& method : options.methods) methods[method.name] = method.measured;
-  return {{"texels", options.texels},         {"patch", options.patches},
-          {"samples", options.samples},       {"residual", reference::tradeResidual},
-          {"rounds", reference::tradeRounds}, {"once_above_s", reference::longTime},
+  return {{"texels", options.texels},
+          {"patch", options.patches},
+          {"samples", options.samples},
+          {"seed", options.seed},
+          {"residual", reference::tradeResidual},
+          {"rounds", reference::tradeRounds},
+          {"once_above_s", reference::longTime},
           {"methods", std::move(methods)}};
 }
 
@@ -136,7 +149,8 @@ void measure(const TradeoffOptions& options, Context& context) {
 
   const reference::Stopwatch truthTime;
   console.progress(0, "true radiosity");
-  const reference::TrueRadiosity truth = reference::trueRadiosity(scene, fine, {.samples = options.samples});
+  const reference::TrueRadiosity truth =
+      reference::trueRadiosity(scene, fine, {.samples = options.samples, .seed = options.seed});
   const double truthSeconds = truthTime.seconds();
   const Tradeoff tradeoff = measuredAgainst(truth, scene, fine, options, console);
 
@@ -179,22 +193,22 @@ void addTradeoff(Command program, Context& context) {
       "--patch", "N,N,...",
       "let N x N elements shoot as one patch, for each N; all settings are measured with the first N (default 4,1,2,8)",
       readPatches);
-  const auto readMethods = [options](const std::vector<std::string>& texts) {
-    std::vector<reference::TradeMethod> methods;
-    for (const std::string& text : texts) methods.push_back(methodOption(text, reference::tradeMethods()));
-    options->methods = std::move(methods);
-  };
+  const auto readMethods = [options](const std::vector<std::string>& texts) { options->methodTexts = texts; };
   what.addTexts("--method", "NAME[=N,...]",
                 "measure this method, at these resolutions or numbers of rays (repeatable; default: all methods)",
                 readMethods);
   addInteger(what, "--samples", options->samples, 128, 1 << 20,
              "compute the truth with N rays per element on average (default 16384)");
+  addSeed(what, options->seed);
   addSceneOptions(command, options->scene);
   command.showFirst({"--output", "--method", "--texels", "--patch", "--samples", "--emit", "--reflectance", "--lights",
                      "--charts", "--two-sided"});
   command.addExamples({"data/cornell-box.obj -o tradeoff",
                        "data/cornell-box.obj -o tradeoff --texels 8 --method hemicube=128,256 --method area-rays"});
-  command.onRead([options, &context] { context.command = [options, &context] { measure(*options, context); }; });
+  command.onRead([options, &context] {
+    options->methods = methodsOf(*options);
+    context.command = [options, &context] { measure(*options, context); };
+  });
 }
 
 }  // namespace hemitex::cli

@@ -24,14 +24,28 @@ std::vector<glm::dvec3> cornersOf(const std::array<glm::dvec3, 3>& triangle, con
   return corners;
 }
 
+std::vector<glm::dvec2> onChart(const Piece& piece) {
+  std::vector<glm::dvec2> places;
+  for (std::size_t i = 0; i < piece.size; ++i) places.push_back(piece.corners[i].grid);
+  return places;
+}
+
 /// `first` is the number of the surface's first triangle in the scene.
-void appendPieces(const radiosity::Scene& scene, const radiosity::Surface& surface, std::uint32_t first,
-                  const Grid& grid, std::vector<SurfacePiece>& pieces) {
+void appendPieces(const radiosity::Scene& scene, std::uint32_t number, std::uint32_t first, const Grid& grid,
+                  std::vector<SurfacePiece>& pieces) {
+  const radiosity::Surface& surface = scene.surfaces[number];
+  const auto columns = static_cast<std::uint32_t>(grid.columns);
   const auto append = [&](std::size_t texel, std::uint32_t t, const Piece& piece) {
     if (radiosity::share(piece) == 0) return;
     const Triangle& triangle = surface.triangles[t];
-    pieces.push_back({grid.elementOfTexel[texel], first + t, radiosity::normal(triangle),
-                      cornersOf(inFrame(scene, triangle), piece)});
+    const auto place = static_cast<std::uint32_t>(texel);
+    pieces.push_back({grid.elementOfTexel[texel],
+                      first + t,
+                      radiosity::normal(triangle),
+                      cornersOf(inFrame(scene, triangle), piece),
+                      onChart(piece),
+                      number,
+                      {place % columns, place / columns}});
   };
   radiosity::forEachExposedPiece(surface, radiosity::texelGrid(grid), append);
 }
@@ -50,10 +64,9 @@ std::array<glm::dvec3, 3> inFrame(const radiosity::Scene& scene, const radiosity
 SurfacePieces surfacePieces(const radiosity::Scene& scene, const radiosity::Discretization& discretization) {
   SurfacePieces result;
   std::uint32_t first = 0;
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    const radiosity::Surface& surface = scene.surfaces[s];
-    appendPieces(scene, surface, first, discretization.grids[s], result.pieces);
-    first += static_cast<std::uint32_t>(surface.triangles.size());
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    appendPieces(scene, s, first, discretization.grids[s], result.pieces);
+    first += static_cast<std::uint32_t>(scene.surfaces[s].triangles.size());
   }
   std::stable_sort(result.pieces.begin(), result.pieces.end(),
                    [](const SurfacePiece& a, const SurfacePiece& b) { return a.element < b.element; });

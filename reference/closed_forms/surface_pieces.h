@@ -23,8 +23,11 @@ std::array<glm::dvec3, 3> inFrame(const radiosity::Scene& scene, const radiosity
 struct SurfacePiece {
   std::uint32_t element = 0;
   std::uint32_t triangle = 0;
-  glm::dvec3 normal;               ///< unit
-  std::vector<glm::dvec3> corner;  ///< counter-clockwise in front; three to eight corners
+  glm::dvec3 normal;                ///< unit
+  std::vector<glm::dvec3> corner;   ///< counter-clockwise in front; three to eight corners
+  std::vector<glm::dvec2> onChart;  ///< the corners on the chart of the surface, in texels
+  std::uint32_t surface = 0;        ///< in Scene::surfaces
+  glm::uvec2 texel{0, 0};           ///< column and row
 };
 
 struct SurfacePieces {

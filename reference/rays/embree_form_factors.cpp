@@ -46,8 +46,8 @@ glm::dvec2 onDisk(double x, double y) {
 
 /// Directions over the hemisphere, uniform in projected solid angle (Malley 1988). They are sorted along a Z-order
 /// curve over the square, so that consecutive directions are neighbours and packets are coherent.
-std::vector<Sample> samplesOf(int count) {
-  const SamplePoints points(static_cast<std::size_t>(count), 0);
+std::vector<Sample> samplesOf(int count, std::uint32_t seed) {
+  const SamplePoints points(static_cast<std::size_t>(count), seed);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> order;
   for (std::uint32_t i = 0; i < points.count(); ++i) {
     const SamplePoint point = points.at(0, i);
@@ -180,7 +180,7 @@ RayRows::RayRows(const radiosity::Scene& scene, const radiosity::Discretization&
   assert(settings.rays >= static_cast<int>(packetSize) && settings.rays <= 1 << 24);
   assert(std::has_single_bit(static_cast<unsigned>(settings.rays)));
   implementation_.reset(new Implementation{
-      scene, discretization, settings.start, samplesOf(settings.rays),
+      scene, discretization, settings.start, samplesOf(settings.rays, settings.seed),
       settings.start == RayStart::Area ? surfacePieces(scene, discretization) : SurfacePieces{}, placesOf(scene),
       EmbreeScene{}, std::vector<std::uint32_t>(static_cast<std::size_t>(settings.rays)),
       std::vector<std::uint64_t>(discretization.elements.size())});

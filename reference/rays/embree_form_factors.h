@@ -51,6 +51,7 @@ enum class RayStart {
 struct RayRowSettings {
   int rays = 1 << 16;  ///< per row; a power of two, 16 to 2^24
   RayStart start = RayStart::Centre;
+  std::uint32_t seed = 0;  ///< of the sequence of directions and starts (see sample_points.h)
 };
 
 class RayRows {

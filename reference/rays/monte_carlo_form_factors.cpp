@@ -21,24 +21,25 @@ constexpr double closedFormError = 1e-10;
 /// A receiver that no ray met may still have the light of this number of rays.
 constexpr double fewestRays = 2;
 
-/// The sums of one randomization: receivers, then backs, then background.
+/// The sums of one block: receivers, then backs, then background.
 using Sums = std::vector<double>;
 
 /// Adds the contribution of one point of the sequence.
 using AddSample = std::function<void(const SamplePoint&, Sums&)>;
 
-/// Runs each randomization separately, in order, and averages the results.
+/// Sums each block separately, in order, and averages the results.
 MeasuredRow measure(std::uint32_t receivers, const Sampling& sampling, const AddSample& add) {
   assert(sampling.samples > 0);
-  const std::size_t count = (static_cast<std::size_t>(sampling.samples) + randomizations - 1) / randomizations;
+  const std::size_t count = (static_cast<std::size_t>(sampling.samples) + sampleBlocks - 1) / sampleBlocks;
   const SamplePoints points(count, sampling.seed);
-  std::vector<Sums> sums(randomizations, Sums(receivers + 2, 0.0));
-  raster::parallelFor(randomizations, [&](std::size_t r) {
-    for (std::size_t i = 0; i < count; ++i) add(points.at(r, i), sums[r]);
+  std::vector<Sums> sums(sampleBlocks, Sums(receivers + 2, 0.0));
+  raster::parallelFor(sampleBlocks, [&](std::size_t block) {
+    for (std::size_t i = 0; i < count; ++i) add(points.at(block, i), sums[block]);
   });
   const auto mean = [&](std::size_t column) {
-    std::array<double, randomizations> values;
-    for (std::size_t r = 0; r < randomizations; ++r) values[r] = sums[r][column] / static_cast<double>(count);
+    std::array<double, sampleBlocks> values;
+    for (std::size_t block = 0; block < sampleBlocks; ++block)
+      values[block] = sums[block][column] / static_cast<double>(count);
     return meanOf(values);
   };
   MeasuredRow row;

@@ -1,26 +1,40 @@
 #include "reference/rays/sample_points.h"
 
+#include <bit>
 #include <boost/random/sobol.hpp>
 #include <cassert>
 #include <cmath>
 #include <random>
+#include <tuple>
 
 namespace hemitex::reference {
 
-/// Boost leaves out the first point of the sequence, 0. All standard libraries have the same generator for the shifts.
+/// Boost leaves out the first point of the sequence, 0. All standard libraries have the same generator for the shift.
+///
+/// A block of 2^m points is the first block with one shift: the sequence is linear over exclusive or in the Gray code
+/// of the index, and the Gray code of a multiple of 2^m plus a smaller number is that of both.
 SamplePoints::SamplePoints(std::size_t count, std::uint32_t seed) : points_(count) {
-  boost::random::sobol_engine<std::uint32_t, 32> sobol(4);
+  constexpr std::size_t axes = std::tuple_size_v<Words>;
+  boost::random::sobol_engine<std::uint32_t, 32> sobol(axes);
+  const std::size_t distance = std::bit_ceil(count);
+  for (std::size_t block = 1; block < sampleBlocks; ++block) {
+    sobol.seed(static_cast<std::uint32_t>(block * distance - 1));
+    for (std::uint32_t& coordinate : shifts_[block]) coordinate = sobol();
+  }
+  sobol.seed();
   for (std::size_t i = 1; i < count; ++i)
     for (std::uint32_t& coordinate : points_[i]) coordinate = sobol();
   std::mt19937 random(seed);
-  for (Words& shift : shifts_)
-    for (std::uint32_t& word : shift) word = static_cast<std::uint32_t>(random());
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    const auto shift = static_cast<std::uint32_t>(random());
+    for (Words& words : shifts_) words[axis] ^= shift;
+  }
 }
 
-SamplePoint SamplePoints::at(std::size_t randomization, std::size_t index) const {
+SamplePoint SamplePoints::at(std::size_t block, std::size_t index) const {
   SamplePoint point;
   for (std::size_t axis = 0; axis < point.size(); ++axis)
-    point[axis] = ((points_[index][axis] ^ shifts_[randomization][axis]) + 0.5) * 0x1p-32;
+    point[axis] = ((points_[index][axis] ^ shifts_[block][axis]) + 0.5) * 0x1p-32;
   return point;
 }
 

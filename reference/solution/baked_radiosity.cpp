@@ -89,12 +89,12 @@ class Tracer {
     findLights();
   }
 
-  /// The flux that arrives at each element with the paths of one randomization, W.
-  ElementFlux arriving(const SamplePoints& points, std::size_t randomization, std::uint32_t seed) const {
+  /// The flux that arrives at each element with the paths of one block, W.
+  ElementFlux arriving(const SamplePoints& points, std::size_t block, std::uint32_t seed) const {
     ElementFlux sum(discretization_.elements.size(), glm::dvec3(0));
     if (lights_.empty()) return sum;
     Random random(seed);
-    for (std::size_t i = 0; i < points.count(); ++i) trace(points.at(randomization, i), random, sum);
+    for (std::size_t i = 0; i < points.count(); ++i) trace(points.at(block, i), random, sum);
     for (glm::dvec3& flux : sum) flux /= static_cast<double>(points.count());
     return sum;
   }
@@ -105,12 +105,12 @@ class Tracer {
     Random random(2 * seed + 1);
     const RaySource raySource = areaRaySource(pieces_, std::array{element});
     const bool emits = bandSum(radiosity::emission(scene_, discretization_, element)) > 0;
-    std::array<double, randomizations> shares{};
-    for (std::size_t r = 0; r < randomizations; ++r)
+    std::array<double, sampleBlocks> shares{};
+    for (std::size_t block = 0; block < sampleBlocks; ++block)
       for (std::size_t i = 0; i < count; ++i) {
-        const SamplePoint sample = points.at(r, i);
+        const SamplePoint sample = points.at(block, i);
         if (!isBuried(shootingPoint(raySource, sample[0], sample[1]), emits, random))
-          shares[r] += 1 / static_cast<double>(count);
+          shares[block] += 1 / static_cast<double>(count);
       }
     return meanOf(shares);
   }
@@ -228,7 +228,7 @@ class Tracer {
   std::vector<Light> lights_;
 };
 
-using Estimates = std::array<glm::dvec3, randomizations>;
+using Estimates = std::array<glm::dvec3, sampleBlocks>;
 
 struct BandMeasurement {
   glm::dvec3 value{0.0}, standardError{0.0};
@@ -237,8 +237,8 @@ struct BandMeasurement {
 BandMeasurement meanOf(const Estimates& estimates) {
   BandMeasurement result;
   for (int band = 0; band < 3; ++band) {
-    std::array<double, randomizations> values{};
-    for (std::size_t r = 0; r < randomizations; ++r) values[r] = estimates[r][band];
+    std::array<double, sampleBlocks> values{};
+    for (std::size_t block = 0; block < sampleBlocks; ++block) values[block] = estimates[block][band];
     const Measurement mean = reference::meanOf(values);
     result.value[band] = mean.value;
     result.standardError[band] = mean.standardError;
@@ -249,8 +249,8 @@ BandMeasurement meanOf(const Estimates& estimates) {
 /// The combined error of independent errors.
 glm::dvec3 together(const glm::dvec3& a, const glm::dvec3& b) { return glm::sqrt(a * a + b * b); }
 
-/// Errors of elements are not independent, because paths connect them. So each randomization is summed separately.
-SurfaceFlux sumOf(const std::vector<std::uint32_t>& elements, const std::array<ElementFlux, randomizations>& reflected,
+/// Errors of elements are not independent, because paths connect them. So each block is summed separately.
+SurfaceFlux sumOf(const std::vector<std::uint32_t>& elements, const std::array<ElementFlux, sampleBlocks>& reflected,
                   const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                   const BakedRadiosity& baked) {
   SurfaceFlux sum;
@@ -264,38 +264,37 @@ SurfaceFlux sumOf(const std::vector<std::uint32_t>& elements, const std::array<E
     const glm::dvec3 emittedError = radiosity::emission(scene, discretization, e) * baked.exposedAreaError[e];
     squares += emittedError * emittedError;
     areaSquares += baked.exposedAreaError[e] * baked.exposedAreaError[e];
-    for (std::size_t r = 0; r < randomizations; ++r) estimates[r] += reflected[r][e];
+    for (std::size_t block = 0; block < sampleBlocks; ++block) estimates[block] += reflected[block][e];
   }
   sum.exposedAreaError = std::sqrt(areaSquares);
   sum.fluxError = together(meanOf(estimates).standardError, glm::sqrt(squares));
   return sum;
 }
 
-/// The number of points per randomization.
-std::size_t perRandomization(int count, const std::string& what) {
-  constexpr int each = randomizations;
-  if (count < each || count % each != 0 || !std::has_single_bit(static_cast<unsigned>(count / each)) ||
+/// The number of points per block.
+std::size_t perBlock(int count, const std::string& what) {
+  constexpr int blocks = sampleBlocks;
+  if (count < blocks || count % blocks != 0 || !std::has_single_bit(static_cast<unsigned>(count / blocks)) ||
       count >= 1 << 30)
     throw raster::InputError("the number of " + what + " is " + std::to_string(count),
-                             "use " + std::to_string(each) + " times a power of two, below 2^30");
-  return static_cast<std::size_t>(count / each);
+                             "use " + std::to_string(blocks) + " times a power of two, below 2^30");
+  return static_cast<std::size_t>(count / blocks);
 }
 
 }  // namespace
 
 BakedRadiosity bakedRadiosity(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                               const BakeSettings& settings) {
-  const std::size_t paths = perRandomization(settings.paths, "paths"),
-                    points = perRandomization(settings.points, "points");
+  const std::size_t paths = perBlock(settings.paths, "paths"), points = perBlock(settings.points, "points");
   const Tracer tracer(scene, discretization);
   const std::size_t count = discretization.elements.size();
   const auto seedOf = [&](std::size_t i) { return settings.seed * 0x10000001U + static_cast<std::uint32_t>(i); };
 
   const SamplePoints starts(paths, settings.seed);
-  std::array<ElementFlux, randomizations> reflected;
-  raster::parallelFor(randomizations, [&](std::size_t r) {
-    reflected[r] = tracer.arriving(starts, r, ~seedOf(r));
-    for (std::uint32_t e = 0; e < count; ++e) reflected[r][e] *= radiosity::reflectance(scene, discretization, e);
+  std::array<ElementFlux, sampleBlocks> reflected;
+  raster::parallelFor(sampleBlocks, [&](std::size_t block) {
+    reflected[block] = tracer.arriving(starts, block, ~seedOf(block));
+    for (std::uint32_t e = 0; e < count; ++e) reflected[block][e] *= radiosity::reflectance(scene, discretization, e);
   });
 
   const ElementFlux dark(count, glm::dvec3(0));
@@ -307,7 +306,7 @@ BakedRadiosity bakedRadiosity(const radiosity::Scene& scene, const radiosity::Di
     const glm::dvec3 emission = radiosity::emission(scene, discretization, element);
     const double exposed = area * share.value, exposedError = area * share.standardError;
     Estimates estimates;
-    for (std::size_t r = 0; r < randomizations; ++r) estimates[r] = reflected[r][e];
+    for (std::size_t block = 0; block < sampleBlocks; ++block) estimates[block] = reflected[block][e];
     const auto [value, error] = meanOf(estimates);
     baked.exposedArea[e] = exposed;
     baked.exposedAreaError[e] = exposedError;

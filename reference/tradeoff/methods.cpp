@@ -52,10 +52,10 @@ TradeMethod drawnMethod(const DrawnStyle& style) {
   return {style.name, "resolution", 2, 4096, style.measured, directions, bytes, rows};
 }
 
-TradeMethod rayMethod(const std::string& name, RayStart start) {
-  const auto rows = [start](const Scene& scene, const Discretization& discretization, int rays) -> TradeRows {
+TradeMethod rayMethod(const std::string& name, RayStart start, std::uint32_t seed) {
+  const auto rows = [start, seed](const Scene& scene, const Discretization& discretization, int rays) -> TradeRows {
     const auto kept = std::make_shared<const Discretization>(discretization);
-    const auto rayRows = std::make_shared<RayRows>(scene, *kept, RayRowSettings{rays, start});
+    const auto rayRows = std::make_shared<RayRows>(scene, *kept, RayRowSettings{rays, start, seed});
     return {kept, [kept, rayRows](std::uint32_t patch) { return rayRows->ofPatch(patch); }};
   };
   // A direction and a start point.
@@ -72,7 +72,7 @@ TradeMethod rayMethod(const std::string& name, RayStart start) {
 
 }  // namespace
 
-std::vector<TradeMethod> tradeMethods() {
+std::vector<TradeMethod> tradeMethods(std::uint32_t seed) {
   using radiosity::Orientation;
   using radiosity::ProjectionKind;
   const std::vector<int> few{32, 64, 128, 256, 512};
@@ -85,8 +85,8 @@ std::vector<TradeMethod> tradeMethods() {
           drawnMethod({"tetrahedron", ProjectionKind::CubicTetrahedron, Orientation::Turned, unsplit, few}),
           drawnMethod({"levels-of-detail", ProjectionKind::Hemicube, Orientation::Turned, unsplit, few,
                        radiosity::suggestedPixelsPerElement}),
-          rayMethod("centre-rays", RayStart::Centre),
-          rayMethod("area-rays", RayStart::Area)};
+          rayMethod("centre-rays", RayStart::Centre, seed),
+          rayMethod("area-rays", RayStart::Area, seed)};
 }
 
 }  // namespace hemitex::reference

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -45,6 +46,8 @@ struct TradeMethod {
 ///   radiosity/form_factors/level_of_detail.h).
 /// - `centre-rays`: rays from the same points as hemicubes, to compare directions only.
 /// - `area-rays`: rays from the whole area of a patch.
-std::vector<TradeMethod> tradeMethods();
+///
+/// `seed` gives rays another sequence (see sample_points.h).
+std::vector<TradeMethod> tradeMethods(std::uint32_t seed = 0);
 
 }  // namespace hemitex::reference

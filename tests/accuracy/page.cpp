@@ -70,8 +70,8 @@ exact value is 0, the error is a share of all light. `0` is exactly 0; `1` means
 - *aimed rays*, *rays*: `--method rays`, with `--aimed` and over the hemisphere, with )" +
          samples + R"( samples (an eighth of
   the default). Sixteen times the samples divide the errors of rays over the hemisphere by more than 4. They divide the
-  errors of aimed rays without blockers by more than 12. Each value has a standard error. Unless a section says
-  otherwise, errors are within four standard errors.
+  errors of aimed rays without blockers by more than 12. Each value has a standard error, which is above its error on
+  average. Unless a section says otherwise, errors are within four standard errors.
 - *hemicube*: one hemicube over the centre, with )" +
          pixels + " x " + pixels + R"( pixels.
 - *8 x 8*: the mean of 64 hemicubes, evenly over the surface (`--texels 8 --patch 1`).

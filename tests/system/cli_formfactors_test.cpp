@@ -64,6 +64,25 @@ TEST_CASE("hemitex formfactors --method rays prints standard errors", "[cli]") {
   CHECK(row["row"][1]["standard_error"].get<double>() > 0);
 }
 
+TEST_CASE("hemitex formfactors --seed gives independent estimates, and 0 the default", "[cli]") {
+  const Shell shell;
+  const std::string rays = "formfactors room.obj --from floor --by-surface --method rays --samples 4096 --json";
+  const json unseeded = json::parse(shell.output(rays)), first = json::parse(shell.output(rays + " --seed 0")),
+             second = json::parse(shell.output(rays + " --seed 1"));
+  CHECK(unseeded == first);
+  CHECK(first["seed"] == 0);
+  CHECK(second["seed"] == 1);
+  int different = 0;
+  for (std::size_t i = 0; i < first["row"].size(); ++i) {
+    const double one = first["row"][i]["form_factor"], other = second["row"][i]["form_factor"],
+                 error = std::hypot(first["row"][i]["standard_error"].get<double>(),
+                                    second["row"][i]["standard_error"].get<double>());
+    CHECK(std::abs(one - other) <= 4 * error);
+    different += one != other;
+  }
+  CHECK(different >= 4);  // of five; two counts of rays may be equal by chance
+}
+
 TEST_CASE("hemitex formfactors --method analytic equals the closed forms, and reports that blockers are ignored",
           "[cli]") {
   // Faces of a cube: Howell C-11 and C-14 with all lengths equal, from the mean over the floor or over one of its

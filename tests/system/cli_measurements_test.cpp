@@ -54,6 +54,11 @@ TEST_CASE("hemitex tradeoff writes a table, an object and a page, the same for a
   }
   CHECK(result["same_points"]["hemicubes"].size() == 2);
   CHECK(result["same_points"]["rays"].size() == 1);
+  // Other rays give another truth, and other errors.
+  const json seeded = json::parse(shell.output(quick + "--seed 3 -o seeded --json"));
+  CHECK(result["settings"]["seed"] == 0);
+  CHECK(seeded["settings"]["seed"] == 3);
+  CHECK(seeded["truth"]["radiosity_error"] != result["truth"]["radiosity_error"]);
   // A run named for an error bound is within it, and on the Pareto front.
   for (const json& level : result["times"]["within"]) {
     if (level["choice"].is_null()) continue;

@@ -294,6 +294,8 @@ TEST_CASE("hemitex solve --method rays agrees with hemicubes within their errors
   CHECK(rays["settings"]["samples"] == 16384);
   CHECK(rays["settings"]["resolution"].is_null());
   CHECK(hemicubes["settings"]["samples"].is_null());
+  CHECK(rays["settings"]["seed"] == 0);
+  CHECK(hemicubes["settings"]["seed"].is_null());
   CHECK(rays["energy"]["lost"] == json({0, 0, 0}));
   const auto byRays = linesOf(readAll(shell.file("rays/elements.csv"))),
              byHemicubes = linesOf(readAll(shell.file("hemicubes/elements.csv")));
@@ -305,6 +307,10 @@ TEST_CASE("hemitex solve --method rays agrees with hemicubes within their errors
   }
   CHECK(difference < 0.015 * whole);
   CHECK(shell.output("solve --help-all").find("differs between machines") != std::string::npos);
+  const json other = json::parse(shell.output(settings + "--method rays --samples 16384 --seed 7 -o other"));
+  CHECK(other["settings"]["seed"] == 7);
+  const auto byOther = linesOf(readAll(shell.file("other/elements.csv")));
+  CHECK(byOther != byRays);
 }
 
 TEST_CASE("hemitex solve --adaptive keeps elements together where light changes little", "[cli]") {

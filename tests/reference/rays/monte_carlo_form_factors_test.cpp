@@ -165,67 +165,114 @@ TEST_CASE("RayFormFactors agree with closed forms from each element to each elem
   }
 }
 
-TEST_CASE("RayFormFactors give standard errors as large as the errors", "[ray form factors]") {
-  // Over 150 seeds the squared errors over the squared standard errors sum to 150 on average, with a deviation of
-  // sqrt(2 * 150) for normal errors. The test allows four of those to either side.
-  constexpr int seeds = 150;
-  for (const Case& example : {unblocked("parallel", facingUp(unitSquare), facingDown(unitSquare, 1),
-                                        parallelRectangles(unitSquare, unitSquare, 1)),
-                              unblocked("perpendicular", facingUp(unitSquare), facingAlongY(unitSquare),
-                                        perpendicularRectangles(unitSquare, unitSquare)),
-                              blocked("half hidden", 0.3, {{-1, 0.5}, {-1, 2}}, 0.5)})
-    for (const Estimator estimator : bothEstimators) {
-      const World world(tests::sceneOf(example.surfaces));
-      double squaredErrors = 0, variance = 0, bias = 0;
-      for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
-        const Measurement estimate =
-            (world.rays.*estimator)(world.surface(0), tests::onlyElement(world.discretization, 1), {1 << 11, seed})
-                .receivers[0];
-        squaredErrors += (estimate.value - example.exact) * (estimate.value - example.exact);
-        variance += estimate.standardError * estimate.standardError;
-        bias += estimate.value - example.exact;
-      }
-      INFO(example.name);
-      CHECK(std::abs(squaredErrors / variance - 1) < 4 * std::sqrt(2.0 / seeds));
-      CHECK(std::abs(bias) < 4 * std::sqrt(variance));
-    }
+namespace {
+
+/// Root mean squares over seeds: of the errors, and of their standard errors.
+struct Spread {
+  double error, standardError;
+};
+
+/// `texels` is the number per side of the source.
+Spread spreadOf(const Case& example, Estimator estimator, int samples, std::uint32_t seeds, int texels = 1) {
+  const World world(tests::sceneOf(example.surfaces));
+  const RaySource source = World(tests::sceneOf(example.surfaces), texels).surface(0);
+  const Receivers receivers = tests::onlyElement(world.discretization, 1);
+  double errors = 0, variance = 0;
+  for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+    const Measurement estimate = (world.rays.*estimator)(source, receivers, {samples, seed}).receivers[0];
+    errors += (estimate.value - example.exact) * (estimate.value - example.exact);
+    variance += estimate.standardError * estimate.standardError;
+  }
+  return {std::sqrt(errors / seeds), std::sqrt(variance / seeds)};
 }
 
-TEST_CASE("RayFormFactors with more samples have smaller errors, better than random rays", "[ray form factors]") {
-  // Sixteen times the samples divide a random error by 4; low-discrepancy points do better for smooth integrands.
-  const Case smooth = unblocked("parallel", facingUp(unitSquare), facingDown(unitSquare, 1),
-                                parallelRectangles(unitSquare, unitSquare, 1));
+Case opposing() {
+  return unblocked("opposing unit squares", facingUp(unitSquare), facingDown(unitSquare, 1),
+                   parallelRectangles(unitSquare, unitSquare, 1));
+}
+
+}  // namespace
+
+TEST_CASE("RayFormFactors give standard errors that are not below the errors", "[ray form factors]") {
+  // Over 150 seeds the mean square of normal errors has a relative deviation of sqrt(2 / 150). The test allows four of
+  // those. Blocks of the sequence complement each other, so that standard errors may be larger than errors.
+  constexpr int seeds = 150;
+  const double most = std::sqrt(1 + 4 * std::sqrt(2.0 / seeds)), least = std::sqrt(1 - 4 * std::sqrt(2.0 / seeds));
+  const std::vector<Case> cases{opposing(),
+                                unblocked("perpendicular", facingUp(unitSquare), facingAlongY(unitSquare),
+                                          perpendicularRectangles(unitSquare, unitSquare)),
+                                blocked("half hidden", 0.3, {{-1, 0.5}, {-1, 2}}, 0.5)};
+  for (const Case& example : cases)
+    for (const Estimator estimator : bothEstimators) {
+      const Spread spread = spreadOf(example, estimator, 1 << 11, seeds);
+      INFO(example.name << ": errors " << spread.error << ", standard errors " << spread.standardError);
+      CHECK(spread.error < most * spread.standardError);
+      if (estimator == &RayFormFactors::overHemisphere) CHECK(spread.error > 0.4 * spread.standardError);
+    }
+  // The rays that meet a small receiver are few, and random.
+  const AxisRectangle tiny{{0.4, 0.44}, {0.6, 0.64}};
+  const Spread spread = spreadOf(
+      unblocked("tiny", facingUp(unitSquare), facingDown(tiny, 0.7), parallelRectangles(unitSquare, tiny, 0.7)),
+      &RayFormFactors::overHemisphere, 1 << 14, seeds);
+  INFO("errors " << spread.error << ", standard errors " << spread.standardError);
+  CHECK(spread.error < most * spread.standardError);
+  CHECK(spread.error > least * spread.standardError);
+}
+
+TEST_CASE("RayFormFactors over the hemisphere have a fifth of the error of random rays, for any number of texels",
+          "[ray form factors]") {
+  // The standard deviation of random rays is sqrt(F (1 - F) / samples), 1.56e-3. Points over a hemisphere and an area
+  // have four coordinates. An indicator function of four has errors proportional to samples^(-5/8), 8 times smaller
+  // than random at 2^16 except for a constant (He and Wang, On the convergence rate of randomized quasi-Monte Carlo for
+  // discontinuous functions, 2015). Over 40 seeds, the measured root mean square has a deviation of 11 %. The fifth is
+  // three deviations above the value, 2.2e-4. Points over texels in row order had 5.9e-4 with one texel, and 4.9e-4
+  // with 16 x 16.
+  const double random = std::sqrt(opposing().exact * (1 - opposing().exact) / (1 << 16));
+  for (const int texels : {1, 16}) {
+    const Spread spread = spreadOf(opposing(), &RayFormFactors::overHemisphere, 1 << 16, 40, texels);
+    INFO(texels << " texels: " << spread.error);
+    CHECK(spread.error < random / 5);
+  }
+}
+
+TEST_CASE("RayFormFactors of aimed rays without blockers have errors of 1e-9, for any number of texels",
+          "[ray form factors]") {
+  // Only the smooth average over the source is sampled. Errors of symmetric points cancel, so that ten times the error
+  // of the closed forms, 1e-10, is left. Points over texels in row order had 1.4e-6 with one texel, and 1.1e-5 with 16
+  // x 16.
+  for (const int texels : {1, 16}) {
+    const Spread spread = spreadOf(opposing(), &RayFormFactors::aimed, 1 << 16, 10, texels);
+    INFO(texels << " texels: " << spread.error);
+    CHECK(spread.error < 1e-9);
+  }
+}
+
+TEST_CASE("RayFormFactors with more samples have smaller errors", "[ray form factors]") {
+  // Sixteen times the samples divide a random error by 4, errors over the hemisphere by 16^(5/8) = 5.7 and smooth ones
+  // by at least 16. Measured root mean squares over 40 seeds have deviations of 11 %, their ratio of 16 %.
   const auto gain = [&](Estimator estimator) {
-    return measured(smooth, estimator, {1 << 11}).standardError / measured(smooth, estimator, {1 << 15}).standardError;
+    return spreadOf(opposing(), estimator, 1 << 11, 40).error / spreadOf(opposing(), estimator, 1 << 15, 40).error;
   };
-  CHECK(gain(&RayFormFactors::overHemisphere) > 4.5);
-  CHECK(gain(&RayFormFactors::aimed) > 12);
-  // The standard deviation of random rays over the hemisphere: sqrt(F (1 - F) / samples).
-  const double chance = std::sqrt(smooth.exact * (1 - smooth.exact) / (1 << 15));
-  CHECK(measured(smooth, &RayFormFactors::overHemisphere, {1 << 15}).standardError < 0.6 * chance);
-  CHECK(measured(smooth, &RayFormFactors::aimed, {1 << 16}).value == Approx(smooth.exact).epsilon(1e-5));
+  CHECK(gain(&RayFormFactors::overHemisphere) > 4);
+  CHECK(gain(&RayFormFactors::aimed) > 16);
 }
 
 TEST_CASE(
     "RayFormFactors with a million samples have errors of 2e-4 over the hemisphere, and 1e-4 of the value with aimed "
     "rays",
     "[.full]") {
-  // Over the hemisphere that is at least twice the standard error, so that one case in twenty may be beyond. Aimed rays
-  // are as accurate with blockers.
-  std::size_t beyond = 0;
-  const std::vector<Case> cases = tableOfCases();
-  for (const Case& example : cases) {
+  // The error over the hemisphere is at most half the standard error of random rays, 5e-4 where half of the rays meet
+  // the receiver. Aimed rays are as accurate with blockers.
+  for (const Case& example : tableOfCases()) {
     const Measurement hemisphere = measured(example, &RayFormFactors::overHemisphere, {1 << 20});
     const Measurement aimed = measured(example, &RayFormFactors::aimed, {1 << 20});
     INFO(example.name << ": exact " << example.exact << ", hemisphere " << hemisphere.value << " +- "
                       << hemisphere.standardError << ", aimed " << aimed.value << " +- " << aimed.standardError);
-    beyond += std::abs(hemisphere.value - example.exact) > 2e-4;
-    CHECK(hemisphere.standardError < 1.5e-4);
+    CHECK(std::abs(hemisphere.value - example.exact) < 2e-4);
     CHECK(std::abs(aimed.value - example.exact) < (example.isClose ? 1e-3 : 1e-4) * example.unhidden);
     CHECK(agrees(hemisphere, example.exact));
     CHECK(agrees(aimed, example.exact));
   }
-  CHECK(beyond <= cases.size() / 20);
 }
 
 TEST_CASE("RayFormFactors give the same bits for any number of threads", "[ray form factors]") {

@@ -67,7 +67,7 @@ TEST_CASE("directionIn fills a spherical triangle uniformly", "[solid angle]") {
         int inside = 0;
         double farthest = 0;
         for (std::size_t i = 0; i < points.count(); ++i) {
-          const SamplePoint point = points.at(repeat % randomizations, i);
+          const SamplePoint point = points.at(repeat % sampleBlocks, i);
           const glm::dvec3 direction = directionIn(turned, point[0], point[1]);
           farthest = std::max(farthest, outside(whole, direction));
           inside += outside(part, direction) == 0;

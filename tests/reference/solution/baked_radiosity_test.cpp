@@ -69,8 +69,10 @@ TEST_CASE("bakedRadiosity of a furnace is E over 1 minus r, within its standard 
       CHECK(baked.radiosityError[e][band] < 0.05 * exact[band]);
     }
   }
-  // The mean square of 288 deviations in standard errors is 1, with an error of 0.1 (more, because bands share paths).
-  CHECK(squares / 288 == Approx(1).margin(0.35));
+  // The mean square of 288 deviations in standard errors is at most 1, with an error of 0.1 (more, because bands share
+  // paths). Blocks of the sequence complement each other, which standard errors do not include.
+  CHECK(squares / 288 < 1.35);
+  CHECK(squares / 288 > 0.35);
   const glm::dvec3 flux = fluxOf(baked);
   for (int band = 0; band < 3; ++band) CHECK(flux[band] == Approx(6 * exact[band]).epsilon(3e-3));
 }
