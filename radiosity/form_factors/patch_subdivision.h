@@ -81,8 +81,8 @@ class PatchSubdivision {
   const Scene& scene_;
   Discretization& discretization_;
   ProjectedFormFactors rows_;
-  std::vector<double> patchArea_;     ///< one per patch
-  std::vector<std::uint64_t> share_;  ///< one per patch, all 0 between rows
+  std::vector<double> patchArea_;                     ///< one per patch
+  std::vector<std::uint64_t> share_;                  ///< one per patch, all 0 between rows
   std::map<std::uint32_t, FormFactorRow> rowsAhead_;  ///< of patches that `wouldSplit` tested, by their first elements
   double maxMisdirected_;
 };

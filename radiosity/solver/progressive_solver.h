@@ -45,7 +45,7 @@ using PatchSplit = std::function<std::vector<std::uint32_t>(std::uint32_t patch,
 struct Step {
   int shots = 0;
   double residual = 0;
-  bool isLast = false;  ///< a limit of the settings is reached
+  bool isLast = false;                 ///< a limit of the settings is reached
   std::function<Snapshot()> snapshot;  ///< from which `solve` goes on
 };
 
