@@ -18,7 +18,7 @@ TEST_CASE("sha256 gives the digests of the standard", "[records]") {
 }
 
 TEST_CASE("sha256OfFile gives the digest of a file's bytes, whatever their number", "[records]") {
-  const hemitex::tests::TemporaryFolder folder;
+  const hemitex::TemporaryFolder folder;
   for (const std::size_t size : {0u, 1u, 65535u, 65536u, 65537u, 1000000u}) {
     const std::string bytes(size, 'a');
     hemitex::raster::writeFile(folder.path / "file", bytes);
