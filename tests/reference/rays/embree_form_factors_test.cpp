@@ -107,7 +107,8 @@ TEST_CASE("RayRows equal the closed forms, with smaller errors than random rays"
 
 TEST_CASE("RayRows with starts over an area give the mean over its points", "[ray rows]") {
   // Parallel unit squares, Howell C-11, and a blocker over half of them that hides exactly a half (see
-  // monte_carlo_form_factors_test.cpp), seen from its back. It absorbs what it hides.
+  // monte_carlo_form_factors_test.cpp), seen from its back. It absorbs what it hides. The errors of points of low
+  // discrepancy are a fifth of the standard deviation of random rays, so that they are below a half.
   constexpr int rays = 1 << 16;
   const AxisRectangle square{{0, 1}, {0, 1}};
   for (const double gap : {0.1, 1.0}) {
@@ -116,9 +117,9 @@ TEST_CASE("RayRows with starts over an area give the mean over its points", "[ra
                                       tests::parallelogram("half", {-9, -9, gap / 2}, {9.5, 0, 0}, {0, 20, 0})}));
     const double open = parallelRectangles(square, square, gap);
     const FormFactorRow row = world.rows(rays, RayStart::Area).ofPatch(0);
-    CHECK(std::abs(factors(world, row)[1] - open / 2) <= 4 * byChance(open / 2, rays));
+    CHECK(std::abs(factors(world, row)[1] - open / 2) <= byChance(open / 2, rays) / 2);
     const double toBlocker = parallelRectangles(square, {{-9, 0.5}, {-9, 11}}, gap / 2);
-    CHECK(std::abs(formFactor(row.back) - toBlocker) <= 4 * byChance(toBlocker, rays));
+    CHECK(std::abs(formFactor(row.back) - toBlocker) <= byChance(toBlocker, rays) / 2);
     // All from the centre: half of the point's form factor.
     const double point = elementToParallelRectangle({{-0.5, 0.5}, {-0.5, 0.5}}, gap);
     const FormFactorRow centre = world.rows(rays, RayStart::Centre).ofPatch(0);

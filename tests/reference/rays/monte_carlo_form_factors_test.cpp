@@ -115,8 +115,10 @@ Measurement measured(const Case& example, Estimator estimator, const Sampling& s
   return (world.rays.*estimator)(world.surface(0), tests::onlyElement(world.discretization, 1), sampling).receivers[0];
 }
 
+/// Errors are 31 % to 86 % of standard errors on average (see sample_points.h), so that three standard errors are at
+/// least 3.5 standard deviations.
 bool agrees(const Measurement& estimate, double exact) {
-  return std::abs(estimate.value - exact) <= 4 * estimate.standardError + 1e-9;
+  return std::abs(estimate.value - exact) <= 3 * estimate.standardError + 1e-9;
 }
 
 bool sameBits(const MeasuredRow& a, const MeasuredRow& b) {
