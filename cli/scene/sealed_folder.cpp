@@ -21,12 +21,18 @@ bool staysInside(const fs::path& name) {
   return !name.empty() && name.is_relative() && *name.lexically_normal().begin() != "..";
 }
 
+/// Leaves out all members of the outermost object but `files`: a million surfaces would take gigabytes.
+bool isOfFiles(int depth, ordered_json::parse_event_t event, ordered_json& parsed) {
+  return depth != 1 || event != ordered_json::parse_event_t::key || parsed == "files";
+}
+
 /// The object `files` of the solution.json of a folder; empty if there is none.
 ordered_json namedFiles(const fs::path& folder) {
   const std::optional<std::string> text = raster::tryReadFile(folder / sealName);
   if (!text) return ordered_json::object();
   try {
-    const auto solution = reference::parseJson<ordered_json>(*text);
+    reference::checkJson(*text);
+    const auto solution = ordered_json::parse(*text, isOfFiles);
     const ordered_json files = solution.is_object() ? solution.value("files", ordered_json()) : ordered_json();
     return files.is_object() ? files : ordered_json::object();
   } catch (const raster::InputError&) {  // no file of ours
@@ -42,8 +48,7 @@ ordered_json fileHashes(const fs::path& folder) {
     if (entry.is_regular_file()) names.insert(entry.path().lexically_relative(folder));
   ordered_json hashes = ordered_json::object();
   for (const fs::path& name : names)
-    hashes[name.string()] =
-        hasTimes(name) ? ordered_json() : ordered_json(reference::sha256OfFile(folder / name));
+    hashes[name.string()] = hasTimes(name) ? ordered_json() : ordered_json(reference::sha256OfFile(folder / name));
   return hashes;
 }
 

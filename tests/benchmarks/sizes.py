@@ -7,6 +7,7 @@ A room of N tiles has 16 N^2 surfaces of 10 x 10 elements; the default is 10^4 t
 memory. GENERATOR is hemitex_data."""
 import json
 import os
+import shutil
 import subprocess
 import sys
 
@@ -25,6 +26,7 @@ def run(arguments):
 
 def solved(program, generator, work, tiles):
     """Solves a room. Returns a line of the table."""
+    shutil.rmtree(f'{work}/solved', ignore_errors=True)  # an old result would be read
     run([generator, work, '--tiles', str(tiles)])
     scene, folder = f'{work}/tiled-room-{tiles}.obj', f'{work}/solved'
     cpu, memory = run([program, 'solve', scene, '-o', folder, '--texels', '10', '--shots', str(SHOTS),
