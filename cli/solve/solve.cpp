@@ -17,6 +17,7 @@
 #include "cli/solve/places.h"
 #include "cli/solve/run.h"
 #include "raster/base/file_io.h"
+#include "raster/base/input_error.h"
 #include "reference/bench/timing.h"
 
 namespace hemitex::cli {
@@ -111,32 +112,28 @@ void computeForRankZero(SolveOptions options, Console& console) {
   solveScene(options, scene, discretizationOf(options.discretization, scene), monitor);
 }
 
-void solve(SolveOptions asked, Context& context) {
-  asked.ranks = context.ranks.get();
-  if (!context.isWriter()) return computeForRankZero(asked, context.console);
-  Console& console = context.console;
-  asked.discretization.isUnburied = !asked.edits.empty();
-  Laps laps;
-  const radiosity::Scene scene = sceneOf(asked.scene, console);
-  requireLight(scene, asked.scene.file, ", or --sky 1,1,1 for light from outside");
-  const radiosity::Camera camera = cameraOf(asked.camera, scene, asked.scene.file);
-  const bool isEdited = !asked.edits.empty();
-  const std::vector<Frame> frames =
-      isEdited ? readEdits(asked.edits, scene, asked.scene.settings) : std::vector<Frame>();
-  laps.lap("load_s");
-  Staging staging(asked.output);
-  radiosity::Discretization unsplit = discretizationOf(asked.discretization, scene);
-  staging.requirePlaces(outputNames(asked, scene, unsplit, frames.size()), inputFiles(asked, scene, frames));
-  Monitor monitor(console, asked.longRun, scene, toText(solutionSettings(asked)));
-  laps.lap("discretize_s");
-  const Outcome outcome = solveScene(asked, scene, std::move(unsplit), monitor);
+/// What a run computes.
+struct Task {
+  radiosity::Scene scene;
+  radiosity::Camera camera;
+  std::vector<Frame> frames;  ///< of --edits
+};
+
+Task taskOf(const SolveOptions& options, Console& console) {
+  Task task{.scene = sceneOf(options.scene, console), .camera = {}, .frames = {}};
+  requireLight(task.scene, options.scene.file, ", or --sky 1,1,1 for light from outside");
+  task.camera = cameraOf(options.camera, task.scene, options.scene.file);
+  if (!options.edits.empty()) task.frames = readEdits(options.edits, task.scene, options.scene.settings);
+  return task;
+}
+
+/// Writes the result, updates it for each frame, and moves it to its folder. Returns the content of solution.json.
+ordered_json writeResult(const Task& task, const Outcome& outcome, Staging& staging, Monitor& monitor, Laps& laps) {
+  Console& console = monitor.console();
   const SolveOptions& options = outcome.options;
   const Solved& solved = outcome.solved;
-  warnOf(solved, console);
-  laps.lap("solve_s");
-
-  const Lit lit{scene, solved.discretization, outcome.layout, solved.solution};
-  const Showing showing{options, camera, exposureOf(options, lit)};
+  const Lit lit{task.scene, solved.discretization, outcome.layout, solved.solution};
+  const Showing showing{options, task.camera, exposureOf(options, lit)};
   std::optional<radiosity::LitScene> shown = shownScene(lit, showing);
   console.warnings(writeSolved(staging.folder(), lit, shown, showing));
   if (!options.report) shown.reset();  // textures take much memory
@@ -145,10 +142,10 @@ void solve(SolveOptions asked, Context& context) {
   laps.lap("write_s");
   ordered_json text = description(lit, showing);
   text["captured"] = solved.captured;
-  text["expected_error"] = outcome.expectedError ? ordered_json(*outcome.expectedError) : ordered_json();
+  text["expected_error"] = orNull(outcome.expectedError);
   bool isInterrupted = solved.solution.isInterrupted;
-  for (std::size_t f = 0; f < frames.size() && !isInterrupted; ++f) {
-    text["frames"].push_back(writeFrame(staging.folder(), f + 1, frames[f], *outcome.dynamic, showing, monitor));
+  for (std::size_t f = 0; f < task.frames.size() && !isInterrupted; ++f) {
+    text["frames"].push_back(writeFrame(staging.folder(), f + 1, task.frames[f], *outcome.dynamic, showing, monitor));
     isInterrupted = outcome.dynamic->solution().isInterrupted;
   }
   if (isInterrupted) text["interrupted"] = true;
@@ -158,12 +155,46 @@ void solve(SolveOptions asked, Context& context) {
   text["files"] = fileHashes(staging.folder());
   raster::writeFile(staging.folder() / "solution.json", toText(text));
   staging.commit("solution.json", staleFiles(options.output));
-  if (isInterrupted) tellStop(options, solved.solution.shots, console);
+  return text;
+}
+
+/// Calls write(). If it fails, the message says that the light is not lost.
+template <typename Write>
+ordered_json writtenOrKept(const std::filesystem::path& checkpoint, const Write& write) {
+  try {
+    return write();
+  } catch (const raster::InputError& error) {
+    if (checkpoint.empty()) throw;
+    throw raster::InputError(std::string(error.what()) + "; the light is in the checkpoint",
+                             "the same command with --resume " + shellQuoted(checkpoint.string()) + " writes it");
+  }
+}
+
+void solve(SolveOptions asked, Context& context) {
+  asked.ranks = context.ranks.get();
+  if (!context.isWriter()) return computeForRankZero(asked, context.console);
+  Console& console = context.console;
+  asked.discretization.isUnburied = !asked.edits.empty();
+  Laps laps;
+  const Task task = taskOf(asked, console);
+  laps.lap("load_s");
+  Staging staging(asked.output);
+  radiosity::Discretization unsplit = discretizationOf(asked.discretization, task.scene);
+  staging.requirePlaces(outputNames(asked, task.scene, unsplit, task.frames.size()),
+                        inputFiles(asked, task.scene, task.frames));
+  Monitor monitor(console, asked.longRun, task.scene, toText(solutionSettings(asked)));
+  laps.lap("discretize_s");
+  const Outcome outcome = solveScene(asked, task.scene, std::move(unsplit), monitor);
+  warnOf(outcome.solved, console);
+  laps.lap("solve_s");
+  const ordered_json text =
+      writtenOrKept(asked.longRun.checkpoint.file, [&] { return writeResult(task, outcome, staging, monitor, laps); });
+  if (text.contains("interrupted")) tellStop(outcome.options, outcome.solved.solution.shots, console);
   if (context.json)
     std::cout << toText(text);
   else if (console.verbosity != Verbosity::Quiet)
-    std::cout << summary(text) << filesText(options);
-  requireOutput("; the result in " + options.output.string() + " is complete");
+    std::cout << summary(text) << filesText(outcome.options);
+  requireOutput("; the result in " + asked.output.string() + " is complete");
 }
 
 }  // namespace

@@ -98,6 +98,19 @@ TEST_CASE("hemitex leaves nothing behind on a full disk", "[faults]") {
              Catch::Contains("cannot be written"));
 }
 
+TEST_CASE("hemitex solve says where the light is if its result cannot be written", "[faults]") {
+  // The pictures exceed the limit on the size of files, the checkpoint does not.
+  const Shell shell;
+  const std::string solve = "solve room.obj -o o --texels 2 --patch 2 --resolution 32 --size 400x300 --checkpoint c ";
+  const Outcome outcome = shell.execute("ulimit -f 16; " + program + solve);
+  CHECK(outcome.exitCode == 2);
+  CHECK_THAT(outcome.err, Catch::Contains("cannot be written") &&
+                              Catch::Contains("the light is in the checkpoint; the same command with --resume 'c'"));
+  CHECK_FALSE(fs::exists(shell.file("o")));
+  shell.output(solve + "--resume c");
+  CHECK(fs::exists(shell.file("o/solution.json")));
+}
+
 TEST_CASE("hemitex names a folder that cannot be written", "[faults]") {
   const Shell shell;
   for (const char* folder : {"/proc/none", "/sys/kernel/none"})
