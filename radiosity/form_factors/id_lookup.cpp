@@ -1,10 +1,14 @@
 #include "radiosity/form_factors/id_lookup.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 namespace hemitex::radiosity {
 namespace {
+
+/// Tables with up to this number of entries stay in the second-level cache.
+constexpr std::size_t maxCachedEntries = 65536;
 
 std::uint32_t texelCount(const Page& page) {
   return static_cast<std::uint32_t>(page.columns) * static_cast<std::uint32_t>(page.rows);
@@ -50,6 +54,9 @@ IdLookup::IdLookup(const Discretization& discretization, const IdLayout& layout)
     addPages(discretization, layout);
     addSinglePages(discretization, layout);
   }
+  std::size_t entries = 0;
+  for (const Block& block : blocks_) entries += block.slots == nullptr ? 0 : block.count;
+  hasLargeTables_ = entries > maxCachedEntries;
 }
 
 /// Adds blocks for consecutive item IDs. If `slots` is null, the slots are consecutive from 0 on.
@@ -85,6 +92,46 @@ void IdLookup::addSinglePages(const Discretization& discretization, const IdLayo
   const auto first = static_cast<raster::ItemId>(blocks_.size() << bits_);
   tables_.push_back(elementsOf(discretization, layout, first, singles));
   addBlocks(singles, tables_.back().data());
+}
+
+/// Looks up item IDs one after the other; consecutive item IDs usually lie in the same block.
+class IdLookup::Cursor {
+ public:
+  explicit Cursor(const IdLookup& lookup) : lookup_(lookup) {}
+
+  void prefetch(raster::ItemId id) {
+    enter(id);
+    const std::uint32_t index = id - first_;
+    if (index < block_.count && block_.slots != nullptr) __builtin_prefetch(block_.slots + index);
+  }
+
+  std::uint32_t slotOf(raster::ItemId id) {
+    enter(id);
+    const std::uint32_t index = id - first_;
+    if (index >= block_.count) [[unlikely]]
+      return id == lookup_.backId_ ? lookup_.back() : lookup_.background();
+    return block_.slots == nullptr ? block_.first + index : std::min(block_.slots[index], lookup_.background());
+  }
+
+ private:
+  void enter(raster::ItemId id) {
+    if (id - first_ < block_.count) [[likely]]
+      return;
+    const std::uint32_t number = id >> lookup_.bits_;
+    first_ = number << lookup_.bits_;
+    block_ = number < lookup_.blocks_.size() ? lookup_.blocks_[number] : Block{};
+  }
+
+  const IdLookup& lookup_;
+  raster::ItemId first_ = 0;  ///< of the block
+  Block block_;
+};
+
+void IdLookup::find(std::span<const raster::ItemId> ids, std::uint32_t* slots) const {
+  Cursor ahead(*this), cursor(*this);
+  if (hasLargeTables_)
+    for (const raster::ItemId id : ids) ahead.prefetch(id);
+  for (const raster::ItemId id : ids) *slots++ = cursor.slotOf(id);
 }
 
 std::size_t IdLookup::bytes() const {

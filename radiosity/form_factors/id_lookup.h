@@ -3,9 +3,9 @@
 /// a constant, without a table. If texels share elements (slivers, packed pages), the page has a table.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
@@ -23,11 +23,15 @@ class IdLookup {
   std::uint32_t background() const { return back_ + 1; }
   std::size_t count() const { return std::size_t{back_} + 2; }
 
+  /// Writes the slot of each item ID: that of elementOf(id), or the background's if no element has the item ID. Many
+  /// item IDs at once are faster, because the cache misses of their tables overlap.
+  void find(std::span<const raster::ItemId> ids, std::uint32_t* slots) const;
+
   /// Memory in addition to the discretization and the layout.
   std::size_t bytes() const;
 
  private:
-  friend class SlotFinder;
+  class Cursor;
 
   /// The item IDs number * 2^bits_ + [0, count).
   struct Block {
@@ -44,35 +48,8 @@ class IdLookup {
   raster::ItemId backId_;
   int bits_ = 20;  ///< bits of a page; any number if there is one block for all pages
   std::vector<Block> blocks_;
+  bool hasLargeTables_ = false;  ///< the tables of all blocks together; then find() prefetches their entries
   std::vector<std::vector<std::uint32_t>> tables_;  ///< tables of blocks that no other structure provides
-};
-
-/// Looks up item IDs one after the other; consecutive item IDs usually lie in the same page.
-class SlotFinder {
- public:
-  /// The slots must outlive this object.
-  explicit SlotFinder(const IdLookup& slots) : slots_(slots) {}
-
-  /// The slot of elementOf(id); the background's slot if no element has the item ID.
-  std::uint32_t of(raster::ItemId id) {
-    if (id - first_ >= block_.count) [[unlikely]]
-      enter(id);
-    const std::uint32_t index = id - first_;
-    if (index >= block_.count) [[unlikely]]
-      return id == slots_.backId_ ? slots_.back() : slots_.background();
-    return block_.slots == nullptr ? block_.first + index : std::min(block_.slots[index], slots_.background());
-  }
-
- private:
-  void enter(raster::ItemId id) {
-    const std::uint32_t number = id >> slots_.bits_;
-    first_ = number << slots_.bits_;
-    block_ = number < slots_.blocks_.size() ? slots_.blocks_[number] : IdLookup::Block{};
-  }
-
-  const IdLookup& slots_;
-  raster::ItemId first_ = 0;  ///< of the block
-  IdLookup::Block block_;
 };
 
 }  // namespace hemitex::radiosity

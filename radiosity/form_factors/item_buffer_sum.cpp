@@ -5,6 +5,7 @@
 #include <bit>
 #include <cassert>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "raster/base/parallel.h"
@@ -15,25 +16,40 @@ namespace {
 
 using raster::ItemId;
 
-/// Adds adjacent pixels, run by run. `before` holds the running sum of shares before each pixel, and after the last.
-void addPixels(const IdLookup& slots, const ItemId* ids, const std::uint64_t* before, std::size_t count,
-               SparseSums& sums) {
-  assert(count > 0);
-  constexpr std::size_t pixelsAtOnce = 4096;
+/// Pixels whose runs are added at once. All but the first are compared with the pixel before, in complete groups.
+constexpr std::size_t pixelsAtOnce = 16 * raster::changesAtOnce + 1;
+
+/// The runs of up to pixelsAtOnce adjacent pixels.
+struct Runs {
+  std::size_t count = 0;
+  std::array<ItemId, pixelsAtOnce> ids;
+  std::array<std::uint64_t, pixelsAtOnce + 1> before;  ///< running sum of shares before each run, and after the last
+};
+
+/// `before` holds the running sum of shares before each pixel, and after the last.
+void findRuns(const ItemId* ids, const std::uint64_t* before, std::size_t count, Runs& runs) {
   std::array<std::uint64_t, pixelsAtOnce / raster::changesAtOnce> changes;
-  SlotFinder finder(slots);
-  std::uint64_t begin = before[0];
-  for (std::size_t pixel = 1; pixel < count; pixel += pixelsAtOnce) {
-    const std::size_t some = std::min(pixelsAtOnce, count - pixel);
-    raster::bestKernels<raster::RunKernels>().findChanges(ids + pixel, some, changes.data());
-    for (std::size_t first = 0; first < some; first += raster::changesAtOnce)
-      for (std::uint64_t ends = changes[first / raster::changesAtOnce]; ends != 0; ends &= ends - 1) {
-        const std::size_t end = pixel + first + static_cast<std::size_t>(std::countr_zero(ends));
-        sums.add(finder.of(ids[end - 1]), before[end] - begin);
-        begin = before[end];
-      }
-  }
-  sums.add(finder.of(ids[count - 1]), before[count] - begin);
+  raster::bestKernels<raster::RunKernels>().findChanges(ids + 1, count - 1, changes.data());
+  runs.count = 0;
+  runs.before[0] = before[0];
+  const auto endRun = [&](std::size_t end) {
+    runs.ids[runs.count] = ids[end - 1];
+    runs.before[++runs.count] = before[end];
+  };
+  for (std::size_t first = 1; first < count; first += raster::changesAtOnce)
+    for (std::uint64_t ends = changes[first / raster::changesAtOnce]; ends != 0; ends &= ends - 1)
+      endRun(first + static_cast<std::size_t>(std::countr_zero(ends)));
+  endRun(count);
+}
+
+/// Adds up to pixelsAtOnce adjacent pixels.
+void addPixels(const IdLookup& lookup, const ItemId* ids, const std::uint64_t* before, std::size_t count,
+               SparseSums& sums) {
+  Runs runs;
+  std::array<std::uint32_t, pixelsAtOnce> slots;
+  findRuns(ids, before, count, runs);
+  lookup.find({runs.ids.data(), runs.count}, slots.data());
+  sums.add({slots.data(), runs.count}, runs.before.data());
 }
 
 /// Adds rows [firstRow, endRow) of a window.
@@ -48,8 +64,10 @@ void addRows(const IdLookup& slots, const Projection& projection, const Window& 
   const std::uint64_t* const before = projection.sharesBefore[projection.faces[window.face].shares].data();
   const auto add = [&](int row, std::size_t count) {
     const auto first = static_cast<std::ptrdiff_t>(some.row - whole.row + row) * whole.width;
-    addPixels(slots, buffer.ids.data() + static_cast<std::ptrdiff_t>(row) * some.width,
-              before + first + (some.column - whole.column), count, sums);
+    const ItemId* ids = buffer.ids.data() + static_cast<std::ptrdiff_t>(row) * some.width;
+    const std::uint64_t* sharesBefore = before + first + (some.column - whole.column);
+    for (std::size_t pixel = 0; pixel < count; pixel += pixelsAtOnce)
+      addPixels(slots, ids + pixel, sharesBefore + pixel, std::min(pixelsAtOnce, count - pixel), sums);
   };
   const auto width = static_cast<std::size_t>(some.width);
   // If the window has the full width, rows are contiguous, and a run may continue in the next row.
@@ -69,12 +87,21 @@ void forEachBlock(AllSums all, std::size_t group, const Body& body) {
          static_cast<std::uint32_t>(std::countr_zero(blocks)));
 }
 
+/// Adds the shares of `from` to `to`, and resets them.
+void moveShares(const SparseSums::Block& from, SparseSums::Block& to) {
+  to.touched |= from.touched;
+  for (std::uint64_t touched = from.touched; touched != 0; touched &= touched - 1) {
+    const int slot = std::countr_zero(touched);
+    to.shares[slot] += std::exchange(from.shares[slot], 0);
+  }
+}
+
 std::size_t elementsIn(AllSums all, std::size_t group) {
   std::size_t elements = 0;
   forEachBlock(all, group, [&](std::uint32_t number) {
     std::uint64_t touched = 0;
     for (SparseSums* sums : all)
-      if (const SparseSums::Block* block = sums->find(number)) touched |= block->touched;
+      if (const auto block = sums->find(number)) touched |= block->touched;
     elements += static_cast<std::size_t>(std::popcount(touched));
   });
   return elements;
@@ -82,21 +109,19 @@ std::size_t elementsIn(AllSums all, std::size_t group) {
 
 /// Moves the shares of a group into a row, from `place` on.
 void moveGroup(AllSums all, std::size_t group, std::size_t place, FormFactorRow& row) {
-  std::vector<SparseSums::Block*> blocks;
   forEachBlock(all, group, [&](std::uint32_t number) {
-    blocks.clear();
-    std::uint64_t touched = 0;
+    std::optional<SparseSums::Block> total;
     for (SparseSums* sums : all)
-      if (SparseSums::Block* block = sums->find(number)) {
-        blocks.push_back(block);
-        touched |= block->touched;
+      if (const auto block = sums->find(number)) {
+        if (total)
+          moveShares(*block, *total);
+        else
+          total = block;
       }
-    for (; touched != 0; touched &= touched - 1, ++place) {
+    for (std::uint64_t touched = total->touched; touched != 0; touched &= touched - 1, ++place) {
       const auto slot = static_cast<std::uint32_t>(std::countr_zero(touched));
-      std::uint64_t share = 0;
-      for (SparseSums::Block* block : blocks) share += block->take(slot);
       row.elements[place] = number * SparseSums::slotsInBlock + slot;
-      row.shares[place] = share;
+      row.shares[place] = std::exchange(total->shares[slot], 0);
     }
   });
 }

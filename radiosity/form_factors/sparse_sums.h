@@ -2,10 +2,10 @@
 /// invisible slots take almost no time or memory: one bit per 4096 slots to test, and one number per 64 slots.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace hemitex::radiosity {
@@ -15,30 +15,29 @@ class SparseSums {
   static constexpr std::uint32_t slotsInBlock = 64;
   static constexpr std::uint32_t blocksInGroup = 64;
 
+  /// Shares of a block.
   struct Block {
-    std::uint64_t touched = 0;  ///< bit i: slot i has a share
-    std::array<std::uint64_t, slotsInBlock> shares = {};
-
-    /// Returns the share of a slot and resets it.
-    std::uint64_t take(std::uint32_t slot) { return std::exchange(shares[slot], 0); }
+    std::uint64_t touched;  ///< bit i: slot i has a share
+    std::uint64_t* shares;  ///< one per slot
   };
 
   /// `slots` is the number of slots.
   explicit SparseSums(std::size_t slots);
 
-  void add(std::uint32_t slot, std::uint64_t share) {
-    const std::uint32_t number = slot / slotsInBlock, place = slot % slotsInBlock;
-    if (placeOf_[number] == none) addBlock(number);
-    Block& block = blocks_[placeOf_[number]];
-    block.shares[place] += share;
-    block.touched |= std::uint64_t{share != 0} << place;
-  }
+  static constexpr std::size_t maxAtOnce = 1025;
+  /// Adds the share before[i + 1] - before[i] to slots[i], for up to maxAtOnce slots. Many slots at once are faster,
+  /// because their cache misses overlap.
+  void add(std::span<const std::uint32_t> slots, const std::uint64_t* before);
 
   std::size_t groups() const { return groups_.size(); }
   /// Bit i: block group * 64 + i is allocated.
   std::uint64_t blocksIn(std::size_t group) const { return groups_[group]; }
-  /// A block, or null.
-  Block* find(std::uint32_t number) { return placeOf_[number] == none ? nullptr : &blocks_[placeOf_[number]]; }
+  /// A block, if it is allocated. Who takes a share sets it to 0.
+  std::optional<Block> find(std::uint32_t number) {
+    const std::uint32_t place = placeOf_[number];
+    if (place == none) return std::nullopt;
+    return Block{touched_[place], shares_.data() + std::size_t{place} * slotsInBlock};
+  }
 
   /// Removes the blocks of a group whose shares are all taken. Different groups may be cleared at the same time.
   void clear(std::size_t group);
@@ -48,11 +47,15 @@ class SparseSums {
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
-  void addBlock(std::uint32_t number);
+
+  /// Returns the block's place.
+  std::uint32_t addBlock(std::uint32_t number);
 
   std::vector<std::uint64_t> groups_;
-  std::vector<std::uint32_t> placeOf_;  ///< of each block in `blocks_`, or none
-  std::vector<Block> blocks_;           ///< in order of allocation; those from `used_` on are all 0
+  std::vector<std::uint32_t> placeOf_;  ///< of each block in `touched_` and `shares_`, or none
+  // In order of allocation; those from place `used_` on are all 0.
+  std::vector<std::uint64_t> touched_;  ///< see Block
+  std::vector<std::uint64_t> shares_;   ///< slotsInBlock per block
   std::uint32_t used_ = 0;
 };
 

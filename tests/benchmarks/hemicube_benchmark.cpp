@@ -59,8 +59,8 @@ void rowSum(benchmark::State& state, const reference::BenchScene& bench) {
     i = (i + 1) % drawn.size();
   }
   const double pixels = 3 * static_cast<double>(state.range(0) * state.range(0));
-  state.counters["per pixel"] = benchmark::Counter(
-      pixels, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["per pixel"] =
+      benchmark::Counter(pixels, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 void registerScene(const std::string& file) {

@@ -21,21 +21,25 @@ Scene mixedScene() {
                   flat("light", rectangle({0, 0}, {1, 1})), flat("lamp", rectangle({0, 0}, {1, 1})), star(7, 3)});
 }
 
-/// The number of item IDs whose slot differs from elementOf, as the first lookup or after another one. Tests the item
-/// IDs 0 to 65535, some behind them, and the last ones.
+/// The number of item IDs whose slot differs from elementOf, looked up alone or after others. Tests the item IDs 0 to
+/// 65535, some behind them, and the last ones.
 int wrongSlots(const Discretization& discretization, const IdSettings& settings) {
   const IdLayout layout = layOut(discretization, settings);
-  const IdLookup slots(discretization, layout);
-  SlotFinder finder(slots);
-  const auto isWrong = [&](ItemId id) {
-    const std::uint32_t other = id == raster::backId(layout.format) ? slots.back() : slots.background();
-    const std::uint32_t slot = elementOf(discretization, layout, id).value_or(other);
-    return finder.of(id) != slot || SlotFinder(slots).of(id) != slot;
-  };
+  const IdLookup lookup(discretization, layout);
+  std::vector<ItemId> ids;
+  for (ItemId id = 0; id < 0x10000; ++id) ids.push_back(id);
+  for (ItemId id = 0x10000; id < 0x800000; id += 97) ids.push_back(id);
+  for (ItemId id = 0xffffff00; id != 0; ++id) ids.push_back(id);
+  std::vector<std::uint32_t> slots(ids.size());
+  lookup.find(ids, slots.data());
   int wrong = 0;
-  for (ItemId id = 0; id < 0x10000; ++id) wrong += isWrong(id) ? 1 : 0;
-  for (ItemId id = 0x10000; id < 0x800000; id += 97) wrong += isWrong(id) ? 1 : 0;
-  for (ItemId id = 0xffffff00; id != 0; ++id) wrong += isWrong(id) ? 1 : 0;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const std::uint32_t other = ids[i] == raster::backId(layout.format) ? lookup.back() : lookup.background();
+    const std::uint32_t slot = elementOf(discretization, layout, ids[i]).value_or(other);
+    std::uint32_t alone = 0;
+    lookup.find({&ids[i], 1}, &alone);
+    wrong += slots[i] != slot || alone != slot ? 1 : 0;
+  }
   return wrong;
 }
 

@@ -128,5 +128,5 @@ TEST_CASE("ItemBufferSum takes memory by the number of pixels, not of elements",
   const std::vector<Window> windows = wholeFaces(*view.projection);
   const raster::ThreadLimit one(1);
   CHECK(counter.rowOf(*view.projection, windows, drawn(world, view, windows)).elements.size() <= 768);
-  CHECK(counter.bytes() - before <= 2 * 768 * sizeof(SparseSums::Block));
+  CHECK(counter.bytes() - before <= 2 * 768 * 65 * 8);
 }
