@@ -16,8 +16,7 @@ void append(std::string& bytes, const Value& value) {
 
 template <typename Value>
 void append(std::string& bytes, const std::vector<Value>& values) {
-  raster::appendBytes(bytes, std::uint64_t{values.size()});
-  for (const Value& value : values) raster::appendBytes(bytes, value);
+  raster::appendList(bytes, values);
 }
 
 template <typename Value>
@@ -27,10 +26,7 @@ void take(std::string_view& bytes, Value& value) {
 
 template <typename Value>
 void take(std::string_view& bytes, std::vector<Value>& values) {
-  const auto count = raster::takeValue<std::uint64_t>(bytes);
-  if (count > bytes.size() / sizeof(Value)) throw raster::InputError("is cut off");
-  values.resize(count);
-  for (Value& value : values) value = raster::takeValue<Value>(bytes);
+  values = raster::takeList<Value>(bytes);
 }
 
 /// Calls visit(part) for each part of a snapshot.
