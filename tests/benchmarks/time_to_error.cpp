@@ -1,14 +1,15 @@
 /// The time of a whole solution with a given error of the light (docs/light.md), by hemicubes and by Embree rays:
-/// hemitex_time_to_error [--paths N] [--threads N] SCENE.obj...
+/// hemitex_time_to_error [--paths N] SCENE.obj...
 ///
 /// The truth is light tracing with N paths (default 2^26). A method takes the first setting whose error is within the
 /// bound; the number of pixels or rays doubles from setting to setting. Hemicubes are rotated per patch, with and
 /// without splitting of patches. Rays start at the centre of a patch, or anywhere on it, or anywhere on patches that
 /// are split as with --method rays. All end when a tenth of the bound is unshot, as with --max-error. The time is from
-/// the discretized scene to radiosity, the median of interleaved repetitions on N threads (default 1). Prints a
-/// Markdown table with the fastest variant by hemicubes and by rays.
+/// the discretized scene to radiosity, in processor seconds of one thread: the median of interleaved repetitions.
+/// Prints a Markdown table with the fastest variant by hemicubes and by rays.
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -92,10 +93,11 @@ std::optional<Choice> firstWithin(double bound, Variant& variant, const TracedSc
 }
 
 void measureTimes(std::vector<Choice>& choices, double bound, const TracedScene& world) {
+  const raster::ThreadLimit oneThread(1);
   const auto secondsOf = [&](std::size_t i, int) {
-    const reference::Stopwatch watch;
+    const std::clock_t start = std::clock();
     world.solvedBy(choices[i].variant->method, choices[i].setting, radiosity::residualFor(bound));
-    return watch.seconds();
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   };
   const std::vector<reference::Timing> timings = reference::interleavedTimings(choices.size(), rounds, secondsOf);
   for (std::size_t i = 0; i < choices.size(); ++i) choices[i].seconds = timings[i];
@@ -117,7 +119,7 @@ void print(const Choice* choice) {
     std::printf(" none | | |");
 }
 
-void measure(const std::string& file, int paths, int threads) {
+void measure(const std::string& file, int paths) {
   const TracedScene world(file, paths);
   const std::string name = file.substr(file.rfind('/') + 1);
   std::fprintf(stderr, "%s: %zu elements, standard error of the truth %.2f %%\n", name.c_str(), world.truth.size(),
@@ -127,7 +129,6 @@ void measure(const std::string& file, int paths, int threads) {
     std::vector<Choice> choices;
     for (Variant& variant : all)
       if (const auto choice = firstWithin(bound, variant, world)) choices.push_back(*choice);
-    const raster::ThreadLimit limit(threads);
     measureTimes(choices, bound, world);
     const Choice *hemicube = fastest(choices, false), *rays = fastest(choices, true);
     std::printf("| %s | %zu | %.2g %% |", name.substr(0, name.rfind('.')).c_str(), world.truth.size(), 100 * bound);
@@ -142,7 +143,7 @@ void measure(const std::string& file, int paths, int threads) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  int paths = 1 << 26, threads = 1;
+  int paths = 1 << 26;
   try {
     std::printf("| scene | elements | error | hemicubes | error | s | rays | error | s | rays over hemicubes |\n");
     std::printf("|---|---|---|---|---|---|---|---|---|---|\n");
@@ -150,10 +151,8 @@ int main(int count, char** arguments) {
       const std::string argument = arguments[i];
       if (i + 1 < count && argument == "--paths")
         paths = std::stoi(arguments[++i]);
-      else if (i + 1 < count && argument == "--threads")
-        threads = std::stoi(arguments[++i]);
       else
-        measure(argument, paths, threads);
+        measure(argument, paths);
     }
   } catch (const std::exception& error) {
     std::cerr << "hemitex_time_to_error: " << error.what() << '\n';
