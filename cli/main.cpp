@@ -1,6 +1,7 @@
 /// The program hemitex.
 #include "cli/common/commands.h"
 #include "cli/common/program.h"
+#include "radiosity/ranks/mpi_module.h"
 
 namespace {
 
@@ -29,6 +30,6 @@ int main(int argc, char** argv) {
       {"hemitex",
        "hemitex computes the light of an OBJ or glTF scene by radiosity and writes the scene with its light in "
        "textures.",
-       "use fewer texels (--texels) or a smaller --row-cache", addCommands},
+       "use fewer texels (--texels) or a smaller --row-cache", addCommands, hemitex::radiosity::startMpi},
       argc, argv);
 }

@@ -13,8 +13,8 @@ namespace {
 
 /// Signals reach a process, not an object. Never destroyed, because a signal may arrive until the very end.
 struct Shared {
-  std::atomic<bool> isLongRun = false, isStopping = false;
-  std::atomic<int> signal = 0;
+  std::atomic<int> longRuns = 0, signal = 0;
+  std::atomic<bool> isStopping = false;
 };
 
 Shared& shared() {
@@ -37,7 +37,7 @@ void waitForSignals(const sigset_t& signals) {
   int number = 0;
   while (sigwait(&signals, &number) == 0) {
     shared().signal = number;
-    if (shared().isLongRun && !shared().isStopping.exchange(true)) continue;
+    if (shared().longRuns > 0 && !shared().isStopping.exchange(true)) continue;
     removeTemporaryFolders();
     std::_Exit(*stoppedExitCode());
   }
@@ -52,9 +52,9 @@ void watchSignals() {
   std::thread([signals] { waitForSignals(signals); }).detach();
 }
 
-LongRun::LongRun() { shared().isLongRun = true; }
+LongRun::LongRun() { ++shared().longRuns; }
 
-LongRun::~LongRun() { shared().isLongRun = false; }
+LongRun::~LongRun() { --shared().longRuns; }
 
 const std::atomic<bool>& LongRun::isStopping() { return shared().isStopping; }
 

@@ -4,11 +4,18 @@
 
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 namespace hemitex::cli {
 
 inline nlohmann::ordered_json toJson(const glm::dvec3& value) { return {value.x, value.y, value.z}; }
+
+/// The value, or null if there is none.
+template <typename Value>
+nlohmann::ordered_json orNull(const std::optional<Value>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+}
 
 /// The JSON list of `make(item)` for each item.
 template <typename List, typename Make>

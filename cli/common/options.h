@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "cli/common/command_line.h"
 #include "cli/common/console.h"
 #include "cli/common/numbers.h"
+#include "radiosity/ranks/messenger.h"
 
 namespace hemitex::cli {
 
@@ -21,6 +23,12 @@ struct Context {
   bool json = false;
   int threads = 0;  ///< 0: all cores
   std::function<void()> command;
+  /// Whether the ranks of a parallel run share the work of the command. Otherwise rank 0 does it alone.
+  bool isShared = false;
+  std::unique_ptr<radiosity::Messenger> ranks;  ///< while a shared command runs with several ranks; otherwise null
+
+  /// Whether this process writes the results: alone or as rank 0.
+  bool isWriter() const { return !ranks || ranks->rank() == 0; }
   bool failed = false;  ///< set by a command if its comparison or verification failed
 };
 

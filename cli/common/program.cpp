@@ -5,8 +5,10 @@
 #include <cstdlib>
 #include <iostream>
 #include <new>
+#include <optional>
 
 #include "cli/common/interruption.h"
+#include "cli/common/launched_rank.h"
 #include "cli/common/unknown_argument.h"
 #include "cli/help/help_formatter.h"
 #include "cli/help/shell_files.h"
@@ -38,6 +40,8 @@ void addGlobalOptions(CLI::App& app, const Program& program, Context& context) {
 }
 
 int run(const Program& program, int argc, char** argv, Context& context) {
+  const std::optional<int> rank = launchedRank();
+  if (rank.value_or(0) > 0) silence();
   CLI::App app(program.purpose, program.name);
   app.fallthrough();
   app.formatter(helpFormatter({}));
@@ -62,6 +66,7 @@ int run(const Program& program, int argc, char** argv, Context& context) {
     context.console.error((unknown.empty() ? error.what() : unknown) + '\n' + adviceOf(program));
     return badInput;
   }
+  if (rank.value_or(0) > 0 && !context.isShared) return 0;
   if (!shellFiles.empty()) {
     writeShellFiles(shellFiles, commandTree(app), HEMITEX_VERSION);
     return 0;
@@ -71,9 +76,22 @@ int run(const Program& program, int argc, char** argv, Context& context) {
     return badInput;
   }
   const raster::ThreadLimit limit(context.threads);
+  if (rank && context.isShared) context.ranks = program.joinRanks();
+  // Launchers send a signal to all ranks, and rank 0 alone decides what the first one does.
+  std::optional<LongRun> helping;
+  if (!context.isWriter()) helping.emplace();
   context.command();
   requireOutput();
+  if (!context.isWriter()) return 0;
   return stoppedExitCode().value_or(context.failed ? comparisonFailed : 0);
+}
+
+/// Reports an error on rank 0 and ends all ranks.
+int failed(Context& context, int exitCode, const std::string& text) {
+  if (!context.isWriter()) reportToWriter(*context.ranks, exitCode, text);
+  context.console.error(text);
+  if (context.ranks) context.ranks->abort(exitCode);
+  return exitCode;
 }
 
 }  // namespace
@@ -92,18 +110,17 @@ int runProgram(const Program& program, int argc, char** argv) {
   try {
     return run(program, argc, argv, context);
   } catch (const raster::InputError& error) {
-    context.console.error(error.what());
-    return badInput;
+    return failed(context, badInput, error.what());
   } catch (const std::filesystem::filesystem_error& error) {
-    context.console.error(error.what());
-    return badInput;
+    return failed(context, badInput, error.what());
+  } catch (const radiosity::RankError& error) {
+    return failed(context, error.exitCode, error.what());
   } catch (const std::bad_alloc&) {
-    context.console.error("out of memory; " + program.memoryAdvice);
+    return failed(context, ourFault, "out of memory; " + program.memoryAdvice);
   } catch (const std::exception& error) {
-    context.console.error("internal error of " + program.name +
-                          "; please report it with the command line: " + error.what());
+    return failed(context, ourFault,
+                  "internal error of " + program.name + "; please report it with the command line: " + error.what());
   }
-  return ourFault;
 }
 
 }  // namespace hemitex::cli

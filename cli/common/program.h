@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "cli/common/options.h"
@@ -14,6 +15,8 @@ struct Program {
   std::string purpose;       ///< a sentence, for the help text
   std::string memoryAdvice;  ///< what to do when memory runs out
   std::function<void(Command, Context&)> addCommands;
+  /// Connects the ranks of a parallel run; empty if no command shares its work.
+  std::function<std::unique_ptr<radiosity::Messenger>()> joinRanks = {};
 };
 
 /// Writes what stdout still holds. Throws InputError if that fails; `state` continues its message and may say which
@@ -21,6 +24,7 @@ struct Program {
 void requireOutput(const std::string& state = {});
 
 /// Returns the exit code: 0 done; 1 a comparison failed; 2 the input or the usage is wrong; 3 internal error.
+/// In a parallel run, ranks other than 0 print nothing, and the first error ends all ranks with its exit code.
 int runProgram(const Program& program, int argc, char** argv);
 
 }  // namespace hemitex::cli

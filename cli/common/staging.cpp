@@ -46,6 +46,19 @@ std::optional<int> lockedFolder(const fs::path& folder) {
   }
 }
 
+fs::path partialFolder(const fs::path& folder, int number) {
+  return folder / (".hemitex.partial-" + std::to_string(number));
+}
+
+/// Removes the temporary folders that no run holds, from a number on.
+void removeStaleFolders(const fs::path& folder, int number) {
+  for (; fs::exists(partialFolder(folder, number)); ++number)
+    if (const std::optional<int> lock = lockedFolder(partialFolder(folder, number))) {
+      fs::remove_all(partialFolder(folder, number));
+      close(*lock);
+    }
+}
+
 /// The topmost folder of a path that does not exist; empty if all exist.
 fs::path topmostMissing(fs::path folder) {
   fs::path missing;
@@ -70,8 +83,9 @@ Staging::Staging(const fs::path& folder, FolderUse use) {
     created_ = topmostMissing(final_);
     fs::create_directories(final_);
     std::optional<int> lock;
-    for (int number = 0; !lock; ++number) {
-      staged_ = final_ / (".hemitex.partial-" + std::to_string(number));
+    int number = 0;
+    for (; !lock; ++number) {
+      staged_ = partialFolder(final_, number);
       lock = lockedFolder(staged_);
       if (!lock && use == FolderUse::OneRun)
         throw raster::InputError(folder.string(), 0, "is in use: another run writes its result there",
@@ -79,6 +93,7 @@ Staging::Staging(const fs::path& folder, FolderUse use) {
     }
     lock_ = *lock;
     for (const fs::directory_entry& left : fs::directory_iterator(staged_)) fs::remove_all(left);
+    removeStaleFolders(final_, number);
   } catch (const fs::filesystem_error& error) {
     removeCreatedFolders();
     throw raster::InputError(folder.string(), 0, "is not a folder that can be written: " + error.code().message(),

@@ -1,9 +1,11 @@
 /// `hemitex formfactors`: computes form factors from a surface to elements or surfaces, and prints them as CSV or JSON.
 /// For the matrix of all surfaces it also prints row sums and deviations from reciprocity.
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -11,8 +13,12 @@
 #include "cli/common/json.h"
 #include "cli/common/table.h"
 #include "cli/formfactors/methods.h"
+#include "cli/formfactors/row_file.h"
+#include "cli/scene/scene_hash.h"
 #include "cli/scene/scene_options.h"
 #include "cli/scene/surface_names.h"
+#include "radiosity/ranks/shared_tasks.h"
+#include "reference/records/sha256.h"
 #include "reference/solution/form_factor_matrix.h"
 #include "reference/solution/reciprocity_smoothing.h"
 
@@ -30,6 +36,7 @@ struct FormFactorOptions {
   bool bySurface = false;
   bool all = false;
   bool smooth = false;
+  std::filesystem::path output;  ///< empty: standard output
 };
 
 const std::string blockersIgnored = "blockers are not looked at";
@@ -164,18 +171,52 @@ void tellChecks(const std::vector<Row>& matrix, const reference::MatrixChecks& c
                   families.names[checks.to] + ")");
 }
 
+/// Identifies the computation of a matrix.
+std::string computationOf(const FormFactorOptions& options, const radiosity::Scene& scene) {
+  nlohmann::ordered_json settings = settingsOf(options);
+  settings.update(toJson(options.discretization));
+  settings.update(toJson(options.id));
+  return reference::sha256(hashOf(scene) + toText(settings));
+}
+
+/// The file that rows are kept in; null without --output, and on all ranks but the one that writes.
+std::unique_ptr<RowFile> rowFileOf(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene) {
+  if (options.output.empty() || !context.isWriter()) return nullptr;
+  auto file = std::make_unique<RowFile>(options.output, scene.files, computationOf(options, scene));
+  if (file->wasDamaged()) context.console.warning("the last line of the unfinished result was damaged; it is dropped");
+  if (!file->rows().empty())
+    context.console.message("goes on after " + std::to_string(file->rows().size()) + " rows that an earlier run left");
+  return file;
+}
+
+/// All rows, on the rank that writes; the ranks of a parallel run share the work.
+std::vector<Row> matrixOf(const RowMethod& rowFrom, const Families& families, RowFile* file, Context& context) {
+  const std::size_t count = families.names.size();
+  std::vector<Row> matrix;
+  if (file) std::transform(file->rows().begin(), file->rows().end(), std::back_inserter(matrix), rowOf);
+  radiosity::run(context.ranks.get(),
+                 {.first = matrix.size(),
+                  .end = count,
+                  .compute = [&](std::size_t from) { return lineOf(rowFrom({families.surfaces[from]})); },
+                  .take =
+                      [&](std::size_t from, const std::string& line) {
+                        matrix.push_back(rowOf(line));
+                        if (file) file->append(line);
+                        context.console.progress(static_cast<double>(from + 1) / static_cast<double>(count),
+                                                 families.names[from]);
+                      }});
+  context.console.endProgress();
+  return matrix;
+}
+
 void printMatrix(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
                  const radiosity::Discretization& discretization) {
   const Families families = familiesOf(scene);
   const Receivers receivers = familiesAsReceivers(discretization, families);
+  const std::unique_ptr<RowFile> file = rowFileOf(options, context, scene);
   const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context.console);
-  const std::size_t count = families.names.size();
-  std::vector<Row> matrix;
-  for (std::size_t from = 0; from < count; ++from) {
-    context.console.progress(static_cast<double>(from) / static_cast<double>(count), families.names[from]);
-    matrix.push_back(rowFrom({families.surfaces[from]}));
-  }
-  context.console.endProgress();
+  std::vector<Row> matrix = matrixOf(rowFrom, families, file.get(), context);
+  if (!context.isWriter()) return;
   nlohmann::ordered_json result = settingsOf(options);
   if (options.smooth) {
     const reference::MatrixDifference moved = smooth(matrix, receivers);
@@ -187,12 +228,18 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
   tellCaptured(matrix.front(), context.console);
   tellChecks(matrix, checks, families, context.console);
   const Table table = tableOf(families, matrix);
-  if (!context.json) return writeCsv(std::cout, table);
-  result.update({{"matrix", toJson(table)},
-                 {"row_sums", {checks.smallestRowSum, checks.largestRowSum}},
-                 {"reciprocity", checks.reciprocity}});
-  if (matrix.front().captured) result["captured"] = *matrix.front().captured;
-  std::cout << toText(result);
+  std::ostringstream text;
+  std::ostream& output = file ? text : std::cout;
+  if (context.json) {
+    result.update({{"matrix", toJson(table)},
+                   {"row_sums", {checks.smallestRowSum, checks.largestRowSum}},
+                   {"reciprocity", checks.reciprocity}});
+    if (matrix.front().captured) result["captured"] = *matrix.front().captured;
+    output << toText(result);
+  } else {
+    writeCsv(output, table);
+  }
+  if (file) file->finish(text.str());
 }
 
 void print(const FormFactorOptions& options, Context& context) {
@@ -216,6 +263,9 @@ void addFormFactors(Command program, Context& context) {
   all.needs(bySurface).excludes(from);
   rows.addFlag("--smooth", options->smooth,
                "correct the matrix to exact reciprocity by least squares, with the same row sums")
+      .needs(all);
+  rows.addPath("-o,--output", options->output,
+               "write the matrix into this file; rows are kept in FILE.part, from which an interrupted run goes on")
       .needs(all);
   const Command method = command.under("Form factors");
   addChoice<std::string>(
@@ -243,6 +293,7 @@ void addFormFactors(Command program, Context& context) {
   command.addExamples(
       {"data/cornell-box.obj --from light --by-surface", "data/cornell-box.obj --all --by-surface --method rays"});
   command.onRead([options, command, &context] {
+    context.isShared = options->all;
     if (options->from.empty() && !options->all)
       usageError("--from", "is required; or print the matrix with --all --by-surface");
     const auto projection = projectionNamed(options->method);

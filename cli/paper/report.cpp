@@ -1,8 +1,8 @@
 #include "cli/paper/report.h"
 
-#include <optional>
 #include <sstream>
 
+#include "cli/common/json.h"
 #include "cli/common/table.h"
 #include "cli/report/embedded_files.h"
 #include "cli/report/html_page.h"
@@ -12,8 +12,6 @@ namespace hemitex::cli {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json orNull(const std::optional<double>& value) { return value ? ordered_json(*value) : ordered_json(); }
 
 ordered_json runJson(const reference::PaperRun& run) {
   const auto published = reference::publishedTimes(run).value_or(reference::PublishedTimes{});

@@ -58,22 +58,13 @@ radiosity::Sun readSun(const std::string& text) {
   return {unit(*towards), readIrradiance("--sun", text.substr(equals + 1))};
 }
 
-bool areNumbers(const ordered_json& value) {
-  bool are = value.is_array() && value.size() == 3;
-  for (const ordered_json& number : value) are = are && number.is_number();
-  return are;
-}
-
-glm::dvec3 vectorOf(const ordered_json& value) {
-  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
-}
-
 /// Throws InputError, with the name, for a value that is not a list of three numbers of at least 0.
 NamedColor readLight(const std::string& name, const ordered_json& value, const std::string& file) {
-  if (!areNumbers(value) || isNegative(vectorOf(value)))
+  const std::optional<glm::dvec3> color = reference::vectorOf(value);
+  if (!color || isNegative(*color))
     throw InputError(file, 0, "`" + raster::excerpt(name) + "` has the value " + raster::excerpt(value.dump()),
                      "write a list of three numbers of at least 0");
-  return {name, vectorOf(value), file};
+  return {name, *color, file};
 }
 
 /// Throws InputError for a value that is not {"towards": [x,y,z], "irradiance": [R,G,B]}.
@@ -81,11 +72,11 @@ radiosity::Sun readSun(const ordered_json& value, const std::string& file) {
   const auto member = [&](const char* name) {
     return value.is_object() && value.contains(name) ? value[name] : ordered_json();
   };
-  const ordered_json towards = member("towards"), irradiance = member("irradiance");
-  if (!areNumbers(towards) || vectorOf(towards) == glm::dvec3(0) || value.size() != 2)
+  const std::optional<glm::dvec3> towards = reference::vectorOf(member("towards"));
+  if (!towards || *towards == glm::dvec3(0) || value.size() != 2)
     throw InputError(file, 0, "`sun` has the value " + raster::excerpt(value.dump()),
                      R"(write {"towards": [x,y,z], "irradiance": [R,G,B]}, or a list of these)");
-  return {unit(vectorOf(towards)), readLight("sun", irradiance, file).color};
+  return {unit(*towards), readLight("sun", member("irradiance"), file).color};
 }
 
 /// Reads the file of `--lights`.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "cli/common/json.h"
 #include "cli/common/shell_quote.h"
 #include "cli/scene/surface_names.h"
 #include "radiosity/discretization/discretize.h"
@@ -12,6 +13,9 @@
 #include "raster/base/input_error.h"
 
 namespace hemitex::cli {
+
+using nlohmann::ordered_json;
+
 namespace {
 
 constexpr int largestTexels = 4096;
@@ -109,9 +113,9 @@ void requireLight(const radiosity::Scene& scene, const std::filesystem::path& fi
     const std::vector<std::string> largest = largestFamilies(scene);
     std::string names;
     for (const std::string& name : largest) names += (names.empty() ? "`" : ", `") + name + "`";
-    throw raster::InputError(
-        file.string(), 0, "nothing in the scene emits light",
-        "add --emit " + shellQuoted(largest.front() + "=10,10,10") + " (largest surfaces: " + names + ")" + alternative);
+    throw raster::InputError(file.string(), 0, "nothing in the scene emits light",
+                             "add --emit " + shellQuoted(largest.front() + "=10,10,10") +
+                                 " (largest surfaces: " + names + ")" + alternative);
   }
   radiosity::requireEmission(scene, file);
 }
@@ -142,6 +146,17 @@ radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettin
                                            const radiosity::Scene& scene) {
   for (const auto& [name, texels] : settings.surfaceTexels) surfacesNamed(scene, name);
   return radiosity::discretize(scene, settings);
+}
+
+ordered_json toJson(const radiosity::DiscretizationSettings& settings) {
+  ordered_json surfaceTexels = ordered_json::object();
+  // The command line gives square grids only.
+  for (const auto& [name, size] : settings.surfaceTexels) surfaceTexels[name] = size.columns;
+  return {{"texels", orNull(settings.texels)},
+          {"texel_size", orNull(settings.texelSize)},
+          {"surface_texels", surfaceTexels},
+          {"patch", settings.patches ? ordered_json() : ordered_json(settings.patch)},
+          {"patches", orNull(settings.patches)}};
 }
 
 void addIdOptions(Command command, radiosity::IdSettings& settings) {
@@ -181,6 +196,14 @@ radiosity::IdLayout layoutOf(const radiosity::IdSettings& settings, const radios
         "offsets without alignment overflow the channels of a clamped add, so that wrong elements receive light; "
         "use --blend integer-add");
   return layout;
+}
+
+ordered_json toJson(const radiosity::IdSettings& settings) {
+  return {{"format", settings.format},
+          {"index_maps", nameOf(indexMapsChoices(), settings.indexMaps)},
+          {"page", orNull(settings.page)},
+          {"blend", nameOf(blendChoices(), settings.blend)},
+          {"align", settings.aligned}};
 }
 
 Option addResolution(Command command, int& resolution) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,12 +49,17 @@ void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings
 radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettings& settings,
                                            const radiosity::Scene& scene);
 
+/// The settings that were given, and null for others.
+nlohmann::ordered_json toJson(const radiosity::DiscretizationSettings& settings);
+
 /// Adds the options for assigning item IDs to elements.
 void addIdOptions(Command command, radiosity::IdSettings& settings);
 /// The layout of item IDs. Throws InputError as radiosity::layOut, and if options for offsets are given with unique
 /// index maps, which have no offsets.
 radiosity::IdLayout layoutOf(const radiosity::IdSettings& settings, const radiosity::Discretization& discretization,
                              Console& console);
+
+nlohmann::ordered_json toJson(const radiosity::IdSettings& settings);
 
 /// Adds `--resolution`: pixels along the side of a face, even, 2 to 4096.
 Option addResolution(Command command, int& resolution);

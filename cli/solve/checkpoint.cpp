@@ -3,8 +3,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <cstring>
-
+#include "cli/scene/scene_hash.h"
+#include "raster/base/bytes.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/records/sha256.h"
@@ -14,58 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 using raster::InputError;
+using raster::takeBytes;
+using raster::takeValue;
 
 const std::string title = "hemitex checkpoint 1\n";
 constexpr std::size_t hashLength = 64;
-
-/// Collects values as bytes for a hash.
-struct Bytes {
-  std::string text;
-
-  void add(const std::string& value) {
-    add(value.size());
-    text += value;
-  }
-  template <typename Value>
-  void add(const Value& value) {
-    text.append(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-  template <typename Value>
-  void add(const std::optional<Value>& value) {
-    add(value.has_value());
-    if (value) add(*value);
-  }
-};
-
-void add(Bytes& bytes, const radiosity::Triangle& triangle) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    bytes.add(triangle.position[k]);
-    bytes.add(triangle.chart[k]);
-    bytes.add(triangle.texcoord[k]);
-  }
-  bytes.add(triangle.polygon);
-}
-
-void add(Bytes& bytes, const radiosity::Material& material) {
-  bytes.add(material.reflectance);
-  bytes.add(material.emission);
-  bytes.add(material.reflectanceMap);
-  bytes.add(material.emissionMap);
-}
-
-/// Removes the first `count` bytes of a text and returns them. Throws InputError if there are fewer.
-std::string_view take(std::string_view& text, std::size_t count) {
-  if (count > text.size()) throw InputError("is cut off");
-  const std::string_view taken = text.substr(0, count);
-  text.remove_prefix(count);
-  return taken;
-}
-
-std::uint64_t takeCount(std::string_view& text) {
-  std::uint64_t count = 0;
-  std::memcpy(&count, take(text, sizeof count).data(), sizeof count);
-  return count;
-}
 
 /// Makes sure that the bytes of a file are on the disk.
 void flush(const fs::path& file) {
@@ -76,35 +29,6 @@ void flush(const fs::path& file) {
 }
 
 }  // namespace
-
-std::string hashOf(const radiosity::Scene& scene) {
-  std::string hash;
-  const auto extend = [&hash](const Bytes& bytes) { hash = reference::sha256(hash + bytes.text); };
-  Bytes light;
-  light.add(scene.outside.sky);
-  for (const radiosity::Sun& sun : scene.outside.suns) {
-    light.add(sun.towards);
-    light.add(sun.irradiance);
-  }
-  for (const radiosity::Material& material : scene.materials) add(light, material);
-  extend(light);
-  for (const radiosity::Image& image : scene.images) {
-    Bytes bytes;
-    bytes.add(image.width);
-    bytes.add(image.height);
-    for (const glm::dvec3& pixel : image.pixels) bytes.add(pixel);
-    extend(bytes);
-  }
-  for (const radiosity::Surface& surface : scene.surfaces) {
-    Bytes bytes;
-    bytes.add(surface.name);
-    bytes.add(surface.material);
-    bytes.add(surface.twin);
-    for (const radiosity::Triangle& triangle : surface.triangles) add(bytes, triangle);
-    extend(bytes);
-  }
-  return hash;
-}
 
 Checkpoint::Checkpoint(const CheckpointOptions& options, const radiosity::Scene& scene, const std::string& settings)
     : options_(options) {
@@ -139,13 +63,13 @@ void Checkpoint::read(const fs::path& file) {
   try {
     std::string_view rest = text;
     if (!rest.starts_with(title)) throw InputError("is not a checkpoint of this version");
-    take(rest, title.size());
-    const std::string_view hash = take(rest, hashLength);
+    takeBytes(rest, title.size());
+    const std::string_view hash = takeBytes(rest, hashLength);
     if (reference::sha256(rest) != hash) throw InputError("is damaged");
-    if (take(rest, hashLength) != scene_) throw InputError("belongs to another scene", "solve without --resume");
-    if (take(rest, hashLength) != settings_)
+    if (takeBytes(rest, hashLength) != scene_) throw InputError("belongs to another scene", "solve without --resume");
+    if (takeBytes(rest, hashLength) != settings_)
       throw InputError("belongs to other settings", "repeat the options of the run that wrote it");
-    while (!rest.empty()) snapshots_.emplace_back(take(rest, takeCount(rest)));
+    while (!rest.empty()) snapshots_.emplace_back(takeBytes(rest, takeValue<std::uint64_t>(rest)));
   } catch (const InputError& error) {
     throw InputError(file.string(), 0, error.what());
   }
@@ -154,8 +78,7 @@ void Checkpoint::read(const fs::path& file) {
 void Checkpoint::write() const {
   std::string content = scene_ + settings_;
   for (const std::string& snapshot : snapshots_) {
-    const std::uint64_t size = snapshot.size();
-    content.append(reinterpret_cast<const char*>(&size), sizeof size);
+    raster::appendBytes(content, std::uint64_t{snapshot.size()});
     content += snapshot;
   }
   const fs::path partial = options_.file.string() + ".partial";

@@ -22,9 +22,6 @@ struct CheckpointOptions {
   double every = 60;             ///< seconds
 };
 
-/// A hash of all that a solution depends on in a scene.
-std::string hashOf(const radiosity::Scene& scene);
-
 class Checkpoint {
  public:
   /// `settings` is text that is equal for equal settings. Throws InputError for a file to resume that is damaged or

@@ -20,8 +20,9 @@ std::size_t shotsAtHalfTime(const Convergence& convergence) {
   return static_cast<std::size_t>(half - seconds.begin());
 }
 
-}  // namespace
-
+/// The seconds until a solution with a number of shots is at a limit of its settings, from its convergence in the
+/// second half of the time so far; nothing if it does not converge. The residual decreases about exponentially with
+/// time.
 std::optional<double> secondsLeft(const radiosity::SolverSettings& settings, int shots,
                                   const Convergence& convergence) {
   const std::size_t half = shotsAtHalfTime(convergence), last = convergence.seconds.size() - 1;
@@ -34,8 +35,11 @@ std::optional<double> secondsLeft(const radiosity::SolverSettings& settings, int
     const double untilResidual = std::log(convergence.residual[last] / settings.residual) / decay;
     left = std::min(left.value_or(untilResidual), untilResidual);
   }
+  if (left) left = std::max(*left, 0.0);
   return left;
 }
+
+}  // namespace
 
 Monitor::Monitor(Console& console, const LongRunOptions& options, const radiosity::Scene& scene,
                  const std::string& settings)

@@ -21,11 +21,6 @@ struct LongRunOptions {
   ProgressFormat progress = ProgressFormat::Bar;
 };
 
-/// The seconds until a solution with a number of shots is at a limit of its settings, from its convergence in the
-/// second half of the time so far; nothing if it does not converge. The residual decreases about exponentially with
-/// time.
-std::optional<double> secondsLeft(const radiosity::SolverSettings& settings, int shots, const Convergence& convergence);
-
 class Monitor {
  public:
   /// `console` must outlive this object. See Checkpoint for the other arguments and for errors.

@@ -8,6 +8,7 @@
 #include "cli/scene/camera_options.h"
 #include "cli/scene/scene_options.h"
 #include "cli/solve/monitor.h"
+#include "radiosity/ranks/messenger.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "radiosity/textures/lit_scene.h"
 #include "radiosity/textures/texture_filter.h"
@@ -29,8 +30,9 @@ struct SolveOptions {
   std::optional<radiosity::TextureFilter> filter;  ///< see filterOf for the default
   std::optional<int> magnification;                ///< see magnificationOf for the default
   CameraOptions camera;
-  std::filesystem::path edits;  ///< empty if there are none
-  bool report = false;          ///< also write report.html
+  std::filesystem::path edits;            ///< empty if there are none
+  radiosity::Messenger* ranks = nullptr;  ///< the ranks that share rows; null if this process is alone
+  bool report = false;                    ///< also write report.html
   LongRunOptions longRun;
   std::filesystem::path output;
 };

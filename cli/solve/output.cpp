@@ -13,50 +13,32 @@
 #include "raster/base/file_io.h"
 
 namespace hemitex::cli {
-namespace {
 
 using nlohmann::ordered_json;
 
-/// The surfaces with given numbers of texels; the command line gives square grids only.
-ordered_json surfaceTexelsJson(const radiosity::DiscretizationSettings& settings) {
-  ordered_json texels = ordered_json::object();
-  for (const auto& [name, size] : settings.surfaceTexels) texels[name] = size.columns;
-  return texels;
-}
-
-}  // namespace
-
 ordered_json solutionSettings(const SolveOptions& options) {
-  const auto orNull = [](const auto& value) { return value ? ordered_json(*value) : ordered_json(); };
   const auto ofProjections = [&](const auto& value) {
     return usesRays(options) ? ordered_json() : ordered_json(value);
   };
-  return {{"charts", nameOf(chartsChoices(), options.scene.settings.charts)},
-          {"max_reflectance", options.scene.settings.maxReflectance},
-          {"two_sided", options.scene.settings.twoSided},
-          {"emission", nameOf(emissionChoices(), options.scene.settings.emission)},
-          {"texels", orNull(options.discretization.texels)},
-          {"texel_size", orNull(options.discretization.texelSize)},
-          {"surface_texels", surfaceTexelsJson(options.discretization)},
-          {"patch", options.discretization.patches ? ordered_json() : ordered_json(options.discretization.patch)},
-          {"patches", orNull(options.discretization.patches)},
-          {"adaptive", orNull(options.adaptive)},
-          {"discretize", ofProjections(nameOf(elementsByChoices(), options.drawing.elementsBy))},
-          {"method", options.method},
-          {"resolution", ofProjections(options.drawing.resolution)},
-          {"orientation", ofProjections(nameOf(orientationChoices(), options.drawing.orientation))},
-          {"split", options.drawing.split},
-          {"pixels_per_element", ofProjections(options.drawing.pixelsPerElement)},
-          {"samples", usesRays(options) ? ordered_json(options.samples) : ordered_json()},
-          {"seed", usesRays(options) ? ordered_json(options.seed) : ordered_json()},
-          {"format", options.id.format},
-          {"index_maps", nameOf(indexMapsChoices(), options.id.indexMaps)},
-          {"page", orNull(options.id.page)},
-          {"blend", nameOf(blendChoices(), options.id.blend)},
-          {"align", options.id.aligned},
-          {"max_error", orNull(options.maxError)},
-          {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
-          {"shots", orNull(options.solver.shots)}};
+  ordered_json settings = {{"charts", nameOf(chartsChoices(), options.scene.settings.charts)},
+                           {"max_reflectance", options.scene.settings.maxReflectance},
+                           {"two_sided", options.scene.settings.twoSided},
+                           {"emission", nameOf(emissionChoices(), options.scene.settings.emission)}};
+  settings.update(toJson(options.discretization));
+  settings.update({{"adaptive", orNull(options.adaptive)},
+                   {"discretize", ofProjections(nameOf(elementsByChoices(), options.drawing.elementsBy))},
+                   {"method", options.method},
+                   {"resolution", ofProjections(options.drawing.resolution)},
+                   {"orientation", ofProjections(nameOf(orientationChoices(), options.drawing.orientation))},
+                   {"split", options.drawing.split},
+                   {"pixels_per_element", ofProjections(options.drawing.pixelsPerElement)},
+                   {"samples", usesRays(options) ? ordered_json(options.samples) : ordered_json()},
+                   {"seed", usesRays(options) ? ordered_json(options.seed) : ordered_json()}});
+  settings.update(toJson(options.id));
+  settings.update({{"max_error", orNull(options.maxError)},
+                   {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
+                   {"shots", orNull(options.solver.shots)}});
+  return settings;
 }
 
 namespace {

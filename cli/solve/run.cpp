@@ -2,38 +2,80 @@
 
 #include "radiosity/discretization/adaptive_subdivision.h"
 #include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/ranks/rows_ahead.h"
+#include "radiosity/ranks/shared_tasks.h"
 #include "radiosity/solver/error_control.h"
+#include "raster/base/bytes.h"
 #include "reference/rays/embree_form_factors.h"
 
 namespace hemitex::cli {
-
 namespace {
 
 /// Ends a choice of settings between two of its solutions. Thrown and caught in this file.
 struct Stopped {};
 
-/// A solution and its discretization, with patches as split during the solution.
+/// Whether the next step of a run depends on the radiosity of a solution.
+bool isChoosing(const SolveOptions& options) { return options.adaptive || options.maxError; }
+
+/// Tells the other ranks how a solution ended.
+void tellOtherRanks(radiosity::Messenger& ranks, const radiosity::Solution& solution) {
+  std::string bytes;
+  raster::appendBytes(bytes, solution.isInterrupted);
+  raster::appendList(bytes, solution.radiosity);
+  for (int rank = 1; rank < ranks.ranks(); ++rank) ranks.send(rank, radiosity::MessageKind::Solution, bytes);
+}
+
+/// What rank 0 tells of its solution.
+radiosity::Solution solutionOfRankZero(radiosity::Messenger& ranks) {
+  const radiosity::Message message = radiosity::awaited(ranks);
+  std::string_view bytes = message.bytes;
+  radiosity::Solution solution;
+  solution.isInterrupted = raster::takeValue<bool>(bytes);
+  solution.radiosity = raster::takeList<glm::dvec3>(bytes);
+  return solution;
+}
+
+std::string textOf(const radiosity::RowCounts& counts) {
+  return std::to_string(counts.ahead) + " rows were computed ahead, of which " + std::to_string(counts.used) +
+         " were used; rank 0 computed " + std::to_string(counts.ofRankZero) + " when they were needed";
+}
+
 Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radiosity::Discretization discretization,
                 const radiosity::IdLayout& layout, Monitor& monitor) {
   // Also used with rays, because patches are split by hemicubes for both methods.
   radiosity::SceneFormFactors drawn(scene, std::move(discretization), layout, options.drawing);
+  if (options.ranks && options.ranks->rank() > 0) {
+    radiosity::computeRows(*options.ranks, drawn.rows());
+    return {drawn.discretization(), isChoosing(options) ? solutionOfRankZero(*options.ranks) : radiosity::Solution()};
+  }
   const std::optional<radiosity::Snapshot> snapshot = monitor.begin();
   Convergence convergence;
-  const auto solveBy = [&](auto& rows) {
-    const auto rowOf = [&rows](std::uint32_t patch) { return rows.ofPatch(patch); };
+  const auto solveBy = [&](const radiosity::RowSource& rowOf, const radiosity::LookAhead& lookAhead = {}) {
     radiosity::Solution solution = radiosity::solve(
         scene, drawn.discretization(), rowOf, options.solver, monitor.progressOf(options.solver, convergence),
-        drawn.splits(), {.outside = drawn.outsideFlux(), .snapshot = snapshot ? &*snapshot : nullptr});
+        drawn.splits(), {.outside = drawn.outsideFlux(), .snapshot = snapshot ? &*snapshot : nullptr}, lookAhead);
     monitor.console().endProgress();
+    return solution;
+  };
+  const auto solveAlone = [&](auto& rows) {
+    return solveBy([&rows](std::uint32_t patch) { return rows.ofPatch(patch); });
+  };
+  const auto solveWithRanks = [&](radiosity::Messenger& ranks) {
+    radiosity::RowsAhead rows(ranks, drawn, options.solver.rowCacheBytes);
+    radiosity::Solution solution = solveBy([&rows](std::uint32_t patch) { return rows.row(patch); },
+                                           [&rows](const auto& likelyShots) { rows.lookAhead(likelyShots); });
+    rows.end();
+    monitor.console().detail(textOf(rows.counts()));
+    if (isChoosing(options)) tellOtherRanks(ranks, solution);
     return solution;
   };
   if (usesRays(options)) {
     reference::RayRows rows(scene, drawn.discretization(),
                             {.rays = options.samples, .start = reference::RayStart::Area, .seed = options.seed});
-    radiosity::Solution solution = solveBy(rows);
+    radiosity::Solution solution = solveAlone(rows);
     return {drawn.discretization(), std::move(solution), 1, std::move(convergence)};
   }
-  radiosity::Solution solution = solveBy(drawn.rows());
+  radiosity::Solution solution = options.ranks ? solveWithRanks(*options.ranks) : solveAlone(drawn.rows());
   return {drawn.discretization(), std::move(solution), radiosity::formFactor(drawn.rows().projection().captured),
           std::move(convergence)};
 }

@@ -101,7 +101,18 @@ std::set<std::string> staleFiles(const std::filesystem::path& folder) {
   return files;
 }
 
+/// The part of the ranks other than 0: computes rows and writes nothing.
+void computeForRankZero(SolveOptions options, Console& console) {
+  options.longRun = {};
+  const radiosity::Scene scene = sceneOf(options.scene, console);
+  requireLight(scene, options.scene.file);
+  Monitor monitor(console, options.longRun, scene, {});
+  solveScene(options, scene, discretizationOf(options.discretization, scene), monitor);
+}
+
 void solve(SolveOptions asked, Context& context) {
+  asked.ranks = context.ranks.get();
+  if (!context.isWriter()) return computeForRankZero(asked, context.console);
   Console& console = context.console;
   asked.discretization.isUnburied = !asked.edits.empty();
   Laps laps;
@@ -115,7 +126,7 @@ void solve(SolveOptions asked, Context& context) {
   Staging staging(asked.output);
   const radiosity::Discretization unsplit = discretizationOf(asked.discretization, scene);
   staging.requirePlaces(outputNames(asked, scene, unsplit, frames.size()), inputFiles(asked, scene, frames));
-  Monitor monitor(console, asked.longRun, scene, solutionSettings(asked).dump());
+  Monitor monitor(console, asked.longRun, scene, toText(solutionSettings(asked)));
   laps.lap("discretize_s");
   const Outcome outcome = solveScene(asked, scene, unsplit, monitor);
   const SolveOptions& options = outcome.options;
@@ -134,9 +145,11 @@ void solve(SolveOptions asked, Context& context) {
   ordered_json text = description(lit, showing);
   text["captured"] = solved.captured;
   text["expected_error"] = outcome.expectedError ? ordered_json(*outcome.expectedError) : ordered_json();
-  for (std::size_t f = 0; f < frames.size() && !LongRun::isStopping(); ++f)
+  bool isInterrupted = solved.solution.isInterrupted;
+  for (std::size_t f = 0; f < frames.size() && !isInterrupted; ++f) {
     text["frames"].push_back(writeFrame(staging.folder(), f + 1, frames[f], *outcome.dynamic, showing, monitor));
-  const bool isInterrupted = LongRun::isStopping() && (isEdited || solved.solution.isInterrupted);
+    isInterrupted = outcome.dynamic->solution().isInterrupted;
+  }
   if (isInterrupted) text["interrupted"] = true;
   text["times"] = laps.times();
   text["warnings"] = console.given();
@@ -158,10 +171,11 @@ void addSolve(Command program, Context& context) {
   const auto options = std::make_shared<SolveOptions>();
   const Command command = program.addCommand("solve", "Compute the light of a scene by progressive radiosity");
   addSolveOptions(command, *options);
-  command.addExamples({"data/cornell-box.obj -o lit --report",
-                       "house.obj -o lit --sky 1,1,1.2 --sun 1,3,2=4,4,3.5 --max-error 0.02 --filter bicubic"});
+  command.addExamples(
+      {"data/cornell-box.obj -o lit --report", "house.obj -o lit --sky 1,1,1.2 --sun 1,3,2=4,4,3.5 --max-error 0.02"});
   command.onRead([options, command, &context] {
     completeOptions(command, *options);
+    context.isShared = options->edits.empty() && !usesRays(*options);
     context.command = [options, &context] { solve(*options, context); };
   });
 }

@@ -1,13 +1,13 @@
 #include "cli/view/browser.h"
 
-#include <fcntl.h>
-#include <spawn.h>
 #include <sys/wait.h>
 
 #include <chrono>
 #include <cstdlib>
 #include <sstream>
 #include <thread>
+
+#include "reference/verdict/spawn_settings.h"
 
 extern char** environ;
 
@@ -40,24 +40,15 @@ std::vector<std::string> wordsOf(const std::string& command, const std::string& 
   return words;
 }
 
-/// Starts a program without input, in a session of its own so that it outlives this one. Nothing if it cannot be
-/// started. What it prints to stdout would mix with results, so it goes nowhere.
+/// Starts a program. Nothing if it cannot be started.
 std::optional<pid_t> start(const std::vector<std::string>& words) {
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&files, 2, "/dev/null", O_WRONLY, 0);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
+  const reference::SpawnSettings settings(-1, POSIX_SPAWN_SETSID);
   pid_t process = 0;
-  const int error = posix_spawnp(&process, arguments.front(), &files, &attributes, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&files);
-  posix_spawnattr_destroy(&attributes);
+  const int error =
+      posix_spawnp(&process, arguments.front(), &settings.actions, &settings.attributes, arguments.data(), environ);
   return error == 0 ? std::optional(process) : std::nullopt;
 }
 

@@ -110,20 +110,8 @@ Image transposed(const Image& image) {
   return result;
 }
 
-/// The codes of an image as linear values.
-Image decoded(const CodedImage& image) {
-  Image result{image.width, image.height, {}};
-  for (std::size_t i = 0; i < image.codes.size(); i += 3) {
-    glm::dvec3 pixel;
-    for (int band = 0; band < 3; ++band)
-      pixel[band] = radiosity::decodeSrgb(image.codes[i + static_cast<std::size_t>(band)] / 255.0);
-    result.pixels.push_back(pixel);
-  }
-  return result;
-}
-
 std::string pngLetters(const CodedImage& image, int divisor) {
-  const CodedImage shown = divisor == 1 ? image : radiosity::encodeSrgb(shrunk(decoded(image), divisor));
+  const CodedImage shown = divisor == 1 ? image : radiosity::encodeSrgb(shrunk(radiosity::decodeSrgb(image), divisor));
   const std::vector<unsigned char> bytes = radiosity::encodePng(shown, "texture");
   return base64({bytes.begin(), bytes.end()});
 }

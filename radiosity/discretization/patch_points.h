@@ -14,6 +14,8 @@ struct SurfacePoint {
   glm::dvec3 position;         ///< in units of the file
   glm::dvec3 normal;           ///< unit
   std::uint32_t triangle = 0;  ///< in Surface::triangles
+
+  bool operator==(const SurfacePoint&) const = default;
 };
 
 /// The point of a triangle with these barycentric weights of its corners 1 and 2.

@@ -17,13 +17,13 @@ constexpr int scoutResolution = 32;
 /// square. The smallest error for a given time needs resolutions proportional to the weight to the power of 1 / 2.5.
 constexpr double weightOfWhole = 2, weightOfHalving = 5.656854249492381;
 
+}  // namespace
+
 int halvingsFor(double weight) {
   int halvings = 0;
   for (; weight * weightOfHalving <= weightOfWhole && halvings < maxHalvings; weight *= weightOfHalving) ++halvings;
   return halvings;
 }
-
-}  // namespace
 
 /// A part of a patch: a block of texels and the elements whose own texels lie there.
 struct PatchSubdivision::Part {
@@ -46,10 +46,24 @@ std::vector<std::uint32_t> PatchSubdivision::split(std::uint32_t number, double 
   Patch& patch = discretization_.patches[number];
   if (patch.isSettled || maxMisdirected_ >= 1) return {};
   patch.isSettled = true;
-  const auto first = discretization_.patchElements.begin() + patch.firstElement;
   std::vector<Part> parts;
-  split(Part{patch, std::vector<std::uint32_t>(first, first + patch.elementCount)}, weight, parts);
+  split(wholeOf(patch), weight, parts);
+  rowsAhead_.erase(discretization_.patchElements[patch.firstElement]);
   return replace(number, parts);
+}
+
+PatchSubdivision::Part PatchSubdivision::wholeOf(const Patch& patch) const {
+  const auto first = discretization_.patchElements.begin() + patch.firstElement;
+  return {patch, std::vector<std::uint32_t>(first, first + patch.elementCount)};
+}
+
+bool PatchSubdivision::wouldSplit(std::uint32_t number, double weight) {
+  const Patch& patch = discretization_.patches[number];
+  const double limit = maxMisdirected_ / std::sqrt(weight);
+  if (patch.isSettled || maxMisdirected_ >= 1 || limit >= 1) return false;
+  const Part whole = wholeOf(patch);
+  if (!rowsAhead_.contains(whole.elements.front())) rowsAhead_[whole.elements.front()] = estimatingRow(whole);
+  return misdirectedShareOf(whole) > limit;
 }
 
 /// Splits a part and appends the results.
@@ -91,12 +105,17 @@ int PatchSubdivision::leafSideOf(const Part& part) const {
 }
 
 double PatchSubdivision::misdirectedShareOf(const Part& part) {
+  const auto ahead = part.depth == 0 ? rowsAhead_.find(part.elements.front()) : rowsAhead_.end();
+  return returningShareOf(ahead != rowsAhead_.end() ? ahead->second : estimatingRow(part), areaOf(part)) + foldOf(part);
+}
+
+FormFactorRow PatchSubdivision::estimatingRow(const Part& part) {
   const Patch& block = part.block;
   const auto shooting = shootingBlock(scene_.surfaces[block.surface], discretization_.grids[block.surface],
                                       glm::dvec2(block.column, block.row), glm::dvec2(block.width, block.height));
   const SurfacePoint centre =
       shooting ? shooting->centre : elementCentre(scene_, discretization_, part.elements.front());
-  return returningShareOf(rows_.from(block.surface, centre), areaOf(part)) + foldOf(part);
+  return rows_.from(block.surface, centre);
 }
 
 /// The number of elements minus the length of the sum of their normals, relative, both weighted by area.

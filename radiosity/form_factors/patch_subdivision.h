@@ -26,6 +26,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
@@ -44,6 +45,9 @@ inline constexpr int maxSplits = 4;
 /// Maximum number of times that a resolution is halved.
 inline constexpr int maxHalvings = 8;
 
+/// Number of halvings of the resolution for a patch of this weight that is not split.
+int halvingsFor(double weight);
+
 /// Splits the patches of a discretization, which it modifies; elements stay the same.
 class PatchSubdivision {
  public:
@@ -57,12 +61,16 @@ class PatchSubdivision {
   /// part is that of the patch times its share of the area. Returns the numbers of the new patches. A patch that was
   /// tested before, or a part of one, stays unchanged.
   std::vector<std::uint32_t> split(std::uint32_t patch, double weight);
+  /// Whether the patch would be split now. Keeps what it draws for a later call of `split`.
+  bool wouldSplit(std::uint32_t patch, double weight);
 
  private:
   struct Part;
 
   void split(Part part, double weight, std::vector<Part>& parts);
+  Part wholeOf(const Patch& patch) const;
   double misdirectedShareOf(const Part& part);
+  FormFactorRow estimatingRow(const Part& part);
   double foldOf(const Part& part) const;
   double returningShareOf(const FormFactorRow& row, double area);
   double areaOf(const Part& part) const;
@@ -75,6 +83,7 @@ class PatchSubdivision {
   ProjectedFormFactors rows_;
   std::vector<double> patchArea_;     ///< one per patch
   std::vector<std::uint64_t> share_;  ///< one per patch, all 0 between rows
+  std::map<std::uint32_t, FormFactorRow> rowsAhead_;  ///< of patches that `wouldSplit` tested, by their first elements
   double maxMisdirected_;
 };
 

@@ -46,28 +46,36 @@ const Projection& ProjectedFormFactors::projectionAfter(int halvings) {
   return projections_.emplace(resolution, projectionOf(settings_.projection, resolution)).first->second;
 }
 
-View ProjectedFormFactors::viewFrom(std::uint32_t surface, const SurfacePoint& point, const glm::dvec3& up,
-                                    int halvings, double area) {
-  const Projection& projection = projectionAfter(halvings);
-  const glm::dvec3 eye = eyeOver(scene_, surface, point);
-  View view{&projection, {}, skippedTriangles(scene_, boxes_, surface, point), area};
-  view.faces = facesOver(projection.faces, eye - scene_.origin, point.normal, up,
+View ProjectedFormFactors::viewFrom(const ViewPoint& from) {
+  const Projection& projection = projectionAfter(from.halvings);
+  const glm::dvec3 eye = eyeOver(scene_, from.surface, from.point);
+  View view{&projection, {}, skippedTriangles(scene_, boxes_, from.surface, from.point), from.area};
+  view.faces = facesOver(projection.faces, eye - scene_.origin, from.point.normal, from.up,
                          nearDistance(scene_, boxes_, eye, view.skipped, projection.squaredReach));
   return view;
 }
 
-std::vector<View> ProjectedFormFactors::viewsOfPatch(std::uint32_t number) {
-  const Patch& patch = discretization_.patches[number];
-  std::vector<View> views;
+std::vector<ViewPoint> ProjectedFormFactors::pointsOfPatch(std::uint32_t number) const {
+  return pointsOfPatch(number, discretization_.patches[number]);
+}
+
+std::vector<ViewPoint> ProjectedFormFactors::pointsOfPatch(std::uint32_t number, const Patch& patch) const {
+  std::vector<ViewPoint> points;
   const auto add = [&](const SurfacePoint& point, double area) {
     const glm::dvec3 up =
-        upOf(settings_.orientation, point.normal, patch.turn.value_or(number), static_cast<int>(views.size()));
-    views.push_back(viewFrom(patch.surface, point, up, patch.halvings, area));
+        upOf(settings_.orientation, point.normal, patch.turn.value_or(number), static_cast<int>(points.size()));
+    points.push_back({patch.surface, point, up, patch.halvings, area});
   };
   if (patch.points > 1)
     for (const ShootingBlock& block : shootingBlocks(scene_, discretization_, patch)) add(block.centre, block.area);
   // For a texel with almost no area, rounding may leave no block with area.
-  if (views.empty()) add(patchCentre(scene_, discretization_, patch), patchArea(discretization_, patch));
+  if (points.empty()) add(patchCentre(scene_, discretization_, patch), patchArea(discretization_, patch));
+  return points;
+}
+
+std::vector<View> ProjectedFormFactors::viewsOfPatch(std::uint32_t patch) {
+  std::vector<View> views;
+  for (const ViewPoint& point : pointsOfPatch(patch)) views.push_back(viewFrom(point));
   return views;
 }
 
@@ -99,14 +107,15 @@ FormFactorRow ProjectedFormFactors::drawWindows(const View& view, std::span<cons
 }
 
 FormFactorRow ProjectedFormFactors::from(std::uint32_t surface, const SurfacePoint& point) {
-  return ofView(viewFrom(surface, point, glm::dvec3(0), 0, 0));
+  return ofView(viewFrom({surface, point}));
 }
 
-FormFactorRow ProjectedFormFactors::ofPatch(std::uint32_t patch) {
-  const std::vector<View> views = viewsOfPatch(patch);
-  if (views.size() == 1) return ofView(views.front());
+FormFactorRow ProjectedFormFactors::ofPatch(std::uint32_t patch) { return ofPoints(pointsOfPatch(patch)); }
+
+FormFactorRow ProjectedFormFactors::ofPoints(std::span<const ViewPoint> points) {
+  if (points.size() == 1) return ofView(viewFrom(points.front()));
   std::vector<WeightedRow> rows;
-  for (const View& view : views) rows.push_back({ofView(view), view.area});
+  for (const ViewPoint& point : points) rows.push_back({ofView(viewFrom(point)), point.area});
   return meanOf(rows);
 }
 

@@ -30,6 +30,17 @@ struct ViewSettings {
   double pixelsPerElement = 0;
 };
 
+/// A point that a patch shoots from, with all that its row depends on besides the scene.
+struct ViewPoint {
+  std::uint32_t surface = 0;
+  SurfacePoint point;
+  glm::dvec3 up{0.0};  ///< direction of the upper side of the projection; 0: any (see facesOver)
+  int halvings = 0;    ///< of the resolution, down to smallestResolution
+  double area = 0;     ///< of the surface part that shoots from this point
+
+  bool operator==(const ViewPoint&) const = default;
+};
+
 /// All that is drawn for the row from one point.
 struct View {
   const Projection* projection = nullptr;  ///< of the ProjectedFormFactors that made the view
@@ -50,11 +61,17 @@ class ProjectedFormFactors {
   /// The row of form factors from a point of a surface. Light that the projection does not capture counts as
   /// background.
   FormFactorRow from(std::uint32_t surface, const SurfacePoint& point);
-  /// The row of a patch: that of its only view, or the mean over its views.
+  /// The row of a patch: that of its points.
   FormFactorRow ofPatch(std::uint32_t patch);
+  /// The row from a point, or the mean over several points.
+  FormFactorRow ofPoints(std::span<const ViewPoint> points);
 
-  /// The views for the row of a patch: from its centre, or from each of its points. Patches that shoot little light use
-  /// a coarser projection. The resolution is halved as often as the patch says, down to smallestResolution.
+  /// The points for the row of a patch: its centre, or each of its points. Patches that shoot little light use a
+  /// coarser projection. The resolution is halved as often as the patch says.
+  std::vector<ViewPoint> pointsOfPatch(std::uint32_t patch) const;
+  /// As above for other values of the patch with this number, as if it had been split or settled.
+  std::vector<ViewPoint> pointsOfPatch(std::uint32_t number, const Patch& patch) const;
+  /// The views from these points.
   std::vector<View> viewsOfPatch(std::uint32_t patch);
   /// The row of one view.
   FormFactorRow ofView(const View& view);
@@ -68,7 +85,7 @@ class ProjectedFormFactors {
   /// Draws the windows, one buffer per window, and returns the sum of their pixels.
   FormFactorRow drawWindows(const View& view, std::span<const Window> windows,
                             std::vector<raster::ItemBuffer>& buffers);
-  View viewFrom(std::uint32_t surface, const SurfacePoint& point, const glm::dvec3& up, int halvings, double area);
+  View viewFrom(const ViewPoint& from);
   const Projection& projectionAfter(int halvings);
 
   const Scene& scene_;

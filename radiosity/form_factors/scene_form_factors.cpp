@@ -52,4 +52,11 @@ PatchSplit SceneFormFactors::splits() {
   return [this](std::uint32_t patch, double weight) { return splitter_->split(patch, weight); };
 }
 
+std::vector<ViewPoint> SceneFormFactors::likelyPoints(std::uint32_t number, double weight) {
+  Patch patch = discretization_.patches[number];
+  if (splitter_ && splitter_->wouldSplit(number, weight)) return {};
+  if (splitter_ && !patch.isSettled) patch.halvings = halvingsFor(weight);
+  return rows_.pointsOfPatch(number, patch);
+}
+
 }  // namespace hemitex::radiosity

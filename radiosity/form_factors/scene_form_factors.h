@@ -63,6 +63,8 @@ class SceneFormFactors {
   /// The function that splits patches of `discretization()` during a solution; empty if no patch is to be split. Keeps
   /// a reference to this object.
   PatchSplit splits();
+  /// The points that a patch would shoot from now with this weight; none if it would be split (see PatchSplit).
+  std::vector<ViewPoint> likelyPoints(std::uint32_t patch, double weight);
   const IdLayout& layout() const { return layout_; }
   ProjectedFormFactors& rows() { return rows_; }
   /// The flux from `scene.outside`, with eight times as many directions as a face has pixels along its side,

@@ -1,5 +1,5 @@
-/// The module hemitex_gltf: reads glTF by tinygltf. tinygltf parses the file; every index, range and number that it
-/// hands over is checked here.
+/// The module hemitex_gltf: reads glTF by tinygltf. tinygltf parses the file; this code checks every index, range
+/// and number that it returns.
 #include <tiny_gltf.h>
 
 #include <algorithm>

@@ -206,6 +206,13 @@ CodedImage encodeSrgb(const Image& image) {
   return coded;
 }
 
+Image decodeSrgb(const CodedImage& image) {
+  Image decoded{image.width, image.height, {}};
+  decoded.pixels.reserve(image.codes.size() / 3);
+  for (std::size_t pixel = 0; pixel < image.codes.size() / 3; ++pixel) decoded.pixels.push_back(pixelAt(image, pixel));
+  return decoded;
+}
+
 glm::dvec3 bilinear(const Image& image, const glm::dvec2& uv) { return bilinearIn(image, uv); }
 glm::dvec3 bilinear(const CodedImage& image, const glm::dvec2& uv) { return bilinearIn(image, uv); }
 

@@ -28,6 +28,7 @@ double decodeSrgb(double encoded);
 /// The 8-bit sRGB code nearest to a linear value. Values outside [0,1] are clamped; NaN gives 0.
 std::uint8_t encodeSrgb(double linear);
 CodedImage encodeSrgb(const Image& image);
+Image decodeSrgb(const CodedImage& image);
 
 /// The colour at (u, v), bilinear in linear values between pixel centres and repeating; v = 0 is the bottom. Both give
 /// the same colour for an image and its codes if the image has only values of codes.

@@ -18,8 +18,8 @@ struct ImageSamples {
   std::vector<float> values;        ///< of all other files, else empty
 };
 
-/// Receives the rows of an image from the top, some at a time; `height` is that of the whole image. Alpha and further
-/// channels are left out, so that there are 1 or 3.
+/// Receives the rows of an image from the top, some at a time; `height` is that of the whole image. There are 1
+/// or 3 channels: alpha and further ones are left out.
 using RowReceiver = std::function<void(const ImageSamples& rows, int height)>;
 
 /// Why an image was not read or written, and what to do about it; both are empty when it was.

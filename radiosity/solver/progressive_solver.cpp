@@ -52,7 +52,8 @@ constexpr double unitsOfFlux = 256;
 
 /// Shoots until a limit of the settings is reached, after the shots and splits of `past`.
 Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, const SolverSettings& settings,
-               const Progress& progress, const PatchSplit& split, const Snapshot& past = {}) {
+               const Progress& progress, const PatchSplit& split, const Snapshot& past = {},
+               const LookAhead& lookAhead = {}) {
   Solution solution;
   solution.shots = past.shots;
   solution.absorbedByBacks = past.absorbedByBacks;
@@ -63,9 +64,16 @@ Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, con
   std::vector<SplitCall> splits = past.splits;
   const auto snapshot = [&] { return Snapshot{solution.shots, splits, solution.absorbedByBacks, state.saved()}; };
   const double unitFlux = state.light().lastEmitted / unitsOfFlux;
+  const auto weightOf = [&](std::uint32_t patch) { return bandSum(glm::abs(state.unshot(patch))) / unitFlux; };
+  const auto likelyShots = [&](std::size_t count) {
+    std::vector<LikelyShot> shots;
+    for (const std::uint32_t patch : state.brightestPatches(count))
+      if (rows.find(patch) == nullptr) shots.push_back({patch, weightOf(patch)});
+    return shots;
+  };
   const auto hasBeenSplit = [&](std::uint32_t patch) {
     if (!split || state.hasShot(patch)) return false;
-    const double weight = bandSum(glm::abs(state.unshot(patch))) / unitFlux;
+    const double weight = weightOf(patch);
     const std::vector<std::uint32_t> parts = split(patch, weight);
     splits.push_back({patch, weight});
     if (!parts.empty()) state.split(patch, parts);
@@ -74,6 +82,7 @@ Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, con
   while (!isDone() && !solution.isInterrupted) {
     const std::uint32_t patch = state.brightestPatch();
     if (hasBeenSplit(patch)) continue;  // another patch may be brighter than the parts
+    if (lookAhead) lookAhead(likelyShots);
     const FormFactorRow& row = rows.row(patch, [&] { return rowOf(patch); });
     if (row.back != 0) addToBacks(solution.absorbedByBacks, patch, state.unshot(patch) * formFactor(row.back));
     state.shoot(patch, row);
@@ -89,7 +98,7 @@ Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, con
 void splitAgain(const Discretization& discretization, const Snapshot& snapshot, const PatchSplit& split) {
   for (const SplitCall& call : snapshot.splits)
     if (split && call.patch < discretization.patches.size())
-      split(call.patch, call.weight);
+      split(static_cast<std::uint32_t>(call.patch), call.weight);
     else
       throw raster::InputError("the stored solution splits other patches");
   const std::size_t patches = discretization.patches.size(), elements = discretization.elements.size();
@@ -114,14 +123,15 @@ Solution finished(Solution solution, const Scene& scene, const Discretization& d
 }  // namespace
 
 Solution solve(const Scene& scene, const Discretization& discretization, const RowSource& rowOf,
-               const SolverSettings& settings, const Progress& progress, const PatchSplit& split, Start start) {
+               const SolverSettings& settings, const Progress& progress, const PatchSplit& split, Start start,
+               const LookAhead& lookAhead) {
   assert(!discretization.patches.empty());
   const Snapshot past = start.snapshot ? *start.snapshot : Snapshot();
   if (start.snapshot) splitAgain(discretization, past, split);
   ShootingState state = start.snapshot ? ShootingState(scene, discretization, std::move(start.outside), past.state)
                                        : ShootingState(scene, discretization, std::move(start.outside));
   RowCache rows(settings.rowCacheBytes);
-  Solution solution = shoot(state, rows, rowOf, settings, progress, split, past);
+  Solution solution = shoot(state, rows, rowOf, settings, progress, split, past, lookAhead);
   return finished(std::move(solution), scene, discretization, std::move(state));
 }
 

@@ -52,6 +52,17 @@ struct Step {
 /// Called after each shot. The solution ends there if it returns false.
 using Progress = std::function<bool(const Step&)>;
 
+/// A patch that will probably shoot soon, and its weight (see PatchSplit) if it shot now.
+struct LikelyShot {
+  std::uint32_t patch = 0;
+  double weight = 0;
+};
+
+/// Called before each shot with a function that lists likely shots, without those whose rows are in the cache. The
+/// first is the next shot, and all others have less flux; at most `count`. The result does not depend on what is done
+/// with them.
+using LookAhead = std::function<void(const std::function<std::vector<LikelyShot>(std::size_t count)>& likelyShots)>;
+
 /// How a solution begins.
 struct Start {
   OutsideFlux outside = {};       ///< light from outside the scene
@@ -64,7 +75,7 @@ struct Start {
 /// solution.
 Solution solve(const Scene& scene, const Discretization& discretization, const RowSource& rowOf,
                const SolverSettings& settings, const Progress& progress = {}, const PatchSplit& split = {},
-               Start start = {});
+               Start start = {}, const LookAhead& lookAhead = {});
 
 /// Continues a refinement of the scene until a limit of the settings is reached; counts shots from here.
 Solution refine(const Scene& scene, const Discretization& discretization, ShootingState& state, RowCache& rows,

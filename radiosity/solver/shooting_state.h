@@ -78,6 +78,8 @@ class ShootingState {
 
   /// The patch with the largest absolute unshot flux, bands summed; the first of equals.
   std::uint32_t brightestPatch() const { return unshot_.brightest(); }
+  /// The patches with the largest absolute unshot flux, in this order; at most `count`.
+  std::vector<std::uint32_t> brightestPatches(std::size_t count) const { return unshot_.brightestPatches(count); }
   /// The unshot flux of a patch, and whether it has ever shot.
   const glm::dvec3& unshot(std::uint32_t patch) const { return unshot_.flux()[patch]; }
   bool hasShot(std::uint32_t patch) const { return light_.shot[patch] != glm::dvec3(0); }

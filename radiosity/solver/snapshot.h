@@ -13,18 +13,18 @@ namespace hemitex::radiosity {
 
 /// A call of PatchSplit. One that leaves the patch whole counts too: it chooses the resolution of its hemicube.
 struct SplitCall {
-  std::uint32_t patch = 0;
+  std::uint64_t patch = 0;  ///< 64 bits wide, so that no byte of the structure is padding
   double weight = 0;
 };
 
 struct Snapshot {
   int shots = 0;
-  std::vector<SplitCall> splits;  ///< in the order of the calls
+  std::vector<SplitCall> splits;            ///< in the order of the calls
   std::vector<glm::dvec3> absorbedByBacks;  ///< see Solution
   SavedShots state;
 };
 
-/// The snapshot as bytes, 96 per element at most.
+/// The snapshot as bytes: 24 per element, 88 per patch.
 std::string toBytes(const Snapshot& snapshot);
 /// Reads the bytes of one snapshot from the start of `bytes` and removes them there. Throws InputError if they are too
 /// few.

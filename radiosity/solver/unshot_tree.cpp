@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <queue>
+#include <tuple>
 #include <utility>
 
 #include "radiosity/scene/scene.h"
@@ -70,6 +72,35 @@ std::size_t UnshotTree::update(std::span<const std::uint32_t> blocks) {
     changed.resize(kept);
   }
   return visits;
+}
+
+std::vector<std::uint32_t> UnshotTree::brightestPatches(std::size_t count) const {
+  /// A node, or a patch with level 0. Levels of nodes count from 1.
+  struct Candidate {
+    double size;
+    std::size_t level;
+    std::uint32_t number;
+    bool operator<(const Candidate& other) const { return std::tie(size, other.number) < std::tie(other.size, number); }
+  };
+  std::priority_queue<Candidate> open;
+  open.push({levels_.back().front().largest, levels_.size(), 0});
+  std::vector<std::uint32_t> patches;
+  while (!open.empty() && patches.size() < count) {
+    const Candidate largest = open.top();
+    open.pop();
+    if (largest.level == 0) {
+      patches.push_back(largest.number);
+      continue;
+    }
+    const std::size_t level = largest.level - 1;
+    const std::size_t below = level == 0 ? flux_.size() : levels_[level - 1].size();
+    const std::size_t first = largest.number * children, end = std::min(first + children, below);
+    for (std::size_t i = first; i < end; ++i) {
+      const double size = level == 0 ? bandSum(glm::abs(flux_[i])) : levels_[level - 1][i].largest;
+      if (size > 0) open.push({size, level, static_cast<std::uint32_t>(i)});
+    }
+  }
+  return patches;
 }
 
 std::size_t UnshotTree::bytes() const {

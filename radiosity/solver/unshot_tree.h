@@ -34,6 +34,8 @@ class UnshotTree {
 
   /// The patch with the largest absolute flux, bands summed; the first of equals.
   std::uint32_t brightest() const { return levels_.back().front().brightest; }
+  /// The patches with the largest absolute fluxes, in this order; at most `count`. Visits some nodes per patch.
+  std::vector<std::uint32_t> brightestPatches(std::size_t count) const;
   /// The sum of the absolute fluxes of the patches, per band.
   const glm::dvec3& sizes() const { return levels_.back().front().sizes; }
 

@@ -15,8 +15,7 @@ std::string message(const std::string& file, int line, const std::string& what, 
 
 }  // namespace
 
-std::string excerpt(std::string_view text) {
-  constexpr std::size_t maxBytes = 200;
+std::string excerpt(std::string_view text, std::size_t maxBytes) {
   std::size_t length = std::min(text.size(), maxBytes);
   const auto continues = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; };
   while (length > 0 && length < text.size() && continues(text[length])) --length;  // whole characters of UTF-8

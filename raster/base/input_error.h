@@ -9,8 +9,8 @@
 
 namespace hemitex::raster {
 
-/// Input as messages quote it: at most 200 bytes, with `?` for control characters, and `...` where it is cut.
-std::string excerpt(std::string_view text);
+/// Input as messages quote it: at most `maxBytes` bytes, with `?` for control characters, and `...` where it is cut.
+std::string excerpt(std::string_view text, std::size_t maxBytes = 200);
 
 class InputError : public std::runtime_error {
  public:

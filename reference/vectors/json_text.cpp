@@ -56,12 +56,6 @@ class Check final : public nlohmann::json_sax<json> {
 
 }  // namespace
 
-std::string beginningOf(const std::string& text) {
-  constexpr std::size_t longest = 100;
-  if (text.size() <= longest) return text;
-  return std::string(text, 0, longest).append("...");
-}
-
 void checkJson(const std::string& text, const std::string& file) {
   Check check(file);
   json::sax_parse(text, &check);

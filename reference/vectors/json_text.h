@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "raster/base/input_error.h"
@@ -24,24 +25,29 @@ Json parseJson(const std::string& text, const std::string& file = {}) {
   return Json::parse(text);
 }
 
-/// The beginning of a text for messages, of at most about a hundred characters.
-std::string beginningOf(const std::string& text);
-
-/// A value as text for messages.
+/// A value as text for messages, of at most about a hundred characters.
 template <typename Json>
 std::string shortText(const Json& value) {
-  return beginningOf(value.dump(-1, ' ', true, Json::error_handler_t::replace));
+  return raster::excerpt(value.dump(-1, ' ', true, Json::error_handler_t::replace), 100);
+}
+
+/// A value that is a list of three numbers; nothing for any other value.
+template <typename Json>
+std::optional<glm::dvec3> vectorOf(const Json& value) {
+  bool are = value.is_array() && value.size() == 3;
+  for (const Json& number : value) are = are && number.is_number();
+  if (!are) return std::nullopt;
+  return glm::dvec3(value[0].template get<double>(), value[1].template get<double>(), value[2].template get<double>());
 }
 
 /// The three numbers that an object has at a key. Throws InputError for anything else.
 template <typename Json>
 glm::dvec3 vectorAt(const Json& object, const std::string& key) {
-  const Json values = object.value(key, Json());
-  bool are = values.is_array() && values.size() == 3;
-  for (const Json& value : values) are = are && value.is_number();
-  if (!are)
-    throw raster::InputError("`" + key + "` has the value " + shortText(values), "write a list of three numbers");
-  return {values[0].template get<double>(), values[1].template get<double>(), values[2].template get<double>()};
+  const Json value = object.value(key, Json());
+  const std::optional<glm::dvec3> vector = vectorOf(value);
+  if (!vector)
+    throw raster::InputError("`" + key + "` has the value " + shortText(value), "write a list of three numbers");
+  return *vector;
 }
 
 }  // namespace hemitex::reference

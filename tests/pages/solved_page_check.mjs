@@ -282,7 +282,8 @@ try {
 }
 chromium.removeAllListeners("exit");
 chromium.on("exit", () => {
-  rmSync(profile, {recursive: true, force: true});
+  // Its child processes may still write there for a moment.
+  rmSync(profile, {recursive: true, force: true, maxRetries: 50, retryDelay: 100});
   process.exit(code);
 });
 chromium.kill();

@@ -55,4 +55,21 @@ inline void addGrid(radiosity::Discretization& discretization, int columns, int 
   discretization.grids.push_back(grid);
 }
 
+/// A scene of unit quads with grids of texels.
+struct ChartScene {
+  radiosity::Scene scene;
+  radiosity::Discretization discretization;
+};
+
+inline ChartScene makeCharts(const std::vector<glm::ivec2>& grids) {
+  ChartScene charts;
+  std::vector<radiosity::Surface> surfaces;
+  for (const glm::ivec2& grid : grids) {
+    surfaces.push_back(parallelogram("chart", {static_cast<double>(surfaces.size()), 0, 0}, {1, 0, 0}, {0, 1, 0}));
+    addGrid(charts.discretization, grid.x, grid.y);
+  }
+  charts.scene = sceneOf(surfaces);
+  return charts;
+}
+
 }  // namespace hemitex::tests

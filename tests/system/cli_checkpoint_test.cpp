@@ -108,11 +108,25 @@ TEST_CASE("--progress json prints lines of JSON, and the last one is that of the
     const json progress = json::parse(line);
     CHECK(progress["shots"] > shots);
     CHECK(progress["shots_per_s"] > 0);
+    CHECK((progress["left_s"].is_null() || progress["left_s"] >= 0));
     shots = progress["shots"];
   }
   const json solution = json::parse(shell.files().at("out/solution.json"));
   CHECK(solution["shots"] == shots);
   CHECK(json::parse(lines.back())["residual"] == solution["residual"]);
+  CHECK(json::parse(lines.back())["left_s"] == 0);  // the residual is below its limit
+}
+
+TEST_CASE("Without a terminal -v shows a line of progress at the start and every ten seconds", "[checkpoint]") {
+  const Shell shell;
+  // Stops the run at its second line. A line is read a little after it is printed, so that the gap may look shorter.
+  const Outcome outcome = shell.execute(
+      "timeout 120 python3 -c 'import subprocess, sys, time\n"
+      "run = subprocess.Popen(sys.argv[1:], stderr=subprocess.PIPE, text=True)\n"
+      "times = [time.monotonic() for line, _ in zip((l for l in run.stderr if \"shots/s\" in l), range(2))]\n"
+      "run.terminate()\nprint(times[1] - times[0] > 9.5, times[1] - times[0] < 60)' " +
+      program + "solve room.obj --texels 64 --patch 1 --resolution 512 --residual 1e-300 --size 40x30 -o out -v");
+  CHECK(outcome.out.ends_with("True True\n"));
 }
 
 TEST_CASE("solution.json names every file with its hash, and a mixture is refused", "[checkpoint]") {

@@ -9,6 +9,7 @@
 #include "tests/support/shell.h"
 
 using namespace hemitex::tests;
+using Catch::Matchers::Contains;
 using nlohmann::json;
 
 TEST_CASE("hemitex formfactors from a surface of a closed room sum to 1", "[cli]") {
@@ -182,6 +183,33 @@ TEST_CASE("hemitex formfactors --pixels-per-element gives smoother rows", "[cli]
   CHECK(four == 4);
   CHECK((few > 0 && few <= 256));
   CHECK(all == 1024);
+}
+
+TEST_CASE("hemitex formfactors --output goes on after the rows of a run that was killed", "[cli]") {
+  const Shell shell;
+  const std::string matrix = "formfactors room.obj --all --by-surface --texels 32 --resolution 512 --threads 1 ";
+  const std::string command = "'" HEMITEX_PROGRAM "' " + matrix + "-o m.csv";
+  const Outcome second = shell.execute(
+      command + " & run=$!\nwhile kill -0 $run && ! [ \"$(wc -l <m.csv.part)\" -ge 3 ]\ndo sleep 0.01\ndone " +
+      "2>/dev/null\n" + command + "\ncode=$?\nkill -KILL $run\nexit $code");
+  CHECK(second.exitCode == 2);
+  CHECK_THAT(second.err, Contains("m.csv.part: is in use"));
+  CHECK_FALSE(shell.files().contains("m.csv"));
+  const Outcome last = shell.run(matrix + "-o m.csv");
+  CHECK(last.exitCode == 0);
+  CHECK_THAT(last.err, Contains("goes on after"));
+  auto files = shell.files();
+  CHECK(files.at("m.csv") == shell.output(matrix));
+  CHECK(files.size() == Shell().files().size() + 1);
+}
+
+TEST_CASE("hemitex formfactors --output does not replace the scene", "[cli]") {
+  const Shell shell;
+  const auto before = shell.files();
+  const Outcome outcome = shell.run("formfactors room.obj --all --by-surface --texels 4 -o ./room.obj");
+  CHECK(outcome.exitCode == 2);
+  CHECK_THAT(outcome.err, Contains("room.obj: is read by this run"));
+  CHECK(shell.files() == before);
 }
 
 TEST_CASE("hemitex formfactors --all reports the checks of matrices", "[cli]") {

@@ -29,12 +29,14 @@ TEST_CASE("A second run into a folder in use is refused, and the first goes on",
 
 TEST_CASE("A run takes the place of one that was killed, and removes its temporary files", "[results]") {
   const Shell shell;
-  CHECK(shell.execute(startLongRun + "kill -KILL $run\nwait $run\ntouch out/.hemitex.partial-0/stale.exr").exitCode ==
-        0);
+  CHECK(shell
+            .execute(startLongRun + "kill -KILL $run\nwait $run\ntouch out/.hemitex.partial-0/stale.exr\n"
+                                    "mkdir out/.hemitex.partial-1 out/.hemitex.partial-2")
+            .exitCode == 0);
   shell.output(quickSolve + "-o out");
   const auto files = shell.files();
   CHECK(files.contains("out/solution.json"));
-  CHECK_FALSE(files.contains("out/.hemitex.partial-0"));
+  for (const std::string number : {"0", "1", "2"}) CHECK_FALSE(files.contains("out/.hemitex.partial-" + number));
   CHECK_FALSE(files.contains("out/stale.exr"));
 }
 

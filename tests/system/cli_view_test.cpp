@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -144,6 +145,22 @@ TEST_CASE("hemitex view starts $BROWSER with the page and prints its path", "[cl
   CHECK(outcome.out == "out/report.html\n");
   CHECK(outcome.err.empty());
   CHECK(readAll(shell.file("opened")) == before + shell.file("out/report.html").string() + "\n");
+}
+
+TEST_CASE("hemitex view starts a browser in which no signal is blocked or ignored that hemitex handles", "[cli]") {
+  const Shell shell;
+  shell.output(quickSolve + "--report -o out");
+  writeAll(shell.file("browser"),
+           "#!/bin/sh\ngrep -E '^Sig(Blk|Ign)' /proc/self/status >\"$(dirname \"$0\")/signals\"\n");
+  fs::permissions(shell.file("browser"), fs::perms::owner_all);
+  CHECK(shell.execute(withVariables("BROWSER=\"$PWD/browser\"", "view out")).exitCode == 0);
+  const std::vector<std::string> lines = linesOf(readAll(shell.file("signals")));
+  REQUIRE(lines.size() == 2);
+  for (const std::string& line : lines)
+    for (const int signal : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) {
+      INFO(line << ", signal " << signal);
+      CHECK((std::stoull(line.substr(line.find('\t')), nullptr, 16) >> (signal - 1) & 1) == 0);
+    }
 }
 
 TEST_CASE("hemitex view says that the user must open the page where no browser can", "[cli]") {

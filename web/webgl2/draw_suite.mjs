@@ -60,7 +60,8 @@ const profile = mkdtempSync(join(tmpdir(), "hemitex-"));
 function end() {
   chromium.removeAllListeners("exit");
   chromium.on("exit", () => {
-    rmSync(profile, {recursive: true, force: true});
+    // Its child processes may still write there for a moment.
+    rmSync(profile, {recursive: true, force: true, maxRetries: 50, retryDelay: 100});
     for (const failure of failures) console.error(failure);
     process.exit(failures.length ? 1 : 0);
   });

@@ -11,23 +11,6 @@ using namespace hemitex::tests;
 
 namespace {
 
-/// A scene of unit quads with grids of texels.
-struct ChartScene {
-  Scene scene;
-  Discretization discretization;
-};
-
-ChartScene makeCharts(const std::vector<glm::ivec2>& grids) {
-  ChartScene charts;
-  std::vector<Surface> surfaces;
-  for (const glm::ivec2& grid : grids) {
-    surfaces.push_back(parallelogram("chart", {static_cast<double>(surfaces.size()), 0, 0}, {1, 0, 0}, {0, 1, 0}));
-    addGrid(charts.discretization, grid.x, grid.y);
-  }
-  charts.scene = sceneOf(surfaces);
-  return charts;
-}
-
 /// The magnification of each surface.
 std::vector<int> magnificationsOf(const TextureLayout& layout) {
   std::vector<int> magnifications;

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <functional>
 
-#include "raster/base/input_error.h"
+#include "tests/support/validity.h"
 
 using namespace hemitex::raster;
 
@@ -22,16 +22,7 @@ DrawList list() {
   return list;
 }
 
-bool isValid(const std::function<void(DrawList&)>& change) {
-  DrawList changed = list();
-  change(changed);
-  try {
-    validate(changed);
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
+bool isValid(const std::function<void(DrawList&)>& change) { return hemitex::tests::isValidAfter(change, list()); }
 
 }  // namespace
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-#include "raster/base/input_error.h"
+#include "tests/support/validity.h"
 
 using namespace hemitex::raster;
 
@@ -14,16 +14,7 @@ namespace {
 /// A valid face whose scissor rectangle touches no border of the viewport.
 Face face() { return {{1, 2, 3}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}, 0.5f, 8, {2, 3, 4, 2}}; }
 
-bool isValid(const std::function<void(Face&)>& change) {
-  Face changed = face();
-  change(changed);
-  try {
-    validate(changed);
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
+bool isValid(const std::function<void(Face&)>& change) { return hemitex::tests::isValidAfter(change, face()); }
 
 }  // namespace
 

@@ -1,0 +1,196 @@
+#include "radiosity/ranks/rows_ahead.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "radiosity/ranks/shared_tasks.h"
+#include "raster/base/bytes.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// Tasks that a rank holds: the one that it computes and the next one.
+constexpr std::size_t tasksPerRank = 2;
+/// Limits of likely shots, rows that arrived and rows under way, per other rank and beyond what a shot waits for. More
+/// would compute more rows in vain.
+constexpr std::size_t shotsPerRank = 4, spareShots = 8;
+/// Rank 0 waits for the row of another rank at most this number of times as long as it would compute the row.
+constexpr double patience = 2;
+
+using Clock = std::chrono::steady_clock;
+
+double seconds() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::size_t bytesOf(const FormFactorRow& row) {
+  return row.elements.size() * (sizeof(row.elements[0]) + sizeof(row.shares[0]));
+}
+
+void append(std::string& bytes, const FormFactorRow& row) {
+  raster::appendList(bytes, row.elements);
+  raster::appendList(bytes, row.shares);
+  raster::appendBytes(bytes, row.background);
+  raster::appendBytes(bytes, row.back);
+}
+
+FormFactorRow takeRow(std::string_view& bytes) {
+  FormFactorRow row;
+  row.elements = raster::takeList<std::uint32_t>(bytes);
+  row.shares = raster::takeList<std::uint64_t>(bytes);
+  row.background = raster::takeValue<std::uint64_t>(bytes);
+  row.back = raster::takeValue<std::uint64_t>(bytes);
+  return row;
+}
+
+}  // namespace
+
+RowsAhead::RowsAhead(Messenger& ranks, SceneFormFactors& formFactors, std::size_t budget)
+    : ranks_(ranks), formFactors_(formFactors), budget_(budget), tasksOf_(static_cast<std::size_t>(ranks.ranks())) {}
+
+void RowsAhead::takeMessages() {
+  while (const auto message = received(ranks_)) {
+    std::string_view bytes = message->bytes;
+    const auto number = raster::takeValue<std::uint64_t>(bytes);
+    --tasksOf_[static_cast<std::size_t>(message->from)];
+    ++counts_.ahead;
+    const auto task = tasks_.find(number);
+    if (task == tasks_.end()) continue;  // rank 0 has computed the row
+    FormFactorRow row = takeRow(bytes);
+    keep(std::move(task->second), std::move(row));
+    tasks_.erase(task);
+  }
+}
+
+void RowsAhead::keep(Task task, FormFactorRow row) {
+  drop(task.patch);
+  keptBytes_ += bytesOf(row);
+  kept_.insert_or_assign(task.patch, Row{std::move(task.points), std::move(row)});
+}
+
+void RowsAhead::drop(std::uint32_t patch) {
+  const auto old = kept_.find(patch);
+  if (old == kept_.end()) return;
+  keptBytes_ -= bytesOf(old->second.row);
+  kept_.erase(old);
+}
+
+/// The number of shots to look ahead: about twice those that rank 0 shoots while another rank computes a row.
+std::size_t RowsAhead::rowsNeeded() const {
+  const std::size_t most = shotsPerRank * (tasksOf_.size() - 1) + 1;
+  if (shots_ == 0) return most;
+  const double shotsPerRow = slowestRow_ * static_cast<double>(shots_) / shotSeconds_;
+  return static_cast<std::size_t>(std::min(static_cast<double>(most), spareShots + 2 * shotsPerRow));
+}
+
+bool RowsAhead::isUnderWay(std::uint32_t patch) const {
+  return std::any_of(tasks_.begin(), tasks_.end(), [&](const auto& task) { return task.second.patch == patch; });
+}
+
+bool RowsAhead::isKept(std::uint32_t patch, const Points& points) const {
+  const auto found = kept_.find(patch);
+  return found != kept_.end() && found->second.points == points;
+}
+
+void RowsAhead::lookAhead(const std::function<std::vector<LikelyShot>(std::size_t count)>& likelyShots) {
+  takeMessages();
+  if (tasksOf_.size() == 1 || keptBytes_ >= budget_) return;
+  const std::size_t needed = rowsNeeded();
+  const std::size_t least = *std::min_element(tasksOf_.begin() + 1, tasksOf_.end());
+  const bool isRoom = least < tasksPerRank;
+  if (!isRoom && !areOthersSlow()) return;
+  const std::vector<LikelyShot> shots = likelyShots(needed);
+  std::size_t next = 0;
+  for (std::size_t held = least; isRoom && held < tasksPerRank; ++held)
+    for (std::size_t rank = 1; rank < tasksOf_.size(); ++rank) {
+      if (tasksOf_[rank] > held) continue;
+      std::optional<Task> task = nextTask(shots, next);
+      if (!task) break;
+      std::string message;
+      raster::appendBytes(message, tasksGiven_);
+      raster::appendList(message, task->points);
+      ranks_.send(static_cast<int>(rank), MessageKind::Task, std::move(message));
+      tasks_[tasksGiven_++] = *std::move(task);
+      ++tasksOf_[rank];
+    }
+  if (!areOthersSlow() || shots.empty() || !isUnderWay(shots.front().patch)) return;
+  if (std::optional<Task> task = nextTask(shots, next)) {
+    const double start = seconds();
+    FormFactorRow row = computed(task->points);
+    keep(*std::move(task), std::move(row));
+    shotSeconds_ -= seconds() - start;
+    ++counts_.ahead;
+  }
+}
+
+/// The first likely shot from `next` on whose row no rank has or computes.
+std::optional<RowsAhead::Task> RowsAhead::nextTask(const std::vector<LikelyShot>& shots, std::size_t& next) {
+  while (next < shots.size()) {
+    const LikelyShot& shot = shots[next++];
+    if (shot.weight == 0) return std::nullopt;  // its row will have another resolution, as will those of the rest
+    if (kept_.contains(shot.patch) || isUnderWay(shot.patch)) continue;
+    Points points = formFactors_.likelyPoints(shot.patch, shot.weight);
+    if (!points.empty()) return Task{shot.patch, std::move(points)};
+  }
+  return std::nullopt;
+}
+
+/// Whether rank 0 shoots faster than the other ranks compute rows, so that it computes rows ahead, too.
+bool RowsAhead::areOthersSlow() const {
+  const auto others = static_cast<double>(tasksOf_.size() - 1);
+  return shots_ > 0 && others * shotSeconds_ / static_cast<double>(shots_) < slowestRow_;
+}
+
+FormFactorRow RowsAhead::computed(const Points& points) {
+  const auto start = Clock::now();
+  FormFactorRow row = formFactors_.rows().ofPoints(points);
+  slowestRow_ = std::max(slowestRow_, secondsSince(start));
+  return row;
+}
+
+FormFactorRow RowsAhead::row(std::uint32_t patch) {
+  if (rowGiven_) {
+    shotSeconds_ += seconds() - *rowGiven_;
+    ++shots_;
+  }
+  FormFactorRow row = rowOf(patch);
+  rowGiven_ = seconds();
+  return row;
+}
+
+FormFactorRow RowsAhead::rowOf(std::uint32_t patch) {
+  const Points points = formFactors_.rows().pointsOfPatch(patch);
+  const auto start = Clock::now();
+  while (isUnderWay(patch) && secondsSince(start) < patience * slowestRow_) {
+    takeMessages();
+    std::this_thread::yield();
+  }
+  if (!isKept(patch, points)) {
+    std::erase_if(tasks_, [&](const auto& task) { return task.second.patch == patch; });
+    drop(patch);
+    ++counts_.ofRankZero;
+    return computed(points);
+  }
+  FormFactorRow row = std::move(kept_.at(patch).row);
+  keptBytes_ -= bytesOf(row);
+  kept_.erase(patch);
+  ++counts_.used;
+  return row;
+}
+
+void RowsAhead::end() { endTasks(ranks_); }
+
+std::string resultOf(std::string_view task, ProjectedFormFactors& rows) {
+  std::string result(raster::takeBytes(task, sizeof(std::uint64_t)));
+  append(result, rows.ofPoints(raster::takeList<ViewPoint>(task)));
+  return result;
+}
+
+void computeRows(Messenger& ranks, ProjectedFormFactors& rows) {
+  for (Message message = awaited(ranks); message.kind != MessageKind::Over; message = awaited(ranks))
+    ranks.send(0, MessageKind::Result, resultOf(message.bytes, rows));
+  ranks.send(0, MessageKind::Done, {});
+}
+
+}  // namespace hemitex::radiosity
