@@ -67,15 +67,19 @@ below. A surface nearer than that is behind the eye. Use rays for such gaps, or 
 
 FormFactorTheme slivers() {
   const AxisRectangle sliver{{0, 1}, {0, 1e-6}}, middle{{0, 1}, {0.5, 0.500001}};
+  FormFactorCase near = parallel("from sliver to sliver, one width away", c11, sliver, sliver, 1e-6);
+  near.rim = 2e-6;  // the two open ends are 1e-6 wide and high, the sliver has an area of 1e-6
   return {"Slivers",
           R"(Rectangles of 1 : 1e-6, and unit squares.
 
 The eye of a hemicube lies above its surface by 2^-21 of the scene's extent, which here is half the width of a sliver.
-The values in the last two rows are right for that eye.)",
+The values in the last two rows are right for that eye.
+
+Between slivers one width apart, at most 2e-6 of the flux leaves at the ends. Samples that miss the ends miss it, and the
+standard error of aimed rays does not include it.)",
           {parallel("from a square to a sliver over its middle, one side away", unequal, unitSquare, middle, 1),
            parallel("from that sliver to the square", unequal, middle, unitSquare, 1),
-           parallel("from sliver to sliver, one length away", c11, sliver, sliver, 1),
-           parallel("from sliver to sliver, one width away", c11, sliver, sliver, 1e-6),
+           parallel("from sliver to sliver, one length away", c11, sliver, sliver, 1), near,
            perpendicular("slivers at a right angle along the long edge", c14, sliver, sliver)}};
 }
 
