@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "cli/common/numbers.h"
+#include "raster/base/input_error.h"
 
 namespace hemitex::cli {
 namespace {
@@ -21,18 +22,26 @@ struct Launcher {
   const char *rank, *ranks;
 };
 
-/// Open MPI's mpirun, PMI (MPICH, srun --mpi=pmi2) and PMIx (srun --mpi=pmix). Slurm's own variables are no evidence:
-/// they are also set for the script of a job, which runs once.
+/// Open MPI's mpirun, PMI and PMIx (srun --mpi=pmi2 and pmix; that of MPICH is refused later). Slurm's own variables
+/// are no evidence: they are also set for the script of a job, which runs once.
 constexpr std::array launchers{Launcher{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
                                Launcher{"PMI_RANK", "PMI_SIZE"}, Launcher{"PMIX_RANK", nullptr}};
 
 }  // namespace
 
-std::optional<int> launchedRank() {
+std::optional<LaunchedRank> launchedRank() {
   for (const Launcher& launcher : launchers)
-    if (const std::optional<int> rank = numberIn(launcher.rank))
-      return numberIn(launcher.ranks) == 1 ? std::nullopt : rank;
+    if (const std::optional<int> rank = numberIn(launcher.rank)) {
+      const LaunchedRank launched{*rank, numberIn(launcher.ranks)};
+      return launched.ranks == 1 ? std::nullopt : std::optional(launched);
+    }
   return std::nullopt;
+}
+
+void requireSameRanks(const radiosity::Messenger& ranks, const LaunchedRank& launched) {
+  if (ranks.rank() != launched.rank || ranks.ranks() != launched.ranks.value_or(ranks.ranks()))
+    throw raster::InputError("the launcher's MPI is not the one that hemitex was built with",
+                             "start hemitex by mpirun of Open MPI, or by srun --mpi=pmix");
 }
 
 void silence() {

@@ -9,8 +9,17 @@
 
 namespace hemitex::cli {
 
+/// The place of a process in a parallel run.
+struct LaunchedRank {
+  int rank = 0;
+  std::optional<int> ranks;  ///< nothing if the launcher does not tell
+};
+
 /// The rank of this process if it was started with other ranks.
-std::optional<int> launchedRank();
+std::optional<LaunchedRank> launchedRank();
+
+/// Throws InputError if MPI has other ranks than the launcher. This is so where the launcher belongs to another MPI.
+void requireSameRanks(const radiosity::Messenger& ranks, const LaunchedRank& launched);
 
 /// From now on, nothing that this process prints is seen.
 void silence();

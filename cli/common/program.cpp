@@ -40,8 +40,9 @@ void addGlobalOptions(CLI::App& app, const Program& program, Context& context) {
 }
 
 int run(const Program& program, int argc, char** argv, Context& context) {
-  const std::optional<int> rank = launchedRank();
-  if (rank.value_or(0) > 0) silence();
+  const std::optional<LaunchedRank> launched = launchedRank();
+  const bool isHelper = launched && launched->rank > 0;
+  if (isHelper) silence();
   CLI::App app(program.purpose, program.name);
   app.fallthrough();
   app.formatter(helpFormatter({}));
@@ -66,7 +67,7 @@ int run(const Program& program, int argc, char** argv, Context& context) {
     context.console.error((unknown.empty() ? error.what() : unknown) + '\n' + adviceOf(program));
     return badInput;
   }
-  if (rank.value_or(0) > 0 && !context.isShared) return 0;
+  if (isHelper && !context.isShared) return 0;
   if (!shellFiles.empty()) {
     writeShellFiles(shellFiles, commandTree(app), HEMITEX_VERSION);
     return 0;
@@ -76,7 +77,10 @@ int run(const Program& program, int argc, char** argv, Context& context) {
     return badInput;
   }
   const raster::ThreadLimit limit(context.threads);
-  if (rank && context.isShared) context.ranks = program.joinRanks();
+  if (launched && context.isShared) {
+    context.ranks = program.joinRanks();
+    requireSameRanks(*context.ranks, *launched);
+  }
   // Launchers send a signal to all ranks, and rank 0 alone decides what the first one does.
   std::optional<LongRun> helping;
   if (!context.isWriter()) helping.emplace();

@@ -17,7 +17,7 @@ using Cell = std::variant<std::string, std::int64_t, double>;
 
 struct Table {
   std::vector<std::string> columns;
-  std::size_t size = 0;                               ///< number of rows
+  std::size_t size = 0;  ///< number of rows
   /// The cells of a row, one per column. Several threads may call it at the same time.
   std::function<std::vector<Cell>(std::size_t)> row;
 };

@@ -231,10 +231,12 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
   std::ostringstream text;
   std::ostream& output = file ? text : std::cout;
   if (context.json) {
-    result.update({{"matrix", toJson(table)},
-                   {"row_sums", {checks.smallestRowSum, checks.largestRowSum}},
-                   {"reciprocity", checks.reciprocity}});
-    if (matrix.front().captured) result["captured"] = *matrix.front().captured;
+    nlohmann::ordered_json found = {{"row_sums", {checks.smallestRowSum, checks.largestRowSum}},
+                                    {"reciprocity", checks.reciprocity}};
+    if (matrix.front().captured) found["captured"] = *matrix.front().captured;
+    if (file) std::cout << toText(found);
+    result["matrix"] = toJson(table);
+    result.update(found);
     output << toText(result);
   } else {
     writeCsv(output, table);
@@ -265,7 +267,8 @@ void addFormFactors(Command program, Context& context) {
                "correct the matrix to exact reciprocity by least squares, with the same row sums")
       .needs(all);
   rows.addPath("-o,--output", options->output,
-               "write the matrix into this file; rows are kept in FILE.part, from which an interrupted run goes on")
+               "write the matrix into this file, and with --json only its checks to stdout; rows are kept in "
+               "FILE.part, from which an interrupted run goes on")
       .needs(all);
   const Command method = command.under("Form factors");
   addChoice<std::string>(

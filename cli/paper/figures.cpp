@@ -88,7 +88,8 @@ Shown solved(const Scene& scene, const Discretization& discretization, const IdL
 }
 
 Image unfiltered(const Scene& scene, const Shown& shown, const Camera& camera) {
-  return radiosity::elementPicture(scene, shown.discretization, radiosity::valuesIn(shown.values), camera, width, height);
+  return radiosity::elementPicture(scene, shown.discretization, radiosity::valuesIn(shown.values), camera, width,
+                                   height);
 }
 
 const reference::PaperLevel& mediumOf(const reference::PaperScene& scene) {

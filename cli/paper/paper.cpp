@@ -21,7 +21,8 @@ using nlohmann::ordered_json;
 /// The reference renderer and, if there is a device, OpenGL.
 std::vector<reference::PaperDevice> devices(Console& console) {
   std::vector<reference::PaperDevice> devices{{"software", radiosity::softwareRenderer}};
-  const radiosity::RendererFactory openGl = openGlRenderers(Device::OpenGl, console, "the tables have no hardware columns");
+  const radiosity::RendererFactory openGl =
+      openGlRenderers(Device::OpenGl, console, "the tables have no hardware columns");
   if (openGl) devices.push_back({"opengl", openGl, 500000});
   return devices;
 }

@@ -75,7 +75,8 @@ void requireIntact(const fs::path& folder) {
 
 void requireLitScene(const fs::path& folder) {
   if (fs::exists(folder / "scene.obj") || namedFiles(folder).empty()) return;
-  throw raster::InputError(folder.string(), 0, "holds no lit scene: it was solved with --no-textures",
+  throw raster::InputError(folder.empty() ? "." : folder.string(), 0,
+                           "holds no lit scene: it was solved with --no-textures",
                            "solve the scene again without --no-textures");
 }
 

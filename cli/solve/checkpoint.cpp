@@ -17,7 +17,7 @@ using raster::InputError;
 using raster::takeBytes;
 using raster::takeValue;
 
-const std::string title = "hemitex checkpoint 1\n";
+const std::string title = "hemitex checkpoint 2\n";
 constexpr std::size_t hashLength = 64;
 
 /// Makes sure that the bytes of a file are on the disk.

@@ -34,7 +34,7 @@ struct Outcome {
 /// Solves the scene as the options ask. `discretization` is that of the options; with --adaptive it is not used. The
 /// other arguments must outlive the result. After a signal the outcome is that of the last shot. Throws InputError if
 /// --max-error cannot be reached.
-Outcome solveScene(const SolveOptions& asked, const radiosity::Scene& scene,
-                   radiosity::Discretization discretization, Monitor& monitor);
+Outcome solveScene(const SolveOptions& asked, const radiosity::Scene& scene, radiosity::Discretization discretization,
+                   Monitor& monitor);
 
 }  // namespace hemitex::cli

@@ -111,8 +111,7 @@ ordered_json energyJson(const radiosity::Energy& energy, bool isLitFromOutside) 
 }  // namespace
 
 ordered_json describe(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                      const radiosity::IdLayout& layout,
-                      const std::optional<radiosity::TextureLayout>& textures,
+                      const radiosity::IdLayout& layout, const std::optional<radiosity::TextureLayout>& textures,
                       const radiosity::Solution& solution) {
   const radiosity::Phantoms phantoms = radiosity::countPhantoms(discretization, layout);
   return {{"surfaces", surfacesJson(scene, discretization, textures, solution)},

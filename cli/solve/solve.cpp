@@ -161,12 +161,17 @@ ordered_json writeResult(const Task& task, const Outcome& outcome, Staging& stag
 /// Calls write(). If it fails, the message says that the light is not lost.
 template <typename Write>
 ordered_json writtenOrKept(const std::filesystem::path& checkpoint, const Write& write) {
+  if (checkpoint.empty()) return write();
+  const auto kept = [&](const std::exception& error) {
+    return raster::InputError(std::string(error.what()) + "; the light is in the checkpoint",
+                              "the same command with --resume " + shellQuoted(checkpoint.string()) + " writes it");
+  };
   try {
     return write();
   } catch (const raster::InputError& error) {
-    if (checkpoint.empty()) throw;
-    throw raster::InputError(std::string(error.what()) + "; the light is in the checkpoint",
-                             "the same command with --resume " + shellQuoted(checkpoint.string()) + " writes it");
+    throw kept(error);
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw kept(error);
   }
 }
 

@@ -57,8 +57,8 @@ class Pictures {
       : tradeoff_(tradeoff), camera_(camera), folder_(folder) {}
 
   void add(const std::string& title, const std::vector<glm::dvec3>& colours, const ordered_json& choice) {
-    const radiosity::Image image =
-        radiosity::elementPicture(tradeoff_.scene, tradeoff_.fine, radiosity::valuesIn(colours), camera_, pictureWidth, pictureHeight);
+    const radiosity::Image image = radiosity::elementPicture(
+        tradeoff_.scene, tradeoff_.fine, radiosity::valuesIn(colours), camera_, pictureWidth, pictureHeight);
     list_.push_back({{"title", title}, {"choice", choice}, {"png", pngLetters(image, folder_)}});
   }
   const ordered_json& list() const { return list_; }

@@ -18,6 +18,7 @@ using raster::ItemId;
 
 /// Pixels whose runs are added at once. All but the first are compared with the pixel before, in complete groups.
 constexpr std::size_t pixelsAtOnce = 16 * raster::changesAtOnce + 1;
+static_assert(pixelsAtOnce <= SparseSums::maxAtOnce);
 
 /// The runs of up to pixelsAtOnce adjacent pixels.
 struct Runs {

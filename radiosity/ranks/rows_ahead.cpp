@@ -119,7 +119,7 @@ void RowsAhead::lookAhead(const std::function<std::vector<LikelyShot>(std::size_
     const double start = seconds();
     FormFactorRow row = computed(task->points);
     keep(*std::move(task), std::move(row));
-    shotSeconds_ -= seconds() - start;
+    aheadSeconds_ += seconds() - start;
     ++counts_.ahead;
   }
 }
@@ -151,9 +151,10 @@ FormFactorRow RowsAhead::computed(const Points& points) {
 
 FormFactorRow RowsAhead::row(std::uint32_t patch) {
   if (rowGiven_) {
-    shotSeconds_ += seconds() - *rowGiven_;
+    shotSeconds_ += seconds() - *rowGiven_ - aheadSeconds_;
     ++shots_;
   }
+  aheadSeconds_ = 0;
   FormFactorRow row = rowOf(patch);
   rowGiven_ = seconds();
   return row;

@@ -72,6 +72,7 @@ class RowsAhead {
   std::map<std::uint32_t, Row> kept_;    ///< by patch
   double slowestRow_ = 0;                ///< seconds, on rank 0
   double shotSeconds_ = 0;               ///< of all shots of rank 0, without their rows
+  double aheadSeconds_ = 0;              ///< of the rows that rank 0 has computed ahead since rowGiven_
   std::size_t shots_ = 0;
   std::optional<double> rowGiven_;  ///< when `row` returned last
   RowCounts counts_;

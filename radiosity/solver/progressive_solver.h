@@ -58,9 +58,8 @@ struct LikelyShot {
   double weight = 0;
 };
 
-/// Called before each shot with a function that lists likely shots, without those whose rows are in the cache. The
-/// first is the next shot, and all others have less flux; at most `count`. The result does not depend on what is done
-/// with them.
+/// Called before each shot with a function that lists likely shots, the one with the most flux first: at most `count`,
+/// without those whose rows are in the cache. The result does not depend on what is done with them.
 using LookAhead = std::function<void(const std::function<std::vector<LikelyShot>(std::size_t count)>& likelyShots)>;
 
 /// How a solution begins.

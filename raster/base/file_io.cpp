@@ -41,9 +41,8 @@ std::string readFile(const std::filesystem::path& file, const std::string& advic
 }
 
 void writeFile(const std::filesystem::path& file, std::string_view bytes) {
-  writeFile(file, [bytes](std::ostream& stream) {
-    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  });
+  writeFile(file,
+            [bytes](std::ostream& stream) { stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size())); });
 }
 
 void writeFile(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write) {

@@ -25,9 +25,8 @@ struct BenchRun {
   /// - draw: draws faces and resolves item IDs;
   /// - embree: finds the nearest triangle of a ray through each of the same pixels (pixel_rays.h);
   /// - opengl-plain: draws the faces by plain OpenGL and reads them back, without the sum (OpenGlPath::Plain);
-  /// - opengl: the same by the rules of docs/item-buffers.md (OpenGlPath::Shader). From 100,000 triangles on it is
-  /// slow,
-  ///   and is measured only at the highest resolution;
+  /// - opengl: the same by the rules of docs/item-buffers.md (OpenGlPath::Shader). From 100,000 triangles on it
+  ///   is slow, and is measured only at the highest resolution;
   /// - floor: clears buffers and sums the row of the first patch from item IDs drawn before (baseline.h);
   /// - solution: `benchShots` shots of the solver, or fewer if no light is left; shot: their mean.
   std::string what;

@@ -162,7 +162,8 @@ std::span<const Member> membersOf(const ShootingRange& range, const std::vector<
 
 /// The place in [0, 1] with the share x of the integral of a density from `left` to `right`, linear in between.
 double placeOnLine(double left, double right, double x) {
-  return x * (left + right) / (left + std::sqrt((1 - x) * left * left + x * right * right));
+  const double both = left + std::sqrt((1 - x) * left * left + x * right * right);
+  return both > 0 ? x * (left + right) / both : 0;  // the left end of a triangle is a point
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 /// The sequence is divided into blocks of equal length. Each block is a net by itself, and all blocks together are a
 /// larger net. The spread of the estimates of the blocks gives the standard error that as many independent nets would
 /// have (Owen, Monte Carlo theory, methods and examples, chapter 17). The blocks complement each other, so that the
-/// error of their mean is smaller. In form factors over the hemisphere it is half of that on average (31 % to 86 %), and
-/// less in smooth integrals.
+/// error of their mean is smaller. In form factors over the hemisphere it is half of that on average (31 % to 86 %),
+/// and less in smooth integrals.
 ///
 /// Owen's nested scrambling was measured instead of the shift, for the cases of monte_carlo_form_factors_test.cpp.
 /// Errors of form factors over the hemisphere were 20 % larger on average. Errors of smooth integrals were up to 70

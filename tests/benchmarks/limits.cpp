@@ -35,6 +35,12 @@ std::map<std::string, int> ownTriangles(const json& runs) {
   return own;
 }
 
+/// How many times longer Embree has to take than a hemicube of the gallery.
+double leastOfGallery(int resolution) { return resolution >= 1024 ? 4 : 2; }
+
+/// The same for a room cut into 8000 triangles.
+double leastOfCutRoom(int resolution) { return resolution >= 256 ? 3 : 2; }
+
 void checkRatio(const json& ratio, bool isOwn) {
   const std::string scene = ratio["scene"], what = ratio["what"];
   const int triangles = ratio["triangles"], resolution = ratio["resolution"];
@@ -42,9 +48,10 @@ void checkRatio(const json& ratio, bool isOwn) {
   const double overHemicube = ratio["over_hemicube"];
   INFO(ratio.dump());
   if (what == "embree" && isRoom) CHECK(overHemicube >= 5);
-  if (what == "embree" && isGallery) CHECK(overHemicube >= 4);
+  if (what == "embree" && isGallery) CHECK(overHemicube >= leastOfGallery(resolution));
+  if (what == "embree" && scene == "paper-room" && triangles == 8000) CHECK(overHemicube >= leastOfCutRoom(resolution));
   if (what == "embree" && triangles >= 1000000 && resolution >= 512) CHECK(overHemicube >= 1);
-  if (what.starts_with("opengl")) CHECK(overHemicube >= (triangles >= 8000 ? 8 : 5));
+  if (what.starts_with("opengl")) CHECK(overHemicube >= 1);
   if (what == "floor" && isRoom && resolution == 1024) CHECK(overHemicube >= 1 / 2.5);
   if (what == "hemicube-mesh" && isGallery && resolution == 128) CHECK(overHemicube >= 13.3);
 }
@@ -75,7 +82,7 @@ TEST_CASE("hemitex bench keeps its limits", "[.limits]") {
   CHECK(number(result["memory"]["bytes_per_pixel"]) <= 24);
   if (result["two_cores"].empty()) return;  // on one core
   CHECK(number(result["two_cores"]["hemicube_of_arithmetic"]) >= 0.93);
-  CHECK(number(result["two_cores"]["solution_of_arithmetic"]) >= 0.93);
+  CHECK(number(result["two_cores"]["solution_of_arithmetic"]) >= 0.95);
 }
 
 // Textures are as much faster than meshing as Table 2 of the paper says (193 / 14.5), and finer elements cost little.

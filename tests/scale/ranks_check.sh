@@ -129,6 +129,12 @@ mpirun -n 3 "$program" solve missing.obj -o missing >/dev/null 2>message
 mpirun -n 1 "$program" "${solve[@]}" -o missing : -n 1 "$program" solve missing.obj -o missing >/dev/null 2>message
 [ $? = 2 ] || fail "the exit code of a scene that rank 1 misses"
 [ "$(grep -c 'hemitex: error.*missing.obj' message)" = 1 ] || fail "the message of rank 1 is not printed once"
+PMI_RANK=0 PMI_SIZE=2 "$program" "${solve[@]}" -o missing >/dev/null 2>message
+[ $? = 2 ] || fail "the exit code under a launcher of another MPI"
+grep -q "hemitex: error: the launcher's MPI" message || fail "the message under a launcher of another MPI"
+PMI_RANK=1 PMI_SIZE=2 "$program" "${solve[@]}" -o missing >/dev/null 2>&1
+[ $? = 2 ] || fail "the exit code of rank 1 under a launcher of another MPI"
+[ -e missing ] && fail "a result under a launcher of another MPI"
 start 3 "${shots[@]}" -o full
 until_true test -d full/.hemitex.partial-0
 rm -rf launcher.txt full/.hemitex.partial-0

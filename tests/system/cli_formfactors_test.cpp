@@ -243,3 +243,23 @@ TEST_CASE("hemitex formfactors --all reports the checks of matrices", "[cli]") {
     CHECK((largest > 1e-6 && largest < 0.01));
   }
 }
+
+TEST_CASE("hemitex formfactors -o keeps a file of others whose name is that of its unfinished rows", "[cli]") {
+  const Shell shell;
+  for (const std::string text : {"my notes", "my notes\n"}) {
+    writeAll(shell.file("m.csv.part"), text);
+    const Outcome outcome = shell.run("formfactors room.obj --all --by-surface --resolution 32 -o m.csv");
+    CHECK(outcome.exitCode == 2);
+    CHECK_THAT(outcome.err, Contains("m.csv.part:1: the rows belong to another scene or other settings"));
+    CHECK(readAll(shell.file("m.csv.part")) == text);
+  }
+}
+
+TEST_CASE("hemitex formfactors --json -o prints the checks of the matrix that it writes", "[cli]") {
+  const Shell shell;
+  const json told =
+      json::parse(shell.run("formfactors room.obj --all --by-surface --resolution 32 --json -q -o m.json").out);
+  const json written = json::parse(readAll(shell.file("m.json")));
+  CHECK(written["matrix"].size() == 36);
+  for (const char* key : {"row_sums", "reciprocity"}) CHECK(told[key] == written[key]);
+}

@@ -147,6 +147,7 @@ TEST_CASE("shootingPoint gives points with the centroid and the second moments o
   const glm::dvec3 a(1, 0, 0), b(0, 1, 0), c(0, 0, 1);
   const std::vector<ShootingRange> one{{.upTo = 1, .begin = 0, .end = 1}};
   const RaySource raySource{one, one, one, {{{a, b}, {a, c}, {0, 1}, glm::normalize(glm::dvec3(1)), 0}}};
+  CHECK(shootingPoint(raySource, 0, 0.5).position == a);
   const SamplePoints points(1 << 14, 0);
   glm::dvec3 mean(0), squares(0), products(0);
   for (std::size_t i = 0; i < points.count(); ++i) {

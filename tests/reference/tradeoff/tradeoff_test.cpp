@@ -109,9 +109,9 @@ TEST_CASE("measureTradeoff gives the same results, except times, for any number 
 }
 
 TEST_CASE("tradeMethods have smaller row errors with more directions", "[tradeoff]") {
-  // An empty cube with four elements per wall, so that each element has many directions. Of aligned hemicubes, the error
-  // of the centre is so much larger than that of pixels that 32 pixels have 0.3 % less than 256, with 2^15 rays per
-  // element for the truth.
+  // An empty cube with four elements per wall, so that each element has many directions. Of aligned hemicubes, the
+  // error of the centre is so much larger than that of pixels that 32 pixels have 0.3 % less than 256, with 2^15 rays
+  // per element for the truth.
   const Measured measured;
   const std::vector<TradeMethod> methods = tradeMethods();
   std::vector<TradeChoice> choices;
@@ -121,7 +121,8 @@ TEST_CASE("tradeMethods have smaller row errors with more directions", "[tradeof
       measureTradeoff(measured.scene, measured.fine, measured.truth, methods, choices);
   for (std::size_t m = 0; m < methods.size(); ++m) {
     INFO(methods[m].name);
-    CHECK(found[2 * m + 1].rowError.relativeL1 < 1.01 * found[2 * m].rowError.relativeL1);
+    const double margin = methods[m].name == "hemicube" ? 1.01 : 1;
+    CHECK(found[2 * m + 1].rowError.relativeL1 < margin * found[2 * m].rowError.relativeL1);
   }
 }
 
