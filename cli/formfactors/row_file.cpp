@@ -18,15 +18,14 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t hashLength = 64;
 const std::string advice = "delete it, or choose another file";
 
 /// A line of the file, without its hash; nothing if it is incomplete or damaged.
 std::optional<std::string> intactLine(std::string_view text) {
   const std::size_t end = text.find('\n');
-  if (end == std::string_view::npos || end < hashLength + 1) return std::nullopt;
-  const std::string_view line = text.substr(0, end - hashLength - 1);
-  if (text.substr(line.size(), hashLength + 1) != " " + reference::sha256(line)) return std::nullopt;
+  if (end == std::string_view::npos || end < reference::sha256Digits + 1) return std::nullopt;
+  const std::string_view line = text.substr(0, end - reference::sha256Digits - 1);
+  if (text.substr(line.size(), reference::sha256Digits + 1) != " " + reference::sha256(line)) return std::nullopt;
   return std::string(line);
 }
 

@@ -18,7 +18,6 @@ using raster::takeBytes;
 using raster::takeValue;
 
 const std::string title = "hemitex checkpoint 2\n";
-constexpr std::size_t hashLength = 64;
 
 /// Makes sure that the bytes of a file are on the disk.
 void flush(const fs::path& file) {
@@ -64,10 +63,11 @@ void Checkpoint::read(const fs::path& file) {
     std::string_view rest = text;
     if (!rest.starts_with(title)) throw InputError("is not a checkpoint of this version");
     takeBytes(rest, title.size());
-    const std::string_view hash = takeBytes(rest, hashLength);
+    const std::string_view hash = takeBytes(rest, reference::sha256Digits);
     if (reference::sha256(rest) != hash) throw InputError("is damaged");
-    if (takeBytes(rest, hashLength) != scene_) throw InputError("belongs to another scene", "solve without --resume");
-    if (takeBytes(rest, hashLength) != settings_)
+    if (takeBytes(rest, reference::sha256Digits) != scene_)
+      throw InputError("belongs to another scene", "solve without --resume");
+    if (takeBytes(rest, reference::sha256Digits) != settings_)
       throw InputError("belongs to other settings", "repeat the options of the run that wrote it");
     while (!rest.empty()) snapshots_.emplace_back(takeBytes(rest, takeValue<std::uint64_t>(rest)));
   } catch (const InputError& error) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "cli/common/json.h"
 #include "cli/common/numbers.h"
 #include "reference/bench/timing.h"
 
@@ -67,10 +68,8 @@ void Monitor::show(const radiosity::SolverSettings& settings, const radiosity::S
   const double rate = static_cast<double>(convergence.seconds.size()) / convergence.seconds.back();
   const std::optional<double> left = secondsLeft(settings, step.shots, convergence);
   if (isForPrograms_) {
-    const nlohmann::ordered_json line = {{"shots", step.shots},
-                                         {"residual", step.residual},
-                                         {"shots_per_s", rate},
-                                         {"left_s", left ? nlohmann::ordered_json(*left) : nlohmann::ordered_json()}};
+    const nlohmann::ordered_json line = {
+        {"shots", step.shots}, {"residual", step.residual}, {"shots_per_s", rate}, {"left_s", orNull(left)}};
     console_.machineLine(line.dump());
     return;
   }

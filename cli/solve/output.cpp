@@ -48,7 +48,7 @@ ordered_json settingsJson(const Showing& showing) {
   const SolveOptions& options = showing.options;
   ordered_json settings = solutionSettings(options);
   settings.update({{"filter", options.noTextures ? ordered_json() : ordered_json(nameOf(filterOf(options)))},
-                   {"magnify", options.magnification ? ordered_json(*options.magnification) : ordered_json()},
+                   {"magnify", orNull(options.magnification)},
                    {"camera", toJson(showing.camera)},
                    {"size", {options.camera.width, options.camera.height}},
                    {"exposure", showing.exposure}});

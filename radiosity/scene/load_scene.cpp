@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <iomanip>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include "radiosity/scene/gltf_file.h"
@@ -18,6 +16,7 @@
 #include "radiosity/scene/obj_lines.h"
 #include "radiosity/scene/section_charts.h"
 #include "raster/base/input_error.h"
+#include "raster/base/short_number.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -129,13 +128,6 @@ double brightestEmission(const Scene& scene) {
   return brightest;
 }
 
-/// A number as messages show it.
-std::string shortNumber(double value) {
-  std::ostringstream text;
-  text << std::setprecision(3) << value;
-  return text.str();
-}
-
 /// The scene has no face with area. Throws InputError, which tells a scene without faces from one whose faces are too
 /// small for the rounding of its coordinates.
 [[noreturn]] void failEmpty(const PolygonMesh& mesh, const std::filesystem::path& file) {
@@ -151,8 +143,8 @@ std::string shortNumber(double value) {
   constexpr double resolved = 1e-12;  // of the coordinates; above it some digits of a height are left
   if (size > 0 && size < resolved * coordinate)
     fail({file},
-         "no face has an area above rounding: the largest one is " + shortNumber(size) +
-             " units across, at coordinates up to " + shortNumber(coordinate),
+         "no face has an area above rounding: the largest one is " + raster::shortNumber(size) +
+             " units across, at coordinates up to " + raster::shortNumber(coordinate),
          "move the scene to the origin, or scale its faces up");
   fail({file}, "the scene is empty: it has no face with area", "give an OBJ or glTF file with faces");
 }

@@ -1,11 +1,10 @@
 #include "radiosity/solver/loss_warning.h"
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
 #include <vector>
 
 #include "raster/base/input_error.h"
+#include "raster/base/short_number.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -46,12 +45,6 @@ std::vector<double> distancesFrom(const glm::dvec3& point, const Scene& scene) {
   return distances;
 }
 
-std::string shortNumber(double value) {
-  std::ostringstream text;
-  text << std::setprecision(3) << value;
-  return text.str();
-}
-
 /// What is too far away, and what to do about it.
 std::string reasonOf(const Scene& scene) {
   const std::vector<double> distances = distancesFrom(middleOf(scene), scene);
@@ -60,8 +53,8 @@ std::string reasonOf(const Scene& scene) {
   if (!(*farthest > farRatio * usual))
     return "The lit surfaces see few others: turn faces over if their lit sides look outwards";
   const Surface& surface = scene.surfaces[static_cast<std::size_t>(farthest - distances.begin())];
-  return "The surface `" + raster::excerpt(surface.name) + "` is " + shortNumber(*farthest) +
-         " units from the middle of the scene, half of whose surfaces are within " + shortNumber(usual) +
+  return "The surface `" + raster::excerpt(surface.name) + "` is " + raster::shortNumber(*farthest) +
+         " units from the middle of the scene, half of whose surfaces are within " + raster::shortNumber(usual) +
          " units: the others are too small beside it. Remove it or move it nearer";
 }
 
@@ -70,7 +63,7 @@ std::string reasonOf(const Scene& scene) {
 std::optional<std::string> lossWarning(const Scene& scene, const Energy& energy) {
   const double emitted = bandSum(energy.emitted), left = bandSum(energy.lost) - bandSum(energy.lostToBacks);
   if (!(emitted > 0 && left > maxLost * emitted)) return std::nullopt;
-  return shortNumber(100 * left / emitted) + " % of the emitted flux left the scene. " + reasonOf(scene);
+  return raster::shortNumber(100 * left / emitted) + " % of the emitted flux left the scene. " + reasonOf(scene);
 }
 
 }  // namespace hemitex::radiosity
