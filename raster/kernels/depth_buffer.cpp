@@ -7,6 +7,7 @@ void DepthBuffer::clear(const Scissor& part) {
   pitch = static_cast<std::size_t>(part.width + maxLanes);
   inverseDepth.assign(pitch * static_cast<std::size_t>(part.height), 0);
   triangle.assign(inverseDepth.size(), noTriangle);
+  id.resize(inverseDepth.size());
 }
 
 void UndecidedPixels::add(int column, int row) { pixels.push_back({column, row}); }

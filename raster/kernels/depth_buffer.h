@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "raster/interface/face.h"
+#include "raster/interface/item_id.h"
 
 namespace hemitex::raster {
 
@@ -19,6 +20,7 @@ struct DepthBuffer {
   std::size_t pitch = 0;  ///< pixels from row to row: the width + maxLanes
   std::vector<double> inverseDepth;
   std::vector<std::uint32_t> triangle;
+  std::vector<ItemId> id;  ///< of pixels that show a small triangle
 
   /// Sets the size and clears all pixels to the background; reuses the allocation.
   void clear(const Scissor& part);
@@ -30,6 +32,10 @@ struct DepthBuffer {
 };
 
 inline constexpr std::uint32_t noTriangle = 0xffffffff;
+/// From here on, numbers in the depth buffer are those of small triangles (small_triangle_kernels.h).
+inline constexpr std::uint32_t firstSmall = 0x80000000;
+
+inline bool isSmall(std::uint32_t number) { return number >= firstSmall && number != noTriangle; }
 
 struct Pixel {
   int column, row;

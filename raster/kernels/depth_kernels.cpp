@@ -48,6 +48,11 @@ int endOfRun(const std::uint32_t* triangles, int first, int end) {
   return i;
 }
 
+int endOfSmall(const std::uint32_t* triangles, int first, int end) {
+  while (first < end && isSmall(triangles[first])) ++first;
+  return first;
+}
+
 }  // namespace
 
 void listUndecidedSamples(const ScreenTriangle& triangle, std::uint32_t number, const DepthBuffer& buffer,
@@ -65,7 +70,7 @@ void listUndecidedSamples(const ScreenTriangle& triangle, std::uint32_t number, 
 
 template <>
 const DepthKernels& scalarKernels<DepthKernels>() {
-  static const DepthKernels kernels{"scalar", offer, isHidden, endOfRun};
+  static const DepthKernels kernels{"scalar", offer, isHidden, endOfRun, endOfSmall};
   return kernels;
 }
 

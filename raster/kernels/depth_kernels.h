@@ -31,6 +31,9 @@ struct DepthKernels {
 
   /// The end of the run of pixels from `first` that show the same triangle; at most `end`.
   int (*endOfRun)(const std::uint32_t* triangles, int first, int end);
+
+  /// The end of the pixels from `first` that show small triangles; at most `end`.
+  int (*endOfSmall)(const std::uint32_t* triangles, int first, int end);
 };
 
 template <>

@@ -226,7 +226,19 @@ int endOfRun(const std::uint32_t* triangles, int first, int end) {
   return end;
 }
 
-DepthKernels kernels() { return {hwy::TargetName(HWY_TARGET), offer, isHidden, endOfRun}; }
+int endOfSmall(const std::uint32_t* triangles, int first, int end) {
+  const hn::CappedTag<std::int32_t, maxLanes> numbers;
+  const auto lanes = static_cast<int>(hn::Lanes(numbers));
+  for (int i = first; i < end; i += lanes) {
+    // As signed integers, the numbers of small triangles are at most -2.
+    const auto shown = hn::BitCast(numbers, hn::LoadU(hn::CappedTag<std::uint32_t, maxLanes>(), triangles + i));
+    const auto other = hn::FindFirstTrue(numbers, hn::Gt(shown, hn::Set(numbers, -2)));
+    if (other >= 0) return std::min(i + static_cast<int>(other), end);
+  }
+  return end;
+}
+
+DepthKernels kernels() { return {hwy::TargetName(HWY_TARGET), offer, isHidden, endOfRun, endOfSmall}; }
 
 }  // namespace
 }  // namespace hemitex::raster::HWY_NAMESPACE

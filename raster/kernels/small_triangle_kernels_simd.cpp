@@ -1,5 +1,5 @@
 // SIMD kernels for small triangles, written with Highway, which compiles this file once per instruction set. Lanes hold
-// triangles while covered samples are found, then samples.
+// triangles during setup, then samples.
 #include "raster/kernels/interpolation_bounds.h"
 #include "raster/kernels/simd_targets.h"
 #include "raster/kernels/small_triangle_kernels.h"
@@ -31,15 +31,11 @@ constexpr Integers integers;
 Double all(double value) { return hn::Set(doubles, value); }
 Integer all(std::int32_t value) { return hn::Set(integers, value); }
 
-std::uint32_t bitsOf(hn::Mask<Integers> mask) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(integers, mask, bits);
+template <typename Tag>
+std::uint8_t bitsOf(Tag tag, hn::Mask<Tag> mask) {
+  HWY_ALIGN std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(tag, mask, bits);
   return bits[0];
-}
-
-hn::Mask<Integers> maskOf(std::uint32_t bits) {
-  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits)};
-  return hn::LoadMaskBits(integers, bytes);
 }
 
 /// One vector per corner.
@@ -53,18 +49,27 @@ Corners<hn::Vec<Tag>> gathered(Tag tag, const Value* values, const Corners<Integ
   return {hn::GatherIndex(tag, values, at.a), hn::GatherIndex(tag, values, at.b), hn::GatherIndex(tag, values, at.c)};
 }
 
-/// The corners of the triangles of a part, and the covered samples, each packed into one integer.
-struct Covered {
-  HWY_ALIGN std::int32_t corners[3][largestCluster];
-  HWY_ALIGN std::int32_t samples[SmallSamples::most];
-  std::size_t count = 0;
-};
+template <typename From>
+Corners<Double> promoted(const Corners<From>& of) {
+  return {hn::PromoteTo(doubles, of.a), hn::PromoteTo(doubles, of.b), hn::PromoteTo(doubles, of.c)};
+}
 
-/// Bits of a packed sample; rows and columns are below 2^12.
-constexpr int rowShift = 12, triangleShift = 24;
+Double sum(const Corners<Double>& of) { return hn::Add(hn::Add(of.a, of.b), of.c); }
 
-Integer packed(Integer triangle, Integer row, Integer column) {
-  return hn::Or(hn::Or(hn::ShiftLeft<triangleShift>(triangle), hn::ShiftLeft<rowShift>(row)), column);
+Corners<Double> product(const Corners<Double>& a, const Corners<Double>& b) {
+  return {hn::Mul(a.a, b.a), hn::Mul(a.b, b.b), hn::Mul(a.c, b.c)};
+}
+
+Double largestOf(const Corners<Double>& of) { return hn::Max(hn::Max(of.a, of.b), of.c); }
+
+Corners<Double> absolute(const Corners<Double>& of) { return {hn::Abs(of.a), hn::Abs(of.b), hn::Abs(of.c)}; }
+
+/// Exchanges the corners b and c in the lanes of a mask.
+template <typename Value, typename Mask>
+void swap(Mask mask, Corners<Value>& of) {
+  const Value b = of.b;
+  of.b = hn::IfThenElse(mask, of.c, of.b);
+  of.c = hn::IfThenElse(mask, b, of.c);
 }
 
 /// The first sample of pixels [first, first + count) between the smallest and the largest snapped value, and the number
@@ -88,178 +93,352 @@ Corners<Integer> fromSample(const Corners<Integer>& at, Integer pixel) {
 
 Integer cross(Integer ax, Integer ay, Integer bx, Integer by) { return hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx)); }
 
-/// An edge from p to q of triangles of positive area. Its value i columns and j rows from the origin is at + right * i
-/// + down * j; it is negative if the sample is not covered.
+/// The edge from p to q of triangles of positive area.
 struct SmallEdge {
-  Integer at, right, down;
+  Integer at, right, down, least;
 
-  SmallEdge(Integer px, Integer py, Integer qx, Integer qy) {
-    right = hn::ShiftLeft<8>(hn::Sub(py, qy));
-    down = hn::ShiftLeft<8>(hn::Sub(qx, px));
-    const auto isTop = hn::And(hn::Eq(py, qy), hn::Gt(qx, px));
-    const Integer least = hn::IfThenZeroElse(hn::Or(hn::Gt(py, qy), isTop), all(1));
-    at = hn::Sub(cross(px, py, qx, qy), least);
-  }
+  SmallEdge(Integer px, Integer py, Integer qx, Integer qy)
+      : at(cross(px, py, qx, qy)),
+        right(hn::ShiftLeft<8>(hn::Sub(py, qy))),
+        down(hn::ShiftLeft<8>(hn::Sub(qx, px))),
+        least(hn::IfThenZeroElse(hn::Or(hn::Gt(py, qy), hn::And(hn::Eq(py, qy), hn::Gt(qx, px))), all(1))) {}
 };
 
-Corners<Integer> sum(const Corners<Integer>& a, const Corners<Integer>& b) {
-  return {hn::Add(a.a, b.a), hn::Add(a.b, b.b), hn::Add(a.c, b.c)};
-}
-
-/// Adjacent triangles of a part, from number `from` on, one per lane.
-class Group {
- public:
-  Group(const SmallTriangles& triangles, std::uint32_t from, hn::Mask<Integers> there, const Scissor& part,
-        Covered& covered) {
-    const auto corner = [&](std::size_t k) {
-      const auto bytes = hn::LoadU(Bytes(), triangles.mesh.corners[k].data() + triangles.part.firstTriangle + from);
-      hn::Store(hn::PromoteTo(integers, bytes), integers, covered.corners[k] + from);
-      return hn::PromoteTo(integers, bytes);
-    };
-    const Corners<Integer> at{corner(0), corner(1), corner(2)};
-    const Corners<Integer> across = gathered(integers, triangles.placed.across.data(), at);
-    const Corners<Integer> down = gathered(integers, triangles.placed.down.data(), at);
-    const Samples columns(across, part.column, part.width), rows(down, part.row, part.height);
-    setEdges(fromSample(across, columns.first), fromSample(down, rows.first));
-    columns_ = columns.count;
-    rows_ = hn::IfThenElseZero(hn::AndNot(isFlat_, there), rows.count);
-    const Integer triangle = hn::Add(all(static_cast<std::int32_t>(from)), hn::Iota(integers, 0));
-    first_ = packed(triangle, rows.first, columns.first);
-  }
-
-  hn::Mask<Integers> isNegative() const { return isNegative_; }
-
-  void appendSamples(Covered& covered) const {
-    Corners<Integer> edges = at_;
-    Integer sample = first_;
-    for (int j = 0;; ++j) {
-      const auto isRow = hn::Gt(rows_, all(j));
-      if (hn::AllFalse(integers, isRow)) return;
-      appendRow(edges, sample, hn::IfThenElseZero(isRow, columns_), covered);
-      edges = sum(edges, down_);
-      sample = hn::Add(sample, all(1 << rowShift));
-    }
-  }
-
- private:
-  void setEdges(const Corners<Integer>& x, const Corners<Integer>& y) {
-    const Integer area = cross(hn::Sub(x.b, x.a), hn::Sub(y.b, y.a), hn::Sub(x.c, x.a), hn::Sub(y.c, y.a));
-    isNegative_ = hn::Lt(area, hn::Zero(integers));
-    isFlat_ = hn::Eq(area, hn::Zero(integers));
-    // Swapping two corners makes a negative area positive.
-    const Integer bx = hn::IfThenElse(isNegative_, x.c, x.b), cx = hn::IfThenElse(isNegative_, x.b, x.c);
-    const Integer by = hn::IfThenElse(isNegative_, y.c, y.b), cy = hn::IfThenElse(isNegative_, y.b, y.c);
-    const SmallEdge a(bx, by, cx, cy), b(cx, cy, x.a, y.a), c(x.a, y.a, bx, by);
-    at_ = {a.at, b.at, c.at};
-    right_ = {a.right, b.right, c.right};
-    down_ = {a.down, b.down, c.down};
-  }
-
-  /// `left` is the number of samples per row.
-  void appendRow(Corners<Integer> edges, Integer sample, Integer left, Covered& covered) const {
-    const Integer one = all(1);
-    for (; !hn::AllFalse(integers, hn::Gt(left, hn::Zero(integers))); left = hn::Sub(left, one)) {
-      // The sign bit is clear if all four values are at least 0.
-      const Integer signs = hn::Or(hn::Or(edges.a, edges.b), hn::Or(edges.c, hn::Sub(left, one)));
-      const auto isCovered = hn::Gt(signs, all(-1));
-      hn::StoreU(hn::Compress(sample, isCovered), integers, covered.samples + covered.count);
-      covered.count += hn::CountTrue(integers, isCovered);
-      edges = sum(edges, right_);
-      sample = hn::Add(sample, one);
-    }
-  }
-
-  // Initialized here, because an implicit constructor would not be compiled for the instruction set.
-  Corners<Integer> at_{all(0), all(0), all(0)}, right_ = at_, down_ = at_;  ///< of the edges, see SmallEdge
-  Integer rows_, columns_;                                                  ///< number of samples that may be covered
-  Integer first_;                                                           ///< the first of these samples
-  hn::Mask<Integers> isNegative_, isFlat_;
-};
-
-Double dot(const Corners<Double>& a, const Corners<Double>& b) {
-  return hn::Add(hn::Add(hn::Mul(a.a, b.a), hn::Mul(a.b, b.b)), hn::Mul(a.c, b.c));
-}
-
-Corners<Double> promoted(const Corners<Float>& of) {
-  return {hn::PromoteTo(doubles, of.a), hn::PromoteTo(doubles, of.b), hn::PromoteTo(doubles, of.c)};
-}
-
-Corners<Double> promoted(const Corners<Integer>& of) {
-  return {hn::PromoteTo(doubles, of.a), hn::PromoteTo(doubles, of.b), hn::PromoteTo(doubles, of.c)};
-}
-
-/// A texture coordinate, as SmallTexel in small_triangle_kernels.cpp.
-struct SmallTexel {
+/// A texture coordinate at the corners, in texels; see the scalar version.
+struct Texels {
+  Corners<Double> position;
   Double texel;
-  hn::Mask<Doubles> isClear;
+  hn::Mask<Doubles> isUniform;
 
-  SmallTexel(const Corners<Double>& weights, Double inverseSum, const Corners<Double>& coordinate, int texels) {
-    const Double size = all(static_cast<double>(texels));
-    const Double position = hn::Mul(hn::Mul(dot(weights, coordinate), inverseSum), size);
-    const Double largest =
-        hn::Mul(hn::Max(hn::Max(hn::Abs(coordinate.a), hn::Abs(coordinate.b)), hn::Abs(coordinate.c)), size);
-    const Double whole = hn::Floor(position), clear = hn::Sub(all(0.5), hn::Mul(all(depthError), largest));
-    const Double offCentre = hn::Abs(hn::Sub(hn::Sub(position, whole), all(0.5)));
-    isClear = hn::Or(hn::Lt(offCentre, clear), hn::Eq(size, all(1.0)));
-    texel = hn::Max(hn::Min(whole, hn::Sub(size, all(1.0))), hn::Zero(doubles));
+  Texels(const Corners<Double>& coordinate, int size)
+      : position(product(coordinate, {all(1.0 * size), all(1.0 * size), all(1.0 * size)})) {
+    const auto texelAt = [size](Double at) {
+      return hn::Max(hn::Min(hn::Floor(at), all(size - 1.0)), hn::Zero(doubles));
+    };
+    texel = texelAt(position.a);
+    isUniform = hn::And(hn::Eq(texel, texelAt(position.b)), hn::Eq(texel, texelAt(position.c)));
+    const Double middle = hn::Add(texel, all(0.5));
+    position.a = hn::IfThenElse(isUniform, middle, position.a);
+    position.b = hn::IfThenElse(isUniform, middle, position.b);
+    position.c = hn::IfThenElse(isUniform, middle, position.c);
   }
 };
 
-/// Computes 1/w and texels of adjacent samples, from the `i`th on.
-void show(const SmallTriangles& triangles, const Covered& covered, std::size_t i, SmallSamples& samples) {
-  const Integer sample = hn::Load(integers, covered.samples + i), low = all((1 << rowShift) - 1);
-  const Integer triangle = hn::ShiftRight<triangleShift>(sample);
-  const Integer row = hn::And(hn::ShiftRight<rowShift>(sample), low), column = hn::And(sample, low);
-  hn::StoreU(triangle, integers, samples.triangles.data() + i);
-  hn::StoreU(row, integers, samples.rows.data() + i);
-  hn::StoreU(column, integers, samples.columns.data() + i);
+struct Weights {
+  Corners<Double> at, right, down;
+};
 
-  const auto corner = [&](std::size_t k) { return hn::GatherIndex(integers, covered.corners[k], triangle); };
-  const Corners<Integer> at{corner(0), corner(1), corner(2)};
-  const Corners<Integer> x = fromSample(gathered(integers, triangles.placed.across.data(), at), column);
-  const Corners<Integer> y = fromSample(gathered(integers, triangles.placed.down.data(), at), row);
-  const Corners<Double> w = promoted(gathered(floats, triangles.placed.w.data(), at));
-  const Corners<Double> e = promoted({cross(x.b, y.b, x.c, y.c), cross(x.c, y.c, x.a, y.a), cross(x.a, y.a, x.b, y.b)});
-  const Double area = hn::Add(hn::Add(e.a, e.b), e.c), product = hn::Mul(hn::Mul(w.a, w.b), w.c);
-  const Corners<Double> weights{hn::Mul(e.a, hn::Mul(w.b, w.c)), hn::Mul(e.b, hn::Mul(w.c, w.a)),
-                                hn::Mul(e.c, hn::Mul(w.a, w.b))};
-  const Double sum = hn::Add(hn::Add(weights.a, weights.b), weights.c);
-  hn::StoreU(hn::Div(sum, hn::Mul(product, area)), doubles, samples.inverseDepths.data() + i);
+void store(Double at, Double right, Double down, std::uint32_t from, SmallPlanes& planes) {
+  hn::StoreU(at, doubles, planes.at.data() + from);
+  hn::StoreU(right, doubles, planes.right.data() + from);
+  hn::StoreU(down, doubles, planes.down.data() + from);
+}
 
-  if (triangles.columns == 1 && triangles.rows == 1) {
-    hn::StoreU(hn::Zero(integers), integers, samples.texels.data() + i);
-    return;
+void storePlane(const Weights& weights, const Corners<Double>& values, std::uint32_t from, SmallPlanes& planes) {
+  store(sum(product(weights.at, values)), sum(product(weights.right, values)), sum(product(weights.down, values)), from,
+        planes);
+}
+
+void store(Integer values, std::uint32_t from, EachSmall<std::int32_t>& to) {
+  hn::StoreU(values, integers, to.data() + from);
+}
+
+/// The corners of all triangles of a part as integers, because bytes cannot be gathered.
+struct PartCorners {
+  HWY_ALIGN std::int32_t corners[3][largestCluster];
+
+  explicit PartCorners(const SmallTriangles& triangles) {
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t t = 0; t < triangles.part.triangles; t += hn::Lanes(integers)) {
+        const auto bytes = hn::LoadU(Bytes(), triangles.mesh.corners[k].data() + triangles.part.firstTriangle + t);
+        hn::Store(hn::PromoteTo(integers, bytes), integers, corners[k] + t);
+      }
   }
-  const Double inverseSum = hn::Div(all(1.0), sum);
+  Corners<Integer> from(std::uint32_t t) const {
+    return {hn::Load(integers, corners[0] + t), hn::Load(integers, corners[1] + t), hn::Load(integers, corners[2] + t)};
+  }
+  Corners<Integer> of(Integer triangles) const {
+    return {hn::GatherIndex(integers, corners[0], triangles), hn::GatherIndex(integers, corners[1], triangles),
+            hn::GatherIndex(integers, corners[2], triangles)};
+  }
+};
+
+/// The bounds and edges of triangles, one triangle per lane.
+struct Outlines {
+  Samples columns, rows;
+  Integer area;
+  hn::Mask<Integers> isNegative;
+  Corners<Integer> x, y;  ///< from the first sample of the bounds, with b and c exchanged in negative triangles
+
+  HWY_INLINE Outlines(const SmallTriangles& triangles, const Corners<Integer>& at, const Scissor& part)
+      : Outlines(gathered(integers, triangles.placed.across.data(), at),
+                 gathered(integers, triangles.placed.down.data(), at), part) {}
+
+  HWY_INLINE Outlines(const Corners<Integer>& across, const Corners<Integer>& down, const Scissor& part)
+      : columns(across, part.column, part.width),
+        rows(down, part.row, part.height),
+        x(fromSample(across, columns.first)),
+        y(fromSample(down, rows.first)) {
+    area = cross(hn::Sub(x.b, x.a), hn::Sub(y.b, y.a), hn::Sub(x.c, x.a), hn::Sub(y.c, y.a));
+    isNegative = hn::Lt(area, hn::Zero(integers));
+    swap(isNegative, x);
+    swap(isNegative, y);
+  }
+  HWY_INLINE Corners<SmallEdge> edges() const {
+    return {{x.b, y.b, x.c, y.c}, {x.c, y.c, x.a, y.a}, {x.a, y.a, x.b, y.b}};
+  }
+};
+
+/// Negative where the edge does not cover one of the samples that are 0 or 1 columns and rows from the first.
+struct TwoByTwo {
+  Integer samples[2][2];
+
+  explicit TwoByTwo(const SmallEdge& edge) {
+    samples[0][0] = hn::Sub(edge.at, edge.least);
+    samples[0][1] = hn::Add(samples[0][0], edge.right);
+    samples[1][0] = hn::Add(samples[0][0], edge.down);
+    samples[1][1] = hn::Add(samples[1][0], edge.right);
+  }
+};
+
+/// The triangles from number `from` on that cover one of the first two samples in the first two rows of their bounds,
+/// one bit each.
+std::uint32_t coverAny(const SmallTriangles& triangles, const PartCorners& corners, std::uint32_t from,
+                       const Scissor& part) {
+  const Corners<SmallEdge> edges = Outlines(triangles, corners.from(from), part).edges();
+  const TwoByTwo a(edges.a), b(edges.b), c(edges.c);
+  Integer outside = all(-1);
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 2; ++i)
+      outside = hn::And(outside, hn::Or(hn::Or(a.samples[j][i], b.samples[j][i]), c.samples[j][i]));
+  return bitsOf(integers, hn::Gt(outside, all(-1)));
+}
+
+/// Sets up entries of the setup from the `k`th on.
+void setUpEntries(const SmallTriangles& triangles, const PartCorners& corners, std::uint32_t k, const Scissor& part,
+                  SmallSetup& setup) {
+  const Corners<Integer> at = corners.of(hn::LoadU(integers, setup.triangles.data() + k));
+  const Outlines outlines(triangles, at, part);
+  Corners<Double> w = promoted(gathered(floats, triangles.placed.w.data(), at));
   const float* const texcoords = &triangles.mesh.texcoords[triangles.part.firstVertex].x;
   const Corners<Integer> pair{hn::Add(at.a, at.a), hn::Add(at.b, at.b), hn::Add(at.c, at.c)};
-  const SmallTexel across(weights, inverseSum, promoted(gathered(floats, texcoords, pair)), triangles.columns);
-  const SmallTexel down(weights, inverseSum, promoted(gathered(floats, texcoords + 1, pair)), triangles.rows);
-  const Double texel = hn::Add(hn::Mul(down.texel, all(static_cast<double>(triangles.columns))), across.texel);
-  const Double undecided = all(static_cast<double>(undecidedTexel));
-  const Double told = hn::IfThenElse(hn::And(across.isClear, down.isClear), texel, undecided);
-  hn::StoreU(hn::DemoteTo(integers, told), integers, samples.texels.data() + i);
-}
+  Corners<Double> u = promoted(gathered(floats, texcoords, pair));
+  Corners<Double> v = promoted(gathered(floats, texcoords + 1, pair));
+  const Double area = hn::PromoteTo(doubles, outlines.area);
+  const auto isReversed = hn::Lt(area, hn::Zero(doubles));
+  swap(isReversed, w);
+  swap(isReversed, u);
+  swap(isReversed, v);
 
-void findSamples(const SmallTriangles& triangles, const Scissor& part, SmallSamples& samples) {
+  const auto [a, b, c] = outlines.edges();
+  const Corners<Double> edge = promoted(Corners<Integer>{a.at, b.at, c.at});
+  const Corners<Double> right = promoted(Corners<Integer>{a.right, b.right, c.right});
+  const Corners<Double> down = promoted(Corners<Integer>{a.down, b.down, c.down});
+  const Corners<Double> least = promoted(Corners<Integer>{a.least, b.least, c.least});
+  const Double inverse = hn::Div(all(1.0), hn::Mul(hn::Mul(hn::Mul(w.a, w.b), w.c), hn::Abs(area)));
+  const Corners<Double> depths{hn::Mul(inverse, hn::Mul(w.b, w.c)), hn::Mul(inverse, hn::Mul(w.c, w.a)),
+                               hn::Mul(inverse, hn::Mul(w.a, w.b))};
+  const Double lastColumn = hn::PromoteTo(doubles, hn::Sub(outlines.columns.count, all(1)));
+  const Double lastRow = hn::PromoteTo(doubles, hn::Sub(outlines.rows.count, all(1)));
+  const auto most = [&](Double atFirst, Double toRight, Double toBelow) {
+    return hn::Add(hn::Add(hn::Abs(atFirst), hn::Mul(hn::Abs(toRight), lastColumn)),
+                   hn::Mul(hn::Abs(toBelow), lastRow));
+  };
+  const Corners<Double> terms{most(edge.a, right.a, down.a), most(edge.b, right.b, down.b),
+                              most(edge.c, right.c, down.c)};
+  const Double error = hn::Mul(all(16 * unitRoundoff), hn::Mul(sum(product(terms, depths)), largestOf(w)));
+  const auto isExact = hn::Lt(error, all(depthError));
   const auto lanes = static_cast<std::uint32_t>(hn::Lanes(integers));
-  Covered covered;
-  samples.negative = 0;
-  for (std::uint32_t from = 0; from < triangles.part.triangles; from += lanes) {
-    const std::uint32_t bits = triangles.set >> from & ((1U << lanes) - 1);
-    if (bits == 0) continue;
-    const Group group(triangles, from, maskOf(bits), part, covered);
-    group.appendSamples(covered);
-    samples.negative |= bitsOf(group.isNegative()) << from;
-  }
-  samples.count = covered.count;
-  // Pads with the last sample.
-  hn::StoreU(all(covered.samples[std::max(covered.count, std::size_t{1}) - 1]), integers,
-             covered.samples + covered.count);
-  for (std::size_t i = 0; i < covered.count; i += lanes) show(triangles, covered, i, samples);
+  const std::uint32_t there = (1U << std::min(lanes, setup.count - k)) - 1;
+  const std::uint32_t flat = bitsOf(integers, hn::Eq(outlines.area, hn::Zero(integers)));
+  setup.thin |= (there & ~flat & ~bitsOf(doubles, isExact)) << k;
+  setup.negative |= (there & bitsOf(integers, outlines.isNegative)) << k;
+
+  store(outlines.columns.first, k, setup.firstColumn);
+  store(outlines.columns.count, k, setup.columns);
+  store(outlines.rows.first, k, setup.firstRow);
+  store(hn::DemoteTo(integers, hn::IfThenElseZero(isExact, hn::Add(lastRow, all(1.0)))), k, setup.rows);
+  store(hn::Sub(edge.a, least.a), right.a, down.a, k, setup.edges[0]);
+  store(hn::Sub(edge.b, least.b), right.b, down.b, k, setup.edges[1]);
+  store(hn::Sub(edge.c, least.c), right.c, down.c, k, setup.edges[2]);
+  const Weights weights{product(edge, depths), product(right, depths), product(down, depths)};
+  storePlane(weights, {all(1.0), all(1.0), all(1.0)}, k, setup.inverseDepth);
+  const Texels column(u, triangles.columns), row(v, triangles.rows);
+  storePlane(weights, column.position, k, setup.column);
+  storePlane(weights, row.position, k, setup.row);
+  const Double largest = hn::Max(largestOf(absolute(column.position)), largestOf(absolute(row.position)));
+  hn::StoreU(hn::Sub(all(0.5), hn::Mul(all(3 * depthError), largest)), doubles, setup.clear.data() + k);
+  setup.uniform |= (there & bitsOf(doubles, hn::And(column.isUniform, row.isUniform))) << k;
+  const Double texel = hn::Add(hn::Mul(row.texel, all(1.0 * triangles.columns)), column.texel);
+  store(hn::DemoteTo(integers, texel), k, setup.texel);
 }
 
-SmallTriangleKernels smallTriangleKernels() { return {hwy::TargetName(HWY_TARGET), findSamples}; }
+/// Lists the triangles that may cover a sample.
+void listTriangles(const SmallTriangles& triangles, const PartCorners& corners, const Scissor& part,
+                   SmallSetup& setup) {
+  const auto lanes = static_cast<std::uint32_t>(hn::Lanes(integers));
+  setup.count = 0;
+  for (std::uint32_t from = 0; from < triangles.part.triangles; from += lanes) {
+    std::uint32_t set = triangles.set >> from & ((1U << lanes) - 1);
+    const std::uint32_t tiny = triangles.tiny >> from & set;
+    if (tiny != 0) set &= ~tiny | coverAny(triangles, corners, from, part);
+    const std::uint8_t bits[8] = {static_cast<std::uint8_t>(set)};
+    const Integer numbers = hn::Add(hn::Iota(integers, 0), all(static_cast<std::int32_t>(from)));
+    const auto listed = hn::Compress(numbers, hn::LoadMaskBits(integers, bits));
+    hn::StoreU(listed, integers, setup.triangles.data() + setup.count);
+    setup.count += static_cast<std::uint32_t>(__builtin_popcount(set));
+  }
+  hn::StoreU(hn::Zero(integers), integers, setup.triangles.data() + setup.count);  // for the lanes behind the last
+}
+
+void setUp(const SmallTriangles& triangles, const Scissor& part, SmallSetup& setup) {
+  const auto lanes = static_cast<std::uint32_t>(hn::Lanes(integers));
+  const PartCorners corners(triangles);
+  listTriangles(triangles, corners, part, setup);
+  setup.thin = setup.negative = setup.uniform = 0;
+  for (std::uint32_t k = 0; k < setup.count; k += lanes) setUpEntries(triangles, corners, k, part, setup);
+}
+
+using Numbers = hn::Rebind<std::uint32_t, Doubles>;
+
+/// Converts a mask to lanes of 32-bit numbers.
+hn::Mask<Numbers> forNumbers(const hn::Mask<Doubles> mask) {
+  HWY_ALIGN std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(doubles, mask, bits);
+  return hn::LoadMaskBits(Numbers(), bits);
+}
+
+/// The samples of a triangle in one vector of columns.
+struct Strip {
+  const SmallSetup& setup;
+  std::uint32_t k;
+  int i;  ///< the first column, from the first of the triangle
+
+  int firstColumn() const { return setup.firstColumn[k] + i; }
+};
+
+/// A plane along a strip.
+struct StripPlane {
+  Double at, down, right;
+
+  StripPlane(const Strip& strip, const SmallPlanes& planes)
+      : at(all(planes.at[strip.k])),
+        down(all(planes.down[strip.k])),
+        right(hn::Mul(all(planes.right[strip.k]), hn::Add(hn::Iota(doubles, 0), all(static_cast<double>(strip.i))))) {}
+
+  Double inRow(Double j) const { return hn::Add(hn::Add(at, hn::Mul(down, j)), right); }
+};
+
+/// An edge along a strip, row by row. Its values are integers, so that sums are exact.
+struct StripEdge {
+  Double value, down;
+
+  explicit StripEdge(const StripPlane& plane) : value(hn::Add(plane.at, plane.right)), down(plane.down) {}
+  void advance() { value = hn::Add(value, down); }
+};
+
+/// The texels of a triangle along a strip.
+struct StripTexels {
+  StripPlane column, row;
+  Double clear, columns, lastColumn, lastRow;
+  const ItemId* map;
+
+  StripTexels(const Strip& strip, const SmallIds& ids)
+      : column(strip, strip.setup.column),
+        row(strip, strip.setup.row),
+        clear(all(strip.setup.clear[strip.k])),
+        columns(all(ids.columns)),
+        lastColumn(all(ids.columns - 1)),
+        lastRow(all(ids.rows - 1)),
+        map(ids.map) {}
+
+  /// The values of the texels of the samples of a mask.
+  hn::Vec<Numbers> find(Double j, Double w, hn::Mask<Doubles> shown, hn::Mask<Doubles>& isClear) const {
+    const Double across = hn::Mul(column.inRow(j), w), along = hn::Mul(row.inRow(j), w);
+    const Double wholeColumn = hn::Floor(across), wholeRow = hn::Floor(along);
+    const auto offCentre = [](Double position, Double whole) {
+      return hn::Abs(hn::Sub(hn::Sub(position, whole), all(0.5)));
+    };
+    isClear = hn::And(hn::Lt(offCentre(across, wholeColumn), clear), hn::Lt(offCentre(along, wholeRow), clear));
+    const Double inColumns = hn::Max(hn::Min(wholeColumn, lastColumn), hn::Zero(doubles));
+    const Double inRows = hn::Max(hn::Min(wholeRow, lastRow), hn::Zero(doubles));
+    const Double texel = hn::IfThenElseZero(shown, hn::Add(hn::Mul(inRows, columns), inColumns));
+    auto index = hn::DemoteTo(integers, texel);
+    if (map != nullptr) index = hn::GatherIndex(integers, reinterpret_cast<const std::int32_t*>(map), index);
+    return hn::BitCast(Numbers(), index);
+  }
+};
+
+/// Draws the samples of a strip. Returns the rows with undecided samples, one bit each; `undecided` has one bit per
+/// sample of each row.
+template <bool isTextured>
+std::uint32_t draw(const Strip& strip, const SmallIds& ids, std::uint32_t firstNumber, DepthBuffer& buffer,
+                   std::uint8_t* undecided) {
+  const SmallSetup& setup = strip.setup;
+  const std::uint32_t k = strip.k;
+  const auto inside = hn::FirstN(doubles, static_cast<std::size_t>(setup.columns[k] - strip.i));
+  StripEdge a(StripPlane(strip, setup.edges[0])), b(StripPlane(strip, setup.edges[1])),
+      c(StripPlane(strip, setup.edges[2]));
+  const StripPlane inverseDepth(strip, setup.inverseDepth);
+  const StripTexels texels(strip, ids);
+  const auto number = hn::Set(Numbers(), firstNumber + static_cast<std::uint32_t>(setup.triangles[k]));
+  const auto base = hn::Set(Numbers(), ids.ids[k]);
+  const std::size_t first = buffer.pixelAt(strip.firstColumn(), setup.firstRow[k]), pitch = buffer.pitch;
+  double* depths = buffer.inverseDepth.data() + first;
+  std::uint32_t* numbers = buffer.triangle.data() + first;
+  ItemId* shown = buffer.id.data() + first;
+  const int rows = setup.rows[k];
+  std::uint32_t undecidedRows = 0;
+  Double row = hn::Zero(doubles);
+  for (int j = 0; j < rows; ++j) {
+    const auto covered = hn::And(inside, hn::Ge(hn::Min(hn::Min(a.value, b.value), c.value), hn::Zero(doubles)));
+    const Double offered = inverseDepth.inRow(row), difference = hn::Sub(offered, hn::LoadU(doubles, depths));
+    const Double margin = hn::Mul(all(depthMargin), offered);
+    const auto taken = hn::And(covered, hn::Gt(difference, margin));
+    auto open = hn::And(covered, hn::Le(hn::Abs(difference), margin));
+    const auto takenNumbers = forNumbers(taken);
+    hn::BlendedStore(offered, taken, doubles, depths);
+    hn::BlendedStore(number, takenNumbers, Numbers(), numbers);
+    auto id = base;
+    if constexpr (isTextured) {
+      auto isClear = covered;
+      id = hn::Add(base, texels.find(row, hn::Div(all(1.0), offered), taken, isClear));
+      open = hn::Or(open, hn::AndNot(isClear, taken));
+    }
+    hn::BlendedStore(id, takenNumbers, Numbers(), shown);
+    undecided[j] = bitsOf(doubles, open);
+    undecidedRows |= std::uint32_t{undecided[j] != 0} << j;
+    a.advance();
+    b.advance();
+    c.advance();
+    row = hn::Add(row, all(1.0));
+    depths += pitch;
+    numbers += pitch;
+    shown += pitch;
+  }
+  return undecidedRows;
+}
+
+void draw(const SmallSetup& setup, const SmallIds& ids, std::uint32_t firstNumber, DepthBuffer& buffer,
+          UndecidedSamples& undecided) {
+  const auto lanes = static_cast<int>(hn::Lanes(doubles));
+  for (std::uint32_t k = 0; k < setup.count; ++k) {
+    if (setup.rows[k] == 0) continue;
+    for (int i = 0; i < setup.columns[k]; i += lanes) {
+      const Strip strip{setup, k, i};
+      std::uint8_t open[smallRows];
+      std::uint32_t rows = (ids.textured >> k & 1) != 0 ? draw<true>(strip, ids, firstNumber, buffer, open)
+                                                        : draw<false>(strip, ids, firstNumber, buffer, open);
+      for (; rows != 0; rows &= rows - 1) {
+        const int j = __builtin_ctz(rows);
+        for (unsigned samples = open[j]; samples != 0; samples &= samples - 1)
+          undecided.add({k, {strip.firstColumn() + __builtin_ctz(samples), setup.firstRow[k] + j}});
+      }
+    }
+  }
+}
+
+SmallTriangleKernels smallTriangleKernels() { return {hwy::TargetName(HWY_TARGET), setUp, draw}; }
 
 }  // namespace
 }  // namespace hemitex::raster::HWY_NAMESPACE

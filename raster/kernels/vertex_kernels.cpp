@@ -31,10 +31,10 @@ void placeVertices(const ClusterMesh& mesh, const ClusterPart& part, const Face&
   }
 }
 
-/// Whether the sample of a pixel of [first, first + count) lies between three snapped values.
-bool holdSample(const std::array<std::int32_t, 3>& values, int first, int count) {
+/// The number of pixels of [first, first + count) whose samples lie between three snapped values.
+int samplesIn(const std::array<std::int32_t, 3>& values, int first, int count) {
   const PixelRange range = samplesBetween(values[0], values[1], values[2], first, first + count);
-  return range.first < range.end;
+  return std::max(range.end - range.first, 0);
 }
 
 bool areSmall(const std::array<std::int32_t, 3>& values) {
@@ -55,11 +55,13 @@ TriangleSets place(const ClusterMesh& mesh, const ClusterPart& part, const Face&
     }
     const std::array across{placed.across[a], placed.across[b], placed.across[c]};
     const std::array down{placed.down[a], placed.down[b], placed.down[c]};
-    if (!holdSample(across, face.scissor.column, face.scissor.width) ||
-        !holdSample(down, face.scissor.row, face.scissor.height))
-      continue;
+    const int columns = samplesIn(across, face.scissor.column, face.scissor.width);
+    const int rows = samplesIn(down, face.scissor.row, face.scissor.height);
+    if (columns == 0 || rows == 0) continue;
     sets.whole |= 1U << t;
-    if (areSmall(across) && areSmall(down)) sets.small |= 1U << t;
+    if (!areSmall(across) || !areSmall(down)) continue;
+    sets.small |= 1U << t;
+    if (columns <= 2 && rows <= 2) sets.tiny |= 1U << t;
   }
   return sets;
 }

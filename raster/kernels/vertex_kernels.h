@@ -30,13 +30,14 @@ inline constexpr std::int32_t beyondAny = 31;
 /// Outside a clip half-space, or not finite.
 inline constexpr std::int32_t notInside = 32;
 
-/// In sub-pixels: eight pixels, see small_triangle_kernels.h.
-inline constexpr std::int32_t smallSpan = 8 * 256;
+/// In sub-pixels: 32 pixels, see small_triangle_kernels.h.
+inline constexpr std::int32_t smallSpan = 32 * 256;
 
 /// Triangles of a cluster, one bit each.
 struct TriangleSets {
   std::uint32_t whole = 0;  ///< need no clipping, and a sample of the scissor rectangle lies inside their bounds
   std::uint32_t small = 0;  ///< those of `whole` that are narrower and lower than smallSpan
+  std::uint32_t tiny = 0;   ///< those of `small` whose bounds hold at most two columns and two rows of samples
   std::uint32_t cut = 0;    ///< need clipping, or have a value that is not finite
 };
 

@@ -101,10 +101,10 @@ struct Span {
     largest = hn::Max(hn::Max(a, b), c);
   }
 
-  hn::Mask<Integers> holdsSample(int first, int count) const {
+  /// The number of samples of pixels [first, first + count), or a negative number if there are none.
+  Integer samplesIn(int first, int count) const {
     const Integer begin = hn::Max(hn::ShiftRight<8>(hn::Add(least, all(127))), all(first));
-    const Integer end = hn::Min(hn::ShiftRight<8>(hn::Add(largest, all(128))), all(first + count));
-    return hn::Lt(begin, end);
+    return hn::Sub(hn::Min(hn::ShiftRight<8>(hn::Add(largest, all(128))), all(first + count)), begin);
   }
   hn::Mask<Integers> isSmall() const { return hn::Lt(hn::Sub(largest, least), all(smallSpan)); }
 };
@@ -131,11 +131,13 @@ TriangleSets place(const ClusterMesh& mesh, const ClusterPart& part, const Face&
     const auto seen = hn::And(there, hn::Eq(hn::And(hn::And(a, b), hn::And(c, all(beyondAny))), hn::Zero(integers)));
     const auto uncut = hn::Eq(hn::And(hn::Or(hn::Or(a, b), c), all(notInside)), hn::Zero(integers));
     const Span across(placed.across.data(), at), down(placed.down.data(), at);
-    const auto sampled = hn::And(across.holdsSample(face.scissor.column, face.scissor.width),
-                                 down.holdsSample(face.scissor.row, face.scissor.height));
-    const auto whole = hn::And(seen, hn::And(uncut, sampled));
+    const Integer columns = across.samplesIn(face.scissor.column, face.scissor.width);
+    const Integer rows = down.samplesIn(face.scissor.row, face.scissor.height);
+    const auto whole = hn::And(hn::And(seen, uncut), hn::Gt(hn::Min(columns, rows), hn::Zero(integers)));
+    const auto small = hn::And(whole, hn::And(across.isSmall(), down.isSmall()));
     sets.whole |= bitsOf(whole) << t;
-    sets.small |= bitsOf(hn::And(whole, hn::And(across.isSmall(), down.isSmall()))) << t;
+    sets.small |= bitsOf(small) << t;
+    sets.tiny |= bitsOf(hn::And(small, hn::Lt(hn::Max(columns, rows), all(3)))) << t;
     sets.cut |= bitsOf(hn::AndNot(uncut, seen)) << t;
   }
   return sets;

@@ -41,17 +41,17 @@ bool makeScreenTriangle(const ClusterMesh& mesh, const Cluster& cluster, const C
   return true;
 }
 
-std::uint32_t appendScreenTriangles(const DrawList& list, const ClusterMesh& mesh, const Cluster& cluster,
-                                    const ClusterPart& part, const VertexKernels& kernels, const Face& face,
-                                    std::span<const std::uint32_t> skipped, PlacedVertices& placed,
-                                    std::vector<ScreenTriangle>& triangles) {
+TriangleSets appendScreenTriangles(const DrawList& list, const ClusterMesh& mesh, const Cluster& cluster,
+                                   const ClusterPart& part, const VertexKernels& kernels, const Face& face,
+                                   std::span<const std::uint32_t> skipped, PlacedVertices& placed,
+                                   std::vector<ScreenTriangle>& triangles) {
   // A value that is not finite made the box infinite. It may be a texture coordinate, which the kernels ignore.
   if (!std::isfinite(cluster.box.low.x)) {
     appendScreenTriangles(list, face, cluster.runs, skipped, triangles);
-    return 0;
+    return {};
   }
   const TriangleSets sets = kernels.place(mesh, part, face, placed);
-  if ((sets.whole | sets.cut) == 0) return 0;
+  if ((sets.whole | sets.cut) == 0) return {};
   const std::uint32_t drawn = ~skippedOf(cluster, skipped);
   const bool mirrored = determinant(face) < 0;
   for (std::uint32_t left = (sets.whole | sets.cut) & ~sets.small & drawn; left != 0; left &= left - 1) {
@@ -64,7 +64,7 @@ std::uint32_t appendScreenTriangles(const DrawList& list, const ClusterMesh& mes
     ScreenTriangle& triangle = triangles.emplace_back();
     if (!makeScreenTriangle(mesh, cluster, part, t, placed, face.scissor, mirrored, triangle)) triangles.pop_back();
   }
-  return sets.small & drawn;
+  return {.small = sets.small & drawn, .tiny = sets.tiny & drawn};
 }
 
 }  // namespace hemitex::raster

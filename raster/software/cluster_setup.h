@@ -14,12 +14,11 @@
 namespace hemitex::raster {
 
 /// Transforms the vertices of a cluster, `part` of the mesh, and appends the screen triangles of those that are not
-/// small, in draw order. Leaves out the triangles in `skipped` (ascending). Returns the small ones, one bit per
-/// triangle of the cluster.
-std::uint32_t appendScreenTriangles(const DrawList& list, const ClusterMesh& mesh, const Cluster& cluster,
-                                    const ClusterPart& part, const VertexKernels& kernels, const Face& face,
-                                    std::span<const std::uint32_t> skipped, PlacedVertices& placed,
-                                    std::vector<ScreenTriangle>& triangles);
+/// small, in draw order. Leaves out the triangles in `skipped` (ascending). Returns the small and the tiny ones.
+TriangleSets appendScreenTriangles(const DrawList& list, const ClusterMesh& mesh, const Cluster& cluster,
+                                   const ClusterPart& part, const VertexKernels& kernels, const Face& face,
+                                   std::span<const std::uint32_t> skipped, PlacedVertices& placed,
+                                   std::vector<ScreenTriangle>& triangles);
 
 /// Sets up the `t`th triangle of a cluster, which needs no clipping. Returns false if it covers no sample.
 bool makeScreenTriangle(const ClusterMesh& mesh, const Cluster& cluster, const ClusterPart& part, std::uint32_t t,

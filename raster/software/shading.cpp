@@ -6,6 +6,12 @@
 
 namespace hemitex::raster {
 
+std::optional<ItemId> addendOf(const PreparedDrawList& draws, const Draw& draw) {
+  if (draws.list.blend == Blend::Replace) return 0;
+  if ((draw.offset & draws.maps[static_cast<std::size_t>(*draw.indexMap)].bits) == 0) return draw.offset;
+  return {};
+}
+
 Shading shadingOf(const PreparedDrawList& draws, const ScreenTriangle& triangle) {
   const DrawList& list = draws.list;
   const Draw& draw = list.draws[triangle.draw];
@@ -13,20 +19,20 @@ Shading shadingOf(const PreparedDrawList& draws, const ScreenTriangle& triangle)
   if (!draw.indexMap) return {draw.offset, {}};
   const IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
   const PreparedDrawList::MapTraits& traits = draws.maps[static_cast<std::size_t>(*draw.indexMap)];
-  const bool isSum = list.blend != Blend::Replace && (draw.offset & traits.bits) == 0;
-  return {draw.offset,
-          Shading::Texels{&map, isSum, isSum && traits.countsTexels, TexelPlanes(triangle, map.width, map.height), {}}};
+  const std::optional<ItemId> addend = addendOf(draws, draw);
+  return {
+      addend.value_or(draw.offset),
+      Shading::Texels{
+          &map, addend.has_value(), addend && traits.countsTexels, TexelPlanes(triangle, map.width, map.height), {}}};
 }
 
 ItemId idOf(const PreparedDrawList& draws, const Draw& draw, bool facesAway, ItemId texel) {
   if (facesAway && draw.back) return *draw.back;
   if (!draw.indexMap) return draw.offset;
   const auto map = static_cast<std::size_t>(*draw.indexMap);
-  const PreparedDrawList::MapTraits& traits = draws.maps[map];
-  const bool isSum = draws.list.blend != Blend::Replace && (draw.offset & traits.bits) == 0;
-  if (isSum && traits.countsTexels) return draw.offset + texel;
-  const ItemId id = draws.list.indexMaps[map].ids[texel];
-  return isSum ? draw.offset | id : blend(draws.list.format, draws.list.blend, draw.offset, id);
+  const ItemId value = draws.maps[map].countsTexels ? texel : draws.list.indexMaps[map].ids[texel];
+  const std::optional<ItemId> addend = addendOf(draws, draw);
+  return addend ? *addend + value : blend(draws.list.format, draws.list.blend, draw.offset, value);
 }
 
 ItemId texelExactly(const ScreenTriangle& triangle, const IndexMap& map, const Pixel& pixel) {

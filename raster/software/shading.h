@@ -14,10 +14,10 @@
 namespace hemitex::raster {
 
 struct Shading {
-  ItemId id;  ///< of all pixels, or the offset
+  ItemId id;  ///< of all pixels, or the addend, or the offset
   struct Texels {
     const IndexMap* map;
-    bool isSum;   ///< offset plus texel needs no carry and no clamp in any channel
+    bool isSum;   ///< the draw has an addend
     bool counts;  ///< and the texels equal their numbers
     TexelPlanes planes;
     std::unique_ptr<const ExactTexels>
@@ -25,6 +25,10 @@ struct Shading {
   };
   std::optional<Texels> texels;
 };
+
+/// The number that gives item IDs when added to the texels of the draw's index map: 0 where texels replace the offset;
+/// the offset, if its bits are none of the texels'. Nothing if a channel may clamp or carry.
+std::optional<ItemId> addendOf(const PreparedDrawList& draws, const Draw& draw);
 
 /// The shading of a screen triangle.
 Shading shadingOf(const PreparedDrawList& draws, const ScreenTriangle& triangle);

@@ -1,6 +1,7 @@
 #include "raster/software/tile.h"
 
 #include <algorithm>
+#include <bit>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -16,11 +17,6 @@ namespace {
 /// Maximum size of a tile. Twelve bytes per pixel in the depth buffer make 384 KiB, a fraction of current second-level
 /// caches. Tiles are wide, so that runs of pixels are long.
 constexpr int maxColumns = 256, maxRows = 128;
-
-/// Numbers of small triangles in the depth buffer: from here on they are numbers of triangles of the mesh.
-constexpr std::uint32_t firstSmall = 0x80000000;
-
-bool isSmall(std::uint32_t number) { return number >= firstSmall && number != noTriangle; }
 
 /// A part of a face while it is drawn.
 class Tile {
@@ -41,7 +37,7 @@ class Tile {
     taken_.clear();
     memory.shadings.clear();
     memory.undecided.pixels.clear();
-    memory.row.resize(buffer_.pitch);
+    memory.run.resize(buffer_.pitch);
   }
 
   /// Whether a box is outside the view or behind all that was drawn so far.
@@ -55,7 +51,10 @@ class Tile {
 
  private:
   void offer(const ScreenTriangle& triangle);
-  void drawSmall(std::uint32_t cluster, std::uint32_t small);
+  void drawSmall(std::uint32_t cluster, const TriangleSets& sets);
+  void drawAlone(std::uint32_t cluster, std::uint32_t t);
+  SmallIds smallIds(const Cluster& cluster, ItemId addend) const;
+  void drawUndecided(const SmallIds& ids, std::uint32_t firstNumber);
   void resolveRow(int row);
   void resolveRun(const PixelRun& run, Shading& shading, ItemId* ids);
   void findTexels(const PixelRun& run, Shading::Texels& texels, ItemId base, ItemId* ids);
@@ -69,7 +68,7 @@ class Tile {
   const PreparedDrawList& draws_;
   const TileKernels& kernels_;
   const Face& face_;
-  ItemId* ids_;  ///< those of small triangles are written at once, the others in resolve()
+  ItemId* ids_;
   std::size_t pitch_;
   bool isMirrored_;
   TileMemory& memory_;
@@ -108,11 +107,11 @@ bool Tile::offerExactly(const ScreenTriangle& triangle, std::uint32_t number, co
 
 void Tile::draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped) {
   memory_.triangles.clear();
-  const std::uint32_t small =
+  const TriangleSets left =
       appendScreenTriangles(draws_.list, draws_.mesh, draws_.clusters[cluster], draws_.mesh.parts[cluster],
                             kernels_.vertices, face_, skipped, memory_.placed, memory_.triangles);
   for (const ScreenTriangle& triangle : memory_.triangles) offer(triangle);
-  if (small != 0) drawSmall(cluster, small);
+  if (left.small != 0) drawSmall(cluster, left);
 }
 
 /// Tests a triangle against the depth buffer, and keeps it if a pixel took it.
@@ -124,35 +123,73 @@ void Tile::offer(const ScreenTriangle& triangle) {
   if (isTaken) taken_.push_back(triangle);
 }
 
-/// Tests the samples of the small triangles of a cluster (one bit each) and writes their item IDs.
-void Tile::drawSmall(std::uint32_t cluster, std::uint32_t small) {
+/// Draws a small triangle of a cluster like a large one.
+void Tile::drawAlone(std::uint32_t cluster, std::uint32_t t) {
+  ScreenTriangle triangle;
+  if (makeScreenTriangle(draws_.mesh, draws_.clusters[cluster], draws_.mesh.parts[cluster], t, memory_.placed,
+                         face_.scissor, isMirrored_, triangle))
+    offer(triangle);
+}
+
+/// The item IDs of the small triangles of a cluster after setup.
+SmallIds Tile::smallIds(const Cluster& cluster, ItemId addend) const {
+  const SmallSetup& setup = memory_.small;
+  const Draw& first = draws_.list.draws[cluster.runs.front().draw];
+  SmallIds ids;
+  if (first.indexMap) {
+    const auto number = static_cast<std::size_t>(*first.indexMap);
+    const IndexMap& map = draws_.list.indexMaps[number];
+    ids.columns = map.width;
+    ids.rows = map.height;
+    if (!draws_.maps[number].countsTexels) ids.map = map.ids.data();
+  }
+  for (std::uint32_t k = 0; k < setup.count; ++k) {
+    const auto t = static_cast<std::uint32_t>(setup.triangles[k]);
+    const Draw& draw = cluster.runs.size() == 1 ? first : draws_.list.draws[triangleOf(cluster, t).draw];
+    const bool facesAway = ((setup.negative >> k & 1) != 0) == isMirrored_;
+    const bool isTextured = draw.indexMap && !(facesAway && draw.back) && (setup.uniform >> k & 1) == 0;
+    if (isTextured) ids.textured |= 1U << k;
+    ids.ids[k] = isTextured ? addend : idOf(draws_, draw, facesAway, static_cast<ItemId>(setup.texel[k]));
+  }
+  return ids;
+}
+
+/// Draws the small triangles of a cluster.
+void Tile::drawSmall(std::uint32_t cluster, const TriangleSets& sets) {
   const ClusterPart& part = draws_.mesh.parts[cluster];
-  const std::vector<TriangleRun>& runs = draws_.clusters[cluster].runs;
-  const Draw& first = draws_.list.draws[runs.front().draw];
-  SmallTriangles triangles{draws_.mesh, part, memory_.placed, small};
+  const Draw& first = draws_.list.draws[draws_.clusters[cluster].runs.front().draw];
+  SmallTriangles triangles{draws_.mesh, part, memory_.placed, sets.small, sets.tiny};
   if (first.indexMap) {  // such a cluster has one draw only
     const IndexMap& map = draws_.list.indexMaps[static_cast<std::size_t>(*first.indexMap)];
     triangles.columns = map.width;
     triangles.rows = map.height;
   }
-  kernels_.smallTriangles.findSamples(triangles, buffer_.scissor, memory_.samples);
-  for (std::size_t i = 0; i < memory_.samples.count; ++i) {
-    const auto t = static_cast<std::uint32_t>(memory_.samples.triangles[i]);
-    const std::uint32_t number = firstSmall + part.firstTriangle + t;
-    const Pixel pixel{memory_.samples.columns[i], memory_.samples.rows[i]};
-    const std::size_t p = buffer_.pixelAt(pixel.column, pixel.row);
-    const DepthTest test = offerDepth(memory_.samples.inverseDepths[i], number, p, buffer_);
-    if (test == DepthTest::Hidden) continue;
-    if (test == DepthTest::Undecided && !offerExactly(screenTriangle(number), number, pixel)) continue;
-    ItemId& id = idsOf(pixel.row)[pixel.column - buffer_.scissor.column];
-    if (memory_.samples.texels[i] == undecidedTexel) {
-      id = idExactly(number, pixel);
-      continue;
-    }
-    const Draw& draw = runs.size() == 1 ? first : draws_.list.draws[triangleOf(draws_.clusters[cluster], t).draw];
-    const bool facesAway = ((memory_.samples.negative >> t & 1) != 0) == isMirrored_;
-    id = idOf(draws_, draw, facesAway, static_cast<ItemId>(memory_.samples.texels[i]));
+  SmallSetup& setup = memory_.small;
+  kernels_.smallTriangles.setUp(triangles, buffer_.scissor, setup);
+  if (setup.count == 0) return;
+  const std::optional<ItemId> addend = first.indexMap ? addendOf(draws_, first) : 0;
+  auto alone = static_cast<std::uint32_t>((std::uint64_t{1} << setup.count) - 1);
+  if (addend) {
+    const SmallIds ids = smallIds(draws_.clusters[cluster], *addend);
+    const std::uint32_t firstNumber = firstSmall + part.firstTriangle;
+    kernels_.smallTriangles.draw(setup, ids, firstNumber, buffer_, memory_.undecidedSamples);
+    drawUndecided(ids, firstNumber);
+    alone = setup.thin;
   }
+  for (; alone != 0; alone &= alone - 1)
+    drawAlone(cluster, static_cast<std::uint32_t>(setup.triangles[static_cast<std::size_t>(std::countr_zero(alone))]));
+}
+
+/// Draws the samples of small triangles that are not resolved in double precision.
+void Tile::drawUndecided(const SmallIds& ids, std::uint32_t firstNumber) {
+  for (const auto& [k, pixel] : memory_.undecidedSamples.samples) {
+    const std::uint32_t number = firstNumber + static_cast<std::uint32_t>(memory_.small.triangles[k]);
+    // If the pixel shows the triangle, its texel is undecided, else its depth.
+    const std::size_t at = buffer_.pixelAt(pixel.column, pixel.row);
+    if (buffer_.triangle[at] != number && !offerExactly(screenTriangle(number), number, pixel)) continue;
+    buffer_.id[at] = (ids.textured >> k & 1) != 0 ? idExactly(number, pixel) : ids.ids[k];
+  }
+  memory_.undecidedSamples.samples.clear();
 }
 
 /// The item ID of a pixel that shows a texel, computed exactly.
@@ -215,23 +252,26 @@ void Tile::resolveRow(int row) {
   ItemId* const ids = idsOf(row);
   const std::size_t begin = buffer_.rowAt(row);
   const std::uint32_t* const triangles = buffer_.triangle.data() + begin;
+  const ItemId* const smallIds = buffer_.id.data() + begin;
   const int width = buffer_.scissor.width;
   for (int first = 0, end = 0; first < width; first = end) {
     const std::uint32_t number = triangles[first];
-    end = first + 1;
     if (isSmall(number)) {
-      memory_.row[static_cast<std::size_t>(first)] = ids[first];
+      end = kernels_.depth.endOfSmall(triangles, first, width);
+      std::copy(smallIds + first, smallIds + end, ids + first);
       continue;
     }
+    end = first + 1;
     if (end < width && triangles[end] == number) end = kernels_.depth.endOfRun(triangles, first, width);
-    if (number == noTriangle)
-      std::fill(memory_.row.begin() + first, memory_.row.begin() + end, backgroundId(draws_.list.format));
-    else
-      resolveRun({&taken_[number], row, buffer_.scissor.column + first, end - first,
-                  buffer_.inverseDepth.data() + begin + static_cast<std::size_t>(first)},
-                 shading(number), memory_.row.data() + first);
+    if (number == noTriangle) {
+      std::fill(ids + first, ids + end, backgroundId(draws_.list.format));
+      continue;
+    }
+    resolveRun({&taken_[number], row, buffer_.scissor.column + first, end - first,
+                buffer_.inverseDepth.data() + begin + static_cast<std::size_t>(first)},
+               shading(number), memory_.run.data());
+    std::copy_n(memory_.run.data(), end - first, ids + first);
   }
-  std::copy_n(memory_.row.data(), width, ids);
 }
 
 struct PlacedGroup {

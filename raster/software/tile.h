@@ -31,11 +31,12 @@ struct TileMemory {
   std::vector<ScreenTriangle> taken;     ///< triangles that some pixel took
   std::vector<Shading> shadings;         ///< of triangles that are visible in the end
   std::vector<std::uint32_t> shadingOf;  ///< per taken triangle: its place in `shadings`, or noTriangle
-  std::vector<ItemId> row;
+  std::vector<ItemId> run;               ///< item IDs of a run; kernels write behind its end
   UndecidedPixels undecided;
   PlacedVertices placed;                  ///< of the current cluster
   std::vector<ScreenTriangle> triangles;  ///< of the current cluster
-  SmallSamples samples;                   ///< of the current cluster
+  SmallSetup small;                       ///< of the current cluster
+  UndecidedSamples undecidedSamples;
 };
 
 /// The kernels for drawing a tile; by default the fastest.

@@ -2,6 +2,7 @@
 #include "raster/kernels/depth_kernels.h"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <tuple>
 
@@ -67,6 +68,29 @@ TEST_CASE("DepthKernels::endOfRun stops at another triangle, with each instructi
       for (int first = 0, length = 1; first < end; first += length, ++length)
         for (int i = first; i < std::min(first + length, end); ++i)
           REQUIRE(kernels.endOfRun(triangles.data(), i, end) == std::min(first + length, end));
+  }
+}
+
+TEST_CASE("DepthKernels::endOfSmall stops at a pixel without a small triangle, with each instruction set",
+          "[kernels]") {
+  // Runs of 1, 2, 3, ... pixels, in turn of small triangles and of others.
+  const std::array<std::uint32_t, 3> others{0, raster::firstSmall - 1, raster::noTriangle};
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t length = 1; length < 40; ++length)
+    for (std::uint32_t i = 0; i < length; ++i)
+      triangles.push_back(length % 2 == 0 ? others[length / 2 % 3]
+                                          : raster::noTriangle - (i % 2 == 0 ? 1 : raster::firstSmall - 1));
+  const auto size = static_cast<int>(triangles.size());
+  triangles.insert(triangles.end(), raster::maxLanes, raster::firstSmall);
+  std::vector<raster::DepthKernels> all = raster::simdKernels<raster::DepthKernels>();
+  all.push_back(raster::scalarKernels<raster::DepthKernels>());
+  for (const raster::DepthKernels& kernels : all) {
+    INFO(kernels.name);
+    for (int end = size - 60; end <= size; ++end)
+      for (int first = 0, length = 1; first < end; first += length, ++length)
+        for (int i = first; i < std::min(first + length, end); ++i)
+          REQUIRE(kernels.endOfSmall(triangles.data(), i, end) ==
+                  (length % 2 == 0 ? i : std::min(first + length, end)));
   }
 }
 

@@ -17,32 +17,100 @@ using namespace hemitex::raster;
 
 namespace {
 
+/// In the last, triangles are about as large as small ones can be.
 std::vector<Face> faces() {
-  std::vector<Face> all{tests::frontFace(64), tests::frontFace(64), tests::frontFace(32), tests::frontFace(128)};
+  std::vector<Face> all{tests::frontFace(64), tests::frontFace(64), tests::frontFace(32), tests::frontFace(128),
+                        tests::frontFace(512)};
   all[1].x = -all[1].x;
   all[1].scissor = {17, 9, 31, 40};
+  all[4].scissor = {100, 100, 140, 90};
   return all;
 }
 
 /// A part of the mesh in the view of a face.
 struct Seen {
   PlacedVertices placed;
-  std::uint32_t small;
+  TriangleSets sets;
 
   Seen(const ClusterMesh& mesh, const ClusterPart& part, const Face& face)
-      : small(scalarKernels<VertexKernels>().place(mesh, part, face, placed).small) {}
+      : sets(scalarKernels<VertexKernels>().place(mesh, part, face, placed)) {}
 };
 
-/// Triangle, row, column, bits of 1/w, texel: sorted, because the kernels return samples in any order.
-using Sample = std::tuple<std::int32_t, int, int, std::uint64_t, std::int32_t>;
+/// Results of setup, with floating-point numbers as bits. Triangles that are not drawn have no planes.
+std::vector<std::uint64_t> valuesOf(const SmallSetup& setup) {
+  std::vector<std::uint64_t> values{setup.count, setup.uniform, setup.negative, setup.thin};
+  const auto add = [&values](double value) { values.push_back(std::bit_cast<std::uint64_t>(value)); };
+  for (std::uint32_t k = 0; k < setup.count; ++k) {
+    for (const int value :
+         {setup.triangles[k], setup.firstColumn[k], setup.columns[k], setup.firstRow[k], setup.rows[k], setup.texel[k]})
+      values.push_back(static_cast<std::uint64_t>(value));
+    add(setup.clear[k]);
+    if (setup.rows[k] == 0) continue;
+    for (const SmallPlanes* planes :
+         {&setup.edges[0], &setup.edges[1], &setup.edges[2], &setup.inverseDepth, &setup.column, &setup.row})
+      for (const double value : {planes->at[k], planes->right[k], planes->down[k]}) add(value);
+  }
+  return values;
+}
 
-std::vector<Sample> sorted(const SmallSamples& samples) {
-  std::vector<Sample> all;
-  for (std::size_t i = 0; i < samples.count; ++i)
-    all.emplace_back(samples.triangles[i], samples.rows[i], samples.columns[i],
-                     std::bit_cast<std::uint64_t>(samples.inverseDepths[i]), samples.texels[i]);
-  std::sort(all.begin(), all.end());
-  return all;
+/// An index map, and whether its texels equal their numbers.
+struct Map {
+  int columns, rows;
+  bool isCounting;
+};
+
+/// Item IDs: those of untextured entries tell their number.
+SmallIds idsOf(const SmallSetup& setup, const Map& map, const std::vector<ItemId>& texels) {
+  SmallIds ids;
+  ids.textured = ~setup.uniform;
+  ids.columns = map.columns;
+  ids.rows = map.rows;
+  if (!map.isCounting) ids.map = texels.data();
+  for (std::uint32_t k = 0; k < setup.count; ++k) ids.ids[k] = 1000 * k;
+  return ids;
+}
+
+/// All triangles of a mesh, drawn into one face.
+struct Drawn {
+  std::vector<std::vector<std::uint64_t>> setups;
+  DepthBuffer buffer;
+  std::vector<std::tuple<std::uint32_t, int, int>> undecided;
+};
+
+Drawn drawAll(const SmallTriangleKernels& kernels, const ClusterMesh& mesh, const Face& face, const Map& map) {
+  std::vector<ItemId> texels;
+  for (int i = 0; i < map.columns * map.rows; ++i) texels.push_back(static_cast<ItemId>(7 * i + 3));
+  Drawn drawn;
+  drawn.buffer.clear(face.scissor);
+  for (const ClusterPart& part : mesh.parts) {
+    const Seen seen(mesh, part, face);
+    SmallSetup setup;
+    kernels.setUp({mesh, part, seen.placed, seen.sets.small, seen.sets.tiny, map.columns, map.rows}, face.scissor,
+                  setup);
+    drawn.setups.push_back(valuesOf(setup));
+    UndecidedSamples undecided;
+    kernels.draw(setup, idsOf(setup, map, texels), firstSmall + part.firstTriangle, drawn.buffer, undecided);
+    for (const auto& [k, pixel] : undecided.samples) {
+      drawn.undecided.emplace_back(part.firstTriangle + k, pixel.row, pixel.column);
+      drawn.buffer.id[drawn.buffer.pixelAt(pixel.column, pixel.row)] = 0;  // it is unspecified
+    }
+  }
+  std::sort(drawn.undecided.begin(), drawn.undecided.end());
+  return drawn;
+}
+
+/// The pixels of a buffer that show a triangle: row, column, bits of 1/w, triangle, item ID.
+std::vector<std::tuple<int, int, std::uint64_t, std::uint32_t, ItemId>> shownBy(const DepthBuffer& buffer) {
+  std::vector<std::tuple<int, int, std::uint64_t, std::uint32_t, ItemId>> shown;
+  const Scissor& part = buffer.scissor;
+  for (int row = part.row; row < part.row + part.height; ++row)
+    for (int column = part.column; column < part.column + part.width; ++column) {
+      const std::size_t p = buffer.pixelAt(column, row);
+      if (buffer.triangle[p] != noTriangle)
+        shown.emplace_back(row, column, std::bit_cast<std::uint64_t>(buffer.inverseDepth[p]), buffer.triangle[p],
+                           buffer.id[p]);
+    }
+  return shown;
 }
 
 /// The covered samples of a screen triangle: rows and columns.
@@ -56,101 +124,150 @@ std::vector<std::pair<int, int>> coveredBy(const ScreenTriangle& triangle) {
   return covered;
 }
 
-}  // namespace
-
-TEST_CASE("SmallTriangleKernels::findSamples gives the same samples with each instruction set",
-          "[small_triangle_kernels]") {
-  const DrawList list = tests::smallTriangles(600);
-  const ClusterMesh mesh = meshOf(list, clustersOf(list));
-  std::size_t samples = 0;
-  for (const Face& face : faces())
-    for (const ClusterPart& part : mesh.parts)
-      for (const int columns : {8, 1}) {
-        const Seen seen(mesh, part, face);
-        const SmallTriangles triangles{mesh, part, seen.placed, seen.small, columns, columns == 1 ? 1 : 5};
-        SmallSamples plain;
-        scalarKernels<SmallTriangleKernels>().findSamples(triangles, face.scissor, plain);
-        samples += plain.count;
-        for (const SmallTriangleKernels& kernels : simdKernels<SmallTriangleKernels>()) {
-          INFO(kernels.name);
-          SmallSamples found;
-          kernels.findSamples(triangles, face.scissor, found);
-          CHECK(sorted(found) == sorted(plain));
-          for (std::size_t i = 0; i < found.count; ++i)
-            CHECK((found.negative >> found.triangles[i] & 1) == (plain.negative >> found.triangles[i] & 1));
-        }
-      }
-  CHECK(samples > 20000);
+/// In squared sub-pixels.
+std::int64_t areaOfBounds(const ScreenTriangle& triangle) {
+  std::int64_t width = 0, height = 0;
+  for (const Edge& edge : triangle.edges) {
+    width = std::max(width, std::abs(edge.b) / 256);
+    height = std::max(height, std::abs(edge.a) / 256);
+  }
+  return width * height;
 }
 
-TEST_CASE("SmallTriangleKernels::findSamples gives the samples and texels of the screen triangle",
+/// One draw of triangles at w = 1 in a front face of 64 x 64, with corners in pixels.
+DrawList triangles(const std::vector<std::array<glm::vec2, 3>>& corners) {
+  DrawList list;
+  list.format = {{8, 8, 8}};
+  tests::addDraw(list, 1, std::nullopt, std::nullopt);
+  const auto point = [](const glm::vec2& at) { return glm::vec3(at / 32.0F - 1.0F, 1); };
+  for (const auto& [a, b, c] : corners) tests::addTriangle(list, {point(a), point(b), point(c)});
+  return list;
+}
+
+SmallSetup setUpAll(const DrawList& list) {
+  const ClusterMesh mesh = meshOf(list, clustersOf(list));
+  REQUIRE(mesh.parts.size() == 1);
+  const Face face = tests::frontFace(64);
+  const Seen seen(mesh, mesh.parts[0], face);
+  REQUIRE(std::popcount(seen.sets.small) == static_cast<int>(list.indices.size() / 3));
+  SmallSetup setup;
+  scalarKernels<SmallTriangleKernels>().setUp({mesh, mesh.parts[0], seen.placed, seen.sets.small, seen.sets.tiny},
+                                              face.scissor, setup);
+  return setup;
+}
+
+}  // namespace
+
+TEST_CASE("SmallTriangleKernels set up and draw the same with each instruction set", "[small_triangle_kernels]") {
+  const DrawList list = tests::smallTriangles(600);
+  const ClusterMesh mesh = meshOf(list, clustersOf(list));
+  std::size_t samples = 0, undecided = 0;
+  for (const Face& face : faces())
+    for (const Map& map : {Map{8, 5, true}, Map{8, 5, false}, Map{1, 1, true}}) {
+      const Drawn plain = drawAll(scalarKernels<SmallTriangleKernels>(), mesh, face, map);
+      samples += shownBy(plain.buffer).size();
+      undecided += plain.undecided.size();
+      for (const SmallTriangleKernels& kernels : simdKernels<SmallTriangleKernels>()) {
+        INFO(kernels.name);
+        const Drawn drawn = drawAll(kernels, mesh, face, map);
+        CHECK(drawn.setups == plain.setups);
+        CHECK(shownBy(drawn.buffer) == shownBy(plain.buffer));
+        CHECK(drawn.undecided == plain.undecided);
+      }
+    }
+  CHECK(samples > 50000);
+  CHECK(undecided > 100);
+}
+
+TEST_CASE("SmallTriangleKernels::draw shows the samples and texels of the screen triangle",
           "[small_triangle_kernels]") {
   const DrawList list = tests::smallTriangles(600);
   const std::vector<Cluster> clusters = clustersOf(list);
   const ClusterMesh mesh = meshOf(list, clusters);
-  constexpr int rows = 5;
-  int small = 0, empty = 0, decided = 0, undecided = 0;
+  const SmallTriangleKernels& kernels = scalarKernels<SmallTriangleKernels>();
+  int empty = 0, thin = 0, decided = 0, undecided = 0, uniform = 0;
+  DepthBuffer buffer;
+  /// Draws a triangle alone and compares what it shows.
+  const auto check = [&](const SmallTriangles& one, const Face& face, const ScreenTriangle& triangle, bool isEmpty) {
+    SmallSetup setup;
+    kernels.setUp(one, face.scissor, setup);
+    UndecidedSamples open;
+    if (setup.thin != 0) {
+      // The three |e| below are at most 4 times the area of the bounds each, and one w at most 3 times another.
+      if (!isEmpty) CHECK(triangle.area * 512 <= 3 * 3 * 4 * areaOfBounds(triangle));
+      return void(++thin);
+    }
+    buffer.clear(face.scissor);
+    kernels.draw(setup, idsOf(setup, {one.columns, one.rows, true}, {}), firstSmall, buffer, open);
+    const auto shown = shownBy(buffer);
+    const auto expected = isEmpty ? std::vector<std::pair<int, int>>() : coveredBy(triangle);
+    REQUIRE(shown.size() == expected.size());
+    if (expected.empty()) return void(++empty);
+    CHECK((setup.negative == 1) == (triangle.facesAway == (determinant(face) < 0)));
+    undecided += static_cast<int>(open.samples.size());
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      const auto [row, column, bits, number, id] = shown[i];
+      CHECK(std::pair(row, column) == expected[i]);
+      const double inverseDepth = inverseDepthAt(triangle, edgeValues(triangle, column, row));
+      CHECK(std::abs(std::bit_cast<double>(bits) - inverseDepth) <= 2 * depthError * inverseDepth);
+      const auto isHere = [r = row, c = column](const SmallSample& s) {
+        return s.pixel.row == r && s.pixel.column == c;
+      };
+      if (std::any_of(open.samples.begin(), open.samples.end(), isHere)) continue;
+      const int texel = texelExactly(triangle, triangle.v, one.rows, column, row) * one.columns +
+                        texelExactly(triangle, triangle.u, one.columns, column, row);
+      CHECK((setup.uniform == 1 ? setup.texel[0] : static_cast<int>(id)) == texel);
+      setup.uniform == 1 ? ++uniform : ++decided;
+    }
+  };
   for (const Face& face : faces())
     for (std::size_t c = 0; c < clusters.size(); ++c) {
       const ClusterPart& part = mesh.parts[c];
       const Seen seen(mesh, part, face);
-      const bool isMirrored = determinant(face) < 0;
       for (std::uint32_t t = 0; t < part.triangles; ++t) {
-        if ((seen.small >> t & 1) == 0) continue;
-        ++small;
+        const std::uint32_t bit = 1U << t;
+        if ((seen.sets.small & bit) == 0) continue;
         ScreenTriangle triangle;
-        std::vector<std::pair<int, int>> expected;
-        if (makeScreenTriangle(mesh, clusters[c], part, t, seen.placed, face.scissor, isMirrored, triangle))
-          expected = coveredBy(triangle);
-        if (expected.empty()) ++empty;
-        for (const int columns : {7, 1}) {
-          SmallSamples found;
-          scalarKernels<SmallTriangleKernels>().findSamples({mesh, part, seen.placed, 1U << t, columns, rows},
-                                                            face.scissor, found);
-          REQUIRE(found.count == expected.size());
-          for (std::size_t i = 0; i < found.count; ++i) {
-            const auto [row, column] = expected[i];
-            CHECK(found.triangles[i] == static_cast<std::int32_t>(t));
-            CHECK(found.rows[i] == row);
-            CHECK(found.columns[i] == column);
-            CHECK(((found.negative >> t & 1) != 0) == (triangle.facesAway == isMirrored));
-            const double inverseDepth = inverseDepthAt(triangle, edgeValues(triangle, column, row));
-            CHECK(std::abs(found.inverseDepths[i] - inverseDepth) <= 2 * depthError * inverseDepth);
-            found.texels[i] == undecidedTexel ? ++undecided : ++decided;
-            if (found.texels[i] != undecidedTexel)
-              CHECK(found.texels[i] == texelExactly(triangle, triangle.v, rows, column, row) * columns +
-                                           texelExactly(triangle, triangle.u, columns, column, row));
-          }
-        }
+        const bool isEmpty =
+            !makeScreenTriangle(mesh, clusters[c], part, t, seen.placed, face.scissor, determinant(face) < 0, triangle);
+        for (const int columns : {7, 1})
+          check({mesh, part, seen.placed, bit, seen.sets.tiny & bit, columns, 5}, face, triangle, isEmpty);
       }
     }
-  CHECK(small > 5000);
-  CHECK(empty > 500);
+  CHECK(empty > 1000);
+  CHECK(thin > 100);
   CHECK(decided > 5000);
   CHECK(undecided > 100);
+  CHECK(uniform > 1000);
 }
 
-TEST_CASE("SmallTriangleKernels::findSamples finds one of the four smallest triangles around a sample",
+TEST_CASE("SmallTriangleKernels::setUp keeps one of the four smallest triangles around a sample",
           "[small_triangle_kernels]") {
-  // Half a square of 1/256 pixel in each quadrant of the sample of column 10 and row 12, at w = 1.
-  const Face face = tests::frontFace(64);
-  constexpr float step = 1 / 8192.0f;
-  const glm::vec3 sample(10.5f / 32 - 1, 12.5f / 32 - 1, 1);
-  DrawList list;
-  list.format = {{8, 8, 8}};
-  tests::addDraw(list, 1, std::nullopt, std::nullopt);
-  const std::array<glm::vec3, 4> sides{{{step, 0, 0}, {0, step, 0}, {-step, 0, 0}, {0, -step, 0}}};
-  for (std::size_t k = 0; k < 4; ++k)
-    tests::addTriangle(list, {sample, sample + sides[k], sample + sides[(k + 1) % 4]});
-  const std::vector<Cluster> clusters = clustersOf(list);
-  const ClusterMesh mesh = meshOf(list, clusters);
-  REQUIRE(mesh.parts.size() == 1);
-  const Seen seen(mesh, mesh.parts[0], face);
-  REQUIRE(seen.small == 0b1111);
-  SmallSamples found;
-  scalarKernels<SmallTriangleKernels>().findSamples({mesh, mesh.parts[0], seen.placed, seen.small, 1, 1}, face.scissor,
-                                                    found);
-  REQUIRE(found.count == 1);
-  CHECK(found.columns[0] == 10);
-  CHECK(found.rows[0] == 12);
+  // Half a square of 1/256 pixel in each quadrant of the sample of column 10 and row 12.
+  constexpr float step = 1 / 256.0F;
+  const glm::vec2 sample(10.5F, 12.5F);
+  const std::array<glm::vec2, 4> sides{{{step, 0}, {0, step}, {-step, 0}, {0, -step}}};
+  std::vector<std::array<glm::vec2, 3>> corners;
+  for (std::size_t k = 0; k < 4; ++k) corners.push_back({sample, sample + sides[k], sample + sides[(k + 1) % 4]});
+  const SmallSetup setup = setUpAll(triangles(corners));
+  REQUIRE(setup.count == 1);
+  CHECK(setup.firstColumn[0] == 10);
+  CHECK(setup.firstRow[0] == 12);
+  CHECK(setup.columns[0] == 1);
+  CHECK(setup.rows[0] == 1);
+}
+
+TEST_CASE("SmallTriangleKernels::setUp leaves out triangles whose 1/w is not accurate enough",
+          "[small_triangle_kernels]") {
+  // With edges e and the area A, both in squared sub-pixels, the bound of the relative error of 1/w at w = 1 is 2^-49
+  // times the sum of |e| / A. In a sliver along a diagonal of d pixels, two corners lie at most d pixels from the first
+  // sample, so each |e| is below 4 * (256 d)^2. With d = 30 and A = 256, the sum may reach 2^22. The bound has to be
+  // below 2^-40, so the sum below 2^9: a triangle of half the square of its bounds has a sum of about 10.
+  const SmallSetup setup = setUpAll(triangles(
+      {{{{2, 2}, {32, 32}, {32 + 1 / 256.0F, 32}}}, {{{2, 2}, {32, 32}, {32, 2}}}, {{{2, 2}, {12, 12}, {22, 22}}}}));
+  REQUIRE(setup.count == 3);
+  CHECK(setup.thin == 0b001);
+  CHECK(setup.rows[0] == 0);
+  CHECK(setup.rows[1] == 30);
+  CHECK(setup.rows[2] == 0);  // it has no area
 }

@@ -43,7 +43,7 @@ std::vector<std::uint32_t> placed(const VertexKernels& kernels, const ClusterMes
                                   const Face& face) {
   PlacedVertices vertices;
   const TriangleSets sets = kernels.place(mesh, part, face, vertices);
-  std::vector<std::uint32_t> all{sets.whole, sets.cut, sets.small};
+  std::vector<std::uint32_t> all{sets.whole, sets.cut, sets.small, sets.tiny};
   for (std::size_t i = 0; i < part.vertices; ++i) {
     const float w = vertices.w[i];
     all.insert(all.end(),
@@ -69,7 +69,7 @@ std::vector<Face> faces() {
 TEST_CASE("VertexKernels::place gives the same vertices with each instruction set", "[vertex_kernels]") {
   const DrawList list = allAround();
   const ClusterMesh mesh = meshOf(list, clustersOf(list));
-  std::uint32_t whole = 0, cut = 0, small = 0, sides = 0;
+  std::uint32_t whole = 0, cut = 0, small = 0, tiny = 0, sides = 0;
   for (const Face& face : faces())
     for (const ClusterPart& part : mesh.parts) {
       const std::vector<std::uint32_t> plain = placed(scalarKernels<VertexKernels>(), mesh, part, face);
@@ -80,12 +80,15 @@ TEST_CASE("VertexKernels::place gives the same vertices with each instruction se
       whole |= plain[0];
       cut |= plain[1];
       small |= plain[2];
+      tiny |= plain[3];
       CHECK((plain[2] & ~plain[0]) == 0);
-      for (std::size_t i = 6; i < plain.size(); i += 4) sides |= plain[i];
+      CHECK((plain[3] & ~plain[2]) == 0);
+      for (std::size_t i = 7; i < plain.size(); i += 4) sides |= plain[i];
     }
   CHECK(whole == 0xffffffff);
   CHECK(cut == 0xffffffff);
   CHECK(std::popcount(small) > 20);
+  CHECK(std::popcount(tiny) > 2);
   CHECK(sides == (beyondAny | notInside));
 }
 

@@ -78,7 +78,8 @@ TEST_CASE("appendScreenTriangles of a cluster gives the screen triangles of its 
             PlacedVertices vertices;
             std::vector<ScreenTriangle> triangles;
             const std::uint32_t smallOnes = appendScreenTriangles(list, mesh, clusters[c], mesh.parts[c], kernels, face,
-                                                                  skipped, vertices, triangles);
+                                                                  skipped, vertices, triangles)
+                                                .small;
             small += setUpSmall(mesh, clusters[c], mesh.parts[c], smallOnes, vertices, face, triangles);
             REQUIRE(triangles.size() == expected.size());
             for (std::size_t t = 0; t < expected.size(); ++t) CHECK(isSame(triangles[t], expected[t]));
