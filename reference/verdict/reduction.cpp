@@ -86,9 +86,10 @@ bool removePixels(TestVector& vector, const Fails& fails) {
       smaller.faces[f].face.scissor = {columns.first, rows.first, columns.size(), rows.size()};
       return smaller;
     };
-    const auto& scissor = vector.faces[f].face.scissor;
-    const auto columnsOf = [&] { return Interval{scissor.column, scissor.column + scissor.width}; };
-    const auto rowsOf = [&] { return Interval{scissor.row, scissor.row + scissor.height}; };
+    // Each call looks the face up, because a replacement frees the faces of the vector.
+    const auto scissor = [&]() -> const raster::Scissor& { return vector.faces[f].face.scissor; };
+    const auto columnsOf = [&] { return Interval{scissor().column, scissor().column + scissor().width}; };
+    const auto rowsOf = [&] { return Interval{scissor().row, scissor().row + scissor().height}; };
     isSmaller |=
         shrink(columnsOf(), [&](const Interval& each) { return replace(vector, with(each, rowsOf()), fails); });
     isSmaller |=

@@ -126,7 +126,7 @@ TEST_CASE("hemitex names a file that cannot be read to its end", "[faults]") {
   CHECK_THAT(faultOf(shell, program + "solve gone.obj -o o"), Catch::Contains("gone.obj: cannot be read"));
 }
 
-TEST_CASE("hemitex says that memory is too small, and leaves nothing behind", "[faults]") {
+TEST_CASE("hemitex says that memory is too small, and leaves nothing behind", "[faults][little_memory]") {
   const Shell shell;
   CHECK_THAT(
       faultOf(shell, "ulimit -v 600000; " + program + "--threads 1 solve room.obj -o o --texels 2000 --resolution 32",
