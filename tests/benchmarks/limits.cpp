@@ -1,15 +1,29 @@
-/// Limits of what `hemitex bench` and `hemitex paper` measure. They depend on the machine and take minutes, so they are
-/// run by hand on a machine that does nothing else: `cmake --build build/release --target limits`.
+/// Limits of what `hemitex bench` and `hemitex paper` measure, and of the time per triangle. They depend on the machine
+/// and take minutes, so they are run by hand on a machine that does nothing else: `cmake --build build/release --target
+/// limits`.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/form_factors/projected_form_factors.h"
+#include "radiosity/index_maps/scene_draw_list.h"
 #include "raster/base/file_io.h"
+#include "raster/base/parallel.h"
+#include "raster/software/software_renderer.h"
+#include "reference/bench/equal_time_error.h"
+#include "reference/bench/subdivided_scene.h"
+#include "reference/bench/timing.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/temporary_folder.h"
 
+using namespace hemitex;
+using namespace hemitex::radiosity;
 using nlohmann::json;
 
 namespace {
@@ -102,4 +116,24 @@ TEST_CASE("hemitex paper keeps its limits on the complex scene", "[.limits]") {
     CHECK(number(growth["draw"]) < 1.05);
     CHECK(number(growth["form_factor"]) <= (growth["resolution"] == 128 ? 1.18 : 1.05));
   }
+}
+
+// A hemicube of resolution 256 has 196,608 pixels, so that a triangle of a closed box of 8,112 has 24 in the mean.
+TEST_CASE("Drawing triangles of 24 pixels takes at most 100 ns each", "[.limits]") {
+  const raster::ThreadLimit oneThread(1);
+  const Scene scene = reference::finerScene(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8112);
+  const Discretization discretization = discretize(scene, {.texels = 8});
+  const IdLayout layout = layOut(discretization);
+  raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
+  ProjectedFormFactors rows(scene, discretization, layout, renderer, {.resolution = 256});
+  constexpr std::size_t views = 16;
+  std::vector<View> seen;
+  for (const std::uint32_t patch : reference::spreadPatches(discretization, views))
+    seen.push_back(rows.viewsOfPatch(patch).front());
+  std::vector<raster::ItemBuffer> buffers;
+  const std::function<void()> drawAll = [&] {
+    for (const View& view : seen) raster::draw(renderer, view.faces, view.skipped, buffers);
+  };
+  const double seconds = reference::shortTaskTimings({&drawAll, 1}, 25).front().median;
+  CHECK(seconds / views / static_cast<double>(triangleCount(scene)) * 1e9 <= 100);
 }
