@@ -32,11 +32,6 @@ std::map<std::string, std::string> resultIn(const Shell& shell, const std::strin
   return result;
 }
 
-/// Starts a command in the background, waits for a number of seconds, and sends a signal. Exits with its exit code.
-std::string stopped(const std::string& command, const std::string& seconds, const std::string& signal) {
-  return program + command + " & run=$!\nsleep " + seconds + "\nkill -" + signal + " $run\nwait $run";
-}
-
 }  // namespace
 
 TEST_CASE("A solve that is killed again and again ends with the bytes of one that ran through", "[checkpoint]") {
@@ -45,7 +40,7 @@ TEST_CASE("A solve that is killed again and again ends with the bytes of one tha
   const Shell shell;
   shell.output(command + "-o whole");
   const std::string checked = command + "-o pieces --checkpoint c --every 0.01 ";
-  shell.execute(stopped(checked, "0.1", "KILL"));
+  shell.execute(program + checked + "& run=$!\nwhile [ ! -e c ]; do sleep 0.02; done\nkill -KILL $run\nwait $run");
   // The last of the runs ends by itself.
   const Outcome last = shell.execute("for pause in 0.15 0.2 0.25; do\n" + program + checked +
                                      "--resume c -q & run=$!\nsleep $pause\nkill -KILL $run\nwait $run\ndone\n" +

@@ -1,6 +1,7 @@
 // UnshotTree: the results of a pass over all patches, with few visits.
 #include "radiosity/solver/unshot_tree.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -49,6 +50,23 @@ TEST_CASE("UnshotTree gives the brightest patch and the sum of sizes of all patc
       blocks.push_back(unshot.brightest() / UnshotTree::patchesInBlock);
       unshot.update(blocks);
       checkAgainstAll(unshot);
+    }
+  }
+}
+
+TEST_CASE("UnshotTree::brightestPatches lists patches with flux as a sort by size and number does", "[refinement]") {
+  std::mt19937 random(11);
+  for (const std::size_t patches : {1, 64, 65, 5000}) {
+    const std::vector<glm::dvec3> flux = randomFlux(patches, random);
+    const auto size = [&](std::uint32_t patch) { return bandSum(glm::abs(flux[patch])); };
+    std::vector<std::uint32_t> sorted;
+    for (std::uint32_t patch = 0; patch < patches; ++patch)
+      if (size(patch) > 0) sorted.push_back(patch);
+    std::stable_sort(sorted.begin(), sorted.end(), [&](auto a, auto b) { return size(a) > size(b); });
+    for (const std::size_t count : {std::size_t{1}, std::size_t{10}, patches}) {
+      std::vector<std::uint32_t> expected = sorted;
+      expected.resize(std::min(count, sorted.size()));
+      CHECK(UnshotTree(flux).brightestPatches(count) == expected);
     }
   }
 }

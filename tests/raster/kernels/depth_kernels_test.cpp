@@ -54,6 +54,34 @@ TEST_CASE("DepthKernels::offer gives the same bits with each instruction set", "
   }
 }
 
+TEST_CASE("DepthKernels::offer lists a second triangle of the same plane as undecided where it covers samples",
+          "[kernels]") {
+  const raster::Face face = frontFace(64);
+  raster::DrawList list = plainList();
+  addDraw(list, 0);
+  addTriangle(list, {{-3, -3, 1}, {3, -3, 1}, {0, 3, 1}});
+  addTriangle(list, {{-0.5F, -0.6F, 1}, {0.7F, -0.1F, 1}, {0.1F, 0.6F, 1}});
+  const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
+  REQUIRE(triangles.size() == 2);
+  std::vector<raster::DepthKernels> all = raster::simdKernels<raster::DepthKernels>();
+  all.push_back(raster::scalarKernels<raster::DepthKernels>());
+  for (const raster::DepthKernels& kernels : all) {
+    INFO(kernels.name);
+    // Alone, the second is drawn where it covers samples.
+    raster::DepthBuffer alone, both;
+    raster::UndecidedPixels undecided;
+    alone.clear(face.scissor);
+    kernels.offer(triangles[1], 1, alone, undecided);
+    const auto covered = static_cast<std::size_t>(std::count(alone.triangle.begin(), alone.triangle.end(), 1U));
+    CHECK(undecided.pixels.empty());
+    both.clear(face.scissor);
+    for (std::uint32_t t = 0; t < 2; ++t) kernels.offer(triangles[t], t, both, undecided);
+    CHECK(covered > 100);
+    REQUIRE(undecided.pixels.size() == covered);
+    for (const auto& [column, row] : undecided.pixels) CHECK(alone.triangle[alone.pixelAt(column, row)] == 1);
+  }
+}
+
 TEST_CASE("DepthKernels::endOfRun stops at another triangle, with each instruction set", "[kernels]") {
   // Runs of 1, 2, 3, ... pixels; values behind `end` repeat the last one.
   std::vector<std::uint32_t> triangles;

@@ -271,6 +271,33 @@ TEST_CASE("SoftwareRenderer gives a sample on a texel border the texel that begi
   CHECK(holds);
 }
 
+TEST_CASE("SoftwareRenderer shows the texels of a wall also where small triangles make the wall", "[renderer]") {
+  // A wall in the picture plane. Corners are on pixels, so that 1/w and the texture coordinates are the same linear
+  // functions. A small triangle has one texel, or some. The bits of the offset are none of the texels', or some.
+  const raster::Face face = frontFace(128);
+  for (const int texels : {4, 5, 64})
+    for (const raster::ItemId offset : {0x10000U, 3U})
+      for (const int cuts : {8, 32, 64}) {
+        INFO(texels << " texels, " << cuts << " cuts, offset " << offset);
+        const auto wallOf = [&](int parts) {
+          raster::DrawList list = plainList();
+          list.indexMaps.push_back(countingMap(texels, texels));
+          addDraw(list, offset, std::nullopt, 0);
+          const auto texcoord = [&](int i, int j) { return glm::vec2(i, j) / static_cast<float>(parts); };
+          const auto point = [&](int i, int j) { return glm::vec3(2.0F * texcoord(i, j) - 1.0F, 1); };
+          for (int j = 0; j < parts; ++j)
+            for (int i = 0; i < parts; ++i)
+              for (const int k : {0, 1})
+                addTriangle(list, {point(i, j), point(i + 1, j + k), point(i + 1 - k, j + 1)},
+                            {texcoord(i, j), texcoord(i + 1, j + k), texcoord(i + 1 - k, j + 1)});
+          return list;
+        };
+        const std::vector<ItemId> whole = drawOne(wallOf(1), face).ids;
+        CHECK(std::count(whole.begin(), whole.end(), background) == 0);
+        CHECK(drawOne(wallOf(cuts), face).ids == whole);
+      }
+}
+
 TEST_CASE("SoftwareRenderer equals the rational definition of depth, texel and coverage on random triangles",
           "[renderer]") {
   // docs/item-buffers.md, "cover" to "texel", in rational numbers for unclipped triangles.
