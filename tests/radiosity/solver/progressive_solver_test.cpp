@@ -1,12 +1,15 @@
 // solve: the furnace, the account of flux, and independence of threads and memory.
 #include "radiosity/solver/progressive_solver.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdio>
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/projected_form_factors.h"
 #include "radiosity/index_maps/scene_draw_list.h"
+#include "radiosity/solver/loss_warning.h"
 #include "raster/base/parallel.h"
 #include "raster/software/software_renderer.h"
 #include "tests/support/box_scene.h"
@@ -112,8 +115,44 @@ TEST_CASE("solve accounts for all flux after any number of shots in an open scen
 TEST_CASE("solve warns if more than one percent is lost to backs", "[solver]") {
   const Run open = run(openBox(), 8, 4, 64, {});
   REQUIRE(open.solution.warnings.size() == 1);
-  CHECK(open.solution.warnings[0].find("backs of faces") != std::string::npos);
+  const Energy& energy = open.solution.energy;
+  char share[16];
+  std::snprintf(share, sizeof share, "%.1f %% ", 100 * bandSum(energy.lostToBacks) / bandSum(energy.emitted));
+  CHECK_THAT(open.solution.warnings[0], Catch::StartsWith(share) && Catch::Contains("backs of faces"));
   CHECK(run(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 4, 2, 32, {}).solution.warnings.empty());
+}
+
+TEST_CASE("solve warns if nearly all light leaves the scene", "[solver]") {
+  // A light that faces away from all else.
+  Scene scene = openBox();
+  for (Surface& surface : scene.surfaces)
+    if (surface.name == "light") surface = tests::quad("light", {{{0, 9, 0}, {0, 9, 1}, {1, 9, 1}, {1, 9, 0}}}, 1);
+  const Run dark = run(tests::finish(scene), 4, 2, 32, {});
+  const auto warning = lossWarning(dark.scene, dark.solution.energy);
+  REQUIRE(warning);
+  CHECK(dark.solution.warnings == std::vector<std::string>{*warning});
+}
+
+TEST_CASE("solve lists likely shots whose rows are not in the cache", "[solver]") {
+  const Scene scene = openBox();
+  const Discretization discretization = discretize(scene, {.texels = 8, .patch = 4});
+  const IdLayout layout = layOut(discretization);
+  raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
+  ProjectedFormFactors rows(scene, discretization, layout, renderer, {.resolution = 32});
+  std::vector<std::uint32_t> shot, foremost;
+  const auto rowOf = [&](std::uint32_t patch) {
+    shot.push_back(patch);
+    return rows.ofPatch(patch);
+  };
+  // The cache keeps all rows. So a row is computed if and only if its patch is the first of the list before.
+  const LookAhead look = [&](const auto& likelyShots) {
+    const std::vector<LikelyShot> likely = likelyShots(discretization.patches.size());
+    for (const LikelyShot& each : likely) CHECK(std::count(shot.begin(), shot.end(), each.patch) == 0);
+    if (!likely.empty()) foremost.push_back(likely.front().patch);
+  };
+  solve(scene, discretization, rowOf, {.residual = 0, .shots = 30}, {}, {}, {}, look);
+  CHECK(shot.size() > 4);
+  for (const std::uint32_t patch : shot) CHECK(std::count(foremost.begin(), foremost.end(), patch) > 0);
 }
 
 TEST_CASE("solve gives the same bits for any number of threads and any row cache", "[solver]") {

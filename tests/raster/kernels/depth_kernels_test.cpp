@@ -124,9 +124,8 @@ TEST_CASE("DepthKernels::endOfSmall stops at a pixel without a small triangle, w
 
 TEST_CASE("DepthKernels::isHidden holds where all pixels of a part are nearer, with each instruction set",
           "[kernels]") {
-  const raster::Face face = frontFace(64);
   raster::DepthBuffer buffer;
-  buffer.clear(face.scissor);
+  buffer.clear({3, 6, 50, 20});
   std::fill(buffer.inverseDepth.begin(), buffer.inverseDepth.end(), 3.0);
   std::vector<raster::DepthKernels> all = raster::simdKernels<raster::DepthKernels>();
   all.push_back(raster::scalarKernels<raster::DepthKernels>());
@@ -138,7 +137,7 @@ TEST_CASE("DepthKernels::isHidden holds where all pixels of a part are nearer, w
       CHECK(!kernels.isHidden(buffer, part, 3.0));
       for (const auto& [column, row, isInside] : {std::tuple(5, 7, true), std::tuple(4 + width, 9, true),
                                                   std::tuple(5 + width, 9, false), std::tuple(4, 8, false)}) {
-        double& depth = buffer.inverseDepth[buffer.rowAt(row) + static_cast<std::size_t>(column)];
+        double& depth = buffer.inverseDepth[buffer.pixelAt(column, row)];
         depth = 1;
         CHECK(kernels.isHidden(buffer, part, 2.9) == !isInside);
         depth = 3;
