@@ -1,6 +1,7 @@
 // A room of two sheets, and a third sheet that is near or far.
 #include "radiosity/solver/loss_warning.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/support/box_scene.h"
@@ -31,11 +32,15 @@ Energy lost(double share) {
 
 }  // namespace
 
-TEST_CASE("lossWarning names the surface that is far from all others", "[solver]") {
-  const auto warning = lossWarning(sheets(1e9), lost(0.9995));
-  REQUIRE(warning);
-  CHECK_THAT(*warning,
-             Catch::StartsWith("100 % of the emitted flux left the scene. The surface `stray` is 1e+09 units"));
+TEST_CASE("lossWarning names the surface that is far from all others, at any place of the list", "[solver]") {
+  Scene scene = sheets(1e9);
+  for (std::size_t place = 0; place < scene.surfaces.size(); ++place) {
+    std::rotate(scene.surfaces.begin(), scene.surfaces.begin() + 1, scene.surfaces.end());
+    const auto warning = lossWarning(scene, lost(0.9995));
+    REQUIRE(warning);
+    CHECK_THAT(*warning,
+               Catch::StartsWith("100 % of the emitted flux left the scene. The surface `stray` is 1e+09 units"));
+  }
 }
 
 TEST_CASE("lossWarning names no surface of a scene without a far one", "[solver]") {

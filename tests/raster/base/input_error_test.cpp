@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+using hemitex::raster::excerpt;
 using hemitex::raster::InputError;
 
 TEST_CASE("InputError joins file, line, problem and advice, without what is missing", "[input_error]") {
@@ -20,4 +21,11 @@ TEST_CASE("InputError holds its parts", "[input_error]") {
   CHECK(error.advice() == "mend it");
   CHECK(InputError("is wrong", "mend it").advice() == "mend it");
   CHECK(InputError("is wrong").line() == 0);
+}
+
+TEST_CASE("excerpt cuts between characters and shows control characters as question marks", "[input_error]") {
+  CHECK(excerpt("a\nb\x1F\x7F c") == "a?b?? c");
+  CHECK(excerpt("abcd", 4) == "abcd");
+  CHECK(excerpt("abcde", 4) == "abcd...");
+  CHECK(excerpt("abc\xC3\xA9", 4) == "abc...");
 }
