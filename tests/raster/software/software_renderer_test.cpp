@@ -275,13 +275,13 @@ TEST_CASE("SoftwareRenderer shows the texels of a wall also where small triangle
   // A wall in the picture plane. Corners are on pixels, so that 1/w and the texture coordinates are the same linear
   // functions. A small triangle has one texel, or some. The bits of the offset are none of the texels', or some.
   const raster::Face face = frontFace(128);
-  for (const int texels : {4, 5, 64})
+  for (const auto& [columns, rows] : {std::pair(4, 4), std::pair(5, 5), std::pair(64, 64), std::pair(1, 64)})
     for (const raster::ItemId offset : {0x10000U, 3U})
       for (const int cuts : {8, 32, 64}) {
-        INFO(texels << " texels, " << cuts << " cuts, offset " << offset);
-        const auto wallOf = [&](int parts) {
+        INFO(columns << " x " << rows << " texels, " << cuts << " cuts, offset " << offset);
+        const auto wallOf = [&, width = columns, height = rows](int parts) {
           raster::DrawList list = plainList();
-          list.indexMaps.push_back(countingMap(texels, texels));
+          list.indexMaps.push_back(countingMap(width, height));
           addDraw(list, offset, std::nullopt, 0);
           const auto texcoord = [&](int i, int j) { return glm::vec2(i, j) / static_cast<float>(parts); };
           const auto point = [&](int i, int j) { return glm::vec3(2.0F * texcoord(i, j) - 1.0F, 1); };
