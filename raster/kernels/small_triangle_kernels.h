@@ -42,8 +42,8 @@ using EachSmall = std::array<Value, largestCluster>;
 /// The most rows of samples that a small triangle covers.
 inline constexpr std::size_t smallRows = smallSpan / 256;
 
-/// Values that are linear in the column i and the row j from the first sample of a triangle: (at + down * j) + right *
-/// i.
+/// Values that are linear in the column i and the row j, from the first sample in the bounds of a triangle:
+/// (at + down * j) + right * i.
 struct SmallPlanes {
   EachSmall<double> at, right, down;
 };
@@ -51,7 +51,7 @@ struct SmallPlanes {
 /// Small triangles after setup, without most of those that cover no sample. Sets have one bit per entry.
 struct SmallSetup {
   std::uint32_t count = 0;
-  /// Counted from the first of the part. Kernels may write as many values behind the last.
+  /// Counted from the first of the part. Kernels may write maxVertexLanes values behind the last.
   std::array<std::int32_t, largestCluster + maxVertexLanes> triangles;
   EachSmall<std::int32_t> firstColumn, columns, firstRow, rows;  ///< the samples in the bounds; no rows: not drawn
   std::array<SmallPlanes, 3> edges;                              ///< at least 0 at covered samples

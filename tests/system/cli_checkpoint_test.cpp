@@ -40,7 +40,8 @@ TEST_CASE("A solve that is killed again and again ends with the bytes of one tha
   const Shell shell;
   shell.output(command + "-o whole");
   const std::string checked = command + "-o pieces --checkpoint c --every 0.01 ";
-  shell.execute(program + checked + "& run=$!\nwhile [ ! -e c ]; do sleep 0.02; done\nkill -KILL $run\nwait $run");
+  shell.execute(program + checked +
+                "& run=$!\nwhile [ ! -e c ] && kill -0 $run; do sleep 0.02; done\nkill -KILL $run\nwait $run");
   // The last of the runs ends by itself.
   const Outcome last = shell.execute("for pause in 0.15 0.2 0.25; do\n" + program + checked +
                                      "--resume c -q & run=$!\nsleep $pause\nkill -KILL $run\nwait $run\ndone\n" +

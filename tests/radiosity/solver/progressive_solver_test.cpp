@@ -144,7 +144,7 @@ TEST_CASE("solve lists likely shots whose rows are not in the cache", "[solver]"
     shot.push_back(patch);
     return rows.ofPatch(patch);
   };
-  // The cache keeps all rows. So a row is computed if and only if its patch is the first of the list before.
+  // The cache keeps all rows, so that a patch whose row is computed was the first of a list.
   const LookAhead look = [&](const auto& likelyShots) {
     const std::vector<LikelyShot> likely = likelyShots(discretization.patches.size());
     for (const LikelyShot& each : likely) CHECK(std::count(shot.begin(), shot.end(), each.patch) == 0);

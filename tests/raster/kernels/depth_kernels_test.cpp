@@ -31,6 +31,26 @@ Drawn draw(const raster::DepthKernels& kernels, const std::vector<raster::Screen
   return drawn;
 }
 
+std::vector<raster::DepthKernels> allKernels() {
+  std::vector<raster::DepthKernels> all = raster::simdKernels<raster::DepthKernels>();
+  all.push_back(raster::scalarKernels<raster::DepthKernels>());
+  return all;
+}
+
+/// Calls check(kernels, length, i, endOfRun, end) for each pixel i of runs of 1, 2, 3, ... pixels, and for ends of the
+/// row in the last 60 pixels of `size`.
+template <typename Check>
+void forEachRunAndEnd(int size, const Check& check) {
+  for (const raster::DepthKernels& kernels : allKernels()) {
+    INFO(kernels.name);
+    for (int end = size - 60; end <= size; ++end)
+      for (int first = 0, length = 1; first < end; first += length, ++length) {
+        const int endOfRun = std::min(first + length, end);
+        for (int i = first; i < endOfRun; ++i) check(kernels, length, i, endOfRun, end);
+      }
+  }
+}
+
 }  // namespace
 
 TEST_CASE("DepthKernels::offer gives the same bits with each instruction set", "[kernels]") {
@@ -63,9 +83,7 @@ TEST_CASE("DepthKernels::offer lists a second triangle of the same plane as unde
   addTriangle(list, {{-0.5F, -0.6F, 1}, {0.7F, -0.1F, 1}, {0.1F, 0.6F, 1}});
   const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
   REQUIRE(triangles.size() == 2);
-  std::vector<raster::DepthKernels> all = raster::simdKernels<raster::DepthKernels>();
-  all.push_back(raster::scalarKernels<raster::DepthKernels>());
-  for (const raster::DepthKernels& kernels : all) {
+  for (const raster::DepthKernels& kernels : allKernels()) {
     INFO(kernels.name);
     // Alone, the second is drawn where it covers samples.
     raster::DepthBuffer alone, both;
@@ -88,15 +106,9 @@ TEST_CASE("DepthKernels::endOfRun stops at another triangle, with each instructi
   for (std::uint32_t length = 1; length < 40; ++length) triangles.insert(triangles.end(), length, length % 2);
   const auto size = static_cast<int>(triangles.size());
   triangles.insert(triangles.end(), raster::maxLanes, triangles.back());
-  std::vector<raster::DepthKernels> all = raster::simdKernels<raster::DepthKernels>();
-  all.push_back(raster::scalarKernels<raster::DepthKernels>());
-  for (const raster::DepthKernels& kernels : all) {
-    INFO(kernels.name);
-    for (int end = size - 60; end <= size; ++end)
-      for (int first = 0, length = 1; first < end; first += length, ++length)
-        for (int i = first; i < std::min(first + length, end); ++i)
-          REQUIRE(kernels.endOfRun(triangles.data(), i, end) == std::min(first + length, end));
-  }
+  forEachRunAndEnd(size, [&](const raster::DepthKernels& kernels, int, int i, int endOfRun, int end) {
+    REQUIRE(kernels.endOfRun(triangles.data(), i, end) == endOfRun);
+  });
 }
 
 TEST_CASE("DepthKernels::endOfSmall stops at a pixel without a small triangle, with each instruction set",
@@ -110,16 +122,9 @@ TEST_CASE("DepthKernels::endOfSmall stops at a pixel without a small triangle, w
                                           : raster::noTriangle - (i % 2 == 0 ? 1 : raster::firstSmall - 1));
   const auto size = static_cast<int>(triangles.size());
   triangles.insert(triangles.end(), raster::maxLanes, raster::firstSmall);
-  std::vector<raster::DepthKernels> all = raster::simdKernels<raster::DepthKernels>();
-  all.push_back(raster::scalarKernels<raster::DepthKernels>());
-  for (const raster::DepthKernels& kernels : all) {
-    INFO(kernels.name);
-    for (int end = size - 60; end <= size; ++end)
-      for (int first = 0, length = 1; first < end; first += length, ++length)
-        for (int i = first; i < std::min(first + length, end); ++i)
-          REQUIRE(kernels.endOfSmall(triangles.data(), i, end) ==
-                  (length % 2 == 0 ? i : std::min(first + length, end)));
-  }
+  forEachRunAndEnd(size, [&](const raster::DepthKernels& kernels, int length, int i, int endOfRun, int end) {
+    REQUIRE(kernels.endOfSmall(triangles.data(), i, end) == (length % 2 == 0 ? i : endOfRun));
+  });
 }
 
 TEST_CASE("DepthKernels::isHidden holds where all pixels of a part are nearer, with each instruction set",
@@ -127,9 +132,7 @@ TEST_CASE("DepthKernels::isHidden holds where all pixels of a part are nearer, w
   raster::DepthBuffer buffer;
   buffer.clear({3, 6, 50, 20});
   std::fill(buffer.inverseDepth.begin(), buffer.inverseDepth.end(), 3.0);
-  std::vector<raster::DepthKernels> all = raster::simdKernels<raster::DepthKernels>();
-  all.push_back(raster::scalarKernels<raster::DepthKernels>());
-  for (const raster::DepthKernels& kernels : all) {
+  for (const raster::DepthKernels& kernels : allKernels()) {
     INFO(kernels.name);
     for (int width = 1; width < 20; ++width) {
       const raster::Scissor part{5, 7, width, 3};
