@@ -21,7 +21,7 @@
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
-#include "reference/bench/report.h"
+#include "reference/measurement/bench/report.h"
 
 namespace hemitex::cli {
 namespace {

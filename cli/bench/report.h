@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/common/json.h"
-#include "reference/bench/report.h"
+#include "reference/measurement/bench/report.h"
 
 namespace hemitex::cli {
 

@@ -1,5 +1,5 @@
 #include "cli/devices/renderers.h"
-#include "reference/opengl/opengl_renderer.h"
+#include "reference/devices/opengl/opengl_renderer.h"
 
 namespace hemitex::cli {
 namespace {

@@ -1,5 +1,5 @@
 #include "cli/devices/renderers.h"
-#include "reference/vulkan/vulkan_renderer.h"
+#include "reference/devices/vulkan/vulkan_renderer.h"
 
 namespace hemitex::cli {
 

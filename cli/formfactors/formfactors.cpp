@@ -18,9 +18,9 @@
 #include "cli/scene/scene_options.h"
 #include "cli/scene/surface_names.h"
 #include "radiosity/ranks/shared_tasks.h"
-#include "reference/records/sha256.h"
-#include "reference/solution/form_factor_matrix.h"
-#include "reference/solution/reciprocity_smoothing.h"
+#include "reference/conformance/records/sha256.h"
+#include "reference/truth/solution/form_factor_matrix.h"
+#include "reference/truth/solution/reciprocity_smoothing.h"
 
 namespace hemitex::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/form_factors/scene_form_factors.h"
-#include "reference/closed_forms/scene_form_factors.h"
-#include "reference/rays/monte_carlo_form_factors.h"
+#include "reference/truth/closed_forms/scene_form_factors.h"
+#include "reference/truth/rays/monte_carlo_form_factors.h"
 
 namespace hemitex::cli {
 namespace {

@@ -12,8 +12,8 @@
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "radiosity/textures/radiosity_texture.h"
-#include "reference/bench/scenes.h"
-#include "reference/paper/tables.h"
+#include "reference/measurement/bench/scenes.h"
+#include "reference/measurement/paper/tables.h"
 
 namespace hemitex::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/paper/scenes.h"
+#include "reference/measurement/paper/scenes.h"
 
 namespace hemitex::cli {
 

@@ -10,8 +10,8 @@
 #include "cli/scene/scene_folder.h"
 #include "raster/base/file_io.h"
 #include "raster/base/parallel.h"
-#include "reference/bench/timing.h"
-#include "reference/paper/scenes.h"
+#include "reference/measurement/bench/timing.h"
+#include "reference/measurement/paper/scenes.h"
 
 namespace hemitex::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include "cli/common/table.h"
 #include "cli/report/embedded_files.h"
 #include "cli/report/html_page.h"
-#include "reference/paper/tables.h"
+#include "reference/measurement/paper/tables.h"
 
 namespace hemitex::cli {
 namespace {

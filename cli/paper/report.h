@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/common/json.h"
-#include "reference/paper/runs.h"
+#include "reference/measurement/paper/runs.h"
 
 namespace hemitex::cli {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "raster/base/bytes.h"
-#include "reference/records/sha256.h"
+#include "reference/conformance/records/sha256.h"
 
 namespace hemitex::cli {
 namespace {

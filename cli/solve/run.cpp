@@ -6,7 +6,7 @@
 #include "radiosity/ranks/shared_tasks.h"
 #include "radiosity/solver/error_control.h"
 #include "raster/base/bytes.h"
-#include "reference/rays/embree_form_factors.h"
+#include "reference/truth/rays/embree_form_factors.h"
 
 namespace hemitex::cli {
 namespace {

@@ -10,12 +10,13 @@
 ///       directions                 pixels or rays per row
 ///       texels, patch              texels along a surface's side, and along a patch's side
 ///       elements, patches, rows, shots   rows: number of patches that shot
-///       row_error                  relative_l1, rms, maximum (see reference/solution/row_error.h)
-///       radiosity_error            flux_weighted, rms, maximum (see reference/solution/radiosity_error.h)
-///       bytes                      buffer, rows, elements (see reference/tradeoff/tradeoff.h)
+///       row_error                  relative_l1, rms, maximum (see reference/truth/solution/row_error.h)
+///       radiosity_error            flux_weighted, rms, maximum (see reference/truth/solution/radiosity_error.h)
+///       bytes                      buffer, rows, elements (see reference/measurement/tradeoff/tradeoff.h)
 ///       times                      median_s, rounds_s, and pareto: whether it is on the Pareto front
 ///
-/// - `same_points`: rows of hemicubes and rays from the same points (see reference/bench/equal_time_error.h), with
+/// - `same_points`: rows of hemicubes and rays from the same points (see
+/// reference/measurement/bench/equal_time_error.h), with
 ///   `points` and `truth_error`. `hemicubes`, `turned_hemicubes` and `rays` are lists of objects with `size`, `error`
 ///   and `times`: `row_s` and, for hemicubes, `error_of_rays` in the same time, or null. Null if hemicubes or rays are
 ///   not measured;
@@ -32,8 +33,8 @@
 #include <vector>
 
 #include "cli/common/table.h"
-#include "reference/bench/equal_time_error.h"
-#include "reference/tradeoff/tradeoff.h"
+#include "reference/measurement/bench/equal_time_error.h"
+#include "reference/measurement/tradeoff/tradeoff.h"
 
 namespace hemitex::cli {
 

@@ -9,7 +9,7 @@
 #include "radiosity/images/image.h"
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/textures/radiosity_texture.h"
-#include "reference/solution/radiosity_error.h"
+#include "reference/truth/solution/radiosity_error.h"
 
 namespace hemitex::cli {
 namespace {

@@ -1,6 +1,6 @@
 /// `hemitex tradeoff`: measures time and error of every method on a scene. Compares all settings and several grids with
 /// the true radiosity, and writes numbers and a page with plots and error pictures.
-#include "reference/tradeoff/tradeoff.h"
+#include "reference/measurement/tradeoff/tradeoff.h"
 
 #include <algorithm>
 #include <bit>
@@ -17,7 +17,7 @@
 #include "radiosity/discretization/discretize.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "reference/bench/timing.h"
+#include "reference/measurement/bench/timing.h"
 
 namespace hemitex::cli {
 namespace {

@@ -9,8 +9,8 @@
 #include "cli/common/table.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "reference/calibration/calibration.h"
-#include "reference/vectors/candidate.h"
+#include "reference/conformance/calibration/calibration.h"
+#include "reference/conformance/vectors/candidate.h"
 
 namespace hemitex::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "reference/vectors/vector_file.h"
-#include "reference/verdict/device_process.h"
+#include "reference/conformance/vectors/vector_file.h"
+#include "reference/conformance/verdict/device_process.h"
 
 namespace hemitex::cli {
 

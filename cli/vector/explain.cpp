@@ -9,8 +9,8 @@
 #include "cli/common/table.h"
 #include "cli/vector/pixel_trace_text.h"
 #include "raster/base/input_error.h"
-#include "reference/vectors/vector_file.h"
-#include "reference/verdict/id_origin.h"
+#include "reference/conformance/vectors/vector_file.h"
+#include "reference/conformance/verdict/id_origin.h"
 
 namespace hemitex::cli {
 namespace {

@@ -13,7 +13,7 @@
 #include "radiosity/projection/patch_view.h"
 #include "radiosity/projection/projection.h"
 #include "raster/base/input_error.h"
-#include "reference/trace/stage_dump.h"
+#include "reference/conformance/trace/stage_dump.h"
 
 namespace hemitex::cli {
 namespace {

@@ -8,11 +8,11 @@
 #include "cli/common/staging.h"
 #include "cli/common/table.h"
 #include "raster/base/file_io.h"
-#include "reference/calibration/device_class.h"
-#include "reference/diagnosis/junit_report.h"
-#include "reference/records/conformance_record.h"
-#include "reference/vectors/candidate.h"
-#include "reference/verdict/verdict_picture.h"
+#include "reference/conformance/calibration/device_class.h"
+#include "reference/conformance/diagnosis/junit_report.h"
+#include "reference/conformance/records/conformance_record.h"
+#include "reference/conformance/vectors/candidate.h"
+#include "reference/conformance/verdict/verdict_picture.h"
 
 namespace hemitex::cli {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cli/common/options.h"
-#include "reference/diagnosis/verdict_report.h"
+#include "reference/conformance/diagnosis/verdict_report.h"
 
 namespace hemitex::cli {
 

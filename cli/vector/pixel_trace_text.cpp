@@ -4,7 +4,7 @@
 #include <map>
 
 #include "cli/common/numbers.h"
-#include "reference/vectors/enum_names.h"
+#include "reference/conformance/vectors/enum_names.h"
 
 namespace hemitex::cli {
 namespace {

@@ -1,10 +1,10 @@
-/// A derivation (reference/trace/pixel_trace.h) as JSON, and that JSON as text for people.
+/// A derivation (reference/conformance/trace/pixel_trace.h) as JSON, and that JSON as text for people.
 #pragma once
 
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "reference/trace/pixel_trace.h"
+#include "reference/conformance/trace/pixel_trace.h"
 
 namespace hemitex::cli {
 

@@ -8,9 +8,9 @@
 #include "cli/common/json.h"
 #include "cli/common/staging.h"
 #include "cli/common/table.h"
-#include "reference/vectors/random_families.h"
-#include "reference/vectors/random_vectors.h"
-#include "reference/vectors/vector_suite.h"
+#include "reference/conformance/vectors/random_families.h"
+#include "reference/conformance/vectors/random_vectors.h"
+#include "reference/conformance/vectors/vector_suite.h"
 
 namespace hemitex::cli {
 namespace {

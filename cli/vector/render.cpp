@@ -5,7 +5,7 @@
 #include "cli/common/staging.h"
 #include "cli/devices/renderers.h"
 #include "cli/vector/vector_output.h"
-#include "reference/trace/stage_dump.h"
+#include "reference/conformance/trace/stage_dump.h"
 
 namespace hemitex::cli {
 namespace {

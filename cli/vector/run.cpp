@@ -11,9 +11,9 @@
 #include "cli/vector/judging.h"
 #include "raster/base/input_error.h"
 #include "raster/base/thread_group.h"
-#include "reference/vectors/candidate.h"
-#include "reference/vectors/vector_suite.h"
-#include "reference/verdict/reduction.h"
+#include "reference/conformance/vectors/candidate.h"
+#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/verdict/reduction.h"
 
 namespace hemitex::cli {
 namespace {

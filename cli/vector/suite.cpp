@@ -8,8 +8,8 @@
 #include "cli/common/staging.h"
 #include "cli/common/table.h"
 #include "cli/scene/scene_folder.h"
-#include "reference/vectors/scene_vectors.h"
-#include "reference/vectors/vector_suite.h"
+#include "reference/conformance/vectors/scene_vectors.h"
+#include "reference/conformance/vectors/vector_suite.h"
 
 namespace hemitex::cli {
 namespace {

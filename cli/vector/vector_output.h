@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/common/options.h"
-#include "reference/vectors/vector_file.h"
+#include "reference/conformance/vectors/vector_file.h"
 
 namespace hemitex::cli {
 

@@ -8,7 +8,7 @@
 #include "cli/common/json.h"
 #include "cli/vector/judging.h"
 #include "raster/base/input_error.h"
-#include "reference/records/conformance_record.h"
+#include "reference/conformance/records/conformance_record.h"
 
 namespace hemitex::cli {
 namespace {

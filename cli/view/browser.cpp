@@ -7,7 +7,7 @@
 #include <sstream>
 #include <thread>
 
-#include "reference/verdict/spawn_settings.h"
+#include "reference/conformance/verdict/spawn_settings.h"
 
 extern char** environ;
 

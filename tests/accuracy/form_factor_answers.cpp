@@ -3,9 +3,9 @@
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/patch_points.h"
-#include "reference/closed_forms/point_to_polygon.h"
-#include "reference/closed_forms/polygon_to_polygon.h"
-#include "reference/rays/monte_carlo_form_factors.h"
+#include "reference/truth/closed_forms/point_to_polygon.h"
+#include "reference/truth/closed_forms/polygon_to_polygon.h"
+#include "reference/truth/rays/monte_carlo_form_factors.h"
 #include "tests/accuracy/form_factor_cases.h"
 #include "tests/support/hand_scenes.h"
 #include "tests/support/hemicube_world.h"

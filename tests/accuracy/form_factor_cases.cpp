@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "reference/closed_forms/polygon_to_polygon.h"
-#include "reference/closed_forms/rectangles.h"
+#include "reference/truth/closed_forms/polygon_to_polygon.h"
+#include "reference/truth/closed_forms/rectangles.h"
 #include "tests/accuracy/numbers.h"
 #include "tests/support/hand_scenes.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "radiosity/scene/scene.h"
-#include "reference/rays/sample_points.h"
+#include "reference/truth/rays/sample_points.h"
 
 namespace hemitex::accuracy {
 

@@ -5,9 +5,9 @@
 
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/solver/progressive_solver.h"
-#include "reference/closed_forms/point_to_polygon.h"
-#include "reference/closed_forms/rectangles.h"
-#include "reference/rays/monte_carlo_form_factors.h"
+#include "reference/truth/closed_forms/point_to_polygon.h"
+#include "reference/truth/closed_forms/rectangles.h"
+#include "reference/truth/rays/monte_carlo_form_factors.h"
 #include "tests/accuracy/form_factor_cases.h"
 #include "tests/support/hand_scenes.h"
 #include "tests/support/hemicube_world.h"

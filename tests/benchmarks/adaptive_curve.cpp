@@ -1,7 +1,7 @@
 /// Error by number of elements on the Cornell box, for equal texels and for quadtrees: prints a table. The error is
-/// that of constant elements at each texel of a fine solution, weighted by flux (reference/solution/radiosity_error.h).
-/// The last column for quadtrees is the number of equal elements with the same error, interpolated on a logarithmic
-/// scale.
+/// that of constant elements at each texel of a fine solution, weighted by flux
+/// (reference/truth/solution/radiosity_error.h). The last column for quadtrees is the number of equal elements with the
+/// same error, interpolated on a logarithmic scale.
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -11,7 +11,7 @@
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/progressive_solver.h"
-#include "reference/solution/radiosity_error.h"
+#include "reference/truth/solution/radiosity_error.h"
 
 using namespace hemitex;
 

@@ -11,8 +11,8 @@
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/solver/error_control.h"
 #include "radiosity/solver/progressive_solver.h"
-#include "reference/tradeoff/methods.h"
-#include "reference/tradeoff/tradeoff.h"
+#include "reference/measurement/tradeoff/methods.h"
+#include "reference/measurement/tradeoff/tradeoff.h"
 #include "tests/benchmarks/traced_scene.h"
 
 using namespace hemitex;

@@ -12,8 +12,8 @@
 #include "radiosity/scene/load_scene.h"
 #include "raster/base/parallel.h"
 #include "raster/software/software_renderer.h"
-#include "reference/bench/equal_time_error.h"
-#include "reference/bench/scenes.h"
+#include "reference/measurement/bench/equal_time_error.h"
+#include "reference/measurement/bench/scenes.h"
 
 using namespace hemitex;
 using namespace hemitex::radiosity;

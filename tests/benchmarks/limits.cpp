@@ -16,9 +16,9 @@
 #include "raster/base/file_io.h"
 #include "raster/base/parallel.h"
 #include "raster/software/software_renderer.h"
-#include "reference/bench/equal_time_error.h"
-#include "reference/bench/subdivided_scene.h"
-#include "reference/bench/timing.h"
+#include "reference/measurement/bench/equal_time_error.h"
+#include "reference/measurement/bench/subdivided_scene.h"
+#include "reference/measurement/bench/timing.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/temporary_folder.h"
 

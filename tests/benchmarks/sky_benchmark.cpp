@@ -14,7 +14,7 @@
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/scene_edits.h"
-#include "reference/rays/monte_carlo_form_factors.h"
+#include "reference/truth/rays/monte_carlo_form_factors.h"
 
 using namespace hemitex;
 

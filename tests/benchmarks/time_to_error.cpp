@@ -19,8 +19,8 @@
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/solver/error_control.h"
 #include "raster/base/parallel.h"
-#include "reference/bench/timing.h"
-#include "reference/rays/embree_form_factors.h"
+#include "reference/measurement/bench/timing.h"
+#include "reference/truth/rays/embree_form_factors.h"
 #include "tests/benchmarks/traced_scene.h"
 
 using namespace hemitex;

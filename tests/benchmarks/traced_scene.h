@@ -1,4 +1,5 @@
-/// A scene with the default elements, and their true radiosity by light tracing (reference/solution/baked_radiosity.h).
+/// A scene with the default elements, and their true radiosity by light tracing
+/// (reference/truth/solution/baked_radiosity.h).
 #pragma once
 
 #include <string>
@@ -8,9 +9,9 @@
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/progressive_solver.h"
-#include "reference/solution/baked_radiosity.h"
-#include "reference/solution/radiosity_error.h"
-#include "reference/tradeoff/methods.h"
+#include "reference/measurement/tradeoff/methods.h"
+#include "reference/truth/solution/baked_radiosity.h"
+#include "reference/truth/solution/radiosity_error.h"
 
 namespace hemitex::tests {
 

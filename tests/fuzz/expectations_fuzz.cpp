@@ -1,7 +1,7 @@
 // Files of expected results.
 #include <array>
 
-#include "reference/verdict/expectations.h"
+#include "reference/conformance/verdict/expectations.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace hemitex;

@@ -1,7 +1,7 @@
 // Device profiles: all that parseProfile accepts is written and read back equal.
 #include <stdexcept>
 
-#include "reference/verdict/device_profile.h"
+#include "reference/conformance/verdict/device_profile.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace hemitex;

@@ -1,5 +1,5 @@
 // Conformance records: what readRecord returns can be written again.
-#include "reference/records/conformance_record.h"
+#include "reference/conformance/records/conformance_record.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace hemitex;

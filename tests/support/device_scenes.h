@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "reference/vectors/vector_suite.h"
-#include "reference/verdict/verdict.h"
+#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/verdict/verdict.h"
 #include "tests/support/raster_scenes.h"
 
 namespace hemitex::tests {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/vectors/vector_file.h"
+#include "reference/conformance/vectors/vector_file.h"
 #include "tests/support/simulated_device.h"
 
 namespace hemitex::tests {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "reference/verdict/verdict.h"
+#include "reference/conformance/verdict/verdict.h"
 #include "tests/support/raster_scenes.h"
 
 namespace hemitex::tests {

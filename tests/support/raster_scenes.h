@@ -5,7 +5,7 @@
 #include "raster/culling/triangle_cluster.h"
 #include "raster/kernels/depth_buffer.h"
 #include "raster/software/software_renderer.h"
-#include "reference/vectors/draw_list_builder.h"
+#include "reference/conformance/vectors/draw_list_builder.h"
 
 namespace hemitex::tests {
 

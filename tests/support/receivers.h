@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "reference/rays/monte_carlo_form_factors.h"
+#include "reference/truth/rays/monte_carlo_form_factors.h"
 
 namespace hemitex::tests {
 

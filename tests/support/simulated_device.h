@@ -9,7 +9,7 @@
 #include "raster/interface/draw_list.h"
 #include "raster/interface/face.h"
 #include "raster/setup/vertex_stage.h"
-#include "reference/verdict/device_profile.h"
+#include "reference/conformance/verdict/device_profile.h"
 
 namespace hemitex::tests {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "reference/diagnosis/staged_device.h"
+#include "reference/conformance/diagnosis/staged_device.h"
 
 namespace hemitex::tests {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/vectors/vector_suite.h"
+#include "reference/conformance/vectors/vector_suite.h"
 
 namespace hemitex::tests {
 

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "radiosity/scene/scene.h"
-#include "reference/solution/baked_radiosity.h"
+#include "reference/truth/solution/baked_radiosity.h"
 
 namespace hemitex::tests {
 

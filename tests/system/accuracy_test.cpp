@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "raster/software/software_renderer.h"
-#include "reference/vectors/draw_list_builder.h"
+#include "reference/conformance/vectors/draw_list_builder.h"
 #include "tests/accuracy/page.h"
 
 using namespace hemitex;

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "reference/calibration/probes.h"
-#include "reference/vectors/candidate.h"
-#include "reference/vectors/vector_suite.h"
+#include "reference/conformance/calibration/probes.h"
+#include "reference/conformance/vectors/candidate.h"
+#include "reference/conformance/vectors/vector_suite.h"
 #include "tests/support/injected_faults.h"
 #include "tests/support/shell.h"
 

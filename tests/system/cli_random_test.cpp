@@ -9,10 +9,10 @@
 #include <string>
 
 #include "raster/base/file_io.h"
-#include "reference/vectors/candidate.h"
-#include "reference/vectors/random_families.h"
-#include "reference/vectors/random_vectors.h"
-#include "reference/vectors/vector_suite.h"
+#include "reference/conformance/vectors/candidate.h"
+#include "reference/conformance/vectors/random_families.h"
+#include "reference/conformance/vectors/random_vectors.h"
+#include "reference/conformance/vectors/vector_suite.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace hemitex;

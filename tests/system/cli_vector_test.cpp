@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "reference/vectors/candidate.h"
-#include "reference/vectors/draw_list_builder.h"
-#include "reference/vectors/vector_file.h"
-#include "reference/vectors/vector_suite.h"
+#include "reference/conformance/vectors/candidate.h"
+#include "reference/conformance/vectors/draw_list_builder.h"
+#include "reference/conformance/vectors/vector_file.h"
+#include "reference/conformance/vectors/vector_suite.h"
 #include "tests/support/shell.h"
 
 using namespace hemitex::tests;

@@ -13,7 +13,7 @@
 #include "radiosity/solver/progressive_solver.h"
 #include "raster/base/input_error.h"
 #include "raster/software/software_renderer.h"
-#include "reference/closed_forms/point_to_polygon.h"
+#include "reference/truth/closed_forms/point_to_polygon.h"
 #include "tests/support/hand_scenes.h"
 
 using namespace hemitex;

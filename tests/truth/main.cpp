@@ -10,7 +10,7 @@
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/scene/load_scene.h"
 #include "raster/base/input_error.h"
-#include "reference/solution/baked_radiosity.h"
+#include "reference/truth/solution/baked_radiosity.h"
 #include "tests/support/truth_table.h"
 
 using namespace hemitex;

@@ -3,9 +3,9 @@
 #include <iostream>
 
 #include "raster/software/software_renderer.h"
-#include "reference/vectors/vector_file.h"
-#include "reference/vectors/vector_suite.h"
-#include "reference/verdict/verdict.h"
+#include "reference/conformance/vectors/vector_file.h"
+#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/verdict/verdict.h"
 
 int main() {
   using namespace hemitex;

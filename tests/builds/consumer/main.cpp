@@ -4,7 +4,7 @@
 
 #include "../one_triangle.h"
 #include "radiosity/images/image.h"
-#include "reference/vectors/vector_file.h"
+#include "reference/conformance/vectors/vector_file.h"
 
 int main() {
   using namespace hemitex;

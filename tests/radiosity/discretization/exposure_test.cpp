@@ -11,8 +11,8 @@
 #include "radiosity/discretization/texel_areas.h"
 #include "radiosity/scene/load_scene.h"
 #include "raster/base/parallel.h"
-#include "reference/solution/baked_radiosity.h"
-#include "reference/solution/ground_truth.h"
+#include "reference/truth/solution/baked_radiosity.h"
+#include "reference/truth/solution/ground_truth.h"
 #include "tests/support/hand_scenes.h"
 #include "tests/support/temporary_folder.h"
 

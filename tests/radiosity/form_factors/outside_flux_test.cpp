@@ -10,8 +10,8 @@
 
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "raster/base/parallel.h"
-#include "reference/closed_forms/rectangles.h"
-#include "reference/rays/monte_carlo_form_factors.h"
+#include "reference/truth/closed_forms/rectangles.h"
+#include "reference/truth/rays/monte_carlo_form_factors.h"
 #include "tests/support/hand_scenes.h"
 #include "tests/support/hemicube_world.h"
 

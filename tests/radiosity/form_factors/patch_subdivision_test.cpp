@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "radiosity/solver/progressive_solver.h"
-#include "reference/closed_forms/rectangles.h"
+#include "reference/truth/closed_forms/rectangles.h"
 #include "tests/support/hand_scenes.h"
 #include "tests/support/hemicube_world.h"
 

@@ -13,7 +13,7 @@
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/progressive_solver.h"
-#include "reference/closed_forms/surface_pieces.h"
+#include "reference/truth/closed_forms/surface_pieces.h"
 #include "tests/support/hand_scenes.h"
 
 using namespace hemitex;

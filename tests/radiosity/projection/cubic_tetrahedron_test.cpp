@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "reference/closed_forms/point_to_polygon.h"
+#include "reference/truth/closed_forms/point_to_polygon.h"
 
 using namespace hemitex;
 using namespace hemitex::radiosity;

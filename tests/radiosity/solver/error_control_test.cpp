@@ -13,8 +13,8 @@
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "raster/base/input_error.h"
-#include "reference/solution/ground_truth.h"
-#include "reference/solution/radiosity_error.h"
+#include "reference/truth/solution/ground_truth.h"
+#include "reference/truth/solution/radiosity_error.h"
 #include "tests/support/hand_scenes.h"
 #include "tests/support/temporary_folder.h"
 

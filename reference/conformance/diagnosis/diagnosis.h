@@ -1,0 +1,32 @@
+/// Diagnoses systematic errors of a device: it draws the vector with each known fault (fault.h) and names the fault
+/// that gives the item IDs of the device.
+///
+/// The footprint of a fault is the set of pixels where it changes the item IDs of the rules. The agreement of a fault
+/// is the fraction of the error pixels and the footprint where the device holds the item ID of the fault. A device with
+/// the fault agrees except for its own small errors; other devices hardly ever agree.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reference/conformance/verdict/verdict.h"
+
+namespace hemitex::reference {
+
+/// A fault that explains the errors.
+struct Finding {
+  std::string fault;
+  std::string variant;  ///< the variant with the best agreement; may be empty
+  double agreement;     ///< from 0.9 to 1
+  std::string advice;   ///< where to look
+};
+
+/// The fault with the best agreement, if it is at least 0.9 and covers at least eight pixels. With it come the faults
+/// that the vector cannot distinguish from it: the pixels where only one of the two gives the device's item ID are no
+/// more than chance allows. Empty without errors.
+std::vector<Finding> diagnose(const TestVector& vector, const Verdict& verdict);
+
+/// "linear filtering (99.8 % agreement): set both filters ..."; several are joined with "either" and "or".
+std::string toText(const std::vector<Finding>& findings);
+
+}  // namespace hemitex::reference

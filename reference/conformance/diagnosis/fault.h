@@ -1,0 +1,41 @@
+/// The known faults of OpenGL and Vulkan backends of this method. Each is a device (staged_device.h) with one or two
+/// wrong stages.
+///
+/// The effect of a fault depends on details of the backend, such as the number of samples or the alignment of rows. A
+/// fault has a *variant* for each common case.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reference/conformance/diagnosis/colour_channels.h"
+#include "reference/conformance/diagnosis/staged_device.h"
+
+namespace hemitex::reference {
+
+struct Variant {
+  std::string name;  ///< may be empty
+  StagedDevice device;
+  /// Channels that devices round differently: an item ID that is off by at most one in each of them counts as equal.
+  std::vector<Channel> rounded = {};
+};
+
+struct Fault {
+  std::string name;    ///< in standard graphics terms
+  std::string advice;  ///< one line: where to look
+  std::vector<Variant> variants;
+};
+
+/// All known faults, in a fixed order, with the variants that the vector's faces and item ID format allow.
+std::vector<Fault> knownFaults(const TestVector& vector);
+
+/// The known faults by stage, one source file each.
+std::vector<Fault> viewFaults(const TestVector& vector);      ///< flipped, exchanged, rotated, moved views and pictures
+std::vector<Fault> geometryFaults(const TestVector& vector);  ///< indices, transformation, clipping, snapping
+std::vector<Fault> sampleFaults(const TestVector& vector);    ///< facing, coverage and depth
+std::vector<Fault> textureFaults(const TestVector& vector);   ///< lookups in index maps
+std::vector<Fault> blendFaults(const TestVector& vector);     ///< offsets, and their blends with texels and the target
+std::vector<Fault> memoryFaults(
+    const TestVector& vector);  ///< item IDs in memory: channels, bytes, bits, rows, colours
+
+}  // namespace hemitex::reference

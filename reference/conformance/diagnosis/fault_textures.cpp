@@ -1,0 +1,279 @@
+/// Faults of lookups in index maps.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "reference/conformance/diagnosis/fault.h"
+
+namespace hemitex::reference {
+namespace {
+
+using raster::IndexMap;
+using raster::ItemId;
+
+/// A lookup in one index map.
+using MapFetch = std::function<ItemId(const IndexMap&, const Lookup&)>;
+
+StagedDevice withFetch(const MapFetch& fetch) {
+  StagedDevice device;
+  device.fetch = [=](const raster::DrawList& list, std::size_t map, const Lookup& lookup) {
+    return fetch(list.indexMaps[map], lookup);
+  };
+  return device;
+}
+
+glm::dvec2 sizeOf(const IndexMap& map) { return {map.width, map.height}; }
+
+ItemId texelAt(const IndexMap& map, const glm::dvec2& texel) {
+  const glm::dvec2 held = glm::clamp(texel, glm::dvec2(0.0), sizeOf(map) - 1.0);
+  return map
+      .ids[static_cast<std::size_t>(held.y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(held.x)];
+}
+
+// --- coordinates ---
+
+ItemId repeatedTexel(const IndexMap& map, const Lookup& lookup) {
+  return nearestTexel(map, lookup.at - glm::floor(lookup.at));
+}
+
+ItemId mirroredTexel(const IndexMap& map, const Lookup& lookup) {
+  const glm::dvec2 period = lookup.at - 2.0 * glm::floor(lookup.at / 2.0);
+  return nearestTexel(map, glm::min(period, 2.0 - period));
+}
+
+std::vector<Variant> halfTexelShifts() {
+  std::vector<Variant> variants;
+  for (int k = 0; k < 9; ++k) {
+    const glm::dvec2 shift(k % 3 - 1, k / 3 - 1);
+    const auto text = [](double s) { return s < 0 ? std::string("-1/2") : s > 0 ? "+1/2" : "0"; };
+    if (k == 4) continue;
+    variants.push_back({text(shift.x) + ", " + text(shift.y), withFetch([=](const IndexMap& map, const Lookup& lookup) {
+                          return nearestTexel(map, lookup.at + 0.5 * shift / sizeOf(map));
+                        })});
+  }
+  return variants;
+}
+
+/// Coordinates of the unit square in fixed point with 8 fractional bits (16.8).
+ItemId truncatedTexel(const IndexMap& map, const Lookup& lookup) {
+  return nearestTexel(map, glm::floor(lookup.at * 256.0) / 256.0);
+}
+
+/// The nearest number of 11 significant bits (binary16); subnormal numbers and overflow included.
+double throughBinary16(double x) {
+  if (x == 0) return 0;
+  const double unit = std::ldexp(1.0, std::max(std::ilogb(x), -14) - 10);
+  const double rounded = std::nearbyint(x / unit) * unit;
+  return std::abs(rounded) < 65520 ? rounded : std::copysign(HUGE_VAL, x);
+}
+
+glm::dvec2 throughBinary16(const glm::dvec2& at) { return {throughBinary16(at.x), throughBinary16(at.y)}; }
+
+std::vector<Variant> halfFloats() {
+  StagedDevice atVertices;
+  atVertices.upload = [](raster::DrawList& list) {
+    for (glm::vec2& texcoord : list.texcoords) texcoord = glm::vec2(throughBinary16(glm::dvec2(texcoord)));
+  };
+  return {{"at vertices", atVertices},
+          {"at pixels", withFetch([](const IndexMap& map, const Lookup& lookup) {
+             return nearestTexel(map, throughBinary16(lookup.at));
+           })},
+          {"at pixels, and their products with the size of the map",
+           withFetch([](const IndexMap& map, const Lookup& lookup) {
+             return texelAt(map, glm::floor(throughBinary16(throughBinary16(lookup.at) * sizeOf(map))));
+           })}};
+}
+
+/// Coordinates that are smaller by a few units in the last place of binary32.
+std::vector<Variant> justBelow() {
+  std::vector<Variant> variants;
+  for (const int units : {1, 2, 4, 8})
+    variants.push_back(
+        {"by " + std::to_string(units) + " x 2^-24", withFetch([=](const IndexMap& map, const Lookup& l) {
+           return nearestTexel(map, l.at - glm::abs(l.at) * (units * 0x1p-24));
+         })});
+  return variants;
+}
+
+// --- filters ---
+
+/// Linear filter of the four texels around a point, clamped to the map.
+ItemId linearTexel(const std::vector<Channel>& channels, const IndexMap& map, const glm::dvec2& at) {
+  const glm::dvec2 position = at * sizeOf(map) - 0.5, first = glm::floor(position), part = position - first;
+  const ItemId a = texelAt(map, first), b = texelAt(map, first + glm::dvec2(1, 0));
+  const ItemId c = texelAt(map, first + glm::dvec2(0, 1)), d = texelAt(map, first + 1.0);
+  return idOf(channels, [&](const Channel& channel) {
+    const double top = (1 - part.x) * channel.of(a) + part.x * channel.of(b);
+    const double bottom = (1 - part.x) * channel.of(c) + part.x * channel.of(d);
+    return static_cast<ItemId>(std::nearbyint((1 - part.y) * top + part.y * bottom));
+  });
+}
+
+/// The next mipmap level: half the size, rounded down, at least 1. Each texel is the mean of four.
+IndexMap halved(const std::vector<Channel>& channels, const IndexMap& map) {
+  IndexMap half{std::max(1, map.width / 2), std::max(1, map.height / 2), {}};
+  for (int row = 0; row < half.height; ++row)
+    for (int column = 0; column < half.width; ++column)
+      half.ids.push_back(idOf(channels, [&](const Channel& channel) {
+        double sum = 0;
+        for (int k = 0; k < 4; ++k) sum += channel.of(texelAt(map, glm::dvec2(2 * column + k % 2, 2 * row + k / 2)));
+        return static_cast<ItemId>(std::nearbyint(sum / 4));
+      }));
+  return half;
+}
+
+using Levels = std::vector<IndexMap>;
+
+Levels levelsOf(const std::vector<Channel>& channels, const IndexMap& map) {
+  Levels levels{map};
+  while (levels.back().ids.size() > 1) levels.push_back(halved(channels, levels.back()));
+  return levels;
+}
+
+/// log2 of the number of texels per pixel, along the longer side of its footprint.
+double levelOfDetail(const IndexMap& map, const Lookup& lookup) {
+  const double columns = glm::length(lookup.perColumn * sizeOf(map)), rows = glm::length(lookup.perRow * sizeOf(map));
+  return std::log2(std::max(columns, rows));
+}
+
+/// The lookup with mipmaps; magnified maps follow the rules.
+ItemId mipmappedTexel(const std::vector<Channel>& channels, const Levels& levels, bool isLinear, bool betweenLevels,
+                      const Lookup& lookup) {
+  const double detail = levelOfDetail(levels.front(), lookup);
+  if (!(detail > 0)) return nearestTexel(levels.front(), lookup.at);
+  const auto texelOf = [&](double level) {
+    const IndexMap& map = levels[static_cast<std::size_t>(std::min(level, static_cast<double>(levels.size() - 1)))];
+    return isLinear ? linearTexel(channels, map, lookup.at) : nearestTexel(map, lookup.at);
+  };
+  if (!betweenLevels) return texelOf(std::floor(detail + 0.5));
+  const double first = std::floor(detail), part = detail - first;
+  const ItemId fine = texelOf(first), coarse = texelOf(first + 1);
+  return idOf(channels, [&](const Channel& channel) {
+    return static_cast<ItemId>(std::nearbyint((1 - part) * channel.of(fine) + part * channel.of(coarse)));
+  });
+}
+
+/// The channels that a filter may use: those of the format, and the bytes of an item ID of one 32-bit channel.
+std::vector<std::vector<Channel>> filteredChannels(const raster::IdFormat& format) {
+  const std::vector<Channel> channels = channelsOf(format), colours = colourChannelsOf(format);
+  if (channels.size() == colours.size()) return {channels};
+  return {channels, colours};
+}
+
+std::vector<Variant> linearFilters(const raster::IdFormat& format) {
+  std::vector<Variant> variants;
+  for (const std::vector<Channel>& channels : filteredChannels(format))
+    variants.push_back({variants.empty() ? "" : "by bytes", withFetch([=](const IndexMap& map, const Lookup& lookup) {
+                          return linearTexel(channels, map, lookup.at);
+                        }),
+                        channels});
+  return variants;
+}
+
+std::vector<Variant> mipmappings(const raster::DrawList& list) {
+  std::vector<Variant> variants;
+  for (const std::vector<Channel>& channels : filteredChannels(list.format)) {
+    const auto maps = std::make_shared<std::vector<Levels>>();  // one copy for all variants
+    for (const IndexMap& map : list.indexMaps) maps->push_back(levelsOf(channels, map));
+    for (const bool betweenLevels : {false, true})
+      for (const bool isLinear : {false, true}) {
+        StagedDevice device;
+        device.fetch = [=](const raster::DrawList&, std::size_t map, const Lookup& lookup) {
+          return mipmappedTexel(channels, (*maps)[map], isLinear, betweenLevels, lookup);
+        };
+        const std::string name = isLinear ? "linear in " : "nearest in ";
+        variants.push_back({name + (betweenLevels ? "two levels" : "one level"), device, channels});
+      }
+  }
+  return variants;
+}
+
+StagedDevice affine() {
+  StagedDevice device;
+  device.weight = [](double) { return 1.0; };
+  return device;
+}
+
+/// Index maps with reordered texels, as image libraries may load them.
+Variant reordered(const std::string& name, const std::function<glm::dvec2(const IndexMap&, const glm::dvec2&)>& from) {
+  StagedDevice device;
+  device.upload = [=](raster::DrawList& list) {
+    for (IndexMap& map : list.indexMaps) {
+      const IndexMap source = map;
+      std::size_t texel = 0;
+      for (int row = 0; row < map.height; ++row)
+        for (int column = 0; column < map.width; ++column)
+          map.ids[texel++] = texelAt(source, from(source, glm::dvec2(column, row)));
+    }
+  };
+  return {name, device};
+}
+
+/// Index maps column by column in memory, or u and v exchanged.
+std::vector<Variant> transposedMaps() {
+  return {reordered("stored column by column",
+                    [](const IndexMap& map, const glm::dvec2& texel) {
+                      const int k = static_cast<int>(texel.y) * map.width + static_cast<int>(texel.x);
+                      return glm::dvec2(k / map.height, k % map.height);
+                    }),
+          {"u and v exchanged", withFetch([](const IndexMap& map, const Lookup& lookup) {
+             return nearestTexel(map, {lookup.at.y, lookup.at.x});
+           })}};
+}
+
+/// Index maps with exchanged width and height.
+StagedDevice withSizesExchanged() {
+  StagedDevice device;
+  device.upload = [](raster::DrawList& list) {
+    for (IndexMap& map : list.indexMaps) std::swap(map.width, map.height);
+  };
+  return device;
+}
+
+}  // namespace
+
+std::vector<Fault> textureFaults(const TestVector& vector) {
+  const raster::DrawList& list = vector.list;
+  return {
+      {"affine instead of perspective interpolation",
+       "look for noperspective, or for a division by w before the device's own",
+       {{"", affine()}}},
+      {"linear filtering", "set the minifying and the magnifying filter to nearest", linearFilters(list.format)},
+      {"mipmapping", "set a minifying filter without mipmaps, and make no mipmaps", mipmappings(list)},
+      {"repeat instead of clamp",
+       "set the wrap mode of both coordinates to clamp to edge",
+       {{"repeated", withFetch(repeatedTexel)}, {"mirrored", withFetch(mirroredTexel)}}},
+      {"half-texel shift", "texel i covers i/N to (i + 1)/N: leave out any half texel of a filter or of Direct3D 9",
+       halfTexelShifts()},
+      {"truncated texture coordinates (16.8)",
+       "texture coordinates need more than 8 fractional bits",
+       {{"", withFetch(truncatedTexel)}}},
+      {"index map upside down",
+       "row 0 is at v = 0 and comes first: image libraries may reverse rows",
+       {{"rows reversed",
+         reordered("", [](const IndexMap& map,
+                          const glm::dvec2& texel) { return glm::dvec2(texel.x, map.height - 1 - texel.y); })
+             .device},
+        {"columns reversed",
+         reordered("", [](const IndexMap& map,
+                          const glm::dvec2& texel) { return glm::dvec2(map.width - 1 - texel.x, texel.y); })
+             .device}}},
+      {"texture coordinates in half floats",
+       "a half float has 11 significant bits: use 32-bit floats for attributes and high precision in shaders",
+       halfFloats()},
+      {"texture coordinates just below the exact ones",
+       "a coordinate that is equal at all corners must stay equal in between, or a sample on the border of a texel "
+       "shows the one before: interpolate in double precision, or pass texel numbers",
+       justBelow()},
+      {"index map transposed",
+       "a map is stored row by row, u along its width: look at the order of loops, and of u and v", transposedMaps()},
+      {"width and height of the index map exchanged",
+       "a map has `height` rows of `width` item IDs: look at the size of the upload",
+       {{"", withSizesExchanged()}}},
+      {"index map not sampled",
+       "texel 0 everywhere: an incomplete texture, or one that is not bound, reads as zero",
+       {{"", withFetch([](const IndexMap&, const Lookup&) { return ItemId{0}; })}}}};
+}
+
+}  // namespace hemitex::reference

@@ -1,0 +1,203 @@
+/// Faults of views and pictures. A flipped view differs from a flipped picture: the scissor rectangle of a side face
+/// keeps one half of the viewport, and a flipped view shows the other half of the scene in it.
+#include <algorithm>
+#include <utility>
+
+#include "reference/conformance/diagnosis/fault.h"
+
+namespace hemitex::reference {
+namespace {
+
+using raster::Face;
+
+/// Applies `change` to the view of face `which`, or of every face if `which` is negative.
+template <typename Change>
+StagedDevice withViews(int which, const Change& change) {
+  StagedDevice device;
+  device.camera = [=](std::span<const Face> faces, std::size_t f) {
+    Face face = faces[f];
+    if (which < 0 || f == static_cast<std::size_t>(which)) change(face);
+    return face;
+  };
+  return device;
+}
+
+/// A flip of the view reverses windings; a backend may or may not reverse its front face.
+template <typename Change>
+std::vector<Variant> flippedViews(const Change& change) {
+  const StagedDevice device = withViews(-1, change);
+  StagedDevice turnedOver = device;
+  turnedOver.facing = [](Facing side, const Face&) { return otherSide(side); };
+  return {{"", device}, {"and with it the winding of front faces", turnedOver}};
+}
+
+/// Face f drawn through the view of order[f].
+Variant reordered(const std::string& name, const std::vector<std::size_t>& order) {
+  StagedDevice device;
+  device.camera = [=](std::span<const Face> faces, std::size_t f) { return faces[order[f]]; };
+  return {name, device};
+}
+
+/// Every exchange of two faces, every rotation of all faces, and every rotation of the sides (all faces but the first).
+std::vector<Variant> reorderings(const std::vector<VectorFace>& faces) {
+  std::vector<std::size_t> order(faces.size());
+  for (std::size_t f = 0; f < order.size(); ++f) order[f] = f;
+  std::vector<Variant> variants;
+  for (std::size_t a = 0; a < order.size(); ++a)
+    for (std::size_t b = a + 1; b < order.size(); ++b) {
+      std::vector<std::size_t> exchanged = order;
+      std::swap(exchanged[a], exchanged[b]);
+      variants.push_back(reordered(faces[a].name + " and " + faces[b].name, exchanged));
+    }
+  for (const std::size_t fixed : {0u, 1u})
+    for (std::size_t steps = 1; fixed + steps < order.size(); ++steps) {
+      std::vector<std::size_t> rotated = order;
+      std::rotate(rotated.begin() + static_cast<std::ptrdiff_t>(fixed),
+                  rotated.begin() + static_cast<std::ptrdiff_t>(fixed + steps), rotated.end());
+      variants.push_back(reordered((fixed == 0 ? "all" : "the sides") + (" by " + std::to_string(steps)), rotated));
+    }
+  return variants;
+}
+
+/// Views rotated about their axes by quarter turns: each single face, or all of them.
+std::vector<Variant> turns(const std::vector<VectorFace>& faces) {
+  std::vector<Variant> variants;
+  for (int which = faces.size() > 1 ? -1 : 0; which < static_cast<int>(faces.size()); ++which)
+    for (int quarters = 1; quarters < 4; ++quarters) {
+      const std::string name = which < 0 ? "all" : faces[static_cast<std::size_t>(which)].name;
+      variants.push_back({name + " by " + std::to_string(90 * quarters) + " degrees", withViews(which, [=](Face& face) {
+                            for (int k = 0; k < quarters; ++k)
+                              face = {face.eye, face.y, -face.x, face.w, face.nearDistance, 0, {}};
+                          })});
+    }
+  return variants;
+}
+
+/// Changes the view so that what it shows at position p of the viewport, in pixels, moves to stretch * p + shift.
+void place(Face& face, const glm::vec2& stretch, const glm::vec2& shift) {
+  const glm::vec2 middle = stretch + 2.0f * shift / static_cast<float>(face.resolution) - 1.0f;
+  face.x = stretch.x * face.x + middle.x * face.w;
+  face.y = stretch.y * face.y + middle.y * face.w;
+}
+
+glm::vec2 cornerOf(const Face& face) { return {face.scissor.column, face.scissor.row}; }
+
+StagedDevice withScissorAsViewport() {
+  return withViews(-1, [](Face& face) {
+    const glm::vec2 size(face.scissor.width, face.scissor.height);
+    place(face, size / static_cast<float>(face.resolution), cornerOf(face));
+  });
+}
+
+/// The viewport has `ratio` times its resolution. The pixels are read at the scissor rectangle's corner, or at that
+/// corner times the ratio. Beyond the viewport there is background.
+Variant withScaledViewport(const std::string& name, float ratio, bool isCornerScaled, raster::ItemId background) {
+  const auto firstPixel = [=](const Face& face) { return (isCornerScaled ? ratio : 1.0f) * cornerOf(face); };
+  StagedDevice device =
+      withViews(-1, [=](Face& face) { place(face, glm::vec2(ratio), cornerOf(face) - firstPixel(face)); });
+  if (ratio < 1)
+    device.readBack = [=](const Face& face, raster::ItemBuffer& buffer) {
+      const glm::vec2 end = ratio * static_cast<float>(face.resolution) - firstPixel(face);
+      for (int row = 0, pixel = 0; row < buffer.height; ++row)
+        for (int column = 0; column < buffer.width; ++column, ++pixel)
+          if (static_cast<float>(column) >= end.x || static_cast<float>(row) >= end.y)
+            buffer.ids[static_cast<std::size_t>(pixel)] = background;
+    };
+  return {name, device};
+}
+
+std::vector<Variant> scaledViewports(raster::ItemId background) {
+  std::vector<Variant> variants;
+  for (const auto& [name, ratio] : {std::pair{"0.5", 0.5f},
+                                    {"0.75", 0.75f},
+                                    {"1.25", 1.25f},
+                                    {"1.5", 1.5f},
+                                    {"1.75", 1.75f},
+                                    {"2", 2.0f},
+                                    {"2.5", 2.5f},
+                                    {"3", 3.0f}})
+    for (const bool isCornerScaled : {false, true})
+      variants.push_back(withScaledViewport(name + std::string(isCornerScaled ? ", and the corner that is read" : ""),
+                                            ratio, isCornerScaled, background));
+  return variants;
+}
+
+/// Reads the pixels from the first corner of the viewport instead of the scissor rectangle's. A scissor test leaves
+/// background outside of the rectangle.
+std::vector<Variant> readBackFromFirst(raster::ItemId background) {
+  const StagedDevice untested = withViews(-1, [](Face& face) { place(face, {1, 1}, cornerOf(face)); });
+  StagedDevice tested = untested;
+  tested.readBack = [=](const Face& face, raster::ItemBuffer& buffer) {
+    for (int row = 0, pixel = 0; row < buffer.height; ++row)
+      for (int column = 0; column < buffer.width; ++column, ++pixel)
+        if (column < face.scissor.column || row < face.scissor.row)
+          buffer.ids[static_cast<std::size_t>(pixel)] = background;
+  };
+  return {{"drawn without a scissor test", untested}, {"drawn with a scissor test", tested}};
+}
+
+StagedDevice withFirstEye() {
+  StagedDevice device;
+  device.camera = [](std::span<const Face> faces, std::size_t f) {
+    Face face = faces[f];
+    face.eye = faces[0].eye;
+    return face;
+  };
+  return device;
+}
+
+/// Reverses the rows or the columns of the item ID file.
+StagedDevice withPicture(bool reversedRows) {
+  return withReadBack([=](const Face&, raster::ItemBuffer& buffer) {
+    std::vector<raster::ItemId>& ids = buffer.ids;
+    // Reversing all item IDs reverses rows and columns; reversing each row then restores the columns.
+    if (reversedRows) std::reverse(ids.begin(), ids.end());
+    for (auto row = ids.begin(); row != ids.end(); row += buffer.width) std::reverse(row, row + buffer.width);
+  });
+}
+
+/// Writes the item ID file column by column.
+StagedDevice withColumnsFirst() {
+  return withReadBack([](const Face&, raster::ItemBuffer& buffer) {
+    const std::vector<raster::ItemId> rows = buffer.ids;
+    const auto width = static_cast<std::size_t>(buffer.width), height = static_cast<std::size_t>(buffer.height);
+    for (std::size_t k = 0; k < rows.size(); ++k) buffer.ids[k] = rows[k % height * width + k / height];
+  });
+}
+
+}  // namespace
+
+std::vector<Fault> viewFaults(const TestVector& vector) {
+  return {{"y of the view flipped",
+           "row 0 is at y/w = -1, as in OpenGL and Vulkan and not in Direct3D: look at the sign of y in the projection",
+           flippedViews([](Face& face) { face.y = -face.y; })},
+          {"x of the view flipped", "column 0 is at x/w = -1: look at the handedness of the view's rows",
+           flippedViews([](Face& face) { face.x = -face.x; })},
+          {"picture upside down",
+           "write row 0 of the framebuffer first: look at how rows are read back",
+           {{"", withPicture(true)}}},
+          {"picture mirrored",
+           "write column 0 first in every row: look at how rows are read back",
+           {{"", withPicture(false)}}},
+          {"picture transposed",
+           "write row by row: look at the order of rows and columns of the read-back",
+           {{"", withColumnsFirst()}}},
+          {"faces swapped", "draw each face with its own rows X, Y, W and write it into its own item ID file",
+           reorderings(vector.faces)},
+          {"faces turned", "use X as right and Y as the direction of rows for each face: every face has its own",
+           turns(vector.faces)},
+          {"viewport set to the scissor rectangle",
+           "the viewport is resolution x resolution pixels: a side face keeps a part of it, not scaled",
+           {{"", withScissorAsViewport()}}},
+          {"viewport scaled by a pixel ratio",
+           "the viewport is resolution x resolution pixels of the target: leave out the pixel ratio of the display",
+           scaledViewports(raster::backgroundId(vector.list.format))},
+          {"scissor rectangle read back from the wrong corner",
+           "read from column and row of the scissor rectangle, not from (0, 0)",
+           readBackFromFirst(raster::backgroundId(vector.list.format))},
+          {"a face's own eye ignored",
+           "use the eye of each face: look for an eye that is set once for all faces",
+           {{"", withFirstEye()}}}};
+}
+
+}  // namespace hemitex::reference

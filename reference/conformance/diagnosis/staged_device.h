@@ -1,0 +1,121 @@
+/// A simulated device in stages. It draws a test vector by the raster rules in double precision. Each stage is a
+/// function that a known fault (fault.h) may replace.
+///
+///     upload -> camera -> transform, clip, snap -> facing -> cover -> depth -> fetch -> blend -> store -> resolve
+///     -> read back
+///
+/// Lengths on the picture are sub-pixels, 1/256 pixel.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "reference/conformance/diagnosis/staged_geometry.h"
+#include "reference/conformance/vectors/vector_file.h"
+#include "reference/conformance/verdict/triangle_bounds.h"
+
+namespace hemitex::reference {
+
+enum class Facing { Front, Back, Culled };
+
+/// The facing for the opposite winding.
+inline Facing otherSide(Facing facing) { return facing == Facing::Front ? Facing::Back : Facing::Front; }
+
+/// A lookup in an index map: (u, v), and their change per column and per row of pixels.
+struct Lookup {
+  glm::dvec2 at, perColumn, perRow;
+};
+
+/// The texel of the rules: clamp(floor(u N), 0, N - 1) and likewise for v.
+raster::ItemId nearestTexel(const raster::IndexMap& map, const glm::dvec2& at);
+
+/// Changes the item IDs of a face on their way to its file.
+using ReadBack = std::function<void(const raster::Face&, raster::ItemBuffer&)>;
+
+/// `upload`, `camera`, `geometry` and `readBack` may be empty, and then change nothing.
+struct StagedDevice {
+  /// Changes the uploaded draws, indices, texture coordinates and index maps; positions stay.
+  std::function<void(raster::DrawList&)> upload;
+
+  /// The view of face `f`; its resolution and scissor rectangle stay those of the face.
+  std::function<raster::Face(std::span<const raster::Face>, std::size_t)> camera;
+
+  std::optional<StagedGeometry> geometry;
+
+  /// The facing that the device assumes for a triangle, given its true facing and the view.
+  std::function<Facing(Facing, const raster::Face&)> facing = [](Facing side, const raster::Face&) { return side; };
+
+  /// Whether samples on an edge are covered. The edge runs along `direction` with the interior on its right where rows
+  /// grow downwards: a top edge runs to the right, a left edge up.
+  std::function<bool(const glm::dvec2&)> ownsEdge = [](const glm::dvec2& direction) {
+    return direction.y < 0 || (direction.y == 0 && direction.x > 0);
+  };
+
+  /// Positions in a pixel: the samples of coverage and depth, and the sample of texture coordinates.
+  std::vector<glm::dvec2> samples{{128, 128}};
+  glm::dvec2 shadingSample{128, 128};
+
+  /// The stored depth, from 1/w and the near distance, and the depth test. The first fragment always passes. The test
+  /// has a tolerance, so that rounding does not decide between equal depths.
+  std::function<double(double, double)> depth = [](double inverseW, double) { return -inverseW; };
+  std::function<bool(double, double)> passes = [](double incoming, double stored) {
+    return incoming < stored - 0x1p-40 * std::abs(stored);
+  };
+
+  /// Whether a face starts with the depths that earlier faces left in its pixels.
+  bool keepsDepth = false;
+
+  /// The weight of a vertex at depth w in the interpolation of u and v.
+  std::function<double(double)> weight = [](double w) { return 1 / w; };
+
+  /// The texel of index map `map` at a lookup.
+  std::function<raster::ItemId(const raster::DrawList&, std::size_t, const Lookup&)> fetch =
+      [](const raster::DrawList& list, std::size_t map, const Lookup& lookup) {
+        return nearestTexel(list.indexMaps[map], lookup.at);
+      };
+
+  /// The item ID of a textured fragment.
+  std::function<raster::ItemId(const raster::DrawList&, raster::ItemId, raster::ItemId)> blend =
+      [](const raster::DrawList& list, raster::ItemId offset, raster::ItemId texel) {
+        return raster::blend(list.format, list.blend, offset, texel);
+      };
+
+  /// The item ID in the target, from the stored one and the fragment's.
+  std::function<raster::ItemId(raster::ItemId, raster::ItemId)> store = [](raster::ItemId, raster::ItemId fragment) {
+    return fragment;
+  };
+
+  /// The item ID of a pixel, from those of its samples.
+  std::function<raster::ItemId(std::span<const raster::ItemId>)> resolve = [](std::span<const raster::ItemId> ids) {
+    return ids.front();
+  };
+
+  ReadBack readBack;
+  bool isDrawnByRules = false;  ///< whether all stages but `readBack` are those of the rules
+};
+
+/// A device that draws by the rules and changes the item IDs afterwards.
+StagedDevice withReadBack(const ReadBack& readBack);
+
+/// A vector as the staged device without faults draws it. Devices share its results of all stages before the first one
+/// that they replace. It refers to the vector.
+struct PlacedVector {
+  const raster::DrawList& list;
+  std::vector<raster::Face> faces;
+  std::vector<std::vector<DeviceTriangle>> triangles;  ///< of each face, placed by the rules
+  std::vector<raster::ItemBuffer> buffers;             ///< of each face
+};
+
+PlacedVector placeVector(const TestVector& vector);
+
+/// Draws the vector on a device. `wantsMore` gets the rows of each face from its first to its last, in the order of
+/// faces, some rows at a time; drawing ends where it returns false. A device without faults gives the item IDs of the
+/// rules, except at samples within rounding of a texel border or of another depth.
+void drawOn(const StagedDevice& device, const PlacedVector& placed,
+            const std::function<bool(const raster::ItemBuffer&)>& wantsMore);
+
+}  // namespace hemitex::reference

@@ -1,0 +1,236 @@
+#include "reference/conformance/diagnosis/verdict_report.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "raster/base/parallel.h"
+#include "reference/conformance/trace/rational_rasterizer.h"
+#include "reference/conformance/vectors/vector_suite.h"
+
+namespace hemitex::reference {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json toJson(const VerdictCounts& counts) {
+  Json json;
+  for (const auto& [verdict, name] : pixelVerdictNames) json[name] = counts[static_cast<std::size_t>(verdict)];
+  return json;
+}
+
+Json toJson(const ErrorPixel& error) {
+  Json json{{"face", error.face},
+            {"column", error.column},
+            {"row", error.row},
+            {"kind", nameOf(errorKindNames, error.kind)},
+            {"expected", error.expected},
+            {"found", error.found},
+            {"expected_from", toText(error.expectedOrigin)},
+            {"found_from", toText(error.foundOrigin)},
+            {"triangle", nullptr},
+            {"texel", nullptr}};
+  if (error.visible) {
+    json["triangle"] = error.visible->triangle;
+    if (error.visible->texel) json["texel"] = {error.visible->texel->column, error.visible->texel->row};
+  }
+  return json;
+}
+
+Json toJson(const Finding& finding) {
+  return {{"fault", finding.fault},
+          {"variant", finding.variant},
+          {"agreement", finding.agreement},
+          {"advice", finding.advice}};
+}
+
+Json toJson(const std::optional<ExpectedResult>& expected) {
+  if (!expected) return nullptr;
+  return {{"result", nameOf(expectationNames, expected->expectation)}, {"reason", expected->reason}};
+}
+
+Json toJson(const DeviceFailure& device) {
+  const ProcessResult& process = device.process;
+  Json json{{"failure", nameOf(deviceFaultNames, device.fault)},
+            {"message", device.message},
+            {"exit_code", nullptr},
+            {"signal", nullptr},
+            {"stderr", process.lastLines}};
+  if (process.signal != 0)
+    json["signal"] = process.signal;
+  else
+    json["exit_code"] = process.exitCode;
+  return json;
+}
+
+Json toJson(const Repetition& repetition) {
+  constexpr std::size_t shown = 10;
+  Json json{{"runs", repetition.runs},
+            {"answers", repetition.answers},
+            {"changing_pixels", repetition.pixels.size()},
+            {"pixels", Json::array()}};
+  for (std::size_t k = 0; k < std::min(shown, repetition.pixels.size()); ++k) {
+    const ChangingPixel& pixel = repetition.pixels[k];
+    json["pixels"].push_back(
+        {{"face", pixel.face}, {"column", pixel.column}, {"row", pixel.row}, {"runs", pixel.runs}});
+  }
+  return json;
+}
+
+Json jsonOf(const Report& report) {
+  const Verdict& verdict = report.verdict;
+  const Outcome outcome = outcomeOf(report);
+  Json json{{"vector", verdict.vector}, {"pass", outcome == Outcome::Pass}, {"pixels", toJson(countVerdicts(verdict))}};
+  json["faces"] = Json::array();
+  for (const FaceVerdict& face : verdict.faces) {
+    Json entry{{"name", face.name}, {"width", face.scissor.width}, {"height", face.scissor.height}};
+    entry.update(toJson(countVerdicts(face)));
+    json["faces"].push_back(entry);
+  }
+  json["errors"] = Json::array();
+  for (const ErrorPixel& error : report.errors) json["errors"].push_back(toJson(error));
+  json["diagnosis"] = Json::array();
+  for (const Finding& finding : report.findings) json["diagnosis"].push_back(toJson(finding));
+  if (const auto& check = report.reference)
+    json["reference"] = {{"pixels", check->pixels}, {"differing", check->differing}};
+  json["outcome"] = nameOf(outcomeNames, outcome);
+  json["expected"] = toJson(report.expected);
+  if (report.device) json["device"] = toJson(*report.device);
+  if (report.repetition) json["repetition"] = toJson(*report.repetition);
+  return json;
+}
+
+std::string textOf(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
+
+/// The item buffers of all faces by the independent evaluator. It evaluates each row by itself, on all threads.
+std::vector<raster::ItemBuffer> evaluateRows(const TestVector& vector) {
+  std::vector<raster::ItemBuffer> buffers;
+  for (const VectorFace& face : vector.faces) {
+    const raster::Scissor& scissor = face.face.scissor;
+    std::vector<raster::ItemBuffer> rows(static_cast<std::size_t>(scissor.height));
+    raster::parallelFor(rows.size(), [&](std::size_t row) {
+      raster::Face strip = face.face;
+      strip.scissor = {scissor.column, scissor.row + static_cast<int>(row), scissor.width, 1};
+      rows[row] = evaluateRules(vector.list, strip);
+    });
+    raster::ItemBuffer& buffer = buffers.emplace_back(raster::ItemBuffer{scissor.width, scissor.height, {}});
+    for (const raster::ItemBuffer& row : rows) buffer.ids.insert(buffer.ids.end(), row.ids.begin(), row.ids.end());
+  }
+  return buffers;
+}
+
+ReferenceCheck compareReference(const TestVector& vector, std::span<const raster::ItemBuffer> expected) {
+  const std::vector<raster::ItemBuffer> drawn = render(vector);
+  ReferenceCheck check;
+  for (std::size_t f = 0; f < drawn.size(); ++f)
+    for (std::size_t pixel = 0; pixel < drawn[f].ids.size(); ++pixel, ++check.pixels)
+      check.differing += drawn[f].ids[pixel] != expected[f].ids[pixel];
+  return check;
+}
+
+Report reportOn(const TestVector& vector, Verdict verdict) {
+  Report report{std::move(verdict), {}, {}};
+  report.errors = firstErrors(vector, report.verdict);
+  report.findings = diagnose(vector, report.verdict);
+  return report;
+}
+
+}  // namespace
+
+Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile) {
+  return reportOn(vector, judge(vector, found, profile));
+}
+
+Report reportExactly(const TestVector& vector, std::span<const raster::ItemBuffer> found,
+                     const DeviceProfile& profile) {
+  const std::vector<raster::ItemBuffer> expected = evaluateRows(vector);
+  Report report = reportOn(vector, judge(vector, expected, found, profile));
+  report.reference = compareReference(vector, expected);
+  return report;
+}
+
+Outcome outcomeOf(const Report& report) {
+  if (report.expected && report.expected->expectation == Expectation::Unsupported) return Outcome::NotJudged;
+  if (report.isMissing) return Outcome::Missing;
+  if (report.device) return Outcome::DeviceFailed;
+  if (report.repetition && !report.repetition->isDeterministic()) return Outcome::NotDeterministic;
+  return hasErrors(report.verdict) ? Outcome::Errors : Outcome::Pass;
+}
+
+Agreement agreementOf(const Report& report) { return compare(outcomeOf(report), report.expected); }
+
+bool isFailure(const Report& report, bool isStrict) {
+  const Agreement agreement = agreementOf(report);
+  return agreement == Agreement::UnexpectedFailure || (isStrict && agreement == Agreement::UnexpectedPass);
+}
+
+ReferenceCheck checkReference(std::span<const Report> reports) {
+  ReferenceCheck sum;
+  for (const Report& report : reports) {
+    const ReferenceCheck check = report.reference.value_or(ReferenceCheck{});
+    sum.pixels += check.pixels;
+    sum.differing += check.differing;
+  }
+  return sum;
+}
+
+std::string toText(const ReferenceCheck& check) {
+  const std::string pixels = std::to_string(check.pixels) + " pixels";
+  if (check.differing == 0) return "agrees with the independent evaluator at all " + pixels;
+  return "differs from the independent evaluator at " + std::to_string(check.differing) + " of " + pixels;
+}
+
+VerdictCounts countVerdicts(std::span<const Report> reports) {
+  VerdictCounts sums{};
+  for (const Report& report : reports) {
+    const VerdictCounts counts = countVerdicts(report.verdict);
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += counts[k];
+  }
+  return sums;
+}
+
+std::optional<CommonFault> commonFault(std::span<const Report> reports) {
+  std::vector<CommonFault> faults;
+  std::size_t failures = 0;
+  for (const Report& report : reports) {
+    failures += hasErrors(report.verdict);
+    for (const Finding& finding : report.findings) {
+      const auto isSame = [&](const CommonFault& common) { return common.finding.fault == finding.fault; };
+      auto place = std::find_if(faults.begin(), faults.end(), isSame);
+      if (place == faults.end()) place = faults.insert(place, {finding, 0, 0});
+      ++place->vectors;
+    }
+  }
+  if (faults.empty()) return {};
+  CommonFault common = *std::max_element(
+      faults.begin(), faults.end(), [](const CommonFault& a, const CommonFault& b) { return a.vectors < b.vectors; });
+  common.failures = failures;
+  if (20 * common.vectors < failures) return {};
+  return common;
+}
+
+bool isWeak(const CommonFault& common) { return 2 * common.vectors < common.failures; }
+
+std::string toText(const CommonFault& common) {
+  return common.finding.fault + ", in " + std::to_string(common.vectors) + " of " + std::to_string(common.failures) +
+         " vectors with errors" + (isWeak(common) ? " (weak: it does not explain the other vectors): " : ": ") +
+         common.finding.advice;
+}
+
+std::string toJson(const Report& report) { return textOf(jsonOf(report)); }
+
+std::string toJson(std::span<const Report> reports, bool isStrict) {
+  Json vectors = Json::array();
+  for (const Report& report : reports) vectors.push_back(jsonOf(report));
+  const VerdictCounts sums = countVerdicts(reports);
+  Json diagnosis;
+  if (const std::optional<CommonFault> common = commonFault(reports)) {
+    diagnosis = toJson(common->finding);
+    diagnosis.update({{"vectors", common->vectors}, {"failures", common->failures}, {"weak", isWeak(*common)}});
+  }
+  const bool pass =
+      std::none_of(reports.begin(), reports.end(), [=](const Report& report) { return isFailure(report, isStrict); });
+  return textOf({{"pass", pass}, {"pixels", toJson(sums)}, {"vectors", vectors}, {"diagnosis", diagnosis}});
+}
+
+}  // namespace hemitex::reference

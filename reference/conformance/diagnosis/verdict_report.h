@@ -1,0 +1,98 @@
+/// Reports of verdicts as text and JSON (JUnit XML: junit_report.h).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "reference/conformance/diagnosis/diagnosis.h"
+#include "reference/conformance/verdict/device_process.h"
+#include "reference/conformance/verdict/error_pixel.h"
+#include "reference/conformance/verdict/expectations.h"
+#include "reference/conformance/verdict/repetition.h"
+
+namespace hemitex::reference {
+
+/// The reference renderer compared with the independent evaluator (rational_rasterizer.h).
+struct ReferenceCheck {
+  std::uint64_t pixels = 0;     ///< of all faces
+  std::uint64_t differing = 0;  ///< of these, with different item IDs
+};
+
+/// A verdict, its first errors and the faults that may explain them.
+struct Report {
+  Verdict verdict;
+  std::vector<ErrorPixel> errors;
+  std::vector<Finding> findings;
+  std::optional<ReferenceCheck> reference = {};  ///< only in an exact report
+  std::optional<ExpectedResult> expected = {};   ///< none: the vector is expected to pass
+  bool isMissing = false;                        ///< the device did not draw the vector; no faces
+  std::optional<DeviceFailure> device = {};      ///< of the program that should have drawn the vector; no faces
+  std::optional<Repetition> repetition = {};     ///< only of several runs; the verdict is that of the first one
+};
+
+Outcome outcomeOf(const Report& report);
+Agreement agreementOf(const Report& report);
+/// Whether the result is not as expected. With `isStrict` an unexpected pass is a failure, too.
+bool isFailure(const Report& report, bool isStrict);
+
+/// The report on what a device drew: judge, firstErrors and diagnose.
+Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile);
+
+/// The same, but the independent evaluator gives the expected item IDs. It is also compared with the reference
+/// renderer. The cost is pixels times triangles.
+Report reportExactly(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile);
+
+/// Over all reports that compare the reference.
+ReferenceCheck checkReference(std::span<const Report> reports);
+
+/// "agrees with the independent evaluator at 768 pixels", or how many of them differ.
+std::string toText(const ReferenceCheck& check);
+
+/// Over all faces of all vectors.
+VerdictCounts countVerdicts(std::span<const Report> reports);
+
+/// The fault that most of the failing vectors name. It may be unique even if single vectors name several faults.
+struct CommonFault {
+  Finding finding;           ///< of the first vector that names it
+  std::size_t vectors = 0;   ///< vectors that name it
+  std::size_t failures = 0;  ///< vectors with errors
+};
+
+/// Of equals the first one. Nothing if fewer than one in twenty of the failing vectors name a fault: it may agree by
+/// chance.
+std::optional<CommonFault> commonFault(std::span<const Report> reports);
+
+/// Whether less than half of the failing vectors name it: the rest has another cause, and it may be a coincidence.
+bool isWeak(const CommonFault& common);
+
+/// "linear filtering, in 3 of 4 vectors with errors: set both filters ...". A weak one says so.
+std::string toText(const CommonFault& common);
+
+/// A JSON object with the keys
+///
+/// - `vector`, `pass`, `pixels` (a count per verdict), `faces` (the same with `name`, `width` and `height`),
+/// - `errors`: `face`, `column`, `row`, `kind`, `expected`, `found`, `expected_from`, `found_from`, `triangle`, `texel`
+///   (null where there is none),
+/// - `diagnosis`: `fault`, `variant`, `agreement`, `advice`; empty without a known fault, several indistinguishable
+/// ones,
+/// - `reference`: `pixels` and `differing`; only of an exact report,
+/// - `outcome`: `pass`, `errors`, `missing`, `device failed`, `not deterministic` or `not judged`, and `expected` with
+/// `result` and
+///   `reason`, null without an expectation,
+/// - `device`: `failure`, `message`, `exit_code`, `signal` (null where there is none), `stderr` (its last lines); only
+///   if the program of the device failed,
+/// - `repetition`: `runs`, `answers` (the number of runs with the same item IDs, for each different answer),
+///   `changing_pixels` (their number) and `pixels` (`face`, `column`, `row`, `runs` of the first ten); only of several
+///   runs.
+std::string toJson(const Report& report);
+
+/// A JSON object for several vectors: `pass` (no result is an isFailure), `pixels` of all, `vectors` (an object as
+/// above for each), and `diagnosis`: null, or `fault`, `variant`, `agreement`, `advice`, `vectors`, `failures` and
+/// `weak` (isWeak) of the common fault.
+std::string toJson(std::span<const Report> reports, bool isStrict = false);
+
+}  // namespace hemitex::reference

@@ -1,0 +1,216 @@
+#include "reference/conformance/trace/rational_rasterizer.h"
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+namespace hemitex::reference {
+namespace {
+
+using Rational = boost::multiprecision::cpp_rational;
+using Integer = boost::multiprecision::cpp_int;
+
+/// x, y, w, u, v of a vertex, in binary64.
+using Attributes = std::array<double, 5>;
+enum Attribute : std::size_t { X, Y, W, U, V };
+
+/// Rules, 2.
+Attributes vertexStage(const raster::Face& face, const glm::vec3& position, const glm::vec2& texcoord) {
+  const float dx = position.x - face.eye.x;
+  const float dy = position.y - face.eye.y;
+  const float dz = position.z - face.eye.z;
+  const auto product = [&](const glm::vec3& row) {
+    const float a = row.x * dx;
+    const float b = row.y * dy;
+    const float c = row.z * dz;
+    const float ab = a + b;
+    return ab + c;
+  };
+  return {product(face.x), product(face.y), product(face.w), texcoord.x, texcoord.y};
+}
+
+/// Rules, 3: clips to the half-space f >= 0.
+std::vector<Attributes> clip(const std::vector<Attributes>& polygon, const std::function<double(const Attributes&)>& f,
+                             bool isNear, double n) {
+  std::vector<Attributes> result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Attributes& start = polygon[i];
+    const Attributes& end = polygon[(i + 1) % polygon.size()];
+    if (f(start) >= 0) result.push_back(start);
+    if ((f(start) >= 0) == (f(end) >= 0)) continue;
+    const Attributes& a = f(start) >= 0 ? start : end;
+    const Attributes& b = f(start) >= 0 ? end : start;
+    const double t = f(a) / (f(a) - f(b));
+    Attributes p;
+    for (std::size_t k = 0; k < p.size(); ++k) p[k] = a[k] + t * (b[k] - a[k]);
+    p[W] = isNear ? n : std::max(p[W], n);
+    result.push_back(p);
+  }
+  return result;
+}
+
+std::vector<Attributes> clipToGuardBand(std::vector<Attributes> polygon, double n) {
+  polygon = clip(
+      polygon, [n](const Attributes& p) { return p[W] - n; }, true, n);
+  polygon = clip(
+      polygon, [](const Attributes& p) { return 8 * p[W] - p[X]; }, false, n);
+  polygon = clip(
+      polygon, [](const Attributes& p) { return 8 * p[W] + p[X]; }, false, n);
+  polygon = clip(
+      polygon, [](const Attributes& p) { return 8 * p[W] - p[Y]; }, false, n);
+  return clip(
+      polygon, [](const Attributes& p) { return 8 * p[W] + p[Y]; }, false, n);
+}
+
+/// A point or a direction of the picture, in units of 1/256 pixel.
+struct Point {
+  std::int64_t x, y;
+};
+
+/// Rules, 4.
+Point snap(const Attributes& p, int resolution) {
+  const auto coordinate = [&](double q) {
+    return static_cast<std::int64_t>(std::nearbyint((std::clamp(q, -8.0, 8.0) + 1) * (128.0 * resolution)));
+  };
+  return {coordinate(p[X] / p[W]), coordinate(p[Y] / p[W])};
+}
+
+std::int64_t cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
+Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y}; }
+int sign(std::int64_t value) { return (value > 0) - (value < 0); }
+
+struct Triangle {
+  const raster::Draw* draw;
+  std::array<Attributes, 3> vertices;
+  std::array<Point, 3> snapped;
+  std::int64_t area;  ///< doubled, signed
+  bool isBack;
+};
+
+/// The sign of the area that `sample`, moved by (epsilon, epsilon^2), spans with the edge from a to b.
+int side(const Point& a, const Point& b, const Point& sample) {
+  const Point edge = b - a;
+  if (const int s = sign(cross(edge, sample - a)); s != 0) return s;
+  if (const int s = sign(cross(edge, {1, 0})); s != 0) return s;
+  return sign(cross(edge, {0, 1}));
+}
+
+/// Rules, 5.
+bool isCovered(const Triangle& triangle, const Point& sample) {
+  const std::array<Point, 3>& s = triangle.snapped;
+  const int orientation = sign(triangle.area);
+  return side(s[0], s[1], sample) == orientation && side(s[1], s[2], sample) == orientation &&
+         side(s[2], s[0], sample) == orientation;
+}
+
+/// Rules, 6: b_k / w_k at the sample.
+std::array<Rational, 3> weightsOverDepth(const Triangle& triangle, const Point& sample) {
+  std::array<Rational, 3> weights;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point& a = triangle.snapped[(k + 1) % 3];
+    const Point& b = triangle.snapped[(k + 2) % 3];
+    weights[k] = Rational(cross(b - a, sample - a)) / Rational(triangle.area) / Rational(triangle.vertices[k][W]);
+  }
+  return weights;
+}
+
+Rational sum(const std::array<Rational, 3>& values) { return values[0] + values[1] + values[2]; }
+
+int texel(const Triangle& triangle, const std::array<Rational, 3>& weights, Attribute attribute, int size) {
+  Rational position;
+  for (std::size_t k = 0; k < 3; ++k) position += weights[k] * Rational(triangle.vertices[k][attribute]);
+  position = position / sum(weights) * size;
+  if (position < 0) return 0;
+  const Integer whole = numerator(position) / denominator(position);
+  return whole >= size ? size - 1 : whole.convert_to<int>();
+}
+
+/// Rules, 7.
+raster::ItemId blend(const raster::DrawList& list, raster::ItemId offset, raster::ItemId texelId) {
+  if (list.blend == raster::Blend::Replace) return texelId;
+  if (list.blend == raster::Blend::IntegerAdd) {
+    int bits = 0;
+    for (const int channel : list.format.channelBits) bits += channel;
+    return static_cast<raster::ItemId>((std::uint64_t{offset} + texelId) % (std::uint64_t{1} << bits));
+  }
+  raster::ItemId result = 0;
+  std::uint64_t unit = 1;
+  for (const int bits : list.format.channelBits) {
+    const std::uint64_t values = std::uint64_t{1} << bits;
+    const std::uint64_t channel = std::min(offset / unit % values + texelId / unit % values, values - 1);
+    result += static_cast<raster::ItemId>(channel * unit);
+    unit *= values;
+  }
+  return result;
+}
+
+raster::ItemId idAt(const raster::DrawList& list, const Triangle& triangle, const Point& sample) {
+  const raster::Draw& draw = *triangle.draw;
+  if (triangle.isBack && draw.back) return *draw.back;
+  if (!draw.indexMap) return draw.offset;
+  const raster::IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
+  const std::array<Rational, 3> weights = weightsOverDepth(triangle, sample);
+  const int column = texel(triangle, weights, U, map.width);
+  const int row = texel(triangle, weights, V, map.height);
+  return blend(list, draw.offset, map.ids[static_cast<std::size_t>(row * map.width + column)]);
+}
+
+bool isFinite(const Attributes& p) {
+  return std::all_of(p.begin(), p.end(), [](double value) { return std::isfinite(value); });
+}
+
+/// The triangles of all draws after clipping and snapping, in draw order.
+std::vector<Triangle> trianglesOf(const raster::DrawList& list, const raster::Face& face,
+                                  std::span<const std::uint32_t> skipped) {
+  std::vector<Triangle> triangles;
+  for (const raster::Draw& draw : list.draws)
+    for (std::uint32_t first = draw.first; first < draw.first + draw.count; first += 3) {
+      if (std::find(skipped.begin(), skipped.end(), first / 3) != skipped.end()) continue;
+      std::vector<Attributes> polygon;
+      for (std::uint32_t k = first; k < first + 3; ++k)
+        polygon.push_back(vertexStage(face, list.positions[list.indices[k]], list.texcoords[list.indices[k]]));
+      if (!std::all_of(polygon.begin(), polygon.end(), isFinite)) continue;
+      polygon = clipToGuardBand(polygon, face.nearDistance);
+      for (std::size_t k = 2; k < polygon.size(); ++k) {
+        Triangle triangle{&draw, {polygon[0], polygon[k - 1], polygon[k]}, {}, 0, false};
+        for (std::size_t c = 0; c < 3; ++c) triangle.snapped[c] = snap(triangle.vertices[c], face.resolution);
+        triangle.area = cross(triangle.snapped[1] - triangle.snapped[0], triangle.snapped[2] - triangle.snapped[0]);
+        triangle.isBack = sign(triangle.area) == (raster::determinant(face) > 0 ? 1 : -1);
+        if (triangle.area != 0) triangles.push_back(triangle);
+      }
+    }
+  return triangles;
+}
+
+}  // namespace
+
+raster::ItemBuffer evaluateRules(const raster::DrawList& list, const raster::Face& face,
+                                 std::span<const std::uint32_t> skipped) {
+  raster::validate(list);
+  raster::validate(face);
+  const std::vector<Triangle> triangles = trianglesOf(list, face, skipped);
+  const raster::Scissor& scissor = face.scissor;
+  raster::ItemBuffer buffer{scissor.width, scissor.height, {}};
+  for (int row = scissor.row; row < scissor.row + scissor.height; ++row)
+    for (int column = scissor.column; column < scissor.column + scissor.width; ++column) {
+      const Point sample{256 * std::int64_t{column} + 128, 256 * std::int64_t{row} + 128};
+      const Triangle* nearest = nullptr;
+      std::optional<Rational> nearestInverseDepth;  // known once two triangles compete
+      for (const Triangle& triangle : triangles) {
+        if (!isCovered(triangle, sample)) continue;
+        if (nearest != nullptr) {
+          if (!nearestInverseDepth) nearestInverseDepth = sum(weightsOverDepth(*nearest, sample));
+          const Rational inverseDepth = sum(weightsOverDepth(triangle, sample));
+          if (inverseDepth <= *nearestInverseDepth) continue;
+          nearestInverseDepth = inverseDepth;
+        }
+        nearest = &triangle;
+      }
+      buffer.ids.push_back(nearest ? idAt(list, *nearest, sample) : raster::backgroundId(list.format));
+    }
+  return buffer;
+}
+
+}  // namespace hemitex::reference

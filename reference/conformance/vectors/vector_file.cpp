@@ -1,0 +1,311 @@
+#include "reference/conformance/vectors/vector_file.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <tuple>
+
+#include "raster/base/file_io.h"
+#include "raster/base/input_error.h"
+#include "reference/conformance/vectors/array_file.h"
+#include "reference/conformance/vectors/enum_names.h"
+#include "reference/conformance/vectors/json_text.h"
+
+namespace hemitex::reference {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using raster::InputError;
+namespace filesystem = std::filesystem;
+
+constexpr int rulesVersion = 1;
+
+// --- JSON to values; every error names the key ---
+
+const Json& at(const Json& object, const std::string& key) {
+  if (!object.is_object() || !object.contains(key)) throw InputError("\"" + key + "\" is missing");
+  return object.at(key);
+}
+
+/// Binary64 to binary32; a number written from a binary32 reads back to the same bits.
+float toFloat(const Json& value, const std::string& key) {
+  if (!value.is_number()) throw InputError("\"" + key + "\" is not a number");
+  const auto number = static_cast<float>(value.get<double>());
+  if (!std::isfinite(number)) throw InputError("\"" + key + "\" is beyond the range of binary32");
+  return number;
+}
+
+std::int64_t toInteger(const Json& value, const std::string& key, std::int64_t low, std::int64_t high) {
+  if (!value.is_number_integer()) throw InputError("\"" + key + "\" is not an integer");
+  const bool isHuge = value.is_number_unsigned() && value.get<std::uint64_t>() > INT64_MAX;
+  if (isHuge || value.get<std::int64_t>() < low || value.get<std::int64_t>() > high)
+    throw InputError("\"" + key + "\" is not from " + std::to_string(low) + " to " + std::to_string(high));
+  return value.get<std::int64_t>();
+}
+
+std::string toText(const Json& value, const std::string& key) {
+  if (!value.is_string()) throw InputError("\"" + key + "\" is not a string");
+  return value.get<std::string>();
+}
+
+/// A file name without directories, so that a vector cannot read files outside of its folder.
+std::string toFileName(const Json& value, const std::string& key) {
+  const std::string name = toText(value, key);
+  if (name.empty() || name == "." || name == ".." || name.find_first_of("/\\") != std::string::npos)
+    throw InputError("\"" + key + "\" is not the name of a file in the vector's folder");
+  return name;
+}
+
+const Json& toList(const Json& value, const std::string& key, std::optional<std::size_t> size = {}) {
+  if (!value.is_array()) throw InputError("\"" + key + "\" is not a list");
+  if (size && value.size() != *size)
+    throw InputError("\"" + key + "\" does not have " + std::to_string(*size) + " entries");
+  return value;
+}
+
+glm::vec3 toVector(const Json& value, const std::string& key) {
+  const Json& list = toList(value, key, 3);
+  return {toFloat(list[0], key), toFloat(list[1], key), toFloat(list[2], key)};
+}
+
+glm::dvec3 toWideVector(const Json& value, const std::string& key) {
+  const Json& list = toList(value, key, 3);
+  glm::dvec3 result;
+  for (int k = 0; k < 3; ++k) {
+    const Json& number = list[static_cast<std::size_t>(k)];
+    if (!number.is_number() || !std::isfinite(number.get<double>())) throw InputError("\"" + key + "\" is not finite");
+    result[k] = number.get<double>();
+  }
+  return result;
+}
+
+/// The value of a key that may be null or absent.
+template <typename Read>
+auto toOptional(const Json& object, const std::string& key, const Read& read)
+    -> std::optional<decltype(read(object, key))> {
+  if (!object.contains(key) || object.at(key).is_null()) return {};
+  return read(object.at(key), key);
+}
+
+constexpr std::array<Named<raster::Blend>, 3> blendNames{{{raster::Blend::ClampedAdd, "clamped-add"},
+                                                          {raster::Blend::IntegerAdd, "integer-add"},
+                                                          {raster::Blend::Replace, "replace"}}};
+
+// --- reading ---
+
+template <typename Value>
+std::vector<Value> pairUp(const std::vector<float>& numbers, std::size_t perValue, const std::string& file) {
+  if (numbers.size() % perValue != 0)
+    throw InputError(file + " holds " + std::to_string(numbers.size()) + " numbers",
+                     "use " + std::to_string(perValue) + " per vertex");
+  std::vector<Value> values(numbers.size() / perValue);
+  for (std::size_t i = 0; i < numbers.size(); ++i) values[i / perValue][static_cast<int>(i % perValue)] = numbers[i];
+  return values;
+}
+
+/// The index maps of a vector, each file of one shape read once.
+struct MapFiles {
+  filesystem::path folder;
+  std::map<std::tuple<std::string, int, int>, int> known;
+};
+
+int findMap(MapFiles& files, std::vector<raster::IndexMap>& maps, const std::string& file, int width, int height) {
+  const auto [entry, isNew] = files.known.try_emplace({file, width, height}, static_cast<int>(maps.size()));
+  if (isNew) maps.push_back({width, height, readArray<raster::ItemId>(files.folder / file)});
+  return entry->second;
+}
+
+raster::Draw readDraw(const Json& json, MapFiles& files, std::vector<raster::IndexMap>& maps) {
+  const auto id = [](const Json& value, const std::string& key) {
+    return static_cast<raster::ItemId>(toInteger(value, key, 0, UINT32_MAX));
+  };
+  raster::Draw draw;
+  draw.first = id(at(json, "first"), "first");
+  draw.count = id(at(json, "count"), "count");
+  draw.offset = id(at(json, "offset"), "offset");
+  draw.back = toOptional(json, "back", id);
+  if (const auto file = toOptional(json, "index_map", toFileName)) {
+    const auto side = [&](const std::string& key) { return static_cast<int>(toInteger(at(json, key), key, 1, 65536)); };
+    draw.indexMap = findMap(files, maps, *file, side("width"), side("height"));
+  }
+  return draw;
+}
+
+raster::Scissor readScissor(const Json& json) {
+  const Json& list = toList(json, "scissor", 4);
+  const auto entry = [&](std::size_t k) { return static_cast<int>(toInteger(list[k], "scissor", 0, 4096)); };
+  return {entry(0), entry(1), entry(2), entry(3)};
+}
+
+VectorFace readFace(const Json& vector, const Json& json) {
+  VectorFace face;
+  face.name = toText(at(json, "name"), "name");
+  face.ids = toFileName(at(json, "words"), "words");
+  face.hash = toOptional(json, "hash", toText).value_or("");
+  const std::optional<glm::vec3> ownEye = toOptional(json, "eye", toVector);
+  face.face.eye = ownEye ? *ownEye : toVector(at(vector, "eye"), "eye");
+  face.face.x = toVector(at(json, "x"), "x");
+  face.face.y = toVector(at(json, "y"), "y");
+  face.face.w = toVector(at(json, "w"), "w");
+  face.face.nearDistance = toFloat(at(vector, "near"), "near");
+  face.face.resolution = static_cast<int>(toInteger(at(vector, "resolution"), "resolution", 2, 4096));
+  face.face.scissor = readScissor(at(json, "scissor"));
+  return face;
+}
+
+TestVector readJson(const filesystem::path& folder, const Json& json) {
+  toInteger(at(json, "rules"), "rules", rulesVersion, rulesVersion);
+  TestVector vector;
+  vector.name = toText(at(json, "name"), "name");
+  vector.catches = toOptional(json, "catches", toText).value_or("");
+  vector.origin = toWideVector(at(json, "origin"), "origin");
+  raster::DrawList& list = vector.list;
+  for (const Json& bits : toList(at(json, "channels"), "channels"))
+    list.format.channelBits.push_back(static_cast<int>(toInteger(bits, "channels", 1, 32)));
+  list.blend = valueOf(blendNames, toText(at(json, "blend"), "blend"), "blend");
+
+  const auto file = [&](const std::string& key) { return toFileName(at(json, key), key); };
+  list.positions = pairUp<glm::vec3>(readArray<float>(folder / file("positions")), 3, file("positions"));
+  list.texcoords = pairUp<glm::vec2>(readArray<float>(folder / file("texcoords")), 2, file("texcoords"));
+  list.indices = readArray<std::uint32_t>(folder / file("indices"));
+  MapFiles mapFiles{folder, {}};
+  for (const Json& draw : toList(at(json, "draws"), "draws"))
+    list.draws.push_back(readDraw(draw, mapFiles, list.indexMaps));
+  raster::validate(list);
+  const std::int64_t background = raster::backgroundId(list.format);
+  toInteger(at(json, "background"), "background", background, background);
+
+  for (const Json& face : toList(at(json, "faces"), "faces")) {
+    vector.faces.push_back(readFace(json, face));
+    raster::validate(vector.faces.back().face);
+  }
+  if (vector.faces.empty()) throw InputError("\"faces\" is empty");
+  std::set<std::string> names{"vector.json", file("positions"), file("texcoords"), file("indices")};
+  for (const auto& [map, index] : mapFiles.known) names.insert(std::get<std::string>(map));
+  for (const VectorFace& face : vector.faces)
+    if (!names.insert(face.ids).second)
+      throw InputError("the item IDs of face \"" + face.name + "\" would overwrite \"" + face.ids + "\"");
+  return vector;
+}
+
+// --- writing ---
+
+/// A binary32 as the shortest binary64 decimal that reads back to it.
+Json number(float value) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.9g", static_cast<double>(value));
+  return std::strtod(text, nullptr);
+}
+
+Json toJson(const glm::vec3& v) { return {number(v.x), number(v.y), number(v.z)}; }
+
+std::string mapFileName(const raster::IndexMap& map, std::size_t index) {
+  return "map-" + std::to_string(index) + "-" + std::to_string(map.width) + "x" + std::to_string(map.height) + ".u32";
+}
+
+Json toJson(const raster::DrawList& list, const raster::Draw& draw) {
+  Json json{{"first", draw.first}, {"count", draw.count}, {"offset", draw.offset}};
+  json["back"] = draw.back ? Json(*draw.back) : Json();
+  json["index_map"] = nullptr;
+  if (draw.indexMap) {
+    const auto index = static_cast<std::size_t>(*draw.indexMap);
+    const raster::IndexMap& map = list.indexMaps[index];
+    json["index_map"] = mapFileName(map, index);
+    json["width"] = map.width;
+    json["height"] = map.height;
+  }
+  return json;
+}
+
+Json toJson(const VectorFace& face, const glm::vec3& sharedEye, const std::string& hash) {
+  const raster::Scissor& scissor = face.face.scissor;
+  Json json{{"name", face.name},
+            {"x", toJson(face.face.x)},
+            {"y", toJson(face.face.y)},
+            {"w", toJson(face.face.w)},
+            {"scissor", {scissor.column, scissor.row, scissor.width, scissor.height}},
+            {"words", face.ids},
+            {"hash", hash}};
+  if (face.face.eye != sharedEye) json["eye"] = toJson(face.face.eye);
+  return json;
+}
+
+template <typename Vector>
+std::vector<float> flatten(const std::vector<Vector>& values) {
+  std::vector<float> numbers;
+  numbers.reserve(values.size() * static_cast<std::size_t>(Vector::length()));
+  for (const Vector& value : values)
+    for (int k = 0; k < Vector::length(); ++k) numbers.push_back(value[k]);
+  return numbers;
+}
+
+}  // namespace
+
+std::vector<raster::Face> facesOf(const TestVector& vector) {
+  std::vector<raster::Face> faces;
+  for (const VectorFace& face : vector.faces) faces.push_back(face.face);
+  return faces;
+}
+
+TestVector readVector(const filesystem::path& folder) {
+  const filesystem::path file = folder / "vector.json";
+  if (!filesystem::is_regular_file(file))
+    throw InputError(file.string(), 0, "is missing or not a file", "a test vector is a folder with a vector.json");
+  try {
+    return readJson(folder, parseJson<Json>(raster::readFile(file)));
+  } catch (const Json::exception& error) {
+    throw InputError(file.string(), 0, error.what());
+  } catch (const InputError& error) {
+    if (!error.file().empty()) throw;
+    throw InputError(file.string(), 0, error.what());
+  }
+}
+
+void writeVector(const filesystem::path& folder, const TestVector& vector,
+                 std::span<const raster::ItemBuffer> buffers) {
+  const raster::DrawList& list = vector.list;
+  const raster::Face& first = vector.faces.front().face;
+  Json json{{"rules", rulesVersion},
+            {"name", vector.name},
+            {"origin", {vector.origin.x, vector.origin.y, vector.origin.z}},
+            {"resolution", first.resolution},
+            {"near", number(first.nearDistance)},
+            {"eye", toJson(first.eye)},
+            {"channels", list.format.channelBits},
+            {"blend", nameOf(blendNames, list.blend)},
+            {"background", raster::backgroundId(list.format)},
+            {"positions", "positions.f32"},
+            {"texcoords", "texcoords.f32"},
+            {"indices", "indices.u32"}};
+  if (!vector.catches.empty()) json["catches"] = vector.catches;
+  json["draws"] = Json::array();
+  for (const raster::Draw& draw : list.draws) json["draws"].push_back(toJson(list, draw));
+  json["faces"] = Json::array();
+  for (std::size_t f = 0; f < vector.faces.size(); ++f) {
+    const std::string hash = buffers.empty() ? "" : idsHash(buffers[f].ids);
+    json["faces"].push_back(toJson(vector.faces[f], first.eye, hash));
+    if (!buffers.empty()) writeArray(folder / vector.faces[f].ids, buffers[f].ids);
+  }
+  writeArray(folder / "positions.f32", flatten(list.positions));
+  writeArray(folder / "texcoords.f32", flatten(list.texcoords));
+  writeArray(folder / "indices.u32", list.indices);
+  for (std::size_t m = 0; m < list.indexMaps.size(); ++m)
+    writeArray(folder / mapFileName(list.indexMaps[m], m), list.indexMaps[m].ids);
+  // Bytes of names that are not UTF-8 are replaced.
+  raster::writeFile(folder / "vector.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+std::string idsHash(std::span<const raster::ItemId> ids) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const raster::ItemId id : ids)
+    for (int byte = 0; byte < 4; ++byte) hash = (hash ^ ((id >> (8 * byte)) & 0xff)) * 0x100000001b3u;
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+}  // namespace hemitex::reference

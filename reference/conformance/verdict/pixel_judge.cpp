@@ -1,0 +1,224 @@
+#include "reference/conformance/verdict/pixel_judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+namespace hemitex::reference {
+namespace {
+
+using raster::ItemId;
+
+/// A triangle that may cover the sample.
+struct Candidate {
+  const DeviceTriangle* triangle;
+  Region region;
+  bool covers;  ///< by the rules
+
+  double nearest() const { return triangle->depthSlack < 1 ? region.nearest / (1 - triangle->depthSlack) : HUGE_VAL; }
+  double farthest() const { return region.farthest / (1 + triangle->depthSlack); }
+};
+
+std::vector<Candidate> candidatesAt(const Judge& judge, std::span<const DeviceTriangle* const> triangles,
+                                    const glm::dvec2& sample) {
+  std::vector<Candidate> candidates;
+  for (const DeviceTriangle* triangle : triangles)
+    if (const auto region = regionAt(*triangle, sample, judge.profile.edgeRule))
+      candidates.push_back({triangle, *region, coversByRule(*triangle, sample)});
+  return candidates;
+}
+
+// --- guaranteed coverage of the sample ---
+
+using Corner = std::tuple<double, double, double>;
+
+/// An edge that may pass over the sample, its ends in order.
+struct PassingEdge {
+  Corner low, high;
+  int direction;  ///< 1 from low to high, -1 the other way
+  std::size_t candidate;
+
+  bool isSameLine(const PassingEdge& other) const { return low == other.low && high == other.high; }
+};
+
+std::vector<PassingEdge> passingEdges(const Judge& judge, const std::vector<Candidate>& candidates,
+                                      const glm::dvec2& sample) {
+  std::vector<PassingEdge> edges;
+  for (std::size_t c = 0; c < candidates.size(); ++c)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const DeviceTriangle& triangle = *candidates[c].triangle;
+      if (!edgeMayPass(triangle, k, sample, judge.profile.edgeRule)) continue;
+      const auto corner = [](const DeviceVertex& v) { return Corner(v.view.x, v.view.y, v.view.w); };
+      const Corner from = corner(triangle.vertices[k]), to = corner(triangle.vertices[(k + 1) % 3]);
+      edges.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1, c});
+    }
+  std::sort(edges.begin(), edges.end(), [](const PassingEdge& a, const PassingEdge& b) {
+    return std::tie(a.low, a.high, a.candidate) < std::tie(b.low, b.high, b.candidate);
+  });
+  return edges;
+}
+
+/// Groups of candidates that share edges: each candidate's group is named by one of its members.
+class Groups {
+ public:
+  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+
+  std::size_t of(std::size_t member) {
+    while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
+    return member;
+  }
+  void join(std::size_t a, std::size_t b) { parent_[of(a)] = of(b); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+/// A group of candidates at the sample.
+struct Sheet {
+  int winding = 0;      ///< winding number around the sample
+  bool isOpen = false;  ///< an edge that may pass over the sample has no counterpart
+  double farthest = HUGE_VAL;
+};
+
+/// A lower bound of the visible 1/w at the sample, 0 where the background may show.
+///
+/// Triangles joined along shared edges move as one mesh. Edges that occur equally often in both directions cancel, and
+/// the rest is the boundary of the mesh. While no boundary edge passes over the sample, the winding number of the mesh
+/// around it stays the same. Where it is not zero, some triangle of the mesh covers the sample.
+double certainDepth(const Judge& judge, const std::vector<Candidate>& candidates, const glm::dvec2& sample) {
+  const std::vector<PassingEdge> edges = passingEdges(judge, candidates, sample);
+  Groups groups(candidates.size());
+  std::vector<char> isOpen(candidates.size());
+  for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
+    int sum = 0;
+    for (end = first; end < edges.size() && edges[end].isSameLine(edges[first]); ++end) {
+      sum += edges[end].direction;
+      groups.join(edges[first].candidate, edges[end].candidate);
+    }
+    if (sum != 0) isOpen[edges[first].candidate] = 1;
+  }
+  std::vector<Sheet> sheets(candidates.size());
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    Sheet& sheet = sheets[groups.of(c)];
+    if (candidates[c].covers) sheet.winding += candidates[c].triangle->area > 0 ? 1 : -1;
+    // The near plane may clip the part in front of it.
+    sheet.isOpen |= isOpen[c] != 0 || candidates[c].nearest() > judge.nearest;
+    sheet.farthest = std::min(sheet.farthest, candidates[c].farthest());
+  }
+  double depth = 0;
+  for (const Sheet& sheet : sheets)
+    if (sheet.winding != 0 && !sheet.isOpen) depth = std::max(depth, sheet.farthest);
+  return depth;
+}
+
+// --- possible item IDs of a triangle ---
+
+/// Texels [first, last] of a map's side.
+struct TexelRange {
+  std::size_t first, last;
+};
+
+TexelRange texelRange(const Judge& judge, const Candidate& candidate, int axis, int size) {
+  const std::array<DeviceVertex, 3>& vertices = candidate.triangle->vertices;
+  const auto coordinate = [axis](const DeviceVertex& v) { return axis == 0 ? v.view.u : v.view.v; };
+  const auto [low, high] = std::minmax({coordinate(vertices[0]), coordinate(vertices[1]), coordinate(vertices[2])});
+  // u is the average of the vertices' u with weights b/w. If w is off by a factor from 1 - e to 1 + e, the ratio of two
+  // weights changes by a factor of at most r = (1 + e)/(1 - e). A normalized weight p then becomes at most
+  // p r / (p r + 1 - p). The increase is at most (sqrt(r) - 1)/(sqrt(r) + 1) = e/(1 + sqrt(1 - e^2)), and u changes by
+  // at most this fraction of its range.
+  const double slack = std::min(candidate.triangle->depthSlack, 1.0);
+  const double drift = slack / (1 + std::sqrt(1 - slack * slack)) * (high - low);
+  const auto texel = [size](double position) {
+    return static_cast<std::size_t>(std::clamp(std::floor(position), 0.0, size - 1.0));
+  };
+  const DeviceTriangle& triangle = *candidate.triangle;
+  const double error =
+      texelError(judge.profile, size, triangle.largest[axis], triangle.nearestDepth, candidate.region.farthest);
+  return {texel((candidate.region.low[axis] - drift) * size - error),
+          texel((candidate.region.high[axis] + drift) * size + error)};
+}
+
+bool mayGiveTexel(const Judge& judge, const Candidate& candidate, const raster::IndexMap& map, ItemId offset,
+                  ItemId id) {
+  const TexelRange columns = texelRange(judge, candidate, 0, map.width);
+  const TexelRange rows = texelRange(judge, candidate, 1, map.height);
+  for (std::size_t row = rows.first; row <= rows.last; ++row)
+    for (std::size_t column = columns.first; column <= columns.last; ++column) {
+      const ItemId texel = map.ids[row * static_cast<std::size_t>(map.width) + column];
+      if (raster::blend(judge.list.format, judge.list.blend, offset, texel) == id) return true;
+    }
+  return false;
+}
+
+bool mayGive(const Judge& judge, const Candidate& candidate, ItemId id) {
+  const DeviceTriangle& triangle = *candidate.triangle;
+  const raster::Draw& draw = judge.list.draws[triangle.draw];
+  if (draw.back && (triangle.facesAway || triangle.mayFlip) && id == *draw.back) return true;
+  if (draw.back && triangle.facesAway && !triangle.mayFlip) return false;
+  if (!draw.indexMap) return id == draw.offset;
+  return mayGiveTexel(judge, candidate, judge.list.indexMaps[static_cast<std::size_t>(*draw.indexMap)], draw.offset,
+                      id);
+}
+
+bool haveSameCorners(const DeviceTriangle& a, const DeviceTriangle& b) {
+  return std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(),
+                    [](const DeviceVertex& p, const DeviceVertex& q) {
+                      return p.view.x == q.view.x && p.view.y == q.view.y && p.view.w == q.view.w;
+                    });
+}
+
+/// Whether an earlier candidate has the same corners. Then it covers the same samples at the same depths on every
+/// device, and where equal depths keep the first triangle, this one is never visible.
+bool hasEarlierTwin(const std::vector<Candidate>& candidates, const Candidate& candidate) {
+  return std::any_of(candidates.data(), &candidate,
+                     [&](const Candidate& earlier) { return haveSameCorners(*earlier.triangle, *candidate.triangle); });
+}
+
+/// The candidate that the rules show; null for the background.
+const Candidate* expectedOf(const std::vector<Candidate>& candidates, const glm::dvec2& sample) {
+  const Candidate* expected = nullptr;
+  double depth = 0;
+  for (const Candidate& candidate : candidates) {
+    if (!candidate.covers) continue;
+    const double inverse = inverseDepthAt(*candidate.triangle, sample);
+    if (inverse > depth) {
+      expected = &candidate;
+      depth = inverse;
+    }
+  }
+  return expected;
+}
+
+}  // namespace
+
+Judge makeJudge(const raster::DrawList& list, const raster::Face& face, const DeviceProfile& profile) {
+  // Two stored depths 1 - n/w are each off by the error, and differ by n times the difference of 1/w.
+  const double nearDistance = face.nearDistance;
+  return {list, profile, 2 * depthError(profile) / nearDistance, 1 / nearDistance};
+}
+
+PixelVerdict judgeId(const Judge& judge, std::span<const DeviceTriangle* const> triangles, const glm::dvec2& sample,
+                     ItemId found) {
+  const std::vector<Candidate> candidates = candidatesAt(judge, triangles, sample);
+  const double certain = certainDepth(judge, candidates, sample);
+  if (found == raster::backgroundId(judge.list.format))
+    return certain > 0 ? PixelVerdict::Error : PixelVerdict::Coverage;
+
+  const Candidate* const expected = expectedOf(candidates, sample);
+  PixelVerdict verdict = PixelVerdict::Error;
+  for (const Candidate& candidate : candidates) {
+    const double nearest = candidate.nearest() + judge.depthTolerance;
+    if (nearest < certain || !mayGive(judge, candidate, found)) continue;
+    if (judge.profile.strictDepth && hasEarlierTwin(candidates, candidate)) continue;
+    // Rounding may exchange coplanar triangles in expectedOf. Without a texel to differ in, this one won by depth.
+    const bool hasTexel = judge.list.draws[candidate.triangle->draw].indexMap.has_value();
+    if (&candidate == expected) return hasTexel ? PixelVerdict::Texel : PixelVerdict::Depth;
+    const bool passesExpected = candidate.covers && nearest >= expected->farthest();
+    if (passesExpected) verdict = PixelVerdict::Depth;
+    if (verdict == PixelVerdict::Error) verdict = PixelVerdict::Coverage;
+  }
+  return verdict;
+}
+
+}  // namespace hemitex::reference

@@ -1,0 +1,247 @@
+#include "reference/conformance/verdict/reduction.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace hemitex::reference {
+namespace {
+
+using Fails = std::function<bool(const TestVector&)>;
+
+/// Assigns new consecutive numbers in the order of first use.
+class Renumbering {
+ public:
+  /// The new number, and whether it is new.
+  std::pair<std::uint32_t, bool> operator()(std::uint32_t old) {
+    const auto [place, isNew] = numbers_.try_emplace(old, static_cast<std::uint32_t>(numbers_.size()));
+    return {place->second, isNew};
+  }
+
+ private:
+  std::map<std::uint32_t, std::uint32_t> numbers_;
+};
+
+/// Takes `smaller` in place of `vector` if it fails.
+bool replace(TestVector& vector, TestVector smaller, const Fails& fails) {
+  if (!fails(smaller)) return false;
+  vector = std::move(smaller);
+  return true;
+}
+
+bool keepOneFace(TestVector& vector, const Fails& fails) {
+  if (vector.faces.size() == 1) return false;
+  for (const VectorFace& face : vector.faces) {
+    TestVector smaller = vector;
+    smaller.faces = {face};
+    if (replace(vector, smaller, fails)) return true;
+  }
+  return false;
+}
+
+bool removeTriangles(TestVector& vector, const Fails& fails) {
+  const std::vector<DrawnTriangle> all = drawnTriangles(vector.list);
+  const auto with = [&](std::span<const DrawnTriangle> triangles) {
+    TestVector smaller = vector;
+    smaller.list = withTriangles(vector.list, triangles);
+    return smaller;
+  };
+  const auto kept = fewestTriangles(all, [&](std::span<const DrawnTriangle> each) { return fails(with(each)); });
+  if (kept.size() == all.size()) return false;
+  vector = with(kept);
+  return true;
+}
+
+/// Rows or columns, from the first to before the last.
+struct Interval {
+  int first = 0, last = 0;
+  int size() const { return last - first; }
+};
+
+/// Removes half of an interval at one end or the other, then a quarter, and so on, while `replaceBy` takes the rest.
+/// Returns whether it removed anything.
+bool shrink(Interval interval, const std::function<bool(const Interval&)>& replaceBy) {
+  bool isSmaller = false;
+  for (int run = interval.size() / 2; run > 0 && interval.size() > 1;) {
+    run = std::min(run, interval.size() - 1);
+    const std::array<Interval, 2> rests{{{interval.first, interval.last - run}, {interval.first + run, interval.last}}};
+    const auto rest = std::find_if(rests.begin(), rests.end(), replaceBy);
+    if (rest == rests.end()) {
+      run /= 2;
+    } else {
+      interval = *rest;
+      isSmaller = true;
+    }
+  }
+  return isSmaller;
+}
+
+bool removePixels(TestVector& vector, const Fails& fails) {
+  bool isSmaller = false;
+  for (std::size_t f = 0; f < vector.faces.size(); ++f) {
+    const auto with = [&](const Interval& columns, const Interval& rows) {
+      TestVector smaller = vector;
+      smaller.faces[f].face.scissor = {columns.first, rows.first, columns.size(), rows.size()};
+      return smaller;
+    };
+    // Each call looks the face up, because a replacement frees the faces of the vector.
+    const auto scissor = [&]() -> const raster::Scissor& { return vector.faces[f].face.scissor; };
+    const auto columnsOf = [&] { return Interval{scissor().column, scissor().column + scissor().width}; };
+    const auto rowsOf = [&] { return Interval{scissor().row, scissor().row + scissor().height}; };
+    isSmaller |=
+        shrink(columnsOf(), [&](const Interval& each) { return replace(vector, with(each, rowsOf()), fails); });
+    isSmaller |=
+        shrink(rowsOf(), [&](const Interval& each) { return replace(vector, with(columnsOf(), each), fails); });
+  }
+  return isSmaller;
+}
+
+raster::IndexMap part(const raster::IndexMap& map, const Interval& columns, const Interval& rows) {
+  raster::IndexMap result{columns.size(), rows.size(), {}};
+  for (int row = rows.first; row < rows.last; ++row)
+    for (int column = columns.first; column < columns.last; ++column)
+      result.ids.push_back(map.ids[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width) +
+                                   static_cast<std::size_t>(column)]);
+  return result;
+}
+
+bool removeTexels(TestVector& vector, const Fails& fails) {
+  bool isSmaller = false;
+  for (std::size_t m = 0; m < vector.list.indexMaps.size(); ++m) {
+    // Intervals count from the map's present first row and column, so each removal starts from the whole map.
+    const raster::IndexMap whole = vector.list.indexMaps[m];
+    Interval columns{0, whole.width}, rows{0, whole.height};
+    const auto tryPart = [&](const Interval& c, const Interval& r) {
+      TestVector smaller = vector;
+      smaller.list.indexMaps[m] = part(whole, c, r);
+      if (!replace(vector, smaller, fails)) return false;
+      columns = c;
+      rows = r;
+      return true;
+    };
+    isSmaller |= shrink(columns, [&](const Interval& each) { return tryPart(each, rows); });
+    isSmaller |= shrink(rows, [&](const Interval& each) { return tryPart(columns, each); });
+  }
+  return isSmaller;
+}
+
+bool isDegenerate(const std::vector<std::uint32_t>& indices) {
+  for (std::size_t k = 0; k < indices.size(); k += 3)
+    if (indices[k] == indices[k + 1] || indices[k + 1] == indices[k + 2] || indices[k] == indices[k + 2]) return true;
+  return false;
+}
+
+/// Two vertices become one by taking the place of the other.
+bool mergeVertices(TestVector& vector, const Fails& fails) {
+  bool isSmaller = false;
+  const std::set<std::uint32_t> used(vector.list.indices.begin(), vector.list.indices.end());
+  for (const std::uint32_t gone : used)
+    for (const std::uint32_t other : used) {
+      TestVector smaller = vector;
+      std::replace(smaller.list.indices.begin(), smaller.list.indices.end(), gone, other);
+      if (smaller.list.indices == vector.list.indices || isDegenerate(smaller.list.indices)) continue;
+      isSmaller |= replace(vector, smaller, fails);
+    }
+  return isSmaller;
+}
+
+/// Removes all vertices that no triangle uses. If a fault needs their number, it removes those at the ends.
+bool removeVertices(TestVector& vector, const Fails& fails) {
+  TestVector smallest = vector;
+  smallest.list = withUsedVertices(vector.list);
+  if (smallest.list.positions.size() == vector.list.positions.size()) return false;
+  if (replace(vector, smallest, fails)) return true;
+  const raster::DrawList whole = vector.list;
+  const auto used = std::minmax_element(whole.indices.begin(), whole.indices.end());
+  return shrink({0, static_cast<int>(whole.positions.size())}, [&](const Interval& kept) {
+    if (std::int64_t{*used.first} < kept.first || std::int64_t{*used.second} >= kept.last) return false;
+    TestVector smaller = vector;
+    smaller.list.positions.assign(whole.positions.begin() + kept.first, whole.positions.begin() + kept.last);
+    smaller.list.texcoords.assign(whole.texcoords.begin() + kept.first, whole.texcoords.begin() + kept.last);
+    for (std::size_t k = 0; k < whole.indices.size(); ++k)
+      smaller.list.indices[k] = whole.indices[k] - static_cast<std::uint32_t>(kept.first);
+    return replace(vector, smaller, fails);
+  });
+}
+
+}  // namespace
+
+raster::DrawList withTriangles(const raster::DrawList& list, std::span<const DrawnTriangle> triangles) {
+  raster::DrawList result;
+  result.format = list.format;
+  result.blend = list.blend;
+  result.positions = list.positions;
+  result.texcoords = list.texcoords;
+  Renumbering draws, maps;
+  for (const DrawnTriangle& each : triangles) {
+    if (draws(each.draw).second) {
+      raster::Draw draw = list.draws[each.draw];
+      draw.first = static_cast<std::uint32_t>(result.indices.size());
+      draw.count = 0;
+      if (draw.indexMap) {
+        const auto [map, isNew] = maps(static_cast<std::uint32_t>(*draw.indexMap));
+        if (isNew) result.indexMaps.push_back(list.indexMaps[static_cast<std::size_t>(*draw.indexMap)]);
+        draw.indexMap = static_cast<int>(map);
+      }
+      result.draws.push_back(draw);
+    }
+    const auto corners = list.indices.begin() + 3 * std::ptrdiff_t{each.triangle};
+    result.indices.insert(result.indices.end(), corners, corners + 3);
+    result.draws.back().count += 3;
+  }
+  return result;
+}
+
+raster::DrawList withUsedVertices(raster::DrawList list) {
+  const std::vector<glm::vec3> positions = std::exchange(list.positions, {});
+  const std::vector<glm::vec2> texcoords = std::exchange(list.texcoords, {});
+  Renumbering vertices;
+  for (std::uint32_t& index : list.indices) {
+    const auto [vertex, isNew] = vertices(index);
+    if (isNew) {
+      list.positions.push_back(positions[index]);
+      list.texcoords.push_back(texcoords[index]);
+    }
+    index = vertex;
+  }
+  return list;
+}
+
+std::vector<DrawnTriangle> fewestTriangles(std::vector<DrawnTriangle> kept,
+                                           const std::function<bool(std::span<const DrawnTriangle>)>& fails) {
+  std::size_t run = std::max<std::size_t>(kept.size() / 2, 1);
+  for (bool removed = true; run > 1 || removed; run = std::max<std::size_t>(run / 2, 1)) {
+    removed = false;
+    for (std::size_t first = 0; first < kept.size();) {
+      std::vector<DrawnTriangle> fewer = kept;
+      const auto from = fewer.begin() + static_cast<std::ptrdiff_t>(first);
+      fewer.erase(from, from + static_cast<std::ptrdiff_t>(std::min(run, kept.size() - first)));
+      if (fails(fewer)) {
+        kept = std::move(fewer);
+        removed = true;
+      } else {
+        first += run;
+      }
+    }
+  }
+  return kept;
+}
+
+TestVector reduce(TestVector vector, const Fails& fails, std::size_t maxRuns) {
+  const Fails failsWithin = [&, runs = std::size_t{0}](const TestVector& smaller) mutable {
+    return runs++ < maxRuns && fails(smaller);
+  };
+  for (bool isSmaller = true; isSmaller;) {
+    isSmaller = keepOneFace(vector, failsWithin);
+    isSmaller |= removeTriangles(vector, failsWithin);
+    isSmaller |= removePixels(vector, failsWithin);
+    isSmaller |= removeTexels(vector, failsWithin);
+    isSmaller |= mergeVertices(vector, failsWithin);
+    isSmaller |= removeVertices(vector, failsWithin);
+  }
+  return vector;
+}
+
+}  // namespace hemitex::reference

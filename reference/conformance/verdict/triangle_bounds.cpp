@@ -1,0 +1,322 @@
+#include "reference/conformance/verdict/triangle_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hemitex::reference {
+namespace {
+
+using raster::ViewVertex;
+
+// --- reach of a vertex ---
+
+/// The sum of absolute values of the terms of a vertex stage: |X.x| (|P.x| + |E.x|) + ... Roundings are relative to it,
+/// for any order of the sum, and whether the eye is subtracted first or part of a 4x4 matrix.
+double sumOfSizes(const glm::vec3& row, const glm::vec3& position, const glm::vec3& eye) {
+  const glm::dvec3 sizes = glm::abs(glm::dvec3(position)) + glm::abs(glm::dvec3(eye));
+  return glm::dot(glm::abs(glm::dvec3(row)), sizes);
+}
+
+/// A vertex with its sums of sizes in place of u (picture) and v (depth), so that clipping interpolates them.
+ViewVertex withSizes(const ViewVertex& vertex, const raster::Face& face, const glm::vec3& position) {
+  const double picture = std::max(sumOfSizes(face.x, position, face.eye), sumOfSizes(face.y, position, face.eye));
+  return {vertex.x, vertex.y, vertex.w, picture, sumOfSizes(face.w, position, face.eye)};
+}
+
+/// The snapping unit of a device in sub-pixels of the rules.
+double snapUnit(const DeviceProfile& profile) { return std::ldexp(256.0, -profile.subpixelBits); }
+
+/// The maximum distance from `snapped` at which a device snaps a position that it knows up to `error`.
+double reachOf(const DeviceProfile& profile, double position, double error, double snapped) {
+  const double unit = snapUnit(profile);
+  const double low = (position - error) / unit, high = (position + error) / unit;
+  const bool nearest = profile.snapRounding == SnapRounding::Nearest;
+  const double lowest = nearest ? std::ceil(low - 0.5) : std::floor(low);
+  const double highest = nearest ? std::floor(high + 0.5) : std::floor(high);
+  return std::max(std::abs(lowest * unit - snapped), std::abs(highest * unit - snapped));
+}
+
+/// The same for a vertex anywhere on an edge: the maximum snapping error of the device and of the rules.
+double looseReachOf(const DeviceProfile& profile, double error) {
+  const double ours = 0.5;
+  return error + ours + snapUnit(profile) * (profile.snapRounding == SnapRounding::Nearest ? 0.5 : 1);
+}
+
+/// Places vertices on the viewport of a face.
+struct Placement {
+  const DeviceProfile& profile;
+  double subPixels;  ///< a unit of x/w
+  double roundoff;   ///< relative to sums of sizes
+
+  Placement(const DeviceProfile& deviceProfile, const raster::Face& face)
+      : profile(deviceProfile), subPixels(128.0 * face.resolution), roundoff(deviceProfile.vertexError * 0x1p-24) {}
+
+  /// Relative error of w.
+  double depthSlack(const ViewVertex& sizes) const { return roundoff * sizes.v / sizes.w; }
+
+  /// The error of q = x/w in sub-pixels: that of x and of w, then of the division and the viewport.
+  double error(double q, const ViewVertex& sizes) const {
+    const double slack = depthSlack(sizes);
+    if (slack >= 0.5) return 2 * raster::guardBand * subPixels;
+    const double relative = (roundoff * sizes.u / sizes.w + std::abs(q) * slack) / (1 - slack);
+    return subPixels * (relative + roundoff * (std::abs(q) + 1));
+  }
+
+  DeviceVertex place(const ViewVertex& view, const ViewVertex& sizes, bool loose) const {
+    DeviceVertex vertex{view, {}, {}};
+    const glm::dvec2 q(view.x / view.w, view.y / view.w);
+    for (int axis = 0; axis < 2; ++axis) {
+      const double position = (std::clamp(q[axis], -raster::guardBand, raster::guardBand) + 1) * subPixels;
+      const double offBy = error(q[axis], sizes);
+      vertex.position[axis] = std::nearbyint(position);
+      vertex.reach[axis] =
+          loose ? looseReachOf(profile, offBy) : reachOf(profile, position, offBy, vertex.position[axis]);
+    }
+    return vertex;
+  }
+};
+
+// --- triangles ---
+
+double cross(const glm::dvec2& p, const glm::dvec2& q) { return p.x * q.y - p.y * q.x; }
+
+/// The doubled area is cross(s0, s1) + cross(s1, s2) + cross(s2, s0). Moving s_k by e_k changes it by the sums of
+/// cross(e_k, s_{k+1} - s_{k-1}) and cross(e_k, e_{k+1}). The second sum is the doubled area of a triangle in a box of
+/// sides 2 reach, so it is at most the area of the box.
+double largestChangeOfArea(const DeviceTriangle& triangle) {
+  const glm::dvec2& reach = triangle.reach;
+  double change = 4 * reach.x * reach.y;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const glm::dvec2 side = glm::abs(triangle.vertices[(k + 1) % 3].position - triangle.vertices[k].position);
+    change += side.x * reach.y + side.y * reach.x;
+  }
+  return change;
+}
+
+/// Computes area and facing from the placed vertices; false where neither the rules nor a device can show the triangle.
+bool complete(DeviceTriangle& triangle, bool mirrored) {
+  const auto& [a, b, c] = triangle.vertices;
+  triangle.reach = glm::max(a.reach, glm::max(b.reach, c.reach));
+  triangle.area = cross(b.position - a.position, c.position - a.position);
+  triangle.facesAway = (triangle.area < 0) == mirrored;
+  const double change = largestChangeOfArea(triangle);
+  triangle.mayFlip = change > 0 && std::abs(triangle.area) <= change;
+  return triangle.area != 0 || change > 0;
+}
+
+/// Whether the triangle is inside the view for all errors of its vertices. A device may clip any other triangle
+/// anywhere between the view and the guard band.
+bool staysInView(const std::array<ViewVertex, 3>& corners, const std::array<ViewVertex, 3>& sizes, double nearDistance,
+                 double roundoff) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double pictureError = roundoff * sizes[k].u;
+    const double minDepth = corners[k].w - roundoff * sizes[k].v;
+    if (minDepth < nearDistance) return false;
+    if (std::max(std::abs(corners[k].x), std::abs(corners[k].y)) + pictureError > minDepth) return false;
+  }
+  return true;
+}
+
+/// A triangle after clipping, and the same polygon with its sums of sizes in place of texture coordinates.
+struct Clipped {
+  raster::ClippedPolygon polygon;
+  raster::ClippedPolygon sizes;
+  bool isLoose;        ///< it leaves the view, and a device may clip it at other planes
+  glm::dvec2 largest;  ///< of |u| and |v|
+};
+
+/// Empty polygons if clipping leaves nothing, or if a value is not finite.
+Clipped clipTriangle(const raster::DrawList& list, const raster::Face& face, std::uint32_t t, bool loose,
+                     double roundoff) {
+  std::array<ViewVertex, 3> corners, sizes;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t index = list.indices[3 * std::size_t{t} + k];
+    corners[k] = raster::transform(face, list.positions[index], list.texcoords[index]);
+    sizes[k] = withSizes(corners[k], face, list.positions[index]);
+  }
+  if (!std::all_of(corners.begin(), corners.end(), raster::isFinite)) return {};
+  glm::dvec2 largest(0.0);
+  for (const ViewVertex& corner : corners) largest = glm::max(largest, glm::abs(glm::dvec2(corner.u, corner.v)));
+  const double nearDistance = face.nearDistance;
+  if (!loose || staysInView(corners, sizes, nearDistance, roundoff))
+    return {raster::clip(corners, nearDistance), raster::clip(sizes, nearDistance), false, largest};
+
+  const double picture = std::max({sizes[0].u, sizes[1].u, sizes[2].u});
+  const double depth = std::max({sizes[0].v, sizes[1].v, sizes[2].v});
+  for (ViewVertex& corner : sizes) {
+    corner.u = picture;
+    corner.v = depth;
+  }
+  const double looseNear = std::max(nearDistance / 2, nearDistance - roundoff * depth);
+  return {raster::clip(corners, looseNear), raster::clip(sizes, looseNear), true, largest};
+}
+
+double nearestDepth(const raster::ClippedPolygon& polygon) {
+  double nearest = HUGE_VAL;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(polygon.count); ++k)
+    nearest = std::min(nearest, polygon.vertices[k].w);
+  return nearest;
+}
+
+/// Triangle (0, k - 1, k) of the fan of a polygon, its vertices placed.
+DeviceTriangle fanTriangle(const Clipped& clipped, std::size_t k, const Placement& placement) {
+  DeviceTriangle triangle{};
+  const std::array<std::size_t, 3> fan{0, k - 1, k};
+  for (std::size_t j = 0; j < 3; ++j) {
+    const ViewVertex& sizes = clipped.sizes.vertices[fan[j]];
+    triangle.vertices[j] = placement.place(clipped.polygon.vertices[fan[j]], sizes, clipped.isLoose);
+    triangle.depthSlack = std::max(triangle.depthSlack, placement.depthSlack(sizes));
+  }
+  triangle.largest = clipped.largest;
+  triangle.nearestDepth = nearestDepth(clipped.polygon);
+  return triangle;
+}
+
+// --- the sample's box ---
+
+/// A point of a triangle on the screen; 1/w, u/w and v/w are linear there.
+struct Point {
+  glm::dvec2 position;
+  glm::dvec3 overW;  ///< 1/w, u/w, v/w
+};
+
+/// A triangle cut by the four sides of a box. Each side adds a corner to a convex polygon. Rounding can make the
+/// polygon slightly non-convex; then a side multiplies the number of corners by at most 3/2: 3, 4, 6, 9, 13.
+struct Polygon {
+  std::array<Point, 13> points;
+  std::size_t count = 0;
+};
+
+/// Clips to sign * position[axis] <= sign * bound.
+Polygon cut(const Polygon& polygon, int axis, double sign, double bound) {
+  Polygon result;
+  const auto inside = [=](const Point& point) { return sign * (bound - point.position[axis]); };
+  for (std::size_t i = 0; i < polygon.count; ++i) {
+    const Point& p = polygon.points[i];
+    const Point& q = polygon.points[(i + 1) % polygon.count];
+    const double atP = inside(p), atQ = inside(q);
+    if (atP >= 0) result.points[result.count++] = p;
+    if ((atP >= 0) != (atQ >= 0)) {
+      const double t = atP / (atP - atQ);
+      result.points[result.count++] = {p.position + t * (q.position - p.position), p.overW + t * (q.overW - p.overW)};
+    }
+  }
+  return result;
+}
+
+/// The edge function of the edge from vertex k to the next, positive inside, and whether the edge is top or left.
+struct EdgeValue {
+  double value;
+  bool inclusive;
+};
+
+EdgeValue edgeAt(const DeviceTriangle& triangle, std::size_t k, const glm::dvec2& sample) {
+  const double orientation = triangle.area > 0 ? 1 : -1;
+  const glm::dvec2& p = triangle.vertices[k].position;
+  const glm::dvec2 along = orientation * (triangle.vertices[(k + 1) % 3].position - p);
+  // The interior lies at larger columns of a left edge, at larger rows of a top edge.
+  return {cross(along, sample - p), along.y < 0 || (along.y == 0 && along.x > 0)};
+}
+
+glm::dvec2 edgeReach(const DeviceTriangle& triangle, std::size_t k) {
+  return glm::max(triangle.vertices[k].reach, triangle.vertices[(k + 1) % 3].reach);
+}
+
+/// Whether the sample is outside of an edge without reach.
+bool isOutsideFixedEdge(const DeviceTriangle& triangle, const glm::dvec2& sample, EdgeRule rule) {
+  if (triangle.mayFlip) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const EdgeValue edge = edgeAt(triangle, k, sample);
+    const bool covers = edge.value > 0 || (edge.value == 0 && (edge.inclusive || rule == EdgeRule::Any));
+    if (edgeReach(triangle, k) == glm::dvec2(0.0) && !covers) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<DeviceTriangle> placeTriangles(const raster::DrawList& list, const raster::Face& face,
+                                           const DeviceProfile& profile, bool loose,
+                                           const std::function<bool(const DeviceTriangle&)>& isWanted) {
+  const Placement placement(profile, face);
+  const bool mirrored = raster::determinant(face) < 0;
+  std::vector<DeviceTriangle> triangles;
+  for (std::uint32_t d = 0; d < list.draws.size(); ++d) {
+    const std::uint32_t first = list.draws[d].first / 3;
+    for (std::uint32_t t = first; t < first + list.draws[d].count / 3; ++t) {
+      const Clipped clipped = clipTriangle(list, face, t, loose, placement.roundoff);
+      for (std::size_t k = 2; k < static_cast<std::size_t>(clipped.polygon.count); ++k) {
+        DeviceTriangle triangle = fanTriangle(clipped, k, placement);
+        triangle.triangle = t;
+        triangle.draw = d;
+        if (complete(triangle, mirrored) && isWanted(triangle)) triangles.push_back(triangle);
+      }
+    }
+  }
+  return triangles;
+}
+
+std::optional<Region> regionAt(const DeviceTriangle& triangle, const glm::dvec2& sample, EdgeRule rule) {
+  // Without reach the box is a point; the pad keeps it when rounding moves corners of the polygon.
+  constexpr double pad = 0x1p-16;
+  const auto& [a, b, c] = triangle.vertices;
+  const glm::dvec2 low = glm::min(a.position, glm::min(b.position, c.position));
+  const glm::dvec2 high = glm::max(a.position, glm::max(b.position, c.position));
+  for (int axis = 0; axis < 2; ++axis) {
+    const double reach = triangle.reach[axis] + pad;
+    if (low[axis] > sample[axis] + reach || high[axis] < sample[axis] - reach) return {};
+  }
+  if (isOutsideFixedEdge(triangle, sample, rule)) return {};
+  Polygon polygon;
+  for (const DeviceVertex& vertex : triangle.vertices) {
+    const ViewVertex& view = vertex.view;
+    polygon.points[polygon.count++] = {vertex.position, glm::dvec3(1, view.u, view.v) / view.w};
+  }
+  for (int axis = 0; axis < 2; ++axis)
+    for (const double sign : {1.0, -1.0})
+      polygon = cut(polygon, axis, sign, sample[axis] + sign * (triangle.reach[axis] + pad));
+  if (polygon.count == 0) return {};
+
+  const glm::dvec3& start = polygon.points[0].overW;
+  const glm::dvec2 texture = glm::dvec2(start.y, start.z) / start.x;
+  Region region{start.x, start.x, texture, texture};
+  for (std::size_t i = 1; i < polygon.count; ++i) {
+    const glm::dvec3& overW = polygon.points[i].overW;
+    const glm::dvec2 coordinates = glm::dvec2(overW.y, overW.z) / overW.x;
+    region.nearest = std::max(region.nearest, overW.x);
+    region.farthest = std::min(region.farthest, overW.x);
+    region.low = glm::min(region.low, coordinates);
+    region.high = glm::max(region.high, coordinates);
+  }
+  return region;
+}
+
+bool coversByRule(const DeviceTriangle& triangle, const glm::dvec2& sample) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const EdgeValue edge = edgeAt(triangle, k, sample);
+    if (edge.value < 0 || (edge.value == 0 && !edge.inclusive)) return false;
+  }
+  return triangle.area != 0;
+}
+
+double inverseDepthAt(const DeviceTriangle& triangle, const glm::dvec2& sample) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) sum += edgeAt(triangle, k, sample).value / triangle.vertices[(k + 2) % 3].view.w;
+  return sum / std::abs(triangle.area);
+}
+
+bool edgeMayPass(const DeviceTriangle& triangle, std::size_t k, const glm::dvec2& sample, EdgeRule rule) {
+  const glm::dvec2& p = triangle.vertices[k].position;
+  const glm::dvec2& q = triangle.vertices[(k + 1) % 3].position;
+  const glm::dvec2 reach = edgeReach(triangle, k);
+  if (reach == glm::dvec2(0.0) && rule == EdgeRule::TopLeft) return false;
+  for (int axis = 0; axis < 2; ++axis)
+    if (std::min(p[axis], q[axis]) > sample[axis] + reach[axis] ||
+        std::max(p[axis], q[axis]) < sample[axis] - reach[axis])
+      return false;
+  // The value is exact from either end, so that two triangles that share the edge get equal results.
+  const glm::dvec2 along = q - p;
+  return std::abs(cross(along, sample - p)) <= std::abs(along.x) * reach.y + std::abs(along.y) * reach.x;
+}
+
+}  // namespace hemitex::reference

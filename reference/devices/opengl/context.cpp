@@ -1,0 +1,58 @@
+#include "reference/devices/opengl/context.h"
+
+#include <array>
+
+#include "raster/base/input_error.h"
+
+namespace hemitex::reference {
+
+OpenGlContext::Use::Use(const OpenGlContext& context) : display_(context.display_) {
+  if (!eglMakeCurrent(display_, context.surface_, context.surface_, context.context_))
+    throw raster::InputError("the OpenGL device does not answer any more");
+}
+
+OpenGlContext::Use::~Use() { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+
+bool OpenGlContext::isMade() {
+  constexpr std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                         EGL_NONE};
+  constexpr std::array<EGLint, 5> size{EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
+  constexpr EGLint profile = EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT;
+  constexpr std::array<EGLint, 7> version{
+      EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK, profile, EGL_NONE};
+  EGLConfig config;
+  EGLint configs = 0;
+  if (!eglInitialize(display_, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API) ||
+      !eglChooseConfig(display_, wanted.data(), &config, 1, &configs) || configs == 0)
+    return false;
+  surface_ = eglCreatePbufferSurface(display_, config, size.data());
+  context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, version.data());
+  return surface_ != EGL_NO_SURFACE && context_ != EGL_NO_CONTEXT;
+}
+
+std::unique_ptr<OpenGlContext> OpenGlContext::create() {
+  if (!epoxy_has_egl() || !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) return nullptr;
+  std::array<EGLDeviceEXT, 16> devices;
+  EGLint count = 0;
+  eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count);
+  for (std::size_t d = 0; d < static_cast<std::size_t>(count); ++d) {
+    const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[d], nullptr);
+    if (display == EGL_NO_DISPLAY) continue;
+    std::unique_ptr<OpenGlContext> context(new OpenGlContext(display));
+    if (context->isMade()) return context;
+  }
+  return nullptr;
+}
+
+OpenGlContext::~OpenGlContext() {
+  if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
+  if (surface_ != EGL_NO_SURFACE) eglDestroySurface(display_, surface_);
+}
+
+int openGlLimit(GLenum name) {
+  std::array<GLint, 2> values{};
+  glGetIntegerv(name, values.data());
+  return values[0];
+}
+
+}  // namespace hemitex::reference

@@ -1,0 +1,162 @@
+#include "reference/devices/opengl/fixed_function_pipeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+
+#include "raster/base/input_error.h"
+#include "raster/setup/vertex_stage.h"
+#include "reference/devices/opengl/texel_triangles.h"
+#include "reference/devices/opengl/vertex_buffers.h"
+
+namespace hemitex::reference {
+namespace {
+
+using raster::ItemId;
+
+/// Whether a clamped add per byte gives the item IDs of the list.
+bool addsAsBytes(const raster::DrawList& list) {
+  const std::vector<int>& bits = list.format.channelBits;
+  const bool areBytes = std::all_of(bits.begin(), bits.end(), [](int width) { return width == 8; });
+  if (list.blend == raster::Blend::Replace || (list.blend == raster::Blend::ClampedAdd && areBytes)) return true;
+  // Item IDs without common bits need no carry, for any channels.
+  return std::all_of(list.draws.begin(), list.draws.end(), [&list](const raster::Draw& draw) {
+    if (!draw.indexMap) return true;
+    const std::vector<ItemId>& ids = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)].ids;
+    return std::all_of(ids.begin(), ids.end(), [&draw](ItemId id) { return (id & draw.offset) == 0; });
+  });
+}
+
+/// OpenGL guarantees equal depths only for equal corners in equal order. Coincident triangles must have equal depths,
+/// so corners are sorted by position, as far as the winding does not matter.
+void sortCorners(TexelTriangle& corners, bool isTwoSided) {
+  const auto less = [](const TexelCorner& a, const TexelCorner& b) {
+    return std::tie(a.position.x, a.position.y, a.position.z) < std::tie(b.position.x, b.position.y, b.position.z);
+  };
+  if (isTwoSided) {
+    std::sort(corners.begin(), corners.end(), less);
+  } else {
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), less), corners.end());
+  }
+}
+
+/// A sample on the border of two texels shows the upper one. Interpolation has errors of some units in the last place
+/// unless the coordinate is constant. They must not move the sample below the border. So coordinates move up by 16 such
+/// units, at most 2^-10 texel.
+void liftTexels(TexelTriangle& corners) {
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto [low, high] = std::minmax({corners[0].texel[axis], corners[1].texel[axis], corners[2].texel[axis]});
+    if (low == high) continue;
+    const float lift = std::min(0x1p-10f, 0x1p-20f * std::max(std::abs(low), std::abs(high)));
+    for (TexelCorner& corner : corners) corner.texel[axis] += lift;
+  }
+}
+
+/// The triangles of the list, adjusted so that the device interpolates them correctly.
+std::vector<TexelTriangle> preparedTriangles(const raster::DrawList& list) {
+  std::vector<TexelTriangle> triangles = texelTriangles(list);
+  std::size_t triangle = 0;
+  for (const raster::Draw& draw : list.draws)
+    for (std::uint32_t i = 0; i < draw.count; i += 3, ++triangle) {
+      sortCorners(triangles[triangle], !draw.back.has_value());
+      liftTexels(triangles[triangle]);
+    }
+  return triangles;
+}
+
+/// The lowest byte is red.
+glm::vec4 colourOf(ItemId id) { return glm::vec4(id & 255, id >> 8 & 255, id >> 16 & 255, id >> 24) / 255.0f; }
+
+/// Moves a corner in front of the near plane to the sub-pixel that the rules snap it to.
+glm::vec4 clipPosition(const raster::Face& face, const raster::ViewVertex& view, int width) {
+  const double subPixels = 128.0 * face.resolution;  // in a unit of x/w
+  const auto across = [&](double x) {
+    return view.w < face.nearDistance ? x : std::nearbyint(x / view.w * subPixels) / subPixels * view.w;
+  };
+  return glm::dvec4(across(view.x) / width, across(view.y) / width, face.nearDistance, view.w);
+}
+
+class FixedFunction final : public OpenGlPipeline {
+ public:
+  explicit FixedFunction(const raster::DrawList& list);
+  OpenGlPixels pixels() const override { return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV}; }
+  void clear(ItemId background) override;
+  void setView(const raster::Face& face, int width) override;
+  /// The offset is a colour, which is set per draw, and the fronts of a draw are drawn before its backs.
+  bool joins(const raster::Draw&, const raster::Draw&) const override { return false; }
+  void draw(const raster::Draw& draw, const VertexRuns& runs) override;
+
+ private:
+  /// Clip coordinates, and texture coordinates in texels.
+  struct Vertex {
+    glm::vec4 position;
+    glm::vec2 texel;
+  };
+
+  std::vector<TexelTriangle> triangles_;
+  std::vector<Vertex> vertices_;  ///< of the current view
+};
+
+/// The texture environment adds the texel to the colour, or replaces it.
+void setTextureEnvironment(raster::Blend blend) {
+  const GLint operation = blend == raster::Blend::Replace ? GL_REPLACE : GL_ADD;
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
+  glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, operation);
+  glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, operation);
+}
+
+FixedFunction::FixedFunction(const raster::DrawList& list) : triangles_(preparedTriangles(list)) {
+  if (!addsAsBytes(list))
+    throw raster::InputError("fixed-function hardware cannot add item IDs of these channels",
+                             "use r8g8b8 or r8g8b8a8 with a clamped add, aligned offsets, or the shader path");
+  glDepthFunc(GL_GREATER);
+  glDisable(GL_DITHER);
+  glShadeModel(GL_FLAT);
+  setTextureEnvironment(list.blend);
+
+  makeVertexBuffer(nullptr, 0, GL_STREAM_DRAW);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+  glVertexPointer(4, GL_FLOAT, sizeof(Vertex), vertexOffset(offsetof(Vertex, position)));
+  glTexCoordPointer(2, GL_FLOAT, sizeof(Vertex), vertexOffset(offsetof(Vertex, texel)));
+}
+
+void FixedFunction::clear(ItemId background) {
+  const glm::vec4 colour = colourOf(background);
+  const float farthest = 0;
+  glClearBufferfv(GL_COLOR, 0, &colour[0]);
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+}
+
+void FixedFunction::setView(const raster::Face& face, int width) {
+  vertices_.clear();
+  for (const TexelTriangle& corners : triangles_) {
+    std::array<raster::ViewVertex, 3> views;
+    for (std::size_t k = 0; k < 3; ++k) views[k] = raster::transform(face, corners[k].position, corners[k].texel);
+    if (!std::all_of(views.begin(), views.end(), raster::isFinite)) views.fill({0, 0, 1, 0, 0});
+    for (std::size_t k = 0; k < 3; ++k) vertices_.push_back({clipPosition(face, views[k], width), corners[k].texel});
+  }
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)), vertices_.data(),
+               GL_STREAM_DRAW);
+}
+
+void FixedFunction::draw(const raster::Draw& draw, const VertexRuns& runs) {
+  const auto drawSide = [&runs](ItemId colour, bool isTextured, GLenum culled) {
+    isTextured ? glEnable(GL_TEXTURE_RECTANGLE) : glDisable(GL_TEXTURE_RECTANGLE);
+    culled == GL_NONE ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
+    if (culled != GL_NONE) glCullFace(culled);
+    glColor4fv(&colourOf(colour)[0]);
+    drawRuns(runs);
+  };
+  drawSide(draw.offset, draw.indexMap.has_value(), draw.back ? GL_BACK : GL_NONE);
+  if (draw.back) drawSide(*draw.back, false, GL_FRONT);
+}
+
+}  // namespace
+
+std::unique_ptr<OpenGlPipeline> makeFixedFunction(const raster::DrawList& list) {
+  return std::make_unique<FixedFunction>(list);
+}
+
+}  // namespace hemitex::reference

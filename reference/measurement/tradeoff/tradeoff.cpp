@@ -1,0 +1,145 @@
+#include "reference/measurement/tradeoff/tradeoff.h"
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+#include <utility>
+
+#include "radiosity/discretization/discretize.h"
+#include "reference/measurement/tradeoff/pareto_front.h"
+
+namespace hemitex::reference {
+namespace {
+
+using radiosity::Discretization;
+using radiosity::FormFactorRow;
+using radiosity::Scene;
+using Rows = std::vector<std::optional<FormFactorRow>>;
+
+std::vector<double> patchFlux(const Discretization& fine, const TrueRadiosity& truth, const Discretization& coarse) {
+  const std::vector<std::uint32_t> under = elementsUnder(coarse, fine);
+  std::vector<double> flux(coarse.patches.size());
+  for (std::size_t e = 0; e < under.size(); ++e) {
+    const glm::dvec3& radiosity = truth.radiosity[e];
+    flux[coarse.patchOf[under[e]]] += fine.elements[e].area * (radiosity.x + radiosity.y + radiosity.z);
+  }
+  return flux;
+}
+
+struct TimedSolution {
+  TradeRows source;
+  radiosity::Solution solution;
+  Rows rows;  ///< of the patches that shot
+  double seconds = 0;
+};
+
+TimedSolution timedSolution(const Scene& scene, const TradeMethod& method, const TradeChoice& choice) {
+  const Discretization unsplit = radiosity::discretize(scene, {.texels = choice.texels, .patch = choice.patch});
+  TimedSolution timed;
+  const Stopwatch watch;
+  timed.source = method.rows(scene, unsplit, choice.setting);
+  const auto keepRow = [&timed](std::uint32_t patch) {
+    timed.rows.resize(timed.source.discretization->patches.size());
+    timed.rows[patch] = timed.source.rowOf(patch);
+    return *timed.rows[patch];
+  };
+  timed.solution = radiosity::solve(scene, *timed.source.discretization, keepRow, {.residual = tradeResidual}, {},
+                                    timed.source.split);
+  timed.rows.resize(timed.source.discretization->patches.size());
+  timed.seconds = watch.seconds();
+  return timed;
+}
+
+std::size_t bytesOf(const Rows& rows) {
+  std::size_t bytes = 0;
+  for (const std::optional<FormFactorRow>& row : rows)
+    if (row) bytes += row->elements.size() * (sizeof row->elements[0] + sizeof row->shares[0]);
+  return bytes;
+}
+
+std::size_t bytesOf(const Discretization& discretization) {
+  std::size_t bytes = discretization.elements.size() * (sizeof(radiosity::Element) + 2 * sizeof(glm::dvec3)) +
+                      discretization.patches.size() * sizeof(radiosity::Patch);
+  for (const radiosity::Grid& grid : discretization.grids)
+    bytes += grid.elementOfTexel.size() * sizeof grid.elementOfTexel[0];
+  return bytes;
+}
+
+/// Computes all results except times. Rows of patches that did not shoot, but have true flux, are computed here.
+TradeMeasurement judge(const Discretization& fine, const TrueRadiosity& truth, const TradeMethod& method,
+                       const TradeChoice& choice, TimedSolution& timed) {
+  const Discretization& discretization = *timed.source.discretization;
+  TradeMeasurement measurement;
+  measurement.choice = choice;
+  measurement.elements = discretization.elements.size();
+  measurement.patches = discretization.patches.size();
+  measurement.rows = static_cast<std::size_t>(
+      std::count_if(timed.rows.begin(), timed.rows.end(), [](const auto& row) { return row.has_value(); }));
+  measurement.shots = timed.solution.shots;
+  measurement.error = errorOf(fine, onOtherGrids(discretization, timed.solution.radiosity, fine), truth.radiosity);
+  measurement.bufferBytes = method.bufferBytes(choice.setting);
+  measurement.rowBytes = bytesOf(timed.rows);
+  measurement.elementBytes = bytesOf(discretization);
+  const std::vector<double> flux = patchFlux(fine, truth, discretization);
+  for (std::uint32_t patch = 0; patch < timed.rows.size(); ++patch)
+    if (!timed.rows[patch] && flux[patch] > 0) timed.rows[patch] = timed.source.rowOf(patch);
+  measurement.rowError =
+      rowError(patchRows(timed.rows, discretization), patchRows(truth.matrix, fine, discretization), flux);
+  measurement.radiosity = std::move(timed.solution.radiosity);
+  return measurement;
+}
+
+void markFront(std::vector<TradeMeasurement>& measurements) {
+  std::vector<double> times, errors;
+  for (const TradeMeasurement& measurement : measurements) {
+    times.push_back(measurement.seconds.median);
+    errors.push_back(measurement.error.fluxWeighted);
+  }
+  const std::vector<bool> isOnFront = paretoFront(times, errors);
+  for (std::size_t i = 0; i < measurements.size(); ++i) measurements[i].isOnFront = isOnFront[i];
+}
+
+}  // namespace
+
+std::vector<TradeChoice> tradeChoices(const std::vector<TradeMethod>& methods, const std::vector<int>& texels,
+                                      const std::vector<int>& patches) {
+  assert(!texels.empty() && !patches.empty());
+  std::vector<TradeChoice> choices;
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    const std::vector<int>& settings = methods[m].measured;
+    for (const int setting : settings) choices.push_back({m, setting, texels.front(), patches.front()});
+    for (const int t : texels)
+      for (const int p : patches) {
+        if (p > t || std::pair{t, p} == std::pair{texels.front(), patches.front()}) continue;
+        for (std::size_t i = 0; i <= settings.size() / 2; ++i) choices.push_back({m, settings[i], t, p});
+      }
+  }
+  return choices;
+}
+
+std::vector<TradeMeasurement> measureTradeoff(const Scene& scene, const Discretization& fine,
+                                              const TrueRadiosity& truth, const std::vector<TradeMethod>& methods,
+                                              const std::vector<TradeChoice>& choices,
+                                              const std::function<void(std::size_t, std::size_t)>& progress) {
+  std::vector<TradeMeasurement> measurements;
+  const auto secondsOf = [&](std::size_t i, int round) {
+    if (progress) progress(static_cast<std::size_t>(round) * choices.size() + i, choices.size() * tradeRounds);
+    const TradeMethod& method = methods[choices[i].method];
+    TimedSolution timed = timedSolution(scene, method, choices[i]);
+    if (round == 0) measurements.push_back(judge(fine, truth, method, choices[i], timed));
+    return timed.seconds;
+  };
+  const std::vector<Timing> timings = interleavedTimings(choices.size(), tradeRounds, secondsOf, longTime);
+  for (std::size_t i = 0; i < timings.size(); ++i) measurements[i].seconds = timings[i];
+  markFront(measurements);
+  return measurements;
+}
+
+RowError trueRowError(const Discretization& fine, const TrueRadiosity& truth, const Discretization& discretization) {
+  const PatchRows truePatchRows = patchRows(truth.matrix, fine, discretization);
+  PatchRows moved = patchRows(truth.spread, fine, discretization);
+  for (std::size_t i = 0; i < moved.factors.size(); ++i) moved.factors[i] += truePatchRows.factors[i];
+  return rowError(moved, truePatchRows, patchFlux(fine, truth, discretization));
+}
+
+}  // namespace hemitex::reference

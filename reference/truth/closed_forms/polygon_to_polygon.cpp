@@ -1,0 +1,242 @@
+#include "reference/truth/closed_forms/polygon_to_polygon.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "reference/truth/closed_forms/extended_precision.h"
+#include "reference/truth/closed_forms/point_to_polygon.h"
+
+namespace hemitex::reference {
+namespace {
+
+using Wide = boost::multiprecision::cpp_bin_float_quad;
+using Polygon = std::vector<glm::dvec3>;
+
+struct Plane {
+  glm::dvec3 point, normal;
+  double area;  ///< of the original polygon
+};
+
+/// Newell's normal in wide numbers, because in double precision its relative error is large for slivers.
+Plane planeOf(std::span<const glm::dvec3> polygon) {
+  WideVector<Wide> sum{};
+  const WideVector<Wide> origin = widen<Wide>(polygon[0]);
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+    sum = sum + cross(widen<Wide>(polygon[i - 1]) - origin, widen<Wide>(polygon[i]) - origin);
+  const Wide size = length(sum);
+  assert(size > 0);
+  const auto component = [&](const Wide& value) { return static_cast<double>(value / size); };
+  return {polygon[0], {component(sum.x), component(sum.y), component(sum.z)}, static_cast<double>(size / 2)};
+}
+
+/// The part of a polygon in front of a plane. Heights up to `slack` count as 0. Otherwise polygons that are coplanar up
+/// to rounding would need wide numbers in all rules, for a result of zero.
+Polygon inFrontOf(const Plane& plane, const Polygon& polygon, double slack) {
+  const auto heightOf = [&](const glm::dvec3& corner) {
+    const double height = glm::dot(plane.normal, corner - plane.point);
+    return std::abs(height) <= slack ? 0.0 : height;
+  };
+  Polygon front;
+  double highest = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const glm::dvec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double heightA = heightOf(a), heightB = heightOf(b);
+    highest = std::max(highest, heightA);
+    if (heightA >= 0) front.push_back(a);
+    if ((heightA > 0 && heightB < 0) || (heightA < 0 && heightB > 0))
+      front.push_back(a + heightA / (heightA - heightB) * (b - a));
+  }
+  if (highest == 0) front.clear();
+  return front;
+}
+
+double distanceToSegment(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b) {
+  const glm::dvec3 edge = b - a;
+  const double t = std::clamp(glm::dot(point - a, edge) / glm::dot(edge, edge), 0.0, 1.0);
+  return glm::distance(point, a + t * edge);
+}
+
+/// The distance from a point to a convex polygon.
+double distanceTo(const Polygon& polygon, const Plane& plane, const glm::dvec3& point) {
+  double nearest = std::numeric_limits<double>::infinity();
+  bool isAbove = true;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const glm::dvec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    nearest = std::min(nearest, distanceToSegment(point, a, b));
+    isAbove = isAbove && glm::dot(glm::cross(plane.normal, b - a), point - a) >= 0;
+  }
+  return isAbove ? std::abs(glm::dot(plane.normal, point - plane.point)) : nearest;
+}
+
+glm::dvec3 middleOf(const Polygon& polygon) {
+  glm::dvec3 sum(0);
+  for (const glm::dvec3& corner : polygon) sum += corner;
+  return sum / static_cast<double>(polygon.size());
+}
+
+double radiusOf(const Polygon& polygon) {
+  const glm::dvec3 middle = middleOf(polygon);
+  double radius = 0;
+  for (const glm::dvec3& corner : polygon) radius = std::max(radius, glm::distance(middle, corner));
+  return radius;
+}
+
+/// The integral over a triangle of the form factor from its points. These are a + s (b - a) + s t (c - b), with s and t
+/// in [0, 1] and the Jacobian 2 area s.
+double integralOverTriangle(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& normal, const Polygon& to) {
+  using Rule = boost::math::quadrature::gauss<double, 10>;
+  const glm::dvec3 first = triangle[1] - triangle[0], second = triangle[2] - triangle[1];
+  const auto alongS = [&](double s) {
+    const auto alongT = [&](double t) { return pointToPolygon(triangle[0] + s * (first + t * second), normal, to); };
+    return s * Rule::integrate(alongT, 0.0, 1.0);
+  };
+  return 2 * planeOf(triangle).area * Rule::integrate(alongS, 0.0, 1.0);
+}
+
+double integralOver(const Polygon& polygon, const glm::dvec3& normal, const Polygon& to) {
+  double sum = 0;
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+    sum += integralOverTriangle({polygon[0], polygon[i - 1], polygon[i]}, normal, to);
+  return sum;
+}
+
+template <typename Real>
+struct Edge {
+  WideVector<Real> start, end, direction;
+  Real length;
+};
+
+template <typename Real>
+std::vector<Edge<Real>> edgesOf(const Polygon& polygon) {
+  std::vector<Edge<Real>> edges;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const WideVector<Real> start = widen<Real>(polygon[i]), end = widen<Real>(polygon[(i + 1) % polygon.size()]);
+    const Real size = length(end - start);
+    if (size > 0) edges.push_back({start, end, Real(1 / size) * (end - start), size});
+  }
+  return edges;
+}
+
+/// The integral of ln |x - y| over the points y of an edge, up to a multiple of its length; such multiples cancel
+/// around the contour of x.
+template <typename Real>
+Real logarithmOver(const Edge<Real>& edge, const WideVector<Real>& x) {
+  using std::atan2;
+  using std::log;
+  const WideVector<Real> toStart = edge.start - x;
+  const Real low = dot(toStart, edge.direction), high = low + edge.length;
+  const Real apart = length(cross(toStart, edge.direction));
+  const auto upTo = [&](const Real& along) -> Real {
+    const Real squared = along * along + apart * apart;
+    return squared > 0 ? Real(along * log(squared) / 2) : Real(0);
+  };
+  return upTo(high) - upTo(low) + apart * atan2(apart * edge.length, apart * apart + low * high);
+}
+
+/// The points where the integrand along `outer` is not smooth, as shares of its length: its two ends, the points
+/// nearest to the ends of `inner`, and the point nearest to its line.
+template <typename Real>
+std::vector<Real> cutsAlong(const Edge<Real>& outer, const Edge<Real>& inner) {
+  std::vector<Real> cuts{0, 1};
+  const auto addCut = [&](const Real& along) {
+    const Real share = along / outer.length;
+    if (share > 0 && share < 1) cuts.push_back(share);
+  };
+  const WideVector<Real> toStart = inner.start - outer.start;
+  const Real alongOuter = dot(toStart, outer.direction), cosine = dot(outer.direction, inner.direction);
+  addCut(alongOuter);
+  addCut(dot(inner.end - outer.start, outer.direction));
+  const Real squaredSine = 1 - cosine * cosine;
+  if (squaredSine > 0) addCut((alongOuter - cosine * dot(toStart, inner.direction)) / squaredSine);
+  std::sort(cuts.begin(), cuts.end());
+  return cuts;
+}
+
+/// The integral of ln |x - y| over the points x and y of two edges, up to a term of the inner edge alone.
+template <typename Real>
+Estimate<Real> logarithmOver(const Edge<Real>& outer, const Edge<Real>& inner) {
+  const Real epsilon = std::numeric_limits<Real>::epsilon();
+  // The integrands are bounded, so that the rule need not come nearer to the ends than this.
+  static boost::math::quadrature::tanh_sinh<Real> rule(12, epsilon * epsilon);
+  Estimate<Real> total;
+  const std::vector<Real> cuts = cutsAlong(outer, inner);
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    const Real middle = (cuts[i - 1] + cuts[i]) / 2, half = (cuts[i] - cuts[i - 1]) / 2;
+    if (half == 0) continue;
+    const auto along = [&](const Real& t) {
+      return logarithmOver(inner, outer.start + (middle + half * t) * (outer.end - outer.start));
+    };
+    Real error = 0, size = 0;
+    const Real integral = rule.integrate(along, Real(64 * epsilon), &error, &size);
+    total.value += half * outer.length * integral;
+    total.error += half * outer.length * (error + 8 * epsilon * (size + inner.length));
+  }
+  return total;
+}
+
+/// The contour integral over 2 pi: area times form factor.
+template <typename Real>
+Estimate<Real> contourIntegral(const Polygon& from, const Polygon& to) {
+  using std::abs;
+  const Real twoPi = boost::math::constants::two_pi<Real>();
+  Estimate<Real> total;
+  const std::vector<Edge<Real>> innerEdges = edgesOf<Real>(to);
+  for (const Edge<Real>& outer : edgesOf<Real>(from))
+    for (const Edge<Real>& inner : innerEdges) {
+      const Real cosine = dot(outer.direction, inner.direction);
+      if (cosine == 0) continue;
+      const Estimate<Real> integral = logarithmOver(outer, inner);
+      total.value += cosine * integral.value / twoPi;
+      total.error += abs(cosine) * integral.error / twoPi;
+    }
+  return total;
+}
+
+/// The area of one polygon times its form factor to the other; each lies completely in front of the other.
+double exchangeArea(const Polygon& a, const Polygon& b) {
+  const Polygon &smaller = radiusOf(a) < radiusOf(b) ? a : b, &larger = &smaller == &a ? b : a;
+  if (distanceTo(larger, planeOf(larger), middleOf(smaller)) >= 3 * radiusOf(smaller))
+    return integralOver(smaller, planeOf(smaller).normal, larger);
+  const Estimate<double> fast = contourIntegral<double>(a, b);
+  if (fast.isCertain()) return fast.value;
+  const Estimate<Wide> careful = contourIntegral<Wide>(a, b);
+  return careful.isCertain() ? static_cast<double>(careful.value) : 0;
+}
+
+/// Moves and scales the polygon, so that the farthest corner of both is at a distance of about 1.
+Polygon moved(std::span<const glm::dvec3> polygon, const glm::dvec3& origin, double unit) {
+  Polygon result;
+  for (const glm::dvec3& corner : polygon) result.push_back((corner - origin) / unit);
+  return result;
+}
+
+/// The distance of the farthest corner from `origin`, rounded to a power of two, so that dividing by it is exact.
+double extentFrom(const glm::dvec3& origin, std::span<const glm::dvec3> a, std::span<const glm::dvec3> b) {
+  double extent = 0;
+  for (const auto& polygon : {a, b})
+    for (const glm::dvec3& corner : polygon) extent = std::max(extent, glm::distance(origin, corner));
+  return std::exp2(std::round(std::log2(extent)));
+}
+
+}  // namespace
+
+double polygonToPolygon(std::span<const glm::dvec3> from, std::span<const glm::dvec3> to) {
+  assert(from.size() >= 3 && to.size() >= 3);
+  const double unit = extentFrom(from[0], from, to);
+  const Polygon a = moved(from, from[0], unit), b = moved(to, from[0], unit);
+  const Plane planeA = planeOf(a), planeB = planeOf(b);
+  const double slack = 1e-13;
+  const Polygon frontA = inFrontOf(planeB, a, slack), frontB = inFrontOf(planeA, b, slack);
+  if (frontA.size() < 3 || frontB.size() < 3) return 0;
+  return exchangeArea(frontA, frontB) / planeA.area;
+}
+
+}  // namespace hemitex::reference

@@ -1,0 +1,125 @@
+// VulkanRenderer on a real device. Without a device, each test reports that it was skipped.
+#include "reference/devices/vulkan/vulkan_renderer.h"
+
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "raster/base/input_error.h"
+#include "reference/conformance/vectors/random_vectors.h"
+#include "reference/conformance/vectors/scene_vectors.h"
+#include "tests/support/device_scenes.h"
+
+using namespace hemitex;
+using reference::TestVector;
+using reference::VulkanRenderer;
+
+namespace {
+
+bool hasDevice() {
+  try {
+    VulkanRenderer renderer(tests::plainList());
+    return true;
+  } catch (const raster::InputError& error) {
+    REQUIRE(std::string(error.what()).starts_with("no Vulkan device"));
+    WARN("skipped: " << error.what());
+    return false;
+  }
+}
+
+std::vector<raster::ItemBuffer> draw(const TestVector& vector) {
+  return render(VulkanRenderer(vector.list), facesOf(vector));
+}
+
+std::string refusal(const raster::DrawList& list) {
+  try {
+    VulkanRenderer renderer(list);
+    return "";
+  } catch (const raster::InputError& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+TEST_CASE("VulkanRenderer draws the whole suite without errors, and 99.99 % of the covered pixels exactly",
+          "[vulkan]") {
+  if (!hasDevice()) return;
+  tests::Tally suite;
+  for (const TestVector& vector : reference::wholeSuite(HEMITEX_DATA)) {
+    INFO(vector.name);
+    const reference::Verdict verdict = judge(vector, draw(vector), {});
+    CHECK(!hasErrors(verdict));
+    suite += tests::tallyOf(vector, verdict);
+  }
+  CHECK(suite.covered > 200000);
+  CHECK(static_cast<double>(suite.exact) >= 0.9999 * static_cast<double>(suite.covered));
+}
+
+TEST_CASE("VulkanRenderer draws random vectors of all families without errors", "[vulkan]") {
+  if (!hasDevice()) return;
+  for (std::uint64_t index = 0; index < 200; ++index) {
+    const TestVector vector = reference::interleavedRandomVector(0, index);
+    INFO(vector.name);
+    CHECK(!hasErrors(judge(vector, draw(vector), {})));
+  }
+}
+
+TEST_CASE("VulkanRenderer leaves out skipped triangles", "[vulkan]") {
+  if (!hasDevice()) return;
+  TestVector vector = tests::suiteVector("five-faces");
+  const raster::DrawList whole = vector.list;
+  std::vector<std::uint32_t> all(whole.indices.size() / 3);
+  for (std::uint32_t t = 0; t < all.size(); ++t) all[t] = t;
+  VulkanRenderer renderer(whole);
+  for (const std::vector<std::uint32_t>& skipped : {{}, {0}, {1, 2, 7}, {3, 4, 5, 11}, all}) {
+    vector.list = tests::without(whole, skipped);
+    CHECK(!hasErrors(judge(vector, render(renderer, facesOf(vector), skipped), {})));
+  }
+}
+
+TEST_CASE("VulkanRenderer draws a face the same alone and among others, before and after larger ones", "[vulkan]") {
+  if (!hasDevice()) return;
+  const TestVector vector = tests::suiteVector("five-faces");
+  const std::vector<raster::Face> faces = facesOf(vector);
+  raster::Face large = faces[0];
+  large.resolution *= 4;
+  large.scissor = {0, 0, large.resolution, large.resolution};
+
+  VulkanRenderer renderer(vector.list);
+  CHECK(render(renderer, {}).empty());
+  const auto idsOf = [&](std::span<const raster::Face> drawn) {
+    std::vector<std::vector<raster::ItemId>> ids;
+    for (const raster::ItemBuffer& buffer : render(renderer, drawn)) ids.push_back(buffer.ids);
+    return ids;
+  };
+  const auto together = idsOf(faces);
+  REQUIRE(together.size() == 5);
+  CHECK(std::set(together.begin(), together.end()).size() == 5);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    CHECK(idsOf({&faces[f], 1}).front() == together[f]);
+    const auto withLarge = idsOf(std::array{large, faces[f], large});
+    CHECK(withLarge[1] == together[f]);
+    CHECK(withLarge[0] == withLarge[2]);
+  }
+}
+
+TEST_CASE("VulkanRenderer drops triangles with a value that is not finite", "[vulkan]") {
+  if (!hasDevice()) return;
+  const raster::DrawList list = tests::wallsWithoutFiniteValues();
+  const raster::Face face = tests::scaledFrontFace();
+  const std::vector<raster::ItemId> expected = tests::drawOne(list, face).ids;
+  CHECK(*std::min_element(expected.begin(), expected.end()) >> 8 == list.draws.size() - 1);
+  CHECK(render(VulkanRenderer(list), {&face, 1}).front().ids == expected);
+}
+
+TEST_CASE("VulkanRenderer throws InputError for lists and faces that break the rules", "[vulkan]") {
+  if (!hasDevice()) return;
+  raster::DrawList list = tests::plainList();
+  CHECK(refusal(list).empty());
+  tests::addDraw(list, 0, {}, 0);
+  CHECK(refusal(list).find("an index map that does not exist") != std::string::npos);
+
+  VulkanRenderer renderer(tests::plainList());
+  const raster::Face odd = tests::frontFace(15);
+  CHECK_THROWS_AS(render(renderer, {&odd, 1}), raster::InputError);
+}
