@@ -68,10 +68,18 @@ class Runs:
         if done.returncode not in codes:
             print(f"{name}: exit code {done.returncode}: {' '.join(words)}\n{done.stderr}", file=sys.stderr)
             self.failed = True
-        for file in sorted(out.rglob("*.json")):
+
+    def render(self, name, vectors):
+        """Renders each vector of a folder in place."""
+        for vector in sorted(vectors.iterdir()):
+            self.run(f"{name}/{vector.name}", ["vector", "render", str(vector), "-o", str(vector)])
+
+    def finish(self):
+        """Masks times in JSON files, and replaces large files by their hashes."""
+        for file in sorted(self.folder.rglob("*.json")):
             file.write_text(without_times(file.read_text(), self.folder))
-        for file in sorted(out.rglob("*")):
-            if file.is_file() and file.stat().st_size > 1 << 16:  # large files: their hashes are enough
+        for file in sorted(self.folder.rglob("*")):
+            if file.is_file() and file.stat().st_size > 1 << 16:
                 digest = hashlib.sha256(file.read_bytes()).hexdigest()
                 file.with_name(file.name + ".sha256").write_text(digest + "\n")
                 file.unlink()
@@ -155,6 +163,7 @@ def write_vectors(runs, quick):
         subprocess.run([runs.program, "-q", "vector", "calibrate", "--probes", str(runs.folder / "probes")], check=True,
                        stdout=subprocess.DEVNULL)
         probes = str(runs.folder / "probes")
+        runs.render("vector/render", runs.folder / "probes")
         runs.run("vector/calibrate", ["vector", "calibrate", probes, "--candidate", probes, "-o", "{out}/profile.json"],
                  (0, 1))
     for folder in ("suite", "random", "broken", "probes"):
@@ -174,6 +183,7 @@ def main():
         if not (arguments.quick and scene.stem in LARGE | {"furnished-room"}):
             write_scene(runs, scene, arguments.quick)
     write_vectors(runs, arguments.quick)
+    runs.finish()
     sys.exit(1 if runs.failed else 0)
 
 
