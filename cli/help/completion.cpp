@@ -4,7 +4,7 @@
 #include <functional>
 #include <sstream>
 
-#include "cli/common/shell_quote.h"
+#include "cli/help/shell_quote.h"
 
 namespace hemitex::cli {
 namespace {
