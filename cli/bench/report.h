@@ -2,13 +2,12 @@
 #pragma once
 
 #include "cli/common/json.h"
-#include "reference/measurement/bench/report.h"
+#include "reference/measurement/bench/render_times.h"
 
 namespace hemitex::cli {
 
-/// An object with `runs`, their `ratios` over the hemicube, and `crossover`. The other measurements are `two_cores`,
-/// `tied_wall`, `growth`, `solution_parts`, `memory` and `equal_time_error`; empty if they were not made.
-nlohmann::ordered_json toJson(const reference::BenchReport& report);
+/// An object with the list `runs`, and the list `ratios` of their times over that of the hemicube (overHemicube).
+nlohmann::ordered_json benchJson(const std::vector<reference::BenchRun>& runs);
 
 /// The tables of this object in Markdown.
 std::string benchText(const nlohmann::ordered_json& result);

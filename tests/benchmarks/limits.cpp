@@ -1,13 +1,14 @@
-/// Limits of what `hemitex bench` and `hemitex paper` measure, and of the time per triangle. They depend on the machine
-/// and take minutes, so they are run by hand on a machine that does nothing else: `cmake --build build/release --target
-/// limits`.
-#include <algorithm>
+/// Limits of what `hemitex bench`, `hemitex paper` and hemitex_benchmarks measure, and of the time per triangle. They
+/// depend on the machine and take minutes, so they are run by hand on a machine that does nothing else: `cmake --build
+/// build/release --target limits`.
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "radiosity/discretization/discretize.h"
@@ -17,9 +18,9 @@
 #include "raster/base/parallel.h"
 #include "raster/software/software_renderer.h"
 #include "reference/measurement/bench/equal_time_error.h"
-#include "reference/measurement/bench/subdivided_scene.h"
 #include "reference/measurement/bench/timing.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/subdivided_scene.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace hemitex;
@@ -28,26 +29,35 @@ using nlohmann::json;
 
 namespace {
 
-/// What a command writes into its JSON file.
+json resultOf(const std::string& program, const std::string& arguments, const std::filesystem::path& file) {
+  const std::string line = "'" + program + "' " + arguments + " >/dev/null";
+  REQUIRE(std::system(line.c_str()) == 0);
+  return json::parse(hemitex::raster::readFile(file));
+}
+
+/// What a command of hemitex writes into its JSON file.
 json resultOf(const std::string& command) {
   const hemitex::TemporaryFolder folder;
-  const std::string line = "'" HEMITEX_PROGRAM "' " + command + " -o '" + folder.path.string() + "' >/dev/null";
-  REQUIRE(std::system(line.c_str()) == 0);
-  return json::parse(hemitex::raster::readFile(folder.path / (command + ".json")));
+  return resultOf(HEMITEX_PROGRAM, command + " -o '" + folder.path.string() + "'", folder.path / (command + ".json"));
+}
+
+/// The benchmarks with these names by name. Those that are repeated have the medians of their repetitions.
+std::map<std::string, json> benchmarksOf(const std::string& names) {
+  const hemitex::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path / "benchmarks.json";
+  const json result = resultOf(HEMITEX_BENCHMARKS,
+                               "--benchmark_filter='^(" + names +
+                                   ")' --benchmark_repetitions=11 --benchmark_enable_random_interleaving "
+                                   "--benchmark_report_aggregates_only --benchmark_out='" +
+                                   file.string() + "'",
+                               file);
+  std::map<std::string, json> found;
+  for (const json& benchmark : result["benchmarks"])
+    if (benchmark.value("aggregate_name", "median") == "median") found[benchmark["run_name"]] = benchmark;
+  return found;
 }
 
 double number(const json& value) { return value.get<double>(); }
-
-/// The number of triangles of each scene before it is cut: the fewest.
-std::map<std::string, int> ownTriangles(const json& runs) {
-  std::map<std::string, int> own;
-  for (const json& run : runs) {
-    const int triangles = run["triangles"];
-    const auto known = own.try_emplace(run["scene"], triangles).first;
-    known->second = std::min(known->second, triangles);
-  }
-  return own;
-}
 
 /// How many times longer Embree has to take than a hemicube of the gallery.
 double leastOfGallery(int resolution) { return resolution >= 1024 ? 4 : 2; }
@@ -55,48 +65,71 @@ double leastOfGallery(int resolution) { return resolution >= 1024 ? 4 : 2; }
 /// The same for a room cut into 8000 triangles.
 double leastOfCutRoom(int resolution) { return resolution >= 256 ? 3 : 2; }
 
-void checkRatio(const json& ratio, bool isOwn) {
+void checkRatio(const json& ratio) {
   const std::string scene = ratio["scene"], what = ratio["what"];
-  const int triangles = ratio["triangles"], resolution = ratio["resolution"];
-  const bool isRoom = isOwn && scene == "paper-room", isGallery = isOwn && scene == "gallery";
+  const int resolution = ratio["resolution"];
   const double overHemicube = ratio["over_hemicube"];
   INFO(ratio.dump());
-  if (what == "embree" && isRoom) CHECK(overHemicube >= 5);
-  if (what == "embree" && isGallery) CHECK(overHemicube >= leastOfGallery(resolution));
-  if (what == "embree" && scene == "paper-room" && triangles == 8000) CHECK(overHemicube >= leastOfCutRoom(resolution));
-  if (what == "embree" && triangles >= 1000000 && resolution >= 512) CHECK(overHemicube >= 1);
+  if (what == "embree" && scene == "paper-room") CHECK(overHemicube >= 5);
+  if (what == "embree" && scene == "gallery") CHECK(overHemicube >= leastOfGallery(resolution));
   if (what.starts_with("opengl")) CHECK(overHemicube >= 1);
-  if (what == "floor" && isRoom && resolution == 1024) CHECK(overHemicube >= 1 / 2.5);
-  if (what == "hemicube-mesh" && isGallery && resolution == 128) CHECK(overHemicube >= 13.3);
+  if (what == "floor" && scene == "paper-room" && resolution == 1024) CHECK(overHemicube >= 1 / 2.5);
+  if (what == "hemicube-mesh" && scene == "gallery" && resolution == 128) CHECK(overHemicube >= 13.3);
+}
+
+/// The time of one benchmark over that of another.
+double ratioOf(const std::map<std::string, json>& benchmarks, const std::string& name, const std::string& other) {
+  return number(benchmarks.at(name)["real_time"]) / number(benchmarks.at(other)["real_time"]);
 }
 
 }  // namespace
 
 TEST_CASE("hemitex bench keeps its limits", "[.limits]") {
   const json result = resultOf("bench");
-  const std::map<std::string, int> own = ownTriangles(result["runs"]);
-  for (const json& ratio : result["ratios"]) checkRatio(ratio, ratio["triangles"] == own.at(ratio["scene"]));
-  for (const json& error : result["equal_time_error"]) {
-    INFO("hemicubes over rays in the same time: " << error.dump());
-    CHECK(number(error["ratio"]) <= 0.5);
+  for (const json& ratio : result["ratios"]) checkRatio(ratio);
+}
+
+TEST_CASE("Rays and OpenGL keep their limits in subdivided scenes", "[.limits]") {
+  for (const auto& [name, counters] : benchmarksOf("triangles")) {
+    const int resolution = std::stoi(name.substr(name.find("R:") + 2));
+    INFO(counters.dump());
+    if (name.find("paper_room") != std::string::npos)
+      CHECK(number(counters["embree of 8000"]) >= leastOfCutRoom(resolution));
+    if (resolution >= 512) CHECK(number(counters["embree of 1000000"]) >= 1);
+    for (const auto& [counter, value] : counters.items())
+      if (counter.starts_with("opengl")) CHECK(number(value) >= 1);
   }
-  for (const json& growth : result["growth"]) {
-    INFO("drawing the most elements over the fewest: " << growth.dump());
-    CHECK(number(growth["points"].back()["draw_ms"]) / number(growth["points"].front()["draw_ms"]) <= 1.05);
-  }
-  for (const json& wall : result["tied_wall"]) {
-    INFO("the wall that needs exact arithmetic: " << wall.dump());
-    CHECK(number(wall["ratio"]) <= 2);
-  }
-  for (const json& parts : result["solution_parts"]) {
-    INFO("what is not hemicubes: " << parts.dump());
-    CHECK(number(parts["beside_percent"]) <= 20);
-  }
-  CHECK(number(result["memory"]["bytes_per_element"]) <= 64);
-  CHECK(number(result["memory"]["bytes_per_pixel"]) <= 24);
-  if (result["two_cores"].empty()) return;  // on one core
-  CHECK(number(result["two_cores"]["hemicube_of_arithmetic"]) >= 0.93);
-  CHECK(number(result["two_cores"]["solution_of_arithmetic"]) >= 0.95);
+}
+
+TEST_CASE("Hemicubes have at most half of the error of rays in the same time", "[.limits]") {
+  for (const auto& [name, counters] : benchmarksOf("errorAtEqualTime"))
+    for (const auto& [counter, value] : counters.items()) {
+      INFO(name << ", " << counter);
+      if (counter.starts_with("ratio")) CHECK(number(value) <= 0.5);
+    }
+}
+
+TEST_CASE("Finer elements and exact arithmetic keep their limits", "[.limits]") {
+  const auto benchmarks = benchmarksOf("growthOfDrawing|wall");
+  for (const std::string growth : {"growthOfDrawing/paper_room/side:", "growthOfDrawing/cornell_box/side:"})
+    CHECK(ratioOf(benchmarks, growth + "1024", growth + "16") <= 1.05);
+  for (const std::string side : {"/R:32", "/R:512"})
+    CHECK(ratioOf(benchmarks, "wall/worst_case" + side, "wall/control" + side) <= 2);
+}
+
+TEST_CASE("Solutions keep their limits of time, memory and speed-up", "[.limits]") {
+  auto benchmarks = benchmarksOf("parts|memory|arithmetic|hemicubes|solution");
+  for (const int resolution : {128, 256, 512, 1024})
+    CHECK(number(benchmarks.at("parts/R:" + std::to_string(resolution))["beside"]) <= 20);
+  const json& memory = benchmarks.at("memory/iterations:1/repeats:1");
+  CHECK(number(memory["bytes per element"]) <= 64);
+  CHECK(number(memory["bytes per pixel"]) <= 24);
+  if (std::thread::hardware_concurrency() == 1) return;
+  const auto speedUp = [&](const std::string& task) {
+    return ratioOf(benchmarks, task + "/threads:1/real_time", task + "/threads:2/real_time");
+  };
+  CHECK(speedUp("hemicubes") / speedUp("arithmetic") >= 0.93);
+  CHECK(speedUp("solution") / speedUp("arithmetic") >= 0.95);
 }
 
 // Textures are as much faster than meshing as Table 2 of the paper says (193 / 14.5), and finer elements cost little.
@@ -121,7 +154,7 @@ TEST_CASE("hemitex paper keeps its limits on the complex scene", "[.limits]") {
 // A hemicube of resolution 256 has 196,608 pixels, so that a triangle of a closed box of 8,112 has 24 in the mean.
 TEST_CASE("Drawing triangles of 24 pixels takes at most 100 ns each", "[.limits]") {
   const raster::ThreadLimit oneThread(1);
-  const Scene scene = reference::finerScene(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8112);
+  const Scene scene = tests::finerScene(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8112);
   const Discretization discretization = discretize(scene, {.texels = 8});
   const IdLayout layout = layOut(discretization);
   raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));

@@ -35,9 +35,9 @@ macro(require_text text)
   endif()
 endmacro()
 
-# Times, below them ratios, and all that is measured beside the runs.
-check_page(bench.html triangles-room=10 growth=8)
-foreach(text IN ITEMS "6.25<small>2.5</small>" "1,000" "12.3" "bytes per element" "0.97")
+# Times, and below them ratios.
+check_page(bench.html times-room=10)
+foreach(text IN ITEMS "6.25<small>2.5</small>" "1,000")
   require_text("${text}")
 endforeach()
 

@@ -32,10 +32,6 @@ radiosity::FormFactorRow BenchFloor::row(std::span<const raster::ItemBuffer> ids
     fragments_.mine().assign(count * fragmentBytes, std::byte{0});
     std::fill_n(cleared_.begin() + static_cast<std::ptrdiff_t>(first), count, raster::ItemId{0});
   });
-  return sum(ids);
-}
-
-radiosity::FormFactorRow BenchFloor::sum(std::span<const raster::ItemBuffer> ids) {
   return counter_.rowOf(projection_, faces_, ids);
 }
 

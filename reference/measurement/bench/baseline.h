@@ -29,8 +29,6 @@ class BenchFloor {
   /// Clears as many bytes as drawing the faces of the projection, then sums the row of item IDs drawn before, one item
   /// buffer per face. Returns the row without the light that the projection does not capture.
   radiosity::FormFactorRow row(std::span<const raster::ItemBuffer> ids);
-  /// Returns the same row without clearing.
-  radiosity::FormFactorRow sum(std::span<const raster::ItemBuffer> ids);
 
  private:
   const radiosity::Projection& projection_;

@@ -41,13 +41,4 @@ std::vector<BenchScene> benchScenes(const std::filesystem::path& folder) {
   return {room, box, gallery};
 }
 
-radiosity::SceneFormFactors unsplitFormFactors(const radiosity::Scene& scene,
-                                               const radiosity::DiscretizationSettings& elements,
-                                               const radiosity::IdSettings& ids, int resolution,
-                                               const radiosity::RendererFactory& renderer) {
-  radiosity::Discretization discretization = radiosity::discretize(scene, elements);
-  radiosity::IdLayout layout = radiosity::layOut(discretization, ids);
-  return {scene, std::move(discretization), std::move(layout), {.resolution = resolution, .split = 1}, renderer};
-}
-
 }  // namespace hemitex::reference

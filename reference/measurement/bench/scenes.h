@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
-#include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
 
@@ -33,10 +32,5 @@ BenchScene benchScene(const std::filesystem::path& file);
 /// Loads the room of the paper, the Cornell box and the gallery from the folder of the program's scenes. The gallery
 /// replaces the complex scene of the paper. The room and the gallery are discretized as the fine level of the paper.
 std::vector<BenchScene> benchScenes(const std::filesystem::path& folder);
-
-/// Form factors from patches without splitting. The scene must outlive the result.
-radiosity::SceneFormFactors unsplitFormFactors(
-    const radiosity::Scene& scene, const radiosity::DiscretizationSettings& elements, const radiosity::IdSettings& ids,
-    int resolution, const radiosity::RendererFactory& renderer = radiosity::softwareRenderer);
 
 }  // namespace hemitex::reference

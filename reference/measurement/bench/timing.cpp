@@ -40,15 +40,12 @@ Timing operator/(const Timing& timing, double parts) {
   return part;
 }
 
-std::vector<double> quotients(std::span<const double> values, std::span<const double> others) {
-  assert(values.size() == others.size());
-  std::vector<double> result;
-  for (std::size_t i = 0; i < values.size(); ++i) result.push_back(values[i] / others[i]);
-  return result;
-}
-
 double ratioOf(const Timing& timing, const Timing& other) {
-  return medianOf(quotients(timing.repetitions, other.repetitions));
+  assert(timing.repetitions.size() == other.repetitions.size());
+  std::vector<double> ratios(timing.repetitions.size());
+  std::transform(timing.repetitions.begin(), timing.repetitions.end(), other.repetitions.begin(), ratios.begin(),
+                 std::divides());
+  return medianOf(std::move(ratios));
 }
 
 std::vector<Timing> interleavedTimings(std::size_t tasks, int repetitions,

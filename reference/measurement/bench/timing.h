@@ -34,11 +34,8 @@ Timing timingOf(std::vector<double> repetitions);
 /// The median of `values`, which must not be empty; for an even number, the mean of the two middle values.
 double medianOf(std::vector<double> values);
 
-/// values[i] / others[i]; both must have the same size.
-std::vector<double> quotients(std::span<const double> values, std::span<const double> others);
-
-/// The time of one task over that of another: the median of the ratios of each interleaved repetition. The ratio of
-/// medians could compare a slow phase of the machine with a fast one.
+/// The time of one task over that of another: the median of the ratios of each interleaved repetition; both need the
+/// same number of repetitions. The ratio of medians could compare a slow phase of the machine with a fast one.
 double ratioOf(const Timing& timing, const Timing& other);
 
 /// Runs the tasks 0, 1, ..., `tasks` - 1 in this order, `repetitions` times (at least 1). `timed` runs a task in a

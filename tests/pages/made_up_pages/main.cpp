@@ -54,29 +54,16 @@ std::string paperPage(const std::filesystem::path& folder) {
   return cli::paperPage(result, folder);
 }
 
-/// Rays are faster from 1000 triangles on.
-reference::BenchReport benchReport() {
-  using reference::timingOf;
-  reference::BenchReport report;
-  for (const std::size_t triangles : {std::size_t{100}, std::size_t{10000}})
+std::vector<reference::BenchRun> benchRuns() {
+  std::vector<reference::BenchRun> runs;
+  for (const int resolution : {128, 512})
     for (const auto& [what, seconds] : {std::pair{"hemicube", 0.0025},
-                                        {"embree", triangles == 100 ? 0.025 : 0.00025},
+                                        {"embree", 0.025},
                                         {"opengl-plain", 0.00625},
                                         {"opengl", 0.0125},
                                         {"floor", 0.001}})
-      report.runs.push_back({"room", triangles, 384, 512, 1, what, timingOf({seconds})});
-  report.cores = reference::CoreGains{2, 1.94, 1.8, 0.97, 0.9};
-  report.walls = {{32, timingOf({0.003}), timingOf({0.002})}};
-  for (const char* scene : {"room", "box"})
-    report.growth.push_back(
-        {scene,
-         512,
-         {{16, 1000, timingOf({1e-3}), timingOf({1e-4})}, {64, 16000, timingOf({1e-3}), timingOf({1e-3})}}});
-  report.parts = {
-      {.elements = 9, .resolution = 128, .shots = 300, .hemicubes = 12, .spreading = 4, .besideOfTotal = 0.25}};
-  report.memory = reference::SolutionMemory{61, 25, 1 << 20};
-  report.errors = {{"room", 256, 0.0123, 0.1, 0.25}};
-  return report;
+      runs.push_back({"room", 1000, 384, resolution, 1, what, reference::timingOf({seconds})});
+  return runs;
 }
 
 }  // namespace
@@ -85,5 +72,5 @@ int main(int, char** arguments) {
   const std::filesystem::path folder = arguments[1];
   std::ofstream(folder / "paper.html", std::ios::binary) << paperPage(folder);
   std::ofstream(folder / "bench.html", std::ios::binary)
-      << cli::completePage(cli::benchPageText, cli::toJson(benchReport()));
+      << cli::completePage(cli::benchPageText, cli::benchJson(benchRuns()));
 }

@@ -1,21 +1,44 @@
-// Times of hemicubes for growing numbers of elements.
+// Ratios of given times.
 #include "reference/measurement/bench/render_times.h"
 
-#include <array>
 #include <catch2/catch.hpp>
 
-#include "tests/support/box_scene.h"
+using namespace hemitex::reference;
 
-using namespace hemitex;
+namespace {
 
-TEST_CASE("growthOf measures each given number of elements along a side", "[bench]") {
-  constexpr std::array<int, 3> sides{4, 8, 32};
-  const auto points = reference::growthOf(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), sides, 16, 3);
-  REQUIRE(points.size() == 3);
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    CHECK(points[i].side == sides[i]);
-    CHECK(points[i].elements == static_cast<std::size_t>(6 * sides[i] * sides[i]));
-    CHECK(points[i].draw.repetitions.size() == 3);
-    CHECK(points[i].row.repetitions.size() == 3);
-  }
+/// Times of a machine that is half as fast in the last repetition and in the second half of the one before. The median
+/// of the ratios is that of `seconds`; the ratio of medians is not.
+Timing disturbed(double seconds, bool isLate) { return timingOf({seconds, (isLate ? 2 : 1) * seconds, 2 * seconds}); }
+
+BenchRun run(const std::string& scene, std::size_t triangles, int resolution, const std::string& what,
+             double milliseconds) {
+  const double seconds = milliseconds / 1000;
+  return {scene, triangles, 100, resolution, 1, what, disturbed(seconds, what != "hemicube")};
+}
+
+}  // namespace
+
+TEST_CASE("overHemicube compares with the hemicube of the same scene, triangles and resolution", "[bench]") {
+  const std::vector<BenchRun> runs{run("room", 26, 128, "hemicube", 1),   run("room", 26, 128, "embree", 6),
+                                   run("room", 26, 512, "hemicube", 10),  run("room", 26, 512, "embree", 55),
+                                   run("room", 8000, 128, "hemicube", 2), run("room", 8000, 128, "floor", 0.5)};
+  CHECK(overHemicube(runs[1], runs).value() == Approx(6));
+  CHECK(overHemicube(runs[3], runs).value() == Approx(5.5));
+  CHECK(overHemicube(runs[5], runs).value() == Approx(0.25));
+  CHECK_FALSE(overHemicube(runs[0], runs));
+  CHECK_FALSE(overHemicube(run("room", 26, 128, "solution", 9), runs));   // chooses other patches
+  CHECK_FALSE(overHemicube(run("gallery", 26, 128, "embree", 6), runs));  // has no hemicube
+}
+
+TEST_CASE("overHemicube has the faster of both OpenGL paths only", "[bench]") {
+  const std::vector<BenchRun> runs{run("room", 26, 128, "hemicube", 1),     run("room", 26, 128, "opengl-plain", 3),
+                                   run("room", 26, 128, "opengl", 12),      run("room", 26, 512, "hemicube", 1),
+                                   run("room", 26, 512, "opengl-plain", 5), run("room", 26, 512, "opengl", 4)};
+  CHECK(overHemicube(runs[1], runs).value() == Approx(3));
+  CHECK_FALSE(overHemicube(runs[2], runs));
+  CHECK_FALSE(overHemicube(runs[4], runs));
+  CHECK(overHemicube(runs[5], runs).value() == Approx(4));
+  CHECK(overHemicube(run("gallery", 26, 128, "opengl", 9), {run("gallery", 26, 128, "hemicube", 1)}).value() ==
+        Approx(9));  // measured alone
 }

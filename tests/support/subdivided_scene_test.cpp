@@ -1,5 +1,5 @@
 // Subdivided scenes: only the triangles change.
-#include "reference/measurement/bench/subdivided_scene.h"
+#include "tests/support/subdivided_scene.h"
 
 #include <catch2/catch.hpp>
 #include <map>
@@ -14,10 +14,10 @@
 #include "tests/support/hand_scenes.h"
 
 using namespace hemitex;
-using namespace hemitex::reference;
 using radiosity::Scene;
 using radiosity::Surface;
 using radiosity::Triangle;
+using tests::finerScene;
 
 namespace {
 

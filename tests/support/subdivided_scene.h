@@ -6,7 +6,7 @@
 
 #include "radiosity/scene/scene.h"
 
-namespace hemitex::reference {
+namespace hemitex::tests {
 
 /// Bisects the longest edge repeatedly, until the scene has at least `triangles` triangles. An edge is bisected in all
 /// triangles that share it, so that no vertex lies on an edge of a neighbour; the result may have a few more triangles.
@@ -14,4 +14,4 @@ namespace hemitex::reference {
 /// are rounded to multiples of 2^-24, as Triangle::chart requires. A scene with more triangles stays unchanged.
 radiosity::Scene finerScene(const radiosity::Scene& scene, std::size_t triangles);
 
-}  // namespace hemitex::reference
+}  // namespace hemitex::tests

@@ -1,4 +1,4 @@
-#include "reference/measurement/bench/subdivided_scene.h"
+#include "tests/support/subdivided_scene.h"
 
 #include <cmath>
 #include <limits>
@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-namespace hemitex::reference {
+namespace hemitex::tests {
 namespace {
 
 using radiosity::Triangle;
@@ -104,4 +104,4 @@ radiosity::Scene finerScene(const radiosity::Scene& scene, std::size_t triangles
   return finer;
 }
 
-}  // namespace hemitex::reference
+}  // namespace hemitex::tests

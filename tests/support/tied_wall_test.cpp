@@ -1,5 +1,5 @@
 // The walls whose drawing is timed.
-#include "reference/measurement/bench/exact_fallback_cost.h"
+#include "tests/support/tied_wall.h"
 
 #include <catch2/catch.hpp>
 
@@ -9,6 +9,7 @@
 
 using namespace hemitex;
 using namespace hemitex::reference;
+using tests::tiedWall;
 
 TEST_CASE("tiedWall is the vector borders-on-samples", "[bench]") {
   const std::vector<TestVector> vectors = texelVectors();
