@@ -1,0 +1,58 @@
+// PlainRenderer, the rules to read, against the fast renderer and the rational evaluator on test vectors.
+#include "raster/plain/plain_renderer.h"
+
+#include <algorithm>
+#include <atomic>
+#include <catch2/catch.hpp>
+
+#include "raster/base/parallel.h"
+#include "reference/conformance/trace/rational_rasterizer.h"
+#include "reference/conformance/vectors/random_vectors.h"
+#include "reference/conformance/vectors/vector_suite.h"
+
+using namespace hemitex;
+using reference::TestVector;
+
+namespace {
+
+std::vector<raster::ItemBuffer> drawnPlainly(const TestVector& vector) {
+  return raster::render(raster::PlainRenderer(vector.list), reference::facesOf(vector));
+}
+
+bool areEqual(const std::vector<raster::ItemBuffer>& a, const std::vector<raster::ItemBuffer>& b) {
+  return std::equal(
+      a.begin(), a.end(), b.begin(), b.end(),
+      [](const raster::ItemBuffer& one, const raster::ItemBuffer& other) { return one.ids == other.ids; });
+}
+
+/// How many of the first random vectors PlainRenderer draws differently from the renderer or from evaluateRules.
+std::size_t differingVectors(std::size_t count) {
+  std::atomic<std::size_t> differing = 0;
+  raster::parallelFor(count, [&](std::size_t k) {
+    const TestVector vector = reference::interleavedRandomVector(11, k);
+    const std::vector<raster::ItemBuffer> plain = drawnPlainly(vector);
+    std::vector<raster::ItemBuffer> rational;
+    for (const raster::Face& face : reference::facesOf(vector))
+      rational.push_back(reference::evaluateRules(vector.list, face));
+    if (!areEqual(plain, reference::render(vector)) || !areEqual(plain, rational)) ++differing;
+  });
+  return differing;
+}
+
+}  // namespace
+
+TEST_CASE("PlainRenderer equals the renderer on each vector of vectorSuite", "[plain]") {
+  for (const TestVector& vector : reference::vectorSuite()) {
+    INFO(vector.name);
+    CHECK(areEqual(drawnPlainly(vector), reference::render(vector)));
+  }
+}
+
+TEST_CASE("PlainRenderer equals the renderer and evaluateRules on vectors of interleavedRandomVector", "[plain]") {
+  CHECK(differingVectors(2000) == 0);
+}
+
+// The target million_vectors runs it; the test above is a part of it.
+TEST_CASE("PlainRenderer equals the renderer and evaluateRules on 100,000 vectors", "[.million_vectors]") {
+  CHECK(differingVectors(100000) == 0);
+}
