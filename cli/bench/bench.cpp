@@ -9,7 +9,7 @@
 #include "cli/bench/report.h"
 #include "cli/common/commands.h"
 #include "cli/common/staging.h"
-#include "cli/devices/opengl_device.h"
+#include "cli/devices/renderers.h"
 #include "cli/report/embedded_files.h"
 #include "cli/report/html_page.h"
 #include "cli/scene/scene_folder.h"

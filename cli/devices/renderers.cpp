@@ -1,5 +1,6 @@
 #include "cli/devices/renderers.h"
 
+#include "raster/base/input_error.h"
 #include "raster/software/software_renderer.h"
 
 namespace hemitex::cli {
@@ -8,6 +9,21 @@ std::unique_ptr<raster::ItemBufferRenderer> makeRenderer(const raster::DrawList&
   if (device == Device::Software) return std::make_unique<raster::SoftwareRenderer>(list);
   if (device == Device::Vulkan) return makeVulkanRenderer(list);
   return makeOpenGlRenderer(list, device);
+}
+
+/// Tests the device with an empty draw list, because an OpenGL context is made only for a renderer.
+std::function<std::unique_ptr<raster::ItemBufferRenderer>(const raster::DrawList&)> openGlRenderers(
+    Device device, Console& console, const std::string& without) {
+  const auto make = [device](const raster::DrawList& list) { return makeRenderer(list, device); };
+  try {
+    raster::DrawList empty;
+    empty.format = *raster::formatNamed("r8g8b8a8");
+    make(empty);
+    return make;
+  } catch (const raster::InputError& error) {
+    console.message(without + ": " + error.what());
+    return {};
+  }
 }
 
 }  // namespace hemitex::cli

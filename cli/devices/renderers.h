@@ -1,9 +1,12 @@
-/// Makes a renderer of item buffers for a device. OpenGL and Vulkan are optional: CMake compiles opengl.cpp or
-/// without_opengl.cpp, and vulkan.cpp or without_vulkan.cpp.
+/// Makes a renderer of item buffers for a device. OpenGL and Vulkan are optional: CMake compiles their sources
+/// from `built` or, where their headers are missing, from `missing`.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <string>
 
+#include "cli/common/console.h"
 #include "raster/interface/draw_list.h"
 #include "raster/interface/item_buffer_renderer.h"
 
@@ -13,6 +16,11 @@ enum class Device { Software, OpenGl, OpenGlFixedFunction, OpenGlPlain, Vulkan }
 
 /// A renderer of the draw list. Throws InputError if the device does not exist or cannot draw the list.
 std::unique_ptr<raster::ItemBufferRenderer> makeRenderer(const raster::DrawList& list, Device device);
+
+/// A function that makes renderers for one of the devices of OpenGL. If there is none, prints `without` and the reason,
+/// and returns an empty function.
+std::function<std::unique_ptr<raster::ItemBufferRenderer>(const raster::DrawList&)> openGlRenderers(
+    Device device, Console& console, const std::string& without);
 
 /// For the three devices of OpenGL.
 std::unique_ptr<raster::ItemBufferRenderer> makeOpenGlRenderer(const raster::DrawList& list, Device device);

@@ -18,7 +18,7 @@
 #include "cli/scene/scene_options.h"
 #include "cli/scene/surface_names.h"
 #include "radiosity/ranks/shared_tasks.h"
-#include "reference/conformance/records/sha256.h"
+#include "reference/base/hashes/sha256.h"
 #include "reference/truth/solution/form_factor_matrix.h"
 #include "reference/truth/solution/reciprocity_smoothing.h"
 

@@ -11,7 +11,7 @@
 #include "cli/common/json.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "reference/conformance/records/sha256.h"
+#include "reference/base/hashes/sha256.h"
 
 namespace hemitex::cli {
 namespace {

@@ -4,13 +4,13 @@
 
 #include "cli/common/commands.h"
 #include "cli/common/staging.h"
-#include "cli/devices/opengl_device.h"
+#include "cli/devices/renderers.h"
 #include "cli/paper/figures.h"
 #include "cli/paper/report.h"
 #include "cli/scene/scene_folder.h"
 #include "raster/base/file_io.h"
 #include "raster/base/parallel.h"
-#include "reference/measurement/bench/timing.h"
+#include "reference/base/stopwatch.h"
 #include "reference/measurement/paper/scenes.h"
 
 namespace hemitex::cli {

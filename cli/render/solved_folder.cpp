@@ -10,7 +10,7 @@
 #include "radiosity/images/image.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "reference/conformance/vectors/json_text.h"
+#include "reference/base/json_text.h"
 
 namespace hemitex::cli {
 namespace {

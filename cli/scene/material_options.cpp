@@ -11,7 +11,7 @@
 #include "radiosity/scene/scene_edits.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "reference/conformance/vectors/json_text.h"
+#include "reference/base/json_text.h"
 
 namespace hemitex::cli {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "raster/base/bytes.h"
-#include "reference/conformance/records/sha256.h"
+#include "radiosity/base/bytes.h"
+#include "reference/base/hashes/sha256.h"
 
 namespace hemitex::cli {
 namespace {
@@ -18,7 +18,7 @@ struct Bytes {
   }
   template <typename Value>
   void add(const Value& value) {
-    raster::appendBytes(text, value);
+    radiosity::appendBytes(text, value);
   }
   template <typename Value>
   void add(const std::optional<Value>& value) {

@@ -4,8 +4,8 @@
 
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "reference/conformance/records/sha256.h"
-#include "reference/conformance/vectors/json_text.h"
+#include "reference/base/hashes/sha256.h"
+#include "reference/base/json_text.h"
 
 namespace hemitex::cli {
 namespace {

@@ -4,18 +4,18 @@
 #include <unistd.h>
 
 #include "cli/scene/scene_hash.h"
-#include "raster/base/bytes.h"
+#include "radiosity/base/bytes.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "reference/conformance/records/sha256.h"
+#include "reference/base/hashes/sha256.h"
 
 namespace hemitex::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using radiosity::takeBytes;
+using radiosity::takeValue;
 using raster::InputError;
-using raster::takeBytes;
-using raster::takeValue;
 
 const std::string title = "hemitex checkpoint 2\n";
 
@@ -78,7 +78,7 @@ void Checkpoint::read(const fs::path& file) {
 void Checkpoint::write() const {
   std::string content = scene_ + settings_;
   for (const std::string& snapshot : snapshots_) {
-    raster::appendBytes(content, std::uint64_t{snapshot.size()});
+    radiosity::appendBytes(content, std::uint64_t{snapshot.size()});
     content += snapshot;
   }
   const fs::path partial = options_.file.string() + ".partial";

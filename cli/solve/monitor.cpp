@@ -7,7 +7,7 @@
 
 #include "cli/common/json.h"
 #include "cli/common/numbers.h"
-#include "reference/measurement/bench/timing.h"
+#include "reference/base/stopwatch.h"
 
 namespace hemitex::cli {
 namespace {

@@ -1,11 +1,11 @@
 #include "cli/solve/run.h"
 
+#include "radiosity/base/bytes.h"
 #include "radiosity/discretization/adaptive_subdivision.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/ranks/rows_ahead.h"
 #include "radiosity/ranks/shared_tasks.h"
 #include "radiosity/solver/error_control.h"
-#include "raster/base/bytes.h"
 #include "reference/truth/rays/embree_form_factors.h"
 
 namespace hemitex::cli {
@@ -20,8 +20,8 @@ bool isChoosing(const SolveOptions& options) { return options.adaptive || option
 /// Tells the other ranks how a solution ended.
 void tellOtherRanks(radiosity::Messenger& ranks, const radiosity::Solution& solution) {
   std::string bytes;
-  raster::appendBytes(bytes, solution.isInterrupted);
-  raster::appendList(bytes, solution.radiosity);
+  radiosity::appendBytes(bytes, solution.isInterrupted);
+  radiosity::appendList(bytes, solution.radiosity);
   for (int rank = 1; rank < ranks.ranks(); ++rank) ranks.send(rank, radiosity::MessageKind::Solution, bytes);
 }
 
@@ -30,8 +30,8 @@ radiosity::Solution solutionOfRankZero(radiosity::Messenger& ranks) {
   const radiosity::Message message = radiosity::awaited(ranks);
   std::string_view bytes = message.bytes;
   radiosity::Solution solution;
-  solution.isInterrupted = raster::takeValue<bool>(bytes);
-  solution.radiosity = raster::takeList<glm::dvec3>(bytes);
+  solution.isInterrupted = radiosity::takeValue<bool>(bytes);
+  solution.radiosity = radiosity::takeList<glm::dvec3>(bytes);
   return solution;
 }
 

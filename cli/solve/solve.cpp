@@ -18,7 +18,7 @@
 #include "cli/solve/run.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "reference/measurement/bench/timing.h"
+#include "reference/base/stopwatch.h"
 
 namespace hemitex::cli {
 namespace {

@@ -17,7 +17,7 @@
 #include "radiosity/discretization/discretize.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "reference/measurement/bench/timing.h"
+#include "reference/base/stopwatch.h"
 
 namespace hemitex::cli {
 namespace {

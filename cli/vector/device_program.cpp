@@ -50,7 +50,7 @@ std::optional<DeviceFailure> draw(const DeviceProgram& program, const reference:
   fs::create_directories(output);
   const auto words = reference::fillCommand(program.command, folder.string(), output.string());
   const reference::ProcessResult process = reference::runProcess(words, program.timeLimit, &LongRun::isStopping());
-  if (hasSucceeded(process)) return checkFiles(vector, output, process);
+  if (process.hasSucceeded()) return checkFiles(vector, output, process);
   return failureOf(process);
 }
 

@@ -10,9 +10,9 @@
 #include "raster/base/file_io.h"
 #include "reference/conformance/calibration/device_class.h"
 #include "reference/conformance/diagnosis/junit_report.h"
+#include "reference/conformance/pictures/verdict_picture.h"
 #include "reference/conformance/records/conformance_record.h"
 #include "reference/conformance/vectors/candidate.h"
-#include "reference/conformance/verdict/verdict_picture.h"
 
 namespace hemitex::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "cli/common/table.h"
 #include "reference/conformance/vectors/random_families.h"
 #include "reference/conformance/vectors/random_vectors.h"
-#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/vectors/vector_file.h"
 
 namespace hemitex::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include "raster/base/input_error.h"
 #include "raster/base/thread_group.h"
 #include "reference/conformance/vectors/candidate.h"
-#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/vectors/vector_file.h"
 #include "reference/conformance/verdict/reduction.h"
 
 namespace hemitex::cli {

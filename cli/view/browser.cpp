@@ -1,15 +1,10 @@
 #include "cli/view/browser.h"
 
-#include <sys/wait.h>
-
 #include <chrono>
 #include <cstdlib>
 #include <sstream>
-#include <thread>
 
-#include "reference/conformance/verdict/spawn_settings.h"
-
-extern char** environ;
+#include "reference/base/child_process.h"
 
 namespace hemitex::cli {
 namespace {
@@ -40,29 +35,6 @@ std::vector<std::string> wordsOf(const std::string& command, const std::string& 
   return words;
 }
 
-/// Starts a program. Nothing if it cannot be started.
-std::optional<pid_t> start(const std::vector<std::string>& words) {
-  std::vector<char*> arguments;
-  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  const reference::SpawnSettings settings(-1, POSIX_SPAWN_SETSID);
-  pid_t process = 0;
-  const int error =
-      posix_spawnp(&process, arguments.front(), &settings.actions, &settings.attributes, arguments.data(), environ);
-  return error == 0 ? std::optional(process) : std::nullopt;
-}
-
-/// Whether a process still runs after two seconds, or ended with exit code 0.
-bool isGood(pid_t process) {
-  constexpr int steps = 100;
-  for (int step = 0; step < steps; ++step) {
-    int status = 0;
-    if (waitpid(process, &status, WNOHANG) == process) return WIFEXITED(status) && WEXITSTATUS(status) == 0;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  return true;
-}
-
 }  // namespace
 
 std::vector<std::string> browserCommands() {
@@ -77,8 +49,8 @@ std::vector<std::string> browserCommands() {
 
 std::optional<std::string> openInBrowser(const std::vector<std::string>& commands, const std::filesystem::path& file) {
   for (const std::string& command : commands)
-    if (const std::optional<pid_t> process = start(wordsOf(command, std::filesystem::absolute(file).string())))
-      if (isGood(*process)) return command;
+    if (reference::startDetached(wordsOf(command, std::filesystem::absolute(file).string()), std::chrono::seconds(2)))
+      return command;
   return std::nullopt;
 }
 

@@ -1,6 +1,6 @@
 #include "radiosity/gltf/gltf_module.h"
 
-#include "radiosity/images/module_symbol.h"
+#include "radiosity/base/module_symbol.h"
 
 namespace hemitex::radiosity {
 

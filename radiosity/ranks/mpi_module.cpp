@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "radiosity/images/module_symbol.h"
+#include "radiosity/base/module_symbol.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {

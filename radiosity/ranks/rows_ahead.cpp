@@ -5,8 +5,8 @@
 #include <thread>
 #include <utility>
 
+#include "radiosity/base/bytes.h"
 #include "radiosity/ranks/shared_tasks.h"
-#include "raster/base/bytes.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -29,18 +29,18 @@ std::size_t bytesOf(const FormFactorRow& row) {
 }
 
 void append(std::string& bytes, const FormFactorRow& row) {
-  raster::appendList(bytes, row.elements);
-  raster::appendList(bytes, row.shares);
-  raster::appendBytes(bytes, row.background);
-  raster::appendBytes(bytes, row.back);
+  appendList(bytes, row.elements);
+  appendList(bytes, row.shares);
+  appendBytes(bytes, row.background);
+  appendBytes(bytes, row.back);
 }
 
 FormFactorRow takeRow(std::string_view& bytes) {
   FormFactorRow row;
-  row.elements = raster::takeList<std::uint32_t>(bytes);
-  row.shares = raster::takeList<std::uint64_t>(bytes);
-  row.background = raster::takeValue<std::uint64_t>(bytes);
-  row.back = raster::takeValue<std::uint64_t>(bytes);
+  row.elements = takeList<std::uint32_t>(bytes);
+  row.shares = takeList<std::uint64_t>(bytes);
+  row.background = takeValue<std::uint64_t>(bytes);
+  row.back = takeValue<std::uint64_t>(bytes);
   return row;
 }
 
@@ -52,7 +52,7 @@ RowsAhead::RowsAhead(Messenger& ranks, SceneFormFactors& formFactors, std::size_
 void RowsAhead::takeMessages() {
   while (const auto message = received(ranks_)) {
     std::string_view bytes = message->bytes;
-    const auto number = raster::takeValue<std::uint64_t>(bytes);
+    const auto number = takeValue<std::uint64_t>(bytes);
     --tasksOf_[static_cast<std::size_t>(message->from)];
     ++counts_.ahead;
     const auto task = tasks_.find(number);
@@ -108,8 +108,8 @@ void RowsAhead::lookAhead(const std::function<std::vector<LikelyShot>(std::size_
       std::optional<Task> task = nextTask(shots, next);
       if (!task) break;
       std::string message;
-      raster::appendBytes(message, tasksGiven_);
-      raster::appendList(message, task->points);
+      appendBytes(message, tasksGiven_);
+      appendList(message, task->points);
       ranks_.send(static_cast<int>(rank), MessageKind::Task, std::move(message));
       tasks_[tasksGiven_++] = *std::move(task);
       ++tasksOf_[rank];
@@ -183,8 +183,8 @@ FormFactorRow RowsAhead::rowOf(std::uint32_t patch) {
 void RowsAhead::end() { endTasks(ranks_); }
 
 std::string resultOf(std::string_view task, ProjectedFormFactors& rows) {
-  std::string result(raster::takeBytes(task, sizeof(std::uint64_t)));
-  append(result, rows.ofPoints(raster::takeList<ViewPoint>(task)));
+  std::string result(takeBytes(task, sizeof(std::uint64_t)));
+  append(result, rows.ofPoints(takeList<ViewPoint>(task)));
   return result;
 }
 

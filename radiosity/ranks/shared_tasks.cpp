@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-#include "raster/base/bytes.h"
+#include "radiosity/base/bytes.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -16,7 +16,7 @@ constexpr std::size_t tasksPerRank = 3;
 
 std::string bytesOf(std::size_t task, const std::string& result = {}) {
   std::string bytes;
-  raster::appendBytes(bytes, std::uint64_t{task});
+  appendBytes(bytes, std::uint64_t{task});
   return bytes + result;
 }
 
@@ -47,7 +47,7 @@ class HandingOut {
   void takeMessages() {
     while (const auto message = received(ranks_)) {
       std::string_view result = message->bytes;
-      const std::size_t task = raster::takeValue<std::uint64_t>(result);
+      const std::size_t task = takeValue<std::uint64_t>(result);
       keep(task, std::string(result));
       giveTask(message->from);
     }
@@ -71,7 +71,7 @@ class HandingOut {
 void computeTasks(Messenger& ranks, const SharedTasks& tasks) {
   for (Message message = awaited(ranks); message.kind != MessageKind::Over; message = awaited(ranks)) {
     std::string_view bytes = message.bytes;
-    const std::size_t task = raster::takeValue<std::uint64_t>(bytes);
+    const std::size_t task = takeValue<std::uint64_t>(bytes);
     ranks.send(0, MessageKind::Result, bytesOf(task, tasks.compute(task)));
   }
   ranks.send(0, MessageKind::Done, {});

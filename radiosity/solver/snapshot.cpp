@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "raster/base/bytes.h"
+#include "radiosity/base/bytes.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -11,22 +11,22 @@ static_assert(std::endian::native == std::endian::little, "the format is little-
 
 template <typename Value>
 void append(std::string& bytes, const Value& value) {
-  raster::appendBytes(bytes, value);
+  appendBytes(bytes, value);
 }
 
 template <typename Value>
 void append(std::string& bytes, const std::vector<Value>& values) {
-  raster::appendList(bytes, values);
+  appendList(bytes, values);
 }
 
 template <typename Value>
 void take(std::string_view& bytes, Value& value) {
-  value = raster::takeValue<Value>(bytes);
+  value = takeValue<Value>(bytes);
 }
 
 template <typename Value>
 void take(std::string_view& bytes, std::vector<Value>& values) {
-  values = raster::takeList<Value>(bytes);
+  values = takeList<Value>(bytes);
 }
 
 /// Calls visit(part) for each part of a snapshot.

@@ -1,5 +1,5 @@
 // The file vector.json of a test vector, beside arrays of one from the suite.
-#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/suite/vector_suite.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace hemitex;

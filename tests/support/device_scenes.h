@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/suite/vector_suite.h"
 #include "reference/conformance/verdict/verdict.h"
 #include "tests/support/raster_scenes.h"
 

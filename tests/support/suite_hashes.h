@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/vectors/vector_file.h"
 
 namespace hemitex::tests {
 

@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "raster/software/software_renderer.h"
+#include "reference/conformance/suite/vector_suite.h"
 #include "reference/conformance/vectors/draw_list_builder.h"
-#include "reference/conformance/vectors/vector_suite.h"
 
 using namespace hemitex;
 using namespace hemitex::reference;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "reference/conformance/calibration/probes.h"
+#include "reference/conformance/suite/vector_suite.h"
 #include "reference/conformance/vectors/candidate.h"
-#include "reference/conformance/vectors/vector_suite.h"
 #include "tests/support/injected_faults.h"
 #include "tests/support/shell.h"
 

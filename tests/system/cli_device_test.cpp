@@ -5,8 +5,8 @@
 #include <string>
 
 #include "raster/base/file_io.h"
+#include "reference/conformance/suite/vector_suite.h"
 #include "reference/conformance/vectors/candidate.h"
-#include "reference/conformance/vectors/vector_suite.h"
 #include "tests/support/shell.h"
 
 using namespace hemitex;

@@ -12,7 +12,7 @@
 #include "reference/conformance/vectors/candidate.h"
 #include "reference/conformance/vectors/random_families.h"
 #include "reference/conformance/vectors/random_vectors.h"
-#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/vectors/vector_file.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace hemitex;

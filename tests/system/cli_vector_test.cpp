@@ -9,7 +9,6 @@
 #include "reference/conformance/vectors/candidate.h"
 #include "reference/conformance/vectors/draw_list_builder.h"
 #include "reference/conformance/vectors/vector_file.h"
-#include "reference/conformance/vectors/vector_suite.h"
 #include "tests/support/shell.h"
 
 using namespace hemitex::tests;

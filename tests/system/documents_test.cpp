@@ -18,16 +18,15 @@ namespace {
 
 const fs::path top = HEMITEX_SOURCE;
 
-/// Each folder of the libraries has an overview.
+/// Each folder with headers has an overview, and so does each library.
 std::vector<fs::path> overviews() {
-  std::vector<fs::path> found;
+  std::set<fs::path> found;
   for (const char* library : {"raster", "radiosity", "reference"}) {
-    found.push_back(top / library / "README.md");
-    for (const auto& entry : fs::directory_iterator(top / library)) {
-      if (entry.is_directory()) found.push_back(entry.path() / "README.md");
-    }
+    found.insert(top / library / "README.md");
+    for (const auto& entry : fs::recursive_directory_iterator(top / library))
+      if (entry.path().extension() == ".h") found.insert(entry.path().parent_path() / "README.md");
   }
-  return found;
+  return {found.begin(), found.end()};
 }
 
 std::vector<fs::path> pages() {

@@ -6,7 +6,7 @@
 
 #include "raster/base/parallel.h"
 #include "reference/conformance/trace/rational_rasterizer.h"
-#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/vectors/vector_file.h"
 
 namespace hemitex::reference {
 namespace {

@@ -6,7 +6,7 @@
 #include "raster/base/input_error.h"
 #include "reference/conformance/vectors/draw_list_builder.h"
 #include "reference/conformance/vectors/random_families.h"
-#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/vectors/vector_file.h"
 
 namespace hemitex::reference {
 namespace {

@@ -11,9 +11,10 @@
 
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "raster/software/software_renderer.h"
+#include "reference/base/json_text.h"
 #include "reference/conformance/vectors/array_file.h"
 #include "reference/conformance/vectors/enum_names.h"
-#include "reference/conformance/vectors/json_text.h"
 
 namespace hemitex::reference {
 namespace {
@@ -306,6 +307,28 @@ std::string idsHash(std::span<const raster::ItemId> ids) {
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
   return text;
+}
+
+TestVector makeVector(std::string name, std::string catches, raster::DrawList list, std::vector<raster::Face> faces) {
+  TestVector vector;
+  vector.name = std::move(name);
+  vector.catches = std::move(catches);
+  vector.list = std::move(list);
+  for (const raster::Face& face : faces) {
+    const std::string faceName = faces.size() == 1 ? "front" : "face-" + std::to_string(vector.faces.size());
+    vector.faces.push_back({faceName, face, faceName + ".u32", {}});
+  }
+  return vector;
+}
+
+std::vector<raster::ItemBuffer> render(const TestVector& vector) {
+  return render(raster::SoftwareRenderer(vector.list), facesOf(vector));
+}
+
+std::string idsHash(std::span<const raster::ItemBuffer> buffers) {
+  std::vector<raster::ItemId> ids;
+  for (const raster::ItemBuffer& buffer : buffers) ids.insert(ids.end(), buffer.ids.begin(), buffer.ids.end());
+  return idsHash(ids);
 }
 
 }  // namespace hemitex::reference

@@ -30,8 +30,14 @@ struct TestVector {
   std::vector<VectorFace> faces;
 };
 
+/// A vector. Its only face is named "front"; several faces are numbered.
+TestVector makeVector(std::string name, std::string catches, raster::DrawList list, std::vector<raster::Face> faces);
+
 /// The views of all faces of a vector.
 std::vector<raster::Face> facesOf(const TestVector& vector);
+
+/// The item buffers of a vector's faces, by the reference renderer.
+std::vector<raster::ItemBuffer> render(const TestVector& vector);
 
 /// Reads `folder/vector.json` and its arrays. Throws InputError with the name of the file if anything is missing, of
 /// the wrong size or type, or against the rules.
@@ -45,5 +51,8 @@ void writeVector(const std::filesystem::path& folder, const TestVector& vector,
 
 /// 64-bit FNV-1a over the little-endian bytes of the item IDs, as 16 hexadecimal digits.
 std::string idsHash(std::span<const raster::ItemId> ids);
+
+/// The same over the item IDs of all faces, in their order.
+std::string idsHash(std::span<const raster::ItemBuffer> buffers);
 
 }  // namespace hemitex::reference

@@ -1,12 +1,12 @@
-/// Runs the program of a device for one vector. The program is someone else's: it may crash, hang or write anything.
+/// The command that starts a device's program for one vector, and how the program may fail.
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "reference/base/child_process.h"
 #include "reference/conformance/vectors/enum_names.h"
 
 namespace hemitex::reference {
@@ -18,20 +18,6 @@ std::vector<std::string> splitCommand(const std::string& command);
 /// The words with `vector` in place of {vector} and `output` in place of {output}.
 std::vector<std::string> fillCommand(const std::vector<std::string>& words, const std::string& vector,
                                      const std::string& output);
-
-struct ProcessResult {
-  int exitCode = 0;
-  int signal = 0;  ///< that ended the process; 0 if it exited
-  bool isTimedOut = false;
-  std::vector<std::string> lastLines = {};  ///< of stderr, at most 10
-};
-
-/// Starts the program words[0] with the other words as arguments, without a shell, and waits for its end. The program
-/// reads nothing from stdin, and what it writes to stdout is ignored. After `seconds` its process group gets SIGTERM,
-/// and one second later SIGKILL. Its process group also ends when the program ends, and when `isCancelled` becomes
-/// true. Several threads may call it at a time. Throws InputError if the program cannot be started.
-ProcessResult runProcess(const std::vector<std::string>& words, double seconds,
-                         const std::atomic<bool>* isCancelled = nullptr);
 
 /// Why a device has no item buffers for a vector.
 enum class DeviceFault : std::uint8_t { Crash, ExitCode, TimeLimit, MissingFile, WrongSize };
@@ -51,6 +37,5 @@ struct DeviceFailure {
 
 /// Requires a process that was stopped or ended by a signal or with an exit code other than 0.
 DeviceFailure failureOf(const ProcessResult& process);
-bool hasSucceeded(const ProcessResult& process);
 
 }  // namespace hemitex::reference

@@ -7,8 +7,8 @@
 
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "reference/base/json_text.h"
 #include "reference/conformance/vectors/enum_names.h"
-#include "reference/conformance/vectors/json_text.h"
 
 namespace hemitex::reference {
 namespace {

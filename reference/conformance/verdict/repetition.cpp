@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/vectors/vector_file.h"
 
 namespace hemitex::reference {
 

@@ -2,22 +2,14 @@
 /// affects all of them equally. The result is the median of the repetitions.
 #pragma once
 
-#include <chrono>
 #include <functional>
 #include <limits>
 #include <span>
 #include <vector>
 
+#include "reference/base/stopwatch.h"
+
 namespace hemitex::reference {
-
-/// Measures seconds since its construction.
-class Stopwatch {
- public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// Seconds of one call.
 struct Timing {

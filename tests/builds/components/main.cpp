@@ -3,8 +3,8 @@
 #include <iostream>
 
 #include "raster/software/software_renderer.h"
+#include "reference/conformance/suite/vector_suite.h"
 #include "reference/conformance/vectors/vector_file.h"
-#include "reference/conformance/vectors/vector_suite.h"
 #include "reference/conformance/verdict/verdict.h"
 
 int main() {

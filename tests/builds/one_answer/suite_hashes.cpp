@@ -11,6 +11,7 @@
 
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
+#include "reference/conformance/suite/vector_suite.h"
 
 using namespace hemitex;
 

@@ -6,9 +6,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "reference/conformance/scenes/scene_vectors.h"
+#include "reference/conformance/suite/vector_suite.h"
 #include "reference/conformance/vectors/random_vectors.h"
-#include "reference/conformance/vectors/scene_vectors.h"
-#include "reference/conformance/vectors/vector_suite.h"
 #include "reference/conformance/verdict/verdict.h"
 #include "tests/support/injected_faults.h"
 

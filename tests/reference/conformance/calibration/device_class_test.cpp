@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "reference/conformance/vectors/scene_vectors.h"
-#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/scenes/scene_vectors.h"
+#include "reference/conformance/suite/vector_suite.h"
 #include "tests/support/injected_faults.h"
 
 using namespace hemitex;

@@ -7,8 +7,8 @@
 
 #include "reference/conformance/diagnosis/fault.h"
 #include "reference/conformance/diagnosis/verdict_report.h"
-#include "reference/conformance/vectors/scene_vectors.h"
-#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/scenes/scene_vectors.h"
+#include "reference/conformance/suite/vector_suite.h"
 #include "tests/support/injected_faults.h"
 #include "tests/support/staged_drawing.h"
 

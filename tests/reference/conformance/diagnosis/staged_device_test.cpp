@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/suite/vector_suite.h"
 #include "tests/support/staged_drawing.h"
 
 using namespace hemitex;

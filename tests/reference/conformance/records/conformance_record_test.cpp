@@ -6,7 +6,7 @@
 
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/suite/vector_suite.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace hemitex;

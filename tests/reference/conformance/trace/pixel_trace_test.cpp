@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "reference/conformance/suite/vector_suite.h"
 #include "reference/conformance/trace/stage_dump.h"
-#include "reference/conformance/vectors/vector_suite.h"
 #include "tests/support/raster_scenes.h"
 
 using namespace hemitex;

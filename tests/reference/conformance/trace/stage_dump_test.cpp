@@ -10,9 +10,9 @@
 #include <optional>
 
 #include "raster/setup/triangle_setup.h"
+#include "reference/conformance/suite/vector_suite.h"
 #include "reference/conformance/trace/fragments.h"
 #include "reference/conformance/vectors/array_file.h"
-#include "reference/conformance/vectors/vector_suite.h"
 #include "tests/support/raster_scenes.h"
 #include "tests/support/temporary_folder.h"
 

@@ -15,7 +15,7 @@
 #include "reference/conformance/diagnosis/fault.h"
 #include "reference/conformance/trace/rational_rasterizer.h"
 #include "reference/conformance/vectors/random_families.h"
-#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/vectors/vector_file.h"
 #include "reference/conformance/verdict/verdict.h"
 #include "tests/support/staged_drawing.h"
 #include "tests/support/temporary_folder.h"

@@ -86,7 +86,7 @@ TEST_CASE("writeVector writes one item ID per pixel and the hash of the bytes", 
   const TestVector read = reference::readVector(folder.path);
   CHECK(read.faces[1].hash == std::string(16 - digits.str().size(), '0') + digits.str());
   CHECK(read.faces[1].hash == reference::idsHash(buffers[1].ids));
-  CHECK(reference::idsHash({}) == "cbf29ce484222325");  // the offset basis of FNV-1a
+  CHECK(reference::idsHash(std::vector<raster::ItemId>{}) == "cbf29ce484222325");  // the offset basis of FNV-1a
 }
 
 TEST_CASE("readVector throws with the name of the file that breaks the format", "[vector]") {

@@ -3,8 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "reference/conformance/vectors/scene_vectors.h"
-#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/scenes/scene_vectors.h"
+#include "reference/conformance/vectors/vector_file.h"
 #include "tests/support/judged_wall.h"
 
 using namespace hemitex;

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "reference/conformance/vectors/scene_vectors.h"
-#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/scenes/scene_vectors.h"
+#include "reference/conformance/suite/vector_suite.h"
 #include "reference/conformance/verdict/error_pixel.h"
 #include "tests/support/injected_faults.h"
 

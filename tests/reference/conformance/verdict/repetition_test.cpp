@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/suite/vector_suite.h"
 
 using namespace hemitex;
 using reference::RepeatedRuns;

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "raster/base/input_error.h"
+#include "reference/conformance/scenes/scene_vectors.h"
 #include "reference/conformance/vectors/random_vectors.h"
-#include "reference/conformance/vectors/scene_vectors.h"
 #include "tests/support/device_scenes.h"
 
 using namespace hemitex;

@@ -1,0 +1,17 @@
+/// A stopwatch.
+#pragma once
+
+#include <chrono>
+
+namespace hemitex::reference {
+
+/// Measures seconds since its construction.
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace hemitex::reference

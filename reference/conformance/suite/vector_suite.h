@@ -1,0 +1,26 @@
+/// The vector suite: small generated test vectors, each aimed at faults of rasterizers and blend units. Together they
+/// specify the raster rules: a backend that draws all of them with equal item IDs is correct. One hash over their item
+/// IDs shows whether a compiler, an optimization level or a machine changes any of them.
+///
+/// The vectors of scenes (scene_vectors.h) are the other part of the suite. The vectors here need only the rasterizer.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reference/conformance/vectors/vector_file.h"
+
+namespace hemitex::reference {
+
+/// All vectors but those of scenes, in a fixed order, with unique names. Each has a line in `catches`.
+std::vector<TestVector> vectorSuite();
+
+/// The vectors of each theme, one source file per theme.
+std::vector<TestVector> meshVectors();      ///< triangles that share edges: every sample once
+std::vector<TestVector> coverageVectors();  ///< snapping, needles, clipping: which samples a triangle covers
+std::vector<TestVector> depthVectors();     ///< which of several triangles is visible at a sample
+std::vector<TestVector> texelVectors();     ///< which texel a sample shows
+std::vector<TestVector> idVectors();        ///< the item ID of an offset and a texel
+std::vector<TestVector> viewVectors();      ///< faces, viewports, scissor rectangles
+
+}  // namespace hemitex::reference
