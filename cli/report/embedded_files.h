@@ -10,7 +10,6 @@ extern const char* const solvedPageText;    ///< cli/view/report.html
 extern const char* const pageStyle;         ///< page_style.css
 extern const char* const pageScript;        ///< page_script.js
 extern const char* const chartLibrary;      ///< Chart.js, minified, with its licence
-extern const char* const threeLibrary;      ///< three.js, minified; the licence is in cli/view/report.html
-extern const char* const orbitControls;     ///< OrbitControls.js of three.js
+extern const char* const sceneLibrary;      ///< three.js with OrbitControls and GLTFLoader; licence in view/report.html
 
 }  // namespace hemitex::cli

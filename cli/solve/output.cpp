@@ -145,12 +145,12 @@ SolveRecord recordOf(const Lit& lit, const SolveOptions& options, const Converge
   return record;
 }
 
-void writeReport(const std::filesystem::path& folder, const radiosity::LitScene& shown, const Showing& showing,
-                 const ordered_json& solution, const SolveRecord& record) {
+void writeReport(const std::filesystem::path& folder, const radiosity::LitScene& shown, const ordered_json& solution,
+                 const SolveRecord& record) {
   std::vector<std::uint32_t> surfaces(shown.scene.surfaces.size());
   std::iota(surfaces.begin(), surfaces.end(), 0u);
   raster::writeFile(folder / "report.html",
-                    solvedPage({shown.scene, shown.textures, surfaces}, showing.camera, solution, record));
+                    solvedPage({folder / "scene.glb", shown.scene, surfaces}, solution, record));
 }
 
 ordered_json description(const Lit& lit, const Showing& showing) {

@@ -47,8 +47,8 @@ std::vector<std::string> writeSolved(const std::filesystem::path& folder, const 
 /// What only the page of the solution shows: its convergence, and the flux that backs absorbed, by surface.
 SolveRecord recordOf(const Lit& lit, const SolveOptions& options, const Convergence& convergence);
 
-/// Writes the page. `solution` is the object of solution.json, and `shown` the lit scene.
-void writeReport(const std::filesystem::path& folder, const radiosity::LitScene& shown, const Showing& showing,
+/// Writes the page of a folder after writeSolved. `solution` is the object of solution.json, and `shown` the lit scene.
+void writeReport(const std::filesystem::path& folder, const radiosity::LitScene& shown,
                  const nlohmann::ordered_json& solution, const SolveRecord& record);
 
 /// The settings that a solution depends on, but not those for showing it.

@@ -151,7 +151,7 @@ ordered_json writeResult(const Task& task, const Outcome& outcome, Staging& stag
   if (isInterrupted) text["interrupted"] = true;
   text["times"] = laps.times();
   text["warnings"] = console.given();
-  if (record) writeReport(staging.folder(), *shown, showing, text, *record);
+  if (record) writeReport(staging.folder(), *shown, text, *record);
   text["files"] = fileHashes(staging.folder());
   raster::writeFile(staging.folder() / "solution.json", toText(text));
   staging.commit("solution.json", staleFiles(options.output));

@@ -1,13 +1,11 @@
 #include "cli/view/solved_page.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "cli/common/json.h"
 #include "cli/report/embedded_files.h"
 #include "cli/report/html_page.h"
-#include "cli/scene/camera_options.h"
 
 namespace hemitex::cli {
 namespace {
@@ -16,7 +14,8 @@ using nlohmann::ordered_json;
 
 /// The largest number of surfaces whose values the page holds.
 constexpr std::size_t maxSurfaces = 4096;
-constexpr std::uint32_t unlisted = std::numeric_limits<std::uint32_t>::max();
+/// The largest scene.glb that a page holds. Its base64 text is one string of a browser, which has at most 2^29 letters.
+constexpr std::uintmax_t maxGlbBytes = std::uintmax_t{1} << 28;
 
 /// The surfaces that the page lists: the largest by area, in their order.
 std::vector<std::uint32_t> listedSurfaces(const ordered_json& surfaces) {
@@ -61,30 +60,42 @@ ordered_json fluxBySurface(const std::vector<glm::dvec3>& flux, const std::vecto
   });
 }
 
-/// A script element with JSON that a page reads by its id.
-std::string jsonElement(const std::string& id, const ordered_json& json) {
-  return "<script type=\"application/json\" id=\"" + id + "\">" + json.dump() + "</script>\n";
+/// What the page needs to find the surfaces of scene.glb: per surface its number on the page, or -1, its material and
+/// its number of triangles.
+ordered_json partsOf(const ShownScene& lit, const std::vector<std::uint32_t>& listed, std::size_t surfaces) {
+  ordered_json parts(surfaces, {-1, "", 0});
+  for (std::size_t i = 0; i < listed.size(); ++i) parts[listed[i]][0] = i;
+  for (std::size_t s = 0; s < lit.surfaceOf.size(); ++s) {
+    ordered_json& part = parts.at(lit.surfaceOf[s]);
+    const radiosity::Surface& surface = lit.scene.surfaces[s];
+    part[1] = lit.scene.materials[static_cast<std::size_t>(surface.material)].name;
+    part[2] = part[2].get<std::size_t>() + surface.triangles.size();
+  }
+  return parts;
 }
 
-std::string scriptElement(const char* script) { return std::string("<script>") + script + "</script>\n"; }
+/// A script element that a page reads by its id.
+std::string dataElement(const std::string& type, const std::string& id, const std::string& text) {
+  return "<script type=\"" + type + "\" id=\"" + id + "\">" + text + "</script>\n";
+}
 
 }  // namespace
 
-std::string solvedPage(const ShownScene& lit, const radiosity::Camera& camera, const ordered_json& solution,
-                       const std::optional<SolveRecord>& record) {
+std::string solvedPage(const ShownScene& lit, const ordered_json& solution, const std::optional<SolveRecord>& record) {
   const ordered_json& surfaces = solution.at("surfaces");
   const std::vector<std::uint32_t> listed = listedSurfaces(surfaces);
-  std::vector<std::uint32_t> places(surfaces.size(), unlisted);
-  for (std::uint32_t i = 0; i < listed.size(); ++i) places[listed[i]] = i;
-  std::vector<std::uint32_t> shownAs;
-  for (const std::uint32_t surface : lit.surfaceOf) shownAs.push_back(places.at(surface));
+  std::error_code isMissing;
+  const std::uintmax_t glbBytes = std::filesystem::file_size(lit.glb, isMissing);
+  const bool isShown = !isMissing && glbBytes <= maxGlbBytes;
 
   ordered_json page;
   for (const auto& [key, value] : solution.items())
     if (key != "surfaces" && key != "times" && key != "frames") page[key] = value;
-  page["camera"] = toJson(camera);
-  page["room"] = roomModel({lit.scene, lit.textures, shownAs});
-  page["room"]["left_out"]["surfaces"] = surfaces.size() - listed.size();
+  page["room"] = {{"parts", partsOf(lit, listed, surfaces.size())},
+                  {"unlisted", surfaces.size() - listed.size()},
+                  {"glb", isShown     ? "shown"
+                          : isMissing ? "missing"
+                                      : "too large"}};
   page["surfaces"] = listOf(listed, [&](std::uint32_t s) { return surfaceJson(surfaces[s]); });
   ordered_json times = {{"solve_s", solution.at("times").at("solve_s")}};
   if (record) {
@@ -98,7 +109,9 @@ std::string solvedPage(const ShownScene& lit, const radiosity::Camera& camera, c
     times["shots_s"] = listOf(shots, [&](std::size_t shot) { return record->convergence.seconds[shot - 1]; });
   }
   return completePage(
-      scriptElement(threeLibrary) + scriptElement(orbitControls) + jsonElement("times", times) + solvedPageText, page);
+      std::string("<script>") + sceneLibrary + "</script>\n" + dataElement("application/json", "times", times.dump()) +
+          dataElement("model/gltf-binary", "glb", isShown ? base64OfFile(lit.glb) : "") + solvedPageText,
+      page);
 }
 
 }  // namespace hemitex::cli

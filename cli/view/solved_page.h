@@ -2,14 +2,15 @@
 /// the convergence of the solution, its settings and warnings. The page works without a network.
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "cli/view/room_model.h"
 #include "radiosity/form_factors/back_absorption.h"
-#include "radiosity/pictures/camera.h"
+#include "radiosity/scene/scene.h"
 
 namespace hemitex::cli {
 
@@ -26,9 +27,16 @@ struct SolveRecord {
   std::vector<glm::dvec3> lostToBacks;  ///< one per surface: flux that it shot and that backs absorbed
 };
 
-/// `solution` is the object of solution.json; the page knows the surfaces of `lit` by their numbers in
-/// solution["surfaces"]. Only the element `times` of the page depends on time.
-std::string solvedPage(const ShownScene& lit, const radiosity::Camera& camera, const nlohmann::ordered_json& solution,
+/// A lit scene (radiosity/textures/lit_scene.h).
+struct ShownScene {
+  std::filesystem::path glb;  ///< the file scene.glb, which the page contains; if it is missing, the page says so
+  const radiosity::Scene& scene;
+  const std::vector<std::uint32_t>& surfaceOf;  ///< one per surface: its number in solution["surfaces"]
+};
+
+/// `solution` is the object of solution.json. Only the element `times` of the page depends on time. Throws
+/// nlohmann::json::exception if the solution does not belong to the scene.
+std::string solvedPage(const ShownScene& lit, const nlohmann::ordered_json& solution,
                        const std::optional<SolveRecord>& record);
 
 }  // namespace hemitex::cli

@@ -1,14 +1,11 @@
 /// `hemitex view`: opens the page of a solved folder in the browser. A folder without a page gets one, made of its
 /// files.
-#include <algorithm>
 #include <iostream>
 #include <memory>
-#include <numeric>
 
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
 #include "cli/common/staging.h"
-#include "cli/scene/camera_options.h"
 #include "cli/scene/sealed_folder.h"
 #include "cli/scene/surface_names.h"
 #include "cli/view/browser.h"
@@ -33,11 +30,9 @@ std::string pageOf(const fs::path& solved) {
   const radiosity::Scene lit = radiosity::loadScene(sceneFile, {});
   // The lit scene has one group per surface, in order; a group may have several planar parts.
   const std::vector<std::uint32_t> surfaceOf = familiesOf(lit).ofSurface;
-  std::vector<radiosity::CodedImage> textures;
-  for (const radiosity::Image& image : lit.images) textures.push_back(radiosity::encodeSrgb(image));
   try {
     const ordered_json solution = reference::parseJson<ordered_json>(text);
-    return solvedPage({lit, textures, surfaceOf}, cameraOf({}, lit, sceneFile), solution, std::nullopt);
+    return solvedPage({solved / "scene.glb", lit, surfaceOf}, solution, std::nullopt);
   } catch (const std::exception& error) {
     throw raster::InputError((solved / "solution.json").string(), 0,
                              std::string("does not belong to the scene beside it: ") + error.what(),

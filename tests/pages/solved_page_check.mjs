@@ -38,7 +38,7 @@ function take(message) {
   if (method === "Runtime.consoleAPICalled" && ["error", "warning", "assert"].includes(params.type))
     faults.push("console: " + JSON.stringify(params.args));
   if (method === "Log.entryAdded" && params.entry.level === "error") faults.push("log: " + params.entry.text);
-  if (method === "Network.requestWillBeSent" && params.request.url !== page && !params.request.url.startsWith("data:"))
+  if (method === "Network.requestWillBeSent" && params.request.url !== page && !/^(data|blob):/.test(params.request.url))
     faults.push("request: " + params.request.url);
 }
 

@@ -8,6 +8,8 @@
 #include <regex>
 #include <string>
 
+#include "cli/view/solved_page.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/shell.h"
 
 using namespace hemitex::tests;
@@ -186,7 +188,24 @@ TEST_CASE("hemitex view makes the page of a solved folder that has none, without
   const json made = elementOf(readAll(shell.file("without/report.html")), "result"),
              solved = elementOf(readAll(shell.file("with/report.html")), "result");
   CHECK_FALSE(made.contains("convergence"));
-  for (const char* key : {"surfaces", "energy", "settings", "camera", "room"}) CHECK(made[key] == solved[key]);
+  for (const char* key : {"surfaces", "energy", "settings", "room"}) CHECK(made[key] == solved[key]);
+}
+
+TEST_CASE("solvedPage holds scene.glb in base64, and says if there is none", "[cli]") {
+  const Shell shell;
+  const hemitex::radiosity::Scene scene = closedCube(glm::dvec3(0.5), glm::dvec3(1));
+  const std::vector<std::uint32_t> surfaceOf{0, 0, 1, 1, 2, 2};
+  const nlohmann::ordered_json surface{{"name", "wall"}, {"area", 1}},
+      solution{{"surfaces", {surface, surface, surface}}, {"times", {{"solve_s", 1}}}};
+  const auto pageOf = [&] {
+    return hemitex::cli::solvedPage({shell.file("scene.glb"), scene, surfaceOf}, solution, std::nullopt);
+  };
+  CHECK(elementOf(pageOf(), "result")["room"]["glb"] == "missing");
+  writeAll(shell.file("scene.glb"), "glTF");
+  const json room = elementOf(pageOf(), "result")["room"];
+  CHECK(room["glb"] == "shown");
+  CHECK(room["parts"] == json::parse(R"([[0, "grey", 4], [1, "grey", 4], [2, "grey", 4]])"));
+  CHECK(pageOf().find(R"(id="glb">Z2xURg==</script>)") != std::string::npos);
 }
 
 TEST_CASE("hemitex view refuses a folder that is not solved, with an advice and exit code 2", "[cli]") {
