@@ -8,7 +8,7 @@
 #include "raster/base/parallel.h"
 #include "reference/conformance/trace/rational_rasterizer.h"
 #include "reference/conformance/vectors/random_vectors.h"
-#include "reference/conformance/vectors/vector_suite.h"
+#include "reference/conformance/suite/vector_suite.h"
 
 using namespace hemitex;
 using reference::TestVector;
