@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "raster/base/parallel.h"
-#include "raster/kernels/run_kernels.h"
+#include "raster/kernels/kernels.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -30,7 +30,7 @@ struct Runs {
 /// `before` holds the running sum of shares before each pixel, and after the last.
 void findRuns(const ItemId* ids, const std::uint64_t* before, std::size_t count, Runs& runs) {
   std::array<std::uint64_t, pixelsAtOnce / raster::changesAtOnce> changes;
-  raster::bestKernels<raster::RunKernels>().findChanges(ids + 1, count - 1, changes.data());
+  raster::bestKernels().findChanges(ids + 1, count - 1, changes.data());
   runs.count = 0;
   runs.before[0] = before[0];
   const auto endRun = [&](std::size_t end) {

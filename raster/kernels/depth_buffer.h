@@ -32,7 +32,7 @@ struct DepthBuffer {
 };
 
 inline constexpr std::uint32_t noTriangle = 0xffffffff;
-/// From here on, numbers in the depth buffer are those of small triangles (small_triangle_kernels.h).
+/// From here on, numbers in the depth buffer are those of small triangles (small_triangles.h).
 inline constexpr std::uint32_t firstSmall = 0x80000000;
 
 inline bool isSmall(std::uint32_t number) { return number >= firstSmall && number != noTriangle; }

@@ -269,7 +269,7 @@ void PlainRenderer::draw(std::span<const Face> faces, std::span<const std::uint3
   for (std::size_t f = 0; f < faces.size(); ++f) {
     validate(faces[f]);
     drawFace(list_, faces[f], skipped, buffers[f]);
-    if (drawn) drawn(f);
+    drawn(f);
   }
 }
 

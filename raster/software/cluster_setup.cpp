@@ -42,7 +42,7 @@ bool makeScreenTriangle(const ClusterMesh& mesh, const Cluster& cluster, const C
 }
 
 TriangleSets appendScreenTriangles(const DrawList& list, const ClusterMesh& mesh, const Cluster& cluster,
-                                   const ClusterPart& part, const VertexKernels& kernels, const Face& face,
+                                   const ClusterPart& part, const Kernels& kernels, const Face& face,
                                    std::span<const std::uint32_t> skipped, PlacedVertices& placed,
                                    std::vector<ScreenTriangle>& triangles) {
   // A value that is not finite made the box infinite. It may be a texture coordinate, which the kernels ignore.

@@ -1,5 +1,5 @@
 /// Triangle setup of a cluster with the vertex kernels. Only triangles that pass their culling become screen triangles.
-/// Small triangles do not; they have their own kernels (small_triangle_kernels.h).
+/// Small triangles do not; they have their own kernels (small_triangles.h).
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 #include "raster/culling/cluster_mesh.h"
 #include "raster/culling/triangle_cluster.h"
-#include "raster/kernels/vertex_kernels.h"
+#include "raster/kernels/kernels.h"
 #include "raster/setup/triangle_setup.h"
 
 namespace hemitex::raster {
@@ -16,7 +16,7 @@ namespace hemitex::raster {
 /// Transforms the vertices of a cluster, `part` of the mesh, and appends the screen triangles of those that are not
 /// small, in draw order. Leaves out the triangles in `skipped` (ascending). Returns the small and the tiny ones.
 TriangleSets appendScreenTriangles(const DrawList& list, const ClusterMesh& mesh, const Cluster& cluster,
-                                   const ClusterPart& part, const VertexKernels& kernels, const Face& face,
+                                   const ClusterPart& part, const Kernels& kernels, const Face& face,
                                    std::span<const std::uint32_t> skipped, PlacedVertices& placed,
                                    std::vector<ScreenTriangle>& triangles);
 

@@ -7,7 +7,7 @@
 #include "raster/interface/draw_list.h"
 #include "raster/interface/item_id.h"
 #include "raster/kernels/depth_buffer.h"
-#include "raster/kernels/texel_kernels.h"
+#include "raster/kernels/texel_planes.h"
 #include "raster/setup/triangle_setup.h"
 #include "raster/software/prepared_draw_list.h"
 

@@ -22,7 +22,7 @@ constexpr int maxColumns = 256, maxRows = 128;
 class Tile {
  public:
   /// For `ids` and `pitch` see drawTile.
-  Tile(const PreparedDrawList& draws, const TileKernels& kernels, const Face& face, TileMemory& memory, ItemId* ids,
+  Tile(const PreparedDrawList& draws, const Kernels& kernels, const Face& face, TileMemory& memory, ItemId* ids,
        std::size_t pitch)
       : draws_(draws),
         kernels_(kernels),
@@ -41,7 +41,7 @@ class Tile {
   }
 
   /// Whether a box is outside the view or behind all that was drawn so far.
-  bool hides(const BoxPlace& place) const { return kernels_.depth.isHidden(buffer_, place.part, place.inverseDepth); }
+  bool hides(const BoxPlace& place) const { return kernels_.isHidden(buffer_, place.part, place.inverseDepth); }
 
   /// Draws a cluster without the triangles in `skipped` (ascending).
   void draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped);
@@ -66,7 +66,7 @@ class Tile {
   Shading& shading(std::uint32_t triangle);
 
   const PreparedDrawList& draws_;
-  const TileKernels& kernels_;
+  const Kernels& kernels_;
   const Face& face_;
   ItemId* ids_;
   std::size_t pitch_;
@@ -108,8 +108,8 @@ bool Tile::offerExactly(const ScreenTriangle& triangle, std::uint32_t number, co
 void Tile::draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped) {
   memory_.triangles.clear();
   const TriangleSets left =
-      appendScreenTriangles(draws_.list, draws_.mesh, draws_.clusters[cluster], draws_.mesh.parts[cluster],
-                            kernels_.vertices, face_, skipped, memory_.placed, memory_.triangles);
+      appendScreenTriangles(draws_.list, draws_.mesh, draws_.clusters[cluster], draws_.mesh.parts[cluster], kernels_,
+                            face_, skipped, memory_.placed, memory_.triangles);
   for (const ScreenTriangle& triangle : memory_.triangles) offer(triangle);
   if (left.small != 0) drawSmall(cluster, left);
 }
@@ -117,7 +117,7 @@ void Tile::draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped) {
 /// Tests a triangle against the depth buffer, and keeps it if a pixel took it.
 void Tile::offer(const ScreenTriangle& triangle) {
   const auto number = static_cast<std::uint32_t>(taken_.size());
-  bool isTaken = kernels_.depth.offer(triangle, number, buffer_, memory_.undecided);
+  bool isTaken = kernels_.testDepths(triangle, number, buffer_, memory_.undecided);
   for (const Pixel& pixel : memory_.undecided.pixels) isTaken = offerExactly(triangle, number, pixel) || isTaken;
   memory_.undecided.pixels.clear();
   if (isTaken) taken_.push_back(triangle);
@@ -165,14 +165,14 @@ void Tile::drawSmall(std::uint32_t cluster, const TriangleSets& sets) {
     triangles.rows = map.height;
   }
   SmallSetup& setup = memory_.small;
-  kernels_.smallTriangles.setUp(triangles, buffer_.scissor, setup);
+  kernels_.setUpSmall(triangles, buffer_.scissor, setup);
   if (setup.count == 0) return;
   const std::optional<ItemId> addend = first.indexMap ? addendOf(draws_, first) : 0;
   auto alone = static_cast<std::uint32_t>((std::uint64_t{1} << setup.count) - 1);
   if (addend) {
     const SmallIds ids = smallIds(draws_.clusters[cluster], *addend);
     const std::uint32_t firstNumber = firstSmall + part.firstTriangle;
-    kernels_.smallTriangles.draw(setup, ids, firstNumber, buffer_, memory_.undecidedSamples);
+    kernels_.drawSmall(setup, ids, firstNumber, buffer_, memory_.undecidedSamples);
     drawUndecided(ids, firstNumber);
     alone = setup.thin;
   }
@@ -213,14 +213,14 @@ Shading& Tile::shading(std::uint32_t triangle) {
 /// too; from then on the triangle uses exact quotients.
 void Tile::findTexels(const PixelRun& run, Shading::Texels& texels, ItemId base, ItemId* ids) {
   const IndexMap& map = *texels.map;
-  if (texels.exact) return kernels_.texels.findExactTexels(run, *texels.exact, map.width, map.height, base, ids);
-  kernels_.texels.findTexels(run, texels.planes, base, ids, memory_.undecided);
+  if (texels.exact) return kernels_.findExactTexels(run, *texels.exact, map.width, map.height, base, ids);
+  kernels_.findTexels(run, texels.planes, base, ids, memory_.undecided);
   if (memory_.undecided.pixels.empty()) return;
   const auto u = exactQuotient(*run.triangle, run.triangle->u, map.width);
   const auto v = exactQuotient(*run.triangle, run.triangle->v, map.height);
   if (u && v) {
     texels.exact = std::make_unique<const ExactTexels>(ExactTexels{*u, *v});
-    kernels_.texels.findExactTexels(run, *texels.exact, map.width, map.height, base, ids);
+    kernels_.findExactTexels(run, *texels.exact, map.width, map.height, base, ids);
   } else {
     for (const Pixel& pixel : memory_.undecided.pixels)
       ids[pixel.column - run.firstColumn] = base + texelExactly(*run.triangle, map, pixel);
@@ -257,12 +257,12 @@ void Tile::resolveRow(int row) {
   for (int first = 0, end = 0; first < width; first = end) {
     const std::uint32_t number = triangles[first];
     if (isSmall(number)) {
-      end = kernels_.depth.endOfSmall(triangles, first, width);
+      end = kernels_.endOfSmall(triangles, first, width);
       std::copy(smallIds + first, smallIds + end, ids + first);
       continue;
     }
     end = first + 1;
-    if (end < width && triangles[end] == number) end = kernels_.depth.endOfRun(triangles, first, width);
+    if (end < width && triangles[end] == number) end = kernels_.endOfRun(triangles, first, width);
     if (number == noTriangle) {
       std::fill(ids + first, ids + end, backgroundId(draws_.list.format));
       continue;
@@ -302,7 +302,7 @@ std::vector<Scissor> tilesOf(const Face& face) {
   return tiles;
 }
 
-void drawTile(const PreparedDrawList& draws, const TileKernels& kernels, const Face& face,
+void drawTile(const PreparedDrawList& draws, const Kernels& kernels, const Face& face,
               std::span<const std::uint32_t> skipped, TileMemory& memory, ItemId* ids, std::size_t pitch) {
   Tile tile(draws, kernels, face, memory, ids, pitch);
   const ViewBounds view(face);

@@ -11,10 +11,7 @@
 
 #include "raster/interface/face.h"
 #include "raster/kernels/depth_buffer.h"
-#include "raster/kernels/depth_kernels.h"
-#include "raster/kernels/small_triangle_kernels.h"
-#include "raster/kernels/texel_kernels.h"
-#include "raster/kernels/vertex_kernels.h"
+#include "raster/kernels/kernels.h"
 #include "raster/setup/triangle_setup.h"
 #include "raster/software/prepared_draw_list.h"
 #include "raster/software/shading.h"
@@ -39,17 +36,9 @@ struct TileMemory {
   UndecidedSamples undecidedSamples;
 };
 
-/// The kernels for drawing a tile; by default the fastest.
-struct TileKernels {
-  const VertexKernels& vertices = bestKernels<VertexKernels>();
-  const SmallTriangleKernels& smallTriangles = bestKernels<SmallTriangleKernels>();
-  const DepthKernels& depth = bestKernels<DepthKernels>();
-  const TexelKernels& texels = bestKernels<TexelKernels>();
-};
-
 /// Draws the part of a face in its scissor rectangle: one item ID per pixel, row by row from `ids` on, `pitch` item IDs
 /// from row to row. Previous contents of `ids` are ignored.
-void drawTile(const PreparedDrawList& draws, const TileKernels& kernels, const Face& face,
+void drawTile(const PreparedDrawList& draws, const Kernels& kernels, const Face& face,
               std::span<const std::uint32_t> skipped, TileMemory& memory, ItemId* ids, std::size_t pitch);
 
 }  // namespace hemitex::raster

@@ -59,8 +59,6 @@ std::size_t setUpSmall(const ClusterMesh& mesh, const Cluster& cluster, const Cl
 
 TEST_CASE("appendScreenTriangles of a cluster gives the screen triangles of its runs, with each instruction set",
           "[cluster_triangles]") {
-  std::vector<VertexKernels> all = simdKernels<VertexKernels>();
-  all.push_back(scalarKernels<VertexKernels>());
   const std::vector<std::uint32_t> skipped{0, 3, 31, 32, 33, 64, 500, 501, 502, 503, 1999};
   for (const DrawList& list : {tests::crossingTriangles(), manyDraws()}) {
     const std::vector<Cluster> clusters = clustersOf(list);
@@ -73,8 +71,8 @@ TEST_CASE("appendScreenTriangles of a cluster gives the screen triangles of its 
         for (std::size_t c = 0; c < clusters.size(); ++c) {
           std::vector<ScreenTriangle> expected;
           appendScreenTriangles(list, face, clusters[c].runs, skipped, expected);
-          for (const VertexKernels& kernels : all) {
-            INFO(kernels.name << ", cluster " << c);
+          for (const Kernels& kernels : allKernels()) {
+            INFO(kernels.instructionSet << ", cluster " << c);
             PlacedVertices vertices;
             std::vector<ScreenTriangle> triangles;
             const std::uint32_t smallOnes = appendScreenTriangles(list, mesh, clusters[c], mesh.parts[c], kernels, face,
@@ -89,6 +87,6 @@ TEST_CASE("appendScreenTriangles of a cluster gives the screen triangles of its 
       }
       CHECK(found > 100);
     }
-    CHECK(small > 500 * all.size());
+    CHECK(small > 500 * allKernels().size());
   }
 }

@@ -1,11 +1,10 @@
-// The vertex kernels of each instruction set give the same results as the scalar kernels, bit for bit.
-#include "raster/kernels/vertex_kernels.h"
-
+// Kernels::place gives the same results with each instruction set, bit for bit, and those of the rules.
 #include <algorithm>
 #include <bit>
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "raster/kernels/kernels.h"
 #include "raster/setup/vertex_stage.h"
 #include "tests/support/raster_scenes.h"
 
@@ -39,7 +38,7 @@ DrawList allAround() {
 }
 
 /// All results of `place` for a part; floats as bits.
-std::vector<std::uint32_t> placed(const VertexKernels& kernels, const ClusterMesh& mesh, const ClusterPart& part,
+std::vector<std::uint32_t> placed(const Kernels& kernels, const ClusterMesh& mesh, const ClusterPart& part,
                                   const Face& face) {
   PlacedVertices vertices;
   const TriangleSets sets = kernels.place(mesh, part, face, vertices);
@@ -66,15 +65,15 @@ std::vector<Face> faces() {
 
 }  // namespace
 
-TEST_CASE("VertexKernels::place gives the same vertices with each instruction set", "[vertex_kernels]") {
+TEST_CASE("Kernels::place gives the same vertices with each instruction set", "[vertex_kernels]") {
   const DrawList list = allAround();
   const ClusterMesh mesh = meshOf(list, clustersOf(list));
   std::uint32_t whole = 0, cut = 0, small = 0, tiny = 0, sides = 0;
   for (const Face& face : faces())
     for (const ClusterPart& part : mesh.parts) {
-      const std::vector<std::uint32_t> plain = placed(scalarKernels<VertexKernels>(), mesh, part, face);
-      for (const VertexKernels& kernels : simdKernels<VertexKernels>()) {
-        INFO(kernels.name << ", " << part.vertices << " vertices");
+      const std::vector<std::uint32_t> plain = placed(allKernels().back(), mesh, part, face);
+      for (const Kernels& kernels : allKernels()) {
+        INFO(kernels.instructionSet << ", " << part.vertices << " vertices");
         REQUIRE(placed(kernels, mesh, part, face) == plain);
       }
       whole |= plain[0];
@@ -92,7 +91,7 @@ TEST_CASE("VertexKernels::place gives the same vertices with each instruction se
   CHECK(sides == (beyondAny | notInside));
 }
 
-TEST_CASE("VertexKernels::place transforms and snaps a vertex inside the half-spaces as docs/item-buffers.md defines",
+TEST_CASE("Kernels::place transforms and snaps a vertex inside the half-spaces as docs/item-buffers.md defines",
           "[vertex_kernels]") {
   const DrawList list = allAround();
   const ClusterMesh mesh = meshOf(list, clustersOf(list));
@@ -100,7 +99,7 @@ TEST_CASE("VertexKernels::place transforms and snaps a vertex inside the half-sp
   int inside = 0;
   PlacedVertices vertices;
   for (const ClusterPart& part : mesh.parts) {
-    bestKernels<VertexKernels>().place(mesh, part, face, vertices);
+    bestKernels().place(mesh, part, face, vertices);
     for (std::size_t i = 0; i < part.vertices; ++i) {
       const std::size_t v = part.firstVertex + i;
       const ViewVertex p = transform(face, {mesh.positions[0][v], mesh.positions[1][v], mesh.positions[2][v]}, {});

@@ -1,29 +1,19 @@
 // findChanges equals a comparison of each pair of neighbours, with each instruction set.
-#include "raster/kernels/run_kernels.h"
-
 #include <catch2/catch.hpp>
 #include <vector>
+
+#include "raster/kernels/kernels.h"
 
 using namespace hemitex;
 using raster::ItemId;
 
-namespace {
-
-std::vector<raster::RunKernels> allKernels() {
-  std::vector<raster::RunKernels> all = raster::simdKernels<raster::RunKernels>();
-  all.push_back(raster::scalarKernels<raster::RunKernels>());
-  return all;
-}
-
-}  // namespace
-
-TEST_CASE("RunKernels::findChanges sets a bit where an item ID differs from the one before, for rows of all lengths",
+TEST_CASE("Kernels::findChanges sets a bit where an item ID differs from the one before, for rows of all lengths",
           "[kernels]") {
   // Runs of 1, 2, 3 ... item IDs; every other run differs only in the highest bit.
   std::vector<ItemId> ids{7};
   for (ItemId run = 0; ids.size() < 400; ++run) ids.insert(ids.end(), run % 9, run % 2 == 0 ? 7U : 0x80000007U);
-  for (const raster::RunKernels& kernels : allKernels()) {
-    INFO(kernels.name);
+  for (const raster::Kernels& kernels : raster::allKernels()) {
+    INFO(kernels.instructionSet);
     for (std::size_t first = 1; first < 20; ++first)
       for (std::size_t count = 0; count < 300; ++count) {
         const std::size_t numbers = (count + raster::changesAtOnce - 1) / raster::changesAtOnce;

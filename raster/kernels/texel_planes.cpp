@@ -1,4 +1,4 @@
-#include "raster/kernels/texel_kernels.h"
+#include "raster/kernels/texel_planes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,41 +7,6 @@
 
 namespace hemitex::raster {
 namespace {
-
-double texelOf(double position, const TexelPlane& plane) {
-  return std::max(std::min(std::floor(position), plane.last), 0.0);
-}
-
-void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
-                UndecidedPixels& undecided) {
-  for (int i = 0; i < run.count; ++i) {
-    const int pixelColumn = run.firstColumn + i;
-    const double w = 1 / run.inverseDepth[i], clear = (0.5 - planes.rounding) - planes.error * w;
-    const auto position = [&](const TexelPlane& plane) {
-      return (plane.at + plane.down * run.row + plane.right * pixelColumn) * w;
-    };
-    const auto isClear = [clear](double at, const TexelPlane& plane) {
-      return std::abs((at - std::floor(at)) - plane.middle) < clear;
-    };
-    const double across = position(planes.u), down = position(planes.v);
-    if (isClear(across, planes.u) && isClear(down, planes.v))
-      texels[i] =
-          base + static_cast<std::uint32_t>(texelOf(down, planes.v) * (planes.u.last + 1) + texelOf(across, planes.u));
-    else
-      undecided.add(pixelColumn, run.row);
-  }
-}
-
-void findExactTexels(const PixelRun& run, const ExactTexels& exact, int width, int height, std::uint32_t base,
-                     std::uint32_t* texels) {
-  const ExactLine u(run, exact.u), v(run, exact.v);
-  const auto texel = [](const ExactLine& line, int i, int size) {
-    return std::floor(
-        std::max(std::min((line.at + line.step * i) / (line.below + line.belowStep * i), size - 1.0), 0.0));
-  };
-  for (int i = 0; i < run.count; ++i)
-    texels[i] = base + static_cast<std::uint32_t>(texel(v, i, height) * width + texel(u, i, width));
-}
 
 /// A plane with its error bounds: `error` is the error of the plane, in texels over w; `rounding` is the error of 1/w
 /// and of the product, in texels.
@@ -87,12 +52,6 @@ TexelPlanes::TexelPlanes(const ScreenTriangle& triangle, int mapWidth, int mapHe
   v = along.plane;
   error = std::max(across.error, along.error);
   rounding = std::max(across.rounding, along.rounding);
-}
-
-template <>
-const TexelKernels& scalarKernels<TexelKernels>() {
-  static const TexelKernels kernels{"scalar", findTexels, findExactTexels};
-  return kernels;
 }
 
 }  // namespace hemitex::raster

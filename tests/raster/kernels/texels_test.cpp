@@ -1,14 +1,12 @@
-// The texel kernels of each instruction set give the same results as the scalar kernels, bit for bit.
-#include "raster/kernels/texel_kernels.h"
-
+// The texel kernels give the same results with each instruction set, bit for bit, and the exact texels.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 #include <utility>
 
-#include "raster/kernels/depth_kernels.h"
 #include "raster/kernels/interpolation_bounds.h"
+#include "raster/kernels/kernels.h"
 #include "tests/support/raster_scenes.h"
 
 using namespace hemitex;
@@ -27,7 +25,7 @@ raster::DepthBuffer drawn(const std::vector<raster::ScreenTriangle>& triangles, 
   raster::UndecidedPixels undecided;
   buffer.clear(face.scissor);
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    raster::scalarKernels<raster::DepthKernels>().offer(triangles[t], t, buffer, undecided);
+    raster::allKernels().back().testDepths(triangles[t], t, buffer, undecided);
   return buffer;
 }
 
@@ -37,7 +35,7 @@ struct Texels {
   std::vector<std::pair<int, int>> undecided;
 };
 
-Texels texelsOf(const raster::TexelKernels& kernels, const raster::PixelRun& run, const raster::TexelPlanes& planes) {
+Texels texelsOf(const raster::Kernels& kernels, const raster::PixelRun& run, const raster::TexelPlanes& planes) {
   // Behind the run, the mark that kernels use for an open texel.
   Texels found{std::vector<std::uint32_t>(static_cast<std::size_t>(run.count + raster::maxLanes), 0xffffffff), {}};
   raster::UndecidedPixels undecided;
@@ -50,7 +48,7 @@ Texels texelsOf(const raster::TexelKernels& kernels, const raster::PixelRun& run
   return found;
 }
 
-/// Compares the texels of each run of a face with those of the scalar kernels; returns the longest run.
+/// Compares the texels of each run of a face with each instruction set; returns the longest run.
 int compareTexels(const raster::DrawList& list, const raster::Face& face,
                   const std::vector<std::pair<int, int>>& maps) {
   const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
@@ -68,9 +66,9 @@ int compareTexels(const raster::DrawList& list, const raster::Face& face,
         const raster::PixelRun run{&triangles[number], row, first, end - first,
                                    buffer.inverseDepth.data() + begin + first};
         const raster::TexelPlanes planes(triangles[number], width, height);
-        const Texels plain = texelsOf(raster::scalarKernels<raster::TexelKernels>(), run, planes);
-        for (const raster::TexelKernels& kernels : raster::simdKernels<raster::TexelKernels>()) {
-          INFO(kernels.name << ", row " << row << ", columns " << first << " to " << end);
+        const Texels plain = texelsOf(raster::allKernels().back(), run, planes);
+        for (const raster::Kernels& kernels : raster::allKernels()) {
+          INFO(kernels.instructionSet << ", row " << row << ", columns " << first << " to " << end);
           const Texels found = texelsOf(kernels, run, planes);
           REQUIRE(found.undecided == plain.undecided);
           REQUIRE(found.texels == plain.texels);
@@ -81,12 +79,11 @@ int compareTexels(const raster::DrawList& list, const raster::Face& face,
 
 }  // namespace
 
-TEST_CASE("TexelKernels::findTexels gives the same texels with each instruction set, for runs of all lengths",
-          "[kernels]") {
+TEST_CASE("Kernels::findTexels gives the same texels with each instruction set, for runs of all lengths", "[kernels]") {
   compareTexels(crossingTriangles(), frontFace(64), {{16, 16}, {1, 5}, {1024, 1}, {65536, 32768}});
 }
 
-TEST_CASE("TexelKernels::findTexels gives the same texels with each instruction set, along steep and flat walls",
+TEST_CASE("Kernels::findTexels gives the same texels with each instruction set, along steep and flat walls",
           "[kernels]") {
   // Each wall fills the view. Its depth grows from left to right, and its coordinates leave the map on both sides.
   raster::Face face = frontFace(256);
@@ -102,7 +99,7 @@ TEST_CASE("TexelKernels::findTexels gives the same texels with each instruction 
     }
 }
 
-TEST_CASE("TexelKernels::findTexels finds a single texel everywhere, however large the coordinates", "[kernels]") {
+TEST_CASE("Kernels::findTexels finds a single texel everywhere, however large the coordinates", "[kernels]") {
   raster::DrawList list = plainList();
   addDraw(list, 0);
   addTriangle(list, {{-1, -1, 1}, {3, -1, 1}, {-1, 3, 1}}, {{-1e18F, 0}, {1e18F, 1e18F}, {7, -1e18F}});
@@ -110,19 +107,16 @@ TEST_CASE("TexelKernels::findTexels finds a single texel everywhere, however lar
   const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
   const raster::DepthBuffer buffer = drawn(triangles, face);
   const raster::PixelRun run{triangles.data(), 3, 0, 64, buffer.inverseDepth.data() + buffer.rowAt(3)};
-  std::vector<raster::TexelKernels> all = raster::simdKernels<raster::TexelKernels>();
-  all.push_back(raster::scalarKernels<raster::TexelKernels>());
-  for (const raster::TexelKernels& kernels : all) {
-    INFO(kernels.name);
+  for (const raster::Kernels& kernels : raster::allKernels()) {
+    INFO(kernels.instructionSet);
     const Texels found = texelsOf(kernels, run, raster::TexelPlanes(triangles.front(), 1, 1));
     CHECK(found.undecided.empty());
     CHECK(found.texels == std::vector<std::uint32_t>(64, 7));
   }
 }
 
-TEST_CASE(
-    "TexelKernels::findTexels beside a border gives the exact texel or an undecided one, with each instruction set",
-    "[kernels]") {
+TEST_CASE("Kernels::findTexels beside a border gives the exact texel or an undecided one, with each instruction set",
+          "[kernels]") {
   // Walls as above. Coordinates are shifted so that a pixel of a run lies 2^-6 to 2^-25 texels from a border. That is
   // from well above to close to the rounding error. The pixel is often the first or the last, where 1/w differs most
   // from the middle.
@@ -144,8 +138,7 @@ TEST_CASE(
           const int row = below(4), first = below(100), count = times % 2 == 0 ? 256 - first : 20 + below(156 - 20);
           const std::size_t begin = buffer.pixelAt(first, row);
           REQUIRE(buffer.triangle[begin] == 0);
-          REQUIRE(raster::scalarKernels<raster::DepthKernels>().endOfRun(buffer.triangle.data() + begin, 0, count) ==
-                  count);
+          REQUIRE(raster::allKernels().back().endOfRun(buffer.triangle.data() + begin, 0, count) == count);
           const int at = times % 3 == 0 ? 0 : times % 3 == 1 ? count - 1 : below(count);
           raster::ScreenTriangle triangle = triangles.front();
           const raster::EdgeValues edge = raster::edgeValues(triangle, first + at, row);
@@ -159,22 +152,22 @@ TEST_CASE(
           const auto exact =
               static_cast<std::uint32_t>(7 + raster::texelExactly(triangle, triangle.v, 8, first + at, row) * size +
                                          raster::texelExactly(triangle, triangle.u, size, first + at, row));
-          for (const raster::TexelKernels& kernels : raster::simdKernels<raster::TexelKernels>()) {
+          for (const raster::Kernels& kernels : raster::allKernels()) {
             const Texels found = texelsOf(kernels, run, planes);
             const bool isOpen =
                 std::binary_search(found.undecided.begin(), found.undecided.end(), std::pair(row, first + at));
             ++(isOpen ? open : decided);
-            INFO(kernels.name << ", depth " << depth << ", size " << size << ", reach " << reach << ", off " << off);
+            INFO(kernels.instructionSet << ", depth " << depth << ", size " << size << ", reach " << reach << ", off "
+                                        << off);
             if (!isOpen) REQUIRE(found.texels[static_cast<std::size_t>(at)] == exact);
           }
         }
       }
-  if (raster::simdKernels<raster::TexelKernels>().empty()) return;
   CHECK(decided > 10 * open);
   CHECK(open > 0);
 }
 
-TEST_CASE("TexelKernels::findExactTexels gives the texels of texelExactly, with each instruction set", "[kernels]") {
+TEST_CASE("Kernels::findExactTexels gives the texels of texelExactly, with each instruction set", "[kernels]") {
   const raster::Face face = frontFace(64);
   raster::DrawList list = plainList();
   addDraw(list, 0);
@@ -186,8 +179,6 @@ TEST_CASE("TexelKernels::findExactTexels gives the texels of texelExactly, with 
     addTriangle(list, {point(0.5F, 0.5F, 1), point(48.5F, 3.5F, depth), point(7.5F, 60.5F, depth)},
                 {{-0.25F, 0}, {1, 0.5F}, {0.5F, 1.25F}});
   }
-  std::vector<raster::TexelKernels> all = raster::simdKernels<raster::TexelKernels>();
-  all.push_back(raster::scalarKernels<raster::TexelKernels>());
   int runs = 0;
   for (const raster::ScreenTriangle& triangle : screenTriangles(list, face))
     for (const int size : {1, 16, 48})
@@ -204,11 +195,11 @@ TEST_CASE("TexelKernels::findExactTexels gives the texels of texelExactly, with 
                                          texelExactly(triangle, triangle.u, size, column, row)));
         }
         const raster::PixelRun run{&triangle, row, first, static_cast<int>(expected.size()), nullptr};
-        for (const raster::TexelKernels& kernels : all) {
+        for (const raster::Kernels& kernels : raster::allKernels()) {
           std::vector<std::uint32_t> found(expected.size() + raster::maxLanes);
           kernels.findExactTexels(run, {*u, *v}, size, 2 * size, 7, found.data());
           found.resize(expected.size());
-          INFO(kernels.name << ", row " << row << ", size " << size);
+          INFO(kernels.instructionSet << ", row " << row << ", size " << size);
           REQUIRE(found == expected);
         }
         ++runs;

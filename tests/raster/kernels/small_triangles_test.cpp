@@ -1,13 +1,12 @@
 // The kernels for small triangles give the same results with each instruction set, bit for bit, and the same samples as
 // screen triangles.
-#include "raster/kernels/small_triangle_kernels.h"
-
 #include <algorithm>
 #include <bit>
 #include <catch2/catch.hpp>
 #include <tuple>
 
 #include "raster/kernels/interpolation_bounds.h"
+#include "raster/kernels/kernels.h"
 #include "raster/setup/exact_interpolation.h"
 #include "raster/software/cluster_setup.h"
 #include "tests/support/raster_scenes.h"
@@ -33,7 +32,7 @@ struct Seen {
   TriangleSets sets;
 
   Seen(const ClusterMesh& mesh, const ClusterPart& part, const Face& face)
-      : sets(scalarKernels<VertexKernels>().place(mesh, part, face, placed)) {}
+      : sets(allKernels().back().place(mesh, part, face, placed)) {}
 };
 
 /// Results of setup, with floating-point numbers as bits. Triangles that are not drawn have no planes.
@@ -77,7 +76,7 @@ struct Drawn {
   std::vector<std::tuple<std::uint32_t, int, int>> undecided;
 };
 
-Drawn drawAll(const SmallTriangleKernels& kernels, const ClusterMesh& mesh, const Face& face, const Map& map) {
+Drawn drawAll(const Kernels& kernels, const ClusterMesh& mesh, const Face& face, const Map& map) {
   std::vector<ItemId> texels;
   for (int i = 0; i < map.columns * map.rows; ++i) texels.push_back(static_cast<ItemId>(7 * i + 3));
   Drawn drawn;
@@ -85,11 +84,11 @@ Drawn drawAll(const SmallTriangleKernels& kernels, const ClusterMesh& mesh, cons
   for (const ClusterPart& part : mesh.parts) {
     const Seen seen(mesh, part, face);
     SmallSetup setup;
-    kernels.setUp({mesh, part, seen.placed, seen.sets.small, seen.sets.tiny, map.columns, map.rows}, face.scissor,
-                  setup);
+    kernels.setUpSmall({mesh, part, seen.placed, seen.sets.small, seen.sets.tiny, map.columns, map.rows}, face.scissor,
+                       setup);
     drawn.setups.push_back(valuesOf(setup));
     UndecidedSamples undecided;
-    kernels.draw(setup, idsOf(setup, map, texels), firstSmall + part.firstTriangle, drawn.buffer, undecided);
+    kernels.drawSmall(setup, idsOf(setup, map, texels), firstSmall + part.firstTriangle, drawn.buffer, undecided);
     for (const auto& [k, pixel] : undecided.samples) {
       drawn.undecided.emplace_back(part.firstTriangle + k, pixel.row, pixel.column);
       drawn.buffer.id[drawn.buffer.pixelAt(pixel.column, pixel.row)] = 0;  // it is unspecified
@@ -151,24 +150,24 @@ SmallSetup setUpAll(const DrawList& list) {
   const Seen seen(mesh, mesh.parts[0], face);
   REQUIRE(std::popcount(seen.sets.small) == static_cast<int>(list.indices.size() / 3));
   SmallSetup setup;
-  scalarKernels<SmallTriangleKernels>().setUp({mesh, mesh.parts[0], seen.placed, seen.sets.small, seen.sets.tiny},
-                                              face.scissor, setup);
+  allKernels().back().setUpSmall({mesh, mesh.parts[0], seen.placed, seen.sets.small, seen.sets.tiny}, face.scissor,
+                                 setup);
   return setup;
 }
 
 }  // namespace
 
-TEST_CASE("SmallTriangleKernels set up and draw the same with each instruction set", "[small_triangle_kernels]") {
+TEST_CASE("Kernels::setUpSmall and drawSmall give the same results with each instruction set", "[small_triangles]") {
   const DrawList list = tests::smallTriangles(600);
   const ClusterMesh mesh = meshOf(list, clustersOf(list));
   std::size_t samples = 0, undecided = 0;
   for (const Face& face : faces())
     for (const Map& map : {Map{8, 5, true}, Map{8, 5, false}, Map{1, 1, true}}) {
-      const Drawn plain = drawAll(scalarKernels<SmallTriangleKernels>(), mesh, face, map);
+      const Drawn plain = drawAll(allKernels().back(), mesh, face, map);
       samples += shownBy(plain.buffer).size();
       undecided += plain.undecided.size();
-      for (const SmallTriangleKernels& kernels : simdKernels<SmallTriangleKernels>()) {
-        INFO(kernels.name);
+      for (const Kernels& kernels : allKernels()) {
+        INFO(kernels.instructionSet);
         const Drawn drawn = drawAll(kernels, mesh, face, map);
         CHECK(drawn.setups == plain.setups);
         CHECK(shownBy(drawn.buffer) == shownBy(plain.buffer));
@@ -179,18 +178,17 @@ TEST_CASE("SmallTriangleKernels set up and draw the same with each instruction s
   CHECK(undecided > 100);
 }
 
-TEST_CASE("SmallTriangleKernels::draw shows the samples and texels of the screen triangle",
-          "[small_triangle_kernels]") {
+TEST_CASE("Kernels::drawSmall shows the samples and texels of the screen triangle", "[small_triangles]") {
   const DrawList list = tests::smallTriangles(600);
   const std::vector<Cluster> clusters = clustersOf(list);
   const ClusterMesh mesh = meshOf(list, clusters);
-  const SmallTriangleKernels& kernels = scalarKernels<SmallTriangleKernels>();
+  const Kernels& kernels = allKernels().back();
   int empty = 0, thin = 0, decided = 0, undecided = 0, uniform = 0;
   DepthBuffer buffer;
   /// Draws a triangle alone and compares what it shows.
   const auto check = [&](const SmallTriangles& one, const Face& face, const ScreenTriangle& triangle, bool isEmpty) {
     SmallSetup setup;
-    kernels.setUp(one, face.scissor, setup);
+    kernels.setUpSmall(one, face.scissor, setup);
     UndecidedSamples open;
     if (setup.thin != 0) {
       // The three |e| below are at most 4 times the area of the bounds each, and one w at most 3 times another.
@@ -198,7 +196,7 @@ TEST_CASE("SmallTriangleKernels::draw shows the samples and texels of the screen
       return void(++thin);
     }
     buffer.clear(face.scissor);
-    kernels.draw(setup, idsOf(setup, {one.columns, one.rows, true}, {}), firstSmall, buffer, open);
+    kernels.drawSmall(setup, idsOf(setup, {one.columns, one.rows, true}, {}), firstSmall, buffer, open);
     const auto shown = shownBy(buffer);
     const auto expected = isEmpty ? std::vector<std::pair<int, int>>() : coveredBy(triangle);
     REQUIRE(shown.size() == expected.size());
@@ -241,8 +239,7 @@ TEST_CASE("SmallTriangleKernels::draw shows the samples and texels of the screen
   CHECK(uniform > 1000);
 }
 
-TEST_CASE("SmallTriangleKernels::setUp keeps one of the four smallest triangles around a sample",
-          "[small_triangle_kernels]") {
+TEST_CASE("Kernels::setUpSmall keeps one of the four smallest triangles around a sample", "[small_triangles]") {
   // Half a square of 1/256 pixel in each quadrant of the sample of column 10 and row 12.
   constexpr float step = 1 / 256.0F;
   const glm::vec2 sample(10.5F, 12.5F);
@@ -257,8 +254,7 @@ TEST_CASE("SmallTriangleKernels::setUp keeps one of the four smallest triangles 
   CHECK(setup.rows[0] == 1);
 }
 
-TEST_CASE("SmallTriangleKernels::setUp leaves out triangles whose 1/w is not accurate enough",
-          "[small_triangle_kernels]") {
+TEST_CASE("Kernels::setUpSmall leaves out triangles whose 1/w is not accurate enough", "[small_triangles]") {
   // With edges e and the area A, both in squared sub-pixels, the bound of the relative error of 1/w at w = 1 is 2^-49
   // times the sum of |e| / A. In a sliver along a diagonal of d pixels, two corners lie at most d pixels from the first
   // sample, so each |e| is below 4 * (256 d)^2. With d = 30 and A = 256, the sum may reach 2^22. The bound has to be

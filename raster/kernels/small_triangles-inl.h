@@ -1,42 +1,9 @@
-// SIMD kernels for small triangles, written with Highway, which compiles this file once per instruction set. Lanes hold
-// triangles during setup, then samples.
-#include "raster/kernels/interpolation_bounds.h"
-#include "raster/kernels/simd_targets.h"
-#include "raster/kernels/small_triangle_kernels.h"
-
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "raster/kernels/small_triangle_kernels_simd.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+/// Kernels for small triangles (small_triangles.h). Lanes hold triangles during setup, then samples.
+// No include guard: kernels.cpp includes this file once per instruction set.
 
 HWY_BEFORE_NAMESPACE();
-namespace hemitex::raster::HWY_NAMESPACE {
+namespace hemitex::raster::HWY_NAMESPACE::small {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-/// Vectors with the same number of lanes.
-using Doubles = hn::CappedTag<double, maxVertexLanes>;
-using Floats = hn::Rebind<float, Doubles>;
-using Integers = hn::Rebind<std::int32_t, Doubles>;
-using Bytes = hn::Rebind<std::uint8_t, Doubles>;
-using Double = hn::Vec<Doubles>;
-using Float = hn::Vec<Floats>;
-using Integer = hn::Vec<Integers>;
-
-constexpr Doubles doubles;
-constexpr Floats floats;
-constexpr Integers integers;
-
-Double all(double value) { return hn::Set(doubles, value); }
-Integer all(std::int32_t value) { return hn::Set(integers, value); }
-
-template <typename Tag>
-std::uint8_t bitsOf(Tag tag, hn::Mask<Tag> mask) {
-  HWY_ALIGN std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(tag, mask, bits);
-  return bits[0];
-}
 
 /// One vector per corner.
 template <typename Value>
@@ -104,7 +71,8 @@ struct SmallEdge {
         least(hn::IfThenZeroElse(hn::Or(hn::Gt(py, qy), hn::And(hn::Eq(py, qy), hn::Gt(qx, px))), all(1))) {}
 };
 
-/// A texture coordinate at the corners, in texels; see the scalar version.
+/// A texture coordinate at the corners, in texels. If all corners, and so all samples, have the same
+/// texel, its middle stands for all positions.
 struct Texels {
   Corners<Double> position;
   Double texel;
@@ -299,15 +267,6 @@ void setUp(const SmallTriangles& triangles, const Scissor& part, SmallSetup& set
   for (std::uint32_t k = 0; k < setup.count; k += lanes) setUpEntries(triangles, corners, k, part, setup);
 }
 
-using Numbers = hn::Rebind<std::uint32_t, Doubles>;
-
-/// Converts a mask to lanes of 32-bit numbers.
-hn::Mask<Numbers> forNumbers(const hn::Mask<Doubles> mask) {
-  HWY_ALIGN std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(doubles, mask, bits);
-  return hn::LoadMaskBits(Numbers(), bits);
-}
-
 /// The samples of a triangle in one vector of columns.
 struct Strip {
   const SmallSetup& setup;
@@ -438,26 +397,6 @@ void draw(const SmallSetup& setup, const SmallIds& ids, std::uint32_t firstNumbe
   }
 }
 
-SmallTriangleKernels smallTriangleKernels() { return {hwy::TargetName(HWY_TARGET), setUp, draw}; }
-
 }  // namespace
-}  // namespace hemitex::raster::HWY_NAMESPACE
+}  // namespace hemitex::raster::HWY_NAMESPACE::small
 HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
-namespace hemitex::raster {
-namespace {
-
-HWY_EXPORT(smallTriangleKernels);
-
-}  // namespace
-
-template <>
-const std::vector<SmallTriangleKernels>& simdKernels<SmallTriangleKernels>() {
-  static const std::vector<SmallTriangleKernels> all =
-      ofEveryInstructionSet<SmallTriangleKernels>([] { return HWY_DYNAMIC_DISPATCH(smallTriangleKernels)(); });
-  return all;
-}
-
-}  // namespace hemitex::raster
-#endif

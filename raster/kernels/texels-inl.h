@@ -1,27 +1,9 @@
-// SIMD texel kernels, written with Highway, which compiles this file once per instruction set.
-#include "raster/kernels/interpolation_bounds.h"
-#include "raster/kernels/simd_targets.h"
-#include "raster/kernels/texel_kernels.h"
-
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "raster/kernels/texel_kernels_simd.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+/// Kernels for the texels of runs of pixels that show one triangle. Lanes hold adjacent pixels.
+// No include guard: kernels.cpp includes this file once per instruction set.
 
 HWY_BEFORE_NAMESPACE();
-namespace hemitex::raster::HWY_NAMESPACE {
+namespace hemitex::raster::HWY_NAMESPACE::texels {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Doubles = hn::CappedTag<double, 8>;
-using Double = hn::Vec<Doubles>;
-using Mask = hn::Mask<Doubles>;
-/// Integer vectors with the same number of lanes.
-using Integers = hn::Rebind<std::int32_t, Doubles>;
-using Numbers = hn::Rebind<std::uint32_t, Doubles>;
-
-constexpr Doubles doubles;
 
 template <typename Action>
 void forEachLane(const Mask mask, const Action& action) {
@@ -29,8 +11,6 @@ void forEachLane(const Mask mask, const Action& action) {
   hn::StoreMaskBits(doubles, mask, bits);
   for (unsigned left = bits[0]; left != 0; left &= left - 1) action(__builtin_ctz(left));
 }
-
-Mask firstLanes(int count) { return hn::FirstN(doubles, static_cast<std::size_t>(count)); }
 
 /// A texture coordinate along a row.
 struct Texels {
@@ -106,11 +86,11 @@ void findTexelsInBinary64(const PixelRun& run, const TexelPlanes& planes, std::u
   if (!hn::AllFalse(doubles, open)) listUndecidedTexels(run, planes, undecided);
 }
 
-using Floats = hn::CappedTag<float, maxLanes>;
-using Float = hn::Vec<Floats>;
-using TexelNumbers = hn::Rebind<std::uint32_t, Floats>;
+using WideFloats = hn::CappedTag<float, maxLanes>;
+using WideFloat = hn::Vec<WideFloats>;
+using TexelNumbers = hn::Rebind<std::uint32_t, WideFloats>;
 
-constexpr Floats floats;
+constexpr WideFloats wideFloats;
 
 /// A texture coordinate along a run, relative to a texel border near the pixel in the middle of the run, so that values
 /// are small. It is (at + i * step) / (1 + i * depthStep) at the i-th pixel from the middle.
@@ -159,21 +139,21 @@ struct RunInBinary32 {
 /// A texture coordinate along a run. With or without fused multiply-add, the error is within the rounding that `clear`
 /// allows.
 struct TexelsInBinary32 {
-  Float at, step, middle, border, last;
+  WideFloat at, step, middle, border, last;
 
   TexelsInBinary32(const LineInBinary32& line, const TexelPlane& plane)
-      : at(hn::Set(floats, static_cast<float>(line.at))),
-        step(hn::Set(floats, static_cast<float>(line.step))),
-        middle(hn::Set(floats, static_cast<float>(plane.middle))),
-        border(hn::Set(floats, static_cast<float>(line.border))),
-        last(hn::Set(floats, static_cast<float>(plane.last))) {}
+      : at(hn::Set(wideFloats, static_cast<float>(line.at))),
+        step(hn::Set(wideFloats, static_cast<float>(line.step))),
+        middle(hn::Set(wideFloats, static_cast<float>(plane.middle))),
+        border(hn::Set(wideFloats, static_cast<float>(line.border))),
+        last(hn::Set(wideFloats, static_cast<float>(plane.last))) {}
 
   /// Returns the texels of pixels, and the distance of each position from the middle between two borders.
-  Float find(Float pixel, Float w, Float& offCentre) const {
-    const Float position = hn::Mul(hn::MulAdd(step, pixel, at), w);
-    const Float texel = hn::Floor(position);
+  WideFloat find(WideFloat pixel, WideFloat w, WideFloat& offCentre) const {
+    const WideFloat position = hn::Mul(hn::MulAdd(step, pixel, at), w);
+    const WideFloat texel = hn::Floor(position);
     offCentre = hn::Abs(hn::Sub(hn::Sub(position, texel), middle));
-    return hn::Max(hn::Min(hn::Add(texel, border), last), hn::Zero(floats));
+    return hn::Max(hn::Min(hn::Add(texel, border), last), hn::Zero(wideFloats));
   }
 };
 
@@ -184,27 +164,27 @@ constexpr std::uint32_t openTexel = 0xffffffff;
 /// The constants of a run in binary32, as vectors.
 struct WalkInBinary32 {
   TexelsInBinary32 u, v;
-  Float depthStep, clear, width, end;
+  WideFloat depthStep, clear, width, end;
   // Binary32 numbers from 2^23 on are consecutive integers, so that 2^23 + n has the bits of 2^23 plus n.
-  Float counting = hn::Set(floats, 0x1p23F);
+  WideFloat counting = hn::Set(wideFloats, 0x1p23F);
   hn::Vec<TexelNumbers> offset;
 
   WalkInBinary32(const PixelRun& run, const RunInBinary32& line, const TexelPlanes& planes, std::uint32_t base)
       : u(line.u, planes.u),
         v(line.v, planes.v),
-        depthStep(hn::Set(floats, static_cast<float>(line.depthStep))),
-        clear(hn::Set(floats, static_cast<float>(line.clear))),
-        width(hn::Set(floats, static_cast<float>(planes.u.last + 1))),
-        end(hn::Set(floats, static_cast<float>(run.count - line.middle))),
+        depthStep(hn::Set(wideFloats, static_cast<float>(line.depthStep))),
+        clear(hn::Set(wideFloats, static_cast<float>(line.clear))),
+        width(hn::Set(wideFloats, static_cast<float>(planes.u.last + 1))),
+        end(hn::Set(wideFloats, static_cast<float>(run.count - line.middle))),
         offset(hn::Sub(hn::Set(TexelNumbers(), base), hn::BitCast(TexelNumbers(), counting))) {}
 
   /// Stores the texels of adjacent pixels, openTexel for undecided ones; returns the undecided lanes.
-  hn::Mask<Floats> find(Float pixel, std::uint32_t* texels) const {
-    const Float one = hn::Set(floats, 1.0F);
-    const Float w = hn::Div(one, hn::MulAdd(depthStep, pixel, one));
-    Float offAcross, offDown;
-    const Float column = u.find(pixel, w, offAcross), row = v.find(pixel, w, offDown);
-    const Float texel = hn::Add(hn::MulAdd(row, width, column), counting);
+  hn::Mask<WideFloats> find(WideFloat pixel, std::uint32_t* texels) const {
+    const WideFloat one = hn::Set(wideFloats, 1.0F);
+    const WideFloat w = hn::Div(one, hn::MulAdd(depthStep, pixel, one));
+    WideFloat offAcross, offDown;
+    const WideFloat column = u.find(pixel, w, offAcross), row = v.find(pixel, w, offDown);
+    const WideFloat texel = hn::Add(hn::MulAdd(row, width, column), counting);
     const auto open = hn::AndNot(hn::Lt(hn::Max(offAcross, offDown), clear), hn::Lt(pixel, end));
     const auto told = hn::Add(hn::BitCast(TexelNumbers(), texel), offset);
     hn::StoreU(hn::IfThenElse(hn::RebindMask(TexelNumbers(), open), hn::Set(TexelNumbers(), openTexel), told),
@@ -216,7 +196,7 @@ struct WalkInBinary32 {
 /// Computes the texels that binary32 left open in double precision.
 HWY_NOINLINE void findOpenTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base,
                                  std::uint32_t* texels, UndecidedPixels& undecided) {
-  const auto lanes = static_cast<int>(hn::Lanes(floats));
+  const auto lanes = static_cast<int>(hn::Lanes(wideFloats));
   for (int i = 0; i < run.count; i += lanes) {
     const auto isOpen = hn::Eq(hn::LoadU(TexelNumbers(), texels + i), hn::Set(TexelNumbers(), openTexel));
     HWY_ALIGN std::uint8_t bits[8] = {};
@@ -240,13 +220,13 @@ void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t ba
   const RunInBinary32 line(run, planes, middle, 1 / run.inverseDepth[middle]);
   if (!(line.clear > 0.25)) return findTexelsInBinary64(run, planes, base, texels, undecided);
   const WalkInBinary32 walk(run, line, planes, base);
-  const auto lanes = static_cast<int>(hn::Lanes(floats));
-  const Float stride = hn::Set(floats, static_cast<float>(lanes));
-  Float pixel = hn::Sub(hn::Iota(floats, 0), hn::Set(floats, static_cast<float>(middle)));
-  auto open = hn::FirstN(floats, 0);
+  const auto lanes = static_cast<int>(hn::Lanes(wideFloats));
+  const WideFloat stride = hn::Set(wideFloats, static_cast<float>(lanes));
+  WideFloat pixel = hn::Sub(hn::Iota(wideFloats, 0), hn::Set(wideFloats, static_cast<float>(middle)));
+  auto open = hn::FirstN(wideFloats, 0);
   for (int i = 0; i < run.count; i += lanes, pixel = hn::Add(pixel, stride))
     open = hn::Or(open, walk.find(pixel, texels + i));
-  if (!hn::AllFalse(floats, open)) findOpenTexels(run, planes, base, texels, undecided);
+  if (!hn::AllFalse(wideFloats, open)) findOpenTexels(run, planes, base, texels, undecided);
 }
 
 /// The texels of pixels i along a line of exact quotients.
@@ -268,26 +248,6 @@ void findExactTexels(const PixelRun& run, const ExactTexels& exact, int width, i
     storeTexels(findExactly(u, pixels, width), findExactly(v, pixels, height), columns, base, texels + i);
 }
 
-TexelKernels kernels() { return {hwy::TargetName(HWY_TARGET), findTexels, findExactTexels}; }
-
 }  // namespace
-}  // namespace hemitex::raster::HWY_NAMESPACE
+}  // namespace hemitex::raster::HWY_NAMESPACE::texels
 HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
-namespace hemitex::raster {
-namespace {
-
-HWY_EXPORT(kernels);
-
-}  // namespace
-
-template <>
-const std::vector<TexelKernels>& simdKernels<TexelKernels>() {
-  static const std::vector<TexelKernels> all =
-      ofEveryInstructionSet<TexelKernels>([] { return HWY_DYNAMIC_DISPATCH(kernels)(); });
-  return all;
-}
-
-}  // namespace hemitex::raster
-#endif

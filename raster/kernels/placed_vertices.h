@@ -5,12 +5,10 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "raster/culling/cluster_mesh.h"
 #include "raster/interface/face.h"
-#include "raster/kernels/kernel_lists.h"
 
 namespace hemitex::raster {
 
@@ -30,7 +28,7 @@ inline constexpr std::int32_t beyondAny = 31;
 /// Outside a clip half-space, or not finite.
 inline constexpr std::int32_t notInside = 32;
 
-/// In sub-pixels: 32 pixels, see small_triangle_kernels.h.
+/// In sub-pixels: 32 pixels, see small_triangles.h.
 inline constexpr std::int32_t smallSpan = 32 * 256;
 
 /// Triangles of a cluster, one bit each.
@@ -40,18 +38,5 @@ struct TriangleSets {
   std::uint32_t tiny = 0;   ///< those of `small` whose bounds hold at most two columns and two rows of samples
   std::uint32_t cut = 0;    ///< need clipping, or have a value that is not finite
 };
-
-struct VertexKernels {
-  std::string name;  ///< "scalar", or the name of an instruction set
-
-  /// Transforms the vertices of a part of a mesh and classifies its triangles. Triangles in neither set cover no
-  /// sample.
-  TriangleSets (*place)(const ClusterMesh& mesh, const ClusterPart& part, const Face& face, PlacedVertices& placed);
-};
-
-template <>
-const VertexKernels& scalarKernels<VertexKernels>();
-template <>
-const std::vector<VertexKernels>& simdKernels<VertexKernels>();
 
 }  // namespace hemitex::raster

@@ -14,15 +14,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "raster/culling/cluster_mesh.h"
 #include "raster/interface/face.h"
 #include "raster/interface/item_id.h"
 #include "raster/kernels/depth_buffer.h"
-#include "raster/kernels/kernel_lists.h"
-#include "raster/kernels/vertex_kernels.h"
+#include "raster/kernels/placed_vertices.h"
 
 namespace hemitex::raster {
 
@@ -86,23 +84,5 @@ struct SmallIds {
   double columns = 1, rows = 1;
   const ItemId* map = nullptr;  ///< none if the texels equal their numbers
 };
-
-struct SmallTriangleKernels {
-  std::string name;  ///< "scalar", or the name of an instruction set
-
-  /// Sets up the triangles for a part of a face.
-  void (*setUp)(const SmallTriangles& triangles, const Scissor& part, SmallSetup& setup);
-
-  /// Draws the triangles of a setup: the larger 1/w wins. `firstNumber` is the number of the first triangle of the
-  /// part in the buffer. Appends samples that are not resolved in double precision. If the texel is not, the buffer
-  /// has the sample already, and its item ID is unspecified.
-  void (*draw)(const SmallSetup& setup, const SmallIds& ids, std::uint32_t firstNumber, DepthBuffer& buffer,
-               UndecidedSamples& undecided);
-};
-
-template <>
-const SmallTriangleKernels& scalarKernels<SmallTriangleKernels>();
-template <>
-const std::vector<SmallTriangleKernels>& simdKernels<SmallTriangleKernels>();
 
 }  // namespace hemitex::raster

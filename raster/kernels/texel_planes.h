@@ -6,12 +6,10 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "raster/kernels/depth_buffer.h"
 #include "raster/kernels/interpolation_bounds.h"
-#include "raster/kernels/kernel_lists.h"
 #include "raster/setup/exact_interpolation.h"
 #include "raster/setup/triangle_setup.h"
 
@@ -64,24 +62,5 @@ struct ExactLine {
     }
   }
 };
-
-struct TexelKernels {
-  std::string name;  ///< "scalar", or the name of an instruction set
-
-  /// The texels of a run: `base` + row * width + column each. Appends the pixels whose texels are not resolved in
-  /// double precision; their entries of `texels` are unspecified. Kernels may write up to maxLanes texels behind the
-  /// run and read as many depths.
-  void (*findTexels)(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
-                     UndecidedPixels& undecided);
-
-  /// As findTexels, for a triangle whose coordinates are exact quotients. It is slower and resolves all texels.
-  void (*findExactTexels)(const PixelRun& run, const ExactTexels& exact, int width, int height, std::uint32_t base,
-                          std::uint32_t* texels);
-};
-
-template <>
-const TexelKernels& scalarKernels<TexelKernels>();
-template <>
-const std::vector<TexelKernels>& simdKernels<TexelKernels>();
 
 }  // namespace hemitex::raster

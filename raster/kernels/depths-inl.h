@@ -1,30 +1,9 @@
-// SIMD depth kernels, written with Highway, which compiles this file once per instruction set.
-#include <algorithm>
-#include <optional>
-
-#include "raster/kernels/depth_kernels.h"
-#include "raster/kernels/interpolation_bounds.h"
-#include "raster/kernels/simd_targets.h"
-
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "raster/kernels/depth_kernels_simd.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+/// Kernels for the depth test of large triangles, and for queries of depth buffers. Lanes hold adjacent samples.
+// No include guard: kernels.cpp includes this file once per instruction set.
 
 HWY_BEFORE_NAMESPACE();
-namespace hemitex::raster::HWY_NAMESPACE {
+namespace hemitex::raster::HWY_NAMESPACE::depths {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Doubles = hn::CappedTag<double, 8>;
-using Double = hn::Vec<Doubles>;
-using Mask = hn::Mask<Doubles>;
-/// Integer vectors with the same number of lanes.
-using Integers = hn::Rebind<std::int32_t, Doubles>;
-using Numbers = hn::Rebind<std::uint32_t, Doubles>;
-
-constexpr Doubles doubles;
 
 /// One value per vertex of a triangle, each in all lanes.
 struct Corners {
@@ -55,15 +34,6 @@ struct Edges {
 Double dot(const Edges& edges, const Corners& weights) {
   return hn::Add(hn::Add(hn::Mul(edges.a, weights.a), hn::Mul(edges.b, weights.b)), hn::Mul(edges.c, weights.c));
 }
-
-/// Converts a mask to lanes of 32-bit numbers.
-hn::Mask<Numbers> forNumbers(const Mask mask) {
-  HWY_ALIGN std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(doubles, mask, bits);
-  return hn::LoadMaskBits(Numbers(), bits);
-}
-
-Mask firstLanes(int count) { return hn::FirstN(doubles, static_cast<std::size_t>(count)); }
 
 /// Lanes that took a triangle, and lanes that are undecided.
 struct Outcome {
@@ -194,7 +164,7 @@ Outcome offerWide(const Offer& offered) {
   return outcome;
 }
 
-bool offer(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided) {
+bool testDepths(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided) {
   const bool isNarrow = triangle.endColumn - triangle.firstColumn <= maxLanes;
   const Offer offered(triangle, number, buffer);
   const Outcome outcome = isNarrow ? offerNarrow(offered) : offerWide(offered);
@@ -238,26 +208,6 @@ int endOfSmall(const std::uint32_t* triangles, int first, int end) {
   return end;
 }
 
-DepthKernels kernels() { return {hwy::TargetName(HWY_TARGET), offer, isHidden, endOfRun, endOfSmall}; }
-
 }  // namespace
-}  // namespace hemitex::raster::HWY_NAMESPACE
+}  // namespace hemitex::raster::HWY_NAMESPACE::depths
 HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
-namespace hemitex::raster {
-namespace {
-
-HWY_EXPORT(kernels);
-
-}  // namespace
-
-template <>
-const std::vector<DepthKernels>& simdKernels<DepthKernels>() {
-  static const std::vector<DepthKernels> all =
-      ofEveryInstructionSet<DepthKernels>([] { return HWY_DYNAMIC_DISPATCH(kernels)(); });
-  return all;
-}
-
-}  // namespace hemitex::raster
-#endif

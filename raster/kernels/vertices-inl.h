@@ -1,33 +1,10 @@
-// SIMD vertex kernels, written with Highway, which compiles this file once per instruction set.
-#include "raster/kernels/simd_targets.h"
-#include "raster/kernels/vertex_kernels.h"
-
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "raster/kernels/vertex_kernels_simd.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+/// Kernels for vertices: view and snap. Lanes hold vertices, then triangles.
+// No include guard: kernels.cpp includes this file once per instruction set.
 
 HWY_BEFORE_NAMESPACE();
-namespace hemitex::raster::HWY_NAMESPACE {
+namespace hemitex::raster::HWY_NAMESPACE::vertices {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-/// Vectors with the same number of lanes.
-using Doubles = hn::CappedTag<double, maxVertexLanes>;
-using Floats = hn::Rebind<float, Doubles>;
-using Integers = hn::Rebind<std::int32_t, Doubles>;
-using Bytes = hn::Rebind<std::uint8_t, Doubles>;
-using Double = hn::Vec<Doubles>;
-using Float = hn::Vec<Floats>;
-using Integer = hn::Vec<Integers>;
-
-constexpr Doubles doubles;
-constexpr Floats floats;
-constexpr Integers integers;
-
-Float all(float value) { return hn::Set(floats, value); }
-Integer all(std::int32_t value) { return hn::Set(integers, value); }
 
 /// `bit` in the lanes of a mask, else 0.
 Integer bitWhere(hn::Mask<Floats> mask, std::int32_t bit) {
@@ -109,12 +86,6 @@ struct Span {
   hn::Mask<Integers> isSmall() const { return hn::Lt(hn::Sub(largest, least), all(smallSpan)); }
 };
 
-std::uint32_t bitsOf(hn::Mask<Integers> mask) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(integers, mask, bits);
-  return bits[0];
-}
-
 TriangleSets place(const ClusterMesh& mesh, const ClusterPart& part, const Face& face, PlacedVertices& placed) {
   const std::size_t lanes = hn::Lanes(integers);
   const VertexStage stage{face};
@@ -135,34 +106,14 @@ TriangleSets place(const ClusterMesh& mesh, const ClusterPart& part, const Face&
     const Integer rows = down.samplesIn(face.scissor.row, face.scissor.height);
     const auto whole = hn::And(hn::And(seen, uncut), hn::Gt(hn::Min(columns, rows), hn::Zero(integers)));
     const auto small = hn::And(whole, hn::And(across.isSmall(), down.isSmall()));
-    sets.whole |= bitsOf(whole) << t;
-    sets.small |= bitsOf(small) << t;
-    sets.tiny |= bitsOf(hn::And(small, hn::Lt(hn::Max(columns, rows), all(3)))) << t;
-    sets.cut |= bitsOf(hn::AndNot(uncut, seen)) << t;
+    sets.whole |= std::uint32_t{bitsOf(integers, whole)} << t;
+    sets.small |= std::uint32_t{bitsOf(integers, small)} << t;
+    sets.tiny |= std::uint32_t{bitsOf(integers, hn::And(small, hn::Lt(hn::Max(columns, rows), all(3))))} << t;
+    sets.cut |= std::uint32_t{bitsOf(integers, hn::AndNot(uncut, seen))} << t;
   }
   return sets;
 }
 
-VertexKernels vertexKernels() { return {hwy::TargetName(HWY_TARGET), place}; }
-
 }  // namespace
-}  // namespace hemitex::raster::HWY_NAMESPACE
+}  // namespace hemitex::raster::HWY_NAMESPACE::vertices
 HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
-namespace hemitex::raster {
-namespace {
-
-HWY_EXPORT(vertexKernels);
-
-}  // namespace
-
-template <>
-const std::vector<VertexKernels>& simdKernels<VertexKernels>() {
-  static const std::vector<VertexKernels> all =
-      ofEveryInstructionSet<VertexKernels>([] { return HWY_DYNAMIC_DISPATCH(vertexKernels)(); });
-  return all;
-}
-
-}  // namespace hemitex::raster
-#endif

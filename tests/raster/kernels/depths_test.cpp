@@ -1,11 +1,10 @@
-// The depth kernels of each instruction set give the same results as the scalar kernels, bit for bit.
-#include "raster/kernels/depth_kernels.h"
-
+// The depth kernels give the same results with each instruction set, bit for bit.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <tuple>
 
+#include "raster/kernels/kernels.h"
 #include "tests/support/raster_scenes.h"
 
 using namespace hemitex;
@@ -21,28 +20,22 @@ struct Drawn {
 
 /// Each triangle twice, so that the second is undecided wherever it is in front. Triangle t has the numbers 2 t and 2 t
 /// + 1.
-Drawn draw(const raster::DepthKernels& kernels, const std::vector<raster::ScreenTriangle>& triangles,
+Drawn draw(const raster::Kernels& kernels, const std::vector<raster::ScreenTriangle>& triangles,
            const raster::Face& face) {
   Drawn drawn;
   drawn.buffer.clear(face.scissor);
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
     for (std::uint32_t time = 0; time < 2; ++time)
-      drawn.taken.push_back(kernels.offer(triangles[t], 2 * t + time, drawn.buffer, drawn.undecided));
+      drawn.taken.push_back(kernels.testDepths(triangles[t], 2 * t + time, drawn.buffer, drawn.undecided));
   return drawn;
-}
-
-std::vector<raster::DepthKernels> allKernels() {
-  std::vector<raster::DepthKernels> all = raster::simdKernels<raster::DepthKernels>();
-  all.push_back(raster::scalarKernels<raster::DepthKernels>());
-  return all;
 }
 
 /// Calls check(kernels, length, i, endOfRun, end) for each pixel i of runs of 1, 2, 3, ... pixels, and for ends of the
 /// row in the last 60 pixels of `size`.
 template <typename Check>
 void forEachRunAndEnd(int size, const Check& check) {
-  for (const raster::DepthKernels& kernels : allKernels()) {
-    INFO(kernels.name);
+  for (const raster::Kernels& kernels : raster::allKernels()) {
+    INFO(kernels.instructionSet);
     for (int end = size - 60; end <= size; ++end)
       for (int first = 0, length = 1; first < end; first += length, ++length) {
         const int endOfRun = std::min(first + length, end);
@@ -53,7 +46,7 @@ void forEachRunAndEnd(int size, const Check& check) {
 
 }  // namespace
 
-TEST_CASE("DepthKernels::offer gives the same bits with each instruction set", "[kernels]") {
+TEST_CASE("Kernels::testDepths gives the same bits with each instruction set", "[kernels]") {
   raster::DrawList list = crossingTriangles();
   // Wide triangles in front of all, with a shared side along a row of samples, which belongs to one of them.
   const auto near = [](float x, float y) { return glm::vec3(x, y, 1) / 64.0F; };
@@ -61,10 +54,10 @@ TEST_CASE("DepthKernels::offer gives the same bits with each instruction set", "
     addTriangle(list, {near(-0.9F, 1.0F / 128), near(0.9F, 1.0F / 128), near(0.1F, y)}, {{0, 0}, {1, 0}, {0, 1}});
   for (const raster::Face& face : facesAndParts()) {
     const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
-    const Drawn plain = draw(raster::scalarKernels<raster::DepthKernels>(), triangles, face);
+    const Drawn plain = draw(raster::allKernels().back(), triangles, face);
     CHECK(!plain.undecided.pixels.empty());
-    for (const raster::DepthKernels& kernels : raster::simdKernels<raster::DepthKernels>()) {
-      INFO(kernels.name << ", " << face.scissor.width << " columns");
+    for (const raster::Kernels& kernels : raster::allKernels()) {
+      INFO(kernels.instructionSet << ", " << face.scissor.width << " columns");
       const Drawn drawn = draw(kernels, triangles, face);
       CHECK(drawn.buffer.inverseDepth == plain.buffer.inverseDepth);
       CHECK(drawn.buffer.triangle == plain.buffer.triangle);
@@ -74,7 +67,7 @@ TEST_CASE("DepthKernels::offer gives the same bits with each instruction set", "
   }
 }
 
-TEST_CASE("DepthKernels::offer lists a second triangle of the same plane as undecided where it covers samples",
+TEST_CASE("Kernels::testDepths lists a second triangle of the same plane as undecided where it covers samples",
           "[kernels]") {
   const raster::Face face = frontFace(64);
   raster::DrawList list = plainList();
@@ -83,36 +76,35 @@ TEST_CASE("DepthKernels::offer lists a second triangle of the same plane as unde
   addTriangle(list, {{-0.5F, -0.6F, 1}, {0.7F, -0.1F, 1}, {0.1F, 0.6F, 1}});
   const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
   REQUIRE(triangles.size() == 2);
-  for (const raster::DepthKernels& kernels : allKernels()) {
-    INFO(kernels.name);
+  for (const raster::Kernels& kernels : raster::allKernels()) {
+    INFO(kernels.instructionSet);
     // Alone, the second is drawn where it covers samples.
     raster::DepthBuffer alone, both;
     raster::UndecidedPixels undecided;
     alone.clear(face.scissor);
-    kernels.offer(triangles[1], 1, alone, undecided);
+    kernels.testDepths(triangles[1], 1, alone, undecided);
     const auto covered = static_cast<std::size_t>(std::count(alone.triangle.begin(), alone.triangle.end(), 1U));
     CHECK(undecided.pixels.empty());
     both.clear(face.scissor);
-    for (std::uint32_t t = 0; t < 2; ++t) kernels.offer(triangles[t], t, both, undecided);
+    for (std::uint32_t t = 0; t < 2; ++t) kernels.testDepths(triangles[t], t, both, undecided);
     CHECK(covered > 100);
     REQUIRE(undecided.pixels.size() == covered);
     for (const auto& [column, row] : undecided.pixels) CHECK(alone.triangle[alone.pixelAt(column, row)] == 1);
   }
 }
 
-TEST_CASE("DepthKernels::endOfRun stops at another triangle, with each instruction set", "[kernels]") {
+TEST_CASE("Kernels::endOfRun stops at another triangle, with each instruction set", "[kernels]") {
   // Runs of 1, 2, 3, ... pixels; values behind `end` repeat the last one.
   std::vector<std::uint32_t> triangles;
   for (std::uint32_t length = 1; length < 40; ++length) triangles.insert(triangles.end(), length, length % 2);
   const auto size = static_cast<int>(triangles.size());
   triangles.insert(triangles.end(), raster::maxLanes, triangles.back());
-  forEachRunAndEnd(size, [&](const raster::DepthKernels& kernels, int, int i, int endOfRun, int end) {
+  forEachRunAndEnd(size, [&](const raster::Kernels& kernels, int, int i, int endOfRun, int end) {
     REQUIRE(kernels.endOfRun(triangles.data(), i, end) == endOfRun);
   });
 }
 
-TEST_CASE("DepthKernels::endOfSmall stops at a pixel without a small triangle, with each instruction set",
-          "[kernels]") {
+TEST_CASE("Kernels::endOfSmall stops at a pixel without a small triangle, with each instruction set", "[kernels]") {
   // Runs of 1, 2, 3, ... pixels, in turn of small triangles and of others.
   const std::array<std::uint32_t, 3> others{0, raster::firstSmall - 1, raster::noTriangle};
   std::vector<std::uint32_t> triangles;
@@ -122,18 +114,17 @@ TEST_CASE("DepthKernels::endOfSmall stops at a pixel without a small triangle, w
                                           : raster::noTriangle - (i % 2 == 0 ? 1 : raster::firstSmall - 1));
   const auto size = static_cast<int>(triangles.size());
   triangles.insert(triangles.end(), raster::maxLanes, raster::firstSmall);
-  forEachRunAndEnd(size, [&](const raster::DepthKernels& kernels, int length, int i, int endOfRun, int end) {
+  forEachRunAndEnd(size, [&](const raster::Kernels& kernels, int length, int i, int endOfRun, int end) {
     REQUIRE(kernels.endOfSmall(triangles.data(), i, end) == (length % 2 == 0 ? i : endOfRun));
   });
 }
 
-TEST_CASE("DepthKernels::isHidden holds where all pixels of a part are nearer, with each instruction set",
-          "[kernels]") {
+TEST_CASE("Kernels::isHidden holds where all pixels of a part are nearer, with each instruction set", "[kernels]") {
   raster::DepthBuffer buffer;
   buffer.clear({3, 6, 50, 20});
   std::fill(buffer.inverseDepth.begin(), buffer.inverseDepth.end(), 3.0);
-  for (const raster::DepthKernels& kernels : allKernels()) {
-    INFO(kernels.name);
+  for (const raster::Kernels& kernels : raster::allKernels()) {
+    INFO(kernels.instructionSet);
     for (int width = 1; width < 20; ++width) {
       const raster::Scissor part{5, 7, width, 3};
       CHECK(kernels.isHidden(buffer, part, 2.9));

@@ -1,0 +1,7 @@
+#include "raster/kernels/small_triangles.h"
+
+namespace hemitex::raster {
+
+void UndecidedSamples::add(const SmallSample& sample) { samples.push_back(sample); }
+
+}  // namespace hemitex::raster
