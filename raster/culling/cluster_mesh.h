@@ -1,5 +1,5 @@
 /// Cluster meshes: the triangles of each cluster with the cluster's own vertices, each vertex once. So a face
-/// transforms a vertex once, not once per triangle, and several vertices at a time (vertex_kernels.h).
+/// transforms a vertex once, not once per triangle, and several vertices at a time (kernels.h).
 #pragma once
 
 #include <array>

@@ -10,6 +10,6 @@ void DepthBuffer::clear(const Scissor& part) {
   id.resize(inverseDepth.size());
 }
 
-void UndecidedPixels::add(int column, int row) { pixels.push_back({column, row}); }
+void UnresolvedPixels::add(int column, int row) { pixels.push_back({column, row}); }
 
 }  // namespace hemitex::raster

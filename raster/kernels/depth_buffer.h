@@ -42,7 +42,7 @@ struct Pixel {
 };
 
 /// Pixels that are not resolved in double precision.
-struct UndecidedPixels {
+struct UnresolvedPixels {
   std::vector<Pixel> pixels;
 
   void add(int column, int row);  // not inline, because kernels are compiled for other instruction sets than the rest

@@ -35,60 +35,60 @@ Double dot(const Edges& edges, const Corners& weights) {
   return hn::Add(hn::Add(hn::Mul(edges.a, weights.a), hn::Mul(edges.b, weights.b)), hn::Mul(edges.c, weights.c));
 }
 
-/// Lanes that took a triangle, and lanes that are undecided.
+/// Lanes that took a triangle, and lanes that are unresolved.
 struct Outcome {
-  Mask taken = firstLanes(0), open = firstLanes(0);
+  Mask taken = firstLanes(0), unresolved = firstLanes(0);
 };
 
 /// A triangle in its depth test against a buffer.
-struct Offer {
+struct Candidate {
   const ScreenTriangle& triangle;
   const DepthBuffer& buffer;
   double* depths;
   std::uint32_t* triangles;
   hn::Vec<Numbers> number;
 
-  Offer(const ScreenTriangle& offered, std::uint32_t itsNumber, DepthBuffer& to)
-      : triangle(offered),
+  Candidate(const ScreenTriangle& tested, std::uint32_t itsNumber, DepthBuffer& to)
+      : triangle(tested),
         buffer(to),
         depths(to.inverseDepth.data()),
         triangles(to.triangle.data()),
         number(hn::Set(Numbers(), itsNumber)) {}
 
   /// The depth test of adjacent samples, limited to the lanes of `covered`.
-  void test(Double offered, std::size_t pixel, Mask covered, Outcome& outcome) const {
-    const Double difference = hn::Sub(offered, hn::LoadU(doubles, depths + pixel));
-    const Double margin = hn::Mul(hn::Set(doubles, depthMargin), offered);
+  void test(Double inverseDepth, std::size_t pixel, Mask covered, Outcome& outcome) const {
+    const Double difference = hn::Sub(inverseDepth, hn::LoadU(doubles, depths + pixel));
+    const Double margin = hn::Mul(hn::Set(doubles, depthMargin), inverseDepth);
     const Mask taken = hn::And(covered, hn::Gt(difference, margin));
     outcome.taken = hn::Or(outcome.taken, taken);
-    outcome.open = hn::Or(outcome.open, hn::And(covered, hn::Le(hn::Abs(difference), margin)));
-    hn::BlendedStore(offered, taken, doubles, depths + pixel);
+    outcome.unresolved = hn::Or(outcome.unresolved, hn::And(covered, hn::Le(hn::Abs(difference), margin)));
+    hn::BlendedStore(inverseDepth, taken, doubles, depths + pixel);
     hn::BlendedStore(number, forNumbers(taken), Numbers(), triangles + pixel);
   }
 };
 
 /// Tests the samples of a triangle in one vector of columns, row by row.
-void offerStrip(const Offer& offered, int column, Outcome& outcome) {
-  const ScreenTriangle& triangle = offered.triangle;
+void testStrip(const Candidate& candidate, int column, Outcome& outcome) {
+  const ScreenTriangle& triangle = candidate.triangle;
   const Mask inside = firstLanes(triangle.endColumn - column);
   const Corners down(edgeRowSteps(triangle)), inverseDepth(triangle.inverseDepth), least(minCovered(triangle));
   Edges edges(edgeValues(triangle, column, triangle.firstRow), Corners(edgeSteps(triangle)));
-  std::size_t pixel = offered.buffer.pixelAt(column, triangle.firstRow);
+  std::size_t pixel = candidate.buffer.pixelAt(column, triangle.firstRow);
   for (int row = triangle.firstRow; row < triangle.endRow; ++row) {
     const Mask covered =
         hn::And(hn::And(inside, hn::Ge(edges.a, least.a)), hn::And(hn::Ge(edges.b, least.b), hn::Ge(edges.c, least.c)));
-    offered.test(dot(edges, inverseDepth), pixel, covered, outcome);
-    pixel += offered.buffer.pitch;
+    candidate.test(dot(edges, inverseDepth), pixel, covered, outcome);
+    pixel += candidate.buffer.pitch;
     edges.advance(down);
   }
 }
 
 /// For narrow triangles: tests all samples of the bounding box.
-Outcome offerNarrow(const Offer& offered) {
+Outcome testNarrow(const Candidate& candidate) {
   Outcome outcome;
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
-  for (int column = offered.triangle.firstColumn; column < offered.triangle.endColumn; column += lanes)
-    offerStrip(offered, column, outcome);
+  for (int column = candidate.triangle.firstColumn; column < candidate.triangle.endColumn; column += lanes)
+    testStrip(candidate, column, outcome);
   return outcome;
 }
 
@@ -120,34 +120,34 @@ struct Spans {
 };
 
 /// Tests the samples of a row from `column` to `end`, all covered, with 1/w from a plane.
-void offerSpan(const Offer& offered, const DepthPlane& plane, int row, int column, int end, Outcome& outcome) {
+void testSpan(const Candidate& candidate, const DepthPlane& plane, int row, int column, int end, Outcome& outcome) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
   const Double at = hn::Set(doubles, plane.at + plane.down * row), right = hn::Set(doubles, plane.right);
   Double columns = hn::Add(hn::Set(doubles, static_cast<double>(column)), hn::Iota(doubles, 0));
-  std::size_t pixel = offered.buffer.pixelAt(column, row);
+  std::size_t pixel = candidate.buffer.pixelAt(column, row);
   for (; column < end; column += lanes, pixel += hn::Lanes(doubles)) {
-    offered.test(hn::Add(at, hn::Mul(right, columns)), pixel, firstLanes(end - column), outcome);
+    candidate.test(hn::Add(at, hn::Mul(right, columns)), pixel, firstLanes(end - column), outcome);
     columns = hn::Add(columns, hn::Set(doubles, static_cast<double>(lanes)));
   }
 }
 
 /// As above, with 1/w from the edges.
-void offerSpan(const Offer& offered, int row, int column, int end, Outcome& outcome) {
+void testSpan(const Candidate& candidate, int row, int column, int end, Outcome& outcome) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
-  const EdgeValues steps = edgeSteps(offered.triangle);
+  const EdgeValues steps = edgeSteps(candidate.triangle);
   const Corners stride({lanes * steps[0], lanes * steps[1], lanes * steps[2]});
-  const Corners inverseDepth(offered.triangle.inverseDepth);
-  Edges edges(edgeValues(offered.triangle, column, row), Corners(steps));
-  std::size_t pixel = offered.buffer.pixelAt(column, row);
+  const Corners inverseDepth(candidate.triangle.inverseDepth);
+  Edges edges(edgeValues(candidate.triangle, column, row), Corners(steps));
+  std::size_t pixel = candidate.buffer.pixelAt(column, row);
   for (; column < end; column += lanes, pixel += hn::Lanes(doubles)) {
-    offered.test(dot(edges, inverseDepth), pixel, firstLanes(end - column), outcome);
+    candidate.test(dot(edges, inverseDepth), pixel, firstLanes(end - column), outcome);
     edges.advance(stride);
   }
 }
 
-Outcome offerWide(const Offer& offered) {
+Outcome testWide(const Candidate& candidate) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
-  const ScreenTriangle& triangle = offered.triangle;
+  const ScreenTriangle& triangle = candidate.triangle;
   const std::optional<DepthPlane> plane = depthPlane(triangle);
   const EdgeValues least = minCovered(triangle);
   Outcome outcome;
@@ -156,19 +156,20 @@ Outcome offerWide(const Offer& offered) {
     for (int row = firstRow; row < std::min(firstRow + lanes, triangle.endRow); ++row) {
       const int first = spans.first[row - firstRow], end = spans.end[row - firstRow];
       if (plane)
-        offerSpan(offered, *plane, row, first, end, outcome);
+        testSpan(candidate, *plane, row, first, end, outcome);
       else
-        offerSpan(offered, row, first, end, outcome);
+        testSpan(candidate, row, first, end, outcome);
     }
   }
   return outcome;
 }
 
-bool testDepths(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer, UndecidedPixels& undecided) {
+bool testDepths(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer,
+                UnresolvedPixels& unresolved) {
   const bool isNarrow = triangle.endColumn - triangle.firstColumn <= maxLanes;
-  const Offer offered(triangle, number, buffer);
-  const Outcome outcome = isNarrow ? offerNarrow(offered) : offerWide(offered);
-  if (!hn::AllFalse(doubles, outcome.open)) listUndecidedSamples(triangle, number, buffer, undecided);
+  const Candidate candidate(triangle, number, buffer);
+  const Outcome outcome = isNarrow ? testNarrow(candidate) : testWide(candidate);
+  if (!hn::AllFalse(doubles, outcome.unresolved)) listUnresolvedSamples(triangle, number, buffer, unresolved);
   return !hn::AllFalse(doubles, outcome.taken);
 }
 

@@ -64,23 +64,9 @@ struct DepthPlane {
 inline constexpr double depthError = 0x1p-40;
 inline constexpr double depthMargin = 4 * depthError;
 
-/// The result of a depth test of one sample.
-enum class DepthTest { Hidden, Taken, Undecided };
-
-/// Whether a sample with 1/w = `offered` is in front of one with `stored`.
-inline DepthTest compareDepths(double offered, double stored) {
-  const double difference = offered - stored;
-  if (std::abs(difference) <= depthMargin * offered) return DepthTest::Undecided;
-  return difference < 0 ? DepthTest::Hidden : DepthTest::Taken;
-}
-
-/// Depth test of 1/w of a triangle against a pixel of the buffer; stores it if it wins.
-inline DepthTest offerDepth(double inverseDepth, std::uint32_t number, std::size_t pixel, DepthBuffer& buffer) {
-  const DepthTest test = compareDepths(inverseDepth, buffer.inverseDepth[pixel]);
-  if (test != DepthTest::Taken) return test;
-  buffer.inverseDepth[pixel] = inverseDepth;
-  buffer.triangle[pixel] = number;
-  return test;
+/// Whether double precision does not tell which of two samples of a pixel is nearer; arguments are values of 1/w.
+inline bool isUnresolved(double inverseDepth, double stored) {
+  return std::abs(inverseDepth - stored) <= depthMargin * inverseDepth;
 }
 
 /// The value of an edge as at + down * row + right * column. `most` bounds the sum of the absolute terms within the

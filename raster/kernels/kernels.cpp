@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "raster/kernels/interpolation_bounds.h"
-#include "raster/kernels/undecided_samples.h"
+#include "raster/kernels/unresolved_samples.h"
 
 // Highway compiles the rest of this file once per instruction set.
 #undef HWY_TARGET_INCLUDE

@@ -2,7 +2,7 @@
 /// results, bit for bit.
 ///
 /// The kernels decide in double precision where its error bound (interpolation_bounds.h) allows. They list other pixels
-/// as undecided; the caller decides those exactly (exact_interpolation.h).
+/// as unresolved; the caller decides those exactly (exact_interpolation.h).
 #pragma once
 
 #include <cstddef>
@@ -37,13 +37,13 @@ struct Kernels {
   /// part in the buffer. Appends samples that are not resolved in double precision. If the texel is not, the buffer
   /// has the sample already, and its item ID is unspecified.
   void (*drawSmall)(const SmallSetup& setup, const SmallIds& ids, std::uint32_t firstNumber, DepthBuffer& buffer,
-                    UndecidedSamples& undecided);
+                    UnresolvedSamples& unresolved);
 
   /// Depth test of the covered samples of a triangle: the larger 1/w wins. Rows and columns of the triangle must lie in
   /// the scissor rectangle of the buffer, and the buffer must not contain `number` before. Appends the samples that are
   /// not resolved in double precision. Returns whether any pixel took the triangle.
   bool (*testDepths)(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer,
-                     UndecidedPixels& undecided);
+                     UnresolvedPixels& unresolved);
 
   /// Whether 1/w of all pixels in a part of the buffer's scissor rectangle is larger than `inverseDepth`. The caller
   /// adds the rounding error to inverseDepth.
@@ -59,7 +59,7 @@ struct Kernels {
   /// double precision; their entries of `texels` are unspecified. Kernels may write up to maxLanes texels behind the
   /// run and read as many depths.
   void (*findTexels)(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
-                     UndecidedPixels& undecided);
+                     UnresolvedPixels& unresolved);
 
   /// As findTexels, for a triangle whose coordinates are exact quotients. It is slower and resolves all texels.
   void (*findExactTexels)(const PixelRun& run, const ExactTexels& exact, int width, int height, std::uint32_t base,

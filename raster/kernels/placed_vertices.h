@@ -1,6 +1,5 @@
-/// Vertex kernels: the vertex stage and snapping of the vertices of a cluster (docs/item-buffers.md, "view" and
-/// "snap"). They also cull most triangles that cover no sample. The scalar version is the specification. There is one
-/// more version per SIMD instruction set of the processor, with the same results, bit for bit.
+/// The vertices of a cluster in the view of a face (docs/item-buffers.md, "view" and "snap"), and which of its
+/// triangles may cover samples.
 #pragma once
 
 #include <array>
@@ -12,13 +11,13 @@
 
 namespace hemitex::raster {
 
-/// The vertices of a cluster in the view of a face. `across` and `down` are the snapped x and y of vertices inside all
+/// The vertices of a cluster in the view of a face. `x` and `y` are the snapped positions of vertices inside all
 /// clip half-spaces, else 0.
 struct PlacedVertices {
-  static constexpr std::size_t most = 3 * largestCluster + maxVertexLanes;
-  std::array<float, most> w;
-  std::array<std::int32_t, most> across, down;
-  std::array<std::int32_t, most> sides;  ///< bits, see below
+  static constexpr std::size_t capacity = 3 * largestCluster + maxVertexLanes;
+  std::array<float, capacity> w;
+  std::array<std::int32_t, capacity> x, y;
+  std::array<std::int32_t, capacity> sides;  ///< bits, see below
 };
 
 /// The near plane or the sides of the view that a finite vertex lies beyond. A triangle is invisible if all its

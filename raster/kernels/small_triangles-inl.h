@@ -139,8 +139,8 @@ struct Outlines {
   Corners<Integer> x, y;  ///< from the first sample of the bounds, with b and c exchanged in negative triangles
 
   HWY_INLINE Outlines(const SmallTriangles& triangles, const Corners<Integer>& at, const Scissor& part)
-      : Outlines(gathered(integers, triangles.placed.across.data(), at),
-                 gathered(integers, triangles.placed.down.data(), at), part) {}
+      : Outlines(gathered(integers, triangles.placed.x.data(), at), gathered(integers, triangles.placed.y.data(), at),
+                 part) {}
 
   HWY_INLINE Outlines(const Corners<Integer>& across, const Corners<Integer>& down, const Scissor& part)
       : columns(across, part.column, part.width),
@@ -328,17 +328,17 @@ struct StripTexels {
   }
 };
 
-/// Draws the samples of a strip. Returns the rows with undecided samples, one bit each; `undecided` has one bit per
+/// Draws the samples of a strip. Returns the rows with unresolved samples, one bit each; `unresolved` has one bit per
 /// sample of each row.
 template <bool isTextured>
 std::uint32_t draw(const Strip& strip, const SmallIds& ids, std::uint32_t firstNumber, DepthBuffer& buffer,
-                   std::uint8_t* undecided) {
+                   std::uint8_t* unresolved) {
   const SmallSetup& setup = strip.setup;
   const std::uint32_t k = strip.k;
   const auto inside = hn::FirstN(doubles, static_cast<std::size_t>(setup.columns[k] - strip.i));
   StripEdge a(StripPlane(strip, setup.edges[0])), b(StripPlane(strip, setup.edges[1])),
       c(StripPlane(strip, setup.edges[2]));
-  const StripPlane inverseDepth(strip, setup.inverseDepth);
+  const StripPlane depthPlane(strip, setup.inverseDepth);
   const StripTexels texels(strip, ids);
   const auto number = hn::Set(Numbers(), firstNumber + static_cast<std::uint32_t>(setup.triangles[k]));
   const auto base = hn::Set(Numbers(), ids.ids[k]);
@@ -347,26 +347,26 @@ std::uint32_t draw(const Strip& strip, const SmallIds& ids, std::uint32_t firstN
   std::uint32_t* numbers = buffer.triangle.data() + first;
   ItemId* shown = buffer.id.data() + first;
   const int rows = setup.rows[k];
-  std::uint32_t undecidedRows = 0;
+  std::uint32_t unresolvedRows = 0;
   Double row = hn::Zero(doubles);
   for (int j = 0; j < rows; ++j) {
     const auto covered = hn::And(inside, hn::Ge(hn::Min(hn::Min(a.value, b.value), c.value), hn::Zero(doubles)));
-    const Double offered = inverseDepth.inRow(row), difference = hn::Sub(offered, hn::LoadU(doubles, depths));
-    const Double margin = hn::Mul(all(depthMargin), offered);
+    const Double inverseDepth = depthPlane.inRow(row), difference = hn::Sub(inverseDepth, hn::LoadU(doubles, depths));
+    const Double margin = hn::Mul(all(depthMargin), inverseDepth);
     const auto taken = hn::And(covered, hn::Gt(difference, margin));
     auto open = hn::And(covered, hn::Le(hn::Abs(difference), margin));
     const auto takenNumbers = forNumbers(taken);
-    hn::BlendedStore(offered, taken, doubles, depths);
+    hn::BlendedStore(inverseDepth, taken, doubles, depths);
     hn::BlendedStore(number, takenNumbers, Numbers(), numbers);
     auto id = base;
     if constexpr (isTextured) {
       auto isClear = covered;
-      id = hn::Add(base, texels.find(row, hn::Div(all(1.0), offered), taken, isClear));
+      id = hn::Add(base, texels.find(row, hn::Div(all(1.0), inverseDepth), taken, isClear));
       open = hn::Or(open, hn::AndNot(isClear, taken));
     }
     hn::BlendedStore(id, takenNumbers, Numbers(), shown);
-    undecided[j] = bitsOf(doubles, open);
-    undecidedRows |= std::uint32_t{undecided[j] != 0} << j;
+    unresolved[j] = bitsOf(doubles, open);
+    unresolvedRows |= std::uint32_t{unresolved[j] != 0} << j;
     a.advance();
     b.advance();
     c.advance();
@@ -375,11 +375,11 @@ std::uint32_t draw(const Strip& strip, const SmallIds& ids, std::uint32_t firstN
     numbers += pitch;
     shown += pitch;
   }
-  return undecidedRows;
+  return unresolvedRows;
 }
 
 void draw(const SmallSetup& setup, const SmallIds& ids, std::uint32_t firstNumber, DepthBuffer& buffer,
-          UndecidedSamples& undecided) {
+          UnresolvedSamples& unresolved) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
   for (std::uint32_t k = 0; k < setup.count; ++k) {
     if (setup.rows[k] == 0) continue;
@@ -391,7 +391,7 @@ void draw(const SmallSetup& setup, const SmallIds& ids, std::uint32_t firstNumbe
       for (; rows != 0; rows &= rows - 1) {
         const int j = __builtin_ctz(rows);
         for (unsigned samples = open[j]; samples != 0; samples &= samples - 1)
-          undecided.add({k, {strip.firstColumn() + __builtin_ctz(samples), setup.firstRow[k] + j}});
+          unresolved.add({k, {strip.firstColumn() + __builtin_ctz(samples), setup.firstRow[k] + j}});
       }
     }
   }

@@ -2,6 +2,6 @@
 
 namespace hemitex::raster {
 
-void UndecidedSamples::add(const SmallSample& sample) { samples.push_back(sample); }
+void UnresolvedSamples::add(const SmallSample& sample) { samples.push_back(sample); }
 
 }  // namespace hemitex::raster

@@ -1,11 +1,9 @@
-/// Kernels for small triangles: those less than 32 pixels wide and high. A tessellated scene consists almost only
-/// of these, and the setup of a screen triangle takes longer than its pixels. These kernels work directly on the
-/// transformed vertices of a cluster.
+/// Small triangles: those less than 32 pixels wide and high. A tessellated scene consists almost only of these, and the
+/// setup of a screen triangle takes longer than its pixels. Their kernels work directly on the transformed vertices of
+/// a cluster.
 ///
 /// The first step sets up planes of coverage, 1/w and texels, with one triangle per SIMD lane. The second step tests
-/// the samples of each triangle against the depth buffer and writes item IDs, with one sample per lane. The scalar
-/// version is the specification. There is one more version per SIMD instruction set of the processor, with the same
-/// results, bit for bit.
+/// the samples of each triangle against the depth buffer and writes item IDs, with one sample per lane.
 ///
 /// Planes are relative to the first sample of the triangle's bounds. There, corners are less than 2^13 sub-pixels away,
 /// and edge values are integers below 2^28.
@@ -70,10 +68,10 @@ struct SmallSample {
 };
 
 /// Samples that are not resolved in double precision.
-struct UndecidedSamples {
+struct UnresolvedSamples {
   std::vector<SmallSample> samples;
 
-  void add(const SmallSample& sample);  // not inline, see UndecidedPixels
+  void add(const SmallSample& sample);  // not inline, see UnresolvedPixels
 };
 
 /// How the entries of a setup get their item IDs. That of a textured triangle is its own plus the texel, or plus the

@@ -1,8 +1,5 @@
-/// Texel kernels: the texels of a run of pixels that show one triangle. The scalar version is the specification. There
-/// is one more version per SIMD instruction set of the processor, with the same results, bit for bit.
-///
-/// The kernels decide in floating point where its error bound (texel_kernels.cpp) allows. They list other pixels as
-/// undecided; the caller decides those exactly (exact_interpolation.h).
+/// Texture coordinates along runs of pixels that show one triangle: as planes in double precision with error bounds, or
+/// as exact quotients.
 #pragma once
 
 #include <cstdint>

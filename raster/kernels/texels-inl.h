@@ -50,7 +50,7 @@ struct RunInBinary64 {
         clear(hn::Set(doubles, 0.5 - planes.rounding)),
         error(hn::Set(doubles, planes.error)) {}
 
-  /// Stores the texels of adjacent columns; returns the undecided lanes.
+  /// Stores the texels of adjacent columns; returns the unresolved lanes.
   Mask find(Double columns, const double* inverseDepth, std::uint32_t base, std::uint32_t* texels) const {
     const Double w = hn::Div(hn::Set(doubles, 1.0), hn::LoadU(doubles, inverseDepth));
     Double offAcross, offDown;
@@ -64,26 +64,26 @@ struct RunInBinary64 {
 
 Double columnsFrom(int column) { return hn::Add(hn::Set(doubles, static_cast<double>(column)), hn::Iota(doubles, 0)); }
 
-/// Lists the undecided pixels of a run. Not inline, because a call inside the loop would spill registers.
-HWY_NOINLINE void listUndecidedTexels(const PixelRun& run, const TexelPlanes& planes, UndecidedPixels& undecided) {
+/// Lists the unresolved pixels of a run. Not inline, because a call inside the loop would spill registers.
+HWY_NOINLINE void listUnresolvedTexels(const PixelRun& run, const TexelPlanes& planes, UnresolvedPixels& unresolved) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
   const RunInBinary64 line(run, planes);
   std::uint32_t texels[maxLanes];
   for (int i = 0; i < run.count; i += lanes)
     forEachLane(line.find(columnsFrom(run.firstColumn + i), run.inverseDepth + i, 0, texels),
-                [&](int lane) { undecided.add(run.firstColumn + i + lane, run.row); });
+                [&](int lane) { unresolved.add(run.firstColumn + i + lane, run.row); });
 }
 
 void findTexelsInBinary64(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
-                          UndecidedPixels& undecided) {
+                          UnresolvedPixels& unresolved) {
   const auto lanes = static_cast<int>(hn::Lanes(doubles));
   const Double stride = hn::Set(doubles, static_cast<double>(lanes));
   const RunInBinary64 line(run, planes);
   Double columns = columnsFrom(run.firstColumn);
-  Mask open = firstLanes(0);
+  Mask lanesLeft = firstLanes(0);
   for (int i = 0; i < run.count; i += lanes, columns = hn::Add(columns, stride))
-    open = hn::Or(open, line.find(columns, run.inverseDepth + i, base, texels + i));
-  if (!hn::AllFalse(doubles, open)) listUndecidedTexels(run, planes, undecided);
+    lanesLeft = hn::Or(lanesLeft, line.find(columns, run.inverseDepth + i, base, texels + i));
+  if (!hn::AllFalse(doubles, lanesLeft)) listUnresolvedTexels(run, planes, unresolved);
 }
 
 using WideFloats = hn::CappedTag<float, maxLanes>;
@@ -159,7 +159,7 @@ struct TexelsInBinary32 {
 
 /// Marks a texel that binary32 does not resolve. A resolved texel may have the same number; then it is only computed
 /// twice.
-constexpr std::uint32_t openTexel = 0xffffffff;
+constexpr std::uint32_t unresolvedTexel = 0xffffffff;
 
 /// The constants of a run in binary32, as vectors.
 struct WalkInBinary32 {
@@ -178,27 +178,28 @@ struct WalkInBinary32 {
         end(hn::Set(wideFloats, static_cast<float>(run.count - line.middle))),
         offset(hn::Sub(hn::Set(TexelNumbers(), base), hn::BitCast(TexelNumbers(), counting))) {}
 
-  /// Stores the texels of adjacent pixels, openTexel for undecided ones; returns the undecided lanes.
+  /// Stores the texels of adjacent pixels, unresolvedTexel for unresolved ones; returns the unresolved lanes.
   hn::Mask<WideFloats> find(WideFloat pixel, std::uint32_t* texels) const {
     const WideFloat one = hn::Set(wideFloats, 1.0F);
     const WideFloat w = hn::Div(one, hn::MulAdd(depthStep, pixel, one));
     WideFloat offAcross, offDown;
     const WideFloat column = u.find(pixel, w, offAcross), row = v.find(pixel, w, offDown);
     const WideFloat texel = hn::Add(hn::MulAdd(row, width, column), counting);
-    const auto open = hn::AndNot(hn::Lt(hn::Max(offAcross, offDown), clear), hn::Lt(pixel, end));
+    const auto unresolved = hn::AndNot(hn::Lt(hn::Max(offAcross, offDown), clear), hn::Lt(pixel, end));
     const auto told = hn::Add(hn::BitCast(TexelNumbers(), texel), offset);
-    hn::StoreU(hn::IfThenElse(hn::RebindMask(TexelNumbers(), open), hn::Set(TexelNumbers(), openTexel), told),
-               TexelNumbers(), texels);
-    return open;
+    hn::StoreU(
+        hn::IfThenElse(hn::RebindMask(TexelNumbers(), unresolved), hn::Set(TexelNumbers(), unresolvedTexel), told),
+        TexelNumbers(), texels);
+    return unresolved;
   }
 };
 
-/// Computes the texels that binary32 left open in double precision.
-HWY_NOINLINE void findOpenTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base,
-                                 std::uint32_t* texels, UndecidedPixels& undecided) {
+/// Computes the texels that binary32 left unresolved in double precision.
+HWY_NOINLINE void findUnresolvedTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base,
+                                       std::uint32_t* texels, UnresolvedPixels& unresolved) {
   const auto lanes = static_cast<int>(hn::Lanes(wideFloats));
   for (int i = 0; i < run.count; i += lanes) {
-    const auto isOpen = hn::Eq(hn::LoadU(TexelNumbers(), texels + i), hn::Set(TexelNumbers(), openTexel));
+    const auto isOpen = hn::Eq(hn::LoadU(TexelNumbers(), texels + i), hn::Set(TexelNumbers(), unresolvedTexel));
     HWY_ALIGN std::uint8_t bits[8] = {};
     hn::StoreMaskBits(TexelNumbers(), isOpen, bits);
     for (unsigned left = bits[0] + 256U * bits[1]; left != 0; left &= left - 1) {
@@ -206,27 +207,27 @@ HWY_NOINLINE void findOpenTexels(const PixelRun& run, const TexelPlanes& planes,
       if (at >= run.count) return;
       const PixelRun alone{run.triangle, run.row, run.firstColumn + at, 1, run.inverseDepth + at};
       std::uint32_t found[maxLanes];
-      findTexelsInBinary64(alone, planes, base, found, undecided);
+      findTexelsInBinary64(alone, planes, base, found, unresolved);
       texels[at] = found[0];
     }
   }
 }
 
 void findTexels(const PixelRun& run, const TexelPlanes& planes, std::uint32_t base, std::uint32_t* texels,
-                UndecidedPixels& undecided) {
+                UnresolvedPixels& unresolved) {
   constexpr int shortest = 16;  // shorter runs are faster in double precision
-  if (run.count < shortest) return findTexelsInBinary64(run, planes, base, texels, undecided);
+  if (run.count < shortest) return findTexelsInBinary64(run, planes, base, texels, unresolved);
   const int middle = run.count / 2;
   const RunInBinary32 line(run, planes, middle, 1 / run.inverseDepth[middle]);
-  if (!(line.clear > 0.25)) return findTexelsInBinary64(run, planes, base, texels, undecided);
+  if (!(line.clear > 0.25)) return findTexelsInBinary64(run, planes, base, texels, unresolved);
   const WalkInBinary32 walk(run, line, planes, base);
   const auto lanes = static_cast<int>(hn::Lanes(wideFloats));
   const WideFloat stride = hn::Set(wideFloats, static_cast<float>(lanes));
   WideFloat pixel = hn::Sub(hn::Iota(wideFloats, 0), hn::Set(wideFloats, static_cast<float>(middle)));
-  auto open = hn::FirstN(wideFloats, 0);
+  auto lanesLeft = hn::FirstN(wideFloats, 0);
   for (int i = 0; i < run.count; i += lanes, pixel = hn::Add(pixel, stride))
-    open = hn::Or(open, walk.find(pixel, texels + i));
-  if (!hn::AllFalse(wideFloats, open)) findOpenTexels(run, planes, base, texels, undecided);
+    lanesLeft = hn::Or(lanesLeft, walk.find(pixel, texels + i));
+  if (!hn::AllFalse(wideFloats, lanesLeft)) findUnresolvedTexels(run, planes, base, texels, unresolved);
 }
 
 /// The texels of pixels i along a line of exact quotients.

@@ -5,7 +5,6 @@ HWY_BEFORE_NAMESPACE();
 namespace hemitex::raster::HWY_NAMESPACE::vertices {
 namespace {
 
-
 /// `bit` in the lanes of a mask, else 0.
 Integer bitWhere(hn::Mask<Floats> mask, std::int32_t bit) {
   return hn::IfThenElseZero(hn::RebindMask(integers, mask), all(bit));
@@ -48,8 +47,8 @@ struct VertexStage {
     const auto keep = hn::RebindMask(integers, inside);
     hn::StoreU(w, floats, placed.w.data() + i);
     hn::StoreU(sides, integers, placed.sides.data() + i);
-    hn::StoreU(hn::IfThenElseZero(keep, snapped(x, w, face.resolution)), integers, placed.across.data() + i);
-    hn::StoreU(hn::IfThenElseZero(keep, snapped(y, w, face.resolution)), integers, placed.down.data() + i);
+    hn::StoreU(hn::IfThenElseZero(keep, snapped(x, w, face.resolution)), integers, placed.x.data() + i);
+    hn::StoreU(hn::IfThenElseZero(keep, snapped(y, w, face.resolution)), integers, placed.y.data() + i);
   }
 };
 
@@ -101,7 +100,7 @@ TriangleSets place(const ClusterMesh& mesh, const ClusterPart& part, const Face&
     const auto there = hn::FirstN(integers, part.triangles - t);
     const auto seen = hn::And(there, hn::Eq(hn::And(hn::And(a, b), hn::And(c, all(beyondAny))), hn::Zero(integers)));
     const auto uncut = hn::Eq(hn::And(hn::Or(hn::Or(a, b), c), all(notInside)), hn::Zero(integers));
-    const Span across(placed.across.data(), at), down(placed.down.data(), at);
+    const Span across(placed.x.data(), at), down(placed.y.data(), at);
     const Integer columns = across.samplesIn(face.scissor.column, face.scissor.width);
     const Integer rows = down.samplesIn(face.scissor.row, face.scissor.height);
     const auto whole = hn::And(hn::And(seen, uncut), hn::Gt(hn::Min(columns, rows), hn::Zero(integers)));

@@ -31,7 +31,7 @@ bool makeScreenTriangle(const ClusterMesh& mesh, const Cluster& cluster, const C
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t corner = mesh.corners[k][part.firstTriangle + t];
     const glm::vec2& texcoord = mesh.texcoords[part.firstVertex + corner];
-    snapped[k] = {placed.across[corner], placed.down[corner]};
+    snapped[k] = {placed.x[corner], placed.y[corner]};
     vertices[k] = {0, 0, placed.w[corner], texcoord.x, texcoord.y};
   }
   if (!makeScreenTriangle(scissor, snapped, vertices, mirrored, triangle)) return false;

@@ -21,7 +21,7 @@ struct Shading {
     bool counts;  ///< and the texels equal their numbers
     TexelPlanes planes;
     std::unique_ptr<const ExactTexels>
-        exact;  ///< made once a texel is undecided; a pointer, because that is rare and shadings should stay compact
+        exact;  ///< made once a texel is unresolved; a pointer, because that is rare and shadings should stay compact
   };
   std::optional<Texels> texels;
 };

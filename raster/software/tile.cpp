@@ -36,7 +36,7 @@ class Tile {
     buffer_.clear(face.scissor);
     taken_.clear();
     memory.shadings.clear();
-    memory.undecided.pixels.clear();
+    memory.unresolved.pixels.clear();
     memory.run.resize(buffer_.pitch);
   }
 
@@ -50,18 +50,18 @@ class Tile {
   void resolve();
 
  private:
-  void offer(const ScreenTriangle& triangle);
+  void testDepths(const ScreenTriangle& triangle);
   void drawSmall(std::uint32_t cluster, const TriangleSets& sets);
   void drawAlone(std::uint32_t cluster, std::uint32_t t);
   SmallIds smallIds(const Cluster& cluster, ItemId addend) const;
-  void drawUndecided(const SmallIds& ids, std::uint32_t firstNumber);
+  void drawUnresolved(const SmallIds& ids, std::uint32_t firstNumber);
   void resolveRow(int row);
   void resolveRun(const PixelRun& run, Shading& shading, ItemId* ids);
   void findTexels(const PixelRun& run, Shading::Texels& texels, ItemId base, ItemId* ids);
 
   ItemId* idsOf(int row) const { return ids_ + static_cast<std::size_t>(row - buffer_.scissor.row) * pitch_; }
   ScreenTriangle screenTriangle(std::uint32_t number) const;
-  bool offerExactly(const ScreenTriangle& triangle, std::uint32_t number, const Pixel& pixel);
+  bool testExactly(const ScreenTriangle& triangle, std::uint32_t number, const Pixel& pixel);
   ItemId idExactly(std::uint32_t number, const Pixel& pixel);
   Shading& shading(std::uint32_t triangle);
 
@@ -97,7 +97,7 @@ ScreenTriangle Tile::screenTriangle(std::uint32_t number) const {
 }
 
 /// Returns whether the pixel took the triangle.
-bool Tile::offerExactly(const ScreenTriangle& triangle, std::uint32_t number, const Pixel& pixel) {
+bool Tile::testExactly(const ScreenTriangle& triangle, std::uint32_t number, const Pixel& pixel) {
   const std::size_t p = buffer_.pixelAt(pixel.column, pixel.row);
   if (!isNearer(triangle, screenTriangle(buffer_.triangle[p]), pixel)) return false;
   buffer_.inverseDepth[p] = inverseDepthAt(triangle, edgeValues(triangle, pixel.column, pixel.row));
@@ -110,16 +110,16 @@ void Tile::draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped) {
   const TriangleSets left =
       appendScreenTriangles(draws_.list, draws_.mesh, draws_.clusters[cluster], draws_.mesh.parts[cluster], kernels_,
                             face_, skipped, memory_.placed, memory_.triangles);
-  for (const ScreenTriangle& triangle : memory_.triangles) offer(triangle);
+  for (const ScreenTriangle& triangle : memory_.triangles) testDepths(triangle);
   if (left.small != 0) drawSmall(cluster, left);
 }
 
 /// Tests a triangle against the depth buffer, and keeps it if a pixel took it.
-void Tile::offer(const ScreenTriangle& triangle) {
+void Tile::testDepths(const ScreenTriangle& triangle) {
   const auto number = static_cast<std::uint32_t>(taken_.size());
-  bool isTaken = kernels_.testDepths(triangle, number, buffer_, memory_.undecided);
-  for (const Pixel& pixel : memory_.undecided.pixels) isTaken = offerExactly(triangle, number, pixel) || isTaken;
-  memory_.undecided.pixels.clear();
+  bool isTaken = kernels_.testDepths(triangle, number, buffer_, memory_.unresolved);
+  for (const Pixel& pixel : memory_.unresolved.pixels) isTaken = testExactly(triangle, number, pixel) || isTaken;
+  memory_.unresolved.pixels.clear();
   if (isTaken) taken_.push_back(triangle);
 }
 
@@ -128,7 +128,7 @@ void Tile::drawAlone(std::uint32_t cluster, std::uint32_t t) {
   ScreenTriangle triangle;
   if (makeScreenTriangle(draws_.mesh, draws_.clusters[cluster], draws_.mesh.parts[cluster], t, memory_.placed,
                          face_.scissor, isMirrored_, triangle))
-    offer(triangle);
+    testDepths(triangle);
 }
 
 /// The item IDs of the small triangles of a cluster after setup.
@@ -172,8 +172,8 @@ void Tile::drawSmall(std::uint32_t cluster, const TriangleSets& sets) {
   if (addend) {
     const SmallIds ids = smallIds(draws_.clusters[cluster], *addend);
     const std::uint32_t firstNumber = firstSmall + part.firstTriangle;
-    kernels_.drawSmall(setup, ids, firstNumber, buffer_, memory_.undecidedSamples);
-    drawUndecided(ids, firstNumber);
+    kernels_.drawSmall(setup, ids, firstNumber, buffer_, memory_.unresolvedSamples);
+    drawUnresolved(ids, firstNumber);
     alone = setup.thin;
   }
   for (; alone != 0; alone &= alone - 1)
@@ -181,15 +181,15 @@ void Tile::drawSmall(std::uint32_t cluster, const TriangleSets& sets) {
 }
 
 /// Draws the samples of small triangles that are not resolved in double precision.
-void Tile::drawUndecided(const SmallIds& ids, std::uint32_t firstNumber) {
-  for (const auto& [k, pixel] : memory_.undecidedSamples.samples) {
+void Tile::drawUnresolved(const SmallIds& ids, std::uint32_t firstNumber) {
+  for (const auto& [k, pixel] : memory_.unresolvedSamples.samples) {
     const std::uint32_t number = firstNumber + static_cast<std::uint32_t>(memory_.small.triangles[k]);
-    // If the pixel shows the triangle, its texel is undecided, else its depth.
+    // If the pixel shows the triangle, its texel is unresolved, else its depth.
     const std::size_t at = buffer_.pixelAt(pixel.column, pixel.row);
-    if (buffer_.triangle[at] != number && !offerExactly(screenTriangle(number), number, pixel)) continue;
+    if (buffer_.triangle[at] != number && !testExactly(screenTriangle(number), number, pixel)) continue;
     buffer_.id[at] = (ids.textured >> k & 1) != 0 ? idExactly(number, pixel) : ids.ids[k];
   }
-  memory_.undecidedSamples.samples.clear();
+  memory_.unresolvedSamples.samples.clear();
 }
 
 /// The item ID of a pixel that shows a texel, computed exactly.
@@ -209,23 +209,23 @@ Shading& Tile::shading(std::uint32_t triangle) {
   return memory_.shadings[place];
 }
 
-/// `base` plus the texel number of each pixel of a run. If one texel of a triangle is undecided, others usually are
+/// `base` plus the texel number of each pixel of a run. If one texel of a triangle is unresolved, others usually are
 /// too; from then on the triangle uses exact quotients.
 void Tile::findTexels(const PixelRun& run, Shading::Texels& texels, ItemId base, ItemId* ids) {
   const IndexMap& map = *texels.map;
   if (texels.exact) return kernels_.findExactTexels(run, *texels.exact, map.width, map.height, base, ids);
-  kernels_.findTexels(run, texels.planes, base, ids, memory_.undecided);
-  if (memory_.undecided.pixels.empty()) return;
+  kernels_.findTexels(run, texels.planes, base, ids, memory_.unresolved);
+  if (memory_.unresolved.pixels.empty()) return;
   const auto u = exactQuotient(*run.triangle, run.triangle->u, map.width);
   const auto v = exactQuotient(*run.triangle, run.triangle->v, map.height);
   if (u && v) {
     texels.exact = std::make_unique<const ExactTexels>(ExactTexels{*u, *v});
     kernels_.findExactTexels(run, *texels.exact, map.width, map.height, base, ids);
   } else {
-    for (const Pixel& pixel : memory_.undecided.pixels)
+    for (const Pixel& pixel : memory_.unresolved.pixels)
       ids[pixel.column - run.firstColumn] = base + texelExactly(*run.triangle, map, pixel);
   }
-  memory_.undecided.pixels.clear();
+  memory_.unresolved.pixels.clear();
 }
 
 /// The item IDs of pixels that show one triangle.

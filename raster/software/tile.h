@@ -29,11 +29,11 @@ struct TileMemory {
   std::vector<Shading> shadings;         ///< of triangles that are visible in the end
   std::vector<std::uint32_t> shadingOf;  ///< per taken triangle: its place in `shadings`, or noTriangle
   std::vector<ItemId> run;               ///< item IDs of a run; kernels write behind its end
-  UndecidedPixels undecided;
+  UnresolvedPixels unresolved;
   PlacedVertices placed;                  ///< of the current cluster
   std::vector<ScreenTriangle> triangles;  ///< of the current cluster
   SmallSetup small;                       ///< of the current cluster
-  UndecidedSamples undecidedSamples;
+  UnresolvedSamples unresolvedSamples;
 };
 
 /// Draws the part of a face in its scissor rectangle: one item ID per pixel, row by row from `ids` on, `pitch` item IDs

@@ -108,9 +108,9 @@ inline std::vector<raster::Face> facesAndParts() {
 }
 
 /// Sorted by row and column, because kernels list pixels in any order.
-inline std::vector<std::pair<int, int>> sorted(const raster::UndecidedPixels& undecided) {
+inline std::vector<std::pair<int, int>> sorted(const raster::UnresolvedPixels& unresolved) {
   std::vector<std::pair<int, int>> pixels;
-  for (const raster::Pixel& pixel : undecided.pixels) pixels.emplace_back(pixel.row, pixel.column);
+  for (const raster::Pixel& pixel : unresolved.pixels) pixels.emplace_back(pixel.row, pixel.column);
   std::sort(pixels.begin(), pixels.end());
   return pixels;
 }

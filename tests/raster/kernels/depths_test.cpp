@@ -15,10 +15,11 @@ namespace {
 struct Drawn {
   raster::DepthBuffer buffer;
   std::vector<bool> taken;
-  raster::UndecidedPixels undecided;
+  raster::UnresolvedPixels unresolved;
 };
 
-/// Each triangle twice, so that the second is undecided wherever it is in front. Triangle t has the numbers 2 t and 2 t
+/// Each triangle twice, so that the second is unresolved wherever it is in front. Triangle t has the numbers 2 t and 2
+/// t
 /// + 1.
 Drawn draw(const raster::Kernels& kernels, const std::vector<raster::ScreenTriangle>& triangles,
            const raster::Face& face) {
@@ -26,7 +27,7 @@ Drawn draw(const raster::Kernels& kernels, const std::vector<raster::ScreenTrian
   drawn.buffer.clear(face.scissor);
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
     for (std::uint32_t time = 0; time < 2; ++time)
-      drawn.taken.push_back(kernels.testDepths(triangles[t], 2 * t + time, drawn.buffer, drawn.undecided));
+      drawn.taken.push_back(kernels.testDepths(triangles[t], 2 * t + time, drawn.buffer, drawn.unresolved));
   return drawn;
 }
 
@@ -55,19 +56,19 @@ TEST_CASE("Kernels::testDepths gives the same bits with each instruction set", "
   for (const raster::Face& face : facesAndParts()) {
     const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face);
     const Drawn plain = draw(raster::allKernels().back(), triangles, face);
-    CHECK(!plain.undecided.pixels.empty());
+    CHECK(!plain.unresolved.pixels.empty());
     for (const raster::Kernels& kernels : raster::allKernels()) {
       INFO(kernels.instructionSet << ", " << face.scissor.width << " columns");
       const Drawn drawn = draw(kernels, triangles, face);
       CHECK(drawn.buffer.inverseDepth == plain.buffer.inverseDepth);
       CHECK(drawn.buffer.triangle == plain.buffer.triangle);
       CHECK(drawn.taken == plain.taken);
-      CHECK(sorted(drawn.undecided) == sorted(plain.undecided));
+      CHECK(sorted(drawn.unresolved) == sorted(plain.unresolved));
     }
   }
 }
 
-TEST_CASE("Kernels::testDepths lists a second triangle of the same plane as undecided where it covers samples",
+TEST_CASE("Kernels::testDepths lists a second triangle of the same plane as unresolved where it covers samples",
           "[kernels]") {
   const raster::Face face = frontFace(64);
   raster::DrawList list = plainList();
@@ -80,16 +81,16 @@ TEST_CASE("Kernels::testDepths lists a second triangle of the same plane as unde
     INFO(kernels.instructionSet);
     // Alone, the second is drawn where it covers samples.
     raster::DepthBuffer alone, both;
-    raster::UndecidedPixels undecided;
+    raster::UnresolvedPixels unresolved;
     alone.clear(face.scissor);
-    kernels.testDepths(triangles[1], 1, alone, undecided);
+    kernels.testDepths(triangles[1], 1, alone, unresolved);
     const auto covered = static_cast<std::size_t>(std::count(alone.triangle.begin(), alone.triangle.end(), 1U));
-    CHECK(undecided.pixels.empty());
+    CHECK(unresolved.pixels.empty());
     both.clear(face.scissor);
-    for (std::uint32_t t = 0; t < 2; ++t) kernels.testDepths(triangles[t], t, both, undecided);
+    for (std::uint32_t t = 0; t < 2; ++t) kernels.testDepths(triangles[t], t, both, unresolved);
     CHECK(covered > 100);
-    REQUIRE(undecided.pixels.size() == covered);
-    for (const auto& [column, row] : undecided.pixels) CHECK(alone.triangle[alone.pixelAt(column, row)] == 1);
+    REQUIRE(unresolved.pixels.size() == covered);
+    for (const auto& [column, row] : unresolved.pixels) CHECK(alone.triangle[alone.pixelAt(column, row)] == 1);
   }
 }
 

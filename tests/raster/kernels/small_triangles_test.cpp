@@ -73,7 +73,7 @@ SmallIds idsOf(const SmallSetup& setup, const Map& map, const std::vector<ItemId
 struct Drawn {
   std::vector<std::vector<std::uint64_t>> setups;
   DepthBuffer buffer;
-  std::vector<std::tuple<std::uint32_t, int, int>> undecided;
+  std::vector<std::tuple<std::uint32_t, int, int>> unresolved;
 };
 
 Drawn drawAll(const Kernels& kernels, const ClusterMesh& mesh, const Face& face, const Map& map) {
@@ -87,14 +87,14 @@ Drawn drawAll(const Kernels& kernels, const ClusterMesh& mesh, const Face& face,
     kernels.setUpSmall({mesh, part, seen.placed, seen.sets.small, seen.sets.tiny, map.columns, map.rows}, face.scissor,
                        setup);
     drawn.setups.push_back(valuesOf(setup));
-    UndecidedSamples undecided;
-    kernels.drawSmall(setup, idsOf(setup, map, texels), firstSmall + part.firstTriangle, drawn.buffer, undecided);
-    for (const auto& [k, pixel] : undecided.samples) {
-      drawn.undecided.emplace_back(part.firstTriangle + k, pixel.row, pixel.column);
+    UnresolvedSamples unresolved;
+    kernels.drawSmall(setup, idsOf(setup, map, texels), firstSmall + part.firstTriangle, drawn.buffer, unresolved);
+    for (const auto& [k, pixel] : unresolved.samples) {
+      drawn.unresolved.emplace_back(part.firstTriangle + k, pixel.row, pixel.column);
       drawn.buffer.id[drawn.buffer.pixelAt(pixel.column, pixel.row)] = 0;  // it is unspecified
     }
   }
-  std::sort(drawn.undecided.begin(), drawn.undecided.end());
+  std::sort(drawn.unresolved.begin(), drawn.unresolved.end());
   return drawn;
 }
 
@@ -160,22 +160,22 @@ SmallSetup setUpAll(const DrawList& list) {
 TEST_CASE("Kernels::setUpSmall and drawSmall give the same results with each instruction set", "[small_triangles]") {
   const DrawList list = tests::smallTriangles(600);
   const ClusterMesh mesh = meshOf(list, clustersOf(list));
-  std::size_t samples = 0, undecided = 0;
+  std::size_t samples = 0, unresolved = 0;
   for (const Face& face : faces())
     for (const Map& map : {Map{8, 5, true}, Map{8, 5, false}, Map{1, 1, true}}) {
       const Drawn plain = drawAll(allKernels().back(), mesh, face, map);
       samples += shownBy(plain.buffer).size();
-      undecided += plain.undecided.size();
+      unresolved += plain.unresolved.size();
       for (const Kernels& kernels : allKernels()) {
         INFO(kernels.instructionSet);
         const Drawn drawn = drawAll(kernels, mesh, face, map);
         CHECK(drawn.setups == plain.setups);
         CHECK(shownBy(drawn.buffer) == shownBy(plain.buffer));
-        CHECK(drawn.undecided == plain.undecided);
+        CHECK(drawn.unresolved == plain.unresolved);
       }
     }
   CHECK(samples > 50000);
-  CHECK(undecided > 100);
+  CHECK(unresolved > 100);
 }
 
 TEST_CASE("Kernels::drawSmall shows the samples and texels of the screen triangle", "[small_triangles]") {
@@ -183,13 +183,13 @@ TEST_CASE("Kernels::drawSmall shows the samples and texels of the screen triangl
   const std::vector<Cluster> clusters = clustersOf(list);
   const ClusterMesh mesh = meshOf(list, clusters);
   const Kernels& kernels = allKernels().back();
-  int empty = 0, thin = 0, decided = 0, undecided = 0, uniform = 0;
+  int empty = 0, thin = 0, decided = 0, unresolved = 0, uniform = 0;
   DepthBuffer buffer;
   /// Draws a triangle alone and compares what it shows.
   const auto check = [&](const SmallTriangles& one, const Face& face, const ScreenTriangle& triangle, bool isEmpty) {
     SmallSetup setup;
     kernels.setUpSmall(one, face.scissor, setup);
-    UndecidedSamples open;
+    UnresolvedSamples open;
     if (setup.thin != 0) {
       // The three |e| below are at most 4 times the area of the bounds each, and one w at most 3 times another.
       if (!isEmpty) CHECK(triangle.area * 512 <= 3 * 3 * 4 * areaOfBounds(triangle));
@@ -202,7 +202,7 @@ TEST_CASE("Kernels::drawSmall shows the samples and texels of the screen triangl
     REQUIRE(shown.size() == expected.size());
     if (expected.empty()) return void(++empty);
     CHECK((setup.negative == 1) == (triangle.facesAway == (determinant(face) < 0)));
-    undecided += static_cast<int>(open.samples.size());
+    unresolved += static_cast<int>(open.samples.size());
     for (std::size_t i = 0; i < shown.size(); ++i) {
       const auto [row, column, bits, number, id] = shown[i];
       CHECK(std::pair(row, column) == expected[i]);
@@ -235,7 +235,7 @@ TEST_CASE("Kernels::drawSmall shows the samples and texels of the screen triangl
   CHECK(empty > 1000);
   CHECK(thin > 100);
   CHECK(decided > 5000);
-  CHECK(undecided > 100);
+  CHECK(unresolved > 100);
   CHECK(uniform > 1000);
 }
 

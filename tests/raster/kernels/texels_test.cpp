@@ -22,27 +22,27 @@ bool isCovered(const raster::ScreenTriangle& triangle, int column, int row) {
 /// The triangle numbers that a face shows.
 raster::DepthBuffer drawn(const std::vector<raster::ScreenTriangle>& triangles, const raster::Face& face) {
   raster::DepthBuffer buffer;
-  raster::UndecidedPixels undecided;
+  raster::UnresolvedPixels unresolved;
   buffer.clear(face.scissor);
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    raster::allKernels().back().testDepths(triangles[t], t, buffer, undecided);
+    raster::allKernels().back().testDepths(triangles[t], t, buffer, unresolved);
   return buffer;
 }
 
 /// The results of a kernel for a run.
 struct Texels {
   std::vector<std::uint32_t> texels;
-  std::vector<std::pair<int, int>> undecided;
+  std::vector<std::pair<int, int>> unresolved;
 };
 
 Texels texelsOf(const raster::Kernels& kernels, const raster::PixelRun& run, const raster::TexelPlanes& planes) {
   // Behind the run, the mark that kernels use for an open texel.
   Texels found{std::vector<std::uint32_t>(static_cast<std::size_t>(run.count + raster::maxLanes), 0xffffffff), {}};
-  raster::UndecidedPixels undecided;
-  kernels.findTexels(run, planes, 7, found.texels.data(), undecided);
+  raster::UnresolvedPixels unresolved;
+  kernels.findTexels(run, planes, 7, found.texels.data(), unresolved);
   found.texels.resize(static_cast<std::size_t>(run.count));
-  found.undecided = sorted(undecided);
-  for (const auto& [row, column] : found.undecided)
+  found.unresolved = sorted(unresolved);
+  for (const auto& [row, column] : found.unresolved)
     if (column >= run.firstColumn && column < run.firstColumn + run.count)
       found.texels[static_cast<std::size_t>(column - run.firstColumn)] = 0;
   return found;
@@ -70,7 +70,7 @@ int compareTexels(const raster::DrawList& list, const raster::Face& face,
         for (const raster::Kernels& kernels : raster::allKernels()) {
           INFO(kernels.instructionSet << ", row " << row << ", columns " << first << " to " << end);
           const Texels found = texelsOf(kernels, run, planes);
-          REQUIRE(found.undecided == plain.undecided);
+          REQUIRE(found.unresolved == plain.unresolved);
           REQUIRE(found.texels == plain.texels);
         }
       }
@@ -110,12 +110,12 @@ TEST_CASE("Kernels::findTexels finds a single texel everywhere, however large th
   for (const raster::Kernels& kernels : raster::allKernels()) {
     INFO(kernels.instructionSet);
     const Texels found = texelsOf(kernels, run, raster::TexelPlanes(triangles.front(), 1, 1));
-    CHECK(found.undecided.empty());
+    CHECK(found.unresolved.empty());
     CHECK(found.texels == std::vector<std::uint32_t>(64, 7));
   }
 }
 
-TEST_CASE("Kernels::findTexels beside a border gives the exact texel or an undecided one, with each instruction set",
+TEST_CASE("Kernels::findTexels beside a border gives the exact texel or an unresolved one, with each instruction set",
           "[kernels]") {
   // Walls as above. Coordinates are shifted so that a pixel of a run lies 2^-6 to 2^-25 texels from a border. That is
   // from well above to close to the rounding error. The pixel is often the first or the last, where 1/w differs most
@@ -155,7 +155,7 @@ TEST_CASE("Kernels::findTexels beside a border gives the exact texel or an undec
           for (const raster::Kernels& kernels : raster::allKernels()) {
             const Texels found = texelsOf(kernels, run, planes);
             const bool isOpen =
-                std::binary_search(found.undecided.begin(), found.undecided.end(), std::pair(row, first + at));
+                std::binary_search(found.unresolved.begin(), found.unresolved.end(), std::pair(row, first + at));
             ++(isOpen ? open : decided);
             INFO(kernels.instructionSet << ", depth " << depth << ", size " << size << ", reach " << reach << ", off "
                                         << off);

@@ -45,9 +45,8 @@ std::vector<std::uint32_t> placed(const Kernels& kernels, const ClusterMesh& mes
   std::vector<std::uint32_t> all{sets.whole, sets.cut, sets.small, sets.tiny};
   for (std::size_t i = 0; i < part.vertices; ++i) {
     const float w = vertices.w[i];
-    all.insert(all.end(),
-               {w == w ? std::bit_cast<std::uint32_t>(w) : 0, static_cast<std::uint32_t>(vertices.across[i]),
-                static_cast<std::uint32_t>(vertices.down[i]), static_cast<std::uint32_t>(vertices.sides[i])});
+    all.insert(all.end(), {w == w ? std::bit_cast<std::uint32_t>(w) : 0, static_cast<std::uint32_t>(vertices.x[i]),
+                           static_cast<std::uint32_t>(vertices.y[i]), static_cast<std::uint32_t>(vertices.sides[i])});
   }
   return all;
 }
@@ -108,8 +107,8 @@ TEST_CASE("Kernels::place transforms and snaps a vertex inside the half-spaces a
       if (unclipped.count == 0) continue;
       ++inside;
       CHECK(vertices.w[i] == static_cast<float>(p.w));
-      CHECK(vertices.across[i] == snap(p.x / p.w, face.resolution));
-      CHECK(vertices.down[i] == snap(p.y / p.w, face.resolution));
+      CHECK(vertices.x[i] == snap(p.x / p.w, face.resolution));
+      CHECK(vertices.y[i] == snap(p.y / p.w, face.resolution));
     }
   }
   CHECK(inside > 1000);

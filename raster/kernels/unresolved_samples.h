@@ -10,7 +10,7 @@ namespace hemitex::raster {
 
 /// Appends the samples of a triangle whose depth test against the buffer is not resolved in double precision. No other
 /// triangle in the buffer may have its number.
-void listUndecidedSamples(const ScreenTriangle& triangle, std::uint32_t number, const DepthBuffer& buffer,
-                          UndecidedPixels& undecided);
+void listUnresolvedSamples(const ScreenTriangle& triangle, std::uint32_t number, const DepthBuffer& buffer,
+                           UnresolvedPixels& unresolved);
 
 }  // namespace hemitex::raster

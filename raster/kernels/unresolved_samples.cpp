@@ -1,4 +1,4 @@
-#include "raster/kernels/undecided_samples.h"
+#include "raster/kernels/unresolved_samples.h"
 
 #include <optional>
 
@@ -20,8 +20,8 @@ double inverseDepthAt(const ScreenTriangle& triangle, const std::optional<DepthP
 
 }  // namespace
 
-void listUndecidedSamples(const ScreenTriangle& triangle, std::uint32_t number, const DepthBuffer& buffer,
-                          UndecidedPixels& undecided) {
+void listUnresolvedSamples(const ScreenTriangle& triangle, std::uint32_t number, const DepthBuffer& buffer,
+                           UnresolvedPixels& unresolved) {
   const std::optional<DepthPlane> plane = depthPlane(triangle);
   for (int row = triangle.firstRow; row < triangle.endRow; ++row)
     for (int column = triangle.firstColumn; column < triangle.endColumn; ++column) {
@@ -29,7 +29,7 @@ void listUndecidedSamples(const ScreenTriangle& triangle, std::uint32_t number, 
       const EdgeValues edge = edgeValues(triangle, column, row);
       if (buffer.triangle[pixel] == number || !isCovered(triangle, edge)) continue;
       const double inverseDepth = inverseDepthAt(triangle, plane, edge, column, row);
-      if (compareDepths(inverseDepth, buffer.inverseDepth[pixel]) == DepthTest::Undecided) undecided.add(column, row);
+      if (isUnresolved(inverseDepth, buffer.inverseDepth[pixel])) unresolved.add(column, row);
     }
 }
 
