@@ -10,6 +10,7 @@
 #include "cli/common/interruption.h"
 #include "cli/common/launched_rank.h"
 #include "cli/common/unknown_argument.h"
+#include "cli/help/completion.h"
 #include "cli/help/help_formatter.h"
 #include "cli/help/shell_files.h"
 #include "raster/base/input_error.h"
@@ -55,6 +56,10 @@ int run(const Program& program, int argc, char** argv, Context& context) {
       .addPath("--shell-files", shellFiles, "write completion scripts and manual pages into this folder")
       .hidden();
   program.addCommands(Command(app), context);
+  if (argc > 1 && argv[1] == std::string("--complete")) {  // an incomplete command line
+    std::cout << offersFor(commandTree(app), {argv + 2, argv + argc});
+    return 0;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& helpOrVersion) {

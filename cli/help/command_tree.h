@@ -1,4 +1,4 @@
-/// The commands of a program and their options as plain data. Completion scripts and manual pages are made of it.
+/// The commands of a program and their options as plain data. Completion and manual pages are made of it.
 #pragma once
 
 #include <string>

@@ -1,16 +1,19 @@
-/// Completion scripts for shells. Each offers the commands, the options of the command, the named values of the option
-/// before the cursor, and files where a path is expected.
+/// What may follow on a command line. The completion scripts of shells (shell_files.h) ask the program for it.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/help/command_tree.h"
 
 namespace hemitex::cli {
 
-/// Each function returns the script for one shell; it depends on nothing but the shell (bash 4, zsh 5, fish 3).
-std::string bashCompletion(const CommandInfo& program);
-std::string zshCompletion(const CommandInfo& program);
-std::string fishCompletion(const CommandInfo& program);
+/// The only offer where the path of a file is expected.
+inline const std::string filesOffer = "<files>";
+
+/// Offers for the last of `words`, which follow the name of the program; it may be incomplete or empty. One line each,
+/// a text or a text, a tab and its help: the values of the option before it, the options of the command if it begins
+/// with a dash, or the commands.
+std::string offersFor(const CommandInfo& program, const std::vector<std::string>& words);
 
 }  // namespace hemitex::cli

@@ -9,7 +9,7 @@
 #include "cli/common/json.h"
 #include "cli/common/program.h"
 #include "cli/common/staging.h"
-#include "cli/help/shell_quote.h"
+#include "cli/common/shell_quote.h"
 #include "cli/scene/sealed_folder.h"
 #include "cli/solve/edits_file.h"
 #include "cli/solve/options.h"

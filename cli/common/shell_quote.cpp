@@ -1,4 +1,4 @@
-#include "cli/help/shell_quote.h"
+#include "cli/common/shell_quote.h"
 
 namespace hemitex::cli {
 
