@@ -13,7 +13,7 @@
 #include "cli/common/staging.h"
 #include "cli/scene/camera_options.h"
 #include "cli/scene/scene_options.h"
-#include "cli/tradeoff/page.h"
+#include "cli/tradeoff/report.h"
 #include "radiosity/discretization/discretize.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
@@ -164,7 +164,7 @@ void measure(const TradeoffOptions& options, Context& context) {
   writeCsv(csv, choiceTable(result["choices"]));
   raster::writeFile(staging.folder() / "tradeoff.csv", csv.view());
   raster::writeFile(staging.folder() / "tradeoff.json", toText(result));
-  raster::writeFile(staging.folder() / "report.html", tradeoffPage(tradeoff, camera, result, staging.folder()));
+  raster::writeFile(staging.folder() / "report.html", tradeoffPage(tradeoff, camera, result));
   staging.commit();
   std::cout << (context.json ? toText(result) : tradeoffText(result));
 }

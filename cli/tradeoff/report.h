@@ -1,4 +1,4 @@
-/// Writes the measurements of `hemitex tradeoff` as JSON, CSV and Markdown.
+/// Writes the measurements of `hemitex tradeoff` as JSON, CSV, Markdown and HTML.
 ///
 /// tradeoff.json holds:
 ///
@@ -16,13 +16,12 @@
 ///       times                      median_s, rounds_s, and pareto: whether it is on the Pareto front
 ///
 /// - `same_points`: rows of hemicubes and rays from the same points (see
-/// reference/measurement/bench/equal_time_error.h), with
-///   `points` and `truth_error`. `hemicubes`, `turned_hemicubes` and `rays` are lists of objects with `size`, `error`
-///   and `times`: `row_s` and, for hemicubes, `error_of_rays` in the same time, or null. Null if hemicubes or rays are
-///   not measured;
+/// reference/measurement/bench/equal_time_error.h),
+///   with `points` and `truth_error`. `hemicubes`, `turned_hemicubes` and `rays` are lists of objects with `size`,
+///   `error` and `times`: `row_s` and, for hemicubes, `error_of_rays` in the same time, or null. Null if hemicubes or
+///   rays are not measured;
 /// - `times`: `truth_s`, `all_s`, `threads` (0: all cores), and `within`: for several bounds on the error the index of
-/// the
-///   fastest choice, or null.
+///   the fastest choice, or null.
 ///
 /// Except for the keys `times`, every run gives the same file. tradeoff.csv has one line per choice.
 #pragma once
@@ -33,6 +32,7 @@
 #include <vector>
 
 #include "cli/common/table.h"
+#include "radiosity/pictures/camera.h"
 #include "reference/measurement/bench/equal_time_error.h"
 #include "reference/measurement/tradeoff/tradeoff.h"
 
@@ -55,5 +55,9 @@ nlohmann::ordered_json toJson(const Tradeoff& tradeoff);
 Table choiceTable(const nlohmann::ordered_json& choices);
 /// The table of the fastest choices in Markdown.
 std::string tradeoffText(const nlohmann::ordered_json& result);
+
+/// The page report.html. `result` is the object of tradeoff.json. The pictures show the truth and the errors of three
+/// choices on the Pareto front: the fastest, the middle and the most accurate.
+std::string tradeoffPage(const Tradeoff& tradeoff, const radiosity::Camera& camera, nlohmann::ordered_json result);
 
 }  // namespace hemitex::cli
