@@ -1,11 +1,9 @@
 #include "cli/common/shell_quote.h"
 
+#include <boost/algorithm/string.hpp>
+
 namespace hemitex::cli {
 
-std::string shellQuoted(const std::string& text) {
-  std::string result = "'";
-  for (const char letter : text) result += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return result + '\'';
-}
+std::string shellQuoted(const std::string& text) { return '\'' + boost::replace_all_copy(text, "'", "'\\''") + '\''; }
 
 }  // namespace hemitex::cli

@@ -1,13 +1,13 @@
 #include "cli/common/table.h"
 
 #include <algorithm>
+#include <boost/algorithm/string.hpp>
 #include <cassert>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 #include "cli/common/numbers.h"
 #include "raster/base/parallel.h"
+#include "raster/base/short_number.h"
 
 namespace hemitex::cli {
 namespace {
@@ -17,21 +17,11 @@ using nlohmann::ordered_json;
 /// A field of a CSV file, quoted if it contains a separator.
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char letter : text) {
-    if (letter == '"') quoted += '"';
-    quoted += letter;
-  }
-  return quoted + '"';
+  return '"' + boost::replace_all_copy(text, "\"", "\"\"") + '"';
 }
 
 std::string field(std::int64_t number) { return std::to_string(number); }
 std::string field(double number) { return toText(number); }
-
-void appendLine(std::string& text, const std::vector<std::string>& fields) {
-  for (std::size_t i = 0; i < fields.size(); ++i) text.append(i > 0 ? "," : "").append(fields[i]);
-  text += '\n';
-}
 
 /// Lines [first, end) of a CSV file.
 std::string csvLines(const Table& table, std::size_t first, std::size_t end) {
@@ -41,7 +31,7 @@ std::string csvLines(const Table& table, std::size_t first, std::size_t end) {
     for (const Cell& cell : table.row(i))
       fields.push_back(std::visit([](const auto& value) { return field(value); }, cell));
     assert(fields.size() == table.columns.size());
-    appendLine(text, fields);
+    text += boost::join(fields, ",") + '\n';
   }
   return text;
 }
@@ -49,10 +39,7 @@ std::string csvLines(const Table& table, std::size_t first, std::size_t end) {
 std::string rounded(const std::string& text) { return text; }
 std::string rounded(std::int64_t number) { return std::to_string(number); }
 std::string rounded(double number) {
-  if (std::abs(number) >= 1000) return std::to_string(std::llround(number));
-  std::ostringstream text;
-  text << std::setprecision(3) << number;
-  return text.str();
+  return std::abs(number) >= 1000 ? std::to_string(std::llround(number)) : raster::shortNumber(number);
 }
 
 Cell cellOf(const ordered_json& value) {
@@ -97,8 +84,7 @@ void writeMarkdown(std::ostream& stream, const std::string& title, const ordered
   if (records.empty()) return;
   const Table table = tableOf(records);
   const auto writeRow = [&stream](const std::vector<std::string>& cells) {
-    for (const std::string& cell : cells) stream << "| " << cell << ' ';
-    stream << "|\n";
+    stream << "| " << boost::join(cells, " | ") << " |\n";
   };
   stream << title << "\n\n";
   writeRow(table.columns);
@@ -114,9 +100,7 @@ void writeMarkdown(std::ostream& stream, const std::string& title, const ordered
 
 void writeCsv(std::ostream& stream, const Table& table) {
   constexpr std::size_t rowsOfBlock = 1024, blocksAtOnce = 64;
-  std::string header;
-  appendLine(header, table.columns);
-  stream << header;
+  stream << boost::join(table.columns, ",") << '\n';
   std::vector<std::string> blocks(blocksAtOnce);
   for (std::size_t first = 0; first < table.size; first += rowsOfBlock * blocksAtOnce) {
     raster::parallelFor(blocksAtOnce, [&](std::size_t block) {

@@ -2,16 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <sstream>
+#include <boost/algorithm/string.hpp>
 
 namespace hemitex::cli {
 namespace {
 
-std::vector<std::string> split(const std::string& text, char separator) {
+std::vector<std::string> split(const std::string& text, const char* separator) {
   std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
-  return parts;
+  return boost::split(parts, text, boost::is_any_of(separator));
 }
 
 OptionInfo describe(const CLI::Option& option) {
@@ -21,7 +19,7 @@ OptionInfo describe(const CLI::Option& option) {
   if (option.get_positional()) info.names.push_back(option.get_name(true));
   if (option.get_type_size() != 0) info.value = option.get_type_name();
   info.help = option.get_description();
-  if (info.value.find('|') != std::string::npos) info.choices = split(info.value, '|');
+  if (info.value.find('|') != std::string::npos) info.choices = split(info.value, "|");
   info.isRequired = option.get_required();
   return info;
 }
@@ -70,7 +68,7 @@ CommandInfo commandTree(const CLI::App& app) {
     }
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     info.commands.push_back(commandTree(*command));
-  for (const std::string& line : split(app.get_footer(), '\n'))
+  for (const std::string& line : split(app.get_footer(), "\n"))
     if (line.starts_with("  ")) info.examples.push_back(line.substr(2));
   return info;
 }

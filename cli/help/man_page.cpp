@@ -1,33 +1,20 @@
 #include "cli/help/man_page.h"
 
-#include <algorithm>
-#include <cctype>
+#include <boost/algorithm/string.hpp>
 #include <sstream>
 
 namespace hemitex::cli {
 namespace {
 
 /// Escapes a text. A dash becomes the one of the keyboard, so that options can be copied from the page.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char letter : text) {
-    if (letter == '\\')
-      result += "\\e";
-    else if (letter == '-')
-      result += "\\-";
-    else
-      result += letter;
-  }
-  return !text.empty() && (text.front() == '.' || text.front() == '\'') ? "\\&" + result : result;
+std::string escaped(std::string text) {
+  boost::replace_all(text, "\\", "\\e");
+  boost::replace_all(text, "-", "\\-");
+  return text.starts_with('.') || text.starts_with('\'') ? "\\&" + text : text;
 }
 
 std::string bold(const std::string& text) { return "\\fB" + escaped(text) + "\\fR"; }
 std::string italic(const std::string& text) { return "\\fI" + escaped(text) + "\\fR"; }
-
-std::string upperCase(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char letter) { return std::toupper(letter); });
-  return text;
-}
 
 void writeSynopsis(std::ostream& page, const CommandInfo& command) {
   page << ".SH SYNOPSIS\n" << bold(command.name);
@@ -59,11 +46,7 @@ void writeOptions(std::ostream& page, const std::string& title, const std::vecto
 
 }  // namespace
 
-std::string manPageName(const CommandInfo& command) {
-  std::string name = command.name;
-  std::replace(name.begin(), name.end(), ' ', '-');
-  return name;
-}
+std::string manPageName(const CommandInfo& command) { return boost::replace_all_copy(command.name, " ", "-"); }
 
 std::string manPage(const CommandInfo& command, const std::string& version) {
   const std::string program = command.name.substr(0, command.name.find(' '));
@@ -71,7 +54,7 @@ std::string manPage(const CommandInfo& command, const std::string& version) {
   // The sentence about a program begins with its name.
   const std::string purpose = isProgram ? command.help.substr(program.size() + 1) : command.help;
   std::ostringstream page;
-  page << ".TH " << upperCase(manPageName(command)) << " 1 \"\" \"" << program << ' ' << version
+  page << ".TH " << boost::to_upper_copy(manPageName(command)) << " 1 \"\" \"" << program << ' ' << version
        << "\" \"User Commands\"\n.SH NAME\n"
        << escaped(manPageName(command)) << " \\- " << escaped(purpose) << '\n';
   writeSynopsis(page, command);

@@ -1,6 +1,6 @@
 #include "cli/help/shell_files.h"
 
-#include <regex>
+#include <boost/algorithm/string.hpp>
 
 #include "cli/help/man_page.h"
 #include "raster/base/file_io.h"
@@ -47,7 +47,7 @@ complete -c PROGRAM -f -a '(__PROGRAM_offers)'
 
 void write(const std::filesystem::path& file, const std::string& text, const std::string& program) {
   std::filesystem::create_directories(file.parent_path());
-  raster::writeFile(file, std::regex_replace(text, std::regex("PROGRAM"), program));
+  raster::writeFile(file, boost::replace_all_copy(text, "PROGRAM", program));
 }
 
 }  // namespace

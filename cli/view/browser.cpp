@@ -1,19 +1,18 @@
 #include "cli/view/browser.h"
 
+#include <boost/algorithm/string.hpp>
 #include <chrono>
 #include <cstdlib>
-#include <sstream>
 
 #include "reference/base/child_process.h"
 
 namespace hemitex::cli {
 namespace {
 
-std::vector<std::string> splitAt(const std::string& text, char separator) {
+std::vector<std::string> splitAt(const std::string& text, const char* separator) {
   std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, separator);)
-    if (!part.empty()) parts.push_back(part);
+  boost::split(parts, text, boost::is_any_of(separator));
+  std::erase(parts, "");
   return parts;
 }
 
@@ -24,21 +23,16 @@ bool isSet(const char* variable) {
 
 /// The words of a command, with the path of the file.
 std::vector<std::string> wordsOf(const std::string& command, const std::string& path) {
-  std::vector<std::string> words = splitAt(command, ' ');
-  bool isNamed = false;
-  for (std::string& word : words)
-    if (const std::size_t place = word.find("%s"); place != std::string::npos) {
-      word.replace(place, 2, path);
-      isNamed = true;
-    }
-  if (!isNamed) words.push_back(path);
+  std::vector<std::string> words = splitAt(command, " ");
+  if (command.find("%s") == std::string::npos) words.push_back(path);
+  for (std::string& word : words) boost::replace_first(word, "%s", path);
   return words;
 }
 
 }  // namespace
 
 std::vector<std::string> browserCommands() {
-  if (isSet("BROWSER")) return splitAt(std::getenv("BROWSER"), ':');
+  if (isSet("BROWSER")) return splitAt(std::getenv("BROWSER"), ":");
 #ifdef __APPLE__
   return {"open"};
 #else

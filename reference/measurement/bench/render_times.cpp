@@ -5,11 +5,12 @@
 #include <tuple>
 
 #include "radiosity/discretization/discretize.h"
+#include "radiosity/form_factors/item_buffer_sum.h"
 #include "radiosity/form_factors/projected_form_factors.h"
 #include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "raster/base/parallel.h"
-#include "reference/measurement/bench/baseline.h"
+#include "raster/base/per_thread.h"
 #include "reference/measurement/bench/equal_time_error.h"
 #include "reference/truth/rays/pixel_rays.h"
 
@@ -44,6 +45,34 @@ struct World {
   std::vector<std::pair<std::string, std::unique_ptr<raster::ItemBufferRenderer>>> devices;
 };
 
+/// Bytes per pixel that the reference renderer clears besides the item ID: depth and visible triangle.
+constexpr std::size_t fragmentBytes = 12;
+
+/// Clears as many bytes as drawing that many pixels, in parts that stay in the cache of a thread.
+class Clearing {
+ public:
+  explicit Clearing(std::size_t pixels) : ids_(pixels) {}
+
+  void operator()() {
+    static constexpr std::size_t part = 32768;
+    raster::parallelFor((ids_.size() + part - 1) / part, [this](std::size_t i) {
+      const std::size_t first = i * part, count = std::min(part, ids_.size() - first);
+      fragments_.mine().assign(count * fragmentBytes, std::byte{0});
+      std::fill_n(ids_.begin() + static_cast<std::ptrdiff_t>(first), count, raster::ItemId{0});
+    });
+  }
+
+ private:
+  std::vector<raster::ItemId> ids_;  ///< of all faces
+  raster::PerThread<std::vector<std::byte>> fragments_;
+};
+
+std::size_t pixelsOf(const std::vector<raster::ItemBuffer>& buffers) {
+  std::size_t pixels = 0;
+  for (const raster::ItemBuffer& buffer : buffers) pixels += buffer.ids.size();
+  return pixels;
+}
+
 /// A measured task; one call of `call` counts as `calls` calls.
 struct Task {
   std::string what;
@@ -59,14 +88,12 @@ class Tasks {
         patches_(spreadPatches(world.discretization, patchesAtOnce)),
         rows_(world.scene, world.discretization, world.layout, *world.textures, {.resolution = resolution}),
         meshRows_(world.scene, world.discretization, world.layout, *world.mesh, {.resolution = resolution}),
-        floor_(world.discretization, world.layout, rows_.projection()) {
+        sum_(world.discretization, world.layout) {
     for (const std::uint32_t patch : patches_) views_.push_back(rows_.viewsOfPatch(patch).front());
-    drawn_ = render(*world.textures, views_.front().faces, views_.front().skipped);
     add("hemicube", [this](std::size_t i) { rows_.ofPatch(patches_[i]); });
     addDrawing("draw", *world.textures);
     add("embree", [this](std::size_t i) { world_.rays.cast(views_[i].faces, hits_); });
-    // One patch only: a hemicube finds its item IDs in the cache, but those of several patches do not fit there.
-    tasks_.push_back({"floor", [this] { floor_.row(drawn_); }});
+    addFloor();
     for (const auto& [what, device] : world.devices) addDrawing(what, *device);
     add("hemicube-mesh", [this](std::size_t i) { meshRows_.ofPatch(patches_[i]); });
     tasks_.push_back({"solution", [this] { solve(); }});
@@ -86,6 +113,16 @@ class Tasks {
     tasks_.push_back({what, all, patches_.size()});
   }
 
+  /// One patch only: a hemicube finds its item IDs in the cache, but those of several patches do not fit there.
+  void addFloor() {
+    const auto drawn = render(*world_.textures, views_.front().faces, views_.front().skipped);
+    const auto clear = std::make_shared<Clearing>(pixelsOf(drawn));
+    tasks_.push_back({"floor", [this, drawn, clear, faces = radiosity::wholeFaces(rows_.projection())] {
+                        (*clear)();
+                        sum_.rowOf(rows_.projection(), faces, drawn);
+                      }});
+  }
+
   void addDrawing(const std::string& what, raster::ItemBufferRenderer& renderer) {
     add(what, [this, &renderer](std::size_t i) { raster::draw(renderer, views_[i].faces, views_[i].skipped, ids_); });
   }
@@ -100,9 +137,8 @@ class Tasks {
   World& world_;
   std::vector<std::uint32_t> patches_;
   ProjectedFormFactors rows_, meshRows_;
-  BenchFloor floor_;
-  std::vector<View> views_;                ///< one per patch
-  std::vector<raster::ItemBuffer> drawn_;  ///< of the first view
+  radiosity::ItemBufferSum sum_;
+  std::vector<View> views_;  ///< one per patch
   std::vector<raster::ItemBuffer> ids_, hits_;
   std::vector<Task> tasks_;
   int shots_ = 0;

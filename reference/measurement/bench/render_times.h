@@ -27,7 +27,8 @@ struct BenchRun {
   /// - embree: finds the nearest triangle of a ray through each of the same pixels (pixel_rays.h);
   /// - opengl-plain: draws the faces by plain OpenGL and reads them back, without the sum (OpenGlPath::Plain);
   /// - opengl: the same by the rules of docs/item-buffers.md (OpenGlPath::Shader);
-  /// - floor: clears buffers and sums the row of the first patch from item IDs drawn before (baseline.h);
+  /// - floor: the lower bound without geometry: clears buffers and sums the row of the first patch from item IDs that
+  ///   were drawn before, by runs of equal IDs, with one comparison per pixel;
   /// - solution: `benchShots` shots of the solver, or fewer if no light is left; shot: their mean.
   std::string what;
   Timing seconds;
