@@ -283,7 +283,10 @@ try {
 chromium.removeAllListeners("exit");
 chromium.on("exit", () => {
   // Its child processes may still write there for a moment.
-  rmSync(profile, {recursive: true, force: true, maxRetries: 50, retryDelay: 100});
+  rmSync(profile, {recursive: true, force: true, maxRetries: 20, retryDelay: 100});
   process.exit(code);
 });
-chromium.kill();
+// The browser ends its child processes itself, unless it hangs.
+session = undefined;
+send("Browser.close").catch(() => {});
+setTimeout(() => chromium.kill("SIGKILL"), 10e3).unref();

@@ -13,16 +13,6 @@ namespace {
 using radiosity::Discretization;
 using radiosity::Scene;
 
-/// A drawn method: projection, rotation and splitting of patches.
-struct DrawnStyle {
-  std::string name;
-  radiosity::ProjectionKind projection;
-  radiosity::Orientation orientation;
-  double split;  ///< see radiosity::DrawingSettings
-  std::vector<int> measured;
-  double pixelsPerElement = 0;  ///< see radiosity::ViewSettings
-};
-
 /// Pixels of all faces of a projection; a hemicube has one square face and four halves.
 double pixelsOf(radiosity::ProjectionKind projection, int resolution) {
   return (projection == radiosity::ProjectionKind::SinglePlane ? 1.0 : 3.0) * resolution * resolution;
@@ -34,11 +24,12 @@ double directionsOf(radiosity::ProjectionKind projection, int resolution) {
   return projection == radiosity::ProjectionKind::CubicTetrahedron ? (pixels + 3.0 * resolution) / 2 : pixels;
 }
 
-TradeMethod drawnMethod(const DrawnStyle& style) {
+/// A method that draws; its setting is the resolution.
+TradeMethod drawnMethod(const std::string& name, const radiosity::DrawingSettings& style,
+                        const std::vector<int>& measured = {32, 64, 128, 256, 512}) {
   const auto rows = [style](const Scene& scene, const Discretization& discretization, int resolution) -> TradeRows {
-    const radiosity::DrawingSettings settings{resolution,       style.orientation,
-                                              style.split,      radiosity::ElementsBy::Texture,
-                                              style.projection, style.pixelsPerElement};
+    radiosity::DrawingSettings settings = style;
+    settings.resolution = resolution;
     const auto drawn = std::make_shared<radiosity::SceneFormFactors>(scene, discretization,
                                                                      radiosity::layOut(discretization), settings);
     return {{drawn, &drawn->discretization()},
@@ -49,7 +40,7 @@ TradeMethod drawnMethod(const DrawnStyle& style) {
   const auto bytes = [style](int resolution) {
     return static_cast<std::size_t>(pixelsOf(style.projection, resolution)) * sizeof(raster::ItemId);
   };
-  return {style.name, "resolution", 2, 4096, style.measured, directions, bytes, rows};
+  return {name, "resolution", 2, 4096, measured, directions, bytes, rows};
 }
 
 TradeMethod rayMethod(const std::string& name, RayStart start, std::uint32_t seed) {
@@ -73,18 +64,15 @@ TradeMethod rayMethod(const std::string& name, RayStart start, std::uint32_t see
 }  // namespace
 
 std::vector<TradeMethod> tradeMethods(std::uint32_t seed) {
-  using radiosity::Orientation;
   using radiosity::ProjectionKind;
-  const std::vector<int> few{32, 64, 128, 256, 512};
-  const double split = radiosity::defaultMaxMisdirected, unsplit = 1;
-  const std::vector<int> many{32, 64, 128, 256, 512, 1024, 2048};
-  return {drawnMethod({"hemicube", ProjectionKind::Hemicube, Orientation::Aligned, unsplit, many}),
-          drawnMethod({"turned-hemicube", ProjectionKind::Hemicube, Orientation::Turned, unsplit, few}),
-          drawnMethod({"split-hemicube", ProjectionKind::Hemicube, Orientation::Turned, split, few}),
-          drawnMethod({"single-plane", ProjectionKind::SinglePlane, Orientation::Turned, unsplit, few}),
-          drawnMethod({"tetrahedron", ProjectionKind::CubicTetrahedron, Orientation::Turned, unsplit, few}),
-          drawnMethod({"levels-of-detail", ProjectionKind::Hemicube, Orientation::Turned, unsplit, few,
-                       radiosity::suggestedPixelsPerElement}),
+  constexpr double unsplit = 1;
+  return {drawnMethod("hemicube", {.orientation = radiosity::Orientation::Aligned, .split = unsplit},
+                      {32, 64, 128, 256, 512, 1024, 2048}),
+          drawnMethod("turned-hemicube", {.split = unsplit}),
+          drawnMethod("split-hemicube", {}),
+          drawnMethod("single-plane", {.split = unsplit, .projection = ProjectionKind::SinglePlane}),
+          drawnMethod("tetrahedron", {.split = unsplit, .projection = ProjectionKind::CubicTetrahedron}),
+          drawnMethod("levels-of-detail", {.split = unsplit, .pixelsPerElement = radiosity::suggestedPixelsPerElement}),
           rayMethod("centre-rays", RayStart::Centre, seed),
           rayMethod("area-rays", RayStart::Area, seed)};
 }
