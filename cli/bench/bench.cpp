@@ -6,10 +6,10 @@
 #include <optional>
 #include <set>
 
-#include "cli/bench/report.h"
 #include "cli/common/commands.h"
 #include "cli/common/staging.h"
 #include "cli/devices/renderers.h"
+#include "cli/report/bench_report.h"
 #include "cli/report/embedded_files.h"
 #include "cli/report/html_page.h"
 #include "cli/scene/scene_folder.h"

@@ -6,7 +6,7 @@
 #include "cli/common/staging.h"
 #include "cli/devices/renderers.h"
 #include "cli/paper/figures.h"
-#include "cli/paper/report.h"
+#include "cli/report/paper_report.h"
 #include "cli/scene/scene_folder.h"
 #include "raster/base/file_io.h"
 #include "raster/base/parallel.h"

@@ -8,8 +8,8 @@
 
 #include "cli/common/console.h"
 #include "cli/common/interruption.h"
+#include "cli/report/solved_page.h"
 #include "cli/solve/checkpoint.h"
-#include "cli/view/solved_page.h"
 #include "radiosity/solver/progressive_solver.h"
 
 namespace hemitex::cli {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/report/solved_page.h"
 #include "cli/solve/options.h"
-#include "cli/view/solved_page.h"
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/pictures/camera.h"

@@ -4,9 +4,9 @@
 #include <memory>
 #include <optional>
 
+#include "cli/report/solved_page.h"
 #include "cli/solve/monitor.h"
 #include "cli/solve/options.h"
-#include "cli/view/solved_page.h"
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"

@@ -8,7 +8,7 @@
 #include <regex>
 #include <string>
 
-#include "cli/view/solved_page.h"
+#include "cli/report/solved_page.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/shell.h"
 

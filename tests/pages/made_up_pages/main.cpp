@@ -2,10 +2,10 @@
 ///   hemitex_made_up_pages DIR
 #include <fstream>
 
-#include "cli/bench/report.h"
-#include "cli/paper/report.h"
+#include "cli/report/bench_report.h"
 #include "cli/report/embedded_files.h"
 #include "cli/report/html_page.h"
+#include "cli/report/paper_report.h"
 #include "radiosity/images/image.h"
 
 using namespace hemitex;

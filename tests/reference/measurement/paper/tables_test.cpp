@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "cli/paper/report.h"
+#include "cli/report/paper_report.h"
 #include "reference/measurement/paper/scenes.h"
 
 using namespace hemitex;

@@ -1,4 +1,4 @@
-#include "cli/view/solved_page.h"
+#include "cli/report/solved_page.h"
 
 #include <algorithm>
 #include <numeric>

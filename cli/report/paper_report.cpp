@@ -1,4 +1,4 @@
-#include "cli/paper/report.h"
+#include "cli/report/paper_report.h"
 
 #include <sstream>
 

@@ -1,4 +1,4 @@
-#include "cli/tradeoff/report.h"
+#include "cli/report/tradeoff_report.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "cli/bench/report.h"
+#include "cli/report/bench_report.h"
 
 #include <sstream>
 

@@ -1,4 +1,4 @@
-/// Makes the page report.html of a solved scene from cli/view/report.html: the lit room in 3-D, where the flux went,
+/// Makes the page report.html of a solved scene from cli/report/solved.html: the lit room in 3-D, where the flux went,
 /// the convergence of the solution, its settings and warnings. The page works without a network.
 #pragma once
 
