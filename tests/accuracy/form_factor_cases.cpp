@@ -4,15 +4,15 @@
 #include <numbers>
 
 #include "reference/truth/closed_forms/polygon_to_polygon.h"
-#include "reference/truth/closed_forms/rectangles.h"
 #include "tests/accuracy/numbers.h"
 #include "tests/support/hand_scenes.h"
+#include "tests/truth/rectangles.h"
 
 namespace hemitex::accuracy {
 namespace {
 
 using radiosity::Surface;
-using reference::AxisRectangle;
+using tests::AxisRectangle;
 
 const AxisRectangle unitSquare{{0, 1}, {0, 1}};
 const std::string c11 = "Howell C-11", c14 = "Howell C-14", unequal = "Ehlert and Smith 1993";
@@ -35,12 +35,12 @@ Surface facingAlongY(const AxisRectangle& to) {
 
 FormFactorCase parallel(const std::string& name, const std::string& truth, const AxisRectangle& from,
                         const AxisRectangle& to, double gap) {
-  return {name, truth, {facingUp(from), facingDown(to, gap)}, reference::parallelRectangles(from, to, gap)};
+  return {name, truth, {facingUp(from), facingDown(to, gap)}, tests::parallelRectangles(from, to, gap)};
 }
 
 FormFactorCase perpendicular(const std::string& name, const std::string& truth, const AxisRectangle& from,
                              const AxisRectangle& to) {
-  return {name, truth, {facingUp(from), facingAlongY(to)}, reference::perpendicularRectangles(from, to)};
+  return {name, truth, {facingUp(from), facingAlongY(to)}, tests::perpendicularRectangles(from, to)};
 }
 
 }  // namespace
@@ -129,7 +129,7 @@ The one hemicube gives exactly three quarters, a half and nothing of its value w
     theme.cases.push_back({name,
                            "Howell C-11, symmetry",
                            {facingUp(unitSquare), facingDown(unitSquare, gap), facingDown(covered, gap / 2)},
-                           (1 - share) * reference::parallelRectangles(unitSquare, unitSquare, gap),
+                           (1 - share) * tests::parallelRectangles(unitSquare, unitSquare, gap),
                            true});
   };
   add("a quarter", 1, {{-1, 0.5}, {-1, 0.5}}, 0.25);
@@ -142,7 +142,7 @@ The one hemicube gives exactly three quarters, a half and nothing of its value w
 FormFactorTheme coincident() {
   const Surface under = facingUp(unitSquare), over = facingDown(unitSquare, 1);
   const Surface turned = tests::parallelogram("turned", {0, 0, 1}, {1, 0, 0}, {0, 1, 0});
-  const double c = reference::parallelRectangles(unitSquare, unitSquare, 1);
+  const double c = tests::parallelRectangles(unitSquare, unitSquare, 1);
   // A floor that continues behind the wall, and a wall that continues below the floor: half of each is behind the
   // other. These halves see only backs and count as the inside of a solid. The rest are unit squares that share an
   // edge.
@@ -164,7 +164,7 @@ solid. The remaining halves are rectangles that share an edge.)",
        {"rectangles of 1 x 2 that cross in their middles, at a right angle",
         "Howell C-14",
         {facingUp(both), facingAlongY(both)},
-        reference::perpendicularRectangles(unitSquare, unitSquare),
+        tests::perpendicularRectangles(unitSquare, unitSquare),
         true}}};
 }
 
@@ -205,8 +205,8 @@ FormFactorTheme smallEmitters() {
       R"(A square light hangs in a unit cube, a quarter below the ceiling. Solutions use the first row, because emitters shoot
 first. There all 64 hemicubes lie almost at one point and have the same error. From the floor the light is smaller than
 a pixel, and the hemicubes miss it.)",
-      {{"from the emitter to the floor", unequal, fromLight, reference::parallelRectangles(light, unitSquare, 0.75)},
-       {"from the floor to the emitter", unequal, fromFloor, reference::parallelRectangles(unitSquare, light, 0.75)}}};
+      {{"from the emitter to the floor", unequal, fromLight, tests::parallelRectangles(light, unitSquare, 0.75)},
+       {"from the floor to the emitter", unequal, fromFloor, tests::parallelRectangles(unitSquare, light, 0.75)}}};
 }
 
 }  // namespace hemitex::accuracy

@@ -6,12 +6,12 @@
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "reference/truth/closed_forms/point_to_polygon.h"
-#include "reference/truth/closed_forms/rectangles.h"
 #include "reference/truth/rays/monte_carlo_form_factors.h"
 #include "tests/accuracy/form_factor_cases.h"
 #include "tests/support/hand_scenes.h"
 #include "tests/support/hemicube_world.h"
 #include "tests/support/outline_bound.h"
+#include "tests/truth/rectangles.h"
 
 namespace hemitex::accuracy {
 namespace {
@@ -60,9 +60,8 @@ MillionFindings ofAMillionSurfaces() {
     return reference::pointToPolygon(centre.position, centre.normal, polygon);
   };
   const double exactAtCentre = fromCentre(ceiling) - fromCentre(missing);
-  const reference::AxisRectangle square{{0, 1}, {0, 1}}, corner{{at(n - 1), 1}, {at(n - 1), 1}};
-  const double exact =
-      reference::parallelRectangles(square, square, 1) - reference::parallelRectangles(square, corner, 1);
+  const tests::AxisRectangle square{{0, 1}, {0, 1}}, corner{{at(n - 1), 1}, {at(n - 1), 1}};
+  const double exact = tests::parallelRectangles(square, square, 1) - tests::parallelRectangles(square, corner, 1);
   // All tiles are one receiver.
   const auto elements = static_cast<std::uint32_t>(world.discretization.elements.size());
   reference::Receivers tiles{1, std::vector<std::uint32_t>(elements, 0)};

@@ -1,5 +1,5 @@
 /// A scene with the default elements, and their true radiosity by light tracing
-/// (reference/truth/solution/baked_radiosity.h).
+/// (tests/truth/baked_radiosity.h).
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "reference/measurement/tradeoff/methods.h"
-#include "reference/truth/solution/baked_radiosity.h"
 #include "reference/truth/solution/radiosity_error.h"
+#include "tests/truth/baked_radiosity.h"
 
 namespace hemitex::tests {
 
@@ -25,8 +25,8 @@ struct TracedScene {
   TracedScene(const std::string& file, int paths)
       : scene(radiosity::loadScene(file)), discretization(radiosity::discretize(scene, {})) {
     const radiosity::Discretization unburied = radiosity::discretizeUnburied(scene, {});
-    const reference::BakedRadiosity baked =
-        reference::bakedRadiosity(scene, unburied, {.paths = paths, .points = 32, .seed = 0});
+    const tests::BakedRadiosity baked =
+        tests::bakedRadiosity(scene, unburied, {.paths = paths, .points = 32, .seed = 0});
     truth.resize(discretization.elements.size());
     double flux = 0;
     for (std::size_t e = 0; e < unburied.elements.size(); ++e) {

@@ -12,23 +12,23 @@
 #include <string>
 
 #include "radiosity/scene/scene.h"
-#include "reference/truth/solution/baked_radiosity.h"
+#include "tests/truth/baked_radiosity.h"
 
 namespace hemitex::tests {
 
 /// By surface name.
-using TruthTable = std::map<std::string, reference::SurfaceFlux>;
+using TruthTable = std::map<std::string, tests::SurfaceFlux>;
 
 inline constexpr const char* truthColumns =
     "surface,exposed_area,flux_r,flux_g,flux_b,exposed_area_error,flux_error_r,flux_error_g,flux_error_b";
 
 /// A comment with the command that made it, the names of the columns, and one line per surface.
 inline void writeTruthTable(std::ostream& file, const std::string& command, const radiosity::Scene& scene,
-                            const reference::BakedRadiosity& baked) {
+                            const tests::BakedRadiosity& baked) {
   file.precision(9);
   file << "# " << command << '\n' << truthColumns << '\n';
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    const reference::SurfaceFlux& of = baked.surfaces[s];
+    const tests::SurfaceFlux& of = baked.surfaces[s];
     file << scene.surfaces[s].name << ',' << of.exposedArea << ',' << of.flux.r << ',' << of.flux.g << ',' << of.flux.b
          << ',' << of.exposedAreaError << ',' << of.fluxError.r << ',' << of.fluxError.g << ',' << of.fluxError.b
          << '\n';

@@ -10,8 +10,8 @@
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/scene/load_scene.h"
 #include "raster/base/input_error.h"
-#include "reference/truth/solution/baked_radiosity.h"
 #include "tests/support/truth_table.h"
+#include "tests/truth/baked_radiosity.h"
 
 using namespace hemitex;
 
@@ -20,7 +20,7 @@ namespace {
 struct Arguments {
   std::string scene, output, command = "hemitex_truth";
   radiosity::DiscretizationSettings grid;
-  reference::BakeSettings bake;
+  tests::BakeSettings bake;
 };
 
 Arguments parsed(int argc, char** argv) {
@@ -56,7 +56,7 @@ Arguments parsed(int argc, char** argv) {
 }
 
 glm::dvec3 emittedFlux(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                       const reference::BakedRadiosity& baked) {
+                       const tests::BakedRadiosity& baked) {
   glm::dvec3 sum(0);
   for (std::uint32_t e = 0; e < discretization.elements.size(); ++e)
     sum += baked.exposedArea[e] * radiosity::emission(scene, discretization, e);
@@ -65,7 +65,7 @@ glm::dvec3 emittedFlux(const radiosity::Scene& scene, const radiosity::Discretiz
 
 /// Prints the errors: of single elements, and the largest of a surface.
 void printErrors(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                 const reference::BakedRadiosity& baked) {
+                 const tests::BakedRadiosity& baked) {
   const auto total = [](const glm::dvec3& v) { return v.r + v.g + v.b; };
   double flux = 0, error = 0;
   for (std::size_t e = 0; e < baked.flux.size(); ++e) {
@@ -75,7 +75,7 @@ void printErrors(const radiosity::Scene& scene, const radiosity::Discretization&
   const glm::dvec3 emitted = emittedFlux(scene, discretization, baked);
   double largest = 0;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-    const reference::SurfaceFlux& of = baked.surfaces[s];
+    const tests::SurfaceFlux& of = baked.surfaces[s];
     for (int c = 0; c < 3; ++c)
       if (of.fluxError[c] > 0)
         largest = std::max(largest, std::min(of.fluxError[c] / of.flux[c] / 2e-3, of.fluxError[c] / emitted[c] / 2e-5));
@@ -91,7 +91,7 @@ void write(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const radiosity::Scene scene = radiosity::loadScene(arguments.scene);
   const radiosity::Discretization discretization = radiosity::discretizeUnburied(scene, arguments.grid);
-  const reference::BakedRadiosity baked = reference::bakedRadiosity(scene, discretization, arguments.bake);
+  const tests::BakedRadiosity baked = tests::bakedRadiosity(scene, discretization, arguments.bake);
   std::ofstream file(arguments.output, std::ios::binary);
   tests::writeTruthTable(file, arguments.command, scene, baked);
   file.close();

@@ -11,10 +11,10 @@
 #include "radiosity/discretization/texel_areas.h"
 #include "radiosity/scene/load_scene.h"
 #include "raster/base/parallel.h"
-#include "reference/truth/solution/baked_radiosity.h"
 #include "reference/truth/solution/ground_truth.h"
 #include "tests/support/hand_scenes.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/truth/baked_radiosity.h"
 
 using namespace hemitex;
 using namespace hemitex::radiosity;
@@ -650,12 +650,12 @@ TEST_CASE("discretize of random rooms exposes what bakedRadiosity finds exposed"
     const Scene scene = loaded(data::randomRoom(seed));
     const DiscretizationSettings settings{.texels = 4};
     const Discretization unburied = discretizeUnburied(scene, settings), exposed = discretize(scene, settings);
-    const reference::BakedRadiosity baked = reference::bakedRadiosity(scene, unburied, {.paths = 32, .points = points});
+    const tests::BakedRadiosity baked = tests::bakedRadiosity(scene, unburied, {.paths = 32, .points = points});
     double roomArea = 0;
     for (const Surface& surface : scene.surfaces) roomArea += tests::totalArea(surface);
     for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
       INFO("room " << seed << ", " << scene.surfaces[s].name);
-      const reference::SurfaceFlux& of = baked.surfaces[s];
+      const tests::SurfaceFlux& of = baked.surfaces[s];
       // A completely buried surface keeps its elements, and so do faces outside the room, where it is dark.
       if (of.exposedArea == 0 || (scene.surfaces[s].triangles.size() > 2 && reachesOut(scene, s))) continue;
       // A narrow part may miss all points of a texel, so that each error counts at least as one point.

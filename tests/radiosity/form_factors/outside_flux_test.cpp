@@ -10,10 +10,10 @@
 
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "raster/base/parallel.h"
-#include "reference/truth/closed_forms/rectangles.h"
 #include "reference/truth/rays/monte_carlo_form_factors.h"
 #include "tests/support/hand_scenes.h"
 #include "tests/support/hemicube_world.h"
+#include "tests/truth/rectangles.h"
 
 using namespace hemitex;
 using namespace hemitex::radiosity;
@@ -99,14 +99,13 @@ TEST_CASE("outsideFlux lights the floor of an open box by its form factor to the
   std::vector<Surface> surfaces = tests::box("box", {0, 0, 0}, {3, 2, 1.5}, true);
   surfaces.erase(surfaces.begin() + 1);
   const Lit lit(sceneWith(std::move(surfaces), sky(glm::dvec3(1))), {.texels = 15});
-  CHECK(lit.ofSurface(0) ==
-        Approx(reference::parallelRectangles({{0, 3}, {0, 2}}, {{0, 3}, {0, 2}}, 1.5)).epsilon(0.004));
+  CHECK(lit.ofSurface(0) == Approx(tests::parallelRectangles({{0, 3}, {0, 2}}, {{0, 3}, {0, 2}}, 1.5)).epsilon(0.004));
   // The element in the middle is small enough to compare with the form factor of its centre.
   CHECK(lit.irradiance(7 * 15 + 7) ==
-        Approx(reference::elementToParallelRectangle({{-1.5, 1.5}, {-1, 1}}, 1.5)).epsilon(0.02));
+        Approx(tests::elementToParallelRectangle({{-1.5, 1.5}, {-1, 1}}, 1.5)).epsilon(0.02));
   // A wall that contains an edge of the opening.
   CHECK(lit.ofSurface(3) ==
-        Approx(reference::perpendicularRectangles({{0, 3}, {0, 1.5}}, {{0, 3}, {0, 2}})).epsilon(0.004));
+        Approx(tests::perpendicularRectangles({{0, 3}, {0, 1.5}}, {{0, 3}, {0, 2}})).epsilon(0.004));
   // Outside, the backs of the five walls see all of the sky.
   CHECK(lit.flux.onBacks.r == Approx(3 * 2 + 2 * (3 * 1.5 + 2 * 1.5)).epsilon(0.005));
 }

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "radiosity/solver/progressive_solver.h"
-#include "reference/truth/closed_forms/rectangles.h"
 #include "tests/support/hand_scenes.h"
 #include "tests/support/hemicube_world.h"
+#include "tests/truth/rectangles.h"
 
 using namespace hemitex;
 using namespace hemitex::radiosity;
@@ -79,7 +79,7 @@ TEST_CASE("shootingBlocks: one point is too few for squares that face each other
   };
   for (const Row& row : {Row{1, 0.198, 0.0024}, Row{0.5, 0.3345, 0.0042}}) {
     CAPTURE(row.gap);
-    const double exact = reference::parallelRectangles({{0, 1}, {0, 1}}, {{0, 1}, {0, 1}}, row.gap);
+    const double exact = tests::parallelRectangles({{0, 1}, {0, 1}}, {{0, 1}, {0, 1}}, row.gap);
     CHECK(exchanged(row.gap, 1, 1024) / exact - 1 == Approx(row.onePoint).margin(1e-3));
     CHECK(exchanged(row.gap, 8, 256) / exact - 1 == Approx(row.manyPoints).margin(4e-4));
   }
@@ -98,7 +98,7 @@ TEST_CASE("PatchSubdivision brings the form factor of facing squares to the clos
     const FormFactorRow row = ProjectedFormFactors(world.scene, world.discretization, world.layout, world.renderer,
                                                    {1024, Orientation::Turned})
                                   .ofPatch(0);
-    const double exact = reference::parallelRectangles({{0, 1}, {0, 1}}, {{0, 1}, {0, 1}}, gap);
+    const double exact = tests::parallelRectangles({{0, 1}, {0, 1}}, {{0, 1}, {0, 1}}, gap);
     CHECK(formFactor(row.shares.front()) == Approx(exact).margin(1.1 * exact * std::sqrt(0.002)));
   }
 }

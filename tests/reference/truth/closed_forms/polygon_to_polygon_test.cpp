@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "reference/truth/closed_forms/rectangles.h"
 #include "tests/support/form_factor_quadrature.h"
+#include "tests/truth/rectangles.h"
 
 using namespace hemitex::reference;
 using namespace hemitex::tests;

@@ -5,10 +5,10 @@
 #include <numeric>
 
 #include "radiosity/discretization/discretize.h"
-#include "reference/truth/closed_forms/rectangles.h"
 #include "reference/truth/rays/ray_source.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/form_factor_quadrature.h"
+#include "tests/truth/rectangles.h"
 
 using namespace hemitex::reference;
 using namespace hemitex::radiosity;

@@ -11,13 +11,14 @@
 #include "radiosity/discretization/patch_points.h"
 #include "raster/base/parallel.h"
 #include "reference/truth/closed_forms/point_to_polygon.h"
-#include "reference/truth/closed_forms/rectangles.h"
 #include "tests/support/hand_scenes.h"
 #include "tests/support/receivers.h"
+#include "tests/truth/rectangles.h"
 
 using namespace hemitex;
 using namespace hemitex::reference;
 using namespace hemitex::radiosity;
+using namespace hemitex::tests;
 
 namespace {
 

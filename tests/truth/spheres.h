@@ -1,7 +1,7 @@
 /// Form factors to and from spheres, in closed form. Lengths are in any common unit; blockers are ignored.
 #pragma once
 
-namespace hemitex::reference {
+namespace hemitex::tests {
 
 /// From an element of area to the part of a sphere above the element's horizon. `cosine` is that of the angle theta
 /// between the element's normal and the direction to the sphere's centre, in [-1, 1]; 0 < radius < distance.
@@ -28,4 +28,4 @@ double elementToSphere(double radius, double distance, double cosine);
 /// both arguments are above 0. The relative error is below 1e-15. Source: Howell, section C.
 double sphereToCoaxialDisk(double radius, double distance);
 
-}  // namespace hemitex::reference
+}  // namespace hemitex::tests

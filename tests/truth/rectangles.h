@@ -10,7 +10,7 @@
 /// Lengths are in any common unit. Blockers are ignored.
 #pragma once
 
-namespace hemitex::reference {
+namespace hemitex::tests {
 
 struct Interval {
   double low, high;  ///< low < high
@@ -57,4 +57,4 @@ double elementToParallelRectangle(const AxisRectangle& to, double distance);
 /// the corners on the horizon (a = 0) give the book's term atan(b/c). distance > 0, z at least 0. Source: Howell B-4.
 double elementToPerpendicularRectangle(const AxisRectangle& to, double distance);
 
-}  // namespace hemitex::reference
+}  // namespace hemitex::tests

@@ -1,5 +1,5 @@
 // Form factors to and from spheres, compared with integrals over directions.
-#include "reference/truth/closed_forms/spheres.h"
+#include "tests/truth/spheres.h"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -9,7 +9,6 @@
 
 #include "tests/support/form_factor_quadrature.h"
 
-using namespace hemitex::reference;
 using namespace hemitex::tests;
 
 namespace {

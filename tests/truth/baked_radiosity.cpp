@@ -1,4 +1,4 @@
-#include "reference/truth/solution/baked_radiosity.h"
+#include "tests/truth/baked_radiosity.h"
 
 #include <algorithm>
 #include <array>
@@ -16,9 +16,10 @@
 #include "reference/truth/rays/ray_source.h"
 #include "reference/truth/rays/sample_points.h"
 
-namespace hemitex::reference {
+namespace hemitex::tests {
 namespace {
 
+using namespace reference;
 using std::numbers::pi;
 /// Maximum probability that a path survives a bounce, for any reflectance.
 constexpr double maxSurvival = 0.99;
@@ -321,4 +322,4 @@ BakedRadiosity bakedRadiosity(const radiosity::Scene& scene, const radiosity::Di
   return baked;
 }
 
-}  // namespace hemitex::reference
+}  // namespace hemitex::tests

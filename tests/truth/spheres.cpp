@@ -1,11 +1,11 @@
-#include "reference/truth/closed_forms/spheres.h"
+#include "tests/truth/spheres.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cassert>
 #include <cmath>
 
-namespace hemitex::reference {
+namespace hemitex::tests {
 namespace {
 
 using Wide = boost::multiprecision::cpp_bin_float_50;
@@ -30,4 +30,4 @@ double sphereToCoaxialDisk(double radius, double distance) {
   return radius / h * (radius / (h + distance)) / 2;
 }
 
-}  // namespace hemitex::reference
+}  // namespace hemitex::tests

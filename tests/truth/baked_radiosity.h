@@ -23,7 +23,7 @@
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene.h"
 
-namespace hemitex::reference {
+namespace hemitex::tests {
 
 struct BakeSettings {
   int paths = 1 << 20;  ///< total; 32 times a power of two, below 2^30 (see sample_points.h)
@@ -52,4 +52,4 @@ struct BakedRadiosity {
 BakedRadiosity bakedRadiosity(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                               const BakeSettings& settings = {});
 
-}  // namespace hemitex::reference
+}  // namespace hemitex::tests

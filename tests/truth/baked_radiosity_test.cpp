@@ -1,5 +1,5 @@
 // bakedRadiosity (light tracing) compared with closed forms.
-#include "reference/truth/solution/baked_radiosity.h"
+#include "tests/truth/baked_radiosity.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -8,13 +8,13 @@
 #include "radiosity/scene/load_scene.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
-#include "reference/truth/closed_forms/rectangles.h"
 #include "tests/support/hand_scenes.h"
 #include "tests/support/truth_table.h"
+#include "tests/truth/rectangles.h"
 
 using namespace hemitex;
-using namespace hemitex::reference;
 using namespace hemitex::radiosity;
+using namespace hemitex::tests;
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Form factors to disks, compared with the textbook formulas in 100 digits and with quadrature.
-#include "reference/truth/closed_forms/disks.h"
+#include "tests/truth/disks.h"
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -7,7 +7,6 @@
 
 #include "tests/support/form_factor_quadrature.h"
 
-using namespace hemitex::reference;
 using namespace hemitex::tests;
 
 namespace {

@@ -11,7 +11,7 @@
 /// Lengths are in any common unit. Blockers are ignored.
 #pragma once
 
-namespace hemitex::reference {
+namespace hemitex::tests {
 
 /// From a disk of radius `from` to a disk of radius `to` that faces it on the same axis:
 ///
@@ -38,4 +38,4 @@ double elementToParallelDisk(double radius, double gap, double offset);
 /// Source: Howell, section B.
 double elementToPerpendicularDisk(double radius, double gap, double offset);
 
-}  // namespace hemitex::reference
+}  // namespace hemitex::tests

@@ -1,10 +1,10 @@
-#include "reference/truth/closed_forms/rectangles.h"
+#include "tests/truth/rectangles.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cassert>
 
-namespace hemitex::reference {
+namespace hemitex::tests {
 namespace {
 
 using Wide = boost::multiprecision::cpp_bin_float_50;
@@ -78,4 +78,4 @@ double elementToPerpendicularRectangle(const AxisRectangle& to, double distance)
   return static_cast<double>(sum / twoPi());
 }
 
-}  // namespace hemitex::reference
+}  // namespace hemitex::tests

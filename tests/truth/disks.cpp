@@ -1,9 +1,9 @@
-#include "reference/truth/closed_forms/disks.h"
+#include "tests/truth/disks.h"
 
 #include <cassert>
 #include <cmath>
 
-namespace hemitex::reference {
+namespace hemitex::tests {
 namespace {
 
 /// W of the formulas in disks.h.
@@ -33,4 +33,4 @@ double elementToPerpendicularDisk(double radius, double gap, double offset) {
   return 2 * (offset * gap / w) * (radius * radius / (w + k));
 }
 
-}  // namespace hemitex::reference
+}  // namespace hemitex::tests

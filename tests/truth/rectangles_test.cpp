@@ -1,5 +1,5 @@
 // Form factors of axis-parallel rectangles, compared with the textbook formulas in 100 digits and with quadrature.
-#include "reference/truth/closed_forms/rectangles.h"
+#include "tests/truth/rectangles.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -8,7 +8,6 @@
 
 #include "tests/support/form_factor_quadrature.h"
 
-using namespace hemitex::reference;
 using namespace hemitex::tests;
 
 namespace {
