@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
+#include "radiosity/discretization/triangle_slices.h"
 #include "radiosity/geometry/grid_clipping.h"
-#include "radiosity/geometry/triangle_slices.h"
 #include "radiosity/scene/scene.h"
 
 namespace hemitex::radiosity {

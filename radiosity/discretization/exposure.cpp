@@ -14,10 +14,9 @@
 #include "radiosity/discretization/exposed_pieces.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/discretization/texel_areas.h"
-#include "radiosity/geometry/ray_tree.h"
-#include "radiosity/geometry/triangle_slices.h"
-#include "radiosity/projection/patch_view.h"
-#include "radiosity/projection/projection.h"
+#include "radiosity/discretization/triangle_slices.h"
+#include "radiosity/geometry/tangent_along.h"
+#include "radiosity/scene/ray_tree.h"
 #include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {

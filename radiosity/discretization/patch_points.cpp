@@ -1,11 +1,22 @@
 #include "radiosity/discretization/patch_points.h"
 
+#include <algorithm>
+
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/discretization/exposed_pieces.h"
 #include "radiosity/discretization/texel_areas.h"
 #include "radiosity/geometry/grid_clipping.h"
 
 namespace hemitex::radiosity {
+
+glm::dvec3 eyeOver(const Scene& scene, std::uint32_t surface, const SurfacePoint& point) {
+  const std::array<glm::dvec3, 3>& corner = scene.surfaces[surface].triangles[point.triangle].position;
+  const glm::dvec3 inward = (corner[0] + corner[1] + corner[2]) / 3.0 - point.position;
+  const double distance = glm::length(inward);
+  const double share = distance > 0 ? std::min(0.5, eyeMove * scene.extent / distance) : 0;
+  return point.position + share * inward + eyeLift * scene.extent * point.normal;
+}
+
 SurfacePoint pointOn(const Surface& surface, std::uint32_t number, const glm::dvec2& weights) {
   const Triangle& triangle = surface.triangles[number];
   const glm::dvec3 position = triangle.position[0] + weights.x * (triangle.position[1] - triangle.position[0]) +

@@ -8,14 +8,14 @@
 #include <tuple>
 #include <utility>
 
+#include "radiosity/base/kahan_sum.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/form_factors/form_factor_row.h"
 #include "radiosity/form_factors/item_buffer_sum.h"
-#include "radiosity/geometry/ray_tree.h"
 #include "radiosity/projection/parallel_view.h"
 #include "radiosity/projection/patch_view.h"
 #include "radiosity/projection/sphere_directions.h"
-#include "radiosity/solver/kahan_sum.h"
+#include "radiosity/scene/ray_tree.h"
 #include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {

@@ -48,6 +48,11 @@ inline constexpr int maxHalvings = 8;
 /// Number of halvings of the resolution for a patch of this weight that is not split.
 int halvingsFor(double weight);
 
+/// Splits a patch before its first shot if one point is not enough. `weight` is its unshot flux over a 256th of all
+/// emitted flux. Returns the numbers of the new patches, which are the last of the discretization; elements of the
+/// patch have moved to them.
+using PatchSplit = std::function<std::vector<std::uint32_t>(std::uint32_t patch, double weight)>;
+
 /// Splits the patches of a discretization, which it modifies; elements stay the same.
 class PatchSubdivision {
  public:

@@ -15,7 +15,6 @@
 #include "radiosity/form_factors/projected_form_factors.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
-#include "radiosity/solver/progressive_solver.h"
 #include "raster/interface/draw_list.h"
 #include "raster/interface/item_buffer_renderer.h"
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "radiosity/discretization/patch_points.h"
+#include "radiosity/geometry/tangent_along.h"
 #include "radiosity/projection/projection.h"
 
 namespace hemitex::radiosity {
@@ -113,14 +114,6 @@ double nearDistance(const Scene& scene, std::span<const TriangleBox> boxes, cons
 double nearDistance(const Scene& scene, const glm::dvec3& point, const std::vector<std::uint32_t>& skipped,
                     double squaredReach) {
   return nearDistance(scene, triangleBoxes(scene), point, skipped, squaredReach);
-}
-
-glm::dvec3 eyeOver(const Scene& scene, std::uint32_t surface, const SurfacePoint& point) {
-  const std::array<glm::dvec3, 3>& corner = scene.surfaces[surface].triangles[point.triangle].position;
-  const glm::dvec3 inward = (corner[0] + corner[1] + corner[2]) / 3.0 - point.position;
-  const double distance = glm::length(inward);
-  const double share = distance > 0 ? std::min(0.5, eyeMove * scene.extent / distance) : 0;
-  return point.position + share * inward + eyeLift * scene.extent * point.normal;
 }
 
 double turnOf(std::uint32_t patch, int point) {

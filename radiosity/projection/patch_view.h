@@ -17,11 +17,6 @@ namespace hemitex::radiosity {
 /// In extents of the scene: triangles of the shooting surface lie in the tangent plane if their corners are this close
 /// to it. A few units of binary32 roundoff, which is the limit of what drawing can resolve.
 inline constexpr double tangentPlaneTolerance = 0x1p-20;
-/// In extents of the scene. Where surfaces meet at the shooting point, rounding of positions to binary32 must not put
-/// the eye behind one of them. So the eye is moved into its triangle and lifted off it. The lift is enough for shallow
-/// concave folds, the move for all but the sharpest folds.
-inline constexpr double eyeMove = 0x1p-19;
-inline constexpr double eyeLift = 0x1p-21;
 /// Minimum near distance in extents of the scene; binary32 positions have no detail below it.
 inline constexpr double smallestNearDistance = 0x1p-24;
 
@@ -40,9 +35,6 @@ double nearDistance(const Scene& scene, const glm::dvec3& point, const std::vect
 /// As above, with the scene's triangleBoxes.
 double nearDistance(const Scene& scene, std::span<const TriangleBox> boxes, const glm::dvec3& point,
                     const std::vector<std::uint32_t>& skipped, double squaredReach);
-
-/// The eye of a view from a point of a surface, in units of the file (see eyeMove).
-glm::dvec3 eyeOver(const Scene& scene, std::uint32_t surface, const SurfacePoint& point);
 
 /// The rotation of projections over patches.
 enum class Orientation {

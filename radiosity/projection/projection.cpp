@@ -3,6 +3,8 @@
 #include <cassert>
 #include <numeric>
 
+#include "radiosity/geometry/tangent_along.h"
+
 namespace hemitex::radiosity {
 
 std::vector<Window> wholeFaces(const Projection& projection) {
@@ -27,17 +29,6 @@ std::uint64_t shareOf(const Projection& projection, std::size_t face, int column
                      static_cast<std::size_t>(column - scissor.column);
   const std::vector<std::uint64_t>& before = projection.sharesBefore[of.shares];
   return before[place + 1] - before[place];
-}
-
-glm::dvec3 tangentAlong(const glm::dvec3& normal, const glm::dvec3& up) {
-  const glm::dvec3 tangent = up - glm::dot(up, normal) * normal;
-  const double length = glm::length(tangent);
-  if (length > 1e-6 * glm::length(up)) return tangent / length;
-  const glm::dvec3 a = glm::abs(normal);
-  const glm::dvec3 axis = a.x <= a.y && a.x <= a.z ? glm::dvec3(1, 0, 0)
-                          : a.y <= a.z             ? glm::dvec3(0, 1, 0)
-                                                   : glm::dvec3(0, 0, 1);
-  return tangentAlong(normal, axis);
 }
 
 std::vector<raster::Face> facesOver(std::span<const ProjectionFace> faces, const glm::dvec3& position,

@@ -57,7 +57,4 @@ std::uint64_t shareOf(const Projection& projection, std::size_t face, int column
 std::vector<raster::Face> facesOver(std::span<const ProjectionFace> faces, const glm::dvec3& position,
                                     const glm::dvec3& normal, const glm::dvec3& up, double nearDistance);
 
-/// A unit vector at right angles to the unit vector `normal`, as near to `up` as possible.
-glm::dvec3 tangentAlong(const glm::dvec3& normal, const glm::dvec3& up);
-
 }  // namespace hemitex::radiosity

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
+#include "radiosity/form_factors/patch_subdivision.h"
 #include "radiosity/form_factors/row_cache.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solver/shooting_state.h"
@@ -35,11 +36,6 @@ struct Solution {
   bool isInterrupted = false;  ///< ended by Progress before a limit was reached
   std::vector<std::string> warnings;
 };
-
-/// Splits a patch before its first shot if one point is not enough. `weight` is its unshot flux over a 256th of all
-/// emitted flux. Returns the numbers of the new patches, which are the last of the discretization; elements of the
-/// patch have moved to them.
-using PatchSplit = std::function<std::vector<std::uint32_t>(std::uint32_t patch, double weight)>;
 
 /// A solution after a shot.
 struct Step {

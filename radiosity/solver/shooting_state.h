@@ -23,11 +23,11 @@
 #include <span>
 #include <vector>
 
+#include "radiosity/base/kahan_sum.h"
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/form_factor_row.h"
 #include "radiosity/form_factors/outside_flux.h"
 #include "radiosity/scene/scene.h"
-#include "radiosity/solver/kahan_sum.h"
 #include "radiosity/solver/unshot_tree.h"
 
 namespace hemitex::radiosity {

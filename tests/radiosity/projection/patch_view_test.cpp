@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "radiosity/discretization/patch_points.h"
+#include "radiosity/geometry/tangent_along.h"
 #include "radiosity/projection/hemicube.h"
 #include "radiosity/projection/projection.h"
 #include "tests/support/box_scene.h"

@@ -1,4 +1,4 @@
-#include "radiosity/geometry/ray_tree.h"
+#include "radiosity/scene/ray_tree.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // RayTree against a search of all triangles, and rays that graze, touch or lie in triangles.
-#include "radiosity/geometry/ray_tree.h"
+#include "radiosity/scene/ray_tree.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "radiosity/geometry/triangle_slices.h"
+#include "radiosity/discretization/triangle_slices.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "radiosity/discretization/neighbours.h"
-#include "radiosity/projection/patch_view.h"
+#include "radiosity/discretization/patch_points.h"
 #include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "radiosity/geometry/ray_tree.h"
+#include "radiosity/scene/ray_tree.h"
 #include "radiosity/scene/scene.h"
 
 namespace hemitex::radiosity {

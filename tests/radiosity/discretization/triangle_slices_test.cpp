@@ -1,5 +1,5 @@
 // triangleSlices compared with a search through all pairs, segment by segment.
-#include "radiosity/geometry/triangle_slices.h"
+#include "radiosity/discretization/triangle_slices.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
