@@ -1,5 +1,6 @@
 #include "radiosity/scene/mtl_file.h"
 
+#define TINYOBJLOADER_IMPLEMENTATION
 #include <tiny_obj_loader.h>
 
 #include <algorithm>

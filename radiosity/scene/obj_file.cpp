@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/trim_all.hpp>
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <sstream>
 #include <utility>
 
 #include "radiosity/scene/obj_lines.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-
-#define TINYOBJLOADER_IMPLEMENTATION
-#include <tiny_obj_loader.h>
 
 namespace hemitex::radiosity {
 namespace {
@@ -154,7 +152,7 @@ class NumberReader {
   NormalIndex missingNormal_;  ///< of the first face whose normal is out of range
 };
 
-/// Parses the lines that assign polygons to sections, one by one with tinyobjloader.
+/// Assigns polygons to sections.
 class StructureReader {
  public:
   explicit StructureReader(PolygonMesh& obj) : obj_(obj) {}
@@ -162,25 +160,15 @@ class StructureReader {
   /// The line of a face is already parsed: its polygon is the last one.
   void read(const TextLine& line) {
     if (line.keyword == "f") obj_.polygons.back().section = sectionOfFace();
-    if (line.keyword == "g" || line.keyword == "o" || line.keyword == "usemtl") {
-      std::istringstream text(std::string(line.keyword) + " " + std::string(line.rest));
-      tinyobj::LoadObjWithCallback(text, callbacks(), this);
-    }
+    if (line.keyword == "g") setGroup(withSingleBlanks(line.rest));
+    if (line.keyword == "o") setGroup(std::string(line.rest));
+    if (line.keyword == "usemtl") setMaterial(std::string(line.rest));
   }
 
  private:
-  static tinyobj::callback_t callbacks() {
-    tinyobj::callback_t result;
-    result.usemtl_cb = [](void* reader, const char* name, int) {
-      static_cast<StructureReader*>(reader)->setMaterial(name);
-    };
-    result.object_cb = [](void* reader, const char* name) { static_cast<StructureReader*>(reader)->setGroup(name); };
-    result.group_cb = [](void* reader, const char** names, int count) {
-      std::string joined;
-      for (int i = 0; i < count; ++i) joined += (i > 0 ? " " : "") + std::string(names[i]);
-      static_cast<StructureReader*>(reader)->setGroup(joined);
-    };
-    return result;
+  /// The names of a group, with one blank between them.
+  static std::string withSingleBlanks(std::string_view names) {
+    return boost::trim_fill_copy_if(std::string(names), " ", boost::is_any_of(" \t"));
   }
 
   void setGroup(const std::string& name) {

@@ -1,8 +1,8 @@
 /// Parses an OBJ file: positions, texture coordinates and polygons.
 ///
-/// Numbers (`v`, `vt`, `vn` and the indices of `f`) are parsed here as doubles and checked. The packaged tinyobjloader
-/// rounds them, reads `x` and `nan` as 0 and accepts indices out of range. It parses only the structure (`g`, `o`,
-/// `usemtl`).
+/// Numbers (`v`, `vt`, `vn` and the indices of `f`) are parsed here as doubles and checked. tinyobjloader does not read
+/// OBJ files here, because it rounds numbers, reads `x` and `nan` as 0 and accepts indices out of range. It parses the
+/// options of maps in MTL files (mtl_file.h).
 #pragma once
 
 #include <filesystem>
