@@ -31,8 +31,7 @@ ordered_json namedFiles(const fs::path& folder) {
   const std::optional<std::string> text = raster::tryReadFile(folder / sealName);
   if (!text) return ordered_json::object();
   try {
-    reference::checkJson(*text);
-    const auto solution = ordered_json::parse(*text, isOfFiles);
+    const auto solution = reference::parseJson<ordered_json>(*text, {}, isOfFiles);
     const ordered_json files = solution.is_object() ? solution.value("files", ordered_json()) : ordered_json();
     return files.is_object() ? files : ordered_json::object();
   } catch (const raster::InputError&) {  // no file of ours

@@ -66,14 +66,14 @@ void calibrateDevice(const CalibrateOptions& options, Context& context) {
   }
   const reference::Calibration calibration = reference::calibrate(probes, answers);
   context.failed = !calibration.faults.empty();
-  const std::string profile = toJson(calibration.profile);
-  if (!context.failed) raster::writeFile(options.output, profile);
+  const Json profile = toJson(calibration.profile);
+  if (!context.failed) raster::writeFile(options.output, toText(profile));
   if (context.json) {
-    std::cout << toText({{"profile", context.failed ? Json() : Json::parse(profile)}, {"faults", calibration.faults}});
+    std::cout << toText({{"profile", context.failed ? Json() : profile}, {"faults", calibration.faults}});
   } else if (context.failed) {
     for (const std::string& fault : calibration.faults) std::cout << fault << '\n';
   } else {
-    writeCsv(std::cout, tableOf(Json::parse(profile)));
+    writeCsv(std::cout, tableOf(profile));
   }
 }
 

@@ -21,9 +21,10 @@ void check(const CheckOptions& options, Context& context) {
     throw raster::InputError(options.candidate.string(), 0, "is not a folder",
                              "name the folder with the device's item IDs");
   const reference::DeviceProfile profile = profileOf(options.judging);
-  std::vector<reference::Report> reports;
-  for (const SuiteVector& vector : suite.vectors)
-    reports.push_back(judgeAnswer(options.judging, profile, vector, answerFolder(suite, vector, options.candidate)));
+  const auto reports = makeAll<reference::Report>(suite.vectors.size(), [&](std::size_t k) {
+    const SuiteVector& vector = suite.vectors[k];
+    return judgeAnswer(options.judging, profile, vector, answerFolder(suite, vector, options.candidate));
+  });
   const auto minimal = [&](const SuiteVector& vector, const reference::Report& report) -> SmallFailure {
     const reference::MinimalFailure failure = minimize(vector.vector, report.verdict, profile);
     return {failure.vector, {failure.expected}, {failure.found}};

@@ -138,16 +138,15 @@ constexpr const char* howToCalibrate =
     "profile.json";
 
 /// The results as a JSON object, with the suggestion or null.
-std::string withSuggestion(const std::string& results, const std::optional<reference::DeviceClass>& guess) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::parse(results);
+nlohmann::ordered_json withSuggestion(nlohmann::ordered_json json, const std::optional<reference::DeviceClass>& guess) {
   json["suggestion"] = nullptr;
   if (guess)
     json["suggestion"] = {{"device", guess->properties},
                           {"errors", guess->errors},
                           {"explained", guess->explained},
-                          {"profile", nlohmann::ordered_json::parse(toJson(guess->profile))},
+                          {"profile", toJson(guess->profile)},
                           {"advice", howToCalibrate}};
-  return cli::toText(json);
+  return json;
 }
 
 /// Writes the vector, and in `candidate` the device's item IDs.
@@ -252,8 +251,10 @@ Suite readSuite(const JudgingOptions& options) {
   Suite suite;
   const std::vector<fs::path> folders = vectorFolders(options.suite);
   suite.isSingle = folders == std::vector{options.suite};
-  for (const fs::path& folder : folders)
-    suite.vectors.push_back({normalized(folder), normalized(folder).filename(), reference::readVector(folder), {}});
+  suite.vectors = makeAll<SuiteVector>(folders.size(), [&](std::size_t k) -> SuiteVector {
+    const fs::path folder = normalized(folders[k]);
+    return {folder, folder.filename(), reference::readVector(folders[k]), {}};
+  });
   const fs::path folder = normalized(options.suite);
   const auto expectations = expectationsOf(options.expectations, suite.isSingle ? folder.parent_path() : folder);
   for (SuiteVector& vector : suite.vectors)
@@ -297,8 +298,8 @@ void writeResults(const JudgingOptions& options, const Suite& suite, const std::
   writeFiles(options, suite, reports, minimize);
   const std::optional<reference::DeviceClass> guess = suggestionFor(options, suite, reports);
   if (context.json) {
-    std::cout << withSuggestion(suite.isSingle ? toJson(reports.front()) : reference::toJson(reports, options.isStrict),
-                                guess);
+    const auto results = suite.isSingle ? toJson(reports.front()) : reference::toJson(reports, options.isStrict);
+    std::cout << toText(withSuggestion(results, guess));
     return;
   }
   suite.isSingle ? printVector(reports.front()) : printSuite(reports);

@@ -2,6 +2,7 @@
 /// buffers, and writes the results.
 #pragma once
 
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "cli/common/options.h"
+#include "raster/base/parallel.h"
 #include "reference/conformance/diagnosis/verdict_report.h"
 
 namespace hemitex::cli {
@@ -19,6 +21,23 @@ struct JudgingOptions {
   bool isExact = false, isStrict = false, isDepthStrict = false;
 };
 void addJudgingOptions(Command command, JudgingOptions& options);
+
+/// make(0), make(1), ... on all threads. Throws what the first of them throws.
+template <typename Value>
+std::vector<Value> makeAll(std::size_t count, const std::function<Value(std::size_t)>& make) {
+  std::vector<Value> values(count);
+  std::vector<std::exception_ptr> errors(count);
+  raster::parallelFor(count, [&](std::size_t k) {
+    try {
+      values[k] = make(k);
+    } catch (...) {
+      errors[k] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& error : errors)
+    if (error) std::rethrow_exception(error);
+  return values;
+}
 
 struct SuiteVector {
   std::filesystem::path folder;  ///< absolute

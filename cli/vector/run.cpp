@@ -86,12 +86,10 @@ reference::Report reportOn(const JudgingOptions& options, const reference::Devic
 std::vector<reference::Report> judgeAll(const JudgingOptions& options, const Suite& suite, const fs::path& folder,
                                         const std::vector<Drawing>& drawings) {
   const reference::DeviceProfile profile = profileOf(options);
-  std::vector<reference::Report> reports;
-  for (std::size_t k = 0; k < suite.vectors.size(); ++k) {
+  return makeAll<reference::Report>(suite.vectors.size(), [&](std::size_t k) {
     const SuiteVector& vector = suite.vectors[k];
-    reports.push_back(reportOn(options, profile, vector, answerFolder(suite, vector, folder), drawings[k]));
-  }
-  return reports;
+    return reportOn(options, profile, vector, answerFolder(suite, vector, folder), drawings[k]);
+  });
 }
 
 /// The answer of the device to a vector that is not in a folder yet.

@@ -6,7 +6,9 @@
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "raster/base/input_error.h"
 
@@ -14,21 +16,43 @@ namespace hemitex::reference {
 
 inline constexpr int maxJsonDepth = 64;
 
-/// Throws InputError, with `file` if it is not empty, for text that is not JSON, for a key that an object has twice,
-/// and for values nested deeper than maxJsonDepth.
-void checkJson(const std::string& text, const std::string& file = {});
-
-/// The value of a text that passes checkJson.
-template <typename Json>
-Json parseJson(const std::string& text, const std::string& file = {}) {
-  checkJson(text, file);
-  return Json::parse(text);
-}
-
 /// A value as text for messages, of at most about a hundred characters.
 template <typename Json>
 std::string shortText(const Json& value) {
   return raster::excerpt(value.dump(-1, ' ', true, Json::error_handler_t::replace), 100);
+}
+
+/// Throws InputError with `what`, and with `file` if it is not empty.
+[[noreturn]] inline void refuseJson(const std::string& what, const std::string& file) {
+  if (file.empty()) throw raster::InputError(what);
+  throw raster::InputError(file, 0, what);
+}
+
+/// The value of a text. Throws InputError, with `file` if it is not empty, for text that is not JSON, for a key that an
+/// object has twice, and for values nested deeper than maxJsonDepth. `keeps` tells which parts of the
+/// text the value has, as in Json::parse: the others take no memory.
+template <typename Json>
+Json parseJson(const std::string& text, const std::string& file = {},
+               const typename Json::parser_callback_t& keeps = {}) {
+  using Event = typename Json::parse_event_t;
+  std::vector<std::set<std::string>> keys;  // of the open objects, by depth; empty for arrays
+  const auto check = [&](int depth, Event event, Json& value) {
+    const auto open = static_cast<std::size_t>(depth);
+    if (depth == maxJsonDepth && (event == Event::object_start || event == Event::array_start))
+      refuseJson("values are nested too deeply", file);
+    if (event == Event::object_start) {
+      keys.resize(open + 1);
+      keys.back().clear();
+    }
+    if (event == Event::key && !keys[open - 1].insert(value.template get<std::string>()).second)
+      refuseJson("an object has this key twice: " + shortText(value), file);
+    return !keeps || keeps(depth, event, value);
+  };
+  try {
+    return Json::parse(text, check);
+  } catch (const typename Json::exception& error) {
+    refuseJson(error.what(), file);
+  }
 }
 
 /// A value that is a list of three numbers; nothing for any other value.

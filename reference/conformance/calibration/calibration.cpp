@@ -4,6 +4,8 @@
 #include <cassert>
 #include <optional>
 
+#include "reference/conformance/verdict/triangle_bounds.h"
+
 namespace hemitex::reference {
 namespace {
 
@@ -209,9 +211,7 @@ Coverage coverageOf(const CoverageProbe& probe, int subpixelBits, SnapRounding r
     const std::int64_t value = cross(along, -s[k]);
     if (value < 0) return Coverage::Outside;
     if (value > 0 || coverage == Coverage::OnOtherEdge) continue;
-    // The interior lies at larger columns of a left edge, at larger rows of a top edge.
-    const bool isTopOrLeft = along.y < 0 || (along.y == 0 && along.x > 0);
-    coverage = isTopOrLeft ? Coverage::OnIncludedEdge : Coverage::OnOtherEdge;
+    coverage = isTopOrLeft(along) ? Coverage::OnIncludedEdge : Coverage::OnOtherEdge;
   }
   return coverage;
 }

@@ -39,8 +39,9 @@ std::vector<Hypothesis> changesOf(const DeviceProfile& profile) {
   return changes;
 }
 
-/// The errors of the vectors that have errors under the default profile.
-std::uint64_t errorsUnder(const DeviceProfile& profile, std::span<const JudgedVector> vectors) {
+/// The errors of the vectors under a profile. It stops counting above `limit`.
+std::uint64_t errorsUnder(const DeviceProfile& profile, std::span<const JudgedVector> vectors,
+                          std::uint64_t limit = UINT64_MAX) {
   std::uint64_t errors = 0;
   for (const auto& [vector, verdict] : vectors) {
     std::vector<raster::ItemBuffer> expected, found;
@@ -49,6 +50,7 @@ std::uint64_t errorsUnder(const DeviceProfile& profile, std::span<const JudgedVe
       found.push_back(face.found);
     }
     errors += countVerdicts(judge(*vector, expected, found, profile))[static_cast<std::size_t>(PixelVerdict::Error)];
+    if (errors > limit) break;
   }
   return errors;
 }
@@ -60,15 +62,17 @@ struct BestChange {
 };
 
 BestChange bestChange(const DeviceProfile& profile, std::uint64_t errors, std::span<const JudgedVector> vectors) {
+  // A change that explains less than half of the errors is of no use; nor is one that isGood beside a best one of half.
+  const std::uint64_t limit = errors / 2 + errors / 200 + 1;
   std::vector<BestChange> changes;
   for (const Hypothesis& hypothesis : changesOf(profile))
-    changes.push_back({hypothesis, errorsUnder(hypothesis.profile, vectors)});
-  const std::uint64_t least =
+    changes.push_back({hypothesis, errorsUnder(hypothesis.profile, vectors, limit)});
+  const std::uint64_t fewest =
       std::min_element(changes.begin(), changes.end(), [](const BestChange& a, const BestChange& b) {
         return a.errors < b.errors;
       })->errors;
   const auto isGood = [&](const BestChange& change) {
-    return change.errors <= least || 200 * (change.errors - least) <= errors - least;
+    return change.errors <= fewest || 200 * (change.errors - fewest) <= errors - fewest;
   };
   return *std::find_if(changes.begin(), changes.end(), isGood);
 }

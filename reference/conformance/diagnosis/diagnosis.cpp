@@ -15,7 +15,7 @@ using raster::ItemId;
 using ItemIds = std::vector<ItemId>;  // of all faces
 
 constexpr double minAgreement = 0.9;
-constexpr std::uint64_t fewestPixels = 8;
+constexpr std::uint64_t minPixels = 8;
 
 ItemIds idsOf(const std::vector<raster::ItemBuffer>& buffers) {
   ItemIds ids;
@@ -53,7 +53,7 @@ struct Agreement {
 
   /// The agreement on the whole vector if all remaining pixels agree.
   double best() const { return static_cast<double>(agreeing + remaining) / static_cast<double>(pixels + remaining); }
-  bool mayBeNamed() const { return agreeing + remaining >= fewestPixels && best() >= minAgreement; }
+  bool mayBeNamed() const { return agreeing + remaining >= minPixels && best() >= minAgreement; }
 };
 
 void count(const Case& given, const Variant& variant, std::size_t pixel, ItemId id, Agreement& agreement) {

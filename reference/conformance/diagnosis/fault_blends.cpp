@@ -17,13 +17,11 @@ using ChannelSum = std::function<ItemId(const Channel&, std::uint64_t, std::uint
 
 /// A blend per channel.
 StagedDevice withBlend(const std::vector<Channel>& channels, const ChannelSum& sum) {
-  StagedDevice device;
-  device.blend = [=](const DrawList&, ItemId offset, ItemId texel) {
+  return withStage(&StagedDevice::blend, [=](const DrawList&, ItemId offset, ItemId texel) {
     return idOf(channels, [&](const Channel& channel) {
       return sum(channel, std::uint64_t{channel.of(offset)}, std::uint64_t{channel.of(texel)});
     });
-  };
-  return device;
+  });
 }
 
 std::vector<Variant> modulations(const raster::IdFormat& format) {
@@ -52,8 +50,7 @@ std::vector<Fault> additions(const DrawList& list) {
              "add whole item IDs modulo 2^m: a colour blend unit clamps channels",
              {{"", withBlend(colourChannelsOf(list.format), clampedSum)}}}};
   if (list.blend != raster::Blend::ClampedAdd) return {};
-  StagedDevice carrying;
-  carrying.blend = [](const DrawList& drawn, ItemId offset, ItemId texel) {
+  const auto carried = [](const DrawList& drawn, ItemId offset, ItemId texel) {
     return (offset + texel) & raster::backgroundId(drawn.format);
   };
   return {{"wrap instead of clamp",
@@ -61,7 +58,7 @@ std::vector<Fault> additions(const DrawList& list) {
            {{"", withBlend(channelsOf(list.format), wrappedSum)}}},
           {"carry across channels",
            "add each channel separately: look for shaders that add whole item IDs",
-           {{"", carrying}}}};
+           {{"", withStage(&StagedDevice::blend, carried)}}}};
 }
 
 // --- offsets ---
@@ -87,12 +84,6 @@ void packOffsets(DrawList& list) {
   for (raster::Draw& draw : list.draws) draw.offset = packed[draw.offset];
 }
 
-StagedDevice packedOffsets() {
-  StagedDevice device;
-  device.upload = packOffsets;
-  return device;
-}
-
 /// Offsets as flat colours in the vertex buffer. The backend writes the offset of each triangle to its corner
 /// `written`, and the device reads corner `read`. A vertex keeps its last write; a vertex without one holds the offset
 /// of the last triangle that uses it. Each triangle becomes its own draw.
@@ -111,18 +102,8 @@ void readOffsetsFrom(DrawList& list, std::size_t written, std::size_t read) {
   list.draws = triangles;
 }
 
-std::vector<Variant> provokingVertices() {
-  std::vector<Variant> variants;
-  const auto add = [&](const std::string& name, std::size_t written, std::size_t read) {
-    StagedDevice device;
-    device.upload = [=](DrawList& list) { readOffsetsFrom(list, written, read); };
-    variants.push_back({name, device});
-  };
-  add("the last instead of the first", 0, 2);
-  add("the first instead of the last", 2, 0);
-  add("the second instead of the first", 0, 1);
-  add("the second instead of the last", 2, 1);
-  return variants;
+Variant provokingVertex(const std::string& name, std::size_t written, std::size_t read) {
+  return {name, withStage(&StagedDevice::upload, [=](DrawList& list) { readOffsetsFrom(list, written, read); })};
 }
 
 // --- fragment and target ---
@@ -134,8 +115,7 @@ std::vector<Variant> targetBlends(const raster::IdFormat& format) {
   if (channels.size() < 4) return {};
   std::vector<Variant> variants;
   for (const bool isPremultiplied : {false, true}) {
-    StagedDevice device;
-    device.store = [=](ItemId stored, ItemId fragment) {
+    const auto store = [=](ItemId stored, ItemId fragment) {
       const double opaque = channels[3].largest(), alpha = channels[3].of(fragment) / opaque;
       return idOf(channels, [&](const Channel& channel) {
         const double source = channel.of(fragment), target = channel.of(stored), largest = channel.largest();
@@ -143,7 +123,8 @@ std::vector<Variant> targetBlends(const raster::IdFormat& format) {
         return static_cast<ItemId>(std::min(std::nearbyint(sum), largest));
       });
     };
-    variants.push_back({isPremultiplied ? "by premultiplied alpha" : "by alpha", device, channels});
+    variants.push_back(
+        {isPremultiplied ? "by premultiplied alpha" : "by alpha", withStage(&StagedDevice::store, store), channels});
   }
   return variants;
 }
@@ -158,10 +139,13 @@ std::vector<Fault> blendFaults(const TestVector& vector) {
   for (Fault& fault : additions(list)) faults.push_back(std::move(fault));
   faults.push_back({"offset not aligned",
                     "the offset of a surface is its number << k, for any number of elements",
-                    {{"", packedOffsets()}}});
-  faults.push_back({"colour from the wrong provoking vertex",
-                    "flat attributes come from one corner: OpenGL takes the last by default, Vulkan the first",
-                    provokingVertices()});
+                    {{"", withStage(&StagedDevice::upload, packOffsets)}}});
+  faults.push_back(
+      {"colour from the wrong provoking vertex",
+       "flat attributes come from one corner: OpenGL takes the last by default, Vulkan the first",
+       {provokingVertex("the last instead of the first", 0, 2), provokingVertex("the first instead of the last", 2, 0),
+        provokingVertex("the second instead of the first", 0, 1),
+        provokingVertex("the second instead of the last", 2, 1)}});
   faults.push_back({"blending left on",
                     "turn blending off for the item buffer: each fragment replaces the stored item ID",
                     targetBlends(list.format)});

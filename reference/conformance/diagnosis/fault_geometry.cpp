@@ -9,35 +9,36 @@ namespace {
 
 using raster::Face;
 
-StagedDevice withGeometry(const StagedGeometry& geometry) {
-  StagedDevice device;
-  device.geometry = geometry;
-  return device;
+/// A device with one changed stage of its geometry.
+template <typename Stage, typename Change>
+StagedDevice withGeometry(Stage StagedGeometry::*stage, const Change& change) {
+  StagedGeometry geometry;
+  geometry.*stage = change;
+  return withStage(&StagedDevice::geometry, geometry);
 }
+
+ClipPolygon clipAtNear(const ClipPolygon& polygon) { return clipAt({0, 0, 1, 0}, polygon); }
 
 // --- indices ---
 
 Variant withIndicesOf(int bits) {
-  StagedDevice device;
-  device.upload = [=](raster::DrawList& list) {
+  const auto cut = [=](raster::DrawList& list) {
     for (std::uint32_t& index : list.indices) index &= (std::uint32_t{1} << bits) - 1;
   };
-  return {std::to_string(bits) + " bits", device};
+  return {std::to_string(bits) + " bits", withStage(&StagedDevice::upload, cut)};
 }
 
 // --- transformation ---
 
 /// The rows X, Y and W of the view as columns; the eye is subtracted before.
 StagedDevice withRowsAsColumns() {
-  StagedDevice device;
-  device.camera = [](std::span<const Face> faces, std::size_t f) {
+  return withStage(&StagedDevice::camera, [](std::span<const Face> faces, std::size_t f) {
     Face face = faces[f];
     face.x = {faces[f].x.x, faces[f].y.x, faces[f].w.x};
     face.y = {faces[f].x.y, faces[f].y.y, faces[f].w.y};
     face.w = {faces[f].x.z, faces[f].y.z, faces[f].w.z};
     return face;
-  };
-  return device;
+  });
 }
 
 /// A 4x4 matrix from positions to clip coordinates; each row ends with its translation. The device clips z to [0, w].
@@ -49,9 +50,9 @@ Variant withTransposedMatrix(const std::string& name, glm::dvec4 (*depthRow)(con
     return p.x * row(face.x) + p.y * row(face.y) + p.z * depthRow(face) + p.w * row(face.w);
   };
   geometry.clip = [](const ClipPolygon& polygon) {
-    return clipAtSides(raster::guardBand, clipAt({0, 0, -1, 1}, clipAt({0, 0, 1, 0}, polygon)));
+    return clipAtSides(raster::guardBand, clipAt({0, 0, -1, 1}, clipAtNear(polygon)));
   };
-  return {name, withGeometry(geometry)};
+  return {name, withStage(&StagedDevice::geometry, geometry)};
 }
 
 std::vector<Variant> transposedMatrices() {
@@ -66,31 +67,26 @@ std::vector<Variant> transposedMatrices() {
 // --- clipping ---
 
 Variant withSidesAt(const std::string& name, double size) {
-  StagedGeometry geometry;
-  geometry.clip = [=](const ClipPolygon& polygon) { return clipAtSides(size, clipAt({0, 0, 1, 0}, polygon)); };
-  return {name, withGeometry(geometry)};
+  const auto clip = [=](const ClipPolygon& polygon) { return clipAtSides(size, clipAtNear(polygon)); };
+  return {name, withGeometry(&StagedGeometry::clip, clip)};
 }
 
 Variant withNearPlaneAt(const std::string& name, double distances) {
-  StagedGeometry geometry;
-  const auto byRules = geometry.transform;
-  geometry.transform = [=](const Face& face, const glm::vec3& position) {
+  const auto transform = [=, byRules = StagedGeometry().transform](const Face& face, const glm::vec3& position) {
     glm::dvec4 p = byRules(face, position);
     p.z = p.w - distances * static_cast<double>(face.nearDistance);
     return p;
   };
-  return {name, withGeometry(geometry)};
+  return {name, withGeometry(&StagedGeometry::transform, transform)};
 }
 
 /// Triangles that cross the near plane are left out.
 Variant withoutCutTriangles() {
-  StagedGeometry geometry;
-  const auto byRules = geometry.clip;
-  geometry.clip = [=](const ClipPolygon& polygon) {
+  const auto clip = [byRules = StagedGeometry().clip](const ClipPolygon& polygon) {
     const auto isBehind = [](const ClipVertex& vertex) { return vertex.position.z < 0; };
     return std::any_of(polygon.begin(), polygon.end(), isBehind) ? ClipPolygon{} : byRules(polygon);
   };
-  return {"triangles that cross the near plane left out", withGeometry(geometry)};
+  return {"triangles that cross the near plane left out", withGeometry(&StagedGeometry::clip, clip)};
 }
 
 // --- snapping ---
@@ -99,13 +95,12 @@ std::vector<Variant> coarseGrids() {
   std::vector<Variant> variants;
   for (const int bits : {0, 1, 2, 3, 4, 5, 6})
     for (const bool isNearest : {true, false}) {
-      StagedGeometry geometry;
       const double unit = std::ldexp(256.0, -bits);
-      geometry.snap = [=](double position) {
+      const auto snap = [=](double position) {
         return unit * (isNearest ? std::nearbyint(position / unit) : std::floor(position / unit));
       };
       variants.push_back({std::to_string(bits) + " bits, " + (isNearest ? "rounded to nearest" : "truncated"),
-                          withGeometry(geometry)});
+                          withGeometry(&StagedGeometry::snap, snap)});
     }
   return variants;
 }

@@ -15,24 +15,20 @@ using raster::ItemId;
 using IdChange = std::function<ItemId(ItemId)>;
 
 StagedDevice withTexels(const IdChange& change) {
-  StagedDevice device;
-  device.upload = [=](DrawList& list) {
+  return withStage(&StagedDevice::upload, [=](DrawList& list) {
     for (raster::IndexMap& map : list.indexMaps)
       for (ItemId& id : map.ids) id = change(id);
-  };
-  return device;
+  });
 }
 
 /// Changes offsets and back item IDs, which backends pass in the same way.
 StagedDevice withOffsets(const IdChange& change) {
-  StagedDevice device;
-  device.upload = [=](DrawList& list) {
+  return withStage(&StagedDevice::upload, [=](DrawList& list) {
     for (raster::Draw& draw : list.draws) {
       draw.offset = change(draw.offset);
       if (draw.back) draw.back = change(*draw.back);
     }
-  };
-  return device;
+  });
 }
 
 StagedDevice withIds(const IdChange& change) {
@@ -187,7 +183,7 @@ void reinterpret(std::vector<ItemId>& ids, int width, const Layout& written, con
 /// minimum for an item ID.
 std::vector<Variant> paddings(const raster::IdFormat& format) {
   std::vector<Variant> variants;
-  const auto fewest = static_cast<std::size_t>((raster::idBits(format) + 7) / 8);
+  const auto minBytes = static_cast<std::size_t>((raster::idBits(format) + 7) / 8);
   const auto add = [&](const Layout& layout, bool isWritten) {
     const Layout tight{layout.bytes, 1};
     const Layout written = isWritten ? layout : tight, read = isWritten ? tight : layout;
@@ -195,14 +191,13 @@ std::vector<Variant> paddings(const raster::IdFormat& format) {
                              (isWritten ? ", written" : ", read");
     const StagedDevice ids = withReadBack(
         [=](const raster::Face&, raster::ItemBuffer& buffer) { reinterpret(buffer.ids, buffer.width, written, read); });
-    StagedDevice maps;
-    maps.upload = [=](DrawList& list) {
+    const StagedDevice maps = withStage(&StagedDevice::upload, [=](DrawList& list) {
       for (raster::IndexMap& map : list.indexMaps) reinterpret(map.ids, map.width, written, read);
-    };
+    });
     variants.push_back({"item ID files to " + name, ids});
     variants.push_back({"index maps to " + name, maps});
   };
-  for (const std::size_t bytes : std::set{std::size_t{4}, fewest})
+  for (const std::size_t bytes : std::set{std::size_t{4}, minBytes})
     for (const std::size_t alignment : {4u, 8u, 16u, 64u, 256u})
       if (alignment % bytes != 0 || alignment > bytes)
         for (const bool isWritten : {true, false}) add({bytes, alignment}, isWritten);

@@ -9,25 +9,17 @@ namespace {
 using raster::ItemId;
 
 StagedDevice withFacing(const std::function<Facing(Facing)>& facing) {
-  StagedDevice device;
-  device.facing = [=](Facing side, const raster::Face&) { return facing(side); };
-  return device;
+  return withStage(&StagedDevice::facing, [=](Facing side, const raster::Face&) { return facing(side); });
 }
 
-StagedDevice withMirroredViewsTurnedOver() {
-  StagedDevice device;
-  device.facing = [](Facing side, const raster::Face& view) {
-    return raster::determinant(view) < 0 ? otherSide(side) : side;
-  };
-  return device;
+Facing turnedOverInMirroredViews(Facing side, const raster::Face& view) {
+  return raster::determinant(view) < 0 ? otherSide(side) : side;
 }
 
 // --- coverage ---
 
 Variant withRule(const std::string& name, const std::function<bool(const glm::dvec2&)>& ownsEdge) {
-  StagedDevice device;
-  device.ownsEdge = ownsEdge;
-  return {name, device};
+  return {name, withStage(&StagedDevice::ownsEdge, ownsEdge)};
 }
 
 std::vector<Variant> fillRules() {
@@ -91,25 +83,21 @@ std::vector<Variant> multisamplings(const TestVector& vector) {
 std::vector<Variant> sixteenBits() {
   std::vector<Variant> variants;
   for (const double rounding : {0.5, 0.0}) {
-    StagedDevice device;
-    device.depth = [=](double inverseW, double nearDistance) {
+    const auto depth = [=](double inverseW, double nearDistance) {
       return std::floor((1 - nearDistance * inverseW) * 0xffff + rounding);
     };
-    variants.push_back({rounding > 0 ? "rounded to nearest" : "truncated", device});
+    variants.push_back({rounding > 0 ? "rounded to nearest" : "truncated", withStage(&StagedDevice::depth, depth)});
   }
   return variants;
 }
 
 StagedDevice withTest(const std::function<bool(double, double)>& passes) {
-  StagedDevice device;
-  device.passes = passes;
-  return device;
+  return withStage(&StagedDevice::passes, passes);
 }
 
 /// Depths n/w stay in the target.
 StagedDevice withDepthKept() {
-  StagedDevice device;
-  device.keepsDepth = true;
+  StagedDevice device = withStage(&StagedDevice::keepsDepth, true);
   device.depth = [](double inverseW, double nearDistance) { return -nearDistance * inverseW; };
   return device;
 }
@@ -128,7 +116,7 @@ std::vector<Fault> sampleFaults(const TestVector& vector) {
           {"front and back exchanged",
            "a mirrored view, det(X, Y, W) < 0, reverses windings: look at the front face",
            {{"", withFacing(otherSide)},
-            {"in mirrored views", withMirroredViewsTurnedOver()},
+            {"in mirrored views", withStage(&StagedDevice::facing, turnedOverInMirroredViews)},
             {"all taken as fronts", withFacing([](Facing) { return Facing::Front; })},
             {"all taken as backs", withFacing([](Facing) { return Facing::Back; })}}},
           {"wrong fill rule",

@@ -16,11 +16,9 @@ using raster::ItemId;
 using MapFetch = std::function<ItemId(const IndexMap&, const Lookup&)>;
 
 StagedDevice withFetch(const MapFetch& fetch) {
-  StagedDevice device;
-  device.fetch = [=](const raster::DrawList& list, std::size_t map, const Lookup& lookup) {
+  return withStage(&StagedDevice::fetch, [=](const raster::DrawList& list, std::size_t map, const Lookup& lookup) {
     return fetch(list.indexMaps[map], lookup);
-  };
-  return device;
+  });
 }
 
 glm::dvec2 sizeOf(const IndexMap& map) { return {map.width, map.height}; }
@@ -71,11 +69,10 @@ double throughBinary16(double x) {
 glm::dvec2 throughBinary16(const glm::dvec2& at) { return {throughBinary16(at.x), throughBinary16(at.y)}; }
 
 std::vector<Variant> halfFloats() {
-  StagedDevice atVertices;
-  atVertices.upload = [](raster::DrawList& list) {
+  const auto atVertices = [](raster::DrawList& list) {
     for (glm::vec2& texcoord : list.texcoords) texcoord = glm::vec2(throughBinary16(glm::dvec2(texcoord)));
   };
-  return {{"at vertices", atVertices},
+  return {{"at vertices", withStage(&StagedDevice::upload, atVertices)},
           {"at pixels", withFetch([](const IndexMap& map, const Lookup& lookup) {
              return nearestTexel(map, throughBinary16(lookup.at));
            })},
@@ -178,27 +175,20 @@ std::vector<Variant> mipmappings(const raster::DrawList& list) {
     for (const IndexMap& map : list.indexMaps) maps->push_back(levelsOf(channels, map));
     for (const bool betweenLevels : {false, true})
       for (const bool isLinear : {false, true}) {
-        StagedDevice device;
-        device.fetch = [=](const raster::DrawList&, std::size_t map, const Lookup& lookup) {
+        const auto fetch = [=](const raster::DrawList&, std::size_t map, const Lookup& lookup) {
           return mipmappedTexel(channels, (*maps)[map], isLinear, betweenLevels, lookup);
         };
         const std::string name = isLinear ? "linear in " : "nearest in ";
-        variants.push_back({name + (betweenLevels ? "two levels" : "one level"), device, channels});
+        variants.push_back(
+            {name + (betweenLevels ? "two levels" : "one level"), withStage(&StagedDevice::fetch, fetch), channels});
       }
   }
   return variants;
 }
 
-StagedDevice affine() {
-  StagedDevice device;
-  device.weight = [](double) { return 1.0; };
-  return device;
-}
-
 /// Index maps with reordered texels, as image libraries may load them.
 Variant reordered(const std::string& name, const std::function<glm::dvec2(const IndexMap&, const glm::dvec2&)>& from) {
-  StagedDevice device;
-  device.upload = [=](raster::DrawList& list) {
+  const auto upload = [=](raster::DrawList& list) {
     for (IndexMap& map : list.indexMaps) {
       const IndexMap source = map;
       std::size_t texel = 0;
@@ -207,7 +197,7 @@ Variant reordered(const std::string& name, const std::function<glm::dvec2(const 
           map.ids[texel++] = texelAt(source, from(source, glm::dvec2(column, row)));
     }
   };
-  return {name, device};
+  return {name, withStage(&StagedDevice::upload, upload)};
 }
 
 /// Index maps column by column in memory, or u and v exchanged.
@@ -222,13 +212,8 @@ std::vector<Variant> transposedMaps() {
            })}};
 }
 
-/// Index maps with exchanged width and height.
-StagedDevice withSizesExchanged() {
-  StagedDevice device;
-  device.upload = [](raster::DrawList& list) {
-    for (IndexMap& map : list.indexMaps) std::swap(map.width, map.height);
-  };
-  return device;
+void exchangeSizes(raster::DrawList& list) {
+  for (IndexMap& map : list.indexMaps) std::swap(map.width, map.height);
 }
 
 }  // namespace
@@ -238,7 +223,7 @@ std::vector<Fault> textureFaults(const TestVector& vector) {
   return {
       {"affine instead of perspective interpolation",
        "look for noperspective, or for a division by w before the device's own",
-       {{"", affine()}}},
+       {{"", withStage(&StagedDevice::weight, [](double) { return 1.0; })}}},
       {"linear filtering", "set the minifying and the magnifying filter to nearest", linearFilters(list.format)},
       {"mipmapping", "set a minifying filter without mipmaps, and make no mipmaps", mipmappings(list)},
       {"repeat instead of clamp",
@@ -251,14 +236,13 @@ std::vector<Fault> textureFaults(const TestVector& vector) {
        {{"", withFetch(truncatedTexel)}}},
       {"index map upside down",
        "row 0 is at v = 0 and comes first: image libraries may reverse rows",
-       {{"rows reversed",
-         reordered("", [](const IndexMap& map,
-                          const glm::dvec2& texel) { return glm::dvec2(texel.x, map.height - 1 - texel.y); })
-             .device},
-        {"columns reversed",
-         reordered("", [](const IndexMap& map,
-                          const glm::dvec2& texel) { return glm::dvec2(map.width - 1 - texel.x, texel.y); })
-             .device}}},
+       {reordered(
+            "rows reversed",
+            [](const IndexMap& map, const glm::dvec2& texel) { return glm::dvec2(texel.x, map.height - 1 - texel.y); }),
+        reordered("columns reversed",
+                  [](const IndexMap& map, const glm::dvec2& texel) {
+                    return glm::dvec2(map.width - 1 - texel.x, texel.y);
+                  })}},
       {"texture coordinates in half floats",
        "a half float has 11 significant bits: use 32-bit floats for attributes and high precision in shaders",
        halfFloats()},
@@ -270,7 +254,7 @@ std::vector<Fault> textureFaults(const TestVector& vector) {
        "a map is stored row by row, u along its width: look at the order of loops, and of u and v", transposedMaps()},
       {"width and height of the index map exchanged",
        "a map has `height` rows of `width` item IDs: look at the size of the upload",
-       {{"", withSizesExchanged()}}},
+       {{"", withStage(&StagedDevice::upload, exchangeSizes)}}},
       {"index map not sampled",
        "texel 0 everywhere: an incomplete texture, or one that is not bound, reads as zero",
        {{"", withFetch([](const IndexMap&, const Lookup&) { return ItemId{0}; })}}}};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "raster/base/short_number.h"
 #include "reference/conformance/diagnosis/fault.h"
 
 namespace hemitex::reference {
@@ -13,13 +14,11 @@ using raster::Face;
 /// Applies `change` to the view of face `which`, or of every face if `which` is negative.
 template <typename Change>
 StagedDevice withViews(int which, const Change& change) {
-  StagedDevice device;
-  device.camera = [=](std::span<const Face> faces, std::size_t f) {
+  return withStage(&StagedDevice::camera, [=](std::span<const Face> faces, std::size_t f) {
     Face face = faces[f];
     if (which < 0 || f == static_cast<std::size_t>(which)) change(face);
     return face;
-  };
-  return device;
+  });
 }
 
 /// A flip of the view reverses windings; a backend may or may not reverse its front face.
@@ -33,9 +32,8 @@ std::vector<Variant> flippedViews(const Change& change) {
 
 /// Face f drawn through the view of order[f].
 Variant reordered(const std::string& name, const std::vector<std::size_t>& order) {
-  StagedDevice device;
-  device.camera = [=](std::span<const Face> faces, std::size_t f) { return faces[order[f]]; };
-  return {name, device};
+  const auto camera = [=](std::span<const Face> faces, std::size_t f) { return faces[order[f]]; };
+  return {name, withStage(&StagedDevice::camera, camera)};
 }
 
 /// Every exchange of two faces, every rotation of all faces, and every rotation of the sides (all faces but the first).
@@ -89,6 +87,14 @@ StagedDevice withScissorAsViewport() {
   });
 }
 
+/// Writes the background where isCleared(column and row).
+template <typename IsCleared>
+void clearWhere(raster::ItemBuffer& buffer, raster::ItemId background, const IsCleared& isCleared) {
+  for (int row = 0, pixel = 0; row < buffer.height; ++row)
+    for (int column = 0; column < buffer.width; ++column, ++pixel)
+      if (isCleared(glm::vec2(column, row))) buffer.ids[static_cast<std::size_t>(pixel)] = background;
+}
+
 /// The viewport has `ratio` times its resolution. The pixels are read at the scissor rectangle's corner, or at that
 /// corner times the ratio. Beyond the viewport there is background.
 Variant withScaledViewport(const std::string& name, float ratio, bool isCornerScaled, raster::ItemId background) {
@@ -98,27 +104,18 @@ Variant withScaledViewport(const std::string& name, float ratio, bool isCornerSc
   if (ratio < 1)
     device.readBack = [=](const Face& face, raster::ItemBuffer& buffer) {
       const glm::vec2 end = ratio * static_cast<float>(face.resolution) - firstPixel(face);
-      for (int row = 0, pixel = 0; row < buffer.height; ++row)
-        for (int column = 0; column < buffer.width; ++column, ++pixel)
-          if (static_cast<float>(column) >= end.x || static_cast<float>(row) >= end.y)
-            buffer.ids[static_cast<std::size_t>(pixel)] = background;
+      clearWhere(buffer, background, [=](const glm::vec2& pixel) { return pixel.x >= end.x || pixel.y >= end.y; });
     };
   return {name, device};
 }
 
 std::vector<Variant> scaledViewports(raster::ItemId background) {
   std::vector<Variant> variants;
-  for (const auto& [name, ratio] : {std::pair{"0.5", 0.5f},
-                                    {"0.75", 0.75f},
-                                    {"1.25", 1.25f},
-                                    {"1.5", 1.5f},
-                                    {"1.75", 1.75f},
-                                    {"2", 2.0f},
-                                    {"2.5", 2.5f},
-                                    {"3", 3.0f}})
+  for (const float ratio : {0.5f, 0.75f, 1.25f, 1.5f, 1.75f, 2.0f, 2.5f, 3.0f})
     for (const bool isCornerScaled : {false, true})
-      variants.push_back(withScaledViewport(name + std::string(isCornerScaled ? ", and the corner that is read" : ""),
-                                            ratio, isCornerScaled, background));
+      variants.push_back(
+          withScaledViewport(raster::shortNumber(ratio) + (isCornerScaled ? ", and the corner that is read" : ""),
+                             ratio, isCornerScaled, background));
   return variants;
 }
 
@@ -128,22 +125,18 @@ std::vector<Variant> readBackFromFirst(raster::ItemId background) {
   const StagedDevice untested = withViews(-1, [](Face& face) { place(face, {1, 1}, cornerOf(face)); });
   StagedDevice tested = untested;
   tested.readBack = [=](const Face& face, raster::ItemBuffer& buffer) {
-    for (int row = 0, pixel = 0; row < buffer.height; ++row)
-      for (int column = 0; column < buffer.width; ++column, ++pixel)
-        if (column < face.scissor.column || row < face.scissor.row)
-          buffer.ids[static_cast<std::size_t>(pixel)] = background;
+    const glm::vec2 corner = cornerOf(face);
+    clearWhere(buffer, background, [=](const glm::vec2& pixel) { return pixel.x < corner.x || pixel.y < corner.y; });
   };
   return {{"drawn without a scissor test", untested}, {"drawn with a scissor test", tested}};
 }
 
 StagedDevice withFirstEye() {
-  StagedDevice device;
-  device.camera = [](std::span<const Face> faces, std::size_t f) {
+  return withStage(&StagedDevice::camera, [](std::span<const Face> faces, std::size_t f) {
     Face face = faces[f];
     face.eye = faces[0].eye;
     return face;
-  };
-  return device;
+  });
 }
 
 /// Reverses the rows or the columns of the item ID file.

@@ -49,11 +49,8 @@ struct StagedDevice {
   /// The facing that the device assumes for a triangle, given its true facing and the view.
   std::function<Facing(Facing, const raster::Face&)> facing = [](Facing side, const raster::Face&) { return side; };
 
-  /// Whether samples on an edge are covered. The edge runs along `direction` with the interior on its right where rows
-  /// grow downwards: a top edge runs to the right, a left edge up.
-  std::function<bool(const glm::dvec2&)> ownsEdge = [](const glm::dvec2& direction) {
-    return direction.y < 0 || (direction.y == 0 && direction.x > 0);
-  };
+  /// Whether samples on an edge are covered, from the direction in which the edge runs (isTopOrLeft).
+  std::function<bool(const glm::dvec2&)> ownsEdge = isTopOrLeft;
 
   /// Positions in a pixel: the samples of coverage and depth, and the sample of texture coordinates.
   std::vector<glm::dvec2> samples{{128, 128}};
@@ -97,6 +94,14 @@ struct StagedDevice {
   ReadBack readBack;
   bool isDrawnByRules = false;  ///< whether all stages but `readBack` are those of the rules
 };
+
+/// A device with one changed stage.
+template <typename Stage, typename Change>
+StagedDevice withStage(Stage StagedDevice::*stage, const Change& change) {
+  StagedDevice device;
+  device.*stage = change;
+  return device;
+}
 
 /// A device that draws by the rules and changes the item IDs afterwards.
 StagedDevice withReadBack(const ReadBack& readBack);

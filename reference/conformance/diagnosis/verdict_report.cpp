@@ -77,31 +77,6 @@ Json toJson(const Repetition& repetition) {
   return json;
 }
 
-Json jsonOf(const Report& report) {
-  const Verdict& verdict = report.verdict;
-  const Outcome outcome = outcomeOf(report);
-  Json json{{"vector", verdict.vector}, {"pass", outcome == Outcome::Pass}, {"pixels", toJson(countVerdicts(verdict))}};
-  json["faces"] = Json::array();
-  for (const FaceVerdict& face : verdict.faces) {
-    Json entry{{"name", face.name}, {"width", face.scissor.width}, {"height", face.scissor.height}};
-    entry.update(toJson(countVerdicts(face)));
-    json["faces"].push_back(entry);
-  }
-  json["errors"] = Json::array();
-  for (const ErrorPixel& error : report.errors) json["errors"].push_back(toJson(error));
-  json["diagnosis"] = Json::array();
-  for (const Finding& finding : report.findings) json["diagnosis"].push_back(toJson(finding));
-  if (const auto& check = report.reference)
-    json["reference"] = {{"pixels", check->pixels}, {"differing", check->differing}};
-  json["outcome"] = nameOf(outcomeNames, outcome);
-  json["expected"] = toJson(report.expected);
-  if (report.device) json["device"] = toJson(*report.device);
-  if (report.repetition) json["repetition"] = toJson(*report.repetition);
-  return json;
-}
-
-std::string textOf(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
-
 /// The item buffers of all faces by the independent evaluator. It evaluates each row by itself, on all threads.
 std::vector<raster::ItemBuffer> evaluateRows(const TestVector& vector) {
   std::vector<raster::ItemBuffer> buffers;
@@ -217,11 +192,32 @@ std::string toText(const CommonFault& common) {
          common.finding.advice;
 }
 
-std::string toJson(const Report& report) { return textOf(jsonOf(report)); }
+Json toJson(const Report& report) {
+  const Verdict& verdict = report.verdict;
+  const Outcome outcome = outcomeOf(report);
+  Json json{{"vector", verdict.vector}, {"pass", outcome == Outcome::Pass}, {"pixels", toJson(countVerdicts(verdict))}};
+  json["faces"] = Json::array();
+  for (const FaceVerdict& face : verdict.faces) {
+    Json entry{{"name", face.name}, {"width", face.scissor.width}, {"height", face.scissor.height}};
+    entry.update(toJson(countVerdicts(face)));
+    json["faces"].push_back(entry);
+  }
+  json["errors"] = Json::array();
+  for (const ErrorPixel& error : report.errors) json["errors"].push_back(toJson(error));
+  json["diagnosis"] = Json::array();
+  for (const Finding& finding : report.findings) json["diagnosis"].push_back(toJson(finding));
+  if (const auto& check = report.reference)
+    json["reference"] = {{"pixels", check->pixels}, {"differing", check->differing}};
+  json["outcome"] = nameOf(outcomeNames, outcome);
+  json["expected"] = toJson(report.expected);
+  if (report.device) json["device"] = toJson(*report.device);
+  if (report.repetition) json["repetition"] = toJson(*report.repetition);
+  return json;
+}
 
-std::string toJson(std::span<const Report> reports, bool isStrict) {
+Json toJson(std::span<const Report> reports, bool isStrict) {
   Json vectors = Json::array();
-  for (const Report& report : reports) vectors.push_back(jsonOf(report));
+  for (const Report& report : reports) vectors.push_back(toJson(report));
   const VerdictCounts sums = countVerdicts(reports);
   Json diagnosis;
   if (const std::optional<CommonFault> common = commonFault(reports)) {
@@ -230,7 +226,7 @@ std::string toJson(std::span<const Report> reports, bool isStrict) {
   }
   const bool pass =
       std::none_of(reports.begin(), reports.end(), [=](const Report& report) { return isFailure(report, isStrict); });
-  return textOf({{"pass", pass}, {"pixels", toJson(sums)}, {"vectors", vectors}, {"diagnosis", diagnosis}});
+  return {{"pass", pass}, {"pixels", toJson(sums)}, {"vectors", vectors}, {"diagnosis", diagnosis}};
 }
 
 }  // namespace hemitex::reference

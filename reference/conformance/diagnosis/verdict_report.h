@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -88,11 +89,11 @@ std::string toText(const CommonFault& common);
 /// - `repetition`: `runs`, `answers` (the number of runs with the same item IDs, for each different answer),
 ///   `changing_pixels` (their number) and `pixels` (`face`, `column`, `row`, `runs` of the first ten); only of several
 ///   runs.
-std::string toJson(const Report& report);
+nlohmann::ordered_json toJson(const Report& report);
 
 /// A JSON object for several vectors: `pass` (no result is an isFailure), `pixels` of all, `vectors` (an object as
 /// above for each), and `diagnosis`: null, or `fault`, `variant`, `agreement`, `advice`, `vectors`, `failures` and
 /// `weak` (isWeak) of the common fault.
-std::string toJson(std::span<const Report> reports, bool isStrict = false);
+nlohmann::ordered_json toJson(std::span<const Report> reports, bool isStrict = false);
 
 }  // namespace hemitex::reference

@@ -42,12 +42,9 @@ std::string hashOfSuite(const std::vector<RecordedVector>& vectors) {
 }
 
 Json headerOf(const ConformanceRecord& record) {
-  return {{"device", record.device},
-          {"driver", record.driver},
-          {"rules", record.rules},
-          {"profile", Json::parse(toJson(record.profile))},
-          {"vectors", record.vectors.size()},
-          {"suite", hashOfSuite(record.vectors)}};
+  return {
+      {"device", record.device},           {"driver", record.driver},          {"rules", record.rules},
+      {"profile", toJson(record.profile)}, {"vectors", record.vectors.size()}, {"suite", hashOfSuite(record.vectors)}};
 }
 
 Json entryOf(const RecordedVector& vector) {
@@ -67,17 +64,11 @@ Json entryOf(const RecordedVector& vector) {
   return entry;
 }
 
-template <typename Value, std::size_t count>
-Value valueNamed(const std::array<Named<Value>, count>& names, const std::string& name) {
-  for (const auto& [value, each] : names)
-    if (name == each) return value;
-  throw InputError("\"" + name + "\" is not known");
-}
-
 RecordedVector vectorOf(const Json& entry) {
-  RecordedVector vector{entry.at("vector"), entry.at("files"), valueNamed(outcomeNames, entry.at("outcome")), {}, {}};
+  RecordedVector vector{
+      entry.at("vector"), entry.at("files"), valueOf(outcomeNames, entry.at("outcome"), "outcome"), {}, {}};
   if (const Json& expected = entry.at("expected"); !expected.is_null())
-    vector.expected = {vector.name, valueNamed(expectationNames, expected.at("result")), expected.at("reason")};
+    vector.expected = {vector.name, valueOf(expectationNames, expected.at("result"), "result"), expected.at("reason")};
   for (const Json& pixels : entry.at("faces")) {
     RecordedFace face{pixels.at("name"), pixels.at("ids"), {}};
     for (const auto& [verdict, name] : pixelVerdictNames)

@@ -10,7 +10,7 @@ namespace {
 
 using raster::ScreenTriangle;
 
-/// Depth, coordinates and item ID of a triangle at a sample that it covers (raster rules, 6 and 7).
+/// Depth, coordinates and item ID of a triangle at a sample that it covers.
 Fragment fragmentOf(const raster::DrawList& list, const ScreenTriangle& triangle, int column, int row) {
   const raster::Draw& draw = list.draws[triangle.draw];
   double inverse = 0, u = 0, v = 0;

@@ -11,7 +11,7 @@ using Rational = boost::multiprecision::cpp_rational;
 using raster::ScreenTriangle;
 using raster::ViewVertex;
 
-// --- rules 2 and 3: vertices and clipping ---
+// --- vertices and clipping ---
 
 DerivedVertex vertexOf(const raster::DrawList& list, const raster::Face& face, std::uint32_t index) {
   const glm::vec3 position = list.positions[index];
@@ -44,7 +44,7 @@ std::vector<raster::HalfSpace> cutsOf(const std::array<ViewVertex, 3>& vertices,
   return cuts;
 }
 
-// --- rules 4 to 6: the fragment of a triangle at a sample ---
+// --- the fragment of a triangle at a sample ---
 
 using Weights = std::array<Rational, 3>;
 
@@ -105,7 +105,7 @@ DerivedEdge edgeAt(const raster::Edge& edge, int column, int row) {
   return {edge.at(column, row), kind};
 }
 
-// --- rules 6 and 7: texel and blend ---
+// --- texel and blend ---
 
 std::vector<DerivedSum> sumsOf(const raster::DrawList& list, raster::ItemId offset, raster::ItemId texel) {
   std::vector<DerivedSum> sums;

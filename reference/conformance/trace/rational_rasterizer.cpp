@@ -16,7 +16,7 @@ using Integer = boost::multiprecision::cpp_int;
 using Attributes = std::array<double, 5>;
 enum Attribute : std::size_t { X, Y, W, U, V };
 
-/// Rules, 2.
+/// The vertex stage.
 Attributes vertexStage(const raster::Face& face, const glm::vec3& position, const glm::vec2& texcoord) {
   const float dx = position.x - face.eye.x;
   const float dy = position.y - face.eye.y;
@@ -31,7 +31,7 @@ Attributes vertexStage(const raster::Face& face, const glm::vec3& position, cons
   return {product(face.x), product(face.y), product(face.w), texcoord.x, texcoord.y};
 }
 
-/// Rules, 3: clips to the half-space f >= 0.
+/// Clips to the half-space f >= 0.
 std::vector<Attributes> clip(const std::vector<Attributes>& polygon, const std::function<double(const Attributes&)>& f,
                              bool isNear, double n) {
   std::vector<Attributes> result;
@@ -69,7 +69,7 @@ struct Point {
   std::int64_t x, y;
 };
 
-/// Rules, 4.
+/// The snapped position.
 Point snap(const Attributes& p, int resolution) {
   const auto coordinate = [&](double q) {
     return static_cast<std::int64_t>(std::nearbyint((std::clamp(q, -8.0, 8.0) + 1) * (128.0 * resolution)));
@@ -97,7 +97,6 @@ int side(const Point& a, const Point& b, const Point& sample) {
   return sign(cross(edge, {0, 1}));
 }
 
-/// Rules, 5.
 bool isCovered(const Triangle& triangle, const Point& sample) {
   const std::array<Point, 3>& s = triangle.snapped;
   const int orientation = sign(triangle.area);
@@ -105,7 +104,7 @@ bool isCovered(const Triangle& triangle, const Point& sample) {
          side(s[2], s[0], sample) == orientation;
 }
 
-/// Rules, 6: b_k / w_k at the sample.
+/// b_k / w_k at the sample.
 std::array<Rational, 3> weightsOverDepth(const Triangle& triangle, const Point& sample) {
   std::array<Rational, 3> weights;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -127,7 +126,6 @@ int texel(const Triangle& triangle, const std::array<Rational, 3>& weights, Attr
   return whole >= size ? size - 1 : whole.convert_to<int>();
 }
 
-/// Rules, 7.
 raster::ItemId blend(const raster::DrawList& list, raster::ItemId offset, raster::ItemId texelId) {
   if (list.blend == raster::Blend::Replace) return texelId;
   if (list.blend == raster::Blend::IntegerAdd) {

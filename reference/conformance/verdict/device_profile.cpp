@@ -86,19 +86,18 @@ double depthError(const DeviceProfile& profile) {
   return 0;
 }
 
-std::string toJson(const DeviceProfile& profile) {
-  const Json json{{"version", 2},
-                  {"vertex_error", profile.vertexError},
-                  {"subpixel_bits", profile.subpixelBits},
-                  {"snap_rounding", nameOf(snapRoundingNames, profile.snapRounding)},
-                  {"edge_rule", nameOf(edgeRuleNames, profile.edgeRule)},
-                  {"texel_precision", profile.texelPrecision},
-                  {"interpolation_error", profile.interpolationError},
-                  {"depth_format", nameOf(depthFormatNames, profile.depthFormat)},
-                  {"depth_tolerance", profile.depthTolerance},
-                  {"loose_clipping", profile.looseClipping},
-                  {"strict_depth", profile.strictDepth}};
-  return json.dump(2) + "\n";
+Json toJson(const DeviceProfile& profile) {
+  return {{"version", 2},
+          {"vertex_error", profile.vertexError},
+          {"subpixel_bits", profile.subpixelBits},
+          {"snap_rounding", nameOf(snapRoundingNames, profile.snapRounding)},
+          {"edge_rule", nameOf(edgeRuleNames, profile.edgeRule)},
+          {"texel_precision", profile.texelPrecision},
+          {"interpolation_error", profile.interpolationError},
+          {"depth_format", nameOf(depthFormatNames, profile.depthFormat)},
+          {"depth_tolerance", profile.depthTolerance},
+          {"loose_clipping", profile.looseClipping},
+          {"strict_depth", profile.strictDepth}};
 }
 
 DeviceProfile parseProfile(const std::string& text) {

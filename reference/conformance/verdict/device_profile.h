@@ -1,4 +1,4 @@
-/// Allowed deviations of a real device from the raster rules (raster rules, 8). A graphics API or a datasheet states
+/// Allowed deviations of a real device from the raster rules. A graphics API or a datasheet states
 /// each bound; the verdict (verdict.h) takes all of them as worst cases.
 ///
 /// A device that interpolates in binary32 evaluates u = (u/w) / (1/w). Each of the two is a sum whose terms are as
@@ -7,6 +7,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace hemitex::reference {
@@ -64,6 +65,6 @@ DeviceProfile readProfile(const std::filesystem::path& file);
 DeviceProfile parseProfile(const std::string& text);
 
 /// The profile as readProfile reads it, in version 2 with all keys.
-std::string toJson(const DeviceProfile& profile);
+nlohmann::ordered_json toJson(const DeviceProfile& profile);
 
 }  // namespace hemitex::reference

@@ -20,11 +20,11 @@ struct Candidate {
   double farthest() const { return region.farthest / (1 + triangle->depthSlack); }
 };
 
-std::vector<Candidate> candidatesAt(const Judge& judge, std::span<const DeviceTriangle* const> triangles,
+std::vector<Candidate> candidatesAt(const JudgedFace& face, std::span<const DeviceTriangle* const> triangles,
                                     const glm::dvec2& sample) {
   std::vector<Candidate> candidates;
   for (const DeviceTriangle* triangle : triangles)
-    if (const auto region = regionAt(*triangle, sample, judge.profile.edgeRule))
+    if (const auto region = regionAt(*triangle, sample, face.profile.edgeRule))
       candidates.push_back({triangle, *region, coversByRule(*triangle, sample)});
   return candidates;
 }
@@ -42,13 +42,13 @@ struct PassingEdge {
   bool isSameLine(const PassingEdge& other) const { return low == other.low && high == other.high; }
 };
 
-std::vector<PassingEdge> passingEdges(const Judge& judge, const std::vector<Candidate>& candidates,
+std::vector<PassingEdge> passingEdges(const JudgedFace& face, const std::vector<Candidate>& candidates,
                                       const glm::dvec2& sample) {
   std::vector<PassingEdge> edges;
   for (std::size_t c = 0; c < candidates.size(); ++c)
     for (std::size_t k = 0; k < 3; ++k) {
       const DeviceTriangle& triangle = *candidates[c].triangle;
-      if (!edgeMayPass(triangle, k, sample, judge.profile.edgeRule)) continue;
+      if (!edgeMayPass(triangle, k, sample, face.profile.edgeRule)) continue;
       const auto corner = [](const DeviceVertex& v) { return Corner(v.view.x, v.view.y, v.view.w); };
       const Corner from = corner(triangle.vertices[k]), to = corner(triangle.vertices[(k + 1) % 3]);
       edges.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1, c});
@@ -76,8 +76,8 @@ class Groups {
 
 /// A group of candidates at the sample.
 struct Sheet {
-  int winding = 0;      ///< winding number around the sample
-  bool isOpen = false;  ///< an edge that may pass over the sample has no counterpart
+  int winding = 0;           ///< winding number around the sample
+  bool hasBoundary = false;  ///< an edge that may pass over the sample has no counterpart
   double farthest = HUGE_VAL;
 };
 
@@ -86,29 +86,29 @@ struct Sheet {
 /// Triangles joined along shared edges move as one mesh. Edges that occur equally often in both directions cancel, and
 /// the rest is the boundary of the mesh. While no boundary edge passes over the sample, the winding number of the mesh
 /// around it stays the same. Where it is not zero, some triangle of the mesh covers the sample.
-double certainDepth(const Judge& judge, const std::vector<Candidate>& candidates, const glm::dvec2& sample) {
-  const std::vector<PassingEdge> edges = passingEdges(judge, candidates, sample);
+double certainDepth(const JudgedFace& face, const std::vector<Candidate>& candidates, const glm::dvec2& sample) {
+  const std::vector<PassingEdge> edges = passingEdges(face, candidates, sample);
   Groups groups(candidates.size());
-  std::vector<char> isOpen(candidates.size());
+  std::vector<char> hasBoundary(candidates.size());
   for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
     int sum = 0;
     for (end = first; end < edges.size() && edges[end].isSameLine(edges[first]); ++end) {
       sum += edges[end].direction;
       groups.join(edges[first].candidate, edges[end].candidate);
     }
-    if (sum != 0) isOpen[edges[first].candidate] = 1;
+    if (sum != 0) hasBoundary[edges[first].candidate] = 1;
   }
   std::vector<Sheet> sheets(candidates.size());
   for (std::size_t c = 0; c < candidates.size(); ++c) {
     Sheet& sheet = sheets[groups.of(c)];
     if (candidates[c].covers) sheet.winding += candidates[c].triangle->area > 0 ? 1 : -1;
     // The near plane may clip the part in front of it.
-    sheet.isOpen |= isOpen[c] != 0 || candidates[c].nearest() > judge.nearest;
+    sheet.hasBoundary |= hasBoundary[c] != 0 || candidates[c].nearest() > face.nearest;
     sheet.farthest = std::min(sheet.farthest, candidates[c].farthest());
   }
   double depth = 0;
   for (const Sheet& sheet : sheets)
-    if (sheet.winding != 0 && !sheet.isOpen) depth = std::max(depth, sheet.farthest);
+    if (sheet.winding != 0 && !sheet.hasBoundary) depth = std::max(depth, sheet.farthest);
   return depth;
 }
 
@@ -119,7 +119,7 @@ struct TexelRange {
   std::size_t first, last;
 };
 
-TexelRange texelRange(const Judge& judge, const Candidate& candidate, int axis, int size) {
+TexelRange texelRange(const JudgedFace& face, const Candidate& candidate, int axis, int size) {
   const std::array<DeviceVertex, 3>& vertices = candidate.triangle->vertices;
   const auto coordinate = [axis](const DeviceVertex& v) { return axis == 0 ? v.view.u : v.view.v; };
   const auto [low, high] = std::minmax({coordinate(vertices[0]), coordinate(vertices[1]), coordinate(vertices[2])});
@@ -134,31 +134,30 @@ TexelRange texelRange(const Judge& judge, const Candidate& candidate, int axis, 
   };
   const DeviceTriangle& triangle = *candidate.triangle;
   const double error =
-      texelError(judge.profile, size, triangle.largest[axis], triangle.nearestDepth, candidate.region.farthest);
+      texelError(face.profile, size, triangle.largest[axis], triangle.nearestDepth, candidate.region.farthest);
   return {texel((candidate.region.low[axis] - drift) * size - error),
           texel((candidate.region.high[axis] + drift) * size + error)};
 }
 
-bool mayGiveTexel(const Judge& judge, const Candidate& candidate, const raster::IndexMap& map, ItemId offset,
+bool mayGiveTexel(const JudgedFace& face, const Candidate& candidate, const raster::IndexMap& map, ItemId offset,
                   ItemId id) {
-  const TexelRange columns = texelRange(judge, candidate, 0, map.width);
-  const TexelRange rows = texelRange(judge, candidate, 1, map.height);
+  const TexelRange columns = texelRange(face, candidate, 0, map.width);
+  const TexelRange rows = texelRange(face, candidate, 1, map.height);
   for (std::size_t row = rows.first; row <= rows.last; ++row)
     for (std::size_t column = columns.first; column <= columns.last; ++column) {
       const ItemId texel = map.ids[row * static_cast<std::size_t>(map.width) + column];
-      if (raster::blend(judge.list.format, judge.list.blend, offset, texel) == id) return true;
+      if (raster::blend(face.list.format, face.list.blend, offset, texel) == id) return true;
     }
   return false;
 }
 
-bool mayGive(const Judge& judge, const Candidate& candidate, ItemId id) {
+bool mayGive(const JudgedFace& face, const Candidate& candidate, ItemId id) {
   const DeviceTriangle& triangle = *candidate.triangle;
-  const raster::Draw& draw = judge.list.draws[triangle.draw];
+  const raster::Draw& draw = face.list.draws[triangle.draw];
   if (draw.back && (triangle.facesAway || triangle.mayFlip) && id == *draw.back) return true;
   if (draw.back && triangle.facesAway && !triangle.mayFlip) return false;
   if (!draw.indexMap) return id == draw.offset;
-  return mayGiveTexel(judge, candidate, judge.list.indexMaps[static_cast<std::size_t>(*draw.indexMap)], draw.offset,
-                      id);
+  return mayGiveTexel(face, candidate, face.list.indexMaps[static_cast<std::size_t>(*draw.indexMap)], draw.offset, id);
 }
 
 bool haveSameCorners(const DeviceTriangle& a, const DeviceTriangle& b) {
@@ -192,27 +191,27 @@ const Candidate* expectedOf(const std::vector<Candidate>& candidates, const glm:
 
 }  // namespace
 
-Judge makeJudge(const raster::DrawList& list, const raster::Face& face, const DeviceProfile& profile) {
+JudgedFace judgedFace(const raster::DrawList& list, const raster::Face& face, const DeviceProfile& profile) {
   // Two stored depths 1 - n/w are each off by the error, and differ by n times the difference of 1/w.
   const double nearDistance = face.nearDistance;
   return {list, profile, 2 * depthError(profile) / nearDistance, 1 / nearDistance};
 }
 
-PixelVerdict judgeId(const Judge& judge, std::span<const DeviceTriangle* const> triangles, const glm::dvec2& sample,
+PixelVerdict judgeId(const JudgedFace& face, std::span<const DeviceTriangle* const> triangles, const glm::dvec2& sample,
                      ItemId found) {
-  const std::vector<Candidate> candidates = candidatesAt(judge, triangles, sample);
-  const double certain = certainDepth(judge, candidates, sample);
-  if (found == raster::backgroundId(judge.list.format))
+  const std::vector<Candidate> candidates = candidatesAt(face, triangles, sample);
+  const double certain = certainDepth(face, candidates, sample);
+  if (found == raster::backgroundId(face.list.format))
     return certain > 0 ? PixelVerdict::Error : PixelVerdict::Coverage;
 
   const Candidate* const expected = expectedOf(candidates, sample);
   PixelVerdict verdict = PixelVerdict::Error;
   for (const Candidate& candidate : candidates) {
-    const double nearest = candidate.nearest() + judge.depthTolerance;
-    if (nearest < certain || !mayGive(judge, candidate, found)) continue;
-    if (judge.profile.strictDepth && hasEarlierTwin(candidates, candidate)) continue;
+    const double nearest = candidate.nearest() + face.depthTolerance;
+    if (nearest < certain || !mayGive(face, candidate, found)) continue;
+    if (face.profile.strictDepth && hasEarlierTwin(candidates, candidate)) continue;
     // Rounding may exchange coplanar triangles in expectedOf. Without a texel to differ in, this one won by depth.
-    const bool hasTexel = judge.list.draws[candidate.triangle->draw].indexMap.has_value();
+    const bool hasTexel = face.list.draws[candidate.triangle->draw].indexMap.has_value();
     if (&candidate == expected) return hasTexel ? PixelVerdict::Texel : PixelVerdict::Depth;
     const bool passesExpected = candidate.covers && nearest >= expected->farthest();
     if (passesExpected) verdict = PixelVerdict::Depth;

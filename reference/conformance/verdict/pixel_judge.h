@@ -29,18 +29,18 @@ constexpr std::array<Named<PixelVerdict>, 6> pixelVerdictNames{{{PixelVerdict::E
                                                                 {PixelVerdict::Error, "error"}}};
 
 /// Input of the judgement that all pixels of a face share.
-struct Judge {
+struct JudgedFace {
   const raster::DrawList& list;
   const DeviceProfile& profile;
   double depthTolerance;  ///< of 1/w, between two triangles
   double nearest;         ///< 1/w at the near plane
 };
 
-Judge makeJudge(const raster::DrawList& list, const raster::Face& face, const DeviceProfile& profile);
+JudgedFace judgedFace(const raster::DrawList& list, const raster::Face& face, const DeviceProfile& profile);
 
 /// Coverage, Texel, Depth or Error for an item ID that differs from the rules' at a sample. `triangles` holds at least
 /// all triangles that may cover the sample, in draw order.
-PixelVerdict judgeId(const Judge& judge, std::span<const DeviceTriangle* const> triangles, const glm::dvec2& sample,
+PixelVerdict judgeId(const JudgedFace& face, std::span<const DeviceTriangle* const> triangles, const glm::dvec2& sample,
                      raster::ItemId found);
 
 }  // namespace hemitex::reference

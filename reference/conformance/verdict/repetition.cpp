@@ -46,9 +46,9 @@ Repetition RepeatedRuns::result() const {
 }
 
 std::string toText(const Repetition& repetition) {
-  const std::uint64_t most = *std::max_element(repetition.answers.begin(), repetition.answers.end());
+  const std::uint64_t maxRuns = *std::max_element(repetition.answers.begin(), repetition.answers.end());
   const ChangingPixel& first = repetition.pixels.front();
-  return std::to_string(repetition.runs - most) + " of " + std::to_string(repetition.runs) +
+  return std::to_string(repetition.runs - maxRuns) + " of " + std::to_string(repetition.runs) +
          " runs differ from the most frequent item IDs, at " + std::to_string(repetition.pixels.size()) +
          " pixels: first " + first.face + " (" + std::to_string(first.column) + ", " + std::to_string(first.row) + ")";
 }

@@ -1,6 +1,7 @@
 #include "reference/conformance/verdict/triangle_bounds.h"
 
 #include <algorithm>
+#include <boost/container/static_vector.hpp>
 #include <cmath>
 
 namespace hemitex::reference {
@@ -182,23 +183,20 @@ struct Point {
 
 /// A triangle cut by the four sides of a box. Each side adds a corner to a convex polygon. Rounding can make the
 /// polygon slightly non-convex; then a side multiplies the number of corners by at most 3/2: 3, 4, 6, 9, 13.
-struct Polygon {
-  std::array<Point, 13> points;
-  std::size_t count = 0;
-};
+using Polygon = boost::container::static_vector<Point, 13>;
 
 /// Clips to sign * position[axis] <= sign * bound.
 Polygon cut(const Polygon& polygon, int axis, double sign, double bound) {
   Polygon result;
   const auto inside = [=](const Point& point) { return sign * (bound - point.position[axis]); };
-  for (std::size_t i = 0; i < polygon.count; ++i) {
-    const Point& p = polygon.points[i];
-    const Point& q = polygon.points[(i + 1) % polygon.count];
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point& p = polygon[i];
+    const Point& q = polygon[(i + 1) % polygon.size()];
     const double atP = inside(p), atQ = inside(q);
-    if (atP >= 0) result.points[result.count++] = p;
+    if (atP >= 0) result.push_back(p);
     if ((atP >= 0) != (atQ >= 0)) {
       const double t = atP / (atP - atQ);
-      result.points[result.count++] = {p.position + t * (q.position - p.position), p.overW + t * (q.overW - p.overW)};
+      result.push_back({p.position + t * (q.position - p.position), p.overW + t * (q.overW - p.overW)});
     }
   }
   return result;
@@ -214,8 +212,7 @@ EdgeValue edgeAt(const DeviceTriangle& triangle, std::size_t k, const glm::dvec2
   const double orientation = triangle.area > 0 ? 1 : -1;
   const glm::dvec2& p = triangle.vertices[k].position;
   const glm::dvec2 along = orientation * (triangle.vertices[(k + 1) % 3].position - p);
-  // The interior lies at larger columns of a left edge, at larger rows of a top edge.
-  return {cross(along, sample - p), along.y < 0 || (along.y == 0 && along.x > 0)};
+  return {cross(along, sample - p), isTopOrLeft(along)};
 }
 
 glm::dvec2 edgeReach(const DeviceTriangle& triangle, std::size_t k) {
@@ -229,6 +226,15 @@ bool isOutsideFixedEdge(const DeviceTriangle& triangle, const glm::dvec2& sample
     const EdgeValue edge = edgeAt(triangle, k, sample);
     const bool covers = edge.value > 0 || (edge.value == 0 && (edge.inclusive || rule == EdgeRule::Any));
     if (edgeReach(triangle, k) == glm::dvec2(0.0) && !covers) return true;
+  }
+  return false;
+}
+
+/// Whether the box of half-widths `reach` about the sample lies on the outer side of an edge: an early exit.
+bool isBeyondEdge(const DeviceTriangle& triangle, const glm::dvec2& sample, const glm::dvec2& reach) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const glm::dvec2 along = glm::abs(triangle.vertices[(k + 1) % 3].position - triangle.vertices[k].position);
+    if (edgeAt(triangle, k, sample).value < -(along.x * reach.y + along.y * reach.x)) return true;
   }
   return false;
 }
@@ -266,22 +272,22 @@ std::optional<Region> regionAt(const DeviceTriangle& triangle, const glm::dvec2&
     const double reach = triangle.reach[axis] + pad;
     if (low[axis] > sample[axis] + reach || high[axis] < sample[axis] - reach) return {};
   }
-  if (isOutsideFixedEdge(triangle, sample, rule)) return {};
+  if (isOutsideFixedEdge(triangle, sample, rule) || isBeyondEdge(triangle, sample, triangle.reach + 2 * pad)) return {};
   Polygon polygon;
   for (const DeviceVertex& vertex : triangle.vertices) {
     const ViewVertex& view = vertex.view;
-    polygon.points[polygon.count++] = {vertex.position, glm::dvec3(1, view.u, view.v) / view.w};
+    polygon.push_back({vertex.position, glm::dvec3(1, view.u, view.v) / view.w});
   }
   for (int axis = 0; axis < 2; ++axis)
     for (const double sign : {1.0, -1.0})
       polygon = cut(polygon, axis, sign, sample[axis] + sign * (triangle.reach[axis] + pad));
-  if (polygon.count == 0) return {};
+  if (polygon.empty()) return {};
 
-  const glm::dvec3& start = polygon.points[0].overW;
+  const glm::dvec3& start = polygon[0].overW;
   const glm::dvec2 texture = glm::dvec2(start.y, start.z) / start.x;
   Region region{start.x, start.x, texture, texture};
-  for (std::size_t i = 1; i < polygon.count; ++i) {
-    const glm::dvec3& overW = polygon.points[i].overW;
+  for (const Point& point : polygon) {
+    const glm::dvec3& overW = point.overW;
     const glm::dvec2 coordinates = glm::dvec2(overW.y, overW.z) / overW.x;
     region.nearest = std::max(region.nearest, overW.x);
     region.farthest = std::min(region.farthest, overW.x);

@@ -64,10 +64,16 @@ struct Region {
 /// The sample of a pixel, in sub-pixels.
 inline glm::dvec2 sampleOf(int column, int row) { return {256.0 * column + 128, 256.0 * row + 128}; }
 
+/// Whether an edge along `direction`, with the interior on its right where rows grow downwards, is top or left: a top
+/// edge runs to the right, a left edge up.
+inline bool isTopOrLeft(const glm::dvec2& direction) {
+  return direction.y < 0 || (direction.y == 0 && direction.x > 0);
+}
+
 /// The bounds of a triangle at a sample; nothing where it cannot cover the sample.
 std::optional<Region> regionAt(const DeviceTriangle& triangle, const glm::dvec2& sample, EdgeRule rule);
 
-/// Whether the rules' triangle covers the sample (raster rules, 5).
+/// Whether the rules' triangle covers the sample.
 bool coversByRule(const DeviceTriangle& triangle, const glm::dvec2& sample);
 
 /// 1/w by the rules at a covered sample, rounded to binary64.

@@ -78,13 +78,13 @@ void judgeErrors(const raster::DrawList& list, const raster::Face& view, const D
       if (!pixels[tile].empty()) nearby[tile].push_back(&triangle);
     });
 
-  const Judge judge = makeJudge(list, view, profile);
+  const JudgedFace judged = judgedFace(list, view, profile);
   const auto width = static_cast<std::size_t>(face.scissor.width);
   raster::parallelFor(tiles.size(), [&](std::size_t tile) {
     for (const std::size_t pixel : pixels[tile]) {
       const glm::dvec2 sample = sampleOf(face.scissor.column + static_cast<int>(pixel % width),
                                          face.scissor.row + static_cast<int>(pixel / width));
-      const PixelVerdict verdict = judgeId(judge, nearby[tile], sample, face.found.ids[pixel]);
+      const PixelVerdict verdict = judgeId(judged, nearby[tile], sample, face.found.ids[pixel]);
       const bool isExplained = verdict != PixelVerdict::Error;
       face.pixels[pixel] = loose && isExplained ? PixelVerdict::LooseClipping : verdict;
     }

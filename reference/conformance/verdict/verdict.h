@@ -1,6 +1,6 @@
 /// The verdict on the item buffers of a device. A pixel is *exact* if it holds the item ID of the raster rules. Any
-/// other pixel is *explained* if a device within its profile may show the item ID, and an *error* otherwise (raster
-/// rules, 8). Item IDs are compared as integers: an item ID that is off by one names another element.
+/// other pixel is *explained* if a device within its profile may show the item ID, and an *error* otherwise. Item IDs
+/// are compared as integers: an item ID that is off by one names another element.
 ///
 /// A triangle that may cover the sample (triangle_bounds.h) explains the item IDs that it may produce. Its depth must
 /// be able to pass the depth test against all guaranteed coverage of the sample. The background is explained without

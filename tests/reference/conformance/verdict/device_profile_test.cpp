@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "raster/base/input_error.h"
 #include "reference/conformance/vectors/candidate.h"

@@ -235,7 +235,7 @@ TEST_CASE("judge decides each pixel independently of tiles, neighbours and sciss
     const auto triangles = placeTriangles(list, face, profile, false, [](const auto&) { return true; });
     std::vector<const reference::DeviceTriangle*> all;
     for (const reference::DeviceTriangle& triangle : triangles) all.push_back(&triangle);
-    const reference::Judge judge = makeJudge(list, face, profile);
+    const reference::JudgedFace judged = judgedFace(list, face, profile);
     reference::VerdictCounts counts{};
     std::size_t pixel = 0;
     bool holds = true;
@@ -243,7 +243,7 @@ TEST_CASE("judge decides each pixel independently of tiles, neighbours and sciss
       for (int column = scissor.column; column < scissor.column + scissor.width; ++column, ++pixel) {
         const PixelVerdict alone = found.ids[pixel] == expected.ids[pixel]
                                        ? PixelVerdict::Exact
-                                       : judgeId(judge, all, reference::sampleOf(column, row), found.ids[pixel]);
+                                       : judgeId(judged, all, reference::sampleOf(column, row), found.ids[pixel]);
         holds &= verdict.faces[0].pixels[pixel] == alone;
         ++counts[static_cast<std::size_t>(alone)];
       }
