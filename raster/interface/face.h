@@ -19,15 +19,16 @@ struct Scissor {
 };
 
 /// A view given by the rows of a matrix: x = X . d, y = Y . d, w = W . d with d = P - eye. The picture plane is w = 1.
-/// The viewport of resolution x resolution pixels shows x/w and y/w from -1 to 1; row 0 is at y/w = -1.
+/// The viewport of resolution x resolution pixels shows x/w and y/w from -1 to 1; row 0 is at y/w = -1. By default it
+/// looks along -z with a field of view of 90 degrees.
 struct Face {
-  glm::vec3 eye;
-  glm::vec3 x;             ///< right
-  glm::vec3 y;             ///< towards larger rows
-  glm::vec3 w;             ///< forward
-  float nearDistance = 0;  ///< smallest w that is drawn; above 0
-  int resolution = 0;      ///< even, 2 to 4096
-  Scissor scissor;         ///< inside the viewport
+  glm::vec3 eye{0, 0, 0};
+  glm::vec3 x{1, 0, 0};             ///< right
+  glm::vec3 y{0, 1, 0};             ///< towards larger rows
+  glm::vec3 w{0, 0, -1};            ///< forward
+  float nearDistance = 0x1p-10F;    ///< smallest w that is drawn; above 0
+  int resolution = 256;             ///< even, 2 to 4096
+  Scissor scissor{0, 0, 256, 256};  ///< inside the viewport
 };
 
 /// det(x, y, w) in double precision. Its sign determines which winding is front-facing (docs/item-buffers.md,

@@ -17,9 +17,10 @@ namespace hemitex::raster {
 
 using ItemId = std::uint32_t;
 
-/// The channels of an item ID: their widths in bits, least significant first; the sum is 1 to 32 bits.
+/// The channels of an item ID: their widths in bits, least significant first; the sum is 2 to 32 bits. By default that
+/// of usual colour buffers, r8g8b8a8.
 struct IdFormat {
-  std::vector<int> channelBits;
+  std::vector<int> channelBits = {8, 8, 8, 8};
   bool operator==(const IdFormat&) const = default;
 };
 
