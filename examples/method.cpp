@@ -310,10 +310,10 @@ std::vector<dvec3> solve(const World& world) {
     emitted += bandSum(flux);
   }
   std::vector<std::vector<double>> rowOf(unshot.size());  // rows are kept, because most patches shoot several times
+  const auto isDarker = [](const dvec3& a, const dvec3& b) { return bandSum(a) < bandSum(b); };
   double remaining = emitted;
   while (remaining > 0.001 * emitted) {
     // The patch with the most unshot flux shoots all of it.
-    const auto isDarker = [](const dvec3& a, const dvec3& b) { return bandSum(a) < bandSum(b); };
     const auto brightest = std::max_element(unshot.begin(), unshot.end(), isDarker);
     const std::size_t patch = static_cast<std::size_t>(brightest - unshot.begin());
     const dvec3 shot = std::exchange(*brightest, dvec3(0));

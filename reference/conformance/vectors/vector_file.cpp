@@ -165,6 +165,7 @@ TestVector readJson(const filesystem::path& folder, const Json& json) {
   vector.catches = toOptional(json, "catches", toText).value_or("");
   vector.origin = toWideVector(at(json, "origin"), "origin");
   raster::DrawList& list = vector.list;
+  list.format.channelBits.clear();
   for (const Json& bits : toList(at(json, "channels"), "channels"))
     list.format.channelBits.push_back(static_cast<int>(toInteger(bits, "channels", 1, 32)));
   list.blend = valueOf(blendNames, toText(at(json, "blend"), "blend"), "blend");
