@@ -1,10 +1,12 @@
-/// The include graph of the sources. Includes go down the list of top folders (cli, web, python; reference; radiosity;
-/// raster), front ends never include each other, and there are no include cycles.
+/// The layout that CONTRIBUTING.md promises. Includes go down the list of top folders (cli, web, python; reference;
+/// radiosity; raster), front ends never include each other, and neither units nor folders include each other in a
+/// cycle. A folder has at most 15 units, and tests lie in the same tree as what they test.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -71,12 +73,16 @@ bool goesUp(const Include& include) {
 
 std::string withoutExtension(const std::string& file) { return file.substr(0, file.rfind('.')); }
 
-/// The includes along one cycle of units (headers with their sources), if there is one.
-std::vector<Include> circle(const std::vector<Include>& includes) {
+std::string folderOf(const std::string& file) { return fs::path(file).parent_path().generic_string(); }
+
+/// The node of a file in a graph: its unit (a header with its source) or its folder.
+using NodeOf = std::string (*)(const std::string& file);
+
+/// The includes along one cycle of nodes, if there is one.
+std::vector<Include> circle(const std::vector<Include>& includes, NodeOf nodeOf = withoutExtension) {
   Graph graph;
   for (const Include& include : includes) {
-    if (withoutExtension(include.included) != withoutExtension(include.file))
-      graph[withoutExtension(include.file)].push_back(include);
+    if (nodeOf(include.included) != nodeOf(include.file)) graph[nodeOf(include.file)].push_back(include);
   }
   enum class State { New, Open, Done };
   std::map<std::string, State> states;
@@ -84,10 +90,10 @@ std::vector<Include> circle(const std::vector<Include>& includes) {
   const auto visit = [&](const auto& self, const std::string& unit) -> bool {
     states[unit] = State::Open;
     for (const Include& include : graph[unit]) {
-      const std::string next = withoutExtension(include.included);
+      const std::string next = nodeOf(include.included);
       path.push_back(include);
       if (states[next] == State::Open) {
-        while (withoutExtension(path.front().file) != next) path.erase(path.begin());
+        while (nodeOf(path.front().file) != next) path.erase(path.begin());
         return true;
       }
       if (states[next] == State::New && self(self, next)) return true;
@@ -139,4 +145,50 @@ TEST_CASE("includesOfRooms go to lower folders only, and form no cycle", "[inclu
   const std::vector<Include> found = circle(includes);
   INFO("these units include each other in a circle:" << textOf(found));
   CHECK(found.empty());
+}
+
+TEST_CASE("circle finds folders that include each other without a cycle of units", "[includes]") {
+  const std::vector<Include> includes{{"raster/one/a.cpp", 1, "raster/two/b.h"},
+                                      {"raster/two/c.cpp", 2, "raster/one/d.h"}};
+  CHECK(circle(includes).empty());
+  CHECK(circle(includes, folderOf).size() == 2);
+}
+
+TEST_CASE("includesOfRooms form no cycle of folders", "[includes]") {
+  const std::vector<Include> found = circle(includesOfRooms(), folderOf);
+  INFO("these folders include each other in a circle:" << textOf(found));
+  CHECK(found.empty());
+}
+
+TEST_CASE("unitsOf: a folder has at most 15 units", "[includes]") {
+  std::map<std::string, std::set<std::string>> unitsOf;
+  for (const std::string& room : rooms) {
+    const fs::path top = fs::path(HEMITEX_SOURCE) / room;
+    if (!fs::exists(top)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(top)) {
+      if (!isSource(entry.path())) continue;
+      const std::string name = fs::relative(entry.path(), HEMITEX_SOURCE).generic_string();
+      unitsOf[folderOf(name)].insert(withoutExtension(name));
+    }
+  }
+  CHECK(unitsOf.size() > 40);
+  for (const auto& [folder, units] : unitsOf) {
+    INFO(folder);
+    CHECK(units.size() <= 15);
+  }
+}
+
+TEST_CASE("Tests of raster, radiosity and reference lie in the tree of what they test", "[includes]") {
+  const fs::path top = HEMITEX_SOURCE;
+  std::size_t folders = 0;
+  for (const char* room : {"raster", "radiosity", "reference", "examples"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(top / "tests" / room)) {
+      if (!entry.is_directory()) continue;
+      const fs::path tested = fs::relative(entry.path(), top / "tests");
+      INFO(tested);
+      CHECK(fs::is_directory(top / tested));
+      ++folders;
+    }
+  }
+  CHECK(folders > 30);
 }
