@@ -1,5 +1,5 @@
 # cmake -DSOURCE=<hemitex> -DWORK=<scratch folder> -DCOMPILER=<c++> -P serial_check.cmake
-# Builds the rasterizer without oneTBB and Highway and runs its tests.
+# Builds the rasterizer without oneTBB and runs its tests.
 foreach(step
     "-S;${SOURCE};-B;${WORK};--preset;release;-DHEMITEX_THREADS=OFF;-DCMAKE_CXX_COMPILER=${COMPILER}"
     "--build;${WORK};--target;hemitex_raster_tests;--parallel")

@@ -26,6 +26,10 @@ bool isValid(const std::function<void(DrawList&)>& change) { return hemitex::tes
 
 }  // namespace
 
+TEST_CASE("validate accepts a draw list that is made without values", "[draw_list]") {
+  CHECK_NOTHROW(validate(DrawList()));
+}
+
 TEST_CASE("validate accepts item ID formats of 2 to 32 bits in all", "[draw_list]") {
   const auto isFormat = [](const std::vector<int>& bits) {
     DrawList empty;

@@ -45,8 +45,9 @@ TEST_CASE("validate rejects near distances that are not positive and finite", "[
   CHECK(isValid([](Face& f) { f.nearDistance = std::numeric_limits<float>::denorm_min(); }));
   for (const float wrong : {0.0f, -1.0f, infinity, std::numeric_limits<float>::quiet_NaN()})
     CHECK_FALSE(isValid([&](Face& f) { f.nearDistance = wrong; }));
-  CHECK_FALSE(isValid([](Face& f) { f.nearDistance = Face{}.nearDistance; }));
 }
+
+TEST_CASE("validate accepts a face that is made without values", "[face]") { CHECK_NOTHROW(validate(Face())); }
 
 TEST_CASE("validate rejects vectors that are not finite, and rows in a plane", "[face]") {
   for (const float wrong : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()})
