@@ -47,6 +47,7 @@ build_program() {
 copy_pages() {
   mkdir "$kit/docs"
   cp docs/backend.md docs/item-buffers.md "$kit/docs"
+  install -D examples/own_backend.cpp "$kit/examples/own_backend.cpp"
   local picture
   sed -n 's/.*!\[[^]]*](\([^)]*\)).*/\1/p' docs/backend.md docs/item-buffers.md | while read -r picture; do
     install -D "docs/$picture" "$kit/docs/$picture"
