@@ -229,7 +229,8 @@ struct EdgePart {
 
 class SurfaceCutter {
  public:
-  SurfaceCutter(const Surface& surface, const Grid& grid, std::span<const std::vector<Slice>> slices, double tolerance)
+  SurfaceCutter(const Surface& surface, const GridSize& grid, std::span<const std::vector<Slice>> slices,
+                double tolerance)
       : surface_(surface), grid_(grid), slices_(slices), tolerance_(tolerance) {
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
       first_.push_back(static_cast<std::uint32_t>(cuttings_.size()));
@@ -441,7 +442,7 @@ class SurfaceCutter {
   }
 
   const Surface& surface_;
-  const Grid& grid_;
+  const GridSize& grid_;
   std::span<const std::vector<Slice>> slices_;  ///< one entry per triangle
   double tolerance_;
   std::vector<Cutting> cuttings_;      ///< by triangle
@@ -453,12 +454,12 @@ class SurfaceCutter {
 
 }  // namespace
 
-CutSurface cutSurface(const Surface& surface, const Grid& grid, std::span<const std::vector<Slice>> slices,
+CutSurface cutSurface(const Surface& surface, const GridSize& grid, std::span<const std::vector<Slice>> slices,
                       double tolerance) {
   return SurfaceCutter(surface, grid, slices, tolerance).take();
 }
 
-std::uint32_t cuttingAt(const CutSurface& cut, const Surface& surface, const Grid& grid, std::uint32_t triangle,
+std::uint32_t cuttingAt(const CutSurface& cut, const Surface& surface, const GridSize& grid, std::uint32_t triangle,
                         const glm::dvec2& weights) {
   const std::uint32_t first = cut.first[triangle], end = cut.first[triangle + 1];
   if (!cut.isCut[triangle]) return first;

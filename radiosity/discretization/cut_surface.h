@@ -34,11 +34,11 @@ struct CutSurface {
 };
 
 /// `slices` has one entry per triangle of the surface. `tolerance` is a length far above the rounding errors of slices.
-CutSurface cutSurface(const Surface& surface, const Grid& grid, std::span<const std::vector<Slice>> slices,
+CutSurface cutSurface(const Surface& surface, const GridSize& grid, std::span<const std::vector<Slice>> slices,
                       double tolerance);
 
 /// The cutting that contains a point of a triangle; the triangle's first one if rounding puts the point in none.
-std::uint32_t cuttingAt(const CutSurface& cut, const Surface& surface, const Grid& grid, std::uint32_t triangle,
+std::uint32_t cuttingAt(const CutSurface& cut, const Surface& surface, const GridSize& grid, std::uint32_t triangle,
                         const glm::dvec2& weights);
 
 }  // namespace hemitex::radiosity

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <iterator>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "radiosity/discretization/exposed_pieces.h"
@@ -69,12 +70,10 @@ void validate(const Scene& scene, const DiscretizationSettings& settings) {
 }
 
 /// Texels, elements and item IDs are 32-bit numbers.
-void validateSizes(const Scene& scene, const DiscretizationSettings& settings) {
+void validateSizes(std::span<const GridSize> sizes) {
   std::uint64_t texels = 0;
-  for (const Surface& surface : scene.surfaces) {
-    const GridSize size = gridSizeOf(surface, settings);
+  for (const GridSize& size : sizes)
     texels += static_cast<std::uint64_t>(size.columns) * static_cast<std::uint64_t>(size.rows);
-  }
   if (texels >= 0xffffffff)
     throw InputError("the surfaces have " + std::to_string(texels) + " texels in all, more than there are item IDs",
                      "use fewer texels a surface");
@@ -218,9 +217,8 @@ std::vector<glm::dvec3> mappedValues(const Scene& scene, const Surface& surface,
 /// The discretization of one surface; elements and patches are numbered from 0. `quadtree` may be null. `cut` are the
 /// texels that are not completely exposed.
 Discretization discretizeSurface(const Scene& scene, std::uint32_t number, const DiscretizationSettings& settings,
-                                 const Quadtree* quadtree, const std::vector<CutTexel>& cut) {
+                                 const GridSize& size, const Quadtree* quadtree, const std::vector<CutTexel>& cut) {
   const Surface& surface = scene.surfaces[number];
-  const GridSize size = gridSizeOf(surface, settings);
   Discretization part;
   part.grids.push_back({.columns = size.columns, .rows = size.rows, .elementOfTexel = {}, .covered = {}});
   if (quadtree) part.grids.front().quadtree = *quadtree;
@@ -275,28 +273,27 @@ Discretization joined(std::vector<Discretization> parts) {
 
 /// The end of the surfaces from `first` on that are discretized before their parts are joined. Many small parts leave
 /// gaps in memory, so that they should not be there for all surfaces at once.
-std::size_t endOfBlock(const Scene& scene, const DiscretizationSettings& settings, std::size_t first) {
+std::size_t endOfBlock(std::span<const GridSize> sizes, std::size_t first) {
   constexpr std::int64_t texelsAtOnce = std::int64_t{1} << 24;
   std::int64_t texels = 0;
   std::size_t end = first;
-  while (end < scene.surfaces.size() && texels < texelsAtOnce) {
-    const GridSize size = gridSizeOf(scene.surfaces[end++], settings);
-    texels += std::int64_t{size.columns} * size.rows;
-  }
+  for (; end < sizes.size() && texels < texelsAtOnce; ++end)
+    texels += std::int64_t{sizes[end].columns} * sizes[end].rows;
   return end;
 }
 
 /// Discretizes all surfaces one after the other. One quadtree per surface or none at all; cut texels of each surface.
-Discretization assembled(const Scene& scene, const DiscretizationSettings& settings,
+Discretization assembled(const Scene& scene, const DiscretizationSettings& settings, std::span<const GridSize> sizes,
                          const std::vector<Quadtree>& quadtrees, const std::vector<std::vector<CutTexel>>& cut) {
   std::vector<Discretization> blocks;
   for (std::size_t first = 0, end = 0; first < scene.surfaces.size(); first = end) {
-    end = endOfBlock(scene, settings, first);
+    end = endOfBlock(sizes, first);
     std::vector<Discretization> parts(end - first);
     raster::parallelFor(parts.size(), [&](std::size_t i) {
       const std::size_t surface = first + i;
       const Quadtree* quadtree = quadtrees.empty() ? nullptr : &quadtrees[surface];
-      parts[i] = discretizeSurface(scene, static_cast<std::uint32_t>(surface), settings, quadtree, cut[surface]);
+      parts[i] = discretizeSurface(scene, static_cast<std::uint32_t>(surface), settings, sizes[surface], quadtree,
+                                   cut[surface]);
     });
     blocks.push_back(joined(std::move(parts)));
   }
@@ -308,12 +305,12 @@ Discretization discretized(const Scene& scene, const DiscretizationSettings& ask
                            const std::vector<Quadtree>& quadtrees) {
   validate(scene, asked);
   const DiscretizationSettings settings = followingScene(scene, asked);
-  validateSizes(scene, settings);
+  std::vector<GridSize> sizes;
+  for (const Surface& surface : scene.surfaces) sizes.push_back(gridSizeOf(surface, settings));
+  validateSizes(sizes);
   std::vector<std::vector<CutTexel>> cut(scene.surfaces.size());
-  Discretization whole = assembled(scene, settings, quadtrees, cut);
-  if (!settings.isUnburied) cut = cutTexels(scene, whole);
-  if (std::any_of(cut.begin(), cut.end(), [](const std::vector<CutTexel>& some) { return !some.empty(); }))
-    whole = assembled(scene, settings, quadtrees, cut);
+  if (!settings.isUnburied) cut = cutTexels(scene, sizes);
+  Discretization whole = assembled(scene, settings, sizes, quadtrees, cut);
   averageMaps(scene, whole);
   return whole;
 }

@@ -8,6 +8,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "radiosity/discretization/cut_surface.h"
@@ -81,9 +82,9 @@ std::vector<LookDirection> lookDirections() {
 class BuriedRegions {
  public:
   /// `slices` has one entry per triangle of the scene.
-  BuriedRegions(const Scene& scene, const Discretization& unburied, const std::vector<std::vector<Slice>>& slices,
+  BuriedRegions(const Scene& scene, std::span<const GridSize> sizes, const std::vector<std::vector<Slice>>& slices,
                 const RayTree& rays)
-      : scene_(scene), unburied_(unburied), cut_(scene.surfaces.size()), regionOf_(scene.surfaces.size()), rays_(rays) {
+      : scene_(scene), sizes_(sizes), cut_(scene.surfaces.size()), regionOf_(scene.surfaces.size()), rays_(rays) {
     cutSurfaces(slices);
     std::vector<std::optional<Seen>> seen(regions_.size());
     raster::parallelFor(regions_.size(), [&](std::size_t r) { seen[r] = seenFrom(regions_[r]); });
@@ -117,7 +118,7 @@ class BuriedRegions {
     raster::parallelFor(scene_.surfaces.size(), [&](std::size_t s) {
       const auto own = std::span(slices).subspan(first[s], first[s + 1] - first[s]);
       if (std::all_of(own.begin(), own.end(), [](const auto& some) { return some.empty(); })) return;
-      cut_[s] = cutSurface(scene_.surfaces[s], unburied_.grids[s], own, eyeMove * scene_.extent);
+      cut_[s] = cutSurface(scene_.surfaces[s], sizes_[s], own, eyeMove * scene_.extent);
     });
     for (std::uint32_t s = 0; s < cut_.size(); ++s) {
       if (!cut_[s]) continue;
@@ -140,7 +141,7 @@ class BuriedRegions {
       if (seen.backs == 0) return std::nullopt;
     }
     const bool seesFronts = seen.exposedFronts > 0 || !seen.regions.empty();
-    if (seesFronts && !emissions(scene_, unburied_, region.surface).areZero()) return std::nullopt;
+    if (seesFronts && emits(region.surface)) return std::nullopt;
     return seen;
   }
 
@@ -178,14 +179,18 @@ class BuriedRegions {
   }
 
   std::uint32_t regionAt(const TriangleHit& hit) const {
-    const std::uint32_t cutting = cuttingAt(*cut_[hit.surface], scene_.surfaces[hit.surface],
-                                            unburied_.grids[hit.surface], hit.triangle, hit.weights);
+    const std::uint32_t cutting =
+        cuttingAt(*cut_[hit.surface], scene_.surfaces[hit.surface], sizes_[hit.surface], hit.triangle, hit.weights);
     return regionOf_[hit.surface][cutting];
+  }
+
+  bool emits(std::uint32_t surface) const {
+    return scene_.materials[static_cast<std::size_t>(scene_.surfaces[surface].material)].emission != glm::dvec3(0);
   }
 
   void addExposed(std::uint32_t surface, double share, Seen& seen) const {
     seen.exposedFronts += share;
-    if (!emissions(scene_, unburied_, surface).areZero()) seen.lights += share;
+    if (emits(surface)) seen.lights += share;
   }
 
   /// Marks regions that see enough exposed fronts as exposed, until nothing changes.
@@ -211,7 +216,7 @@ class BuriedRegions {
   /// The exposed pieces of a texel, by triangle.
   std::vector<TexelPiece> piecesOf(std::uint32_t surface, std::uint32_t texel,
                                    const std::vector<Cutting>& cuttings) const {
-    const Grid& grid = unburied_.grids[surface];
+    const GridSize& grid = sizes_[surface];
     const auto columns = static_cast<std::uint32_t>(grid.columns);
     std::vector<TexelPiece> pieces;
     for (const Cutting& cutting : cuttings) {
@@ -223,7 +228,7 @@ class BuriedRegions {
   }
 
   const Scene& scene_;
-  const Discretization& unburied_;
+  std::span<const GridSize> sizes_;
   std::vector<std::optional<CutSurface>> cut_;        ///< of surfaces with slices
   std::vector<std::vector<std::uint32_t>> regionOf_;  ///< of each cutting, by surface
   const RayTree& rays_;
@@ -233,14 +238,14 @@ class BuriedRegions {
 
 }  // namespace
 
-std::vector<std::vector<CutTexel>> cutTexels(const Scene& scene, const Discretization& unburied) {
+std::vector<std::vector<CutTexel>> cutTexels(const Scene& scene, std::span<const GridSize> sizes) {
   std::vector<std::vector<CutTexel>> cut(scene.surfaces.size());
   if (std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& s) { return s.twin.has_value(); }))
     return cut;
   const RayTree rays(scene);
   const std::vector<std::vector<Slice>> slices = triangleSlices(scene, rays);
   if (std::all_of(slices.begin(), slices.end(), [](const auto& some) { return some.empty(); })) return cut;
-  const BuriedRegions regions(scene, unburied, slices, rays);
+  const BuriedRegions regions(scene, sizes, slices, rays);
   raster::parallelFor(cut.size(), [&](std::size_t s) { cut[s] = regions.cutTexels(static_cast<std::uint32_t>(s)); });
   return cut;
 }

@@ -7,6 +7,7 @@
 /// outweigh the fronts of exposed regions that it sees.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
@@ -14,9 +15,8 @@
 
 namespace hemitex::radiosity {
 
-/// The cut texels of each surface, one list per surface. `unburied` is the discretization of the scene with all
-/// surfaces exposed. The list is empty for a completely buried surface and for all surfaces of a two-sided scene, where
-/// no backs are visible.
-std::vector<std::vector<CutTexel>> cutTexels(const Scene& scene, const Discretization& unburied);
+/// The cut texels of each surface, one list per surface. `sizes` has the grid size of each surface. The list is empty
+/// for a completely buried surface and for all surfaces of a two-sided scene, where no backs are visible.
+std::vector<std::vector<CutTexel>> cutTexels(const Scene& scene, std::span<const GridSize> sizes);
 
 }  // namespace hemitex::radiosity
