@@ -4,8 +4,8 @@
 ///     method FOLDER    writes scene.obj, radiosity.csv and picture.ppm into the folder
 ///
 /// Read it from top to bottom; each section is a step of the method. Only one thing comes from elsewhere: a renderer,
-/// which draws triangles into item buffers (raster/plain/plain_renderer.h, 300 lines to read next). It stands for the
-/// graphics hardware of the paper. Everything else is here, in double precision and without any trick for speed.
+/// which draws triangles into item buffers (raster/plain/plain_renderer.cpp, 300 lines to read next). It stands for the
+/// graphics hardware of the paper. Everything else is here, with nothing for speed but that form factors are kept.
 /// `hemitex solve` does the same for any scene, a thousand times faster: with the same patches its radiosity is equal.
 #include <algorithm>
 #include <array>
@@ -45,8 +45,8 @@ struct Surface {
   dvec3 emission{0.0};  // emitted radiosity in W/m^2
 };
 
-dvec3 pointOf(const Surface& surface, const dvec2& place) {
-  return surface.corner + place.x * surface.u + place.y * surface.v;
+dvec3 pointOf(const Surface& surface, const dvec2& texcoord) {
+  return surface.corner + texcoord.x * surface.u + texcoord.y * surface.v;
 }
 dvec3 normalOf(const Surface& surface) { return glm::normalize(glm::cross(surface.u, surface.v)); }
 double areaOf(const Surface& surface) { return glm::length(glm::cross(surface.u, surface.v)); }
@@ -55,10 +55,10 @@ double areaOf(const Surface& surface) { return glm::length(glm::cross(surface.u,
 void addBlock(std::vector<Surface>& scene, const std::string& name, dvec3 corner, dvec3 a, dvec3 b, double height) {
   const dvec3 up(0, height, 0), white(0.74, 0.74, 0.75);
   scene.push_back({name + "-top", corner + up, a, b, white});
-  scene.push_back({name + "-front", corner, a, up, white});
-  scene.push_back({name + "-back", corner + b, up, a, white});
-  scene.push_back({name + "-right", corner, up, b, white});
-  scene.push_back({name + "-left", corner + a, b, up, white});
+  scene.push_back({name + "-side-1", corner, a, up, white});
+  scene.push_back({name + "-side-2", corner + b, up, a, white});
+  scene.push_back({name + "-side-3", corner, up, b, white});
+  scene.push_back({name + "-side-4", corner + a, b, up, white});
 }
 
 /// The Cornell box in millimetres, open at the front. Positions are those measured at Cornell University, rounded so
@@ -105,11 +105,11 @@ double elementArea(const std::vector<Surface>& scene, std::size_t element) {
   return areaOf(scene[surfaceOfElement(element)]) / texels;
 }
 
-/// The place of a patch's centre on its surface.
+/// The texture coordinates of a patch's centre on its surface.
 dvec2 centreOfPatch(std::size_t patch) {
-  const std::size_t number = patch % patchesOfSurface;
-  return {(static_cast<double>(number % patchColumns) + 0.5) / patchColumns,
-          (static_cast<double>(number / patchColumns) + 0.5) / patchRows};
+  const std::size_t patchInSurface = patch % patchesOfSurface;
+  return {(static_cast<double>(patchInSurface % patchColumns) + 0.5) / patchColumns,
+          (static_cast<double>(patchInSurface / patchColumns) + 0.5) / patchRows};
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -118,14 +118,14 @@ dvec2 centreOfPatch(std::size_t patch) {
 
 // This is the idea of the paper. The hardware draws two large triangles per surface, not its 128 elements. A texture,
 // the index map, numbers the texels of a surface from 0. The offset, one colour per surface, is added by the blend
-// unit. The sum is the item ID of the element that a pixel shows:
+// unit. The sum is the item ID (the paper: form factor index) of the element that a pixel shows:
 //
 //     item ID = offset of the surface + index of the texel
 //
 // A blend unit adds each channel of 8 bits by itself and clamps the sum to 255: a carry into the next channel is lost.
-// So the low k bits belong to the index and all others to the surface: offset = surface * 2^k. Then no bit of an offset
-// meets a bit of an index, and there is no carry. Here 2^k = 128 texels; a map with fewer texels than 2^k would leave
-// unused numbers, the phantoms. With all numbers used, the item ID is the number of the element itself.
+// So the low k bits belong to the index and all others to the surface: offset = surface * 2^k. Then offset
+// and index have no set bit in common, and there is no carry. Here 2^k = 128 texels; a map with fewer texels than 2^k
+// would leave unused numbers, the phantoms. With all numbers used, the item ID is the number of the element itself.
 constexpr int indexBits = 7;
 static_assert(1 << indexBits == texels);
 
@@ -142,9 +142,9 @@ const std::array<dvec2, 4> corners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 Bounds boundsOf(const std::vector<Surface>& scene) {
   Bounds bounds;
   for (const Surface& surface : scene)
-    for (const dvec2& place : corners) {
-      bounds.low = glm::min(bounds.low, pointOf(surface, place));
-      bounds.high = glm::max(bounds.high, pointOf(surface, place));
+    for (const dvec2& texcoord : corners) {
+      bounds.low = glm::min(bounds.low, pointOf(surface, texcoord));
+      bounds.high = glm::max(bounds.high, pointOf(surface, texcoord));
     }
   return bounds;
 }
@@ -159,12 +159,12 @@ raster::DrawList makeDrawList(const std::vector<Surface>& scene) {
   list.indexMaps.push_back(map);
   const dvec3 centre = boundsOf(scene).centre();  // single precision is finest around the origin
   for (std::uint32_t s = 0; s < scene.size(); ++s) {
-    for (const dvec2& place : corners) {
-      list.positions.push_back(glm::vec3(pointOf(scene[s], place) - centre));
-      list.texcoords.push_back(glm::vec2(place));
+    for (const dvec2& texcoord : corners) {
+      list.positions.push_back(glm::vec3(pointOf(scene[s], texcoord) - centre));
+      list.texcoords.push_back(glm::vec2(texcoord));
     }
     for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) list.indices.push_back(4 * s + corner);
-    // The unlit side of a surface blocks light and absorbs it: it has an item ID of its own.
+    // Unlit sides block light and absorb it: they share one item ID.
     list.draws.push_back(
         {.first = 6 * s, .count = 6, .offset = s << indexBits, .back = raster::backId(list.format), .indexMap = 0});
   }
@@ -175,8 +175,8 @@ raster::DrawList makeDrawList(const std::vector<Surface>& scene) {
 // 4. The hemicube
 // ---------------------------------------------------------------------------------------------------------------------
 
-// Half a cube of side 2 stands over the centre of a patch (Cohen and Greenberg 1985). Its top and the upper halves of
-// its four sides are pictures of all that the patch sees.
+// The upper half of a cube of side 2 stands over the centre of a patch (Cohen and Greenberg 1985). Its top and its four
+// half sides are pictures of all that the patch sees.
 constexpr int resolution = 256;
 
 /// A face in the axes of the patch: x and y in its plane, z along its normal. Rows of the picture grow along `up`.
@@ -195,9 +195,9 @@ raster::Scissor scissorOf(const HemicubeFace& face) {
                      : raster::Scissor{0, 0, resolution, resolution};
 }
 
-// A pixel's delta form factor is the share of the patch's light that leaves through it: the integral of
-// cos(theta) / (pi s^2) over its solid angle, where s is the distance. On the top that is 1 / (pi (x^2 + y^2 + 1)^2),
-// and z / (pi (x^2 + z^2 + 1)^2) on a side. These are the integrals over [0, x] x [0, y] and [0, x] x [0, z].
+// A pixel's delta form factor is the share of the patch's light that leaves through it: the integral of cos(theta) / pi
+// over its solid angle. Per area of the cube that is 1 / (pi (x^2 + y^2 + 1)^2) on the top and z / (pi (x^2 + z^2 +
+// 1)^2) on a side. These functions are the integrals over [0, x] x [0, y] and [0, x] x [0, z].
 double topIntegral(double x, double y) {
   const double p = std::sqrt(1 + x * x), q = std::sqrt(1 + y * y);
   return (x / p * std::atan(y / p) + y / q * std::atan(x / q)) / (2 * std::numbers::pi);
@@ -230,21 +230,21 @@ struct World {
 /// The distance from a point to a rectangle.
 double distance(const dvec3& point, const Surface& surface) {
   const dvec3 offset = point - surface.corner;
-  const dvec2 place(glm::dot(offset, surface.u) / glm::dot(surface.u, surface.u),
-                    glm::dot(offset, surface.v) / glm::dot(surface.v, surface.v));
-  return glm::length(point - pointOf(surface, glm::clamp(place, 0.0, 1.0)));
+  const dvec2 texcoord(glm::dot(offset, surface.u) / glm::dot(surface.u, surface.u),
+                       glm::dot(offset, surface.v) / glm::dot(surface.v, surface.v));
+  return glm::length(point - pointOf(surface, glm::clamp(texcoord, 0.0, 1.0)));
 }
 
 /// The five faces over the centre of a patch.
 std::vector<raster::Face> facesOver(const World& world, std::size_t patch) {
-  const std::size_t number = patch / patchesOfSurface;
-  const Surface& surface = world.scene[number];
-  const dvec2 place = centreOfPatch(patch);
-  const dvec3 point = pointOf(surface, place), z = normalOf(surface);
+  const std::size_t surfaceNumber = patch / patchesOfSurface;
+  const Surface& surface = world.scene[surfaceNumber];
+  const dvec2 texcoord = centreOfPatch(patch);
+  const dvec3 point = pointOf(surface, texcoord), z = normalOf(surface);
 
-  // Where surfaces meet, rounding to single precision must not put the eye behind one of them. So it is lifted a little
-  // and moved towards the centroid of its triangle.
-  const dvec2 centroid = place.x >= place.y ? dvec2(2, 1) / 3.0 : dvec2(1, 2) / 3.0;
+  // Rounding to single precision must not put the eye behind its own surface or one that it touches. So it is lifted by
+  // a few roundings, and moved towards the centroid of its triangle, one of the two of the rectangle.
+  const dvec2 centroid = texcoord.x >= texcoord.y ? dvec2(2, 1) / 3.0 : dvec2(1, 2) / 3.0;
   const dvec3 inward = pointOf(surface, centroid) - point;
   const dvec3 eye =
       point + std::min(0.5, 0x1p-19 * world.extent / glm::length(inward)) * inward + 0x1p-21 * world.extent * z;
@@ -253,17 +253,17 @@ std::vector<raster::Face> facesOver(const World& world, std::size_t patch) {
   // one of the faces: the corners of the cube are its farthest points.
   double nearest = world.extent;
   for (std::size_t s = 0; s < world.scene.size(); ++s)
-    if (s != number) nearest = std::min(nearest, distance(eye, world.scene[s]));
+    if (s != surfaceNumber) nearest = std::min(nearest, distance(eye, world.scene[s]));
   const double nearDistance = std::clamp(nearest / std::sqrt(3.0), 0x1p-24 * world.extent, world.extent);
 
   // The axes of the patch: y is the coordinate axis that lies best in its plane, without its part along the normal.
   const dvec3 a = glm::abs(z);
   const dvec3 axis = a.x <= a.y && a.x <= a.z ? dvec3(1, 0, 0) : a.y <= a.z ? dvec3(0, 1, 0) : dvec3(0, 0, 1);
   const dvec3 y = glm::normalize(axis - glm::dot(axis, z) * z), x = glm::cross(y, z);
-  const auto turned = [&](const dvec3& own) { return glm::vec3(own.x * x + own.y * y + own.z * z); };
+  const auto toWorld = [&](const dvec3& own) { return glm::vec3(own.x * x + own.y * y + own.z * z); };
   std::vector<raster::Face> faces;
   for (const HemicubeFace& face : hemicube)
-    faces.push_back({glm::vec3(eye - world.centre), turned(face.right), turned(face.up), turned(face.forward),
+    faces.push_back({glm::vec3(eye - world.centre), toWorld(face.right), toWorld(face.up), toWorld(face.forward),
                      static_cast<float>(nearDistance), resolution, scissorOf(face)});
   return faces;
 }
@@ -273,18 +273,19 @@ std::vector<raster::Face> facesOver(const World& world, std::size_t patch) {
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// The share of a patch's light that arrives at each element: the sum of the delta form factors of the pixels that show
-/// the element. It costs the same for a hundred elements and for a million: so many pixels are read, whatever they
-/// show. What is missing to a sum of 1 leaves the scene or meets an unlit side.
+/// the element. It costs almost the same for a hundred elements and for a million: so many pixels are read, whatever
+/// they show. What is missing to a sum of 1 leaves the scene or meets an unlit side.
 std::vector<double> formFactorRow(const World& world, std::size_t patch) {
   const std::uint32_t surface = static_cast<std::uint32_t>(patch / patchesOfSurface);
-  const std::array<std::uint32_t, 2> own{2 * surface, 2 * surface + 1};  // a surface does not see itself
-  const std::vector<raster::ItemBuffer> buffers = raster::render(world.renderer, facesOver(world, patch), own);
+  const std::array<std::uint32_t, 2> ownTriangles{2 * surface, 2 * surface + 1};  // a surface does not see itself
+  const std::vector<raster::ItemBuffer> buffers = raster::render(world.renderer, facesOver(world, patch), ownTriangles);
   std::vector<double> row(world.scene.size() * texels);
   for (std::size_t f = 0; f < buffers.size(); ++f) {
     const raster::Scissor scissor = scissorOf(hemicube[f]);
     for (int i = 0; i < scissor.width * scissor.height; ++i) {
       const ItemId id = buffers[f].ids[static_cast<std::size_t>(i)];
       if (id >= row.size()) continue;  // the background, or an unlit side
+      // The look-up of the paper: the item ID is the position in the table of form factors.
       row[id] += deltaFormFactor(hemicube[f], i % scissor.width, scissor.row + i / scissor.width);
     }
   }
@@ -310,16 +311,16 @@ std::vector<dvec3> solve(const World& world) {
     emitted += bandSum(flux);
   }
   std::vector<std::vector<double>> rowOf(unshot.size());  // rows are kept, because most patches shoot several times
-  const auto isDarker = [](const dvec3& a, const dvec3& b) { return bandSum(a) < bandSum(b); };
+  const auto hasLessUnshot = [](const dvec3& a, const dvec3& b) { return bandSum(a) < bandSum(b); };
   double remaining = emitted;
   while (remaining > 0.001 * emitted) {
     // The patch with the most unshot flux shoots all of it.
-    const auto brightest = std::max_element(unshot.begin(), unshot.end(), isDarker);
-    const std::size_t patch = static_cast<std::size_t>(brightest - unshot.begin());
-    const dvec3 shot = std::exchange(*brightest, dvec3(0));
+    const auto mostUnshot = std::max_element(unshot.begin(), unshot.end(), hasLessUnshot);
+    const std::size_t patch = static_cast<std::size_t>(mostUnshot - unshot.begin());
+    const dvec3 shot = std::exchange(*mostUnshot, dvec3(0));
     if (rowOf[patch].empty()) rowOf[patch] = formFactorRow(world, patch);
     for (std::size_t e = 0; e < elements; ++e) {
-      // Each element reflects a part of the flux that arrives. That part is radiosity, and unshot flux of its patch.
+      // An element reflects a part of the flux that arrives. Over its area, it is radiosity; the patch shoots it later.
       const dvec3 reflected = world.scene[surfaceOfElement(e)].reflectance * shot * rowOf[patch][e];
       radiosity[e] += reflected / elementArea(world.scene, e);
       unshot[patchOfElement(e)] += reflected;
@@ -368,8 +369,8 @@ void writeScene(const std::vector<Surface>& scene, const std::filesystem::path& 
   std::ofstream obj(folder / "scene.obj"), mtl(folder / "scene.mtl");
   obj << "mtllib scene.mtl\n";
   for (const Surface& surface : scene) {
-    for (const dvec2& place : corners) {
-      const dvec3 corner = pointOf(surface, place);
+    for (const dvec2& texcoord : corners) {
+      const dvec3 corner = pointOf(surface, texcoord);
       obj << "v " << corner.x << ' ' << corner.y << ' ' << corner.z << '\n';
     }
     obj << "g " << surface.name << "\nusemtl " << surface.name << "\nf -4 -3 -2 -1\n";

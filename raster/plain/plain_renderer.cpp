@@ -31,8 +31,8 @@ bool isFinite(const ViewVertex& p) {
 
 /// The planes that clip: the near plane, and a guard band of eight times the picture, which keeps the integers of the
 /// next step small.
-enum class Plane { Near, Right, Left, Top, Bottom };
-constexpr std::array planes{Plane::Near, Plane::Right, Plane::Left, Plane::Top, Plane::Bottom};
+enum class Plane { Near, Right, Left, Upper, Lower };
+constexpr std::array planes{Plane::Near, Plane::Right, Plane::Left, Plane::Upper, Plane::Lower};
 
 /// At least 0 inside.
 double distance(Plane plane, const ViewVertex& p, double nearDistance) {
@@ -43,7 +43,7 @@ double distance(Plane plane, const ViewVertex& p, double nearDistance) {
       return 8 * p.w - p.x;
     case Plane::Left:
       return 8 * p.w + p.x;
-    case Plane::Top:
+    case Plane::Upper:
       return 8 * p.w - p.y;
     default:
       return 8 * p.w + p.y;
@@ -116,11 +116,11 @@ Weights weightsAt(const ScreenTriangle& triangle, const SnappedPoint& sample) {
   return {sign * edge(b, c, sample), sign * edge(c, a, sample), sign * edge(a, b, sample)};
 }
 
-/// A sample on an edge belongs to the triangle if the edge is a top edge (horizontal, with the interior at larger rows)
-/// or a left edge (with the interior at larger columns). Of two triangles that share an edge, one covers its samples.
+/// A sample on an edge belongs to one of the triangles that share it: the one whose top edge (horizontal, with the
+/// interior at larger rows; row 0 is the top in memory) or left edge (with the interior at larger columns) it is.
 bool isTopOrLeft(const SnappedPoint& a, const SnappedPoint& b, std::int64_t area) {
-  const std::int64_t right = area > 0 ? b.x - a.x : a.x - b.x, down = area > 0 ? b.y - a.y : a.y - b.y;
-  return down == 0 ? right > 0 : down < 0;
+  const std::int64_t columns = area > 0 ? b.x - a.x : a.x - b.x, rows = area > 0 ? b.y - a.y : a.y - b.y;
+  return rows == 0 ? columns > 0 : rows < 0;
 }
 
 bool covers(const ScreenTriangle& triangle, const Weights& weights) {
@@ -134,9 +134,9 @@ bool covers(const ScreenTriangle& triangle, const Weights& weights) {
 
 // --------------------------------------------------------------------------------------------- 5. depth, and 6. texel
 
-// Depths and texels are those of exact arithmetic. Double precision finds nearly all of them: the sums below have terms
-// of one sign, or terms bounded by the largest coordinate, so that their rounding errors stay below 2^-49 of that size.
-// Where such an error could change the answer, rational numbers decide.
+// Depths and texels are those of exact arithmetic. Double precision finds nearly all: the sums below have terms of one
+// sign, or terms up to the largest coordinate, and at most eleven roundings of 2^-53 (a depth has four, so that this
+// also bounds a difference of two). Where an error of 2^-49 could change the answer, rational numbers decide.
 using Rational = boost::multiprecision::cpp_rational;
 constexpr double roundingError = 0x1p-49;
 
@@ -188,8 +188,8 @@ int texelAt(const ScreenTriangle& triangle, const Weights& weights, double ViewV
 
 // ------------------------------------------------------------------------------------------------------------ 7. blend
 
-/// The idea of the paper in one expression: the item ID is the offset of the surface plus the index of the texel, added
-/// by the blend unit.
+/// The idea of the paper: the item ID is the offset of the surface plus the index of the texel. `blend` (item_id.h)
+/// adds channel by channel, min(offset + texel, maximum), as a blend unit does.
 ItemId itemId(const DrawList& list, const ScreenTriangle& triangle, const Weights& weights) {
   const Draw& draw = *triangle.draw;
   if (triangle.facesAway && draw.back) return *draw.back;
@@ -204,7 +204,7 @@ ItemId itemId(const DrawList& list, const ScreenTriangle& triangle, const Weight
 
 // --------------------------------------------------------------------------------------------------------------- faces
 
-/// Appends the triangles that are left of one triangle of the list.
+/// Appends what remains of one triangle of the list after clipping.
 void append(std::vector<ScreenTriangle>& triangles, const DrawList& list, const Draw& draw, std::uint32_t firstIndex,
             const Face& face) {
   std::vector<ViewVertex> polygon;
@@ -224,7 +224,7 @@ void append(std::vector<ScreenTriangle>& triangles, const DrawList& list, const 
   }
 }
 
-/// Calls body(column, row) for the pixels of a scissor rectangle whose samples may lie in a triangle.
+/// Calls body(column, row) for the pixels of a scissor rectangle whose samples, at 256 i + 128, may lie in a triangle.
 template <typename Body>
 void forEachPixel(const ScreenTriangle& triangle, const Scissor& scissor, const Body& body) {
   const auto& [a, b, c] = triangle.corner;
