@@ -54,8 +54,11 @@ int main(int argc, char** argv) {
   const Scene scene = room();
   const Discretization elements = discretize(scene, {.texels = 32});
   SceneFormFactors formFactors(scene, elements, layOut(elements), {});
-  const auto rowOf = [&](std::uint32_t patch) { return formFactors.rows().ofPatch(patch); };
-  const Solution solution = solve(scene, formFactors.discretization(), rowOf, {}, {}, formFactors.splits());
+  const Solution solution = solve({.scene = scene,
+                                   .discretization = elements,
+                                   .patches = elements.patches,
+                                   .rowOf = formFactors.rowOf(),
+                                   .split = formFactors.splits()});
   std::cout << solution.shots << " shots\n";
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const Grid& grid = elements.grids[s];

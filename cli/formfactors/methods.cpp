@@ -33,16 +33,16 @@ Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& disc
     addRow(mean, rows.from(source.surfaces.front(), centre), receivers, 1.0);
     return mean;
   }
+  const auto ofSurfaces = radiosity::patchesOfSurfaces(discretization.patches, discretization.grids.size());
   std::vector<std::uint32_t> patches;
-  for (const std::uint32_t surface : source.surfaces) {
-    const std::vector<std::uint32_t> ofSurface = radiosity::patchesOf(discretization.grids[surface]);
-    patches.insert(patches.end(), ofSurface.begin(), ofSurface.end());
-  }
+  for (const std::uint32_t surface : source.surfaces)
+    patches.insert(patches.end(), ofSurfaces[surface].begin(), ofSurfaces[surface].end());
   double area = 0;
-  for (const std::uint32_t patch : patches) area += radiosity::patchArea(discretization, discretization.patches[patch]);
-  for (const std::uint32_t patch : patches)
-    addRow(mean, rows.ofPatch(patch), receivers,
-           radiosity::patchArea(discretization, discretization.patches[patch]) / area);
+  for (const std::uint32_t patch : patches) area += discretization.patches.list[patch].area;
+  for (const std::uint32_t number : patches) {
+    const radiosity::Patch& patch = discretization.patches.list[number];
+    addRow(mean, rows.ofPatch(patch), receivers, patch.area / area);
+  }
   return mean;
 }
 
@@ -104,11 +104,12 @@ Receivers familiesAsReceivers(const radiosity::Discretization& discretization, c
 RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                       const Receivers& receivers, const radiosity::IdSettings& id,
                       const radiosity::DrawingSettings& settings, Console& console) {
-  const auto drawn = std::make_shared<radiosity::SceneFormFactors>(scene, discretization,
-                                                                   layoutOf(id, discretization, console), settings);
-  drawn->splitAll();
-  return [&scene, &receivers, drawn](const Source& source) {
-    return meanRow(scene, drawn->discretization(), drawn->rows(), source, receivers);
+  const auto split = std::make_shared<radiosity::Discretization>(discretization);
+  const auto drawn =
+      std::make_shared<radiosity::SceneFormFactors>(scene, *split, layoutOf(id, discretization, console), settings);
+  split->patches = radiosity::splitAll(std::move(split->patches), drawn->splits());
+  return [&scene, &receivers, split, drawn](const Source& source) {
+    return meanRow(scene, *split, drawn->rows(), source, receivers);
   };
 }
 

@@ -79,9 +79,12 @@ Shown solved(const Scene& scene, const Discretization& discretization, const IdL
              const radiosity::SolverSettings& settings) {
   // As in the paper, no patch is split. The test for splits draws each patch once and would take most of the time.
   radiosity::SceneFormFactors drawn(scene, discretization, layout, {.resolution = 128, .split = 1});
-  const auto rowOf = [&drawn](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
-  const radiosity::Solution solution = radiosity::solve(scene, drawn.discretization(), rowOf, settings);
-  Shown shown{drawn.discretization(), radiosity::displayRadiosity(scene, drawn.discretization(), solution)};
+  const radiosity::Solution solution = radiosity::solve({.scene = scene,
+                                                         .discretization = discretization,
+                                                         .patches = discretization.patches,
+                                                         .rowOf = drawn.rowOf(),
+                                                         .settings = settings});
+  Shown shown{discretization, radiosity::displayRadiosity(scene, discretization, solution)};
   const double exposure = radiosity::defaultExposure(scene, shown.discretization, radiosity::valuesIn(shown.values));
   for (glm::dvec3& value : shown.values) value *= exposure;
   return shown;

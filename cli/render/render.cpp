@@ -150,7 +150,7 @@ Image projectionView(const RenderOptions& options, const Subject& subject, Conso
   const Source source =
       options.from.empty() ? Source{{firstEmitter(scene)}} : sourceNamed(scene, discretization, options.from);
   const std::uint32_t surface = source.surfaces.front();
-  const radiosity::Patch& patch = discretization.patches[discretization.grids[surface].firstPatch];
+  const radiosity::Patch& patch = discretization.patches.list[discretization.grids[surface].firstPatch];
   const radiosity::SurfacePoint point = source.element
                                             ? radiosity::elementCentre(scene, discretization, *source.element)
                                             : radiosity::patchCentre(scene, discretization, patch);

@@ -44,34 +44,36 @@ ordered_json solutionSettings(const SolveOptions& options) {
 namespace {
 
 /// The settings that the result depends on.
-ordered_json settingsJson(const Showing& showing) {
-  const SolveOptions& options = showing.options;
+ordered_json settingsJson(const Display& display) {
+  const SolveOptions& options = display.options;
   ordered_json settings = solutionSettings(options);
   settings.update({{"filter", options.noTextures ? ordered_json() : ordered_json(nameOf(filterOf(options)))},
                    {"magnify", orNull(options.magnification)},
-                   {"camera", toJson(showing.camera)},
+                   {"camera", toJson(display.camera)},
                    {"size", {options.camera.width, options.camera.height}},
-                   {"exposure", showing.exposure}});
+                   {"exposure", display.exposure}});
   return settings;
 }
 
 /// Nothing with --no-textures.
-std::optional<radiosity::TextureLayout> textureLayout(const SolveOptions& options, const Lit& lit) {
+std::optional<radiosity::TextureLayout> textureLayout(const SolveOptions& options, const SolvedScene& solved) {
   if (options.noTextures) return std::nullopt;
-  return radiosity::layOutTextures(lit.scene, lit.discretization, magnificationOf(options));
+  return radiosity::layOutTextures(solved.scene, solved.discretization, magnificationOf(options));
 }
 
-radiosity::ElementValues displayed(const Lit& lit) {
-  return [&lit](std::uint32_t element) {
-    return radiosity::displayRadiosity(lit.scene, lit.discretization, lit.solution, element);
+radiosity::ElementValues displayed(const SolvedScene& solved) {
+  return [&solved](std::uint32_t element) {
+    return radiosity::displayRadiosity(solved.scene, solved.discretization, solved.solution, element);
   };
 }
 
 /// The light of each element, without filtering.
-radiosity::Image elementPicture(const Lit& lit, const Showing& showing) {
-  const auto colours = [&, light = displayed(lit)](std::uint32_t element) { return light(element) * showing.exposure; };
-  return radiosity::elementPicture(lit.scene, lit.discretization, colours, showing.camera, showing.options.camera.width,
-                                   showing.options.camera.height);
+radiosity::Image elementPicture(const SolvedScene& solved, const Display& display) {
+  const auto colours = [&, light = displayed(solved)](std::uint32_t element) {
+    return light(element) * display.exposure;
+  };
+  return radiosity::elementPicture(solved.scene, solved.discretization, colours, display.camera,
+                                   display.options.camera.width, display.options.camera.height);
 }
 
 std::string shotsText(const ordered_json& solution, double seconds) {
@@ -104,44 +106,45 @@ std::string fluxText(const ordered_json& energy) {
 
 }  // namespace
 
-double exposureOf(const SolveOptions& options, const Lit& lit) {
+double exposureOf(const SolveOptions& options, const SolvedScene& solved) {
   if (options.camera.exposure) return *options.camera.exposure;
-  return radiosity::defaultExposure(lit.scene, lit.discretization, displayed(lit));
+  return radiosity::defaultExposure(solved.scene, solved.discretization, displayed(solved));
 }
 
-std::optional<radiosity::LitScene> shownScene(const Lit& lit, const Showing& showing) {
-  const std::optional<radiosity::TextureLayout> layout = textureLayout(showing.options, lit);
+std::optional<radiosity::LitScene> shownScene(const SolvedScene& solved, const Display& display) {
+  const std::optional<radiosity::TextureLayout> layout = textureLayout(display.options, solved);
   if (!layout) return std::nullopt;
-  return radiosity::makeLitScene(lit.scene, lit.discretization, *layout,
-                                 radiosity::displayRadiosity(lit.scene, lit.discretization, lit.solution),
-                                 showing.exposure, filterOf(showing.options));
+  return radiosity::makeLitScene(solved.scene, solved.discretization, *layout,
+                                 radiosity::displayRadiosity(solved.scene, solved.discretization, solved.solution),
+                                 display.exposure, filterOf(display.options));
 }
 
-std::vector<std::string> writeSolved(const std::filesystem::path& folder, const Lit& lit,
-                                     const std::optional<radiosity::LitScene>& shown, const Showing& showing) {
-  const int width = showing.options.camera.width, height = showing.options.camera.height;
-  const radiosity::PictureView view{showing.camera, static_cast<double>(width) / height};
+std::vector<std::string> writeSolved(const std::filesystem::path& folder, const SolvedScene& solved,
+                                     const std::optional<radiosity::LitScene>& shown, const Display& display) {
+  const int width = display.options.camera.width, height = display.options.camera.height;
+  const radiosity::PictureView view{display.camera, static_cast<double>(width) / height};
   std::vector<std::string> warnings;
-  if (shown) warnings = radiosity::writeLitScene(folder, *shown, view, lit.discretization, lit.solution.radiosity);
-  radiosity::writePng(folder / "render.png", shown ? radiosity::unlitPicture(*shown, showing.camera, width, height)
-                                                   : elementPicture(lit, showing));
-  raster::writeFile(folder / "scene.view.json", toText(toJson(showing.camera)));
-  if (!showing.options.noElements)
-    raster::writeFile(folder / "elements.csv", [&lit](std::ostream& stream) {
-      writeCsv(stream, elementTable(lit.scene, lit.discretization, lit.solution));
+  if (shown)
+    warnings = radiosity::writeLitScene(folder, *shown, view, solved.discretization, solved.solution.radiosity);
+  radiosity::writePng(folder / "render.png", shown ? radiosity::unlitPicture(*shown, display.camera, width, height)
+                                                   : elementPicture(solved, display));
+  raster::writeFile(folder / "scene.view.json", toText(toJson(display.camera)));
+  if (!display.options.noElements)
+    raster::writeFile(folder / "elements.csv", [&solved](std::ostream& stream) {
+      writeCsv(stream, elementTable(solved.scene, solved.discretization, solved.solution));
     });
   return warnings;
 }
 
-SolveRecord recordOf(const Lit& lit, const SolveOptions& options, const Convergence& convergence) {
+SolveRecord recordOf(const SolvedScene& solved, const SolveOptions& options, const Convergence& convergence) {
   constexpr std::size_t maxPatches = 256;  // so that the page costs at most some hundred hemicubes
-  const std::vector<glm::dvec3>& absorbed = lit.solution.absorbedByBacks;
-  SolveRecord record{
-      convergence,
-      radiosity::backAbsorption(lit.scene, lit.discretization, lit.layout, options.drawing, absorbed, maxPatches),
-      std::vector<glm::dvec3>(lit.scene.surfaces.size())};
+  const std::vector<glm::dvec3>& absorbed = solved.solution.absorbedByBacks;
+  SolveRecord record{convergence,
+                     radiosity::backAbsorption(solved.scene, solved.discretization, solved.layout, options.drawing,
+                                               absorbed, maxPatches),
+                     std::vector<glm::dvec3>(solved.scene.surfaces.size())};
   for (std::size_t p = 0; p < absorbed.size(); ++p)
-    record.lostToBacks[lit.discretization.patches[p].surface] += absorbed[p];
+    record.lostToBacks[solved.discretization.patches.list[p].surface] += absorbed[p];
   return record;
 }
 
@@ -153,12 +156,13 @@ void writeReport(const std::filesystem::path& folder, const radiosity::LitScene&
                     solvedPage({folder / "scene.glb", shown.scene, surfaces}, solution, record));
 }
 
-ordered_json description(const Lit& lit, const Showing& showing) {
-  ordered_json text = {{"settings", settingsJson(showing)}};
-  const MaterialOptions& materials = showing.options.scene.materials;
+ordered_json description(const SolvedScene& solved, const Display& display) {
+  ordered_json text = {{"settings", settingsJson(display)}};
+  const MaterialOptions& materials = display.options.scene.materials;
   if (materials.changeMaterials()) text["settings"]["materials"] = toJson(materials);
-  text["settings"].update(toJson(lit.scene.outside));
-  text.update(describe(lit.scene, lit.discretization, lit.layout, textureLayout(showing.options, lit), lit.solution));
+  text["settings"].update(toJson(solved.scene.outside));
+  text.update(describe(solved.scene, solved.discretization, solved.layout, textureLayout(display.options, solved),
+                       solved.solution));
   return text;
 }
 

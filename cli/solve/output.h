@@ -18,34 +18,34 @@
 
 namespace hemitex::cli {
 
-/// A solution with its scene and discretization.
-struct Lit {
+/// A solution, and what it was computed from.
+struct SolvedScene {
   const radiosity::Scene& scene;
   const radiosity::Discretization& discretization;
   const radiosity::IdLayout& layout;
   const radiosity::Solution& solution;
 };
 
-/// Settings for showing solutions, equal for all frames.
-struct Showing {
+/// How solutions are shown, equal for all frames.
+struct Display {
   const SolveOptions& options;  ///< including settings chosen for --max-error
   const radiosity::Camera& camera;
   double exposure;
 };
 
 /// The given exposure, or the default for the solution.
-double exposureOf(const SolveOptions& options, const Lit& lit);
+double exposureOf(const SolveOptions& options, const SolvedScene& solved);
 
 /// The lit scene, with the display textures of the options; nothing with --no-textures.
-std::optional<radiosity::LitScene> shownScene(const Lit& lit, const Showing& showing);
+std::optional<radiosity::LitScene> shownScene(const SolvedScene& solved, const Display& display);
 
 /// Writes the lit scene if there is one, its picture and elements.csv, but not solution.json. Returns warnings for the
 /// user.
-std::vector<std::string> writeSolved(const std::filesystem::path& folder, const Lit& lit,
-                                     const std::optional<radiosity::LitScene>& shown, const Showing& showing);
+std::vector<std::string> writeSolved(const std::filesystem::path& folder, const SolvedScene& solved,
+                                     const std::optional<radiosity::LitScene>& shown, const Display& display);
 
 /// What only the page of the solution shows: its convergence, and the flux that backs absorbed, by surface.
-SolveRecord recordOf(const Lit& lit, const SolveOptions& options, const Convergence& convergence);
+SolveRecord recordOf(const SolvedScene& solved, const SolveOptions& options, const Convergence& convergence);
 
 /// Writes the page of a folder after writeSolved. `solution` is the object of solution.json, and `shown` the lit scene.
 void writeReport(const std::filesystem::path& folder, const radiosity::LitScene& shown,
@@ -56,7 +56,7 @@ nlohmann::ordered_json solutionSettings(const SolveOptions& options);
 
 /// The object of solution.json without times and warnings: the settings that the result depends on, and the solution.
 /// It contains no path and no thread count, so that equal results have equal files.
-nlohmann::ordered_json description(const Lit& lit, const Showing& showing);
+nlohmann::ordered_json description(const SolvedScene& solved, const Display& display);
 
 /// The summary of solution.json for people: counts, times, residual, expected error and the balance of flux.
 std::string summary(const nlohmann::ordered_json& solution);

@@ -1,10 +1,13 @@
 #include "cli/solve/run.h"
 
+#include <utility>
+
 #include "radiosity/base/bytes.h"
 #include "radiosity/discretization/adaptive_subdivision.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/ranks/rows_ahead.h"
 #include "radiosity/ranks/shared_tasks.h"
+#include "radiosity/solver/dynamic_solution.h"
 #include "radiosity/solver/error_control.h"
 #include "reference/truth/rays/embree_form_factors.h"
 
@@ -40,122 +43,113 @@ std::string textOf(const radiosity::RowCounts& counts) {
          " were used; rank 0 computed " + std::to_string(counts.ofRankZero) + " when they were needed";
 }
 
-Solved solvedBy(const SolveOptions& options, const radiosity::Scene& scene, radiosity::Discretization discretization,
-                const radiosity::IdLayout& layout, Monitor& monitor) {
+/// Gives rows to the solution as rank 0 of several ranks.
+radiosity::Solution solvedWithRanks(radiosity::Messenger& ranks, radiosity::SceneFormFactors& drawn,
+                                    radiosity::SolveInput input, const radiosity::Progress& progress,
+                                    Console& console) {
+  radiosity::RowsAhead rows(ranks, drawn, input.settings.rowCacheBytes);
+  input.rowOf = [&rows](const radiosity::Patch& patch) { return rows.row(patch); };
+  radiosity::Solution solution = radiosity::solve(std::move(input), [&](const radiosity::Step& step) {
+    rows.lookAhead(step);
+    return progress(step);
+  });
+  rows.end();
+  console.detail(textOf(rows.counts()));
+  return solution;
+}
+
+/// Solves with the options, discretization and layout of the result, and adds the solution to it.
+void solve(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor) {
+  const SolveOptions& options = result.options;
+  radiosity::Discretization& discretization = result.discretization;
   // Also used with rays, because patches are split by hemicubes for both methods.
-  radiosity::SceneFormFactors drawn(scene, std::move(discretization), layout, options.drawing);
+  radiosity::SceneFormFactors drawn(scene, discretization, result.layout, options.drawing);
   if (options.ranks && options.ranks->rank() > 0) {
     radiosity::computeRows(*options.ranks, drawn.rows());
-    return {drawn.takeDiscretization(),
-            isChoosing(options) ? solutionOfRankZero(*options.ranks) : radiosity::Solution()};
+    if (isChoosing(options)) result.solution = solutionOfRankZero(*options.ranks);
+    return;
   }
   const std::optional<radiosity::Snapshot> snapshot = monitor.begin();
-  Convergence convergence;
-  const auto solveBy = [&](const radiosity::RowSource& rowOf, const radiosity::LookAhead& lookAhead = {}) {
-    radiosity::Solution solution = radiosity::solve(
-        scene, drawn.discretization(), rowOf, options.solver, monitor.progressOf(options.solver, convergence),
-        drawn.splits(), {.outside = drawn.outsideFlux(), .snapshot = snapshot ? &*snapshot : nullptr}, lookAhead);
-    monitor.console().endProgress();
-    return solution;
-  };
-  const auto solveAlone = [&](auto& rows) {
-    return solveBy([&rows](std::uint32_t patch) { return rows.ofPatch(patch); });
-  };
-  const auto solveWithRanks = [&](radiosity::Messenger& ranks) {
-    radiosity::RowsAhead rows(ranks, drawn, options.solver.rowCacheBytes);
-    radiosity::Solution solution = solveBy([&rows](std::uint32_t patch) { return rows.row(patch); },
-                                           [&rows](const auto& likelyShots) { rows.lookAhead(likelyShots); });
-    rows.end();
-    monitor.console().detail(textOf(rows.counts()));
-    if (isChoosing(options)) tellOtherRanks(ranks, solution);
-    return solution;
-  };
+  result.convergence = {};
+  const radiosity::Progress progress = monitor.progressOf(options.solver, result.convergence);
+  radiosity::SolveInput input{.scene = scene,
+                              .discretization = discretization,
+                              .patches = std::move(discretization.patches),
+                              .rowOf = drawn.rowOf(),
+                              .split = drawn.splits(),
+                              .settings = options.solver,
+                              .outside = drawn.outsideFlux(),
+                              .snapshot = snapshot ? &*snapshot : nullptr,
+                              .isContinued = !options.edits.empty()};
+  radiosity::RowCache ofViews(options.solver.rowCacheBytes / 2);
+  if (input.isContinued)
+    input.rowOf = [&](const radiosity::Patch& patch) { return rowByViews(drawn.rows(), ofViews, patch); };
+  std::optional<reference::RayRows> rays;
   if (usesRays(options)) {
-    reference::RayRows rows(scene, drawn.discretization(),
-                            {.rays = options.samples, .start = reference::RayStart::Area, .seed = options.seed});
-    radiosity::Solution solution = solveAlone(rows);
-    return {drawn.takeDiscretization(), std::move(solution), 1, std::move(convergence)};
+    rays.emplace(scene, discretization,
+                 reference::RayRowSettings{options.samples, reference::RayStart::Area, options.seed});
+    input.rowOf = [&rays](const radiosity::Patch& patch) { return rays->ofPatch(patch); };
+  } else {
+    result.captured = radiosity::formFactor(drawn.rows().projection().captured);
   }
-  radiosity::Solution solution = options.ranks ? solveWithRanks(*options.ranks) : solveAlone(drawn.rows());
-  const double captured = radiosity::formFactor(drawn.rows().projection().captured);
-  return {drawn.takeDiscretization(), std::move(solution), captured, std::move(convergence)};
+  result.solution = options.ranks
+                        ? solvedWithRanks(*options.ranks, drawn, std::move(input), progress, monitor.console())
+                        : radiosity::solve(std::move(input), progress);
+  monitor.console().endProgress();
+  if (options.ranks && isChoosing(options)) tellOtherRanks(*options.ranks, result.solution);
+  discretization.patches = std::move(result.solution.patches);
+  if (result.solution.continuation) result.solution.continuation->rows.ofViews = std::move(ofViews);
 }
 
 /// Solves with growing effort until the expected error is within --max-error.
-Outcome boundedOutcome(const SolveOptions& asked, const radiosity::Scene& scene,
-                       const radiosity::Discretization& discretization, Monitor& monitor) {
-  Outcome outcome{asked, layoutOf(asked.id, discretization, monitor.console())};
-  outcome.options.solver.residual = radiosity::residualFor(*asked.maxError);
+SolveResult boundedResult(const SolveOptions& asked, const radiosity::Scene& scene,
+                          radiosity::Discretization discretization, Monitor& monitor) {
+  SolveResult result{asked, std::move(discretization)};
+  result.layout = layoutOf(asked.id, result.discretization, monitor.console());
+  result.options.solver.residual = radiosity::residualFor(*asked.maxError);
+  const radiosity::Patches unsplit = result.discretization.patches;
   const auto solveWith = [&](const radiosity::Effort& effort) {
-    outcome.options.drawing.resolution = effort.resolution;
-    outcome.options.drawing.split = effort.split;
-    outcome.solved = solvedBy(outcome.options, scene, discretization, outcome.layout, monitor);
-    if (outcome.solved.solution.isInterrupted) throw Stopped();
-    return outcome.solved.solution.radiosity;
+    result.options.drawing.resolution = effort.resolution;
+    result.options.drawing.split = effort.split;
+    result.discretization.patches = unsplit;
+    solve(result, scene, monitor);
+    if (result.solution.isInterrupted) throw Stopped();
+    return result.solution.radiosity;
   };
   try {
-    outcome.expectedError = radiosity::chooseEffort(discretization, solveWith, *asked.maxError).expectedError;
-  } catch (const Stopped&) {  // the last solution is the outcome
+    result.expectedError = radiosity::chooseEffort(result.discretization, solveWith, *asked.maxError).expectedError;
+  } catch (const Stopped&) {  // the last solution is the result
   }
-  return outcome;
+  return result;
 }
 
 /// Solves with elements that become smaller where radiosity changes fast.
-Outcome adaptiveOutcome(const SolveOptions& asked, const radiosity::Scene& scene, Monitor& monitor) {
-  Outcome outcome{asked};
-  const auto solve = [&](const radiosity::Discretization& discretization) {
-    outcome.layout = layoutOf(asked.id, discretization, monitor.console());
-    outcome.solved = solvedBy(asked, scene, discretization, outcome.layout, monitor);
-  };
+SolveResult adaptiveResult(const SolveOptions& asked, const radiosity::Scene& scene, Monitor& monitor) {
+  SolveResult result{asked};
   const auto solveElements = [&](const radiosity::Discretization& discretization) {
-    solve(discretization);
-    if (outcome.solved.solution.isInterrupted) throw Stopped();
-    return outcome.solved.solution.radiosity;
+    result.discretization = discretization;
+    result.layout = layoutOf(asked.id, discretization, monitor.console());
+    solve(result, scene, monitor);
+    if (result.solution.isInterrupted) throw Stopped();
+    return result.solution.radiosity;
   };
   try {
-    solve(radiosity::adaptiveDiscretization(scene, asked.discretization, *asked.adaptive, solveElements));
-  } catch (const Stopped&) {  // the last solution is the outcome
+    solveElements(radiosity::adaptiveDiscretization(scene, asked.discretization, *asked.adaptive, solveElements));
+  } catch (const Stopped&) {  // the last solution is the result
   }
-  return outcome;
-}
-
-Outcome plainOutcome(const SolveOptions& asked, const radiosity::Scene& scene, radiosity::Discretization discretization,
-                     Monitor& monitor) {
-  Outcome outcome{asked, layoutOf(asked.id, discretization, monitor.console())};
-  outcome.solved = solvedBy(asked, scene, std::move(discretization), outcome.layout, monitor);
-  return outcome;
-}
-
-/// Solves the scene for later edits.
-Outcome editableOutcome(Outcome outcome, const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                        Monitor& monitor) {
-  const auto layOut = [id = outcome.options.id, &monitor](const radiosity::Discretization& edited) {
-    return layoutOf(id, edited, monitor.console());
-  };
-  const SolveOptions& options = outcome.options;
-  Convergence convergence;
-  outcome.dynamic = std::make_unique<radiosity::DynamicSolution>(
-      scene, discretization, radiosity::DynamicSettings{options.discretization, options.drawing, options.solver},
-      layOut, monitor.progressOf(options.solver, convergence));
-  monitor.console().endProgress();
-  const radiosity::DynamicSolution& dynamic = *outcome.dynamic;
-  outcome.layout = dynamic.layout();
-  outcome.solved = {dynamic.discretization(), dynamic.solution(), radiosity::formFactor(dynamic.captured()),
-                    std::move(convergence)};
-  return outcome;
+  return result;
 }
 
 }  // namespace
 
-Outcome solveScene(const SolveOptions& asked, const radiosity::Scene& scene, radiosity::Discretization discretization,
-                   Monitor& monitor) {
-  if (asked.adaptive) return adaptiveOutcome(asked, scene, monitor);
-  if (asked.edits.empty())
-    return asked.maxError ? boundedOutcome(asked, scene, discretization, monitor)
-                          : plainOutcome(asked, scene, std::move(discretization), monitor);
-  Outcome chosen = asked.maxError ? boundedOutcome(asked, scene, discretization, monitor) : Outcome{asked};
-  if (chosen.solved.solution.isInterrupted) return chosen;
-  return editableOutcome(std::move(chosen), scene, discretization, monitor);
+SolveResult solveScene(const SolveOptions& asked, const radiosity::Scene& scene,
+                       radiosity::Discretization discretization, Monitor& monitor) {
+  if (asked.adaptive) return adaptiveResult(asked, scene, monitor);
+  if (asked.maxError) return boundedResult(asked, scene, std::move(discretization), monitor);
+  SolveResult result{asked, std::move(discretization)};
+  result.layout = layoutOf(asked.id, result.discretization, monitor.console());
+  solve(result, scene, monitor);
+  return result;
 }
 
 }  // namespace hemitex::cli

@@ -80,6 +80,7 @@ ordered_json placeJson(const radiosity::TextureLayout& textures, std::uint32_t s
 ordered_json surfacesJson(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                           const std::optional<radiosity::TextureLayout>& textures,
                           const radiosity::Solution& solution) {
+  const auto patches = radiosity::patchesOfSurfaces(discretization.patches, discretization.grids.size());
   ordered_json surfaces = ordered_json::array();
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const SurfaceMeans means = meansOf(scene, discretization, solution, s);
@@ -88,7 +89,7 @@ ordered_json surfacesJson(const radiosity::Scene& scene, const radiosity::Discre
                         {"columns", grid.columns},
                         {"rows", grid.rows},
                         {"elements", grid.elementCount},
-                        {"patches", radiosity::patchesOf(grid).size()},
+                        {"patches", patches[s].size()},
                         {"area", means.area},
                         {"radiosity", toJson(means.radiosity)},
                         {"reflectance", toJson(means.reflectance)},
@@ -116,7 +117,7 @@ ordered_json describe(const radiosity::Scene& scene, const radiosity::Discretiza
   const radiosity::Phantoms phantoms = radiosity::countPhantoms(discretization, layout);
   return {{"surfaces", surfacesJson(scene, discretization, textures, solution)},
           {"elements", discretization.elements.size()},
-          {"patches", discretization.patches.size()},
+          {"patches", discretization.patches.list.size()},
           {"phantoms", phantoms.spareTexels + phantoms.alignmentGaps},
           {"buried", buriedTexels(discretization)},
           {"phantom_causes", {{"spare_texels", phantoms.spareTexels}, {"alignment_gaps", phantoms.alignmentGaps}}},

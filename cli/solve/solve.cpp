@@ -4,18 +4,20 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
 #include "cli/common/program.h"
-#include "cli/common/staging.h"
 #include "cli/common/shell_quote.h"
+#include "cli/common/staging.h"
 #include "cli/scene/sealed_folder.h"
 #include "cli/solve/edits_file.h"
 #include "cli/solve/options.h"
 #include "cli/solve/output.h"
 #include "cli/solve/places.h"
 #include "cli/solve/run.h"
+#include "radiosity/solver/dynamic_solution.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/base/stopwatch.h"
@@ -50,40 +52,40 @@ ordered_json toJson(const radiosity::UpdateCost& cost) {
 
 /// Updates the solution for a frame and writes its folder. Returns the entry of the frame in the main solution.json.
 ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number, const Frame& frame,
-                        radiosity::DynamicSolution& dynamic, const Showing& showing, Monitor& monitor) {
+                        radiosity::DynamicSolution& dynamic, const Display& display, Monitor& monitor) {
   Console& console = monitor.console();
   Laps laps;
   Convergence convergence;
   const radiosity::UpdateCost cost =
-      dynamic.update(frame.edits, monitor.progressOf(showing.options.solver, convergence));
+      dynamic.update(frame.edits, monitor.progressOf(display.options.solver, convergence));
   console.endProgress();
   laps.lap("update_s");
   const std::string name = "frame-" + std::to_string(number);
   std::filesystem::create_directory(folder / name);
-  const Lit lit{dynamic.scene(), dynamic.discretization(), dynamic.layout(), dynamic.solution()};
-  console.warnings(lit.solution.warnings);
-  console.warnings(writeSolved(folder / name, lit, shownScene(lit, showing), showing));
+  const SolvedScene solved{dynamic.scene(), dynamic.discretization(), dynamic.layout(), dynamic.solution()};
+  console.warnings(solved.solution.warnings);
+  console.warnings(writeSolved(folder / name, solved, shownScene(solved, display), display));
   laps.lap("write_s");
-  ordered_json text = description(lit, showing);
+  ordered_json text = description(solved, display);
   text["edits"] = frame.written;
   text["rows"] = toJson(cost);
   text["times"] = laps.times();
-  text["warnings"] = lit.solution.warnings;
+  text["warnings"] = solved.solution.warnings;
   text["files"] = fileHashes(folder / name);
   raster::writeFile(folder / name / "solution.json", toText(text));
   return {{"folder", name},
           {"edits", frame.written},
-          {"shots", lit.solution.shots},
-          {"residual", lit.solution.residual},
+          {"shots", solved.solution.shots},
+          {"residual", solved.solution.residual},
           {"rows", toJson(cost)},
           {"times", laps.times()}};
 }
 
 /// Prints the warnings of a solution.
-void warnOf(const Solved& solved, Console& console) {
-  console.warnings(solved.solution.warnings);
-  if (solved.captured < 1)
-    console.warning("the single plane captures " + percentText(solved.captured) +
+void warnOf(const SolveResult& result, Console& console) {
+  console.warnings(result.solution.warnings);
+  if (result.captured < 1)
+    console.warning("the single plane captures " + percentText(result.captured) +
                     " of the flux of a patch; the rest is lost, so that the scene is too dark");
 }
 
@@ -112,46 +114,50 @@ void computeForRankZero(SolveOptions options, Console& console) {
   solveScene(options, scene, discretizationOf(options.discretization, scene), monitor);
 }
 
-/// What a run computes.
-struct Task {
-  radiosity::Scene scene;
-  radiosity::Camera camera;
-  std::vector<Frame> frames;  ///< of --edits
-};
+/// The solution of the result, to be updated by edits.
+radiosity::DynamicSolution dynamicSolution(const radiosity::Scene& scene, SolveResult& result, Console& console) {
+  const SolveOptions& options = result.options;
+  return {scene,
+          std::move(result.discretization),
+          std::move(result.solution),
+          {options.discretization, options.drawing, options.solver},
+          [&](const radiosity::Discretization& edited) { return layoutOf(options.id, edited, console); }};
+}
 
-Task taskOf(const SolveOptions& options, Console& console) {
-  Task task{.scene = sceneOf(options.scene, console), .camera = {}, .frames = {}};
-  requireLight(task.scene, options.scene.file, ", or --sky 1,1,1 for light from outside");
-  task.camera = cameraOf(options.camera, task.scene, options.scene.file);
-  if (!options.edits.empty()) task.frames = readEdits(options.edits, task.scene, options.scene.settings);
-  return task;
+/// Updates the solution for each frame and writes their folders. Adds the entries of the frames to `text`. Returns
+/// whether a signal ended the last one.
+bool writeFrames(const std::filesystem::path& folder, const std::vector<Frame>& frames,
+                 radiosity::DynamicSolution dynamic, const Display& display, Monitor& monitor, ordered_json& text) {
+  for (std::size_t f = 0; f < frames.size() && !dynamic.solution().isInterrupted; ++f)
+    text["frames"].push_back(writeFrame(folder, f + 1, frames[f], dynamic, display, monitor));
+  return dynamic.solution().isInterrupted;
 }
 
 /// Writes the result, updates it for each frame, and moves it to its folder. Returns the content of solution.json.
-ordered_json writeResult(const Task& task, const Outcome& outcome, Staging& staging, Monitor& monitor, Laps& laps) {
+ordered_json writeResult(const radiosity::Scene& scene, const radiosity::Camera& camera,
+                         const std::vector<Frame>& frames, SolveResult& result, Staging& staging, Monitor& monitor,
+                         Laps& laps) {
   Console& console = monitor.console();
-  const SolveOptions& options = outcome.options;
-  const Solved& solved = outcome.solved;
-  const Lit lit{task.scene, solved.discretization, outcome.layout, solved.solution};
-  const Showing showing{options, task.camera, exposureOf(options, lit)};
-  std::optional<radiosity::LitScene> shown = shownScene(lit, showing);
-  console.warnings(writeSolved(staging.folder(), lit, shown, showing));
-  if (!options.report) shown.reset();  // textures take much memory
+  const SolveOptions& options = result.options;
+  const SolvedScene solved{scene, result.discretization, result.layout, result.solution};
+  const Display display{options, camera, exposureOf(options, solved)};
+  std::optional<radiosity::LitScene> lit = shownScene(solved, display);
+  console.warnings(writeSolved(staging.folder(), solved, lit, display));
+  if (!options.report) lit.reset();  // textures take much memory
   const std::optional<SolveRecord> record =
-      options.report ? std::optional(recordOf(lit, options, solved.convergence)) : std::nullopt;
+      options.report ? std::optional(recordOf(solved, options, result.convergence)) : std::nullopt;
   laps.lap("write_s");
-  ordered_json text = description(lit, showing);
-  text["captured"] = solved.captured;
-  text["expected_error"] = orNull(outcome.expectedError);
-  bool isInterrupted = solved.solution.isInterrupted;
-  for (std::size_t f = 0; f < task.frames.size() && !isInterrupted; ++f) {
-    text["frames"].push_back(writeFrame(staging.folder(), f + 1, task.frames[f], *outcome.dynamic, showing, monitor));
-    isInterrupted = outcome.dynamic->solution().isInterrupted;
-  }
+  ordered_json text = description(solved, display);
+  text["captured"] = result.captured;
+  text["expected_error"] = orNull(result.expectedError);
+  const bool isInterrupted =
+      frames.empty() || result.solution.isInterrupted
+          ? result.solution.isInterrupted
+          : writeFrames(staging.folder(), frames, dynamicSolution(scene, result, console), display, monitor, text);
   if (isInterrupted) text["interrupted"] = true;
   text["times"] = laps.times();
   text["warnings"] = console.given();
-  if (record) writeReport(staging.folder(), *shown, text, *record);
+  if (record) writeReport(staging.folder(), *lit, text, *record);
   text["files"] = fileHashes(staging.folder());
   raster::writeFile(staging.folder() / "solution.json", toText(text));
   staging.commit("solution.json", staleFiles(options.output));
@@ -181,24 +187,29 @@ void solve(SolveOptions asked, Context& context) {
   Console& console = context.console;
   asked.discretization.isUnburied = !asked.edits.empty();
   Laps laps;
-  const Task task = taskOf(asked, console);
+  const radiosity::Scene scene = sceneOf(asked.scene, console);
+  requireLight(scene, asked.scene.file, ", or --sky 1,1,1 for light from outside");
+  const radiosity::Camera camera = cameraOf(asked.camera, scene, asked.scene.file);
+  const std::vector<Frame> frames =
+      asked.edits.empty() ? std::vector<Frame>() : readEdits(asked.edits, scene, asked.scene.settings);
   laps.lap("load_s");
   Staging staging(asked.output);
-  radiosity::Discretization unsplit = discretizationOf(asked.discretization, task.scene);
-  staging.requirePlaces(outputNames(asked, task.scene, unsplit, task.frames.size()),
-                        inputFiles(asked, task.scene, task.frames));
-  Monitor monitor(console, asked.longRun, task.scene, toText(solutionSettings(asked)));
+  radiosity::Discretization unsplit = discretizationOf(asked.discretization, scene);
+  staging.requirePlaces(outputNames(asked, scene, unsplit, frames.size()), inputFiles(asked, scene, frames));
+  Monitor monitor(console, asked.longRun, scene, toText(solutionSettings(asked)));
   laps.lap("discretize_s");
-  const Outcome outcome = solveScene(asked, task.scene, std::move(unsplit), monitor);
-  warnOf(outcome.solved, console);
+  SolveResult result = solveScene(asked, scene, std::move(unsplit), monitor);
+  warnOf(result, console);
   laps.lap("solve_s");
-  const ordered_json text =
-      writtenOrKept(asked.longRun.checkpoint.file, [&] { return writeResult(task, outcome, staging, monitor, laps); });
-  if (text.contains("interrupted")) tellStop(outcome.options, outcome.solved.solution.shots, console);
+  const int shots = result.solution.shots;
+  const ordered_json text = writtenOrKept(asked.longRun.checkpoint.file, [&] {
+    return writeResult(scene, camera, frames, result, staging, monitor, laps);
+  });
+  if (text.contains("interrupted")) tellStop(result.options, shots, console);
   if (context.json)
     std::cout << toText(text);
   else if (console.verbosity != Verbosity::Quiet)
-    std::cout << summary(text) << filesText(outcome.options);
+    std::cout << summary(text) << filesText(result.options);
   requireOutput("; the result in " + asked.output.string() + " is complete");
 }
 

@@ -1,6 +1,6 @@
 #include "radiosity/discretization/discretization.h"
 
-#include <numeric>
+#include <utility>
 
 namespace hemitex::radiosity {
 
@@ -27,18 +27,24 @@ glm::dvec3 emission(const Scene& scene, const Discretization& discretization, st
   return emissions(scene, discretization, discretization.elements[element].surface).of(element);
 }
 
-std::vector<std::uint32_t> patchesOf(const Grid& grid) {
-  std::vector<std::uint32_t> patches(grid.patchCount);
-  std::iota(patches.begin(), patches.end(), grid.firstPatch);
-  patches.insert(patches.end(), grid.laterPatches.begin(), grid.laterPatches.end());
-  return patches;
+std::vector<std::vector<std::uint32_t>> patchesOfSurfaces(const Patches& patches, std::size_t surfaces) {
+  std::vector<std::vector<std::uint32_t>> ofSurfaces(surfaces);
+  for (const Patch& patch : patches.list) ofSurfaces[patch.surface].push_back(patch.number);
+  return ofSurfaces;
 }
 
-double patchArea(const Discretization& discretization, const Patch& patch) {
-  double area = 0;
-  for (std::uint32_t i = 0; i < patch.elementCount; ++i)
-    area += discretization.elements[discretization.patchElements[patch.firstElement + i]].area;
-  return area;
+void replacePatch(Patches& patches, std::uint32_t number, std::vector<Patch> parts) {
+  const auto added = static_cast<std::uint32_t>(patches.list.size());
+  for (std::uint32_t i = 0; i < parts.size(); ++i) {
+    Patch& part = parts[i];
+    part.number = i == 0 ? number : added + i - 1;
+    if (i > 0) part.turn = part.number;
+    for (const std::uint32_t element : part.elements) patches.ofElement[element] = part.number;
+    if (i == 0)
+      patches.list[number] = std::move(part);
+    else
+      patches.list.push_back(std::move(part));
+  }
 }
 
 }  // namespace hemitex::radiosity

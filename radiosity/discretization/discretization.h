@@ -42,16 +42,24 @@ struct Element {
 
 /// A block of texels of one surface that shoots as one. A quadtree leaf that is larger is a patch of its own.
 struct Patch {
+  std::uint32_t number = 0;  ///< in Patches::list
   std::uint32_t surface = 0;
-  int column = 0, row = 0, width = 0, height = 0;    ///< in texels; the last block of a row or a column may be smaller
-  std::uint32_t firstElement = 0, elementCount = 0;  ///< in Discretization::patchElements
+  int column = 0, row = 0, width = 0, height = 0;  ///< in texels; the last block of a row or a column may be smaller
+  std::vector<std::uint32_t> elements = {};        ///< those whose own texels lie in the block, ascending; at least one
+  double area = 0;                                 ///< of its elements
   int halvings =
       0;  ///< halvings of the resolution that it is drawn at, because it shoots little (see patch_subdivision.h)
   int points = 1;  ///< along its side: it shoots from points x points points; more than 1 only for a single element
   bool isSettled = false;  ///< whether its splitting has been decided
-  /// Number for the rotation of a projection that is rotated per patch (see turnOf), instead of the patch number. So
-  /// patches with new numbers keep their rotation.
-  std::optional<std::uint32_t> turn = {};
+  /// Number for the rotation of a projection that is rotated per patch (see turnOf): the first number of the patch, so
+  /// that it keeps its rotation when an edit of the scene changes its number.
+  std::uint32_t turn = 0;
+};
+
+/// The elements divided into patches. Each element belongs to one patch.
+struct Patches {
+  std::vector<Patch> list;               ///< surface by surface, row by row, then those that others were split into
+  std::vector<std::uint32_t> ofElement;  ///< one per element; a separate array, because shots read nothing else
 };
 
 /// The texels of one surface.
@@ -60,7 +68,6 @@ struct Grid {
   int rows = 1;
   std::uint32_t firstElement = 0, elementCount = 0;  ///< its elements, ordered by texel
   std::uint32_t firstPatch = 0, patchCount = 0;      ///< its original patches, consecutive
-  std::vector<std::uint32_t> laterPatches = {};      ///< patches that were split from the original ones
   std::vector<std::uint32_t> elementOfTexel;  ///< columns * rows: the element that receives the light of each texel
   std::vector<bool> covered;                  ///< columns * rows: whether the texel has area
   std::uint32_t phantoms = 0;                 ///< number of texels without area
@@ -73,15 +80,12 @@ struct Grid {
 Leaf leafOf(const Grid& grid, std::uint32_t texel);
 
 struct Discretization {
-  std::vector<Grid> grids;             ///< one per surface
-  std::vector<Element> elements;       ///< surface by surface, by texel within a surface
-  std::vector<std::uint32_t> patchOf;  ///< one per element; a separate array, because shots read nothing else
+  std::vector<Grid> grids;        ///< one per surface
+  std::vector<Element> elements;  ///< surface by surface, by texel within a surface
   /// One per element, in Surface::triangles: the first triangle that covers the middle of the own texel or leaf, else
   /// the triangle with the largest piece there.
   std::vector<std::uint32_t> triangleOf;
-  /// Surface by surface, row by row, then the patches that others were split into. No patch is without elements.
-  std::vector<Patch> patches;
-  std::vector<std::uint32_t> patchElements;  ///< the elements of each patch, ascending
+  Patches patches;
   /// One per element: the average of the map times the value of the material. Empty if no surface has a map of that
   /// kind.
   std::vector<glm::dvec3> mappedReflectance, mappedEmission;
@@ -155,10 +159,10 @@ glm::dvec3 emission(const Scene& scene, const Discretization& discretization, st
 /// The texels of a grid and its cut texels. Keeps a reference to the grid.
 inline TexelGrid texelGrid(const Grid& grid) { return {grid.columns, grid.rows, grid.cutTexels}; }
 
-/// The numbers of a surface's patches, ascending.
-std::vector<std::uint32_t> patchesOf(const Grid& grid);
+/// The numbers of the patches of each of `surfaces` surfaces, ascending.
+std::vector<std::vector<std::uint32_t>> patchesOfSurfaces(const Patches& patches, std::size_t surfaces);
 
-/// The area of a patch's elements.
-double patchArea(const Discretization& discretization, const Patch& patch);
+/// Replaces a patch by parts, which have its elements: the first part gets its number, the others are appended.
+void replacePatch(Patches& patches, std::uint32_t number, std::vector<Patch> parts);
 
 }  // namespace hemitex::radiosity

@@ -165,30 +165,27 @@ void makePatches(std::uint32_t surface, int side, Discretization& part) {
     block.side = std::max(side, leafOf(grid, element.texel).side);
   }
   std::vector<std::uint32_t> patchOf(blocks.size());
-  std::uint32_t first = 0;
+  std::vector<Patch>& patches = part.patches.list;
   for (std::size_t number = 0; number < blocks.size(); ++number) {
     const Block& block = blocks[number];
     if (block.elements == 0) continue;
     const int column = static_cast<int>(number) % blockColumns * side,
               row = static_cast<int>(number) / blockColumns * side;
-    patchOf[number] = static_cast<std::uint32_t>(part.patches.size());
-    part.patches.push_back({.surface = surface,
-                            .column = column,
-                            .row = row,
-                            .width = std::min(block.side, grid.columns - column),
-                            .height = std::min(block.side, grid.rows - row),
-                            .firstElement = first});
-    first += block.elements;
+    patchOf[number] = static_cast<std::uint32_t>(patches.size());
+    patches.push_back({.surface = surface,
+                       .column = column,
+                       .row = row,
+                       .width = std::min(block.side, grid.columns - column),
+                       .height = std::min(block.side, grid.rows - row)});
+    patches.back().elements.reserve(block.elements);
   }
-  part.patchElements.resize(part.elements.size());
-  part.patchOf.resize(part.elements.size());
   for (std::uint32_t element = 0; element < part.elements.size(); ++element) {
     const std::uint32_t number = patchOf[blockOf(part.elements[element])];
-    Patch& owner = part.patches[number];
-    part.patchOf[element] = number;
-    part.patchElements[owner.firstElement + owner.elementCount++] = element;
+    part.patches.ofElement.push_back(number);
+    patches[number].elements.push_back(element);
+    patches[number].area += part.elements[element].area;
   }
-  grid.patchCount = static_cast<std::uint32_t>(part.patches.size());
+  grid.patchCount = static_cast<std::uint32_t>(patches.size());
 }
 
 /// Leaves and blocks of texels nest if the sides of both are powers of two.
@@ -233,40 +230,39 @@ Discretization discretizeSurface(const Scene& scene, std::uint32_t number, const
 /// Appends the discretization of some surfaces to that of the surfaces before them.
 void append(Discretization& whole, Discretization part) {
   const auto firstElement = static_cast<std::uint32_t>(whole.elements.size());
-  const auto firstPatch = static_cast<std::uint32_t>(whole.patches.size());
+  const auto firstPatch = static_cast<std::uint32_t>(whole.patches.list.size());
   for (Grid& grid : part.grids) {
     grid.firstElement += firstElement;
     grid.firstPatch += firstPatch;
     for (std::uint32_t& element : grid.elementOfTexel) element += firstElement;
   }
-  for (std::uint32_t& patch : part.patchOf) patch += firstPatch;
-  for (Patch& patch : part.patches) patch.firstElement += firstElement;
-  for (std::uint32_t& element : part.patchElements) element += firstElement;
+  for (std::uint32_t& patch : part.patches.ofElement) patch += firstPatch;
+  for (Patch& patch : part.patches.list) {
+    patch.number = patch.turn = static_cast<std::uint32_t>(whole.patches.list.size());
+    for (std::uint32_t& element : patch.elements) element += firstElement;
+    whole.patches.list.push_back(std::move(patch));
+  }
   std::move(part.grids.begin(), part.grids.end(), std::back_inserter(whole.grids));
   const auto moveTo = [](auto& all, const auto& some) { all.insert(all.end(), some.begin(), some.end()); };
   moveTo(whole.elements, part.elements);
-  moveTo(whole.patchOf, part.patchOf);
+  moveTo(whole.patches.ofElement, part.patches.ofElement);
   moveTo(whole.triangleOf, part.triangleOf);
-  moveTo(whole.patches, part.patches);
-  moveTo(whole.patchElements, part.patchElements);
 }
 
 /// Joins the discretizations of consecutive surfaces; each is released as soon as it is copied.
 Discretization joined(std::vector<Discretization> parts) {
-  if (parts.size() == 1) return std::move(parts.front());
   std::size_t grids = 0, elements = 0, patches = 0;
   for (const Discretization& part : parts) {
     grids += part.grids.size();
     elements += part.elements.size();
-    patches += part.patches.size();
+    patches += part.patches.list.size();
   }
   Discretization whole;
   whole.grids.reserve(grids);
   whole.elements.reserve(elements);
-  whole.patchOf.reserve(elements);
+  whole.patches.ofElement.reserve(elements);
   whole.triangleOf.reserve(elements);
-  whole.patchElements.reserve(elements);
-  whole.patches.reserve(patches);
+  whole.patches.list.reserve(patches);
   for (Discretization& part : parts) append(whole, std::exchange(part, {}));
   return whole;
 }

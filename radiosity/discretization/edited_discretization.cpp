@@ -32,8 +32,9 @@ Discretization discretizeNew(const EditedScene& edit, const DiscretizationSettin
                                 : discretizeUnburied(scene, settingsFor(scene, followingScene(edit.scene, settings)));
 }
 
-/// Appends a surface with its elements and patches, renumbered.
-void append(Discretization& whole, const Discretization& from, std::uint32_t number) {
+/// Appends a surface with its elements and these patches of it, renumbered.
+void append(Discretization& whole, const Discretization& from, std::uint32_t number,
+            const std::vector<std::uint32_t>& patches) {
   Grid grid = from.grids[number];
   const auto surface = static_cast<std::uint32_t>(whole.grids.size());
   // The difference may be negative; unsigned arithmetic wraps around to the right result.
@@ -44,22 +45,18 @@ void append(Discretization& whole, const Discretization& from, std::uint32_t num
     whole.elements.push_back(element);
     whole.triangleOf.push_back(from.triangleOf[e]);
   }
-  whole.patchOf.resize(whole.elements.size());
-  const std::vector<std::uint32_t> patches = patchesOf(grid);
-  grid.firstPatch = static_cast<std::uint32_t>(whole.patches.size());
+  whole.patches.ofElement.resize(whole.elements.size());
+  grid.firstPatch = static_cast<std::uint32_t>(whole.patches.list.size());
   grid.patchCount = static_cast<std::uint32_t>(patches.size());
-  grid.laterPatches.clear();
   for (const std::uint32_t p : patches) {
-    Patch patch = from.patches[p];
+    Patch patch = from.patches.list[p];
+    patch.number = static_cast<std::uint32_t>(whole.patches.list.size());
     patch.surface = surface;
-    patch.turn = patch.turn.value_or(p);
-    const auto first = from.patchElements.begin() + patch.firstElement;
-    patch.firstElement = static_cast<std::uint32_t>(whole.patchElements.size());
-    std::transform(first, first + patch.elementCount, std::back_inserter(whole.patchElements),
-                   [&](std::uint32_t element) { return element + elementShift; });
-    for (auto e = whole.patchElements.end() - patch.elementCount; e != whole.patchElements.end(); ++e)
-      whole.patchOf[*e] = static_cast<std::uint32_t>(whole.patches.size());
-    whole.patches.push_back(patch);
+    for (std::uint32_t& element : patch.elements) {
+      element += elementShift;
+      whole.patches.ofElement[element] = patch.number;
+    }
+    whole.patches.list.push_back(std::move(patch));
   }
   for (std::uint32_t& element : grid.elementOfTexel) element += elementShift;
   grid.firstElement += elementShift;
@@ -70,10 +67,17 @@ void append(Discretization& whole, const Discretization& from, std::uint32_t num
 
 Discretization carried(const Discretization& before, const EditedScene& edit, const DiscretizationSettings& settings) {
   const Discretization added = discretizeNew(edit, settings);
+  const auto patchesBefore = patchesOfSurfaces(before.patches, before.grids.size());
+  const auto patchesAdded = patchesOfSurfaces(added.patches, added.grids.size());
   std::uint32_t next = 0;
   Discretization whole;
-  for (const Origin& origin : edit.origins)
-    origin.former ? append(whole, before, *origin.former) : append(whole, added, next++);
+  for (const Origin& origin : edit.origins) {
+    const std::uint32_t number = origin.former ? *origin.former : next++;
+    if (origin.former)
+      append(whole, before, number, patchesBefore[number]);
+    else
+      append(whole, added, number, patchesAdded[number]);
+  }
   averageMaps(edit.scene, whole);
   return whole;
 }

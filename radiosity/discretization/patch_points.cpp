@@ -28,7 +28,7 @@ SurfacePoint patchCentre(const Scene& scene, const Discretization& discretizatio
   const auto block = shootingBlock(scene.surfaces[patch.surface], discretization.grids[patch.surface],
                                    glm::dvec2(patch.column, patch.row), glm::dvec2(patch.width, patch.height));
   // If the chart has almost no area in the block, rounding may leave none.
-  return block ? block->centre : elementCentre(scene, discretization, discretization.patchElements[patch.firstElement]);
+  return block ? block->centre : elementCentre(scene, discretization, patch.elements.front());
 }
 
 /// A leaf of a quadtree is a texel of a coarser grid.

@@ -64,7 +64,7 @@ BackAbsorption backAbsorption(const Scene& scene, const Discretization& discreti
                              {settings.resolution, settings.orientation, settings.projection});
   for (const std::uint32_t patch : patches) {
     std::vector<double> shares(scene.surfaces.size());
-    for (const View& view : views.viewsOfPatch(patch))
+    for (const View& view : views.viewsOfPatch(discretization.patches.list[patch]))
       addBacks(view, render(*renderer, view.faces, view.skipped), shares);
     double all = 0;
     for (const double share : shares) all += share;

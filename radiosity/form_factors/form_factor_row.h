@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,11 @@ struct FormFactorRow {
   std::uint64_t background = 0;         ///< share that left the scene
   std::uint64_t back = 0;               ///< share absorbed by the backs of surfaces
 };
+
+struct Patch;
+
+/// Computes the row of a patch: with the hemicube or any other method.
+using RowSource = std::function<FormFactorRow(const Patch& patch)>;
 
 /// A row from one of several points, and the area that shoots from this point.
 struct WeightedRow {

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cassert>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -76,13 +77,13 @@ void addRows(const IdLookup& slots, const Projection& projection, const Window& 
   for (int row = firstRow; row < endRow; ++row) add(row, width);
 }
 
-using AllSums = std::span<SparseSums* const>;
+using AllSums = std::span<const std::unique_ptr<SparseSums>>;
 
 /// Calls body(number) for the blocks of a group that any of the sums has, in ascending order.
 template <typename Body>
 void forEachBlock(AllSums all, std::size_t group, const Body& body) {
   std::uint64_t blocks = 0;
-  for (const SparseSums* sums : all) blocks |= sums->blocksIn(group);
+  for (const auto& sums : all) blocks |= sums->blocksIn(group);
   for (; blocks != 0; blocks &= blocks - 1)
     body(static_cast<std::uint32_t>(group * SparseSums::blocksInGroup) +
          static_cast<std::uint32_t>(std::countr_zero(blocks)));
@@ -101,7 +102,7 @@ std::size_t elementsIn(AllSums all, std::size_t group) {
   std::size_t elements = 0;
   forEachBlock(all, group, [&](std::uint32_t number) {
     std::uint64_t touched = 0;
-    for (SparseSums* sums : all)
+    for (const auto& sums : all)
       if (const auto block = sums->find(number)) touched |= block->touched;
     elements += static_cast<std::size_t>(std::popcount(touched));
   });
@@ -112,7 +113,7 @@ std::size_t elementsIn(AllSums all, std::size_t group) {
 void moveGroup(AllSums all, std::size_t group, std::size_t place, FormFactorRow& row) {
   forEachBlock(all, group, [&](std::uint32_t number) {
     std::optional<SparseSums::Block> total;
-    for (SparseSums* sums : all)
+    for (const auto& sums : all)
       if (const auto block = sums->find(number)) {
         if (total)
           moveShares(*block, *total);
@@ -127,6 +128,24 @@ void moveGroup(AllSums all, std::size_t group, std::size_t place, FormFactorRow&
   });
 }
 
+/// Moves all shares into a row; slots take the place of elements.
+FormFactorRow movedRow(AllSums all) {
+  if (all.empty()) return {};
+  const std::size_t groups = all.front()->groups();
+  std::vector<std::size_t> first(groups + 1);
+  raster::parallelFor(groups, [&](std::size_t group) { first[group + 1] = elementsIn(all, group); });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  FormFactorRow row;
+  row.elements.resize(first.back());
+  row.shares.resize(first.back());
+  raster::parallelFor(groups, [&](std::size_t group) {
+    moveGroup(all, group, first[group], row);
+    for (const auto& sums : all) sums->clear(group);
+  });
+  for (const auto& sums : all) sums->reuse();
+  return row;
+}
+
 /// Removes `slot` from the end of a row if it is there, and returns its share.
 std::uint64_t takeLast(FormFactorRow& row, std::uint32_t slot) {
   if (row.elements.empty() || row.elements.back() != slot) return 0;
@@ -139,50 +158,39 @@ std::uint64_t takeLast(FormFactorRow& row, std::uint32_t slot) {
 }  // namespace
 
 ItemBufferSum::ItemBufferSum(const Discretization& discretization, const IdLayout& layout)
-    : slots_(discretization, layout) {
-  sums_.mine(slots_.count());  // so that takeRow always finds one
-}
+    : slots_(discretization, layout), sums_([this] { return SparseSums(slots_.count()); }) {}
 
 void ItemBufferSum::add(const Projection& projection, const Window& window, const raster::ItemBuffer& buffer) {
   constexpr int pixelsOfThread = 8192;
   const int height = window.scissor.height, rows = std::max(1, pixelsOfThread / std::max(1, window.scissor.width));
   raster::parallelFor(static_cast<std::size_t>((height + rows - 1) / rows), [&](std::size_t part) {
     const int firstRow = static_cast<int>(part) * rows;
-    addRows(slots_, projection, window, buffer, firstRow, std::min(firstRow + rows, height),
-            sums_.mine(slots_.count()));
+    sums_.with([&](SparseSums& sums) {
+      addRows(slots_, projection, window, buffer, firstRow, std::min(firstRow + rows, height), sums);
+    });
   });
 }
 
-FormFactorRow ItemBufferSum::rowOf(const Projection& projection, std::span<const Window> windows,
-                                   std::span<const raster::ItemBuffer> buffers) {
-  assert(windows.size() == buffers.size());
-  raster::parallelFor(windows.size(), [&](std::size_t w) { add(projection, windows[w], buffers[w]); });
-  return takeRow();
-}
-
-FormFactorRow ItemBufferSum::takeRow() {
-  std::vector<SparseSums*> all;
-  for (auto& [thread, sums] : sums_.all()) all.push_back(&sums);
-  const std::size_t groups = all.front()->groups();
-  std::vector<std::size_t> first(groups + 1);
-  raster::parallelFor(groups, [&](std::size_t group) { first[group + 1] = elementsIn(all, group); });
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  FormFactorRow row;
-  row.elements.resize(first.back());
-  row.shares.resize(first.back());
-  raster::parallelFor(groups, [&](std::size_t group) {
-    moveGroup(all, group, first[group], row);
-    for (SparseSums* sums : all) sums->clear(group);
-  });
-  for (SparseSums* sums : all) sums->reuse();
+FormFactorRow ItemBufferSum::rowOf(const Projection& projection,
+                                   const std::function<void(const AddWindow& add)>& draw) {
+  draw([&](const Window& window, const raster::ItemBuffer& buffer) { add(projection, window, buffer); });
+  FormFactorRow row = movedRow(sums_.values());
   row.background = takeLast(row, slots_.background());
   row.back = takeLast(row, slots_.back());
   return row;
 }
 
+FormFactorRow ItemBufferSum::rowOf(const Projection& projection, std::span<const Window> windows,
+                                   std::span<const raster::ItemBuffer> buffers) {
+  assert(windows.size() == buffers.size());
+  return rowOf(projection, [&](const AddWindow& add) {
+    raster::parallelFor(windows.size(), [&](std::size_t w) { add(windows[w], buffers[w]); });
+  });
+}
+
 std::size_t ItemBufferSum::bytes() const {
   std::size_t bytes = slots_.bytes();
-  for (const auto& [thread, sums] : sums_.all()) bytes += sums.bytes();
+  for (const auto& sums : sums_.values()) bytes += sums->bytes();
   return bytes;
 }
 

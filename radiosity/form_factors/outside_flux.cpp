@@ -97,9 +97,10 @@ class PixelCounts {
   /// The pixels of all views together, one view per direction.
   FormFactorRow of(std::span<const glm::dvec3> directions) {
     const std::size_t atOnce = isTwoSided(scene_) ? 1 : viewsAtOnce();
-    for (std::size_t first = 0; first < directions.size(); first += atOnce)
-      draw(directions, first, std::min(first + atOnce, directions.size()));
-    return sum_.takeRow();
+    return sum_.rowOf(shares_, [&](const AddWindow& add) {
+      for (std::size_t first = 0; first < directions.size(); first += atOnce)
+        draw(directions, first, std::min(first + atOnce, directions.size()), add);
+    });
   }
 
  private:
@@ -108,14 +109,14 @@ class PixelCounts {
     return std::clamp(std::size_t{1 << 24} / shares_.captured, std::size_t{2}, std::size_t{16});
   }
 
-  void draw(std::span<const glm::dvec3> directions, std::size_t first, std::size_t end) {
+  void draw(std::span<const glm::dvec3> directions, std::size_t first, std::size_t end, const AddWindow& add) {
     std::vector<raster::Face> faces;
     for (std::size_t i = first; i < end; ++i)
       faces.push_back(views_.face(scene_.origin, directions[i], static_cast<std::uint32_t>(i)));
     const Window window = wholeFaces(shares_).front();
     const std::vector<std::uint32_t> skipped =
         isTwoSided(scene_) ? hiddenSides(scene_, glm::dvec3(faces.front().eye) + scene_.origin) : covered_;
-    renderer_.draw(faces, skipped, buffers_, [&](std::size_t f) { sum_.add(shares_, window, buffers_[f]); });
+    renderer_.draw(faces, skipped, buffers_, [&](std::size_t f) { add(window, buffers_[f]); });
   }
 
   const Scene& scene_;

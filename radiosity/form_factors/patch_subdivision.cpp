@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -25,61 +26,51 @@ int halvingsFor(double weight) {
   return halvings;
 }
 
-/// A part of a patch: a block of texels and the elements whose own texels lie there.
+/// A part of a patch.
 struct PatchSubdivision::Part {
   Patch block;
-  std::vector<std::uint32_t> elements;  ///< ascending
-  int depth = 0;                        ///< number of halvings of its side, including the distance of its points
+  int depth = 0;  ///< number of halvings of its side, including the distance of its points
 };
 
-PatchSubdivision::PatchSubdivision(const Scene& scene, Discretization& discretization, const IdLayout& layout,
+PatchSubdivision::PatchSubdivision(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
                                    raster::ItemBufferRenderer& renderer, double maxMisdirected)
     : scene_(scene),
       discretization_(discretization),
       rows_(scene, discretization, layout, renderer, {.resolution = scoutResolution}),
-      share_(discretization.patches.size()),
       maxMisdirected_(maxMisdirected) {
-  for (const Patch& patch : discretization.patches) patchArea_.push_back(patchArea(discretization, patch));
+  assert(maxMisdirected < 1);
 }
 
-std::vector<std::uint32_t> PatchSubdivision::split(std::uint32_t number, double weight) {
-  Patch& patch = discretization_.patches[number];
-  if (patch.isSettled || maxMisdirected_ >= 1) return {};
-  patch.isSettled = true;
-  std::vector<Part> parts;
-  split(wholeOf(patch), weight, parts);
-  rowsAhead_.erase(discretization_.patchElements[patch.firstElement]);
-  return replace(number, parts);
+std::vector<Patch> PatchSubdivision::split(const Patches& patches, const Patch& patch, double weight) {
+  Part whole{patch};
+  whole.block.isSettled = true;
+  std::vector<Patch> parts;
+  split(patches, std::move(whole), weight, parts);
+  rowsAhead_.erase(patch.elements.front());
+  return parts;
 }
 
-PatchSubdivision::Part PatchSubdivision::wholeOf(const Patch& patch) const {
-  const auto first = discretization_.patchElements.begin() + patch.firstElement;
-  return {patch, std::vector<std::uint32_t>(first, first + patch.elementCount)};
-}
-
-bool PatchSubdivision::wouldSplit(std::uint32_t number, double weight) {
-  const Patch& patch = discretization_.patches[number];
+bool PatchSubdivision::wouldSplit(const Patches& patches, const Patch& patch, double weight) {
   const double limit = maxMisdirected_ / std::sqrt(weight);
-  if (patch.isSettled || maxMisdirected_ >= 1 || limit >= 1) return false;
-  const Part whole = wholeOf(patch);
-  if (!rowsAhead_.contains(whole.elements.front())) rowsAhead_[whole.elements.front()] = estimatingRow(whole);
-  return misdirectedShareOf(whole) > limit;
+  if (patch.isSettled || limit >= 1) return false;
+  if (!rowsAhead_.contains(patch.elements.front())) rowsAhead_[patch.elements.front()] = estimatingRow(patch);
+  return misdirectedShareOf(patches, {patch}) > limit;
 }
 
 /// Splits a part and appends the results.
-void PatchSubdivision::split(Part part, double weight, std::vector<Part>& parts) {
+void PatchSubdivision::split(const Patches& patches, Part part, double weight, std::vector<Patch>& parts) {
   part.block.halvings = halvingsFor(weight);
   const double limit = maxMisdirected_ / std::sqrt(weight);
   // Even misdirecting all its light would be within the limit.
   const bool isFaint = limit >= 1;
-  double misdirected = isFaint || part.depth == maxSplits ? 0 : misdirectedShareOf(part);
+  double misdirected = isFaint || part.depth == maxSplits ? 0 : misdirectedShareOf(patches, part);
   if (misdirected <= limit) {
-    parts.push_back(std::move(part));
+    parts.push_back(std::move(part.block));
     return;
   }
-  if (std::max(part.block.width, part.block.height) > leafSideOf(part)) {
-    const double area = areaOf(part);
-    for (const Part& quarter : quarters(part)) split(quarter, weight * areaOf(quarter) / area, parts);
+  if (std::max(part.block.width, part.block.height) > leafSideOf(part.block)) {
+    for (const Part& quarter : quarters(part))
+      split(patches, quarter, weight * quarter.block.area / part.block.area, parts);
     return;
   }
   // Doubling the points per side leaves each point a quarter of the area, and so a quarter of the flux and of the
@@ -89,56 +80,48 @@ void PatchSubdivision::split(Part part, double weight, std::vector<Part>& parts)
     ++part.depth;
   }
   part.block.halvings = halvingsFor(weight);
-  parts.push_back(std::move(part));
-}
-
-double PatchSubdivision::areaOf(const Part& part) const {
-  double area = 0;
-  for (const std::uint32_t element : part.elements) area += discretization_.elements[element].area;
-  return area;
+  parts.push_back(std::move(part.block));
 }
 
 /// The leaf side of its first element: parts are split down to single elements.
-int PatchSubdivision::leafSideOf(const Part& part) const {
-  const Element& element = discretization_.elements[part.elements.front()];
+int PatchSubdivision::leafSideOf(const Patch& block) const {
+  const Element& element = discretization_.elements[block.elements.front()];
   return leafOf(discretization_.grids[element.surface], element.texel).side;
 }
 
-double PatchSubdivision::misdirectedShareOf(const Part& part) {
-  const auto ahead = part.depth == 0 ? rowsAhead_.find(part.elements.front()) : rowsAhead_.end();
-  return returningShareOf(ahead != rowsAhead_.end() ? ahead->second : estimatingRow(part), areaOf(part)) + foldOf(part);
+double PatchSubdivision::misdirectedShareOf(const Patches& patches, const Part& part) {
+  const Patch& block = part.block;
+  const auto ahead = part.depth == 0 ? rowsAhead_.find(block.elements.front()) : rowsAhead_.end();
+  return returningShareOf(patches, ahead != rowsAhead_.end() ? ahead->second : estimatingRow(block), block.area) +
+         foldOf(block);
 }
 
-FormFactorRow PatchSubdivision::estimatingRow(const Part& part) {
-  const Patch& block = part.block;
-  const auto shooting = shootingBlock(scene_.surfaces[block.surface], discretization_.grids[block.surface],
-                                      glm::dvec2(block.column, block.row), glm::dvec2(block.width, block.height));
-  const SurfacePoint centre =
-      shooting ? shooting->centre : elementCentre(scene_, discretization_, part.elements.front());
-  return rows_.from(block.surface, centre);
+FormFactorRow PatchSubdivision::estimatingRow(const Patch& block) {
+  return rows_.from(block.surface, patchCentre(scene_, discretization_, block));
 }
 
 /// The number of elements minus the length of the sum of their normals, relative, both weighted by area.
-double PatchSubdivision::foldOf(const Part& part) const {
+double PatchSubdivision::foldOf(const Patch& block) const {
   glm::dvec3 sum(0);
-  for (const std::uint32_t element : part.elements)
+  for (const std::uint32_t element : block.elements)
     sum += discretization_.elements[element].area *
-           normal(scene_.surfaces[part.block.surface].triangles[discretization_.triangleOf[element]]);
-  return std::max(0.0, 1 - glm::length(sum) / areaOf(part));
+           normal(scene_.surfaces[block.surface].triangles[discretization_.triangleOf[element]]);
+  return std::max(0.0, 1 - glm::length(sum) / block.area);
 }
 
 /// The share that returns to a patch with this row and this area if all patches are white.
-double PatchSubdivision::returningShareOf(const FormFactorRow& row, double area) {
+double PatchSubdivision::returningShareOf(const Patches& patches, const FormFactorRow& row, double area) {
+  share_.resize(patches.list.size());
   std::vector<std::uint32_t> seen;
   for (std::size_t i = 0; i < row.elements.size(); ++i) {
-    const std::uint32_t patch = discretization_.patchOf[row.elements[i]];
+    const std::uint32_t patch = patches.ofElement[row.elements[i]];
     if (share_[patch] == 0) seen.push_back(patch);
     share_[patch] += row.shares[i];
   }
   double returning = formFactor(row.back);
   for (const std::uint32_t patch : seen) {
     const double factor = formFactor(std::exchange(share_[patch], 0));
-    returning += factor * std::min(1.0, factor * area / patchArea_[patch]);
+    returning += factor * std::min(1.0, factor * area / patches.list[patch].area);
   }
   return returning;
 }
@@ -156,47 +139,23 @@ std::vector<PatchSubdivision::Part> PatchSubdivision::quarters(const Part& part)
     cut.row += upper ? height : 0;
     cut.width = right ? block.width - width : width;
     cut.height = upper ? block.height - height : height;
+    cut.elements.clear();
+    cut.area = 0;
     quarter[static_cast<std::size_t>(k)].depth = part.depth + 1;
   }
   const int columns = discretization_.grids[block.surface].columns;
-  for (const std::uint32_t element : part.elements) {
-    const int texel = static_cast<int>(discretization_.elements[element].texel);
+  for (const std::uint32_t number : block.elements) {
+    const Element& element = discretization_.elements[number];
+    const int texel = static_cast<int>(element.texel);
     const bool right = texel % columns >= block.column + width, upper = texel / columns >= block.row + height;
-    quarter[static_cast<std::size_t>((upper ? 2 : 0) + (right ? 1 : 0))].elements.push_back(element);
+    Patch& cut = quarter[static_cast<std::size_t>((upper ? 2 : 0) + (right ? 1 : 0))].block;
+    cut.elements.push_back(number);
+    cut.area += element.area;
   }
   std::vector<Part> parts;
   for (Part& cut : quarter)
-    if (!cut.elements.empty()) parts.push_back(std::move(cut));
+    if (!cut.block.elements.empty()) parts.push_back(std::move(cut));
   return parts;
-}
-
-/// Replaces a patch by parts: the first keeps its number, the others are appended. Their elements take the place of the
-/// patch's elements in patchElements.
-std::vector<std::uint32_t> PatchSubdivision::replace(std::uint32_t patch, const std::vector<Part>& parts) {
-  std::uint32_t place = discretization_.patches[patch].firstElement;
-  std::vector<std::uint32_t> added;
-  for (const Part& part : parts) {
-    const bool isFirst = &part == &parts.front();
-    const std::uint32_t number = isFirst ? patch : static_cast<std::uint32_t>(discretization_.patches.size());
-    if (!isFirst) {
-      added.push_back(number);
-      discretization_.patches.emplace_back();
-      discretization_.grids[part.block.surface].laterPatches.push_back(number);
-      patchArea_.push_back(0);
-      share_.push_back(0);
-    }
-    Patch& replaced = discretization_.patches[number];
-    replaced = part.block;
-    replaced.firstElement = place;
-    replaced.elementCount = static_cast<std::uint32_t>(part.elements.size());
-    if (!isFirst) replaced.turn = {};
-    for (const std::uint32_t element : part.elements) {
-      discretization_.patchElements[place++] = element;
-      discretization_.patchOf[element] = number;
-    }
-    patchArea_[number] = areaOf(part);
-  }
-  return added;
 }
 
 }  // namespace hemitex::radiosity

@@ -26,6 +26,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -48,45 +49,38 @@ inline constexpr int maxHalvings = 8;
 /// Number of halvings of the resolution for a patch of this weight that is not split.
 int halvingsFor(double weight);
 
-/// Splits a patch before its first shot if one point is not enough. `weight` is its unshot flux over a 256th of all
-/// emitted flux. Returns the numbers of the new patches, which are the last of the discretization; elements of the
-/// patch have moved to them.
-using PatchSplit = std::function<std::vector<std::uint32_t>(std::uint32_t patch, double weight)>;
+/// The parts that replace a patch before its first shot (see replacePatch); one part if one point is enough. `weight`
+/// is its unshot flux over a 256th of all emitted flux.
+using PatchSplit = std::function<std::vector<Patch>(const Patches& patches, const Patch& patch, double weight)>;
 
-/// Splits the patches of a discretization, which it modifies; elements stay the same.
+/// Finds the parts of patches; elements stay the same.
 class PatchSubdivision {
  public:
   /// `layout` is that of the discretization; the renderer draws its draw list. All referenced objects must outlive this
-  /// one. `maxMisdirected` is the share of its light that a patch of weight 1 may misdirect; with 1 or more no patch is
-  /// split.
-  PatchSubdivision(const Scene& scene, Discretization& discretization, const IdLayout& layout,
+  /// one. `maxMisdirected` is the share of its light that a patch of weight 1 may misdirect, below 1.
+  PatchSubdivision(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
                    raster::ItemBufferRenderer& renderer, double maxMisdirected);
 
   /// Quarters a patch until each part misdirects at most maxMisdirected / sqrt(weight) of its light. The weight of a
-  /// part is that of the patch times its share of the area. Returns the numbers of the new patches. A patch that was
-  /// tested before, or a part of one, stays unchanged.
-  std::vector<std::uint32_t> split(std::uint32_t patch, double weight);
+  /// part is that of the patch times its share of the area. Returns the parts, which are settled.
+  std::vector<Patch> split(const Patches& patches, const Patch& patch, double weight);
   /// Whether the patch would be split now. Keeps what it draws for a later call of `split`.
-  bool wouldSplit(std::uint32_t patch, double weight);
+  bool wouldSplit(const Patches& patches, const Patch& patch, double weight);
 
  private:
   struct Part;
 
-  void split(Part part, double weight, std::vector<Part>& parts);
-  Part wholeOf(const Patch& patch) const;
-  double misdirectedShareOf(const Part& part);
-  FormFactorRow estimatingRow(const Part& part);
-  double foldOf(const Part& part) const;
-  double returningShareOf(const FormFactorRow& row, double area);
-  double areaOf(const Part& part) const;
-  int leafSideOf(const Part& part) const;
+  void split(const Patches& patches, Part part, double weight, std::vector<Patch>& parts);
+  double misdirectedShareOf(const Patches& patches, const Part& part);
+  FormFactorRow estimatingRow(const Patch& block);
+  double foldOf(const Patch& block) const;
+  double returningShareOf(const Patches& patches, const FormFactorRow& row, double area);
+  int leafSideOf(const Patch& block) const;
   std::vector<Part> quarters(const Part& part) const;
-  std::vector<std::uint32_t> replace(std::uint32_t patch, const std::vector<Part>& parts);
 
   const Scene& scene_;
-  Discretization& discretization_;
+  const Discretization& discretization_;
   ProjectedFormFactors rows_;
-  std::vector<double> patchArea_;                     ///< one per patch
   std::vector<std::uint64_t> share_;                  ///< one per patch, all 0 between rows
   std::map<std::uint32_t, FormFactorRow> rowsAhead_;  ///< of patches that `wouldSplit` tested, by their first elements
   double maxMisdirected_;

@@ -55,25 +55,20 @@ View ProjectedFormFactors::viewFrom(const ViewPoint& from) {
   return view;
 }
 
-std::vector<ViewPoint> ProjectedFormFactors::pointsOfPatch(std::uint32_t number) const {
-  return pointsOfPatch(number, discretization_.patches[number]);
-}
-
-std::vector<ViewPoint> ProjectedFormFactors::pointsOfPatch(std::uint32_t number, const Patch& patch) const {
+std::vector<ViewPoint> ProjectedFormFactors::pointsOfPatch(const Patch& patch) const {
   std::vector<ViewPoint> points;
   const auto add = [&](const SurfacePoint& point, double area) {
-    const glm::dvec3 up =
-        upOf(settings_.orientation, point.normal, patch.turn.value_or(number), static_cast<int>(points.size()));
+    const glm::dvec3 up = upOf(settings_.orientation, point.normal, patch.turn, static_cast<int>(points.size()));
     points.push_back({patch.surface, point, up, patch.halvings, area});
   };
   if (patch.points > 1)
     for (const ShootingBlock& block : shootingBlocks(scene_, discretization_, patch)) add(block.centre, block.area);
   // For a texel with almost no area, rounding may leave no block with area.
-  if (points.empty()) add(patchCentre(scene_, discretization_, patch), patchArea(discretization_, patch));
+  if (points.empty()) add(patchCentre(scene_, discretization_, patch), patch.area);
   return points;
 }
 
-std::vector<View> ProjectedFormFactors::viewsOfPatch(std::uint32_t patch) {
+std::vector<View> ProjectedFormFactors::viewsOfPatch(const Patch& patch) {
   std::vector<View> views;
   for (const ViewPoint& point : pointsOfPatch(patch)) views.push_back(viewFrom(point));
   return views;
@@ -101,16 +96,16 @@ FormFactorRow ProjectedFormFactors::drawWindows(const View& view, std::span<cons
     faces.push_back(view.faces[window.face]);
     faces.back().scissor = window.scissor;
   }
-  renderer_.draw(faces, view.skipped, buffers,
-                 [&](std::size_t w) { counter_.add(*view.projection, windows[w], buffers[w]); });
-  return counter_.takeRow();
+  return counter_.rowOf(*view.projection, [&](const AddWindow& add) {
+    renderer_.draw(faces, view.skipped, buffers, [&](std::size_t w) { add(windows[w], buffers[w]); });
+  });
 }
 
 FormFactorRow ProjectedFormFactors::from(std::uint32_t surface, const SurfacePoint& point) {
   return ofView(viewFrom({surface, point}));
 }
 
-FormFactorRow ProjectedFormFactors::ofPatch(std::uint32_t patch) { return ofPoints(pointsOfPatch(patch)); }
+FormFactorRow ProjectedFormFactors::ofPatch(const Patch& patch) { return ofPoints(pointsOfPatch(patch)); }
 
 FormFactorRow ProjectedFormFactors::ofPoints(std::span<const ViewPoint> points) {
   if (points.size() == 1) return ofView(viewFrom(points.front()));

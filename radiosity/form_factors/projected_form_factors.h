@@ -62,17 +62,15 @@ class ProjectedFormFactors {
   /// background.
   FormFactorRow from(std::uint32_t surface, const SurfacePoint& point);
   /// The row of a patch: that of its points.
-  FormFactorRow ofPatch(std::uint32_t patch);
+  FormFactorRow ofPatch(const Patch& patch);
   /// The row from a point, or the mean over several points.
   FormFactorRow ofPoints(std::span<const ViewPoint> points);
 
   /// The points for the row of a patch: its centre, or each of its points. Patches that shoot little light use a
   /// coarser projection. The resolution is halved as often as the patch says.
-  std::vector<ViewPoint> pointsOfPatch(std::uint32_t patch) const;
-  /// As above for other values of the patch with this number, as if it had been split or settled.
-  std::vector<ViewPoint> pointsOfPatch(std::uint32_t number, const Patch& patch) const;
+  std::vector<ViewPoint> pointsOfPatch(const Patch& patch) const;
   /// The views from these points.
-  std::vector<View> viewsOfPatch(std::uint32_t patch);
+  std::vector<View> viewsOfPatch(const Patch& patch);
   /// The row of one view.
   FormFactorRow ofView(const View& view);
   /// The contribution of windows of a view to its row. Requires isSumOfWindows.

@@ -11,13 +11,12 @@
 
 namespace hemitex::radiosity {
 
-/// Computes the row of a patch: with the hemicube or any other method.
-using RowSource = std::function<FormFactorRow(std::uint32_t patch)>;
-
 class RowCache {
  public:
   /// `budget` in bytes. The most recent row is always kept.
   explicit RowCache(std::size_t budget) : budget_(budget) {}
+  RowCache(RowCache&&) = default;
+  RowCache& operator=(RowCache&&) = default;
 
   /// The row of a number (that of a patch, for example); calls `make` if it is not in the cache. Valid until the next
   /// call.
@@ -37,6 +36,13 @@ class RowCache {
   std::size_t used_ = 0;
   std::list<Entry> recent_;  ///< most recently used first
   std::map<std::uint64_t, std::list<Entry>::iterator> byNumber_;
+};
+
+/// Rows of patches, and of the views that they are means of. Windows update rows of views exactly, so that their means
+/// equal those of a complete drawing.
+struct KeptRows {
+  RowCache ofPatches;
+  RowCache ofViews;  ///< by view number (see dynamic_solution.h)
 };
 
 }  // namespace hemitex::radiosity

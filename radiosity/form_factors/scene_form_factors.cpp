@@ -20,12 +20,19 @@ std::unique_ptr<raster::ItemBufferRenderer> sceneRenderer(const Scene& scene, co
   return std::make_unique<MeshedRenderer>(makeRenderer(std::move(mesh.list)), std::move(mesh.firstPiece));
 }
 
-SceneFormFactors::SceneFormFactors(const Scene& scene, Discretization unsplit, IdLayout layout,
+Patches splitAll(Patches patches, const PatchSplit& split) {
+  const auto count = static_cast<std::uint32_t>(patches.list.size());
+  for (std::uint32_t patch = 0; split && patch < count; ++patch)
+    replacePatch(patches, patch, split(patches, patches.list[patch], 1));
+  return patches;
+}
+
+SceneFormFactors::SceneFormFactors(const Scene& scene, const Discretization& discretization, IdLayout layout,
                                    const DrawingSettings& settings, const RendererFactory& makeRenderer)
     : scene_(scene),
-      directions_(std::max(8 * settings.resolution, minDirections)),
+      discretization_(discretization),
       layout_(std::move(layout)),
-      discretization_(std::move(unsplit)),
+      directions_(std::max(8 * settings.resolution, minDirections)),
       renderer_(sceneRenderer(scene, discretization_, layout_, settings.elementsBy, makeRenderer)),
       rows_(scene, discretization_, layout_, *renderer_,
             {settings.resolution, settings.orientation, settings.projection, settings.pixelsPerElement}) {
@@ -35,9 +42,8 @@ SceneFormFactors::SceneFormFactors(const Scene& scene, Discretization unsplit, I
   splitter_.emplace(scene, discretization_, layout_, textures_ ? *textures_ : *renderer_, settings.split);
 }
 
-void SceneFormFactors::splitAll() {
-  const auto count = static_cast<std::uint32_t>(discretization_.patches.size());
-  for (std::uint32_t patch = 0; splitter_ && patch < count; ++patch) splitter_->split(patch, 1);
+RowSource SceneFormFactors::rowOf() {
+  return [this](const Patch& patch) { return rows_.ofPatch(patch); };
 }
 
 OutsideFlux SceneFormFactors::outsideFlux() {
@@ -49,14 +55,15 @@ OutsideFlux SceneFormFactors::outsideFlux() {
 
 PatchSplit SceneFormFactors::splits() {
   if (!splitter_) return {};
-  return [this](std::uint32_t patch, double weight) { return splitter_->split(patch, weight); };
+  return [this](const Patches& patches, const Patch& patch, double weight) {
+    return splitter_->split(patches, patch, weight);
+  };
 }
 
-std::vector<ViewPoint> SceneFormFactors::likelyPoints(std::uint32_t number, double weight) {
-  Patch patch = discretization_.patches[number];
-  if (splitter_ && splitter_->wouldSplit(number, weight)) return {};
+std::vector<ViewPoint> SceneFormFactors::likelyPoints(const Patches& patches, Patch patch, double weight) {
+  if (splitter_ && splitter_->wouldSplit(patches, patch, weight)) return {};
   if (splitter_ && !patch.isSettled) patch.halvings = halvingsFor(weight);
-  return rows_.pointsOfPatch(number, patch);
+  return rows_.pointsOfPatch(patch);
 }
 
 }  // namespace hemitex::radiosity

@@ -1,12 +1,11 @@
-/// Form-factor rows of a discretized scene by drawing. It lays out item IDs and gives the draw list to a renderer. It
-/// splits patches that are too near to their receivers before they shoot, and computes the row of each patch.
+/// Form-factor rows of a discretized scene by drawing: gives the draw list to a renderer, finds the parts of patches
+/// that are too near to their receivers, and computes the row of each patch.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <utility>
 
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/form_factor_row.h"
@@ -47,26 +46,25 @@ std::unique_ptr<raster::ItemBufferRenderer> sceneRenderer(const Scene& scene, co
                                                           const IdLayout& layout, ElementsBy elementsBy,
                                                           const RendererFactory& makeRenderer = softwareRenderer);
 
+/// The patches after all are split with weight 1; without `split` as they are.
+Patches splitAll(Patches patches, const PatchSplit& split);
+
 class SceneFormFactors {
  public:
-  /// `layout` is that of the discretization. The scene must outlive this object. Splitting always uses textures, also
-  /// if meshes are drawn, so that patches do not depend on `elementsBy`.
-  SceneFormFactors(const Scene& scene, Discretization unsplit, IdLayout layout, const DrawingSettings& settings,
-                   const RendererFactory& makeRenderer = softwareRenderer);
+  /// `layout` is that of the discretization, whose patches are not used. The scene and the discretization must
+  /// outlive this object. Splitting always uses textures, also if meshes are drawn, so that patches do not depend on
+  /// `elementsBy`.
+  SceneFormFactors(const Scene& scene, const Discretization& discretization, IdLayout layout,
+                   const DrawingSettings& settings, const RendererFactory& makeRenderer = softwareRenderer);
   SceneFormFactors(const SceneFormFactors&) = delete;
   SceneFormFactors& operator=(const SceneFormFactors&) = delete;
 
-  /// The discretization with split patches; elements are unchanged.
-  const Discretization& discretization() const { return discretization_; }
-  /// Moves it out. This object must not be used afterwards.
-  Discretization takeDiscretization() { return std::move(discretization_); }
-  /// Splits all patches with weight 1.
-  void splitAll();
-  /// The function that splits patches of `discretization()` during a solution; empty if no patch is to be split. Keeps
-  /// a reference to this object.
+  /// The row of a patch. Keeps a reference to this object.
+  RowSource rowOf();
+  /// The parts of patches during a solution; empty if no patch is to be split. Keeps a reference to this object.
   PatchSplit splits();
   /// The points that a patch would shoot from now with this weight; none if it would be split (see PatchSplit).
-  std::vector<ViewPoint> likelyPoints(std::uint32_t patch, double weight);
+  std::vector<ViewPoint> likelyPoints(const Patches& patches, Patch patch, double weight);
   const IdLayout& layout() const { return layout_; }
   ProjectedFormFactors& rows() { return rows_; }
   /// The flux from `scene.outside`, with eight times as many directions as a face has pixels along its side,
@@ -75,9 +73,9 @@ class SceneFormFactors {
 
  private:
   const Scene& scene_;
+  const Discretization& discretization_;
+  const IdLayout layout_;
   int directions_;
-  IdLayout layout_;
-  Discretization discretization_;
   std::unique_ptr<raster::ItemBufferRenderer> renderer_;
   ProjectedFormFactors rows_;
   std::unique_ptr<raster::ItemBufferRenderer>

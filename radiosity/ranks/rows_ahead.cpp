@@ -93,19 +93,19 @@ bool RowsAhead::isKept(std::uint32_t patch, const Points& points) const {
   return found != kept_.end() && found->second.points == points;
 }
 
-void RowsAhead::lookAhead(const std::function<std::vector<LikelyShot>(std::size_t count)>& likelyShots) {
+void RowsAhead::lookAhead(const Step& step) {
   takeMessages();
   if (tasksOf_.size() == 1 || keptBytes_ >= budget_) return;
   const std::size_t needed = rowsNeeded();
   const std::size_t least = *std::min_element(tasksOf_.begin() + 1, tasksOf_.end());
   const bool isRoom = least < tasksPerRank;
   if (!isRoom && !areOthersSlow()) return;
-  const std::vector<LikelyShot> shots = likelyShots(needed);
+  const std::vector<LikelyShot> shots = step.likelyShots(needed);
   std::size_t next = 0;
   for (std::size_t held = least; isRoom && held < tasksPerRank; ++held)
     for (std::size_t rank = 1; rank < tasksOf_.size(); ++rank) {
       if (tasksOf_[rank] > held) continue;
-      std::optional<Task> task = nextTask(shots, next);
+      std::optional<Task> task = nextTask(step.patches, shots, next);
       if (!task) break;
       std::string message;
       appendBytes(message, tasksGiven_);
@@ -115,7 +115,7 @@ void RowsAhead::lookAhead(const std::function<std::vector<LikelyShot>(std::size_
       ++tasksOf_[rank];
     }
   if (!areOthersSlow() || shots.empty() || !isUnderWay(shots.front().patch)) return;
-  if (std::optional<Task> task = nextTask(shots, next)) {
+  if (std::optional<Task> task = nextTask(step.patches, shots, next)) {
     const double start = seconds();
     FormFactorRow row = computed(task->points);
     keep(*std::move(task), std::move(row));
@@ -125,12 +125,13 @@ void RowsAhead::lookAhead(const std::function<std::vector<LikelyShot>(std::size_
 }
 
 /// The first likely shot from `next` on whose row no rank has or computes.
-std::optional<RowsAhead::Task> RowsAhead::nextTask(const std::vector<LikelyShot>& shots, std::size_t& next) {
+std::optional<RowsAhead::Task> RowsAhead::nextTask(const Patches& patches, const std::vector<LikelyShot>& shots,
+                                                   std::size_t& next) {
   while (next < shots.size()) {
     const LikelyShot& shot = shots[next++];
     if (shot.weight == 0) return std::nullopt;  // its row will have another resolution, as will those of the rest
     if (kept_.contains(shot.patch) || isUnderWay(shot.patch)) continue;
-    Points points = formFactors_.likelyPoints(shot.patch, shot.weight);
+    Points points = formFactors_.likelyPoints(patches, patches.list[shot.patch], shot.weight);
     if (!points.empty()) return Task{shot.patch, std::move(points)};
   }
   return std::nullopt;
@@ -149,7 +150,7 @@ FormFactorRow RowsAhead::computed(const Points& points) {
   return row;
 }
 
-FormFactorRow RowsAhead::row(std::uint32_t patch) {
+FormFactorRow RowsAhead::row(const Patch& patch) {
   if (rowGiven_) {
     shotSeconds_ += seconds() - *rowGiven_ - aheadSeconds_;
     ++shots_;
@@ -160,8 +161,9 @@ FormFactorRow RowsAhead::row(std::uint32_t patch) {
   return row;
 }
 
-FormFactorRow RowsAhead::rowOf(std::uint32_t patch) {
-  const Points points = formFactors_.rows().pointsOfPatch(patch);
+FormFactorRow RowsAhead::rowOf(const Patch& requested) {
+  const std::uint32_t patch = requested.number;
+  const Points points = formFactors_.rows().pointsOfPatch(requested);
   const auto start = Clock::now();
   while (isUnderWay(patch) && secondsSince(start) < patience * slowestRow_) {
     takeMessages();

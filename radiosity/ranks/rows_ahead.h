@@ -32,10 +32,10 @@ class RowsAhead {
   /// `budget` in bytes, for rows that have arrived and are not needed yet. References must outlive this object.
   RowsAhead(Messenger& ranks, SceneFormFactors& formFactors, std::size_t budget);
 
-  /// Gives likely rows to ranks that have room for a task.
-  void lookAhead(const std::function<std::vector<LikelyShot>(std::size_t count)>& likelyShots);
+  /// Gives likely rows to ranks that have room for a task. Call it after each shot.
+  void lookAhead(const Step& step);
   /// The row of a patch. Computes it if no rank has it, or if the rank that computes it is slow.
-  FormFactorRow row(std::uint32_t patch);
+  FormFactorRow row(const Patch& patch);
   /// Ends the work of the other ranks.
   void end();
 
@@ -56,9 +56,9 @@ class RowsAhead {
   std::size_t rowsNeeded() const;
   bool isUnderWay(std::uint32_t patch) const;
   bool isKept(std::uint32_t patch, const Points& points) const;
-  FormFactorRow rowOf(std::uint32_t patch);
+  FormFactorRow rowOf(const Patch& patch);
   FormFactorRow computed(const Points& points);
-  std::optional<Task> nextTask(const std::vector<LikelyShot>& shots, std::size_t& next);
+  std::optional<Task> nextTask(const Patches& patches, const std::vector<LikelyShot>& shots, std::size_t& next);
   bool areOthersSlow() const;
   void keep(Task task, FormFactorRow row);
   void drop(std::uint32_t patch);

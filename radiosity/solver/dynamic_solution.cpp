@@ -12,6 +12,19 @@
 #include "radiosity/solver/row_update.h"
 
 namespace hemitex::radiosity {
+/// A scene and what draws its rows.
+struct DrawnScene {
+  DrawnScene(Scene ofWorld, Discretization shooting, const LayoutFactory& layOut, const DrawingSettings& settings,
+             const RendererFactory& makeRenderer)
+      : scene(std::move(ofWorld)),
+        discretization(std::move(shooting)),
+        drawn(scene, discretization, layOut(discretization), settings, makeRenderer) {}
+
+  const Scene scene;
+  Discretization discretization;
+  SceneFormFactors drawn;
+};
+
 namespace {
 
 std::uint32_t viewCount(const Patch& patch) {
@@ -23,20 +36,6 @@ std::uint64_t viewNumber(std::uint32_t patch, std::uint32_t view) {
   static_assert(maxSplits <= 4);
   return (std::uint64_t{patch} << 8) + view;
 }
-
-}  // namespace
-
-/// A scene and what draws its rows.
-struct DynamicSolution::World {
-  World(Scene edited, Discretization shooting, const LayoutFactory& layOut, const DrawingSettings& settings,
-        const RendererFactory& makeRenderer)
-      : scene(std::move(edited)), drawn(scene, shooting, layOut(shooting), settings, makeRenderer) {}
-
-  const Scene scene;
-  SceneFormFactors drawn;
-};
-
-namespace {
 
 /// The largest stale light that one update may leave, as a share of what the residual still allows. It remains in all
 /// later frames.
@@ -55,10 +54,12 @@ struct Renumbering {
 
 Renumbering renumber(const Discretization& before, const Discretization& after, const std::vector<Origin>& origins) {
   Renumbering numbers;
-  numbers.patch.resize(before.patches.size());
+  numbers.patch.resize(before.patches.list.size());
   numbers.element.assign(before.elements.size(), static_cast<std::uint32_t>(after.elements.size()));
   numbers.isGone.assign(before.grids.size(), true);
   numbers.isCome.assign(after.grids.size(), true);
+  const auto patchesBefore = patchesOfSurfaces(before.patches, before.grids.size()),
+             patchesAfter = patchesOfSurfaces(after.patches, after.grids.size());
   for (std::size_t s = 0; s < origins.size(); ++s) {
     if (!origins[s].former) continue;
     const Grid& old = before.grids[*origins[s].former];
@@ -66,8 +67,8 @@ Renumbering renumber(const Discretization& before, const Discretization& after, 
     for (std::uint32_t e = 0; e < grid.elementCount; ++e) numbers.element[old.firstElement + e] = grid.firstElement + e;
     if (origins[s].isMoved) continue;
     numbers.isGone[*origins[s].former] = numbers.isCome[s] = false;
-    const std::vector<std::uint32_t> former = patchesOf(old), now = patchesOf(grid);
-    for (std::size_t p = 0; p < now.size(); ++p) numbers.patch[former[p]] = now[p];
+    const std::vector<std::uint32_t>& now = patchesAfter[s];
+    for (std::size_t p = 0; p < now.size(); ++p) numbers.patch[patchesBefore[*origins[s].former][p]] = now[p];
   }
   return numbers;
 }
@@ -123,17 +124,16 @@ LeftRows leaveRows(const std::vector<double>& bounds, double allowed) {
 /// Updates the shot light and the cached rows for an edit.
 class LightUpdate {
  public:
-  LightUpdate(const Scene& sceneBefore, SceneFormFactors& before, const Scene& sceneAfter, SceneFormFactors& after,
-              const std::vector<Origin>& origins, const KeptRows& kept, std::size_t rowCacheBytes)
-      : sceneBefore_(sceneBefore),
-        before_(before),
+  LightUpdate(DrawnScene& before, DrawnScene& after, const std::vector<Origin>& origins, const KeptRows& kept,
+              std::size_t rowCacheBytes)
+      : before_(before),
         after_(after),
-        numbers_(renumber(before.discretization(), after.discretization(), origins)),
-        gone_(static_cast<std::uint32_t>(after.discretization().elements.size())),
-        change_{before.rows(), after.rows(), ChangedSurfaces(sceneBefore, numbers_.isGone),
-                ChangedSurfaces(sceneAfter, numbers_.isCome)},
+        numbers_(renumber(before.discretization, after.discretization, origins)),
+        gone_(static_cast<std::uint32_t>(after.discretization.elements.size())),
+        change_{before.drawn.rows(), after.drawn.rows(), ChangedSurfaces(before.scene, numbers_.isGone),
+                ChangedSurfaces(after.scene, numbers_.isCome)},
         kept_(kept),
-        rows_(rowCacheBytes) {}
+        rows_{RowCache(rowCacheBytes / 2), RowCache(rowCacheBytes / 2)} {}
 
   /// `outside` is the flux from outside after the edit, `mayLeave` the flux that may become stale.
   void update(const ShotLight& light, OutsideFlux outside, double mayLeave) {
@@ -171,7 +171,7 @@ class LightUpdate {
 
  private:
   void carry(const ShotLight& light, OutsideFlux outside) {
-    light_ = {std::vector<glm::dvec3>(after_.discretization().patches.size()),
+    light_ = {std::vector<glm::dvec3>(after_.discretization.patches.list.size()),
               std::vector<glm::dvec3>(gone_ + 1),
               light.lost,
               light.lostToBacks,
@@ -188,12 +188,11 @@ class LightUpdate {
 
   /// Bounds of the share of each former patch's light through pixels that can change.
   std::vector<double> largestShares() const {
-    const Discretization& before = before_.discretization();
-    std::vector<double> shares(before.patches.size());
+    std::vector<double> shares(before_.discretization.patches.list.size());
     if (change_.gone.empty() && change_.come.empty()) return shares;
-    for (std::size_t p = 0; p < shares.size(); ++p) {
+    for (std::uint32_t p = 0; p < shares.size(); ++p) {
       if (!numbers_.patch[p]) continue;  // all its shots are retracted
-      const Patch& patch = before.patches[p];
+      const Patch& patch = patchBefore(p);
       const double pixel = pixelAngle(change_.rowsAfter.projection()) * (1 << patch.halvings);
       for (const SurfacePoint& point : pointsOf(patch))
         shares[p] = std::max(shares[p], std::min(1.0, change_.gone.largestShare(point, pixel) +
@@ -206,11 +205,13 @@ class LightUpdate {
   std::vector<SurfacePoint> pointsOf(const Patch& patch) const {
     std::vector<SurfacePoint> points;
     if (patch.points > 1)
-      for (const ShootingBlock& block : shootingBlocks(sceneBefore_, before_.discretization(), patch))
+      for (const ShootingBlock& block : shootingBlocks(before_.scene, before_.discretization, patch))
         points.push_back(block.centre);
-    if (points.empty()) points.push_back(patchCentre(sceneBefore_, before_.discretization(), patch));
+    if (points.empty()) points.push_back(patchCentre(before_.scene, before_.discretization, patch));
     return points;
   }
+
+  const Patch& patchBefore(std::uint32_t number) const { return before_.discretization.patches.list[number]; }
 
   FormFactorRow renumbered(const FormFactorRow& row) const { return inNewNumbers(row, numbers_, gone_); }
 
@@ -218,7 +219,7 @@ class LightUpdate {
   void keep(std::uint32_t patch) {
     const std::uint32_t number = *numbers_.patch[patch];
     if (const FormFactorRow* known = kept_.ofPatches.find(patch)) rows_.ofPatches.keep(number, renumbered(*known));
-    const std::uint32_t views = viewCount(before_.discretization().patches[patch]);
+    const std::uint32_t views = viewCount(patchBefore(patch));
     for (std::uint32_t view = 0; view < views; ++view) keepView(patch, view, {});
   }
 
@@ -237,7 +238,7 @@ class LightUpdate {
   void takeBack(std::uint32_t patch, const glm::dvec3& shot) {
     if (shot == glm::dvec3(0)) return;
     const FormFactorRow* known = kept_.ofPatches.find(patch);
-    receive(light_, renumbered(known != nullptr ? *known : before_.rows().ofPatch(patch)), -shot);
+    receive(light_, renumbered(known != nullptr ? *known : before_.drawn.rows().ofPatch(patchBefore(patch))), -shot);
     ++cost_.rowsRetracted;
   }
 
@@ -245,7 +246,7 @@ class LightUpdate {
   void redirect(std::uint32_t patch, const glm::dvec3& shot) {
     const std::uint32_t number = *numbers_.patch[patch];
     const FormFactorRow* known = kept_.ofPatches.find(patch);
-    const RowChange change = changeOf(change_, patch, number, known);
+    const RowChange change = changeOf(change_, patchBefore(patch), after_.discretization.patches.list[number], known);
     if (change.isNothing()) return keep(patch);
     const FormFactorRow before = renumbered(change.before);
     receive(light_, before, -shot);
@@ -258,9 +259,8 @@ class LightUpdate {
     for (std::uint32_t view = 0; view < change.views.size(); ++view) keepView(patch, view, change.views[view]);
   }
 
-  const Scene& sceneBefore_;
-  SceneFormFactors& before_;
-  SceneFormFactors& after_;
+  DrawnScene& before_;
+  DrawnScene& after_;
   Renumbering numbers_;
   std::uint32_t gone_;  ///< the number of all removed elements
   SceneChange change_;
@@ -272,70 +272,68 @@ class LightUpdate {
 
 }  // namespace
 
-DynamicSolution::DynamicSolution(Scene scene, Discretization unsplit, DynamicSettings settings, LayoutFactory layOut,
-                                 const Progress& progress, RendererFactory makeRenderer)
-    : settings_(std::move(settings)),
-      layOut_(std::move(layOut)),
-      makeRenderer_(std::move(makeRenderer)),
-      world_(std::make_unique<World>(std::move(scene), std::move(unsplit), layOut_, settings_.drawing, makeRenderer_)),
-      rows_(settings_.solver.rowCacheBytes) {
-  settings_.discretization = followingScene(world_->scene, settings_.discretization);
-  refine(ShootingState(world_->scene, discretization(), world_->drawn.outsideFlux()), progress);
-}
-
-DynamicSolution::~DynamicSolution() = default;
-
-const Scene& DynamicSolution::scene() const { return world_->scene; }
-const Discretization& DynamicSolution::discretization() const { return world_->drawn.discretization(); }
-const IdLayout& DynamicSolution::layout() const { return world_->drawn.layout(); }
-
-std::uint64_t DynamicSolution::captured() const { return world_->drawn.rows().projection().captured; }
-
-/// As ProjectedFormFactors::ofPatch, but draws only the views whose rows are not in the cache.
-FormFactorRow DynamicSolution::rowOf(std::uint32_t patch) {
-  ProjectedFormFactors& rows = world_->drawn.rows();
+FormFactorRow rowByViews(ProjectedFormFactors& rows, RowCache& ofViews, const Patch& patch) {
   const std::vector<View> views = rows.viewsOfPatch(patch);
   if (views.size() == 1) return rows.ofView(views.front());
   std::vector<WeightedRow> weighted;
   for (std::uint32_t view = 0; view < views.size(); ++view) {
     const auto drawn = [&] { return rows.ofView(views[view]); };
-    weighted.push_back({rows_.ofViews.row(viewNumber(patch, view), drawn), views[view].area});
+    weighted.push_back({ofViews.row(viewNumber(patch.number, view), drawn), views[view].area});
   }
   return meanOf(weighted);
 }
 
-void DynamicSolution::refine(ShootingState state, const Progress& progress) {
-  solution_ = radiosity::refine(
-      world_->scene, discretization(), state, rows_.ofPatches, [this](std::uint32_t patch) { return rowOf(patch); },
-      settings_.solver, progress, world_->drawn.splits());
-  light_ = state.light();
+DynamicSolution::DynamicSolution(Scene scene, Discretization discretization, Solution solution,
+                                 DynamicSettings settings, LayoutFactory layOut, RendererFactory makeRenderer)
+    : settings_(std::move(settings)),
+      layOut_(std::move(layOut)),
+      makeRenderer_(std::move(makeRenderer)),
+      world_(std::make_unique<DrawnScene>(std::move(scene), std::move(discretization), layOut_, settings_.drawing,
+                                          makeRenderer_)),
+      rows_(std::move(solution.continuation.value().rows)),
+      solution_(std::move(solution)) {
+  settings_.discretization = followingScene(world_->scene, settings_.discretization);
 }
+
+DynamicSolution::~DynamicSolution() = default;
+
+const Scene& DynamicSolution::scene() const { return world_->scene; }
+const Discretization& DynamicSolution::discretization() const { return world_->discretization; }
+const IdLayout& DynamicSolution::layout() const { return world_->drawn.layout(); }
 
 UpdateCost DynamicSolution::update(std::span<const Edit> edits, const Progress& progress) {
   EditedScene edit = edited(world_->scene, removed_, edits);
   Discretization shooting = carried(discretization(), edit, settings_.discretization);
-  auto next =
-      std::make_unique<World>(std::move(edit.scene), std::move(shooting), layOut_, settings_.drawing, makeRenderer_);
+  auto next = std::make_unique<DrawnScene>(std::move(edit.scene), std::move(shooting), layOut_, settings_.drawing,
+                                           makeRenderer_);
   OutsideFlux outside = next->drawn.outsideFlux();
-  const double emitted = bandSum(emittedFlux(next->scene, next->drawn.discretization()) + sumOf(outside));
-  const double allowed = settings_.solver.residual * (emitted > 0 ? emitted : light_.lastEmitted);
-  LightUpdate update(world_->scene, world_->drawn, next->scene, next->drawn, edit.origins, rows_,
-                     settings_.solver.rowCacheBytes);
-  const bool startsOver = light_.stale > maxStale * allowed;
+  const double emitted = bandSum(emittedFlux(next->scene, next->discretization) + sumOf(outside));
+  const double allowed = settings_.solver.residual * (emitted > 0 ? emitted : light().lastEmitted);
+  LightUpdate update(*world_, *next, edit.origins, rows_, settings_.solver.rowCacheBytes);
+  const bool startsOver = light().stale > maxStale * allowed;
   if (startsOver)
     update.keepRows();
   else
-    update.update(light_, std::move(outside), shareLeftStale * (allowed - light_.stale));
+    update.update(light(), std::move(outside), shareLeftStale * (allowed - light().stale));
   UpdateCost cost = update.cost();
   cost.startedOver = startsOver;
 
   removed_ = std::move(edit.removed);
   rows_ = std::move(update.rows());
-  ShotLight light = std::move(update.light());
+  ShotLight shot =
+      startsOver ? nothingShot(next->discretization.patches, std::move(outside)) : std::move(update.light());
   world_ = std::move(next);
-  refine(startsOver ? ShootingState(scene(), discretization(), std::move(outside))
-                    : ShootingState(scene(), discretization(), std::move(light)),
-         progress);
+  solution_ =
+      refine({.scene = scene(),
+              .discretization = discretization(),
+              .patches = std::move(world_->discretization.patches),
+              .rowOf = [this](const Patch& patch) { return rowByViews(world_->drawn.rows(), rows_.ofViews, patch); },
+              .split = world_->drawn.splits(),
+              .settings = settings_.solver,
+              .isContinued = true},
+             {std::move(shot), {std::move(rows_.ofPatches), RowCache(0)}}, progress);
+  rows_.ofPatches = std::move(solution_.continuation->rows.ofPatches);
+  world_->discretization.patches = std::move(solution_.patches);
   return cost;
 }
 

@@ -48,22 +48,19 @@ struct UpdateCost {
   bool startedOver = false;  ///< solved again: too much stale light, or too little emission to allow for it
 };
 
-/// Rows of patches, and of the views that they are means of. Windows update rows of views exactly, so that their means
-/// equal those of a complete drawing.
-struct KeptRows {
-  /// Each cache takes half of `budget`, in bytes.
-  explicit KeptRows(std::size_t budget) : ofPatches(budget / 2), ofViews(budget / 2) {}
+/// As ProjectedFormFactors::ofPatch, but draws only the views whose rows are not in the cache, and keeps them there.
+/// With it `solve` gives the continuation `rows.ofViews`, which save work at the first update.
+FormFactorRow rowByViews(ProjectedFormFactors& rows, RowCache& ofViews, const Patch& patch);
 
-  RowCache ofPatches;
-  RowCache ofViews;  ///< by view number
-};
+struct DrawnScene;
 
 class DynamicSolution {
  public:
-  /// Solves the scene. `unsplit` is its discretization with the settings, which should be unburied; otherwise surfaces
-  /// under moved solids would stay dark.
-  DynamicSolution(Scene scene, Discretization unsplit, DynamicSettings settings, LayoutFactory layOut,
-                  const Progress& progress = {}, RendererFactory makeRenderer = softwareRenderer);
+  /// Starts from a solution of the scene with the drawing and solver settings, with its continuation.
+  /// `discretization` is that of the scene, with the patches of the solution. Its settings should be unburied;
+  /// otherwise surfaces under moved solids would stay dark.
+  DynamicSolution(Scene scene, Discretization discretization, Solution solution, DynamicSettings settings,
+                  LayoutFactory layOut, RendererFactory makeRenderer = softwareRenderer);
   ~DynamicSolution();
   DynamicSolution(const DynamicSolution&) = delete;
   DynamicSolution& operator=(const DynamicSolution&) = delete;
@@ -73,27 +70,20 @@ class DynamicSolution {
   UpdateCost update(std::span<const Edit> edits, const Progress& progress = {});
 
   const Scene& scene() const;
-  const Discretization& discretization() const;
+  const Discretization& discretization() const;  ///< whose patches are those of the solution
   const IdLayout& layout() const;
-  /// The share of a patch's light that the projection captures, in units of 2^-60.
-  std::uint64_t captured() const;
+  /// The solution; its patches are in the discretization.
   const Solution& solution() const { return solution_; }
   /// The flux that was shot, and where it arrived.
-  const ShotLight& light() const { return light_; }
+  const ShotLight& light() const { return solution_.continuation->light; }
 
  private:
-  struct World;
-
-  FormFactorRow rowOf(std::uint32_t patch);
-  void refine(ShootingState state, const Progress& progress);
-
   DynamicSettings settings_;
   LayoutFactory layOut_;
   RendererFactory makeRenderer_;
-  std::unique_ptr<World> world_;
+  std::unique_ptr<DrawnScene> world_;
   std::vector<Surface> removed_;
   KeptRows rows_;
-  ShotLight light_;
   Solution solution_;
 };
 

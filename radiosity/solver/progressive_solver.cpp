@@ -51,9 +51,9 @@ void addToBacks(std::vector<glm::dvec3>& absorbed, std::uint32_t patch, const gl
 constexpr double unitsOfFlux = 256;
 
 /// Shoots until a limit of the settings is reached, after the shots and splits of `past`.
-Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, const SolverSettings& settings,
-               const Progress& progress, const PatchSplit& split, const Snapshot& past = {},
-               const LookAhead& lookAhead = {}) {
+Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, const Progress& progress,
+               const Snapshot& past = {}) {
+  const SolverSettings& settings = input.settings;
   Solution solution;
   solution.shots = past.shots;
   solution.absorbedByBacks = past.absorbedByBacks;
@@ -71,75 +71,81 @@ Solution shoot(ShootingState& state, RowCache& rows, const RowSource& rowOf, con
       if (rows.find(patch) == nullptr) shots.push_back({patch, weightOf(patch)});
     return shots;
   };
-  const auto hasBeenSplit = [&](std::uint32_t patch) {
-    if (!split || state.hasShot(patch)) return false;
-    const double weight = weightOf(patch);
-    const std::vector<std::uint32_t> parts = split(patch, weight);
-    splits.push_back({patch, weight});
-    if (!parts.empty()) state.split(patch, parts);
-    return !parts.empty();
+  const auto hasBeenSplit = [&](std::uint32_t number) {
+    const Patch& patch = state.patches().list[number];
+    if (!input.split || patch.isSettled || state.hasShot(number)) return false;
+    splits.push_back({number, weightOf(number)});
+    std::vector<Patch> parts = input.split(state.patches(), patch, splits.back().weight);
+    const bool isOne = parts.size() == 1;
+    state.split(number, std::move(parts));
+    return !isOne;
   };
   while (!isDone() && !solution.isInterrupted) {
     const std::uint32_t patch = state.brightestPatch();
     if (hasBeenSplit(patch)) continue;  // another patch may be brighter than the parts
-    if (lookAhead) lookAhead(likelyShots);
-    const FormFactorRow& row = rows.row(patch, [&] { return rowOf(patch); });
+    const FormFactorRow& row = rows.row(patch, [&] { return input.rowOf(state.patches().list[patch]); });
     if (row.back != 0) addToBacks(solution.absorbedByBacks, patch, state.unshot(patch) * formFactor(row.back));
     state.shoot(patch, row);
     ++solution.shots;
     solution.residual = state.residual();
-    const bool goesOn = !progress || progress({solution.shots, solution.residual, isDone(), snapshot});
+    const bool goesOn =
+        !progress || progress({solution.shots, solution.residual, isDone(), state.patches(), snapshot, likelyShots});
     solution.isInterrupted = !goesOn && !isDone();
   }
   return solution;
 }
 
-/// Splits the patches of the discretization as they were split before the snapshot.
-void splitAgain(const Discretization& discretization, const Snapshot& snapshot, const PatchSplit& split) {
-  for (const SplitCall& call : snapshot.splits)
-    if (split && call.patch < discretization.patches.size())
-      split(static_cast<std::uint32_t>(call.patch), call.weight);
-    else
+/// Splits the patches as they were split before the snapshot.
+void splitAgain(SolveInput& input, const Snapshot& snapshot) {
+  Patches& patches = input.patches;
+  for (const SplitCall& call : snapshot.splits) {
+    if (!input.split || call.patch >= patches.list.size())
       throw raster::InputError("the stored solution splits other patches");
-  const std::size_t patches = discretization.patches.size(), elements = discretization.elements.size();
+    const auto number = static_cast<std::uint32_t>(call.patch);
+    replacePatch(patches, number, input.split(patches, patches.list[number], call.weight));
+  }
+  const std::size_t count = patches.list.size(), elements = patches.ofElement.size();
   const SavedShots& state = snapshot.state;
-  if (state.shot.size() != patches || state.unshot.size() != patches || state.received.size() != elements)
+  if (state.shot.size() != count || state.unshot.size() != count || state.received.size() != elements)
     throw raster::InputError("the stored solution has another number of patches or elements");
 }
 
-/// Completes a solution with its account of flux. A temporary state gives its memory to the radiosity.
-template <typename AnyShootingState>
-Solution finished(Solution solution, const Scene& scene, const Discretization& discretization,
-                  AnyShootingState&& state) {
+/// Completes a solution with its account of flux and its patches.
+Solution finished(const SolveInput& input, Solution solution, ShootingState state, KeptRows rows) {
   solution.energy = state.energy();
-  if (!solution.absorbedByBacks.empty()) solution.absorbedByBacks.resize(discretization.patches.size());
-  solution.radiosity = std::forward<AnyShootingState>(state).radiosity();
-  solution.ambient = ambientEstimate(scene, discretization, solution.energy);
+  if (!solution.absorbedByBacks.empty()) solution.absorbedByBacks.resize(state.patches().list.size());
+  solution.ambient = ambientEstimate(input.scene, input.discretization, solution.energy);
   solution.warnings = warningsOf(solution.energy);
-  if (const auto warning = lossWarning(scene, solution.energy)) solution.warnings.push_back(*warning);
+  if (const auto warning = lossWarning(input.scene, solution.energy)) solution.warnings.push_back(*warning);
+  if (input.isContinued) solution.continuation = Continuation{state.light(), std::move(rows)};
+  solution.patches = state.takePatches();
+  solution.radiosity = std::move(state).radiosity();
   return solution;
 }
 
 }  // namespace
 
-Solution solve(const Scene& scene, const Discretization& discretization, const RowSource& rowOf,
-               const SolverSettings& settings, const Progress& progress, const PatchSplit& split, Start start,
-               const LookAhead& lookAhead) {
-  assert(!discretization.patches.empty());
-  const Snapshot past = start.snapshot ? *start.snapshot : Snapshot();
-  if (start.snapshot) splitAgain(discretization, past, split);
-  ShootingState state = start.snapshot ? ShootingState(scene, discretization, std::move(start.outside), past.state)
-                                       : ShootingState(scene, discretization, std::move(start.outside));
-  RowCache rows(settings.rowCacheBytes);
-  Solution solution = shoot(state, rows, rowOf, settings, progress, split, past, lookAhead);
-  return finished(std::move(solution), scene, discretization, std::move(state));
+Solution solve(SolveInput input, const Progress& progress) {
+  assert(!input.patches.list.empty());
+  const Snapshot past = input.snapshot ? *input.snapshot : Snapshot();
+  if (input.snapshot) splitAgain(input, past);
+  const Scene& scene = input.scene;
+  const Discretization& discretization = input.discretization;
+  ShotLight nothing = input.snapshot ? ShotLight() : nothingShot(input.patches, std::move(input.outside));
+  ShootingState state =
+      input.snapshot
+          ? ShootingState(scene, discretization, std::move(input.patches), std::move(input.outside), past.state)
+          : ShootingState(scene, discretization, std::move(input.patches), std::move(nothing));
+  const std::size_t bytes = input.settings.rowCacheBytes;
+  KeptRows rows{RowCache(input.isContinued ? bytes / 2 : bytes), RowCache(bytes / 2)};
+  Solution solution = shoot(input, state, rows.ofPatches, progress, past);
+  return finished(input, std::move(solution), std::move(state), std::move(rows));
 }
 
-Solution refine(const Scene& scene, const Discretization& discretization, ShootingState& state, RowCache& rows,
-                const RowSource& rowOf, const SolverSettings& settings, const Progress& progress,
-                const PatchSplit& split) {
-  Solution solution = shoot(state, rows, rowOf, settings, progress, split);
-  return finished(std::move(solution), scene, discretization, std::as_const(state));
+Solution refine(SolveInput input, Continuation past, const Progress& progress) {
+  ShootingState state(input.scene, input.discretization, std::move(input.patches), std::move(past.light));
+  Solution solution = shoot(input, state, past.rows.ofPatches, progress);
+  return finished(input, std::move(solution), std::move(state), std::move(past.rows));
 }
 
 }  // namespace hemitex::radiosity

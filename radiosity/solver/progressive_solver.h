@@ -25,28 +25,38 @@ struct SolverSettings {
                               << 20;  ///< memory of the cache of rows, for later shots of the same patch
 };
 
+/// All that a solution is computed from. What it refers to must not change during the solution.
+struct SolveInput {
+  const Scene& scene;
+  const Discretization& discretization;  ///< of which `patches` are used instead of its own
+  Patches patches;                       ///< at least one
+  RowSource rowOf;
+  PatchSplit split = {};  ///< without it no patch is split
+  SolverSettings settings = {};
+  OutsideFlux outside = {};            ///< light from outside the scene
+  const Snapshot* snapshot = nullptr;  ///< goes on from here; all else must be that of the solution that it is of
+  bool isContinued = false;            ///< see Solution::continuation
+};
+
+/// What `refine` continues from.
+struct Continuation {
+  ShotLight light;
+  KeptRows rows;  ///< each cache with half the memory of the settings; `solve` leaves `ofViews` empty
+};
+
 struct Solution {
   std::vector<glm::dvec3> radiosity;  ///< one per element, W/m^2 per band, without the ambient estimate
   glm::dvec3 ambient{0.0};  ///< ambient radiosity of the unshot flux; times reflectance it is added only for display
   Energy energy;
+  Patches patches;  ///< as split during the solution
   /// One per patch: the flux that it shot in this solution and that backs absorbed. Empty if there is none.
   std::vector<glm::dvec3> absorbedByBacks;
   double residual = 0;  ///< unshot over emitted flux, bands summed (see ShootingState::residual)
   int shots = 0;
   bool isInterrupted = false;  ///< ended by Progress before a limit was reached
   std::vector<std::string> warnings;
+  std::optional<Continuation> continuation = {};  ///< if SolveInput::isContinued
 };
-
-/// A solution after a shot.
-struct Step {
-  int shots = 0;
-  double residual = 0;
-  bool isLast = false;                 ///< a limit of the settings is reached
-  std::function<Snapshot()> snapshot;  ///< from which `solve` goes on
-};
-
-/// Called after each shot. The solution ends there if it returns false.
-using Progress = std::function<bool(const Step&)>;
 
 /// A patch that will probably shoot soon, and its weight (see PatchSplit) if it shot now.
 struct LikelyShot {
@@ -54,27 +64,27 @@ struct LikelyShot {
   double weight = 0;
 };
 
-/// Called before each shot with a function that lists likely shots, the one with the most flux first: at most `count`,
-/// without those whose rows are in the cache. The result does not depend on what is done with them.
-using LookAhead = std::function<void(const std::function<std::vector<LikelyShot>(std::size_t count)>& likelyShots)>;
-
-/// How a solution begins.
-struct Start {
-  OutsideFlux outside = {};       ///< light from outside the scene
-  const Snapshot* snapshot = {};  ///< goes on from here, with the same arguments as the solution that it is of
+/// A solution after a shot.
+struct Step {
+  int shots = 0;
+  double residual = 0;
+  bool isLast = false;  ///< a limit of the settings is reached
+  const Patches& patches;
+  std::function<Snapshot()> snapshot;  ///< from which `solve` goes on
+  /// Likely shots, the one with the most flux first: at most `count`, without those whose rows are in the cache.
+  std::function<std::vector<LikelyShot>(std::size_t count)> likelyShots;
 };
 
-/// Starts from the emission of the elements and the light from outside, and shoots until a limit of the settings is
-/// reached. `split` splits patches of `discretization`; without it no patch is split. The result does not depend on the
-/// number of threads, on the memory of the row cache, or on snapshots. Throws InputError for a snapshot of another
-/// solution.
-Solution solve(const Scene& scene, const Discretization& discretization, const RowSource& rowOf,
-               const SolverSettings& settings, const Progress& progress = {}, const PatchSplit& split = {},
-               Start start = {}, const LookAhead& lookAhead = {});
+/// Called after each shot. The solution ends there if it returns false.
+using Progress = std::function<bool(const Step&)>;
 
-/// Continues a refinement of the scene until a limit of the settings is reached; counts shots from here.
-Solution refine(const Scene& scene, const Discretization& discretization, ShootingState& state, RowCache& rows,
-                const RowSource& rowOf, const SolverSettings& settings, const Progress& progress = {},
-                const PatchSplit& split = {});
+/// Starts from the emission of the elements and the light from outside, and shoots until a limit of the settings is
+/// reached. The result does not depend on the number of threads, on the memory of the row cache, or on snapshots.
+/// Throws InputError for a snapshot of another solution.
+Solution solve(SolveInput input, const Progress& progress = {});
+
+/// As above from light that was shot by the patches of the input. Counts shots from here; the outside flux and the
+/// snapshot of the input are not used.
+Solution refine(SolveInput input, Continuation past, const Progress& progress = {});
 
 }  // namespace hemitex::radiosity

@@ -93,8 +93,7 @@ double pixelAngle(const Projection& projection) {
   return largest;
 }
 
-RowChange changeOf(SceneChange& change, std::uint32_t patchBefore, std::uint32_t patchAfter,
-                   const FormFactorRow* known) {
+RowChange changeOf(SceneChange& change, const Patch& patchBefore, const Patch& patchAfter, const FormFactorRow* known) {
   const std::vector<View> before = change.rowsBefore.viewsOfPatch(patchBefore);
   const std::vector<View> after = change.rowsAfter.viewsOfPatch(patchAfter);
   if (before.size() != after.size() || !change.rowsAfter.isSumOfWindows())

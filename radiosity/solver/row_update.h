@@ -55,9 +55,10 @@ struct SceneChange {
   ChangedSurfaces gone, come;
 };
 
-/// The change for a patch that is at the same place in both scenes. A view is drawn completely if its near distance
-/// differs, because that moves vertices where triangles cross the near plane. `known` is the row before, if known.
-RowChange changeOf(SceneChange& change, std::uint32_t patchBefore, std::uint32_t patchAfter,
+/// The change of the row of a patch that is at the same place in both scenes, with its numbers before and after. A view
+/// is drawn completely if its near distance differs, because that moves vertices where triangles cross the near plane.
+/// `known` is the row before, if known.
+RowChange changeOf(SceneChange& change, const Patch& patchBefore, const Patch& patchAfter,
                    const FormFactorRow* known = nullptr);
 
 }  // namespace hemitex::radiosity

@@ -11,15 +11,6 @@
 namespace hemitex::radiosity {
 namespace {
 
-ShotLight nothingShot(const Discretization& discretization, OutsideFlux outside) {
-  ShotLight light;
-  light.shot.resize(discretization.patches.size());
-  light.received = outside.received;
-  light.received.resize(discretization.elements.size());
-  light.outside = std::move(outside);
-  return light;
-}
-
 /// One past the last element of a surface.
 std::uint32_t endOf(const Grid& grid) { return grid.firstElement + grid.elementCount; }
 
@@ -27,23 +18,6 @@ std::uint32_t endOf(const Grid& grid) { return grid.firstElement + grid.elementC
 template <typename Body>
 void forEachElement(const Grid& grid, const Body& body) {
   for (std::uint32_t e = grid.firstElement; e < endOf(grid); ++e) body(e);
-}
-
-/// The flux that the elements of each patch emit.
-std::vector<glm::dvec3> emittedByPatches(const Scene& scene, const Discretization& discretization) {
-  std::vector<glm::dvec3> emitted(discretization.patches.size());
-  raster::parallelFor(emitted.size(), [&](std::size_t p) {
-    const Patch& patch = discretization.patches[p];
-    const SurfaceValues emission = emissions(scene, discretization, patch.surface);
-    if (emission.areZero()) return;
-    KahanSum sum;
-    for (std::uint32_t i = 0; i < patch.elementCount; ++i) {
-      const std::uint32_t element = discretization.patchElements[patch.firstElement + i];
-      sum.add(emission.of(element) * discretization.elements[element].area);
-    }
-    emitted[p] = sum.value();
-  });
-  return emitted;
 }
 
 /// Entries [first, end) of a row.
@@ -72,7 +46,6 @@ constexpr std::size_t fetchedAhead = 32;
 
 /// Entries of a row in one surface, and the flux shot along the row.
 struct Arrival {
-  std::uint32_t surface;
   std::span<const std::uint32_t> elements;
   std::span<const std::uint64_t> shares;
   glm::dvec3 shot;
@@ -108,9 +81,8 @@ void receive(const Arrival& arrival, std::span<glm::dvec3> received, const Refle
 }
 
 /// Adds the reflected flux of each element to its patch.
-void receiveByElements(const Arrival& arrival, const SurfaceValues& reflectance, const Discretization& discretization,
+void receiveByElements(const Arrival& arrival, const SurfaceValues& reflectance, std::span<const std::uint32_t> patchOf,
                        std::span<glm::dvec3> received, ReceivingPatches patches) {
-  const std::span patchOf(discretization.patchOf);
   receive(arrival, received, [&, elements = arrival.elements](std::size_t i, const glm::dvec3& light) {
     patches.add(patchOf[elements[i]], light * reflectance.of(elements[i]));
   });
@@ -118,10 +90,9 @@ void receiveByElements(const Arrival& arrival, const SurfaceValues& reflectance,
 
 /// As above for a uniform reflectance and patches with several receiving elements: sums the shares per patch first,
 /// except for patches made by splits.
-void receiveByPatches(const Arrival& arrival, const glm::dvec3& reflectance, const Discretization& discretization,
-                      std::span<glm::dvec3> received, ReceivingPatches patches) {
-  const Grid& grid = discretization.grids[arrival.surface];
-  const std::span patchOf(discretization.patchOf);
+void receiveByPatches(const Arrival& arrival, const glm::dvec3& reflectance, const Grid& grid,
+                      std::span<const std::uint32_t> patchOf, std::span<glm::dvec3> received,
+                      ReceivingPatches patches) {
   std::vector<std::uint64_t> shareOf(grid.patchCount);
   receive(arrival, received,
           [&, elements = arrival.elements, firstPatch = grid.firstPatch](std::size_t i, const glm::dvec3& light) {
@@ -144,7 +115,8 @@ struct Receipt {
 
 /// Applies a shot to all entries of a part, surface by surface.
 Receipt receive(const Part& part, const glm::dvec3& shot, const FormFactorRow& row, const Scene& scene,
-                const Discretization& discretization, std::span<glm::dvec3> received, UnshotTree& unshot) {
+                const Discretization& discretization, std::span<const std::uint32_t> patchOf,
+                std::span<glm::dvec3> received, UnshotTree& unshot) {
   Receipt receipt{.blocks = {}, .visits = part.end - part.first};
   for (std::size_t first = part.first, end = part.first; first < part.end; first = end) {
     const std::uint32_t surface = discretization.elements[row.elements[first]].surface;
@@ -153,23 +125,32 @@ Receipt receive(const Part& part, const glm::dvec3& shot, const FormFactorRow& r
                                          row.elements.begin() + static_cast<std::ptrdiff_t>(part.end), endOf(grid));
     end = static_cast<std::size_t>(behind - row.elements.begin());
     const std::size_t count = end - first;
-    const Arrival arrival{surface, std::span(row.elements).subspan(first, count),
-                          std::span(row.shares).subspan(first, count), shot};
+    const Arrival arrival{std::span(row.elements).subspan(first, count), std::span(row.shares).subspan(first, count),
+                          shot};
     const SurfaceValues reflectance = reflectances(scene, discretization, surface);
     const ReceivingPatches patches(unshot, receipt.blocks);
     // The pass over patches must not be longer than that over entries: a row may contain few elements of a large
     // surface.
     if (reflectance.areEqual() && grid.patchCount <= count / 2) {
-      receiveByPatches(arrival, reflectance.of(grid.firstElement), discretization, received, patches);
+      receiveByPatches(arrival, reflectance.of(grid.firstElement), grid, patchOf, received, patches);
       receipt.visits += grid.patchCount;
     } else {
-      receiveByElements(arrival, reflectance, discretization, received, patches);
+      receiveByElements(arrival, reflectance, patchOf, received, patches);
     }
   }
   return receipt;
 }
 
 }  // namespace
+
+ShotLight nothingShot(const Patches& patches, OutsideFlux outside) {
+  ShotLight light;
+  light.shot.resize(patches.list.size());
+  light.received = outside.received;
+  light.received.resize(patches.ofElement.size());
+  light.outside = std::move(outside);
+  return light;
+}
 
 glm::dvec3 emittedFlux(const Scene& scene, const Discretization& discretization) {
   KahanSum sum;
@@ -183,18 +164,10 @@ glm::dvec3 emittedFlux(const Scene& scene, const Discretization& discretization)
   return sum.value();
 }
 
-ShootingState::ShootingState(const Scene& scene, const Discretization& discretization, OutsideFlux outside)
+ShootingState::ShootingState(const Scene& scene, const Discretization& discretization, Patches patches, ShotLight light)
     : scene_(scene),
       discretization_(discretization),
-      light_(nothingShot(discretization, std::move(outside))),
-      unshot_(light_.outside.received.empty() ? emittedByPatches(scene, discretization) : unshotByPatches()),
-      emitted_(emittedFlux(scene, discretization) + sumOf(light_.outside)) {
-  light_.lastEmitted = bandSum(emitted_);
-}
-
-ShootingState::ShootingState(const Scene& scene, const Discretization& discretization, ShotLight light)
-    : scene_(scene),
-      discretization_(discretization),
+      patches_(std::move(patches)),
       light_(std::move(light)),
       unshot_(unshotByPatches()),
       emitted_(emittedFlux(scene, discretization) + sumOf(light_.outside)) {
@@ -203,10 +176,11 @@ ShootingState::ShootingState(const Scene& scene, const Discretization& discretiz
   lostToBacks_.add(light_.lostToBacks);
 }
 
-ShootingState::ShootingState(const Scene& scene, const Discretization& discretization, OutsideFlux outside,
-                             SavedShots saved)
+ShootingState::ShootingState(const Scene& scene, const Discretization& discretization, Patches patches,
+                             OutsideFlux outside, SavedShots saved)
     : scene_(scene),
       discretization_(discretization),
+      patches_(std::move(patches)),
       unshot_(std::move(saved.unshot)),
       emitted_(emittedFlux(scene, discretization) + sumOf(outside)),
       lost_(saved.lost),
@@ -229,7 +203,7 @@ std::size_t ShootingState::shoot(std::uint32_t patch, const FormFactorRow& row) 
   std::vector<Receipt> receipts(parts.size());
   // Patches belong to one surface, so that no two threads change the same patch.
   raster::parallelFor(parts.size(), [&](std::size_t i) {
-    receipts[i] = receive(parts[i], shot, row, scene_, discretization_, light_.received, unshot_);
+    receipts[i] = receive(parts[i], shot, row, scene_, discretization_, patches_.ofElement, light_.received, unshot_);
   });
   std::vector<std::uint32_t> blocks{patch / UnshotTree::patchesInBlock};
   std::size_t visits = 0;
@@ -287,12 +261,6 @@ std::vector<glm::dvec3> ShootingState::radiosity() && {
   return std::move(light_.received);
 }
 
-std::size_t ShootingState::bytes() const {
-  return (light_.shot.capacity() + light_.received.capacity() + light_.outside.received.capacity()) *
-             sizeof(glm::dvec3) +
-         unshot_.bytes();
-}
-
 /// Converts the received flux of elements to radiosity: outgoing flux over area.
 void ShootingState::makeRadiosity(std::vector<glm::dvec3>& received) const {
   raster::parallelFor(discretization_.grids.size(), [&](std::size_t s) {
@@ -306,23 +274,27 @@ void ShootingState::makeRadiosity(std::vector<glm::dvec3>& received) const {
   });
 }
 
+std::size_t ShootingState::bytes() const {
+  return (light_.shot.capacity() + light_.received.capacity() + light_.outside.received.capacity()) *
+             sizeof(glm::dvec3) +
+         unshot_.bytes();
+}
+
 /// The outgoing flux of a patch's elements minus what the patch has shot.
 glm::dvec3 ShootingState::unshotOf(std::uint32_t number) const {
-  const Patch& patch = discretization_.patches[number];
+  const Patch& patch = patches_.list[number];
   const SurfaceValues emission = emissions(scene_, discretization_, patch.surface),
                       reflectance = reflectances(scene_, discretization_, patch.surface);
   KahanSum sum;
   sum.add(-light_.shot[number]);
-  for (std::uint32_t i = 0; i < patch.elementCount; ++i) {
-    const std::uint32_t element = discretization_.patchElements[patch.firstElement + i];
+  for (const std::uint32_t element : patch.elements)
     sum.add(emission.of(element) * discretization_.elements[element].area +
             reflectance.of(element) * light_.received[element]);
-  }
   return sum.value();
 }
 
 std::vector<glm::dvec3> ShootingState::unshotByPatches() const {
-  assert(light_.shot.size() == discretization_.patches.size());
+  assert(light_.shot.size() == patches_.list.size());
   assert(light_.received.size() == discretization_.elements.size());
   std::vector<glm::dvec3> unshot(light_.shot.size());
   raster::parallelFor(unshot.size(),
@@ -330,18 +302,21 @@ std::vector<glm::dvec3> ShootingState::unshotByPatches() const {
   return unshot;
 }
 
-void ShootingState::split(std::uint32_t patch, std::span<const std::uint32_t> newPatches) {
-  assert(!hasShot(patch));
-  light_.shot.resize(discretization_.patches.size());
-  unshot_.grow(discretization_.patches.size());
+void ShootingState::split(std::uint32_t number, std::vector<Patch> parts) {
+  assert(!hasShot(number));
+  const auto firstNew = static_cast<std::uint32_t>(patches_.list.size());
+  replacePatch(patches_, number, std::move(parts));
+  const auto end = static_cast<std::uint32_t>(patches_.list.size());
+  light_.shot.resize(end);
+  unshot_.grow(end);
   std::vector<std::uint32_t> blocks;
   const auto makeAnew = [&](std::uint32_t changed) {
     unshot_.clear(changed);
     unshot_.add(changed, unshotOf(changed));
     blocks.push_back(changed / UnshotTree::patchesInBlock);
   };
-  makeAnew(patch);
-  for (const std::uint32_t newPatch : newPatches) makeAnew(newPatch);
+  makeAnew(number);
+  for (std::uint32_t patch = firstNew; patch < end; ++patch) makeAnew(patch);
   unshot_.update(blocks);
 }
 

@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "radiosity/base/kahan_sum.h"
@@ -62,20 +63,25 @@ struct SavedShots {
   KahanSum lost, lostToBacks;
 };
 
+/// The light before the first shot.
+ShotLight nothingShot(const Patches& patches, OutsideFlux outside = {});
+
 /// The flux that all elements emit.
 glm::dvec3 emittedFlux(const Scene& scene, const Discretization& discretization);
 
 class ShootingState {
  public:
-  /// The state before the first shot. The references must outlive this object.
-  ShootingState(const Scene& scene, const Discretization& discretization, OutsideFlux outside = {});
-  /// Continues from a state whose account is balanced: sum of `shot` + sum of `outside` = sum of `received` + `lost`.
-  ShootingState(const Scene& scene, const Discretization& discretization, ShotLight light);
+  /// Continues from light whose account is balanced: sum of `shot` + sum of `outside` = sum of `received` + `lost`. The
+  /// patches are those of the discretization, perhaps split; `discretization.patches` are not used. The references must
+  /// outlive this object.
+  ShootingState(const Scene& scene, const Discretization& discretization, Patches patches, ShotLight light);
 
-  /// Continues from a saved state of the same scene and discretization with the same bits.
-  ShootingState(const Scene& scene, const Discretization& discretization, OutsideFlux outside, SavedShots saved);
+  /// Continues from a saved state of the same scene, discretization and patches with the same bits.
+  ShootingState(const Scene& scene, const Discretization& discretization, Patches patches, OutsideFlux outside,
+                SavedShots saved);
   SavedShots saved() const;
 
+  const Patches& patches() const { return patches_; }
   /// The patch with the largest absolute unshot flux, bands summed; the first of equals.
   std::uint32_t brightestPatch() const { return unshot_.brightest(); }
   /// The patches with the largest absolute unshot flux, in this order; at most `count`.
@@ -83,9 +89,8 @@ class ShootingState {
   /// The unshot flux of a patch, and whether it has ever shot.
   const glm::dvec3& unshot(std::uint32_t patch) const { return unshot_.flux()[patch]; }
   bool hasShot(std::uint32_t patch) const { return light_.shot[patch] != glm::dvec3(0); }
-  /// Updates the state after a patch that never shot was split: gives the new patches, which are the last ones, the
-  /// unshot flux of their elements.
-  void split(std::uint32_t patch, std::span<const std::uint32_t> newPatches);
+  /// Replaces a patch that never shot by parts, which get the unshot flux of their elements (see replacePatch).
+  void split(std::uint32_t patch, std::vector<Patch> parts);
   /// Shoots the unshot flux of a patch along its row. Returns the number of elements, patches and tree nodes that it
   /// visited: those of the row, and some near the patches that received.
   std::size_t shoot(std::uint32_t patch, const FormFactorRow& row);
@@ -100,6 +105,8 @@ class ShootingState {
   std::vector<glm::dvec3> radiosity() const&;
   /// As above, reusing the memory of the received flux.
   std::vector<glm::dvec3> radiosity() &&;
+  /// Moves the patches out. This object must not be used afterwards.
+  Patches takePatches() { return std::move(patches_); }
 
   std::size_t bytes() const;
 
@@ -111,6 +118,7 @@ class ShootingState {
 
   const Scene& scene_;
   const Discretization& discretization_;
+  Patches patches_;
   ShotLight light_;
   UnshotTree unshot_;  ///< one per patch
   glm::dvec3 emitted_{0.0};

@@ -2,6 +2,7 @@
 /// went. Results must not depend on which value they were computed with.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -12,6 +13,10 @@ namespace hemitex::raster {
 template <typename Value>
 class Pool {
  public:
+  Pool() = default;
+  /// `make` makes a value.
+  explicit Pool(std::function<Value()> make) : make_(std::move(make)) {}
+
   /// Calls body(value) with a value that no other call uses meanwhile. May be called from several threads at a time.
   template <typename Body>
   void with(const Body& body) {
@@ -21,15 +26,20 @@ class Pool {
     unused_.push_back(std::move(value));
   }
 
+  /// All values; none may be in use.
+  std::vector<std::unique_ptr<Value>>& values() { return unused_; }
+  const std::vector<std::unique_ptr<Value>>& values() const { return unused_; }
+
  private:
   std::unique_ptr<Value> take() {
     const std::lock_guard lock(mutex_);
-    if (unused_.empty()) return std::make_unique<Value>();
+    if (unused_.empty()) return std::unique_ptr<Value>(new Value(make_()));
     std::unique_ptr<Value> value = std::move(unused_.back());
     unused_.pop_back();
     return value;
   }
 
+  std::function<Value()> make_ = [] { return Value(); };
   std::vector<std::unique_ptr<Value>> unused_;
   std::mutex mutex_;
 };

@@ -39,7 +39,7 @@ FromCentres fromCentres(const Scene& scene, std::uint32_t to, int centresAlongSi
   FromCentres mean{};
   const Grid& grid = world.discretization.grids[from];
   for (std::uint32_t p = grid.firstPatch; p < grid.firstPatch + grid.patchCount; ++p) {
-    const SurfacePoint centre = patchCentre(world.scene, world.discretization, world.discretization.patches[p]);
+    const SurfacePoint centre = patchCentre(world.scene, world.discretization, world.discretization.patches.list[p]);
     const FormFactorRow row = rows.from(from, centre);
     for (std::size_t i = 0; i < row.elements.size(); ++i)
       if (world.discretization.elements[row.elements[i]].surface == to)

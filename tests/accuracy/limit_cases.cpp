@@ -64,7 +64,7 @@ std::string saidOfCoincidentFaces() {
   tests::HemicubeWorld world(tests::finish(std::move(scene)), 2, 1);
   ProjectedFormFactors rows = world.rows(64);
   const Solution solution =
-      solve(world.scene, world.discretization, [&](std::uint32_t patch) { return rows.ofPatch(patch); }, {});
+      solve({.scene = world.scene, .discretization = world.discretization, .patches = world.discretization.patches, .rowOf = [&](const radiosity::Patch& patch) { return rows.ofPatch(patch); }});
   return solution.warnings.empty() ? "" : solution.warnings.back();
 }
 

@@ -32,10 +32,15 @@ OneSurfaceFindings ofOneSurface() {
   scene.materials[0].emission = glm::dvec3(1);
   tests::HemicubeWorld world(std::move(scene), 1, 1);
   ProjectedFormFactors rows = world.rows(hemicubeResolution);
-  const auto rowOf = [&](std::uint32_t patch) { return rows.ofPatch(patch); };
-  const Energy energy = solve(world.scene, world.discretization, rowOf, {}).energy;
+  const auto rowOf = [&](const radiosity::Patch& patch) { return rows.ofPatch(patch); };
+  const Energy energy = solve({.scene = world.scene,
+                               .discretization = world.discretization,
+                               .patches = world.discretization.patches,
+                               .rowOf = rowOf})
+                            .energy;
   const auto receivers = reference::everyElement(world.discretization);
-  return {formFactor(rowOf(0).background), hemisphereRow(world.scene, receivers, world.discretization).background.value,
+  return {formFactor(rowOf(world.discretization.patches.list[0]).background),
+          hemisphereRow(world.scene, receivers, world.discretization).background.value,
           energy.lost.x / energy.emitted.x};
 }
 
@@ -50,7 +55,7 @@ MillionFindings ofAMillionSurfaces() {
     surfaces.push_back(tests::quad("tile" + std::to_string(i), {corner, along, opposite, across}));
   }
   tests::HemicubeWorld world(tests::sceneOf(std::move(surfaces)), 1, 1);
-  const SurfacePoint centre = patchCentre(world.scene, world.discretization, world.discretization.patches[0]);
+  const SurfacePoint centre = patchCentre(world.scene, world.discretization, world.discretization.patches.list[0]);
   const FormFactorRow row = world.rows(hemicubeResolution).from(0, centre);
   const std::uint64_t arriving = std::accumulate(row.shares.begin(), row.shares.end(), std::uint64_t{0});
   // The ceiling, and its last tile, which is missing.

@@ -14,8 +14,7 @@ using namespace radiosity;
 
 Solution solutionOf(tests::HemicubeWorld& world, int resolution, const Progress& progress) {
   ProjectedFormFactors rows = world.rows(resolution);
-  return solve(
-      world.scene, world.discretization, [&](std::uint32_t patch) { return rows.ofPatch(patch); }, {}, progress);
+  return solve({.scene = world.scene, .discretization = world.discretization, .patches = world.discretization.patches, .rowOf = [&](const radiosity::Patch& patch) { return rows.ofPatch(patch); }}, progress);
 }
 
 double accountErrorOf(const Energy& energy) {

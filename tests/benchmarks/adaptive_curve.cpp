@@ -53,8 +53,12 @@ class Curve {
   std::vector<glm::dvec3> solved(const radiosity::Discretization& discretization, int side) const {
     radiosity::SceneFormFactors drawn(scene_, discretization, radiosity::layOut(discretization, {.format = "r32ui"}),
                                       {.resolution = side});
-    const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
-    return radiosity::solve(scene_, drawn.discretization(), rowOf, {}, {}, drawn.splits()).radiosity;
+    return radiosity::solve({.scene = scene_,
+                             .discretization = discretization,
+                             .patches = discretization.patches,
+                             .rowOf = drawn.rowOf(),
+                             .split = drawn.splits()})
+        .radiosity;
   }
 
   Point pointOf(const radiosity::Discretization& discretization, const std::vector<glm::dvec3>& radiosity) const {

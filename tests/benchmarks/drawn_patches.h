@@ -30,7 +30,7 @@ struct DrawnPatches {
   radiosity::IdLayout layout;
   raster::SoftwareRenderer renderer;
   radiosity::ProjectedFormFactors rows;
-  std::vector<std::uint32_t> patches;
+  std::vector<radiosity::Patch> patches;
   std::vector<radiosity::View> views;
   std::vector<std::vector<raster::ItemBuffer>> drawn;
   radiosity::ItemBufferSum sum;
@@ -43,7 +43,7 @@ struct DrawnPatches {
         rows(scene, discretization, layout, renderer, {.resolution = resolution}),
         patches(reference::spreadPatches(discretization, count)),
         sum(discretization, layout) {
-    for (const std::uint32_t patch : patches) {
+    for (const radiosity::Patch& patch : patches) {
       views.push_back(rows.viewsOfPatch(patch).front());
       raster::draw(renderer, views.back().faces, views.back().skipped, drawn.emplace_back());
     }

@@ -44,9 +44,12 @@ Timed solvedWithin(const TracedScene& world, double bound) {
   const auto solveWith = [&](const radiosity::Effort& effort) {
     radiosity::SceneFormFactors drawn(world.scene, world.discretization, radiosity::layOut(world.discretization),
                                       {.resolution = effort.resolution, .split = effort.split});
-    const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
-    return timed.radiosity = radiosity::solve(world.scene, drawn.discretization(), rowOf,
-                                              {.residual = radiosity::residualFor(bound)}, {}, drawn.splits())
+    return timed.radiosity = radiosity::solve({.scene = world.scene,
+                                               .discretization = world.discretization,
+                                               .patches = world.discretization.patches,
+                                               .rowOf = drawn.rowOf(),
+                                               .split = drawn.splits(),
+                                               .settings = {.residual = radiosity::residualFor(bound)}})
                                  .radiosity;
   };
   radiosity::chooseEffort(world.discretization, solveWith, bound);

@@ -161,7 +161,7 @@ TEST_CASE("Drawing triangles of 24 pixels takes at most 100 ns each", "[.limits]
   ProjectedFormFactors rows(scene, discretization, layout, renderer, {.resolution = 256});
   constexpr std::size_t views = 16;
   std::vector<View> seen;
-  for (const std::uint32_t patch : reference::spreadPatches(discretization, views))
+  for (const Patch& patch : reference::spreadPatches(discretization, views))
     seen.push_back(rows.viewsOfPatch(patch).front());
   std::vector<raster::ItemBuffer> buffers;
   const std::function<void()> drawAll = [&] {

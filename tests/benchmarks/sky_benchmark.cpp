@@ -91,9 +91,9 @@ void measureRows(const World& world, const std::vector<double>& truth) {
     radiosity::SceneFormFactors drawn(world.scene, world.discretization, world.layout,
                                       {.resolution = resolution, .split = 1});
     std::vector<double> flux(truth.size());
-    for (std::uint32_t p = 0; p < world.discretization.patches.size(); ++p) {
-      const std::uint32_t e = world.discretization.patchElements[world.discretization.patches[p].firstElement];
-      flux[e] = radiosity::formFactor(drawn.rows().ofPatch(p).background) * world.discretization.elements[e].area;
+    for (const radiosity::Patch& patch : world.discretization.patches.list) {
+      const std::uint32_t e = patch.elements.front();
+      flux[e] = radiosity::formFactor(drawn.rows().ofPatch(patch).background) * world.discretization.elements[e].area;
     }
     print("hemicubes", resolution, flux, truth, secondsSince(start));
   }

@@ -21,14 +21,25 @@ using namespace hemitex;
 
 namespace {
 
-/// Form factors from patches without splitting. The scene must outlive the result.
-radiosity::SceneFormFactors unsplitFormFactors(
-    const radiosity::Scene& scene, const radiosity::DiscretizationSettings& elements, int resolution,
-    const radiosity::RendererFactory& renderer = radiosity::softwareRenderer) {
-  radiosity::Discretization discretization = radiosity::discretize(scene, elements);
-  radiosity::IdLayout layout = radiosity::layOut(discretization, {.format = "r32ui"});
-  return {scene, std::move(discretization), std::move(layout), {.resolution = resolution, .split = 1}, renderer};
-}
+/// Form factors from patches without splitting. The scene must outlive this object.
+struct Unsplit {
+  const radiosity::Scene& scene;
+  radiosity::Discretization discretization;
+  radiosity::SceneFormFactors drawn;
+
+  Unsplit(const radiosity::Scene& ofElements, const radiosity::DiscretizationSettings& elements, int resolution,
+          const radiosity::RendererFactory& renderer = radiosity::softwareRenderer)
+      : scene(ofElements),
+        discretization(radiosity::discretize(scene, elements)),
+        drawn(scene, discretization, radiosity::layOut(discretization, {.format = "r32ui"}),
+              {.resolution = resolution, .split = 1}, renderer) {}
+
+  radiosity::ShootingState start() const {
+    const radiosity::Patches& patches = discretization.patches;
+    return {scene, discretization, patches, radiosity::nothingShot(patches)};
+  }
+  radiosity::FormFactorRow row(std::uint32_t patch) { return drawn.rows().ofPatch(discretization.patches.list[patch]); }
+};
 
 const radiosity::Scene& cornellBox() { return tests::sceneNamed("cornell-box").scene; }
 
@@ -43,7 +54,7 @@ void parts(benchmark::State& state) {
   constexpr int shots = 300;
   const raster::ThreadLimit oneThread(1);
   const int resolution = static_cast<int>(state.range(0));
-  radiosity::SceneFormFactors drawn = unsplitFormFactors(cornellBox(), {.texels = texelsOfAMillion()}, resolution);
+  Unsplit drawn(cornellBox(), {.texels = texelsOfAMillion()}, resolution);
   double start = 0, picking = 0, hemicubes = 0, spreading = 0, accounting = 0;
   const auto timed = [](double& part, const auto& step) {
     const reference::Stopwatch watch;
@@ -52,11 +63,10 @@ void parts(benchmark::State& state) {
     return result;
   };
   for (auto _ : state) {
-    const auto solver =
-        timed(start, [&] { return std::make_unique<radiosity::ShootingState>(cornellBox(), drawn.discretization()); });
+    const auto solver = timed(start, [&] { return std::make_unique<radiosity::ShootingState>(drawn.start()); });
     for (int shot = 0; shot < shots; ++shot) {
       const std::uint32_t patch = timed(picking, [&] { return solver->brightestPatch(); });
-      const radiosity::FormFactorRow row = timed(hemicubes, [&] { return drawn.rows().ofPatch(patch); });
+      const radiosity::FormFactorRow row = timed(hemicubes, [&] { return drawn.row(patch); });
       timed(spreading, [&] { return solver->shoot(patch, row); });
       timed(accounting, [&] { return solver->residual(); });
     }
@@ -102,11 +112,11 @@ double heapOf(int texels, int resolution) {
   const auto probed = [&whileDrawn](raster::DrawList list) {
     return std::make_unique<HeapProbe>(radiosity::softwareRenderer(std::move(list)), whileDrawn);
   };
-  radiosity::SceneFormFactors drawn = unsplitFormFactors(cornellBox(), {.texels = texels}, resolution, probed);
-  radiosity::ShootingState state(cornellBox(), drawn.discretization());
-  state.shoot(state.brightestPatch(), drawn.rows().ofPatch(state.brightestPatch()));
+  Unsplit drawn(cornellBox(), {.texels = texels}, resolution, probed);
+  radiosity::ShootingState state = drawn.start();
+  state.shoot(state.brightestPatch(), drawn.row(state.brightestPatch()));
   const std::size_t before = heapBytes();
-  const radiosity::FormFactorRow row = drawn.rows().ofPatch(state.brightestPatch());
+  const radiosity::FormFactorRow row = drawn.row(state.brightestPatch());
   return static_cast<double>(whileDrawn + (heapBytes() - before));
 }
 
@@ -156,16 +166,19 @@ void hemicubes(benchmark::State& state) {
   const raster::ThreadLimit limit(static_cast<int>(state.range(0)));
   tests::DrawnPatches drawn(room.scene, room.elements, room.ids, threadsResolution, 8);
   for (auto _ : state)
-    for (const std::uint32_t patch : drawn.patches) benchmark::DoNotOptimize(drawn.rows.ofPatch(patch));
+    for (const radiosity::Patch& patch : drawn.patches) benchmark::DoNotOptimize(drawn.rows.ofPatch(patch));
 }
 
 void solution(benchmark::State& state) {
   const reference::BenchScene& room = tests::sceneNamed("paper-room");
   const raster::ThreadLimit limit(static_cast<int>(state.range(0)));
-  radiosity::SceneFormFactors drawn = unsplitFormFactors(room.scene, room.elements, threadsResolution);
-  const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
+  Unsplit drawn(room.scene, room.elements, threadsResolution);
   for (auto _ : state)
-    radiosity::solve(room.scene, drawn.discretization(), rowOf, {.residual = 0, .shots = 40, .rowCacheBytes = 0});
+    radiosity::solve({.scene = room.scene,
+                      .discretization = drawn.discretization,
+                      .patches = drawn.discretization.patches,
+                      .rowOf = drawn.drawn.rowOf(),
+                      .settings = {.residual = 0, .shots = 40, .rowCacheBytes = 0}});
 }
 
 void oneAndTwo(benchmark::internal::Benchmark* threaded) {

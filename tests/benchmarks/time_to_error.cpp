@@ -50,11 +50,9 @@ reference::TradeRows splitRays(const radiosity::Scene& scene, const radiosity::D
                                int rays) {
   const auto drawn = std::make_shared<radiosity::SceneFormFactors>(
       scene, discretization, radiosity::layOut(discretization), radiosity::DrawingSettings());
-  const auto rows = std::make_shared<reference::RayRows>(scene, drawn->discretization(),
+  const auto rows = std::make_shared<reference::RayRows>(scene, discretization,
                                                          reference::RayRowSettings{rays, reference::RayStart::Area});
-  return {{drawn, &drawn->discretization()},
-          [drawn, rows](std::uint32_t patch) { return rows->ofPatch(patch); },
-          drawn->splits()};
+  return {[drawn, rows](const radiosity::Patch& patch) { return rows->ofPatch(patch); }, drawn->splits()};
 }
 
 std::vector<Variant> variants() {

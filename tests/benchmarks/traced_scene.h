@@ -47,7 +47,13 @@ struct TracedScene {
   /// Radiosity by a method at a setting.
   std::vector<glm::dvec3> solvedBy(const reference::TradeMethod& method, int setting, double residual) const {
     const reference::TradeRows rows = method.rows(scene, discretization, setting);
-    return radiosity::solve(scene, *rows.discretization, rows.rowOf, {.residual = residual}, {}, rows.split).radiosity;
+    return radiosity::solve({.scene = scene,
+                             .discretization = discretization,
+                             .patches = discretization.patches,
+                             .rowOf = rows.rowOf,
+                             .split = rows.split,
+                             .settings = {.residual = residual}})
+        .radiosity;
   }
 };
 

@@ -55,7 +55,7 @@ TEST_CASE("The radiosity of examples/method.cpp equals that of solve with the sa
   raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
   ProjectedFormFactors rows(scene, discretization, layout, renderer, {.resolution = 256});
   const Solution solution =
-      solve(scene, discretization, [&](std::uint32_t patch) { return rows.ofPatch(patch); }, {.residual = 0.001});
+      solve({.scene = scene, .discretization = discretization, .patches = discretization.patches, .rowOf = [&](const Patch& patch) { return rows.ofPatch(patch); }, .settings = {.residual = 0.001}});
 
   REQUIRE(found.size() == solution.radiosity.size());
   double largest = 0;

@@ -116,9 +116,16 @@ Run simulated(int ranks, const Scene& scene, const Discretization& discretizatio
   SceneFormFactors ofOthers(scene, discretization, layOut(discretization), {.resolution = resolution, .split = split});
   SimulatedRanks messenger(ranks, ofOthers.rows(), measured);
   RowsAhead rows(messenger, formFactors, settings.rowCacheBytes);
-  solve(
-      scene, formFactors.discretization(), [&](std::uint32_t patch) { return rows.row(patch); }, settings, {},
-      formFactors.splits(), {}, [&](const auto& likelyShots) { rows.lookAhead(likelyShots); });
+  solve({.scene = scene,
+         .discretization = discretization,
+         .patches = discretization.patches,
+         .rowOf = [&](const Patch& patch) { return rows.row(patch); },
+         .split = formFactors.splits(),
+         .settings = settings},
+        [&](const Step& step) {
+          rows.lookAhead(step);
+          return true;
+        });
   const Run run{messenger.clock(), messenger.waited(), rows.counts()};
   rows.end();
   return run;

@@ -24,10 +24,13 @@ struct LitRoom {
 LitRoom litRoom(const Scene& scene) {
   Discretization unsplit = discretize(scene, {});
   IdLayout layout = layOut(unsplit);
-  SceneFormFactors drawn(scene, std::move(unsplit), std::move(layout), {});
-  const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
-  Solution solution = solve(scene, drawn.discretization(), rowOf, {}, {}, drawn.splits());
-  return {drawn.discretization(), std::move(solution)};
+  SceneFormFactors drawn(scene, unsplit, std::move(layout), {});
+  Solution solution = solve({.scene = scene,
+                             .discretization = unsplit,
+                             .patches = unsplit.patches,
+                             .rowOf = drawn.rowOf(),
+                             .split = drawn.splits()});
+  return {std::move(unsplit), std::move(solution)};
 }
 
 }  // namespace

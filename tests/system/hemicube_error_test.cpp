@@ -67,8 +67,8 @@ double byHemicube(const Scene& scene, int resolution) {
   const Discretization discretization = discretize(scene, {.texels = 1});
   const IdLayout layout = layOut(discretization);
   raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
-  const FormFactorRow row =
-      ProjectedFormFactors(scene, discretization, layout, renderer, {.resolution = resolution}).ofPatch(0);
+  const FormFactorRow row = ProjectedFormFactors(scene, discretization, layout, renderer, {.resolution = resolution})
+                                .ofPatch(discretization.patches.list[0]);
   REQUIRE(row.back == 0);
   return row.elements.empty() ? 0 : formFactor(row.shares[0]);
 }

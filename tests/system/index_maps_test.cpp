@@ -170,9 +170,10 @@ TEST_CASE("rows with unaligned offsets and integer add equal those with aligned 
     Drawing aligned(scene, discretization, {}),
         unaligned(scene, discretization, {"r8g8b8a8", Blend::IntegerAdd, false});
     ProjectedFormFactors expected = aligned.rows(32), rows = unaligned.rows(32);
-    const auto patches = std::uint32_t(discretization.patches.size());
+    const auto patches = std::uint32_t(discretization.patches.list.size());
     for (std::uint32_t patch = 0; patch < patches; patch += 1 + patches / 40) {
-      const FormFactorRow a = expected.ofPatch(patch), b = rows.ofPatch(patch);
+      const FormFactorRow a = expected.ofPatch(discretization.patches.list[patch]),
+                          b = rows.ofPatch(discretization.patches.list[patch]);
       INFO(name << ", patch " << patch);
       REQUIRE(a.elements == b.elements);
       REQUIRE(a.shares == b.shares);

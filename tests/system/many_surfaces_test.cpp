@@ -174,9 +174,12 @@ TEST_CASE("solve of a million surfaces of 2 x 2 texels balances its account", "[
   CHECK(discretization.elements.size() == 4000000);
   IdLayout layout = layOut(discretization);
   CHECK(layout.textured == 1000000);
-  SceneFormFactors drawn(scene, std::move(discretization), std::move(layout), {.resolution = 1024, .split = 1});
-  const Solution solution = solve(scene, drawn.discretization(),
-                                  [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); }, {.shots = 3});
+  SceneFormFactors drawn(scene, discretization, std::move(layout), {.resolution = 1024, .split = 1});
+  const Solution solution = solve({.scene = scene,
+                                   .discretization = discretization,
+                                   .patches = discretization.patches,
+                                   .rowOf = drawn.rowOf(),
+                                   .settings = {.shots = 3}});
   CHECK(solution.shots == 3);
   const Energy& energy = solution.energy;
   CHECK(energy.absorbed.x + energy.unshot.x + energy.lost.x + energy.lostToBacks.x ==

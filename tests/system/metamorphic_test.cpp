@@ -70,7 +70,7 @@ glm::dmat3 anyRotation(std::mt19937& random) {
 /// About a dozen patches all over the scene.
 std::vector<std::uint32_t> somePatches(const Discretization& discretization) {
   std::vector<std::uint32_t> patches;
-  const auto count = static_cast<std::uint32_t>(discretization.patches.size());
+  const auto count = static_cast<std::uint32_t>(discretization.patches.list.size());
   for (std::uint32_t p = 0; p < count; p += std::max(1u, count / 12)) patches.push_back(p);
   return patches;
 }
@@ -182,7 +182,7 @@ std::uint32_t numberIn(const World& permuted, const World& world, const std::vec
 /// first of them, and the eye is moved into that polygon.
 bool sameCentre(const World& a, std::uint32_t patchOfA, const World& b, std::uint32_t patchOfB) {
   const auto triangleUnder = [](const World& world, std::uint32_t patch) {
-    const Patch& block = world.discretization.patches[patch];
+    const Patch& block = world.discretization.patches.list[patch];
     const SurfacePoint centre = patchCentre(world.scene, world.discretization, block);
     return world.scene.surfaces[block.surface].triangles[centre.triangle].position;
   };
@@ -238,7 +238,8 @@ TEST_CASE("ProjectedFormFactors of a scene rotated by quarter turns have the sam
       World turned(mapped(world.scene, turn), 8, 4);
       ProjectedFormFactors turnedRows = turned.rows(resolution);
       for (const std::uint32_t patch : somePatches(world.discretization))
-        comparison.add(sharesOf(world, rows.ofPatch(patch)), sharesOf(turned, turnedRows.ofPatch(patch)));
+        comparison.add(sharesOf(world, rows.ofPatch(world.discretization.patches.list[patch])),
+                       sharesOf(turned, turnedRows.ofPatch(turned.discretization.patches.list[patch])));
     }
     INFO(comparison.changed << " of " << comparison.same + comparison.changed << " rows changed");
     comparison.check();
@@ -262,7 +263,8 @@ TEST_CASE("ProjectedFormFactors of a scaled or moved scene have the same rows, t
       World other(moved(named.scene, scale, by), 8, 4);
       ProjectedFormFactors otherRows = other.rows(resolution);
       for (const std::uint32_t patch : somePatches(world.discretization))
-        CHECK(sharesOf(other, otherRows.ofPatch(patch)) == sharesOf(world, rows.ofPatch(patch)));
+        CHECK(sharesOf(other, otherRows.ofPatch(other.discretization.patches.list[patch])) ==
+              sharesOf(world, rows.ofPatch(world.discretization.patches.list[patch])));
     }
   }
 }
@@ -321,7 +323,7 @@ TEST_CASE("ProjectedFormFactors of a rotated room equal the closed form within t
     for (int repeat = 0; repeat < 10; ++repeat) {
       World world(mapped(room, anyRotation(random)), 4, 2);
       ProjectedFormFactors rows = world.rows(resolution);
-      for (const Patch& patch : world.discretization.patches) {
+      for (const Patch& patch : world.discretization.patches.list) {
         const SurfacePoint centre = patchCentre(world.scene, world.discretization, patch);
         const FormFactorRow row = rows.from(patch.surface, centre);
         std::vector<double> factor(world.scene.surfaces.size());
@@ -352,15 +354,15 @@ TEST_CASE("ProjectedFormFactors with surfaces and polygons in another order have
       World other(permutation.scene, 8, 4);
       ProjectedFormFactors otherRows = other.rows(resolution);
       for (const std::uint32_t patch : somePatches(world.discretization)) {
-        const std::uint32_t there = numberIn(other, world, permutation.from,
-                                             world.discretization.patches[patch].surface, patch, &Grid::firstPatch);
+        const std::uint32_t there = numberIn(
+            other, world, permutation.from, world.discretization.patches.list[patch].surface, patch, &Grid::firstPatch);
         if (!sameCentre(world, patch, other, there)) continue;
-        const Shares found = sharesOf(other, otherRows.ofPatch(there));
+        const Shares found = sharesOf(other, otherRows.ofPatch(other.discretization.patches.list[there]));
         Shares back = found;
         for (std::uint32_t e = 0; e < world.discretization.elements.size(); ++e)
           back[e] = found[numberIn(other, world, permutation.from, world.discretization.elements[e].surface, e,
                                    &Grid::firstElement)];
-        comparison.add(sharesOf(world, rows.ofPatch(patch)), back);
+        comparison.add(sharesOf(world, rows.ofPatch(world.discretization.patches.list[patch])), back);
       }
     }
     INFO(comparison.changed << " of " << comparison.same + comparison.changed << " rows changed");
@@ -423,7 +425,7 @@ TEST_CASE("ProjectedFormFactors never grow if an occluder is added", "[metamorph
       REQUIRE(occluded.scene.extent == world.scene.extent);
       ProjectedFormFactors occludedRows = occluded.rows(resolution);
       for (const std::uint32_t patch : somePatches(world.discretization)) {
-        const Patch& block = world.discretization.patches[patch];
+        const Patch& block = world.discretization.patches.list[patch];
         const SurfacePoint centre = patchCentre(world.scene, world.discretization, block);
         const auto nearest = [&](const World& w) {
           return nearDistance(w.scene, centre.position, skippedTriangles(w.scene, block.surface, centre),
@@ -431,8 +433,8 @@ TEST_CASE("ProjectedFormFactors never grow if an occluder is added", "[metamorph
         };
         if (nearest(occluded) != nearest(world)) continue;
         ++rowsCompared;
-        const Shares before = sharesOf(world, rows.ofPatch(patch));
-        Shares after = sharesOf(occluded, occludedRows.ofPatch(patch));
+        const Shares before = sharesOf(world, rows.ofPatch(world.discretization.patches.list[patch]));
+        Shares after = sharesOf(occluded, occludedRows.ofPatch(occluded.discretization.patches.list[patch]));
         // The occluder and its back are new; the other elements and the background are compared.
         const std::uint64_t background = after[after.size() - 2];
         after.resize(world.discretization.elements.size());
@@ -477,9 +479,13 @@ TEST_CASE("solve and its rows and rays give the same bits for any number of thre
       ProjectedFormFactors rows = world.rows(resolution);
       std::vector<Shares> shares;
       for (const std::uint32_t patch : somePatches(world.discretization))
-        shares.push_back(sharesOf(world, rows.ofPatch(patch)));
-      const auto rowOf = [&](std::uint32_t patch) { return rows.ofPatch(patch); };
-      const Solution solution = solve(world.scene, world.discretization, rowOf, {.shots = 20});
+        shares.push_back(sharesOf(world, rows.ofPatch(world.discretization.patches.list[patch])));
+      const auto rowOf = [&](const Patch& patch) { return rows.ofPatch(patch); };
+      const Solution solution = solve({.scene = world.scene,
+                                       .discretization = world.discretization,
+                                       .patches = world.discretization.patches,
+                                       .rowOf = rowOf,
+                                       .settings = {.shots = 20}});
       std::vector<double> measured;
       const RayWorld rays(named.scene);
       for (const Estimator estimator : bothEstimators)

@@ -46,11 +46,14 @@ void checkSolution(const std::string& name, std::optional<int> shots) {
   Discretization discretization = discretize(scene, {});
   const IdLayout layout = layOut(discretization);
   Counts counts;
-  SceneFormFactors drawn(scene, std::move(discretization), layout, {},
+  SceneFormFactors drawn(scene, discretization, layout, {},
                          [&](raster::DrawList list) { return std::make_unique<BothRenderers>(list, counts); });
-  solve(
-      scene, drawn.discretization(), [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); }, {.shots = shots},
-      {}, drawn.splits());
+  solve({.scene = scene,
+         .discretization = discretization,
+         .patches = discretization.patches,
+         .rowOf = drawn.rowOf(),
+         .split = drawn.splits(),
+         .settings = {.shots = shots}});
   CHECK(counts.buffers > 1000);
   CHECK(counts.different == 0);
 }

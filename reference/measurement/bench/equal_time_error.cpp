@@ -17,24 +17,21 @@
 namespace hemitex::reference {
 namespace {
 
-using RowOfPatch = std::function<radiosity::FormFactorRow(std::uint32_t)>;
-
 /// A method that computes rows, and its measured quality.
 struct Contender {
-  RowOfPatch rowOf;
+  radiosity::RowSource rowOf;
   std::vector<RowQuality>& group;  ///< receives the quality
   RowQuality quality;
 };
 
 std::vector<MeasuredRow> trueRows(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                                  const std::vector<std::uint32_t>& patches, int samples) {
+                                  const std::vector<radiosity::Patch>& patches, int samples) {
   const RayFormFactors rays(scene, discretization);
   const Receivers receivers = everyElement(discretization);
   std::vector<MeasuredRow> rows;
-  for (const std::uint32_t patch : patches) {
-    const radiosity::Patch& block = discretization.patches[patch];
+  for (const radiosity::Patch& patch : patches) {
     const RaySource raySource =
-        pointRaySource(scene, block.surface, radiosity::patchCentre(scene, discretization, block));
+        pointRaySource(scene, patch.surface, radiosity::patchCentre(scene, discretization, patch));
     rows.push_back(rays.aimed(raySource, receivers, {.samples = samples}));
   }
   return rows;
@@ -46,7 +43,7 @@ double sumOfStandardErrors(const MeasuredRow& row) {
   return sum;
 }
 
-void race(std::vector<Contender>& contenders, const std::vector<std::uint32_t>& patches,
+void race(std::vector<Contender>& contenders, const std::vector<radiosity::Patch>& patches,
           const std::vector<MeasuredRow>& truth, int repeats) {
   const auto count = static_cast<double>(patches.size());
   const auto secondsOfRows = [&](std::size_t i, int repeat) {
@@ -76,11 +73,11 @@ double distanceToTruth(const radiosity::FormFactorRow& row, const MeasuredRow& t
   return error;
 }
 
-std::vector<std::uint32_t> spreadPatches(const radiosity::Discretization& discretization, std::size_t count) {
-  const std::size_t all = discretization.patches.size(), taken = std::min(count, all);
-  std::vector<std::uint32_t> patches;
-  for (std::size_t i = 0; i < taken; ++i)
-    patches.push_back(static_cast<std::uint32_t>((2 * i + 1) * all / (2 * taken)));
+std::vector<radiosity::Patch> spreadPatches(const radiosity::Discretization& discretization, std::size_t count) {
+  const std::vector<radiosity::Patch>& all = discretization.patches.list;
+  const std::size_t taken = std::min(count, all.size());
+  std::vector<radiosity::Patch> patches;
+  for (std::size_t i = 0; i < taken; ++i) patches.push_back(all[(2 * i + 1) * all.size() / (2 * taken)]);
   return patches;
 }
 
@@ -109,7 +106,8 @@ RowComparison compareRows(const radiosity::Scene& scene, const radiosity::Discre
     for (const int resolution : resolutions) {
       const auto rows = std::make_shared<radiosity::ProjectedFormFactors>(
           scene, discretization, layout, renderer, radiosity::ViewSettings{resolution, orientation});
-      contenders.push_back({[rows](std::uint32_t patch) { return rows->ofPatch(patch); }, group, {.size = resolution}});
+      contenders.push_back(
+          {[rows](const radiosity::Patch& patch) { return rows->ofPatch(patch); }, group, {.size = resolution}});
     }
   };
   addHemicubes(settings.hemicubes, radiosity::Orientation::Aligned, result.hemicubes);
@@ -117,7 +115,8 @@ RowComparison compareRows(const radiosity::Scene& scene, const radiosity::Discre
   for (const int count : settings.rays) {
     const auto rows =
         std::make_shared<RayRows>(scene, discretization, RayRowSettings{.rays = count, .start = RayStart::Centre});
-    contenders.push_back({[rows](std::uint32_t patch) { return rows->ofPatch(patch); }, result.rays, {.size = count}});
+    contenders.push_back(
+        {[rows](const radiosity::Patch& patch) { return rows->ofPatch(patch); }, result.rays, {.size = count}});
   }
   race(contenders, result.patches, truth, settings.repeats);
   for (const Contender& contender : contenders) contender.group.push_back(contender.quality);

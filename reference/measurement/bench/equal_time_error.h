@@ -18,7 +18,7 @@ namespace hemitex::reference {
 double distanceToTruth(const radiosity::FormFactorRow& row, const MeasuredRow& truth);
 
 /// Up to `count` patches, spread evenly over all patches, ascending.
-std::vector<std::uint32_t> spreadPatches(const radiosity::Discretization& discretization, std::size_t count);
+std::vector<radiosity::Patch> spreadPatches(const radiosity::Discretization& discretization, std::size_t count);
 
 /// The time and error of rows of one size; means over the points.
 struct RowQuality {
@@ -41,8 +41,8 @@ struct RowComparisonSettings {
 };
 
 struct RowComparison {
-  std::vector<std::uint32_t> patches;  ///< all rows start from their centres
-  double truthError = 0;               ///< of the true rows: the sum of standard errors, mean over the points
+  std::vector<radiosity::Patch> patches;  ///< all rows start from their centres
+  double truthError = 0;                  ///< of the true rows: the sum of standard errors, mean over the points
   std::vector<RowQuality> hemicubes, turnedHemicubes, rays;
 };
 

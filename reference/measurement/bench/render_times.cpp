@@ -89,7 +89,7 @@ class Tasks {
         rows_(world.scene, world.discretization, world.layout, *world.textures, {.resolution = resolution}),
         meshRows_(world.scene, world.discretization, world.layout, *world.mesh, {.resolution = resolution}),
         sum_(world.discretization, world.layout) {
-    for (const std::uint32_t patch : patches_) views_.push_back(rows_.viewsOfPatch(patch).front());
+    for (const radiosity::Patch& patch : patches_) views_.push_back(rows_.viewsOfPatch(patch).front());
     add("hemicube", [this](std::size_t i) { rows_.ofPatch(patches_[i]); });
     addDrawing("draw", *world.textures);
     add("embree", [this](std::size_t i) { world_.rays.cast(views_[i].faces, hits_); });
@@ -128,14 +128,16 @@ class Tasks {
   }
 
   void solve() {
-    const auto rowOf = [this](std::uint32_t patch) { return rows_.ofPatch(patch); };
-    shots_ = radiosity::solve(world_.scene, world_.discretization, rowOf,
-                              {.residual = 0, .shots = benchShots, .rowCacheBytes = 0})
+    shots_ = radiosity::solve({.scene = world_.scene,
+                               .discretization = world_.discretization,
+                               .patches = world_.discretization.patches,
+                               .rowOf = [this](const radiosity::Patch& patch) { return rows_.ofPatch(patch); },
+                               .settings = {.residual = 0, .shots = benchShots, .rowCacheBytes = 0}})
                  .shots;
   }
 
   World& world_;
-  std::vector<std::uint32_t> patches_;
+  std::vector<radiosity::Patch> patches_;
   ProjectedFormFactors rows_, meshRows_;
   radiosity::ItemBufferSum sum_;
   std::vector<View> views_;  ///< one per patch

@@ -48,9 +48,9 @@ ShotTimes solveOnce(const Cell& cell) {
   const PaperLevel& level = *cell.level;
   radiosity::ProjectedFormFactors rows(cell.scene->scene, level.discretization, level.layout, renderer,
                                        {.resolution = cell.run.resolution});
-  rows.ofPatch(0);
+  rows.ofPatch(level.discretization.patches.list.front());
   ShotTimes times;
-  const auto rowOf = [&](std::uint32_t patch) {
+  const auto rowOf = [&](const radiosity::Patch& patch) {
     const Stopwatch watch;
     radiosity::FormFactorRow row = rows.ofPatch(patch);
     times.formFactors.push_back(watch.seconds());
@@ -58,8 +58,11 @@ ShotTimes solveOnce(const Cell& cell) {
     return row;
   };
   const Stopwatch watch;
-  radiosity::solve(cell.scene->scene, level.discretization, rowOf,
-                   {.residual = 0, .shots = cell.run.shots, .rowCacheBytes = 0});
+  radiosity::solve({.scene = cell.scene->scene,
+                    .discretization = level.discretization,
+                    .patches = level.discretization.patches,
+                    .rowOf = rowOf,
+                    .settings = {.residual = 0, .shots = cell.run.shots, .rowCacheBytes = 0}});
   times.rest = watch.seconds();
   for (const double seconds : times.formFactors) times.rest -= seconds;
   return times;

@@ -32,9 +32,7 @@ TradeMethod drawnMethod(const std::string& name, const radiosity::DrawingSetting
     settings.resolution = resolution;
     const auto drawn = std::make_shared<radiosity::SceneFormFactors>(scene, discretization,
                                                                      radiosity::layOut(discretization), settings);
-    return {{drawn, &drawn->discretization()},
-            [drawn](std::uint32_t patch) { return drawn->rows().ofPatch(patch); },
-            drawn->splits()};
+    return {[drawn](const radiosity::Patch& patch) { return drawn->rows().ofPatch(patch); }, drawn->splits()};
   };
   const auto directions = [style](int resolution) { return directionsOf(style.projection, resolution); };
   const auto bytes = [style](int resolution) {
@@ -45,9 +43,8 @@ TradeMethod drawnMethod(const std::string& name, const radiosity::DrawingSetting
 
 TradeMethod rayMethod(const std::string& name, RayStart start, std::uint32_t seed) {
   const auto rows = [start, seed](const Scene& scene, const Discretization& discretization, int rays) -> TradeRows {
-    const auto kept = std::make_shared<const Discretization>(discretization);
-    const auto rayRows = std::make_shared<RayRows>(scene, *kept, RayRowSettings{rays, start, seed});
-    return {kept, [kept, rayRows](std::uint32_t patch) { return rayRows->ofPatch(patch); }};
+    const auto rayRows = std::make_shared<RayRows>(scene, discretization, RayRowSettings{rays, start, seed});
+    return {[rayRows](const radiosity::Patch& patch) { return rayRows->ofPatch(patch); }};
   };
   // A direction and a start point.
   const auto bytes = [](int rays) { return static_cast<std::size_t>(rays) * 5 * sizeof(float); };

@@ -17,7 +17,6 @@ namespace hemitex::reference {
 
 /// Computes rows and, for some methods, splits patches.
 struct TradeRows {
-  std::shared_ptr<const radiosity::Discretization> discretization;  ///< with split patches
   radiosity::RowSource rowOf;
   radiosity::PatchSplit split = {};
 };
@@ -29,7 +28,7 @@ struct TradeMethod {
   std::vector<int> measured;                    ///< default settings, ascending
   std::function<double(int)> directions;        ///< pixels or rays per row, for a setting
   std::function<std::size_t(int)> bufferBytes;  ///< bytes of item buffers, or of the rays of a row
-  /// Prepares to compute the rows of a discretization at a setting. The scene must outlive the result.
+  /// Prepares to compute the rows of a discretization at a setting. Both references must outlive the result.
   std::function<TradeRows(const radiosity::Scene&, const radiosity::Discretization&, int)> rows;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -18,35 +19,43 @@ using Rows = std::vector<std::optional<FormFactorRow>>;
 
 std::vector<double> patchFlux(const Discretization& fine, const TrueRadiosity& truth, const Discretization& coarse) {
   const std::vector<std::uint32_t> under = elementsUnder(coarse, fine);
-  std::vector<double> flux(coarse.patches.size());
+  std::vector<double> flux(coarse.patches.list.size());
   for (std::size_t e = 0; e < under.size(); ++e) {
     const glm::dvec3& radiosity = truth.radiosity[e];
-    flux[coarse.patchOf[under[e]]] += fine.elements[e].area * (radiosity.x + radiosity.y + radiosity.z);
+    flux[coarse.patches.ofElement[under[e]]] += fine.elements[e].area * (radiosity.x + radiosity.y + radiosity.z);
   }
   return flux;
 }
 
 struct TimedSolution {
-  TradeRows source;
+  Discretization discretization;  ///< with the patches as split
+  radiosity::RowSource rowOf;
   radiosity::Solution solution;
   Rows rows;  ///< of the patches that shot
   double seconds = 0;
 };
 
-TimedSolution timedSolution(const Scene& scene, const TradeMethod& method, const TradeChoice& choice) {
-  const Discretization unsplit = radiosity::discretize(scene, {.texels = choice.texels, .patch = choice.patch});
-  TimedSolution timed;
+std::unique_ptr<TimedSolution> timedSolution(const Scene& scene, const TradeMethod& method, const TradeChoice& choice) {
+  auto timed = std::make_unique<TimedSolution>();
+  Discretization& discretization = timed->discretization;
+  discretization = radiosity::discretize(scene, {.texels = choice.texels, .patch = choice.patch});
   const Stopwatch watch;
-  timed.source = method.rows(scene, unsplit, choice.setting);
-  const auto keepRow = [&timed](std::uint32_t patch) {
-    timed.rows.resize(timed.source.discretization->patches.size());
-    timed.rows[patch] = timed.source.rowOf(patch);
-    return *timed.rows[patch];
+  const TradeRows source = method.rows(scene, discretization, choice.setting);
+  timed->rowOf = source.rowOf;
+  const auto keepRow = [&](const radiosity::Patch& patch) {
+    if (timed->rows.size() <= patch.number) timed->rows.resize(patch.number + 1);
+    timed->rows[patch.number] = source.rowOf(patch);
+    return *timed->rows[patch.number];
   };
-  timed.solution = radiosity::solve(scene, *timed.source.discretization, keepRow, {.residual = tradeResidual}, {},
-                                    timed.source.split);
-  timed.rows.resize(timed.source.discretization->patches.size());
-  timed.seconds = watch.seconds();
+  timed->solution = radiosity::solve({.scene = scene,
+                                      .discretization = discretization,
+                                      .patches = std::move(discretization.patches),
+                                      .rowOf = keepRow,
+                                      .split = source.split,
+                                      .settings = {.residual = tradeResidual}});
+  timed->seconds = watch.seconds();
+  discretization.patches = std::move(timed->solution.patches);
+  timed->rows.resize(discretization.patches.list.size());
   return timed;
 }
 
@@ -59,7 +68,7 @@ std::size_t bytesOf(const Rows& rows) {
 
 std::size_t bytesOf(const Discretization& discretization) {
   std::size_t bytes = discretization.elements.size() * (sizeof(radiosity::Element) + 2 * sizeof(glm::dvec3)) +
-                      discretization.patches.size() * sizeof(radiosity::Patch);
+                      discretization.patches.list.size() * sizeof(radiosity::Patch);
   for (const radiosity::Grid& grid : discretization.grids)
     bytes += grid.elementOfTexel.size() * sizeof grid.elementOfTexel[0];
   return bytes;
@@ -68,11 +77,11 @@ std::size_t bytesOf(const Discretization& discretization) {
 /// Computes all results except times. Rows of patches that did not shoot, but have true flux, are computed here.
 TradeMeasurement judge(const Discretization& fine, const TrueRadiosity& truth, const TradeMethod& method,
                        const TradeChoice& choice, TimedSolution& timed) {
-  const Discretization& discretization = *timed.source.discretization;
+  const Discretization& discretization = timed.discretization;
   TradeMeasurement measurement;
   measurement.choice = choice;
   measurement.elements = discretization.elements.size();
-  measurement.patches = discretization.patches.size();
+  measurement.patches = discretization.patches.list.size();
   measurement.rows = static_cast<std::size_t>(
       std::count_if(timed.rows.begin(), timed.rows.end(), [](const auto& row) { return row.has_value(); }));
   measurement.shots = timed.solution.shots;
@@ -82,7 +91,7 @@ TradeMeasurement judge(const Discretization& fine, const TrueRadiosity& truth, c
   measurement.elementBytes = bytesOf(discretization);
   const std::vector<double> flux = patchFlux(fine, truth, discretization);
   for (std::uint32_t patch = 0; patch < timed.rows.size(); ++patch)
-    if (!timed.rows[patch] && flux[patch] > 0) timed.rows[patch] = timed.source.rowOf(patch);
+    if (!timed.rows[patch] && flux[patch] > 0) timed.rows[patch] = timed.rowOf(discretization.patches.list[patch]);
   measurement.rowError =
       rowError(patchRows(timed.rows, discretization), patchRows(truth.matrix, fine, discretization), flux);
   measurement.radiosity = std::move(timed.solution.radiosity);
@@ -125,9 +134,9 @@ std::vector<TradeMeasurement> measureTradeoff(const Scene& scene, const Discreti
   const auto secondsOf = [&](std::size_t i, int round) {
     if (progress) progress(static_cast<std::size_t>(round) * choices.size() + i, choices.size() * tradeRounds);
     const TradeMethod& method = methods[choices[i].method];
-    TimedSolution timed = timedSolution(scene, method, choices[i]);
-    if (round == 0) measurements.push_back(judge(fine, truth, method, choices[i], timed));
-    return timed.seconds;
+    const std::unique_ptr<TimedSolution> timed = timedSolution(scene, method, choices[i]);
+    if (round == 0) measurements.push_back(judge(fine, truth, method, choices[i], *timed));
+    return timed->seconds;
   };
   const std::vector<Timing> timings = interleavedTimings(choices.size(), tradeRounds, secondsOf, longTime);
   for (std::size_t i = 0; i < timings.size(); ++i) measurements[i].seconds = timings[i];

@@ -170,7 +170,7 @@ struct RayRows::Implementation {
   std::vector<std::uint32_t> met;     ///< per ray: an element, `background` or `back`
   std::vector<std::uint64_t> counts;  ///< number of rays per element, all 0 between rows
 
-  RaySource shooterOf(std::uint32_t patch) const;
+  RaySource shooterOf(const radiosity::Patch& patch) const;
   std::uint32_t whatIsMet(const RTCRayHit16& packet, std::size_t i) const;
   radiosity::FormFactorRow count();
 };
@@ -189,10 +189,9 @@ RayRows::RayRows(const radiosity::Scene& scene, const radiosity::Discretization&
 
 RayRows::~RayRows() = default;
 
-RaySource RayRows::Implementation::shooterOf(std::uint32_t patch) const {
-  if (start == RayStart::Area) return areaRaySource(pieces, elementsOfPatch(discretization, patch));
-  const radiosity::Patch& block = discretization.patches[patch];
-  return pointRaySource(scene, block.surface, radiosity::patchCentre(scene, discretization, block));
+RaySource RayRows::Implementation::shooterOf(const radiosity::Patch& patch) const {
+  if (start == RayStart::Area) return areaRaySource(pieces, patch.elements);
+  return pointRaySource(scene, patch.surface, radiosity::patchCentre(scene, discretization, patch));
 }
 
 std::uint32_t RayRows::Implementation::whatIsMet(const RTCRayHit16& packet, std::size_t i) const {
@@ -221,10 +220,10 @@ radiosity::FormFactorRow RayRows::Implementation::count() {
   return row;
 }
 
-radiosity::FormFactorRow RayRows::ofPatch(std::uint32_t patch) {
+radiosity::FormFactorRow RayRows::ofPatch(const radiosity::Patch& patch) {
   Implementation& our = *implementation_;
   const RaySource raySource = our.shooterOf(patch);
-  const glm::dvec2 turn = onCircle(radiosity::turnOf(patch, 0));
+  const glm::dvec2 turn = onCircle(radiosity::turnOf(patch.number, 0));
   const auto originOf = [&](const glm::vec2& square) {
     const ShootingPoint point = shootingPoint(raySource, square.x, square.y);
     const Place& place = our.places[point.triangle];

@@ -63,7 +63,7 @@ class RayRows {
   RayRows(const RayRows&) = delete;
   RayRows& operator=(const RayRows&) = delete;
 
-  radiosity::FormFactorRow ofPatch(std::uint32_t patch);
+  radiosity::FormFactorRow ofPatch(const radiosity::Patch& patch);
 
  private:
   struct Implementation;

@@ -204,12 +204,6 @@ RaySource areaRaySource(const SurfacePieces& pieces, std::span<const std::uint32
   return raySource;
 }
 
-std::vector<std::uint32_t> elementsOfPatch(const radiosity::Discretization& discretization, std::uint32_t patch) {
-  const radiosity::Patch& block = discretization.patches[patch];
-  const auto first = discretization.patchElements.begin() + block.firstElement;
-  return {first, first + block.elementCount};
-}
-
 std::vector<std::uint32_t> elementsOfSurface(const radiosity::Discretization& discretization, std::uint32_t surface) {
   std::vector<std::uint32_t> elements(discretization.grids[surface].elementCount);
   std::iota(elements.begin(), elements.end(), discretization.grids[surface].firstElement);

@@ -52,8 +52,7 @@ RaySource pointRaySource(const radiosity::Scene& scene, std::uint32_t surface, c
 /// The area of one or more elements, in any order. Columns are in the order of surfaces.
 RaySource areaRaySource(const SurfacePieces& pieces, std::span<const std::uint32_t> elements);
 
-/// The elements of a patch, and of a surface.
-std::vector<std::uint32_t> elementsOfPatch(const radiosity::Discretization& discretization, std::uint32_t patch);
+/// The elements of a surface.
 std::vector<std::uint32_t> elementsOfSurface(const radiosity::Discretization& discretization, std::uint32_t surface);
 
 /// A point that light leaves from.

@@ -13,10 +13,10 @@ PatchRows patchRows(const FormFactorMatrix& matrix, const radiosity::Discretizat
                     const radiosity::Discretization& coarse) {
   assert(matrix.size == fine.elements.size());
   const std::vector<std::uint32_t> under = elementsUnder(coarse, fine);
-  PatchRows rows{coarse.elements.size(), std::vector<double>(coarse.patches.size() * coarse.elements.size())};
-  std::vector<double> area(coarse.patches.size());
+  PatchRows rows{coarse.elements.size(), std::vector<double>(coarse.patches.list.size() * coarse.elements.size())};
+  std::vector<double> area(coarse.patches.list.size());
   for (std::size_t from = 0; from < matrix.size; ++from) {
-    const std::uint32_t patch = coarse.patchOf[under[from]];
+    const std::uint32_t patch = coarse.patches.ofElement[under[from]];
     area[patch] += fine.elements[from].area;
     double* row = rows.factors.data() + patch * rows.elements;
     for (std::size_t to = 0; to < matrix.size; ++to)

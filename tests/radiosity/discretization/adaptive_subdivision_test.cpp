@@ -81,8 +81,7 @@ TEST_CASE("discretize with quadtrees of single texels equals discretize without 
   const Scene scene = sceneOf(tableOfSurfaces());
   const TexelsAndLeaves both(scene, std::vector(scene.surfaces.size(), uniformQuadtree(texels, 1)), 4);
   REQUIRE(both.ofLeaves.elements.size() == both.ofTexels.elements.size());
-  CHECK(both.ofLeaves.patchElements == both.ofTexels.patchElements);
-  CHECK(both.ofLeaves.patchOf == both.ofTexels.patchOf);
+  CHECK(both.ofLeaves.patches.ofElement == both.ofTexels.patches.ofElement);
   CHECK(both.ofLeaves.triangleOf == both.ofTexels.triangleOf);
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
     CHECK(both.ofLeaves.grids[s].elementOfTexel == both.ofTexels.grids[s].elementOfTexel);
@@ -137,15 +136,15 @@ TEST_CASE("discretize makes patches of whole leaves, and a larger leaf is a patc
   for (const int side : {1, 2, 8, 64}) {
     const Discretization discretization =
         discretize(scene, {.texels = texels, .patch = side}, randomQuadtrees(scene, 2));
-    for (const Patch& patch : discretization.patches) {
-      REQUIRE(patch.elementCount > 0);
-      for (std::uint32_t i = 0; i < patch.elementCount; ++i) {
-        const Element& element = discretization.elements[discretization.patchElements[patch.firstElement + i]];
+    for (const Patch& patch : discretization.patches.list) {
+      REQUIRE(!patch.elements.empty());
+      for (const std::uint32_t number : patch.elements) {
+        const Element& element = discretization.elements[number];
         const Leaf leaf = leafOf(discretization.grids[patch.surface], element.texel);
         REQUIRE((leaf.column >= patch.column && leaf.column + leaf.side <= patch.column + patch.width));
         REQUIRE((leaf.row >= patch.row && leaf.row + leaf.side <= patch.row + patch.height));
         if (leaf.side < side) continue;
-        REQUIRE(patch.elementCount == 1);
+        REQUIRE(patch.elements.size() == 1);
         REQUIRE((patch.width == leaf.side && patch.height == leaf.side));
       }
     }
@@ -164,7 +163,7 @@ TEST_CASE(
     for (std::uint16_t& side : tree.leafSide) side = std::min<std::uint16_t>(side, 4);
   const TexelsAndLeaves both(scene, trees, 4);
   const std::vector<std::uint32_t> leafElement = both.leafElements(), itself = themselves(both.ofLeaves);
-  REQUIRE(both.ofLeaves.patches.size() == both.ofTexels.patches.size());
+  REQUIRE(both.ofLeaves.patches.list.size() == both.ofTexels.patches.list.size());
   const auto drawn = [&](const Discretization& discretization, IndexMaps indexMaps) {
     return SceneFormFactors(scene, discretization, layOut(discretization, {.format = "r8g8b8", .indexMaps = indexMaps}),
                             {.resolution = 64, .split = 1});
@@ -174,12 +173,13 @@ TEST_CASE(
   SceneFormFactors uniqueRows = drawn(both.ofLeaves, IndexMaps::Unique);
   const reference::RayRowSettings settings{.rays = 1 << 12};
   reference::RayRows texelRays(scene, both.ofTexels, settings), leafRays(scene, both.ofLeaves, settings);
-  for (std::uint32_t patch = 0; patch < both.ofLeaves.patches.size(); patch += 7) {
-    const FormFactorRow row = texelRows.rows().ofPatch(patch), sum = leafRows.rows().ofPatch(patch);
+  for (std::uint32_t number = 0; number < both.ofLeaves.patches.list.size(); number += 7) {
+    const Patch &block = both.ofTexels.patches.list[number], &patch = both.ofLeaves.patches.list[number];
+    const FormFactorRow row = texelRows.rows().ofPatch(block), sum = leafRows.rows().ofPatch(patch);
     CHECK(sharesOf(sum, itself) == sharesOf(row, leafElement));
     CHECK(sum.elements.size() < row.elements.size());
     CHECK(sharesOf(uniqueRows.rows().ofPatch(patch), itself) == sharesOf(row, leafElement));
-    CHECK(sharesOf(leafRays.ofPatch(patch), itself) == sharesOf(texelRays.ofPatch(patch), leafElement));
+    CHECK(sharesOf(leafRays.ofPatch(patch), itself) == sharesOf(texelRays.ofPatch(block), leafElement));
   }
 }
 
@@ -189,12 +189,11 @@ TEST_CASE("PatchSubdivision lets a leaf near its receivers shoot from several po
   const std::vector<Quadtree> trees(scene.surfaces.size(), uniformQuadtree(texels, 8));
   const Discretization unsplit = discretize(scene, {.texels = texels}, trees);
   SceneFormFactors drawn(scene, unsplit, layOut(unsplit, {.format = "r8g8b8"}), {});
-  drawn.splitAll();
-  const Discretization& discretization = drawn.discretization();
-  REQUIRE(discretization.patches.size() == unsplit.patches.size());
+  const Patches split = splitAll(unsplit.patches, drawn.splits());
+  REQUIRE(split.list.size() == unsplit.patches.list.size());
   int ofSeveralPoints = 0;
-  for (const Patch& patch : discretization.patches) {
-    CHECK((patch.width == 8 && patch.height == 8 && patch.elementCount == 1));
+  for (const Patch& patch : split.list) {
+    CHECK((patch.width == 8 && patch.height == 8 && patch.elements.size() == 1));
     ofSeveralPoints += patch.points > 1 ? 1 : 0;
   }
   CHECK(ofSeveralPoints > 0);
@@ -299,8 +298,13 @@ TEST_CASE("adaptiveDiscretization of the Cornell box has a smaller error than tw
   const auto solved = [&](const Discretization& discretization) {
     SceneFormFactors drawn(scene, discretization, layOut(discretization, {.format = "r32ui"}),
                            {.resolution = 128, .split = 0.05});
-    const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
-    return solve(scene, drawn.discretization(), rowOf, {.residual = 0.01}, {}, drawn.splits()).radiosity;
+    return solve({.scene = scene,
+                  .discretization = discretization,
+                  .patches = discretization.patches,
+                  .rowOf = drawn.rowOf(),
+                  .split = drawn.splits(),
+                  .settings = {.residual = 0.01}})
+        .radiosity;
   };
   const DiscretizationSettings finest{.texels = 32, .patches = 4};
   const Discretization fine = discretize(scene, finest), uniform = discretize(scene, {.texels = 16, .patches = 4});

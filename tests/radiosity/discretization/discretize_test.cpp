@@ -54,7 +54,7 @@ bool equal(const Discretization& a, const Discretization& b) {
   };
   return std::equal(a.grids.begin(), a.grids.end(), b.grids.begin(), b.grids.end(), sameGrid) &&
          std::equal(a.elements.begin(), a.elements.end(), b.elements.begin(), b.elements.end(), sameElement) &&
-         a.patchOf == b.patchOf && a.triangleOf == b.triangleOf && a.patchElements == b.patchElements;
+         a.patches.ofElement == b.patches.ofElement && a.triangleOf == b.triangleOf;
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ TEST_CASE("discretize of the paper's room has the paper's number of elements at 
     const Discretization discretization = discretize(
         scene, {.texels = level.wall, .surfaceTexels = {{"box", level.box}, {"light", 1}}, .patch = level.patch});
     CHECK(discretization.elements.size() == level.elements);
-    if (level.patch > 1) CHECK(discretization.patches.size() == 61);
+    if (level.patch > 1) CHECK(discretization.patches.list.size() == 61);
     CHECK_FALSE(isDiscretized(discretization.grids.back()));
   }
 }
@@ -153,23 +153,20 @@ TEST_CASE("discretize distributes the elements to patches by blocks of texels, n
   for (const int side : {1, 3, 4, 1000}) {
     const Discretization discretization = discretize(scene, {.texels = 14, .patch = side});
     std::vector<int> seen(discretization.elements.size());
-    std::uint32_t next = 0;
-    for (std::uint32_t p = 0; p < discretization.patches.size(); ++p) {
-      const Patch& patch = discretization.patches[p];
+    for (std::uint32_t p = 0; p < discretization.patches.list.size(); ++p) {
+      const Patch& patch = discretization.patches.list[p];
       const Grid& grid = discretization.grids[patch.surface];
-      REQUIRE(patch.elementCount > 0);
-      REQUIRE(patch.firstElement == next);
+      REQUIRE(patch.number == p);
+      REQUIRE(!patch.elements.empty());
       REQUIRE(p - grid.firstPatch < grid.patchCount);
       REQUIRE((patch.width <= side && patch.column + patch.width <= 14 && patch.column % side == 0));
       REQUIRE((patch.height <= side && patch.row + patch.height <= 14 && patch.row % side == 0));
-      const auto first = discretization.patchElements.begin() + patch.firstElement;
-      REQUIRE(std::is_sorted(first, first + patch.elementCount));
-      for (auto element = first; element != first + patch.elementCount; ++element) {
-        REQUIRE(discretization.patchOf[*element] == p);
-        REQUIRE(holds(patch, grid, discretization.elements[*element].texel));
-        ++seen[*element];
+      REQUIRE(std::is_sorted(patch.elements.begin(), patch.elements.end()));
+      for (const std::uint32_t element : patch.elements) {
+        REQUIRE(discretization.patches.ofElement[element] == p);
+        REQUIRE(holds(patch, grid, discretization.elements[element].texel));
+        ++seen[element];
       }
-      next += patch.elementCount;
     }
     CHECK(std::all_of(seen.begin(), seen.end(), [](int times) { return times == 1; }));
   }

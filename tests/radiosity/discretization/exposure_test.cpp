@@ -171,7 +171,7 @@ void checkCentres(const Scene& scene, const Discretization& discretization) {
     INFO(scene.surfaces[s].name << ", element " << e);
     CHECK(isOnExposedPiece(scene.surfaces[s], discretization.grids[s], elementCentre(scene, discretization, e)));
   }
-  for (const Patch& patch : discretization.patches) {
+  for (const Patch& patch : discretization.patches.list) {
     const Grid& grid = discretization.grids[patch.surface];
     if (grid.cutTexels.empty()) continue;
     INFO(scene.surfaces[patch.surface].name << ", patch at " << patch.column << ", " << patch.row);
@@ -224,7 +224,7 @@ bool areEqual(const Discretization& a, const Discretization& b) {
     if (a.grids[s].elementOfTexel != b.grids[s].elementOfTexel) return false;
     if (!std::equal(one.begin(), one.end(), other.begin(), other.end(), isSameCut)) return false;
   }
-  return a.patchElements == b.patchElements && a.triangleOf == b.triangleOf;
+  return a.patches.ofElement == b.patches.ofElement && a.triangleOf == b.triangleOf;
 }
 
 /// Whether a surface extends beyond the walls, the floor or the ceiling.
@@ -581,8 +581,8 @@ TEST_CASE("patchCentre of a triangle that is one texel is its centroid", "[expos
   const Scene scene = tests::sceneOf({tests::flat("triangle", {corner})});
   const Discretization discretization = discretize(scene, {.texels = 1});
   const glm::dvec2 centroid = (corner[0] + corner[1] + corner[2]) / 3.0;
-  CHECK(glm::distance(patchCentre(scene, discretization, discretization.patches[0]).position, glm::dvec3(centroid, 0)) <
-        1e-15);
+  CHECK(glm::distance(patchCentre(scene, discretization, discretization.patches.list[0]).position,
+                      glm::dvec3(centroid, 0)) < 1e-15);
 }
 
 // All fronts have the same radiosity, so that light into the dark inside of the box would be missing.

@@ -30,7 +30,7 @@ double areaOf(const std::vector<ShootingBlock>& blocks) {
 TEST_CASE("shootingBlocks of a square patch have their centres at the middles of the blocks", "[patch_points]") {
   const Scene scene = sceneOf(tests::parallelogram("square", {1, 2, 3}, {2, 0, 0}, {0, 4, 0}));
   const Discretization discretization = discretize(scene, {.texels = 1});
-  Patch patch = discretization.patches.front();
+  Patch patch = discretization.patches.list.front();
   patch.points = 4;
   const std::vector<ShootingBlock> blocks = shootingBlocks(scene, discretization, patch);
   REQUIRE(blocks.size() == 16);
@@ -51,7 +51,7 @@ TEST_CASE("shootingBlocks cover the patch, and each centre lies in its block, on
     double whole = 0;
     for (const Triangle& triangle : surface.triangles) whole += area(triangle);
     for (const int points : {1, 2, 4, 8, 16}) {
-      Patch patch = discretization.patches.front();
+      Patch patch = discretization.patches.list.front();
       patch.points = points;
       const std::vector<ShootingBlock> blocks = shootingBlocks(scene, discretization, patch);
       CHECK(areaOf(blocks) == Approx(whole).epsilon(1e-12));
@@ -68,7 +68,7 @@ TEST_CASE("shootingBlocks cover the patch, and each centre lies in its block, on
 TEST_CASE("shootingBlock returns nothing where the chart has a hole", "[patch_points]") {
   const Scene scene = sceneOf(tests::lShape());
   const Discretization discretization = discretize(scene, {.texels = 1});
-  Patch patch = discretization.patches.front();
+  Patch patch = discretization.patches.list.front();
   patch.points = 2;
   CHECK(shootingBlocks(scene, discretization, patch).size() == 3);
   const Grid& grid = discretization.grids.front();

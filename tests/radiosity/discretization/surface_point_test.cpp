@@ -56,7 +56,7 @@ TEST_CASE("patchCentre of each patch lies on its surface, inside its block", "[c
   for (const int texels : {1, 7, 16, 45})
     for (const int side : {1, 2, 4, 9}) {
       const Discretization discretization = discretize(scene, {.texels = texels, .patch = side});
-      for (const Patch& patch : discretization.patches) {
+      for (const Patch& patch : discretization.patches.list) {
         INFO(scene.surfaces[patch.surface].name << ", " << texels << " texels, block " << patch.column << ","
                                                 << patch.row);
         const SurfacePoint centre = patchCentre(scene, discretization, patch);
@@ -91,7 +91,7 @@ TEST_CASE("patchCentre and elementCentre of a parallelogram follow from its edge
   const std::array<double, 2> middle{2.0 / 6, 5.0 / 6};
   for (std::size_t p = 0; p < 4; ++p) {
     const glm::dvec3 expected = corner + middle[p % 2] * u + middle[p / 2] * v;
-    CHECK(glm::length(patchCentre(scene, discretization, discretization.patches[p]).position - expected) < 1e-13);
+    CHECK(glm::length(patchCentre(scene, discretization, discretization.patches.list[p]).position - expected) < 1e-13);
   }
   for (std::uint32_t e = 0; e < 36; ++e) {
     const glm::dvec3 expected = corner + (e % 6 + 0.5) / 6 * u + (e / 6 + 0.5) / 6 * v;
@@ -105,12 +105,12 @@ TEST_CASE("patchCentre is the centroid of the surface or, if that is in a hole, 
   // at (1/2 * 1/2 + 1/4 * 1/4) / (3/4) = 5/12 along both axes. On the ring, one patch has its centroid in the hole.
   const Scene scene = sceneOf({lShape(), ring(64)});
   const Discretization discretization = discretize(scene, {.texels = 4, .patch = 4});
-  CHECK(glm::length(patchCentre(scene, discretization, discretization.patches[0]).position -
+  CHECK(glm::length(patchCentre(scene, discretization, discretization.patches.list[0]).position -
                     glm::dvec3(5 / 12.0, 5 / 12.0, 0)) < 1e-15);
   // The ring's triangles have two corners on one of its circles, of radii 0.2 and 0.5, and one on the other. Those with
   // two on the inner circle are nearest. Their centres are at a third of 0.2 + 0.2 + 0.5, up to the cosine of 1/64 of a
   // circle, which is above 0.995.
-  const glm::dvec3 centre = patchCentre(scene, discretization, discretization.patches[1]).position;
+  const glm::dvec3 centre = patchCentre(scene, discretization, discretization.patches.list[1]).position;
   const double radius = glm::length(glm::dvec2(centre) - 0.5);
   CHECK(radius <= 0.3);
   CHECK(radius > 0.995 * 0.3);
@@ -124,7 +124,7 @@ TEST_CASE("patchCentre on the diagonal of a bent quad weights both triangles by 
   REQUIRE(b > 1.05 * a);
   for (const int texels : {2, 3, 10, 48}) {
     const Discretization discretization = discretize(scene, {.texels = texels, .patch = 2});
-    for (const Patch& patch : discretization.patches) {
+    for (const Patch& patch : discretization.patches.list) {
       if (patch.column != patch.row || patch.width != patch.height) continue;
       const SurfacePoint centre = patchCentre(scene, discretization, patch);
       CHECK(centre.triangle == 1);
@@ -143,5 +143,5 @@ TEST_CASE("elementCentre is the centroid of the largest piece if the surface mis
   const Discretization discretization = discretize(scene, {.texels = 1});
   const glm::dvec3 expected(0.25, 0.25, 0);
   CHECK(glm::length(elementCentre(scene, discretization, 0).position - expected) < 1e-15);
-  CHECK(glm::length(patchCentre(scene, discretization, discretization.patches[0]).position - expected) < 1e-15);
+  CHECK(glm::length(patchCentre(scene, discretization, discretization.patches.list[0]).position - expected) < 1e-15);
 }

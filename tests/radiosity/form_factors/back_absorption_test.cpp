@@ -35,15 +35,17 @@ struct Lost {
 
 Lost lostIn(const Scene& scene, std::size_t maxPatches = 1000) {
   const DrawingSettings settings{.resolution = 128};
-  const Discretization unsplit = discretize(scene, {.texels = 4, .patch = 2});
+  Discretization unsplit = discretize(scene, {.texels = 4, .patch = 2});
   const IdLayout layout = layOut(unsplit);
   SceneFormFactors drawn(scene, unsplit, layout, settings);
   Lost lost;
-  lost.solution = solve(
-      scene, drawn.discretization(), [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); }, {}, {},
-      drawn.splits());
-  lost.absorption =
-      backAbsorption(scene, drawn.discretization(), layout, settings, lost.solution.absorbedByBacks, maxPatches);
+  lost.solution = solve({.scene = scene,
+                         .discretization = unsplit,
+                         .patches = unsplit.patches,
+                         .rowOf = drawn.rowOf(),
+                         .split = drawn.splits()});
+  unsplit.patches = lost.solution.patches;
+  lost.absorption = backAbsorption(scene, unsplit, layout, settings, lost.solution.absorbedByBacks, maxPatches);
   return lost;
 }
 

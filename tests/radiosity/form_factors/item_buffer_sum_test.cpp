@@ -78,8 +78,8 @@ TEST_CASE("ItemBufferSum equals a sum pixel by pixel, for all windows and any nu
       ProjectedFormFactors rows(world.scene, world.discretization, world.layout, world.renderer,
                                 {.resolution = resolution, .orientation = Orientation::Turned, .projection = kind});
       for (int i = 0; i < 3; ++i) {
-        const auto patch = static_cast<std::uint32_t>(random() % world.discretization.patches.size());
-        const View view = rows.viewsOfPatch(patch).front();
+        const auto patch = static_cast<std::uint32_t>(random() % world.discretization.patches.list.size());
+        const View view = rows.viewsOfPatch(world.discretization.patches.list[patch]).front();
         std::vector<Window> windows = wholeFaces(*view.projection);
         for (int part = 0; part < 4; ++part) windows.push_back({0, quarters(windows[0].scissor)[std::size_t(part)]});
         const std::vector<raster::ItemBuffer> buffers = drawn(world, view, windows);
@@ -95,7 +95,7 @@ TEST_CASE("ItemBufferSum equals a sum pixel by pixel, for all windows and any nu
 TEST_CASE("ItemBufferSum of windows drawn one by one adds up to the row of the whole view", "[rows]") {
   tests::HemicubeWorld world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 4);
   ProjectedFormFactors rows = world.rows(32);
-  const View view = rows.viewsOfPatch(5).front();
+  const View view = rows.viewsOfPatch(world.discretization.patches.list[5]).front();
   const FormFactorRow whole = rows.ofView(view);
   ItemBufferSum counter(world.discretization, world.layout);
   std::map<std::uint32_t, std::uint64_t> sums;
@@ -124,7 +124,7 @@ TEST_CASE("ItemBufferSum takes memory by the number of pixels, not of elements",
   REQUIRE(elements == 6 * 256 * 256);
   const std::size_t before = counter.bytes();
   CHECK(before <= elements / 64 * 4 + elements / 4096 * 8 + 500);
-  const View view = rows.viewsOfPatch(40).front();
+  const View view = rows.viewsOfPatch(world.discretization.patches.list[40]).front();
   const std::vector<Window> windows = wholeFaces(*view.projection);
   const raster::ThreadLimit one(1);
   CHECK(counter.rowOf(*view.projection, windows, drawn(world, view, windows)).elements.size() <= 768);

@@ -83,7 +83,7 @@ TEST_CASE("a coarser index map of makeDrawList shows the blocks of a finer one, 
   const Scene scene = loadScene(HEMITEX_DATA "/curved-room.obj");
   constexpr int fineTexels = 32;
   World fine(scene, fineTexels, 8);
-  const View view = fine.rows(64).viewsOfPatch(100).front();
+  const View view = fine.rows(64).viewsOfPatch(fine.discretization.patches.list[100]).front();
   const std::vector<raster::ItemBuffer> fineBuffers = render(fine.renderer, view.faces, view.skipped);
   for (const int level : {1, 3, 5}) {
     const int texels = fineTexels >> level;
@@ -146,11 +146,13 @@ TEST_CASE("withCoarserMaps gives rows that sum to exactly one, with smaller erro
                        coarser = rowsAt(viewOf(32, suggestedPixelsPerElement));
   double plainError = 0, coarserError = 0;
   for (const std::uint32_t patch : {3U, 20U, 37U, 54U, 90U}) {
-    const FormFactorRow exact = truth.ofPatch(patch), row = coarser.ofPatch(patch);
+    const FormFactorRow exact = truth.ofPatch(world.discretization.patches.list[patch]),
+                        row = coarser.ofPatch(world.discretization.patches.list[patch]);
     CHECK(sum(row) == wholeShare);
     CHECK(std::is_sorted(row.elements.begin(), row.elements.end()));
     CHECK(std::find(row.shares.begin(), row.shares.end(), 0) == row.shares.end());
-    const double before = distance(plain.ofPatch(patch), exact), after = distance(row, exact);
+    const double before = distance(plain.ofPatch(world.discretization.patches.list[patch]), exact),
+                 after = distance(row, exact);
     CHECK(after < before);
     plainError += before;
     coarserError += after;

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "tests/support/hand_scenes.h"
 #include "tests/support/hemicube_world.h"
@@ -28,16 +29,17 @@ Scene facingSquares(double gap) {
 Discretization splitPatches(tests::HemicubeWorld& world, double maxReturning) {
   Discretization discretization = world.discretization;
   PatchSubdivision subdivision(world.scene, discretization, world.layout, world.renderer, maxReturning);
-  const auto count = static_cast<std::uint32_t>(discretization.patches.size());
-  for (std::uint32_t patch = 0; patch < count; ++patch) subdivision.split(patch, 1);
+  discretization.patches = splitAll(
+      world.discretization.patches,
+      [&](const auto& patches, const auto& patch, double weight) { return subdivision.split(patches, patch, weight); });
   return discretization;
 }
 
 /// The form factor between the two squares, by hemicubes over points x points of the first.
 double exchanged(double gap, int points, int resolution) {
   tests::HemicubeWorld world(facingSquares(gap), 1, 1);
-  world.discretization.patches.front().points = points;
-  const FormFactorRow row = world.rows(resolution).ofPatch(0);
+  world.discretization.patches.list.front().points = points;
+  const FormFactorRow row = world.rows(resolution).ofPatch(world.discretization.patches.list.front());
   REQUIRE(row.elements == std::vector<std::uint32_t>{1});
   return formFactor(row.shares.front());
 }
@@ -46,23 +48,26 @@ double exchanged(double gap, int points, int resolution) {
 /// each other.
 void checkPartition(const Discretization& discretization) {
   std::vector<int> owners(discretization.elements.size(), 0);
-  for (std::uint32_t p = 0; p < discretization.patches.size(); ++p) {
-    const Patch& patch = discretization.patches[p];
+  const auto ofSurfaces = patchesOfSurfaces(discretization.patches, discretization.grids.size());
+  for (std::uint32_t p = 0; p < discretization.patches.list.size(); ++p) {
+    const Patch& patch = discretization.patches.list[p];
     const Grid& grid = discretization.grids[patch.surface];
-    CHECK(patch.elementCount > 0);
-    const std::vector<std::uint32_t> ofSurface = patchesOf(grid);
-    CHECK(std::binary_search(ofSurface.begin(), ofSurface.end(), p));
-    for (std::uint32_t i = 0; i < patch.elementCount; ++i) {
-      const std::uint32_t e = discretization.patchElements[patch.firstElement + i];
+    CHECK(patch.number == p);
+    CHECK(!patch.elements.empty());
+    CHECK(std::binary_search(ofSurfaces[patch.surface].begin(), ofSurfaces[patch.surface].end(), p));
+    double area = 0;
+    for (const std::uint32_t e : patch.elements) {
       const Element& element = discretization.elements[e];
       const int column = static_cast<int>(element.texel) % grid.columns,
                 row = static_cast<int>(element.texel) / grid.columns;
       ++owners[e];
-      CHECK(discretization.patchOf[e] == p);
+      area += element.area;
+      CHECK(discretization.patches.ofElement[e] == p);
       CHECK(element.surface == patch.surface);
       CHECK((column >= patch.column && column < patch.column + patch.width));
       CHECK((row >= patch.row && row < patch.row + patch.height));
     }
+    CHECK(patch.area == area);
   }
   CHECK(std::count(owners.begin(), owners.end(), 1) == static_cast<std::ptrdiff_t>(owners.size()));
 }
@@ -97,7 +102,7 @@ TEST_CASE("PatchSubdivision brings the form factor of facing squares to the clos
     world.discretization = splitPatches(world, 0.002);
     const FormFactorRow row = ProjectedFormFactors(world.scene, world.discretization, world.layout, world.renderer,
                                                    {1024, Orientation::Turned})
-                                  .ofPatch(0);
+                                  .ofPatch(world.discretization.patches.list.front());
     const double exact = tests::parallelRectangles({{0, 1}, {0, 1}}, {{0, 1}, {0, 1}}, gap);
     CHECK(formFactor(row.shares.front()) == Approx(exact).margin(1.1 * exact * std::sqrt(0.002)));
   }
@@ -114,28 +119,30 @@ TEST_CASE("PatchSubdivision keeps the elements and distributes them to its patch
         tests::HemicubeWorld world(scene, texels, 4);
         const Discretization after = splitPatches(world, maxReturning);
         checkPartition(after);
-        CHECK(after.patches.size() >= world.discretization.patches.size());
+        CHECK(after.patches.list.size() >= world.discretization.patches.list.size());
         for (std::size_t e = 0; e < after.elements.size(); ++e)
           CHECK(after.elements[e].area == world.discretization.elements[e].area);
-        for (const Patch& patch : after.patches) {
+        for (const Patch& patch : after.patches.list) {
           CHECK(patch.halvings <= maxHalvings);
           if (patch.points > 1) CHECK((patch.width == 1 && patch.height == 1));
         }
       }
 }
 
-TEST_CASE("PatchSubdivision with a limit of 1 splits nothing", "[patch_splitting]") {
+TEST_CASE("SceneFormFactors with a limit of 1 split nothing", "[patch_splitting]") {
   tests::HemicubeWorld world(facingSquares(1e-3), 4, 2);
-  const Discretization after = splitPatches(world, 1);
-  CHECK(after.patches.size() == world.discretization.patches.size());
-  for (const Patch& patch : after.patches) CHECK((patch.points == 1 && patch.halvings == 0));
+  SceneFormFactors drawn(world.scene, world.discretization, world.layout, {.split = 1});
+  CHECK_FALSE(drawn.splits());
+  const Patches after = splitAll(world.discretization.patches, drawn.splits());
+  CHECK(after.list.size() == world.discretization.patches.list.size());
+  for (const Patch& patch : after.list) CHECK((patch.points == 1 && patch.halvings == 0));
 }
 
 TEST_CASE("PatchSubdivision in a cube splits the patches along the edges and not those in the middle",
           "[patch_splitting]") {
   tests::HemicubeWorld world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 16, 4);
   const Discretization after = splitPatches(world, 0.03);
-  for (const Patch& patch : after.patches) {
+  for (const Patch& patch : after.patches.list) {
     const bool isAtEdge =
         patch.column == 0 || patch.row == 0 || patch.column + patch.width == 16 || patch.row + patch.height == 16;
     const bool isInMiddle =
@@ -151,11 +158,14 @@ TEST_CASE("PatchSubdivision reduces the error of the light in a cube", "[patch_s
   // share, so that patches half as wide need a sixteenth of the limit.
   const auto worst = [](double maxReturning) {
     tests::HemicubeWorld world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 8);
-    world.discretization = splitPatches(world, maxReturning);
+    if (maxReturning < 1) world.discretization = splitPatches(world, maxReturning);
     ProjectedFormFactors rows(world.scene, world.discretization, world.layout, world.renderer,
                               {256, Orientation::Turned});
-    const Solution solution =
-        solve(world.scene, world.discretization, [&](std::uint32_t p) { return rows.ofPatch(p); }, {.residual = 1e-6});
+    const Solution solution = solve({.scene = world.scene,
+                                     .discretization = world.discretization,
+                                     .patches = world.discretization.patches,
+                                     .rowOf = [&](const Patch& p) { return rows.ofPatch(p); },
+                                     .settings = {.residual = 1e-6}});
     double largest = 0;
     for (const glm::dvec3& b : solution.radiosity) largest = std::max(largest, std::abs(b.x - 2));
     return largest;
@@ -191,11 +201,11 @@ TEST_CASE("ProjectedFormFactors with rotated hemicubes see the same room", "[pat
   ProjectedFormFactors aligned = world.rows(resolution);
   ProjectedFormFactors turned(world.scene, world.discretization, world.layout, world.renderer,
                               {resolution, Orientation::Turned});
-  for (std::uint32_t patch = 0; patch < 6; ++patch) {
+  for (const Patch& patch : world.discretization.patches.list) {
     const FormFactorRow a = aligned.ofPatch(patch), b = turned.ofPatch(patch);
     REQUIRE(a.elements == b.elements);
     CHECK(b.background == 0);
-    CHECK((patch == 0) == (a.shares == b.shares));  // the rotation of the first patch is 0
+    CHECK((patch.number == 0) == (a.shares == b.shares));  // the rotation of the first patch is 0
     const double bound = 4 * std::sqrt(4.0 * resolution) * 4 / (3.14159 * resolution * resolution);
     for (std::size_t i = 0; i < a.shares.size(); ++i)
       CHECK(std::abs(formFactor(a.shares[i]) - formFactor(b.shares[i])) < bound);

@@ -35,9 +35,9 @@ double meanFactor(World& world, const std::string& from, const std::string& to, 
   ProjectedFormFactors rows = world.rows(resolution);
   double factor = 0;
   int count = 0;
-  for (std::uint32_t p = 0; p < world.discretization.patches.size(); ++p)
-    if (world.scene.surfaces[world.discretization.patches[p].surface].name == from) {
-      factor += toSurface(world, rows.ofPatch(p), to);
+  for (std::uint32_t p = 0; p < world.discretization.patches.list.size(); ++p)
+    if (world.scene.surfaces[world.discretization.patches.list[p].surface].name == from) {
+      factor += toSurface(world, rows.ofPatch(world.discretization.patches.list[p]), to);
       ++count;
     }
   return factor / count;
@@ -48,12 +48,12 @@ double meanFactor(World& world, const std::string& from, const std::string& to, 
 TEST_CASE("ProjectedFormFactors in a closed room give rows of exactly one, from every patch", "[rows]") {
   World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 4);
   ProjectedFormFactors rows = world.rows(64);
-  for (std::uint32_t patch = 0; patch < world.discretization.patches.size(); ++patch) {
-    const FormFactorRow row = rows.ofPatch(patch);
+  for (std::uint32_t patch = 0; patch < world.discretization.patches.list.size(); ++patch) {
+    const FormFactorRow row = rows.ofPatch(world.discretization.patches.list[patch]);
     CHECK(sum(row) == wholeShare);
     CHECK(row.background == 0);
     CHECK(row.back == 0);
-    CHECK(toSurface(world, row, world.scene.surfaces[world.discretization.patches[patch].surface].name) == 0);
+    CHECK(toSurface(world, row, world.scene.surfaces[world.discretization.patches.list[patch].surface].name) == 0);
   }
 }
 
@@ -61,7 +61,8 @@ TEST_CASE("ProjectedFormFactors in an open room give rows whose background is th
   Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
   scene.surfaces.erase(scene.surfaces.begin() + 3);  // no ceiling
   World world(tests::finish(scene), 4, 4);
-  const FormFactorRow row = world.rows(256).ofPatch(2);  // the one patch of the floor, from its centre
+  const FormFactorRow row =
+      world.rows(256).ofPatch(world.discretization.patches.list[2]);  // the one patch of the floor, from its centre
   CHECK(sum(row) == wholeShare);
   // The missing ceiling is a parallel unit square over the floor's centre, at distance one: four times the corner form
   // with sides of one half. Its outline passes between pixels of R = 256, so that the integrals of pixels add up to it.
@@ -106,7 +107,7 @@ TEST_CASE("ProjectedFormFactors count the back of a blocker as back, not as an e
   scene.surfaces.push_back(
       tests::quad("blocker", {{{0.25, 0.5, 0.25}, {0.25, 0.5, 0.75}, {0.75, 0.5, 0.75}, {0.75, 0.5, 0.25}}}));
   World world(tests::finish(scene), 4, 4);
-  const FormFactorRow row = world.rows(256).ofPatch(2);
+  const FormFactorRow row = world.rows(256).ofPatch(world.discretization.patches.list[2]);
   CHECK(sum(row) == wholeShare);
   // From the centre of the floor: half-width 0.25 at distance 0.5, again with an outline between pixels.
   CHECK(formFactor(row.back) == Approx(4 * toParallel(0.5, 0.5)).epsilon(1e-12));
@@ -118,13 +119,13 @@ TEST_CASE("ProjectedFormFactors with a cubic tetrahedron in a closed room give r
   World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 4);
   ProjectedFormFactors rows(world.scene, world.discretization, world.layout, world.renderer,
                             {64, Orientation::Turned, ProjectionKind::CubicTetrahedron});
-  for (std::uint32_t patch = 0; patch < world.discretization.patches.size(); ++patch) {
-    const FormFactorRow row = rows.ofPatch(patch);
+  for (std::uint32_t patch = 0; patch < world.discretization.patches.list.size(); ++patch) {
+    const FormFactorRow row = rows.ofPatch(world.discretization.patches.list[patch]);
     CHECK(sum(row) == wholeShare);
     CHECK(row.background == 0);
     CHECK(row.back == 0);
     CHECK(std::find(row.shares.begin(), row.shares.end(), 0) == row.shares.end());
-    CHECK(toSurface(world, row, world.scene.surfaces[world.discretization.patches[patch].surface].name) == 0);
+    CHECK(toSurface(world, row, world.scene.surfaces[world.discretization.patches.list[patch].surface].name) == 0);
   }
 }
 
@@ -133,7 +134,7 @@ TEST_CASE("ProjectedFormFactors with a single plane in a closed room count the l
   World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 8, 4);
   ProjectedFormFactors rows(world.scene, world.discretization, world.layout, world.renderer,
                             {64, Orientation::Turned, ProjectionKind::SinglePlane});
-  const FormFactorRow row = rows.ofPatch(9);
+  const FormFactorRow row = rows.ofPatch(world.discretization.patches.list[9]);
   CHECK(sum(row) == wholeShare);
   CHECK(row.background == wholeShare - rows.projection().captured);
   CHECK(row.back == 0);
@@ -152,7 +153,7 @@ TEST_CASE("ProjectedFormFactors with all projections converge to the same form f
     for (const int resolution : {64, 1024}) {
       ProjectedFormFactors rows(world.scene, world.discretization, world.layout, world.renderer,
                                 {resolution, Orientation::Aligned, kind});
-      const FormFactorRow row = rows.ofPatch(2);
+      const FormFactorRow row = rows.ofPatch(world.discretization.patches.list[2]);
       const double lost = kind == ProjectionKind::SinglePlane ? underPlane : 0;
       // An outline of length l on a face has an error of at most half a pixel's share along it. That of the ceiling, of
       // length 4 at distance 1, has a density of at most 1 / pi (1.25)^2, and pixels are up to 8 / R wide.

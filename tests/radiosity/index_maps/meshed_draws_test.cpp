@@ -63,7 +63,7 @@ Views viewsFrom(const World& world, std::uint32_t patch, int resolution) {
   const auto textures = rendererBy(radiosity::ElementsBy::Texture), mesh = rendererBy(radiosity::ElementsBy::Mesh);
   radiosity::ProjectedFormFactors rows(world.scene, world.discretization, world.layout, *textures,
                                        {.resolution = resolution, .orientation = radiosity::Orientation::Turned});
-  const radiosity::View view = rows.viewsOfPatch(patch).front();
+  const radiosity::View view = rows.viewsOfPatch(world.discretization.patches.list[patch]).front();
   return {view.faces, render(*textures, view.faces, view.skipped), render(*mesh, view.faces, view.skipped)};
 }
 
@@ -176,7 +176,7 @@ TEST_CASE("makeMeshedDraws and makeDrawList show different elements only where r
     const World world(dataScene(c.file), c.settings);
     const reference::SurfacePieces pieces = reference::surfacePieces(world.scene, world.discretization);
     Agreement agreement;
-    const auto patches = static_cast<std::uint32_t>(world.discretization.patches.size());
+    const auto patches = static_cast<std::uint32_t>(world.discretization.patches.list.size());
     for (std::uint32_t view = 0; view < 4; ++view)
       compare(world, pieces, viewsFrom(world, (2 * view + 1) * patches / 8, 128), agreement);
     CAPTURE(c.file, agreement.pixels, agreement.differing);
@@ -262,7 +262,7 @@ TEST_CASE("makeMeshedDraws leaves no gap where surfaces meet with the same grid"
   }
   const auto open = std::count_if(sides.begin(), sides.end(), [](const auto& side) { return side.second != 0; });
   CHECK(open == 2 * 4);  // the light's outline
-  for (std::uint32_t patch = 0; patch < world.discretization.patches.size(); patch += 5)
+  for (std::uint32_t patch = 0; patch < world.discretization.patches.list.size(); patch += 5)
     for (const raster::ItemBuffer& buffer : viewsFrom(world, patch, 64).byMesh)
       CHECK(std::count(buffer.ids.begin(), buffer.ids.end(), raster::backgroundId(world.layout.format)) == 0);
 }
@@ -303,29 +303,29 @@ TEST_CASE("solutions with makeMeshedDraws and makeDrawList differ by no more tha
     const double residual = 1e-5;
     std::vector<std::vector<radiosity::FormFactorRow>> rows;
     std::vector<radiosity::Solution> solutions;
-    std::optional<Discretization> split;
     for (const auto method : {radiosity::ElementsBy::Texture, radiosity::ElementsBy::Mesh}) {
       radiosity::SceneFormFactors drawn(scene, unsplit, layoutOf(unsplit),
                                         {.resolution = 128, .split = 1, .elementsBy = method});
-      if (split) REQUIRE(split->patches.size() == drawn.discretization().patches.size());
-      split = drawn.discretization();
       std::vector<radiosity::FormFactorRow>& ofMethod = rows.emplace_back();
-      for (std::uint32_t patch = 0; patch < split->patches.size(); ++patch)
-        ofMethod.push_back(drawn.rows().ofPatch(patch));
-      const auto rowOf = [&](std::uint32_t patch) { return ofMethod[patch]; };
-      solutions.push_back(radiosity::solve(scene, *split, rowOf, {.residual = residual}));
+      for (const radiosity::Patch& patch : unsplit.patches.list) ofMethod.push_back(drawn.rows().ofPatch(patch));
+      const auto rowOf = [&](const radiosity::Patch& patch) { return ofMethod[patch.number]; };
+      solutions.push_back(radiosity::solve({.scene = scene,
+                                            .discretization = unsplit,
+                                            .patches = unsplit.patches,
+                                            .rowOf = rowOf,
+                                            .settings = {.residual = residual}}));
     }
 
     double reflectance = 0, emitted = 0, flux = 0, apart = 0;
-    std::vector<double> ofPatch(split->patches.size());
-    for (std::uint32_t e = 0; e < split->elements.size(); ++e) {
+    std::vector<double> ofPatch(unsplit.patches.list.size());
+    for (std::uint32_t e = 0; e < unsplit.elements.size(); ++e) {
       const auto fluxOf = [&](const glm::dvec3& radiosity) {
-        return split->elements[e].area * (radiosity.x + radiosity.y + radiosity.z);
+        return unsplit.elements[e].area * (radiosity.x + radiosity.y + radiosity.z);
       };
-      const glm::dvec3 rho = radiosity::reflectance(scene, *split, e);
+      const glm::dvec3 rho = radiosity::reflectance(scene, unsplit, e);
       reflectance = std::max({reflectance, rho.x, rho.y, rho.z});
-      emitted += fluxOf(radiosity::emission(scene, *split, e));
-      ofPatch[split->patchOf[e]] += fluxOf(solutions[0].radiosity[e]);
+      emitted += fluxOf(radiosity::emission(scene, unsplit, e));
+      ofPatch[unsplit.patches.ofElement[e]] += fluxOf(solutions[0].radiosity[e]);
       flux += fluxOf(solutions[0].radiosity[e]);
       apart += fluxOf(glm::abs(solutions[0].radiosity[e] - solutions[1].radiosity[e]));
     }

@@ -125,7 +125,7 @@ TEST_CASE("ProjectedFormFactors store only visible elements, however many phanto
     const IdLayout layout = layOut(discretization, ids);
     raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
     ProjectedFormFactors rows(scene, discretization, layout, renderer, {64});
-    const FormFactorRow row = rows.ofPatch(3);
+    const FormFactorRow row = rows.ofPatch(discretization.patches.list[3]);
     const Phantoms phantoms = countPhantoms(discretization, layout);
     const std::uint64_t count = phantoms.spareTexels + phantoms.alignmentGaps;
     CHECK(count >= before);

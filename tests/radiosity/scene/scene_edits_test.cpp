@@ -182,16 +182,16 @@ TEST_CASE("carried keeps elements, patches and rotations of kept surfaces, and d
       const Element& element = carriedOver.elements[grid.firstElement + e];
       CHECK(element.surface == s);
       CHECK(element.area == whole.elements[old.firstElement + e].area);
-      CHECK(carriedOver.patchOf[grid.firstElement + e] - grid.firstPatch ==
-            whole.patchOf[old.firstElement + e] - old.firstPatch);
+      CHECK(carriedOver.patches.ofElement[grid.firstElement + e] - grid.firstPatch ==
+            whole.patches.ofElement[old.firstElement + e] - old.firstPatch);
       CHECK(grid.elementOfTexel[element.texel] == grid.firstElement + e);
     }
     for (std::uint32_t p = 0; p < grid.patchCount; ++p) {
-      const Patch& patch = carriedOver.patches[grid.firstPatch + p];
+      const Patch& patch = carriedOver.patches.list[grid.firstPatch + p];
       CHECK(patch.surface == s);
       if (s < 2) CHECK(patch.turn == old.firstPatch + p);
-      for (std::uint32_t i = 0; i < patch.elementCount; ++i)
-        CHECK(carriedOver.patchOf[carriedOver.patchElements[patch.firstElement + i]] == grid.firstPatch + p);
+      for (const std::uint32_t element : patch.elements)
+        CHECK(carriedOver.patches.ofElement[element] == grid.firstPatch + p);
     }
   }
 }

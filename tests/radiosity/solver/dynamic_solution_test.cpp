@@ -53,10 +53,26 @@ DynamicSettings settings(double limit = residual) {
           {.residual = limit}};
 }
 
+DynamicSolution solved(const DynamicSettings& some, const RendererFactory& makeRenderer = softwareRenderer,
+                       const Scene& scene = lampRoom()) {
+  Discretization discretization = discretize(scene, some.discretization);
+  SceneFormFactors drawn(scene, discretization, layOutIds(discretization), some.drawing, makeRenderer);
+  RowCache ofViews(some.solver.rowCacheBytes / 2);
+  Solution solution = solve({.scene = scene,
+                             .discretization = discretization,
+                             .patches = std::move(discretization.patches),
+                             .rowOf = [&](const Patch& patch) { return rowByViews(drawn.rows(), ofViews, patch); },
+                             .split = drawn.splits(),
+                             .settings = some.solver,
+                             .outside = drawn.outsideFlux(),
+                             .isContinued = true});
+  discretization.patches = std::move(solution.patches);
+  solution.continuation->rows.ofViews = std::move(ofViews);
+  return {scene, std::move(discretization), std::move(solution), some, layOutIds, makeRenderer};
+}
+
 std::unique_ptr<DynamicSolution> solved(double limit = residual) {
-  Scene scene = lampRoom();
-  Discretization discretization = discretize(scene, settings().discretization);
-  return std::make_unique<DynamicSolution>(std::move(scene), std::move(discretization), settings(limit), layOutIds);
+  return std::unique_ptr<DynamicSolution>(new DynamicSolution(solved(settings(limit))));
 }
 
 /// The current scene, solved from its emission on.
@@ -64,11 +80,14 @@ ShotLight freshLight(const DynamicSolution& dynamic, double limit = residual) {
   DrawingSettings unsplit = settings().drawing;
   unsplit.split = 1;
   SceneFormFactors drawn(dynamic.scene(), dynamic.discretization(), dynamic.layout(), unsplit);
-  ShootingState state(dynamic.scene(), drawn.discretization(), drawn.outsideFlux());
-  RowCache rows(std::size_t{1} << 30);
-  refine(dynamic.scene(), drawn.discretization(), state, rows,
-         [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); }, {.residual = limit});
-  return state.light();
+  return solve({.scene = dynamic.scene(),
+                .discretization = dynamic.discretization(),
+                .patches = dynamic.discretization().patches,
+                .rowOf = drawn.rowOf(),
+                .settings = {.residual = limit},
+                .outside = drawn.outsideFlux(),
+                .isContinued = true})
+      .continuation->light;
 }
 
 /// The difference of what elements absorb, bands summed.
@@ -178,9 +197,8 @@ TEST_CASE("DynamicSolution::update lights the floor under an object that moved a
   // elements beside it, or to none.
   const auto dynamic = solved();
   dynamic->update({{Remove{"cube"}}});
-  EditedScene edit = edited(lampRoom(), {}, {{Remove{"cube"}}});
-  Discretization discretization = discretize(edit.scene, settings().discretization);
-  const DynamicSolution fresh(std::move(edit.scene), std::move(discretization), settings(), layOutIds);
+  const EditedScene edit = edited(lampRoom(), {}, {{Remove{"cube"}}});
+  const DynamicSolution fresh = solved(settings(), softwareRenderer, edit.scene);
   REQUIRE(fresh.scene().surfaces[0].name == dynamic->scene().surfaces[0].name);
   const Grid &grid = dynamic->discretization().grids[0], &freshGrid = fresh.discretization().grids[0];
   double different = 0, all = 0;
@@ -198,9 +216,7 @@ TEST_CASE("DynamicSolution::update gives a restored object the texels of the ori
   // Their size is derived from the scene, not from the object.
   DynamicSettings following = settings(0.1);
   following.discretization = {.isUnburied = true};
-  Scene scene = lampRoom();
-  Discretization discretization = discretize(scene, following.discretization);
-  DynamicSolution dynamic(std::move(scene), std::move(discretization), following, layOutIds);
+  DynamicSolution dynamic = solved(following);
   const auto sizes = [&] {
     std::map<std::string, std::pair<int, int>> grids;
     for (std::size_t s = 0; s < dynamic.scene().surfaces.size(); ++s)
@@ -225,13 +241,13 @@ TEST_CASE("DynamicSolution::update of a move and its reverse keeps the solution 
 
 TEST_CASE("DynamicSolution::update without an edit shoots and draws nothing", "[dynamic]") {
   const auto dynamic = solved();
-  const Solution before = dynamic->solution();
+  const std::vector<glm::dvec3> before = dynamic->solution().radiosity;
   const UpdateCost cost = dynamic->update({});
   CHECK(dynamic->solution().shots == 0);
   CHECK(cost.rowsInWindows + cost.rowsWhole + cost.rowsRetracted + cost.rowsLeft == 0);
-  for (std::size_t e = 0; e < before.radiosity.size(); ++e)
+  for (std::size_t e = 0; e < before.size(); ++e)
     for (int band = 0; band < 3; ++band)
-      CHECK(dynamic->solution().radiosity[e][band] == Approx(before.radiosity[e][band]).epsilon(1e-12));
+      CHECK(dynamic->solution().radiosity[e][band] == Approx(before[e][band]).epsilon(1e-12));
 }
 
 TEST_CASE("DynamicSolution::update with the only light off gets dark within the residual of the former emission",
@@ -249,8 +265,8 @@ TEST_CASE("changeOf in windows is the exact difference of the rows before and af
   MovedCube moved(scene, discretization, 64);
   auto& [edit, before, after, isCube, change] = moved;
   int windows = 0, whole = 0, nothing = 0;
-  for (std::uint32_t patch = 0; patch < discretization.patches.size(); ++patch) {
-    if (isCube[discretization.patches[patch].surface]) continue;
+  for (const Patch& patch : discretization.patches.list) {
+    if (isCube[patch.surface]) continue;
     const FormFactorRow old = before.rows().ofPatch(patch), now = after.rows().ofPatch(patch);
     const RowChange difference = changeOf(change, patch, patch);
     const FormFactorRow updated = exchanged(old, difference.before, difference.after);
@@ -260,7 +276,7 @@ TEST_CASE("changeOf in windows is the exact difference of the rows before and af
     CHECK(updated.back == now.back);
     ++(difference.isNothing() ? nothing : difference.isWhole ? whole : windows);
     // No more light is redirected than the bound allows.
-    const SurfacePoint centre = patchCentre(scene, discretization, discretization.patches[patch]);
+    const SurfacePoint centre = patchCentre(scene, discretization, patch);
     const double pixel = pixelAngle(after.rows().projection());
     const double bound =
         std::min(1.0, change.gone.largestShare(centre, pixel) + change.come.largestShare(centre, pixel));
@@ -274,7 +290,7 @@ TEST_CASE("changeOf in windows is the exact difference of the rows before and af
 TEST_CASE("changeOf the mean of several points' rows is the change of the mean, within rounding", "[dynamic]") {
   Scene scene = lampRoom();
   Discretization discretization = discretize(scene, settings().discretization);
-  for (Patch& patch : discretization.patches) patch.points = 2;
+  for (Patch& patch : discretization.patches.list) patch.points = 2;
   MovedCube moved(scene, discretization, 32);
   auto& [edit, before, after, isCube, change] = moved;
   const auto add = [](std::vector<double>& sums, const FormFactorRow& row, double sign) {
@@ -282,8 +298,8 @@ TEST_CASE("changeOf the mean of several points' rows is the change of the mean, 
     sums.back() += sign * formFactor(row.background + row.back);
   };
   int changed = 0;
-  for (std::uint32_t patch = 0; patch < discretization.patches.size(); ++patch) {
-    if (isCube[discretization.patches[patch].surface]) continue;
+  for (const Patch& patch : discretization.patches.list) {
+    if (isCube[patch.surface]) continue;
     const RowChange difference = changeOf(change, patch, patch);
     CHECK_FALSE(difference.isWhole);
     changed += difference.isRounded ? 1 : 0;
@@ -305,12 +321,10 @@ TEST_CASE("DynamicSolution::update draws a small part of what a new solution dra
   const auto counting = [&](raster::DrawList list) {
     return std::make_unique<CountingRenderer>(std::move(list), drawn);
   };
-  Scene scene = lampRoom();
   DynamicSettings unsplit = settings();
   unsplit.drawing.split = 1;
   unsplit.discretization.surfaceTexels["post"] = 1;
-  Discretization discretization = discretize(scene, unsplit.discretization);
-  DynamicSolution dynamic(std::move(scene), std::move(discretization), unsplit, layOutIds, {}, counting);
+  DynamicSolution dynamic = solved(unsplit, counting);
   const Drawn fresh = std::exchange(drawn, {});
   const UpdateCost cost = dynamic.update({{Move{"post", {0.125, 0, 0}}}});
   const Drawn update = std::exchange(drawn, {});
@@ -327,12 +341,10 @@ TEST_CASE("DynamicSolution::update after a move draws no view of patches with se
   const auto counting = [&](raster::DrawList list) {
     return std::make_unique<CountingRenderer>(std::move(list), drawn);
   };
-  Scene scene = lampRoom();
   DynamicSettings split = settings();
   split.drawing.split = 0.005;
-  Discretization discretization = discretize(scene, split.discretization);
-  DynamicSolution dynamic(std::move(scene), std::move(discretization), split, layOutIds, {}, counting);
-  const auto& patches = dynamic.discretization().patches;
+  DynamicSolution dynamic = solved(split, counting);
+  const auto& patches = dynamic.discretization().patches.list;
   CHECK(std::count_if(patches.begin(), patches.end(), [](const Patch& patch) { return patch.points > 1; }) > 100);
   const Drawn fresh = std::exchange(drawn, {});
   dynamic.update({{Move{"post", {0.125, 0, 0}}}});
@@ -345,30 +357,24 @@ TEST_CASE("DynamicSolution::update after a move draws no view of patches with se
 TEST_CASE("DynamicSolution::update gives the same bits for any number of threads and any row cache", "[dynamic]") {
   const auto solveWith = [](int threads, std::size_t cache) {
     const raster::ThreadLimit limit(threads);
-    Scene scene = lampRoom();
-    Discretization discretization = discretize(scene, settings().discretization);
     DynamicSettings some = settings(0.02);
     some.solver.rowCacheBytes = cache;
-    DynamicSolution dynamic(std::move(scene), std::move(discretization), some, layOutIds);
+    DynamicSolution dynamic = solved(some);
     dynamic.update({{Move{"cube", {0.5, 0.25, 0}}, Remove{"post"}}});
     dynamic.update({{Restore{"post"}}});
-    return dynamic.solution();
+    return std::pair{dynamic.solution().radiosity, dynamic.solution().shots};
   };
-  const Solution reference = solveWith(1, std::size_t{1} << 30);
+  const auto reference = solveWith(1, std::size_t{1} << 30);
   for (const auto& [threads, cache] :
-       {std::pair{2, std::size_t{0}}, {7, std::size_t{20000}}, {2, std::size_t{1} << 30}}) {
-    const Solution solution = solveWith(threads, cache);
-    CHECK(solution.radiosity == reference.radiosity);
-    CHECK(solution.shots == reference.shots);
-  }
+       {std::pair{2, std::size_t{0}}, {7, std::size_t{20000}}, {2, std::size_t{1} << 30}})
+    CHECK(solveWith(threads, cache) == reference);
 }
 
 TEST_CASE("DynamicSolution lets the light of the sky and the sun follow objects", "[dynamic]") {
   Scene open = lampRoom();
   open.surfaces.erase(open.surfaces.begin() + 1);
   open.outside = {{2, 3, 4}, {{glm::normalize(glm::dvec3(0.3, 0.2, 1)), {9, 8, 7}}}};
-  Discretization discretization = discretize(open, settings().discretization);
-  DynamicSolution dynamic(std::move(open), std::move(discretization), settings(), layOutIds);
+  DynamicSolution dynamic = solved(settings(), softwareRenderer, open);
   const glm::dvec3 emitted = dynamic.solution().energy.emitted;
   checkIsFresh(dynamic);
   dynamic.update({{Edit(Move{"cube", {0.75, 0.5, 1.0}})}});

@@ -46,8 +46,13 @@ std::vector<glm::dvec3> solutionOf(const Scene& scene, const Discretization& dis
                                    double residual) {
   SceneFormFactors drawn(scene, discretization, layOut(discretization),
                          {.resolution = effort.resolution, .split = effort.split});
-  const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
-  return solve(scene, drawn.discretization(), rowOf, {.residual = residual}, {}, drawn.splits()).radiosity;
+  return solve({.scene = scene,
+                .discretization = discretization,
+                .patches = discretization.patches,
+                .rowOf = drawn.rowOf(),
+                .split = drawn.splits(),
+                .settings = {.residual = residual}})
+      .radiosity;
 }
 
 /// The random error of the reference only adds to the measured error.

@@ -33,9 +33,11 @@ Run run(Scene scene, int texels, int patch, int resolution, const SolverSettings
   const IdLayout layout = layOut(result.discretization);
   raster::SoftwareRenderer renderer(makeDrawList(result.scene, result.discretization, layout));
   ProjectedFormFactors rows(result.scene, result.discretization, layout, renderer, {.resolution = resolution});
-  result.solution = solve(
-      result.scene, result.discretization, [&](std::uint32_t patchNumber) { return rows.ofPatch(patchNumber); },
-      settings);
+  result.solution = solve({.scene = result.scene,
+                           .discretization = result.discretization,
+                           .patches = result.discretization.patches,
+                           .rowOf = [&](const Patch& from) { return rows.ofPatch(from); },
+                           .settings = settings});
   return result;
 }
 
@@ -116,7 +118,7 @@ TEST_CASE("solve of a furnace with one patch per face has the radiosity of the c
     const glm::dvec3 u = (b - a) / 16.0, v = (c - b) / 16.0;  // half the sides of an element
     const std::vector<glm::dvec3> corners{middle - u - v, middle + u - v, middle + u + v, middle - u + v};
     double arriving = 0;
-    for (const Patch& patch : furnace.discretization.patches) {
+    for (const Patch& patch : furnace.discretization.patches.list) {
       if (patch.surface == surface) continue;
       const SurfacePoint centre = patchCentre(furnace.scene, furnace.discretization, patch);
       arriving += reference::pointToPolygon(centre.position, centre.normal, corners);
@@ -166,19 +168,25 @@ TEST_CASE("solve lists likely shots whose rows are not in the cache", "[solver]"
   raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
   ProjectedFormFactors rows(scene, discretization, layout, renderer, {.resolution = 32});
   std::vector<std::uint32_t> shot, foremost;
-  const auto rowOf = [&](std::uint32_t patch) {
-    shot.push_back(patch);
+  const auto rowOf = [&](const Patch& patch) {
+    shot.push_back(patch.number);
     return rows.ofPatch(patch);
   };
-  // The cache keeps all rows, so that a patch whose row is computed was the first of a list.
-  const LookAhead look = [&](const auto& likelyShots) {
-    const std::vector<LikelyShot> likely = likelyShots(discretization.patches.size());
+  // The cache keeps all rows, so that a patch whose row is computed was the first of a list, after the first shot.
+  const Progress look = [&](const Step& step) {
+    const std::vector<LikelyShot> likely = step.likelyShots(discretization.patches.list.size());
     for (const LikelyShot& each : likely) CHECK(std::count(shot.begin(), shot.end(), each.patch) == 0);
     if (!likely.empty()) foremost.push_back(likely.front().patch);
+    return true;
   };
-  solve(scene, discretization, rowOf, {.residual = 0, .shots = 30}, {}, {}, {}, look);
+  solve({.scene = scene,
+         .discretization = discretization,
+         .patches = discretization.patches,
+         .rowOf = rowOf,
+         .settings = {.residual = 0, .shots = 30}},
+        look);
   CHECK(shot.size() > 4);
-  for (const std::uint32_t patch : shot) CHECK(std::count(foremost.begin(), foremost.end(), patch) > 0);
+  for (std::size_t i = 1; i < shot.size(); ++i) CHECK(std::count(foremost.begin(), foremost.end(), shot[i]) > 0);
 }
 
 TEST_CASE("solve gives the same bits for any number of threads and any row cache", "[solver]") {

@@ -19,13 +19,19 @@ namespace {
 void shoot(ShootingState& state, const RowSource& rowOf, int shots, double residual = 0) {
   for (int shot = 0; shot < shots && state.residual() > residual; ++shot) {
     const std::uint32_t patch = state.brightestPatch();
-    state.shoot(patch, rowOf(patch));
+    state.shoot(patch, rowOf(state.patches().list[patch]));
   }
 }
 
 /// Rows, each drawn once.
 RowSource rowsOf(ProjectedFormFactors& rows, RowCache& cache) {
-  return [&](std::uint32_t patch) { return cache.row(patch, [&, patch] { return rows.ofPatch(patch); }); };
+  return [&](const Patch& patch) { return cache.row(patch.number, [&] { return rows.ofPatch(patch); }); };
+}
+
+/// The state before the first shot.
+ShootingState unlit(const Scene& scene, const Discretization& discretization, OutsideFlux outside = {}) {
+  const Patches& patches = discretization.patches;
+  return {scene, discretization, patches, nothingShot(patches, std::move(outside))};
 }
 
 Scene litCube(const glm::dvec3& emission) {
@@ -47,9 +53,9 @@ TEST_CASE("ShootingState made from stored shots continues as if it had not been 
     ProjectedFormFactors rows = world.rows(32);
     RowCache cache(std::size_t{1} << 30);
     const RowSource rowOf = rowsOf(rows, cache);
-    ShootingState whole(world.scene, world.discretization);
+    ShootingState whole = unlit(world.scene, world.discretization);
     shoot(whole, rowOf, 20);
-    ShootingState continued(world.scene, world.discretization, whole.light());
+    ShootingState continued(world.scene, world.discretization, world.discretization.patches, whole.light());
     // The same sums in another order: a few units in the last place of the largest patch's flux.
     CHECK(continued.residual() == Approx(whole.residual()).epsilon(1e-12));
     const Energy energy = whole.energy();
@@ -74,7 +80,7 @@ TEST_CASE("ShootingState counts light from outside as emitted, and its account c
   const RowSource rowOf = rowsOf(rows, cache);
   const OutsideFlux outside = outsideFlux(world.scene, world.discretization, world.layout, world.renderer, 64);
   const glm::dvec3 entered = sumOf(outside);
-  ShootingState state(world.scene, world.discretization, outside);
+  ShootingState state = unlit(world.scene, world.discretization, outside);
   CHECK(state.residual() > 0.5);
   for (const int shots : {0, 1, 50}) {
     shoot(state, rowOf, shots);
@@ -88,12 +94,12 @@ TEST_CASE("ShootingState counts light from outside as emitted, and its account c
   // Without reflectance the radiosity is the emission: what comes from outside is received, not emitted again.
   Scene black = world.scene;
   for (Material& material : black.materials) material.reflectance = glm::dvec3(0);
-  const ShootingState absorbing(black, world.discretization, outside);
+  const ShootingState absorbing = unlit(black, world.discretization, outside);
   CHECK(absorbing.energy().unshot.r == Approx(3));
   CHECK(absorbing.energy().absorbed.g == Approx(entered.g).epsilon(1e-12));
   CHECK(absorbing.radiosity()[0] == glm::dvec3(0));
   // Continued from its light, the state is the same.
-  const ShootingState continued(world.scene, world.discretization, state.light());
+  const ShootingState continued(world.scene, world.discretization, world.discretization.patches, state.light());
   CHECK(continued.residual() == Approx(state.residual()).epsilon(1e-12));
   CHECK(continued.energy().emitted == state.energy().emitted);
 }
@@ -105,9 +111,9 @@ TEST_CASE("ShootingState retracts a light that was switched off by negative shot
   ProjectedFormFactors rows = world.rows(32);
   RowCache cache(std::size_t{1} << 30);
   const RowSource rowOf = rowsOf(rows, cache);
-  ShootingState lit(world.scene, world.discretization);
+  ShootingState lit = unlit(world.scene, world.discretization);
   shoot(lit, rowOf, 100000, 1e-4);
-  ShootingState state(dark, world.discretization, lit.light());
+  ShootingState state(dark, world.discretization, world.discretization.patches, lit.light());
   // The side of area 1 emitted 6 W, all of which was shot.
   CHECK(state.residual() >= 1 - 1e-4);
   shoot(state, rowOf, 100000, 1e-6);
@@ -130,9 +136,9 @@ TEST_CASE("ShootingState bounds the absorbed flux still to come by the residual"
   ProjectedFormFactors rows = world.rows(32);
   RowCache cache(std::size_t{1} << 30);
   const RowSource rowOf = rowsOf(rows, cache);
-  ShootingState end(world.scene, world.discretization);
+  ShootingState end = unlit(world.scene, world.discretization);
   shoot(end, rowOf, 100000, 1e-12);
-  ShootingState state(world.scene, world.discretization);
+  ShootingState state = unlit(world.scene, world.discretization);
   for (int step = 0; step < 40; ++step) {
     shoot(state, rowOf, 3);
     double difference = 0;
@@ -149,11 +155,11 @@ TEST_CASE("ShootingState::shoot visits the entries of its row, not all elements 
   const Scene scene = litCube({3, 2, 1});
   const Discretization discretization = discretize(scene, {.texels = 410, .patch = 4});
   REQUIRE(discretization.elements.size() == 1008600);
-  REQUIRE(discretization.patches.size() == 63654);
+  REQUIRE(discretization.patches.list.size() == 63654);
   FormFactorRow row{{5, 1000, 200000, 300000, 400000, 500000, 600000, 700000, 800000, 900000}, {}};
   row.shares.assign(10, wholeShare / 16);
   row.background = wholeShare - 10 * (wholeShare / 16);
-  ShootingState state(scene, discretization);
+  ShootingState state = unlit(scene, discretization);
   // Ten elements receive. They and the shooter lie in at most eleven blocks of 64 patches. These have eleven parent
   // nodes of 64 blocks, and the root has 16 children.
   for (int shot = 0; shot < 1000; ++shot) REQUIRE(state.shoot(state.brightestPatch(), row) <= 10 + 11 * (64 + 64) + 16);
@@ -171,7 +177,7 @@ TEST_CASE("ShootingState::shoot visits the patches of a surface at most once per
     for (std::uint32_t e = 0; e < seen; ++e) row.elements.push_back(grid.firstElement + e);
     row.shares.assign(seen, wholeShare / 4096);
     row.background = wholeShare - seen * (wholeShare / 4096);
-    ShootingState state(scene, discretization);
+    ShootingState state = unlit(scene, discretization);
     const std::size_t visits = state.shoot(state.brightestPatch(), row);
     // 2048 elements lie in 512 patches, these in eight blocks, the shooter in another; the root has 96 descendants.
     const std::size_t updated = (8 + 1) * 64 + 2 * (64 + 64) + 2;

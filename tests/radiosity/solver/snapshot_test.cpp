@@ -31,15 +31,20 @@ constexpr SolverSettings settings{.residual = 1e-5};
 
 /// Solves from the start or from the bytes of a snapshot.
 Solution solutionOf(const Scene& scene, const Progress& progress, std::string_view bytes = {}) {
-  SceneFormFactors drawn(scene, discretize(scene, {.texels = 8, .patch = 4}),
-                         layOut(discretize(scene, {.texels = 8, .patch = 4})), {.resolution = 32, .split = 0.01});
+  const Discretization discretization = discretize(scene, {.texels = 8, .patch = 4});
+  SceneFormFactors drawn(scene, discretization, layOut(discretization), {.resolution = 32, .split = 0.01});
   Snapshot snapshot;
   if (!bytes.empty()) snapshot = takeSnapshot(bytes);
   CHECK(bytes.empty());
-  Start start{.outside = drawn.outsideFlux()};
-  if (snapshot.shots > 0) start.snapshot = &snapshot;
-  const auto rowOf = [&](std::uint32_t patch) { return drawn.rows().ofPatch(patch); };
-  return solve(scene, drawn.discretization(), rowOf, settings, progress, drawn.splits(), start);
+  return solve({.scene = scene,
+                .discretization = discretization,
+                .patches = discretization.patches,
+                .rowOf = drawn.rowOf(),
+                .split = drawn.splits(),
+                .settings = settings,
+                .outside = drawn.outsideFlux(),
+                .snapshot = snapshot.shots > 0 ? &snapshot : nullptr},
+               progress);
 }
 
 void checkEqual(const Solution& a, const Solution& b) {

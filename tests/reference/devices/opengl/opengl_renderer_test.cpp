@@ -230,8 +230,7 @@ TEST_CASE("OpenGlRenderer lights the Cornell box like SoftwareRenderer, except i
   const raster::DrawList list = radiosity::makeDrawList(scene, discretization, layout);
   const auto solutionOf = [&](raster::ItemBufferRenderer& renderer) {
     radiosity::ProjectedFormFactors rows(scene, discretization, layout, renderer, {.resolution = 128});
-    return radiosity::solve(scene, discretization, [&rows](std::uint32_t patch) { return rows.ofPatch(patch); },
-                            {.residual = 0.01});
+    return radiosity::solve({.scene = scene, .discretization = discretization, .patches = discretization.patches, .rowOf = [&rows](const radiosity::Patch& patch) { return rows.ofPatch(patch); }, .settings = {.residual = 0.01}});
   };
   raster::SoftwareRenderer software(list);
   const radiosity::Solution expected = solutionOf(software);

@@ -101,7 +101,7 @@ TEST_CASE(
   const std::array<std::size_t, 3> elements{241, 961, 3841};
   for (std::size_t level = 0; level < 3; ++level) {
     CHECK(simple.levels[level].discretization.elements.size() == elements[level]);
-    CHECK(simple.levels[level].discretization.patches.size() == 61);
+    CHECK(simple.levels[level].discretization.patches.list.size() == 61);
   }
   CHECK(simple.shots == 100);
 
@@ -111,9 +111,9 @@ TEST_CASE(
   for (const PaperLevel& level : complex.levels) {
     CHECK(level.layout.pages.size() == 8);
     // A block of texels that merged into its neighbours is not a patch. Fewer blocks merge at finer levels.
-    CHECK(level.discretization.patches.size() >= complex.levels.front().discretization.patches.size());
-    CHECK(double(level.discretization.patches.size()) <=
-          1.01 * double(complex.levels.front().discretization.patches.size()));
+    CHECK(level.discretization.patches.list.size() >= complex.levels.front().discretization.patches.list.size());
+    CHECK(double(level.discretization.patches.list.size()) <=
+          1.01 * double(complex.levels.front().discretization.patches.list.size()));
   }
 
   simple.shots = 3;

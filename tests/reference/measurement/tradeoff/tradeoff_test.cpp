@@ -29,11 +29,11 @@ Scene litCube() {
 TradeMethod rowsOfTruth(const TrueRadiosity& truth, const Discretization& fine, double factor) {
   const auto rows = [&truth, &fine, factor](const Scene&, const Discretization& own, int) -> TradeRows {
     const auto all = std::make_shared<PatchRows>(patchRows(truth.matrix, fine, own));
-    const auto rowOf = [all, factor](std::uint32_t patch) {
+    const auto rowOf = [all, factor](const radiosity::Patch& patch) {
       FormFactorRow row;
       row.background = radiosity::wholeShare;
       for (std::uint32_t e = 0; e < all->elements; ++e) {
-        const double value = factor * all->factors[patch * all->elements + e];
+        const double value = factor * all->factors[patch.number * all->elements + e];
         const auto share = static_cast<std::uint64_t>(std::ldexp(value, radiosity::shareBits));
         if (share == 0) continue;
         row.elements.push_back(e);
@@ -42,7 +42,7 @@ TradeMethod rowsOfTruth(const TrueRadiosity& truth, const Discretization& fine, 
       }
       return row;
     };
-    return {std::make_shared<const Discretization>(own), rowOf};
+    return {rowOf};
   };
   return {.name = "truth",
           .setting = "none",

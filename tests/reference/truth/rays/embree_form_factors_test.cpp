@@ -69,8 +69,8 @@ TEST_CASE("RayRows give rows of exactly one, with shares that are integer number
   for (const RayStart start : bothStarts)
     for (const int rays : {16, 1 << 11}) {
       RayRows rows = world.rows(rays, start);
-      for (std::uint32_t patch = 0; patch < world.discretization.patches.size(); ++patch) {
-        const FormFactorRow row = rows.ofPatch(patch);
+      for (std::uint32_t patch = 0; patch < world.discretization.patches.list.size(); ++patch) {
+        const FormFactorRow row = rows.ofPatch(world.discretization.patches.list[patch]);
         CHECK(sum(row) == wholeShare);
         CHECK(row.background == 0);
         CHECK(std::is_sorted(row.elements.begin(), row.elements.end()));
@@ -90,10 +90,10 @@ TEST_CASE("RayRows equal the closed forms, with smaller errors than random rays"
   const SurfacePieces pieces = surfacePieces(world.scene, world.discretization);
   RayRows rows = world.rows(rays, RayStart::Centre);
   double squares = 0, expected = 0;
-  for (std::uint32_t patch = 0; patch < world.discretization.patches.size(); ++patch) {
-    const Patch& block = world.discretization.patches[patch];
+  for (std::uint32_t patch = 0; patch < world.discretization.patches.list.size(); ++patch) {
+    const Patch& block = world.discretization.patches.list[patch];
     const SurfacePoint centre = patchCentre(world.scene, world.discretization, block);
-    const std::vector<double> row = factors(world, rows.ofPatch(patch));
+    const std::vector<double> row = factors(world, rows.ofPatch(world.discretization.patches.list[patch]));
     for (std::uint32_t e = 0; e < row.size(); ++e) {
       double exact = 0;
       for (const SurfacePiece& piece : pieces.of(e))
@@ -117,13 +117,13 @@ TEST_CASE("RayRows with starts over an area give the mean over its points", "[ra
                                       tests::parallelogram("over", {0, 0, gap}, {0, 1, 0}, {1, 0, 0}),
                                       tests::parallelogram("half", {-9, -9, gap / 2}, {9.5, 0, 0}, {0, 20, 0})}));
     const double open = parallelRectangles(square, square, gap);
-    const FormFactorRow row = world.rows(rays, RayStart::Area).ofPatch(0);
+    const FormFactorRow row = world.rows(rays, RayStart::Area).ofPatch(world.discretization.patches.list[0]);
     CHECK(std::abs(factors(world, row)[1] - open / 2) <= byChance(open / 2, rays) / 2);
     const double toBlocker = parallelRectangles(square, {{-9, 0.5}, {-9, 11}}, gap / 2);
     CHECK(std::abs(formFactor(row.back) - toBlocker) <= byChance(toBlocker, rays) / 2);
     // All from the centre: half of the point's form factor.
     const double point = elementToParallelRectangle({{-0.5, 0.5}, {-0.5, 0.5}}, gap);
-    const FormFactorRow centre = world.rows(rays, RayStart::Centre).ofPatch(0);
+    const FormFactorRow centre = world.rows(rays, RayStart::Centre).ofPatch(world.discretization.patches.list[0]);
     CHECK(std::abs(factors(world, centre)[1] - point / 2) <= 4 * byChance(point / 2, rays));
   }
 }
@@ -137,14 +137,14 @@ TEST_CASE("RayRows agree with RayFormFactors", "[ray rows]") {
   std::size_t beyond = 0, values = 0;
   for (const RayStart start : bothStarts) {
     RayRows rows = world.rows(4 * samples, start);
-    for (std::uint32_t patch = 0; patch < world.discretization.patches.size(); patch += 3) {
-      const Patch& block = world.discretization.patches[patch];
+    for (std::uint32_t patch = 0; patch < world.discretization.patches.list.size(); patch += 3) {
+      const Patch& block = world.discretization.patches.list[patch];
       const RaySource raySource =
           start == RayStart::Area
-              ? areaRaySource(slow.pieces(), elementsOfPatch(world.discretization, patch))
+              ? areaRaySource(slow.pieces(), block.elements)
               : pointRaySource(world.scene, block.surface, patchCentre(world.scene, world.discretization, block));
       const MeasuredRow measured = slow.overHemisphere(raySource, receivers, {samples, patch});
-      const FormFactorRow row = rows.ofPatch(patch);
+      const FormFactorRow row = rows.ofPatch(world.discretization.patches.list[patch]);
       const std::vector<double> fast = factors(world, row);
       const auto differ = [&](const Measurement& measurement, double value) {
         return std::abs(measurement.value - value) > 4 * std::sqrt(2.0) * measurement.standardError + 1e-9;
@@ -165,7 +165,7 @@ TEST_CASE("RayRows never meet the start surface, or the back of a wall beside th
     const World world(turned(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 0.1 + 0.2 * turn, 0.7 * turn));
     RayRows rows = world.rows(1 << 12, RayStart::Area);
     for (std::uint32_t patch = 0; patch < 6; ++patch) {
-      const FormFactorRow row = rows.ofPatch(patch);
+      const FormFactorRow row = rows.ofPatch(world.discretization.patches.list[patch]);
       INFO("turn " << turn << ", patch " << patch);
       CHECK(row.back == 0);
       CHECK(row.background == 0);
@@ -198,7 +198,7 @@ TEST_CASE("RayRows lose no ray between the triangles of a closed room", "[ray ro
   for (const RayStart start : bothStarts) {
     RayRows rows = world.rows(1 << 17, start);
     for (std::uint32_t patch = 0; patch < 6; ++patch) {
-      const FormFactorRow row = rows.ofPatch(patch);
+      const FormFactorRow row = rows.ofPatch(world.discretization.patches.list[patch]);
       CHECK(row.background == 0);
       CHECK(row.back == 0);
       CHECK(factors(world, row)[patch] == 0);
@@ -216,9 +216,9 @@ TEST_CASE("RayRows miss a receiver of less light than a ray, or give it all the 
     surfaces.push_back(tests::parallelogram("receiver" + std::to_string(i), {x, y, 1}, {0, side, 0}, {side, 0, 0}));
   }
   const World world(tests::sceneOf(std::move(surfaces)));
-  CHECK(world.rows(1 << 12, RayStart::Centre).ofPatch(0).elements.empty());
+  CHECK(world.rows(1 << 12, RayStart::Centre).ofPatch(world.discretization.patches.list[0]).elements.empty());
   constexpr int rays = 1 << 20;
-  const FormFactorRow row = world.rows(rays, RayStart::Centre).ofPatch(0);
+  const FormFactorRow row = world.rows(rays, RayStart::Centre).ofPatch(world.discretization.patches.list[0]);
   CHECK(row.elements.size() < 5);  // 1.05 on average
   for (const std::uint64_t share : row.shares) CHECK(share == wholeShare / rays);
 }
@@ -239,7 +239,7 @@ TEST_CASE("RayRows meet slivers of a millionth of their length as often as other
   for (const SurfacePiece& piece : surfacePieces(world.scene, world.discretization).pieces)
     exact += pointToPolygon(inFrame(world.scene, {0, 0, 0}), {0, 0, 1}, piece.corner);
   constexpr int rays = 1 << 20;
-  const FormFactorRow row = world.rows(rays, RayStart::Centre).ofPatch(0);
+  const FormFactorRow row = world.rows(rays, RayStart::Centre).ofPatch(world.discretization.patches.list[0]);
   const double found = formFactor(std::accumulate(row.shares.begin(), row.shares.end(), std::uint64_t{0}));
   CHECK(std::abs(found - exact) <= 4 * byChance(exact, rays));
   CHECK(row.back == 0);
@@ -259,13 +259,13 @@ TEST_CASE("RayRows in two-sided scenes pass backs and meet their twins", "[ray r
   RayRows rows = world.rows(rays, RayStart::Area);
   const double exact = parallelRectangles(square, square, 0.5);
   for (const auto& [from, to] : {std::pair<std::uint32_t, std::uint32_t>{0, 2}, {1, 3}}) {
-    const FormFactorRow row = rows.ofPatch(from);
+    const FormFactorRow row = rows.ofPatch(world.discretization.patches.list[from]);
     CHECK(row.elements == std::vector{to});
     CHECK(std::abs(factors(world, row)[to] - exact) <= 4 * byChance(exact, rays));
     CHECK(row.back == 0);
   }
   for (const auto& [from, to] : {std::pair<std::uint32_t, std::uint32_t>{2, 0}, {3, 1}})
-    CHECK(rows.ofPatch(from).elements == std::vector{to});
+    CHECK(rows.ofPatch(world.discretization.patches.list[from]).elements == std::vector{to});
 }
 
 TEST_CASE("RayRows give the same bits for any number of threads", "[ray rows]") {
@@ -280,8 +280,8 @@ TEST_CASE("RayRows give the same bits for any number of threads", "[ray rows]") 
     std::vector<FormFactorRow> result;
     for (const RayStart start : bothStarts) {
       RayRows rows = world.rows(1 << 13, start);
-      for (std::uint32_t patch = 0; patch < world.discretization.patches.size(); ++patch)
-        result.push_back(rows.ofPatch(patch));
+      for (std::uint32_t patch = 0; patch < world.discretization.patches.list.size(); ++patch)
+        result.push_back(rows.ofPatch(world.discretization.patches.list[patch]));
     }
     return result;
   };
@@ -295,7 +295,7 @@ TEST_CASE("RayRows give the same bits for any number of threads", "[ray rows]") 
 TEST_CASE("RayRows leave the floating-point mode of all threads unchanged", "[ray rows]") {
   // Embree flushes subnormal numbers to 0; no thread of the program may keep that mode.
   const World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)));
-  world.rows(1 << 14, RayStart::Centre).ofPatch(0);
+  world.rows(1 << 14, RayStart::Centre).ofPatch(world.discretization.patches.list[0]);
   std::atomic<int> flushed = 0;
   raster::parallelFor(1000, [&](std::size_t) {
     volatile double smallest = std::numeric_limits<double>::min();

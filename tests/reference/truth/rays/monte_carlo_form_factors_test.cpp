@@ -380,9 +380,8 @@ TEST_CASE("RayFormFactors of a point are the closed forms of the visible element
 
 TEST_CASE("RayFormFactors of a patch are the area-weighted means of those of its elements", "[ray form factors]") {
   const World world(tests::furnishedRoom(), 3, 2);
-  const Patch& patch = world.discretization.patches[4];
-  const std::vector<std::uint32_t> elements = elementsOfPatch(world.discretization, 4);
-  REQUIRE(elements.size() == patch.elementCount);
+  const Patch& patch = world.discretization.patches.list[4];
+  const std::vector<std::uint32_t>& elements = patch.elements;
   const Receivers receivers = everyElement(world.discretization);
   const MeasuredRow whole =
       world.rays.overHemisphere(areaRaySource(world.rays.pieces(), elements), receivers, {1 << 14});

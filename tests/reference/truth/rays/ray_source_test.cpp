@@ -171,7 +171,7 @@ TEST_CASE("pointRaySource puts a point into the plane of its triangle and off it
     Scene scene = tests::sceneOf({tests::parallelogram("tilted", glm::dvec3(distance), {1, 0.3, 0.2}, {-0.1, 1, 0.4})});
     const Discretization discretization = discretize(scene, {.texels = 2});
     // The middle of a quad lies on its diagonal.
-    const SurfacePoint middle = patchCentre(scene, discretization, discretization.patches[0]);
+    const SurfacePoint middle = patchCentre(scene, discretization, discretization.patches.list[0]);
     const RaySource raySource = pointRaySource(scene, 0, middle);
     const ShootingPoint point = shootingPoint(raySource, 0.3, 0.8);
     const auto [a, b, c] = inFrame(scene, scene.surfaces[0].triangles[middle.triangle]);

@@ -100,9 +100,9 @@ TEST_CASE("solve converges to solveDirectly with its own rows", "[algebra]") {
 
   const std::size_t size = discretization.elements.size();
   FormFactorMatrix matrix{size, std::vector<double>(size * size)};
-  for (std::uint32_t p = 0; p < discretization.patches.size(); ++p) {
-    const std::size_t from = discretization.patchElements[discretization.patches[p].firstElement];
-    const radiosity::FormFactorRow row = rows.ofPatch(p);
+  for (const radiosity::Patch& patch : discretization.patches.list) {
+    const std::size_t from = patch.elements.front();
+    const radiosity::FormFactorRow row = rows.ofPatch(patch);
     for (std::size_t i = 0; i < row.elements.size(); ++i)
       matrix.factors[from * size + row.elements[i]] = radiosity::formFactor(row.shares[i]);
   }
@@ -110,7 +110,11 @@ TEST_CASE("solve converges to solveDirectly with its own rows", "[algebra]") {
 
   for (const double residual : {1e-2, 1e-4, 1e-8}) {
     const radiosity::Solution solution =
-        solve(scene, discretization, [&](std::uint32_t patch) { return rows.ofPatch(patch); }, {.residual = residual});
+        radiosity::solve({.scene = scene,
+                          .discretization = discretization,
+                          .patches = discretization.patches,
+                          .rowOf = [&](const radiosity::Patch& patch) { return rows.ofPatch(patch); },
+                          .settings = {.residual = residual}});
     // Unshot light still arrives and is reflected, in total at most r/(1 - r) times. The sum of area times truth is at
     // least the emitted flux.
     const double error = reference::errorOf(discretization, solution.radiosity, truth).fluxWeighted;

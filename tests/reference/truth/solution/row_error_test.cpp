@@ -49,7 +49,7 @@ TEST_CASE("patchRows of coarse patches are sums and averages of the fine matrix"
     const radiosity::Discretization coarse = radiosity::discretize(scene, {.texels = texels, .patch = patch});
     const PatchRows rows = patchRows(matrix, fine, coarse);
     REQUIRE(rows.elements == coarse.elements.size());
-    REQUIRE(rows.factors.size() == coarse.patches.size() * coarse.elements.size());
+    REQUIRE(rows.factors.size() == coarse.patches.list.size() * coarse.elements.size());
     for (std::size_t i = 0; i < rows.factors.size(); ++i)
       CHECK(rows.factors[i] == Approx(coarse.elements[i % rows.elements].area / 7).epsilon(1e-12));
   }
@@ -59,9 +59,9 @@ TEST_CASE("patchRows of coarse patches are sums and averages of the fine matrix"
   for (std::size_t e = 0; e < identity.size; ++e) identity.factors[e * identity.size + e] = 1;
   const radiosity::Discretization coarse = radiosity::discretize(scene, {.texels = 4, .patch = 2});
   const PatchRows rows = patchRows(identity, fine, coarse);
-  for (std::size_t p = 0; p < coarse.patches.size(); ++p)
+  for (std::size_t p = 0; p < coarse.patches.list.size(); ++p)
     for (std::size_t e = 0; e < rows.elements; ++e)
-      CHECK(rows.factors[p * rows.elements + e] == Approx(coarse.patchOf[e] == p ? 0.25 : 0));
+      CHECK(rows.factors[p * rows.elements + e] == Approx(coarse.patches.ofElement[e] == p ? 0.25 : 0));
 }
 
 TEST_CASE("patchRows converts shares to factors, and gives zeros for missing rows", "[tradeoff]") {
