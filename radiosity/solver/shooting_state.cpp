@@ -307,6 +307,7 @@ void ShootingState::split(std::uint32_t number, std::vector<Patch> parts) {
   const auto firstNew = static_cast<std::uint32_t>(patches_.list.size());
   replacePatch(patches_, number, std::move(parts));
   const auto end = static_cast<std::uint32_t>(patches_.list.size());
+  if (end == firstNew) return;
   light_.shot.resize(end);
   unshot_.grow(end);
   std::vector<std::uint32_t> blocks;

@@ -89,7 +89,8 @@ class ShootingState {
   /// The unshot flux of a patch, and whether it has ever shot.
   const glm::dvec3& unshot(std::uint32_t patch) const { return unshot_.flux()[patch]; }
   bool hasShot(std::uint32_t patch) const { return light_.shot[patch] != glm::dvec3(0); }
-  /// Replaces a patch that never shot by parts, which get the unshot flux of their elements (see replacePatch).
+  /// Replaces a patch that never shot by parts (see replacePatch). If they are several, they get the unshot flux of
+  /// their elements.
   void split(std::uint32_t patch, std::vector<Patch> parts);
   /// Shoots the unshot flux of a patch along its row. Returns the number of elements, patches and tree nodes that it
   /// visited: those of the row, and some near the patches that received.

@@ -10,7 +10,7 @@
 #include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "raster/base/parallel.h"
-#include "raster/base/per_thread.h"
+#include "raster/base/pool.h"
 #include "reference/measurement/bench/equal_time_error.h"
 #include "reference/truth/rays/pixel_rays.h"
 
@@ -57,14 +57,14 @@ class Clearing {
     static constexpr std::size_t part = 32768;
     raster::parallelFor((ids_.size() + part - 1) / part, [this](std::size_t i) {
       const std::size_t first = i * part, count = std::min(part, ids_.size() - first);
-      fragments_.mine().assign(count * fragmentBytes, std::byte{0});
+      fragments_.with([&](auto& fragments) { fragments.assign(count * fragmentBytes, std::byte{0}); });
       std::fill_n(ids_.begin() + static_cast<std::ptrdiff_t>(first), count, raster::ItemId{0});
     });
   }
 
  private:
   std::vector<raster::ItemId> ids_;  ///< of all faces
-  raster::PerThread<std::vector<std::byte>> fragments_;
+  raster::Pool<std::vector<std::byte>> fragments_;
 };
 
 std::size_t pixelsOf(const std::vector<raster::ItemBuffer>& buffers) {
