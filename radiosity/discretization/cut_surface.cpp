@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -21,34 +22,6 @@ constexpr double minCosine = 0.7;
 constexpr double smallestShare = 1e-14;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
-
-/// A range along a line.
-struct Range {
-  double low = 0, high = 0;
-};
-
-/// The length of the part of a range that other ranges do not cover.
-double uncovered(const Range& range, std::vector<Range>& covers) {
-  std::sort(covers.begin(), covers.end(), [](const Range& a, const Range& b) { return a.low < b.low; });
-  double left = 0, end = range.low;
-  for (const Range& cover : covers) {
-    left += std::max(0.0, std::min(cover.low, range.high) - end);
-    end = std::max(end, std::min(cover.high, range.high));
-  }
-  return left + range.high - end;
-}
-
-/// The part of a range along a line that a segment on this line covers. The ends of the segment are given as place
-/// along the line and distance from it.
-std::optional<Range> coverOf(const Range& range, glm::dvec2 from, glm::dvec2 to, double distance) {
-  if (from.x > to.x) std::swap(from, to);
-  const double low = std::max(range.low, from.x), high = std::min(range.high, to.x);
-  if (low >= high) return std::nullopt;
-  const double slope = (to.y - from.y) / (to.x - from.x);
-  const auto isNear = [&](double place) { return std::abs(from.y + slope * (place - from.x)) <= distance; };
-  if (!isNear(low) || !isNear(high)) return std::nullopt;
-  return Range{low, high};
-}
 
 PlaneBox boxAround(const glm::dvec2& a, const glm::dvec2& b, double margin) {
   return {glm::min(a, b) - margin, glm::max(a, b) + margin};
@@ -152,7 +125,6 @@ class PieceList {
     boxes_.push_back(boxOf(whole, plane));
   }
 
-  const PlaneBox& bounds() const { return boxes_.front(); }  // of the whole, before the first cut
   const Piece& at(std::uint32_t number) const { return pieces_[number]; }
 
   /// The numbers of the pieces whose boxes meet a box, ascending.
@@ -192,27 +164,6 @@ class PieceList {
   std::vector<std::uint32_t> found_;
 };
 
-/// Whether two segments share a part of a line that no slice covers.
-bool areJoined(const Slice& one, const Slice& other, const std::vector<Slice>& slices, SegmentTree& tree,
-               double tolerance) {
-  const bool isOneLonger = glm::length(one.to - one.from) >= glm::length(other.to - other.from);
-  const Slice &line = isOneLonger ? one : other, &beside = isOneLonger ? other : one;
-  const double length = glm::length(line.to - line.from);
-  const glm::dvec2 along = (line.to - line.from) / length;
-  const auto onLine = [&](const glm::dvec2& point) {
-    return glm::dvec2(glm::dot(along, point - line.from), cross(along, point - line.from));
-  };
-  const glm::dvec2 from = onLine(beside.from), to = onLine(beside.to);
-  if (std::max(std::abs(from.y), std::abs(to.y)) > 2 * tolerance) return false;
-  const Range range{std::max(0.0, std::min(from.x, to.x)), std::min(length, std::max(from.x, to.x))};
-  if (range.high - range.low <= 4 * tolerance) return false;
-  std::vector<Range> covers;
-  for (const std::uint32_t slice : tree.near(line.from + range.low * along, line.from + range.high * along))
-    if (const auto cover = coverOf(range, onLine(slices[slice].from), onLine(slices[slice].to), 2 * tolerance))
-      covers.push_back(*cover);
-  return uncovered(range, covers) > 4 * tolerance;
-}
-
 bool contains(const Piece& piece, const glm::dvec2& weights) {
   for (std::size_t i = 0; i < piece.size; ++i) {
     const glm::dvec2 corner = piece.corners[i].weight;
@@ -221,11 +172,17 @@ bool contains(const Piece& piece, const glm::dvec2& weights) {
   return true;
 }
 
-/// The part of a triangle's edge that belongs to a cutting, in lengths from the first corner of the edge.
-struct EdgePart {
-  Range range;
-  std::uint32_t cutting = 0;
-};
+/// Whether a side of a piece lies on an edge of its triangle, by the opposite corner.
+std::array<bool, 3> edgesOf(const Piece& piece) {
+  constexpr double rounding = 1e-12;
+  std::array<int, 3> corners{};
+  for (std::size_t i = 0; i < piece.size; ++i) {
+    const glm::dvec2& weight = piece.corners[i].weight;
+    const std::array<double, 3> all{1 - weight.x - weight.y, weight.x, weight.y};
+    for (std::size_t k = 0; k < 3; ++k) corners[k] += std::abs(all[k]) <= rounding ? 1 : 0;
+  }
+  return {corners[0] > 1, corners[1] > 1, corners[2] > 1};
+}
 
 class SurfaceCutter {
  public:
@@ -234,13 +191,10 @@ class SurfaceCutter {
       : surface_(surface), grid_(grid), slices_(slices), tolerance_(tolerance) {
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
       first_.push_back(static_cast<std::uint32_t>(cuttings_.size()));
-      if (slices[t].empty())
-        cutWhole(t);
-      else
-        cut(t);
+      cut(t);
     }
     first_.push_back(static_cast<std::uint32_t>(cuttings_.size()));
-    joinTriangles();
+    joinTexels();
     findRegions();
   }
 
@@ -262,60 +216,35 @@ class SurfaceCutter {
     }
   }
 
-  using Edges = std::array<std::vector<EdgePart>, 3>;  ///< by the opposite corner
-
-  std::uint32_t texelAt(std::int64_t column, std::int64_t row) const {
-    return static_cast<std::uint32_t>(texelOfCell(column, row, grid_.columns, grid_.rows));
-  }
-
-  void add(std::uint32_t texel, std::uint32_t triangle, const Piece& piece, double wholeArea) {
-    parent_.push_back(static_cast<std::uint32_t>(cuttings_.size()));
-    cuttings_.push_back({texel, triangle, nullptr, centroid(piece), share(piece) * wholeArea});
-  }
-
-  /// A triangle without slices belongs to one region.
-  void cutWhole(std::uint32_t triangle) {
-    const double wholeArea = area(surface_.triangles[triangle]);
-    forEachCell(inTexels(surface_.triangles[triangle], grid_.columns, grid_.rows),
-                [&](std::int64_t column, std::int64_t row, const Piece& whole) {
-                  if (share(whole) <= smallestShare) return;
-                  add(texelAt(column, row), triangle, whole, wholeArea);
-                  parent_.back() = first_[triangle];
-                });
-  }
-
-  void cut(std::uint32_t triangle) {
-    const double wholeArea = area(surface_.triangles[triangle]);
-    const TrianglePlane plane(surface_.triangles[triangle]);
+  void cut(std::uint32_t number) {
+    const Triangle& triangle = surface_.triangles[number];
+    const double wholeArea = area(triangle);
+    const TrianglePlane plane(triangle);
     std::vector<Slice> slices;
-    for (const Slice& slice : slices_[triangle]) slices.push_back({plane.place(slice.from), plane.place(slice.to)});
+    for (const Slice& slice : slices_[number]) slices.push_back({plane.place(slice.from), plane.place(slice.to)});
     SegmentTree tree(slices, 2 * tolerance_);
-    std::vector<Slice> borders;
-    std::vector<std::uint32_t> owners;
     forEachCell(
-        inTexels(surface_.triangles[triangle], grid_.columns, grid_.rows),
-        [&](std::int64_t column, std::int64_t row, const Piece& whole) {
+        inTexels(triangle, grid_.columns, grid_.rows), [&](std::int64_t column, std::int64_t row, const Piece& whole) {
           if (share(whole) <= smallestShare) return;
-          const std::vector<Piece> pieces = piecesOf(whole, plane, slices, tree);
+          const PlaneBox bounds = boxOf(whole, plane);
+          const std::vector<std::uint32_t> near =
+              slices.empty() ? std::vector<std::uint32_t>() : tree.near(bounds.low, bounds.high);
+          const std::vector<Piece> pieces = piecesOf(whole, plane, slices, near);
           for (const Piece& piece : pieces) {
-            add(texelAt(column, row), triangle, piece, wholeArea);
+            cuttings_.push_back({static_cast<std::uint32_t>(texelOfCell(column, row, grid_.columns, grid_.rows)),
+                                 number, nullptr, centroid(piece), share(piece) * wholeArea});
             if (pieces.size() > 1) cuttings_.back().piece = std::make_shared<const Piece>(piece);
-            for (std::size_t i = 0; i < piece.size; ++i) {
-              const std::size_t next = (i + 1) % piece.size;
-              borders.push_back({plane.place(piece.corners[i].weight), plane.place(piece.corners[next].weight)});
-              owners.push_back(static_cast<std::uint32_t>(cuttings_.size() - 1));
-            }
+            isNearSlice_.push_back(!near.empty());
+            isAtEdge_.push_back(edgesOf(piece));
           }
         });
-    joinAlong(borders, owners, slices, tree);
-    edges_[triangle] = edgesOf(triangle, borders, owners);
   }
 
-  /// The pieces into which slices cut a piece.
+  /// The pieces into which the slices with these numbers cut a piece.
   std::vector<Piece> piecesOf(const Piece& whole, const TrianglePlane& plane, const std::vector<Slice>& slices,
-                              SegmentTree& tree) const {
+                              const std::vector<std::uint32_t>& near) const {
     PieceList pieces(whole, plane);
-    for (const std::uint32_t slice : tree.near(pieces.bounds().low, pieces.bounds().high))
+    for (const std::uint32_t slice : near)
       for (const std::uint32_t i : pieces.near(boxAround(slices[slice].from, slices[slice].to, 0))) {
         std::vector<Piece> parts = splitBy(pieces.at(i), plane, slices[slice], tolerance_);
         std::erase_if(parts, [](const Piece& part) { return share(part) <= smallestShare; });
@@ -337,119 +266,47 @@ class SurfaceCutter {
     parent_[std::max(rootA, rootB)] = std::min(rootA, rootB);
   }
 
-  /// Joins the cuttings of one triangle.
-  void joinAlong(const std::vector<Slice>& borders, const std::vector<std::uint32_t>& owners,
-                 const std::vector<Slice>& slices, SegmentTree& tree) {
-    SegmentTree others(borders, tolerance_);
-    for (std::uint32_t i = 0; i < borders.size(); ++i)
-      for (const std::uint32_t j : others.near(borders[i].from, borders[i].to))
-        if (j > i && rootOf(owners[i]) != rootOf(owners[j]) &&
-            areJoined(borders[i], borders[j], slices, tree, tolerance_))
-          join(owners[i], owners[j]);
-  }
-
-  /// Lengths that barycentric weights of a point correspond to: along an edge, and above it.
-  struct EdgeFrame {
-    std::size_t opposite;
-    double length, height;
-
-    EdgeFrame(const Triangle& triangle, std::size_t corner)
-        : opposite(corner),
-          length(glm::distance(triangle.position[(corner + 1) % 3], triangle.position[(corner + 2) % 3])),
-          height(2 * area(triangle) / length) {}
-
-    glm::dvec2 place(const glm::dvec2& weights) const {
-      const std::array<double, 3> all{1 - weights.x - weights.y, weights.x, weights.y};
-      return {all[(opposite + 2) % 3] * length, all[opposite] * height};
-    }
-  };
-
-  /// `borders` are given in the plane of the triangle.
-  Edges edgesOf(std::uint32_t triangle, const std::vector<Slice>& borders,
-                const std::vector<std::uint32_t>& owners) const {
-    const TrianglePlane plane(surface_.triangles[triangle]);
-    const std::array<glm::dvec2, 3> corners{glm::dvec2(0), plane.axes[0], plane.axes[1]};
-    Edges edges;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const glm::dvec2 start = corners[(k + 1) % 3], along = glm::normalize(corners[(k + 2) % 3] - start);
-      for (std::size_t i = 0; i < borders.size(); ++i) {
-        const glm::dvec2 from = borders[i].from - start, to = borders[i].to - start;
-        if (std::max(std::abs(cross(along, from)), std::abs(cross(along, to))) > tolerance_) continue;
-        const double first = glm::dot(along, from), last = glm::dot(along, to);
-        edges[k].push_back({{std::min(first, last), std::max(first, last)}, owners[i]});
-      }
-    }
-    return edges;
-  }
-
-  std::vector<EdgePart> edgeParts(std::uint32_t triangle, const EdgeFrame& frame) const {
-    const auto found = edges_.find(triangle);
-    if (found != edges_.end()) return found->second[frame.opposite];
-    return {{{0, frame.length}, first_[triangle]}};
-  }
-
-  /// The slices that come near an edge, as places along it and heights above it. `isReversed` means that places
-  /// count from the other end of the edge.
-  void addNear(std::uint32_t triangle, const EdgeFrame& frame, bool isReversed, std::vector<Slice>& near) const {
-    for (const Slice& slice : slices_[triangle]) {
-      glm::dvec2 from = frame.place(slice.from), to = frame.place(slice.to);
-      if (std::min(from.y, to.y) > 4 * tolerance_ || std::max(from.y, to.y) < -4 * tolerance_) continue;
-      if (isReversed) {
-        from.x = frame.length - from.x;
-        to.x = frame.length - to.x;
-      }
-      near.push_back({from, to});
-    }
-  }
-
-  /// Joins cuttings across common edges of triangles, except where the surface folds sharply.
-  void joinTriangles() {
+  /// Joins the cuttings in the same texel and in adjacent texels that are on the same or on neighbouring triangles, far
+  /// from all slices.
+  void joinTexels() {
+    parent_.resize(cuttings_.size());
+    std::iota(parent_.begin(), parent_.end(), 0U);
+    std::vector<std::vector<std::uint32_t>> inTexel(static_cast<std::size_t>(grid_.columns) *
+                                                    static_cast<std::size_t>(grid_.rows));
+    for (std::uint32_t i = 0; i < cuttings_.size(); ++i)
+      if (!isNearSlice_[i]) inTexel[cuttings_[i].texel].push_back(i);
     const auto across = neighbours(surface_);
-    std::vector<glm::dvec3> normals;
-    for (const Triangle& triangle : surface_.triangles) normals.push_back(normal(triangle));
-    for (std::uint32_t t = 0; t < across.size(); ++t)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t other = across[t][k];
-        if (other == noNeighbour || hasNone(t) || hasNone(other)) continue;
-        if (glm::dot(normals[t], normals[other]) < minCosine) continue;
-        if (slices_[t].empty() && slices_[other].empty())
-          join(first_[t], first_[other]);
-        else if (t < other || slices_[other].empty())
-          joinAcross(t, k, other);
+    const auto isAt = [&](std::uint32_t cutting, std::uint32_t neighbour) {
+      const auto& beside = across[cuttings_[cutting].triangle];
+      for (std::size_t k = 0; k < 3; ++k)
+        if (beside[k] == neighbour && isAtEdge_[cutting][k]) return true;
+      return false;
+    };
+    const auto areBeside = [&](std::uint32_t a, std::uint32_t b) {
+      const std::uint32_t t = cuttings_[a].triangle, other = cuttings_[b].triangle;
+      return t == other || (isAt(a, other) && isAt(b, t) &&
+                            glm::dot(normal(surface_.triangles[t]), normal(surface_.triangles[other])) >= minCosine);
+    };
+    const auto columns = static_cast<std::size_t>(grid_.columns);
+    for (std::size_t texel = 0; texel < inTexel.size(); ++texel)
+      for (const std::size_t other : {texel, texel + 1, texel + columns}) {
+        if (other >= inTexel.size() || (other == texel + 1 && other % columns == 0)) continue;
+        for (const std::uint32_t a : inTexel[texel])
+          for (const std::uint32_t b : inTexel[other])
+            if (rootOf(a) != rootOf(b) && areBeside(a, b)) join(a, b);
       }
-  }
-
-  bool hasNone(std::uint32_t triangle) const { return first_[triangle] == first_[triangle + 1]; }
-
-  void joinAcross(std::uint32_t triangle, std::size_t corner, std::uint32_t other) {
-    const Triangle &here = surface_.triangles[triangle], &there = surface_.triangles[other];
-    const EdgeFrame frame(here, corner), otherFrame(there, oppositeCorner(here, corner, there));
-    const bool isReversed = here.position[(corner + 1) % 3] != there.position[(otherFrame.opposite + 1) % 3];
-    std::vector<Slice> slices;
-    addNear(triangle, frame, false, slices);
-    addNear(other, otherFrame, isReversed, slices);
-    for (EdgePart& part : edgeParts(other, otherFrame)) {
-      if (isReversed) part.range = {frame.length - part.range.high, frame.length - part.range.low};
-      for (const EdgePart& own : edgeParts(triangle, frame)) {
-        const Range range{std::max(own.range.low, part.range.low), std::min(own.range.high, part.range.high)};
-        if (range.high - range.low <= 4 * tolerance_ || rootOf(own.cutting) == rootOf(part.cutting)) continue;
-        std::vector<Range> covers;
-        for (const Slice& slice : slices)
-          if (const auto cover = coverOf(range, slice.from, slice.to, 2 * tolerance_)) covers.push_back(*cover);
-        if (uncovered(range, covers) > 4 * tolerance_) join(own.cutting, part.cutting);
-      }
-    }
   }
 
   const Surface& surface_;
   const GridSize& grid_;
   std::span<const std::vector<Slice>> slices_;  ///< one entry per triangle
   double tolerance_;
-  std::vector<Cutting> cuttings_;      ///< by triangle
-  std::vector<std::uint32_t> parent_;  ///< of each cutting, in the union-find forest of all cuttings
+  std::vector<Cutting> cuttings_;              ///< by triangle
+  std::vector<std::array<bool, 3>> isAtEdge_;  ///< of each cutting, by the opposite corner of the triangle
+  std::vector<bool> isNearSlice_;              ///< of each cutting: whether a slice meets its bounds
+  std::vector<std::uint32_t> parent_;          ///< of each cutting, in the union-find forest of all cuttings
   std::vector<std::vector<std::uint32_t>> regions_;
-  std::vector<std::uint32_t> first_;      ///< first cutting of each triangle; one more at the end
-  std::map<std::uint32_t, Edges> edges_;  ///< of the triangles with slices
+  std::vector<std::uint32_t> first_;  ///< first cutting of each triangle; one more at the end
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-/// Cuts the triangles of a surface along their slices (triangle_slices.h), and finds the connected regions of the
-/// pieces.
+/// Cuts the triangles of a surface along their slices (triangle_slices.h) into pieces, and joins those that no slice
+/// comes near to regions.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +24,8 @@ struct Cutting {
   double area = 0;
 };
 
-/// A surface cut by its slices. Cuttings whose common border is not completely covered by slices belong to one region.
-/// A region is exposed or buried as a whole.
+/// A surface cut by its slices. A cutting near a slice is a region of its own. The others are joined with those in the
+/// same and in adjacent texels, so that a large surface has few regions. A region is exposed or buried as a whole.
 struct CutSurface {
   std::vector<Cutting> cuttings;                    ///< by triangle
   std::vector<std::uint32_t> first;                 ///< first cutting of each triangle; one more at the end

@@ -23,8 +23,11 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// Pixels along the side of the hemicubes that define the rays from a point, one ray per pixel.
-constexpr int resolution = 6;
+/// Pixels along the sides of the hemicubes that define the rays from a point, one ray per pixel. Where the few see only
+/// backs, they are enough: inside a solid nothing else is visible. The second is the smallest with which random rooms
+/// agree with light tracing (exposure_test.cpp). The many are for lights, of which no part may be lost that lights
+/// anything: they see what is 1/36 as high as it is far away, and lower parts get less than a thousandth of the light.
+constexpr int fewPixels = 2, pixels = 6, manyPixels = 36;
 /// Number of points of a region from which rays start.
 constexpr int pointsOfRegion = 4;
 /// A region is exposed if exposed fronts are at least this share of all exposed fronts and backs that it sees.
@@ -33,6 +36,8 @@ constexpr double minExposed = 0.1;
 constexpr double minLights = 0.005;
 /// Opposite faces at the same place touch if the cosine of the angle between them is at least this.
 constexpr double touchingCosine = 0.999;
+/// Of a sum of shares.
+constexpr double rounding = 1e-12;
 
 /// Cuttings of a surface that are exposed or buried together.
 struct Region {
@@ -56,7 +61,7 @@ struct LookDirection {
 };
 
 /// Directions to the pixel centres of a hemicube.
-std::vector<LookDirection> lookDirections() {
+std::vector<LookDirection> lookDirections(int resolution) {
   std::vector<LookDirection> directions;
   double sum = 0;
   const auto add = [&](const glm::dvec3& direction) {
@@ -64,7 +69,7 @@ std::vector<LookDirection> lookDirections() {
     directions.push_back({direction, share});
     sum += share;
   };
-  const auto at = [](int i) { return (2 * i + 1.0) / resolution - 1; };
+  const auto at = [resolution](int i) { return (2 * i + 1.0) / resolution - 1; };
   for (int j = 0; j < resolution; ++j)
     for (int i = 0; i < resolution; ++i) {
       add({at(i), at(j), 1});
@@ -132,16 +137,35 @@ class BuriedRegions {
   }
 
   /// The sum of the views from some points of a region. Nothing if a point sees no back, or if the region emits and
-  /// sees anything else; then the region is exposed.
+  /// sees any front; then the region is exposed.
   std::optional<Seen> seenFrom(const Region& region) const {
-    Seen seen;
+    Seen all;
     for (const std::uint32_t number : somePoints(region)) {
       const Cutting& cutting = cut_[region.surface]->cuttings[number];
-      look(region.surface, pointOn(scene_.surfaces[region.surface], cutting.triangle, cutting.centre), seen);
+      const Seen seen = seenFrom(region.surface, cutting);
       if (seen.backs == 0) return std::nullopt;
+      all.backs += seen.backs;
+      all.exposedFronts += seen.exposedFronts;
+      all.lights += seen.lights;
+      for (const auto& [other, share] : seen.regions) all.regions[other] += share;
+      ++all.points;
     }
-    const bool seesFronts = seen.exposedFronts > 0 || !seen.regions.empty();
-    if (seesFronts && emits(region.surface)) return std::nullopt;
+    if (emits(region.surface) && seesFronts(all)) return std::nullopt;
+    return all;
+  }
+
+  static bool seesFronts(const Seen& seen) { return seen.exposedFronts > 0 || !seen.regions.empty(); }
+
+  /// The view from the middle of a cutting.
+  Seen seenFrom(std::uint32_t surface, const Cutting& cutting) const {
+    const SurfacePoint point = pointOn(scene_.surfaces[surface], cutting.triangle, cutting.centre);
+    const glm::dvec3 eye = eyeOver(scene_, surface, point);
+    // A face that touches another sees the inside of the solid behind that face, or the outside of the scene.
+    const bool isTouching = rays_.meetsBack(eye, -point.normal, 2 * eyeLift * scene_.extent, touchingCosine);
+    Seen seen = look(eye, point.normal, fewDirections_);
+    if (seen.backs < 1 - rounding) seen = look(eye, point.normal, directions_);
+    if (emits(surface) && !seesFronts(seen)) seen = look(eye, point.normal, manyDirections_);
+    if (isTouching) seen.backs += 1;
     return seen;
   }
 
@@ -159,15 +183,11 @@ class BuriedRegions {
     return some;
   }
 
-  void look(std::uint32_t surface, const SurfacePoint& point, Seen& seen) const {
-    const glm::dvec3 eye = eyeOver(scene_, surface, point);
-    ++seen.points;
-    // A face that touches another sees the inside of the solid behind that face, or the outside of the scene.
-    const double lift = eyeLift * scene_.extent;
-    if (rays_.meetsBack(eye, -point.normal, 2 * lift, touchingCosine)) seen.backs += 1;
-    const glm::dvec3 x = tangentAlong(point.normal, glm::dvec3(0)), y = glm::cross(point.normal, x);
-    for (const LookDirection& look : directions_) {
-      const auto hit = rays_.firstHit(eye, glm::dmat3(x, y, point.normal) * look.direction);
+  Seen look(const glm::dvec3& eye, const glm::dvec3& normal, const std::vector<LookDirection>& directions) const {
+    Seen seen;
+    const glm::dvec3 x = tangentAlong(normal, glm::dvec3(0)), y = glm::cross(normal, x);
+    for (const LookDirection& look : directions) {
+      const auto hit = rays_.firstHit(eye, glm::dmat3(x, y, normal) * look.direction);
       if (!hit) continue;
       if (!hit->isFront)
         seen.backs += look.share;
@@ -176,6 +196,7 @@ class BuriedRegions {
       else
         seen.regions[regionAt(*hit)] += look.share;
     }
+    return seen;
   }
 
   std::uint32_t regionAt(const TriangleHit& hit) const {
@@ -232,7 +253,8 @@ class BuriedRegions {
   std::vector<std::optional<CutSurface>> cut_;        ///< of surfaces with slices
   std::vector<std::vector<std::uint32_t>> regionOf_;  ///< of each cutting, by surface
   const RayTree& rays_;
-  std::vector<LookDirection> directions_ = lookDirections();
+  std::vector<LookDirection> fewDirections_ = lookDirections(fewPixels), directions_ = lookDirections(pixels),
+                             manyDirections_ = lookDirections(manyPixels);
   std::vector<Region> regions_;
 };
 

@@ -2,19 +2,21 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace hemitex::radiosity {
 namespace {
 
-constexpr std::uint32_t trianglesOfLeaf = 4;
+constexpr std::uint32_t trianglesOfLeaf = 2;
 
 /// The distance at which a ray enters a box; infinity if it misses the box or enters it beyond `end`. `inverse` is 1
 /// over the direction.
-double entry(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& origin, const glm::dvec3& inverse,
-             double end) {
+inline double entry(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& origin, const glm::dvec3& inverse,
+                    double end) {
   const glm::dvec3 a = (low - origin) * inverse, b = (high - origin) * inverse;
-  const double first = std::max(std::max(0.0, std::min(a.x, b.x)), std::max(std::min(a.y, b.y), std::min(a.z, b.z)));
-  const double last = std::min(std::min(end, std::max(a.x, b.x)), std::min(std::max(a.y, b.y), std::max(a.z, b.z)));
+  const glm::dvec3 near = glm::min(a, b), far = glm::max(a, b);
+  const double first = glm::max(glm::max(0.0, near.x), glm::max(near.y, near.z));
+  const double last = glm::min(glm::min(end, far.x), glm::min(far.y, far.z));
   return first <= last ? first : std::numeric_limits<double>::infinity();
 }
 
@@ -68,43 +70,52 @@ void RayTree::build(std::uint32_t begin, std::uint32_t end) {
   build(half, end);
 }
 
-template <typename IsMet, typename IsNearer, typename Visit>
-void RayTree::walk(const IsMet& isMet, const IsNearer& isNearer, const Visit& visit) const {
+template <typename Entry, typename Visit>
+void RayTree::walk(double end, const Entry& entryOf, const Visit& visit) const {
   if (leaves_.empty()) return;
+  struct Waiting {
+    std::uint32_t node;
+    double entry;
+  };
   // The tree halves at each level, so its depth is at most the number of bits of a triangle count.
-  std::array<std::uint32_t, 64> waiting;
+  std::array<Waiting, 64> waiting;
   std::size_t count = 0;
-  waiting[count++] = 0;
+  const auto enter = [&](std::uint32_t node) { return Waiting{node, entryOf(nodes_[node], end)}; };
+  waiting[count++] = enter(0);
   while (count > 0) {
-    const std::uint32_t number = waiting[--count];
-    const Node& node = nodes_[number];
-    if (!isMet(node)) continue;
-    for (std::uint32_t i = 0; i < node.triangles; ++i) visit(leaves_[node.second + i]);
-    if (node.triangles > 0) continue;
-    const bool isFirstNearer = isNearer(nodes_[number + 1], nodes_[node.second]);
-    waiting[count++] = isFirstNearer ? node.second : number + 1;
-    waiting[count++] = isFirstNearer ? number + 1 : node.second;
+    auto [number, entry] = waiting[--count];
+    while (entry < end) {
+      const Node& node = nodes_[number];
+      if (node.triangles > 0) {
+        for (std::uint32_t i = 0; i < node.triangles; ++i) visit(leaves_[node.second + i], end);
+        break;
+      }
+      Waiting near = enter(number + 1), far = enter(node.second);
+      if (far.entry < near.entry) std::swap(near, far);
+      if (far.entry < end) waiting[count++] = far;
+      number = near.node;
+      entry = near.entry;
+    }
   }
 }
 
 template <typename Meet>
 void RayTree::trace(const glm::dvec3& origin, const glm::dvec3& direction, double end, const Meet& meet) const {
   const glm::dvec3 inverse = inverseOf(direction);
-  const auto entryOf = [&](const Node& node) { return entry(node.low, node.high, origin, inverse, end); };
-  const auto meetLeaf = [&](const Leaf& leaf) {
-    // Moeller and Trumbore 1997.
-    const glm::dvec3 p = glm::cross(direction, leaf.along2), offset = origin - leaf.corner;
-    const double determinant = glm::dot(leaf.along1, p);
-    if (determinant == 0) return;
-    const double u = glm::dot(offset, p) / determinant;
-    if (!(u >= 0 && u <= 1)) return;
-    const glm::dvec3 q = glm::cross(offset, leaf.along1);
-    const double v = glm::dot(direction, q) / determinant, t = glm::dot(leaf.along2, q) / determinant;
-    if (v >= 0 && u + v <= 1 && t > 0 && t < end)
-      meet(TriangleHit{leaf.surface, leaf.triangle, {u, v}, t, determinant > 0}, leaf, end);
-  };
-  walk([&](const Node& node) { return entryOf(node) < std::numeric_limits<double>::infinity(); },
-       [&](const Node& first, const Node& second) { return entryOf(first) < entryOf(second); }, meetLeaf);
+  walk(
+      end, [&](const Node& node, double last) { return entry(node.low, node.high, origin, inverse, last); },
+      [&](const Leaf& leaf, double& last) {
+        // Moeller and Trumbore 1997.
+        const glm::dvec3 p = glm::cross(direction, leaf.along2), offset = origin - leaf.corner;
+        const double determinant = glm::dot(leaf.along1, p);
+        if (determinant == 0) return;
+        const double u = glm::dot(offset, p) / determinant;
+        if (!(u >= 0 && u <= 1)) return;
+        const glm::dvec3 q = glm::cross(offset, leaf.along1);
+        const double v = glm::dot(direction, q) / determinant, t = glm::dot(leaf.along2, q) / determinant;
+        if (v >= 0 && u + v <= 1 && t > 0 && t < last)
+          meet(TriangleHit{leaf.surface, leaf.triangle, {u, v}, t, determinant > 0}, leaf, last);
+      });
 }
 
 std::optional<TriangleHit> RayTree::firstHit(const glm::dvec3& origin, const glm::dvec3& direction) const {
@@ -125,13 +136,13 @@ void RayTree::appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vec
     return otherLow.x <= high.x && otherLow.y <= high.y && otherLow.z <= high.z && otherHigh.x >= low.x &&
            otherHigh.y >= low.y && otherHigh.z >= low.z;
   };
-  const auto appendLeaf = [&](const Leaf& leaf) {
-    const glm::dvec3 b = leaf.corner + leaf.along1, c = leaf.corner + leaf.along2;
-    if (isNear(glm::min(glm::min(leaf.corner, b), c), glm::max(glm::max(leaf.corner, b), c)))
-      numbers.push_back(leaf.number);
-  };
-  walk([&](const Node& node) { return isNear(node.low, node.high); }, [](const Node&, const Node&) { return true; },
-       appendLeaf);
+  walk(
+      1, [&](const Node& node, double end) { return isNear(node.low, node.high) ? 0 : end; },
+      [&](const Leaf& leaf, double&) {
+        const glm::dvec3 b = leaf.corner + leaf.along1, c = leaf.corner + leaf.along2;
+        if (isNear(glm::min(glm::min(leaf.corner, b), c), glm::max(glm::max(leaf.corner, b), c)))
+          numbers.push_back(leaf.number);
+      });
 }
 
 bool RayTree::meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine) const {

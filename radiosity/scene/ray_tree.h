@@ -47,12 +47,11 @@ class RayTree {
     std::uint32_t triangles = 0;  ///< 0 for an inner node
   };
 
-  /// Calls visit(leaf) for the triangles of all leaf nodes that can be reached through nodes for which isMet(node) is
-  /// true. The first child of a node comes first if isNearer(first, second) is true.
-  template <typename IsMet, typename IsNearer, typename Visit>
-  void walk(const IsMet& isMet, const IsNearer& isNearer, const Visit& visit) const;
-  /// Calls meet(hit, end) for triangles along the ray up to `end`, approximately in order of distance. The callback may
-  /// reduce `end`.
+  /// Calls visit(leaf, end) for the triangles of leaf nodes whose entryOf(node, end) is below `end`, and below which
+  /// all inner nodes' are, the smaller first. The callback may reduce `end`.
+  template <typename Entry, typename Visit>
+  void walk(double end, const Entry& entryOf, const Visit& visit) const;
+  /// Calls meet(hit, leaf, end) for triangles along the ray up to `end`, approximately in order of distance.
   template <typename Meet>
   void trace(const glm::dvec3& origin, const glm::dvec3& direction, double end, const Meet& meet) const;
   void build(std::uint32_t begin, std::uint32_t end);

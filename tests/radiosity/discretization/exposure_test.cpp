@@ -516,10 +516,11 @@ TEST_CASE("discretize keeps the light that comes from inside a solid, and no oth
 }
 
 TEST_CASE("discretize never buries a light in the open", "[exposure]") {
-  // A light that sees only the backs of others and the background, but is not inside a solid.
+  // A light that sees the backs of others, the background, and the low wall that stands on it, but is not inside a solid.
   Scene scene = tests::sceneOf({tests::parallelogram("light", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
                                 tests::parallelogram("cover", {-1, -1, 0.1}, {3, 0, 0}, {0, 3, 0}),
-                                tests::parallelogram("wall", {0.5, -1, 0}, {0, 1.5, 0}, {0, 0, 0.05})});
+                                tests::parallelogram("wall", {0.5, -1, 0}, {0, 1.5, 0}, {0, 0, 0.05}),
+                                tests::parallelogram("other side", {0.5, -1, 0}, {0, 0, 0.05}, {0, 1.5, 0})});
   scene.materials = {tests::material("light", glm::dvec3(0), glm::dvec3(1))};
   for (const int texels : {1, 4, 5}) {
     const Discretization discretization = discretize(scene, {.texels = texels});
