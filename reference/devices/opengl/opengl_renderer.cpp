@@ -91,7 +91,7 @@ class OpenGlRenderer::Implementation {
   raster::DrawList list_;
   std::unique_ptr<OpenGlContext> context_;
   std::unique_ptr<OpenGlPipeline> pipeline_;
-  std::vector<GLuint> textures_;  ///< one per index map, and the last for draws without index map
+  std::vector<GLuint> textures_;  ///< one per index map, and the last for draws without; none if not used
   std::map<std::pair<int, int>, Framebuffer> framebuffers_;  ///< by width and height
 };
 
@@ -102,8 +102,8 @@ OpenGlRenderer::Implementation::Implementation(const raster::DrawList& list, Ope
     throw InputError("no OpenGL device answers through EGL",
                      "install a driver with the compatibility profile of OpenGL 4.5; Mesa's needs no graphics card");
   const OpenGlContext::Use use(*context_);
-  pipeline_ = makePipeline(list, path);
-  textures_ = makeTextures(list.indexMaps, *pipeline_);
+  pipeline_ = makePipeline(list_, path);
+  if (pipeline_->textureTarget() != GL_NONE) textures_ = makeTextures(list.indexMaps, *pipeline_);
   glEnable(GL_DEPTH_TEST);
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
 }
@@ -153,7 +153,7 @@ void OpenGlRenderer::Implementation::draw(const raster::Face& face, const std::v
   for (const DrawBatch& batch : batches) {
     const raster::Draw& draw = *batch.draw;
     const std::size_t map = draw.indexMap ? static_cast<std::size_t>(*draw.indexMap) : textures_.size() - 1;
-    glBindTexture(pipeline_->textureTarget(), textures_[map]);
+    if (!textures_.empty()) glBindTexture(pipeline_->textureTarget(), textures_[map]);
     pipeline_->draw(draw, batch.runs);
   }
   const OpenGlPixels pixels = pipeline_->pixels();

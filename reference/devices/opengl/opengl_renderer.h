@@ -28,8 +28,9 @@ enum class OpenGlPath {
   /// offset is the flat colour of its triangles. The texture environment adds the two. The vertex stage runs on the
   /// CPU. The depth is n/w, whose steps are finest far away, where it changes least.
   FixedFunction,
-  /// Index maps are textures of 32-bit integers, and shaders do the rest: the vertex stage by the rules, depth and
-  /// texels in double precision, and item IDs of any format.
+  /// Index maps are buffers of 32-bit integers, and shaders do the rest: the vertex stage by the rules, depth and
+  /// texels
+  /// in double precision, and item IDs of any format. Vulkan uses the same shaders.
   Shader,
   /// What an application does by default, without any remedy: a matrix, unit texture coordinates, a sampler, and the
   /// clipping of the API. It shows what the remedies of the other paths are worth, and what they cost.

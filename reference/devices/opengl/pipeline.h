@@ -25,7 +25,7 @@ class OpenGlPipeline {
  public:
   virtual ~OpenGlPipeline() = default;
   virtual OpenGlPixels pixels() const = 0;
-  /// GL_TEXTURE_RECTANGLE for coordinates in texels, GL_TEXTURE_2D for unit coordinates.
+  /// GL_TEXTURE_RECTANGLE for coordinates in texels, GL_TEXTURE_2D for unit coordinates, GL_NONE without textures.
   virtual GLenum textureTarget() const { return GL_TEXTURE_RECTANGLE; }
   /// The width that the viewport should have, in faces; less on devices with small viewports.
   virtual int viewportWidth() const { return 8; }
@@ -34,7 +34,8 @@ class OpenGlPipeline {
   virtual void setView(const raster::Face& face, int width) = 0;
   /// Whether both draws can be drawn as one.
   virtual bool joins(const raster::Draw& draw, const raster::Draw& next) const = 0;
-  /// Requires that the texture of the draw's index map is bound; without one, a texture of a single texel 0.
+  /// Requires that the texture of the draw's index map is bound, if there are textures; without a map, a texture of a
+  /// single texel 0.
   virtual void draw(const raster::Draw& draw, const VertexRuns& runs) = 0;
 };
 

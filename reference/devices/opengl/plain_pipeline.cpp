@@ -69,7 +69,7 @@ void Plain::setView(const raster::Face& face, int) {
     return glm::vec4(axis, added - glm::dot(axis, face.eye));
   };
   const glm::mat4 rows(row(face.x, 0), row(face.y, 0), row(face.w, -face.nearDistance), row(face.w, 0));
-  glUniformMatrix4fv(PlainUniform::matrix, 1, GL_TRUE, &rows[0][0]);
+  glUniformMatrix4fv(Uniform::matrix, 1, GL_TRUE, &rows[0][0]);
 }
 
 void Plain::draw(const raster::Draw& draw, const VertexRuns& runs) {

@@ -1,7 +1,7 @@
-/// The pipeline for hardware with shaders (shader_programs.h), which implement all rules of docs/item-buffers.md.
+/// The pipeline for hardware with shaders (item_ids.vert), which implement all rules of docs/item-buffers.md.
 ///
-/// An item ID is a 32-bit integer in textures and in the framebuffer, so that item IDs may have any format. Vertices
-/// are uploaded once for all views, each with the offset of its draw. The depth is w; smaller is nearer.
+/// An item ID is a 32-bit integer in buffers and in the framebuffer, so that item IDs may have any format. The draw
+/// list is uploaded once for all views (shader_inputs.h). The depth is w; smaller is nearer.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,8 @@
 
 namespace hemitex::reference {
 
-/// Requires a current context. Throws InputError if the driver rejects the programs.
+/// Requires a current context. Throws InputError if the driver rejects the programs, or if the index maps exceed a
+/// buffer of the device.
 std::unique_ptr<OpenGlPipeline> makeShader(const raster::DrawList& list);
 
 }  // namespace hemitex::reference

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "reference/devices/vulkan/shader_inputs.h"
+#include "reference/devices/shader_inputs.h"
 
 namespace hemitex::reference {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "reference/devices/vulkan/shader_inputs.h"
+#include "reference/devices/shader_inputs.h"
 
 // SPIR-V: CMake compiles the shaders to these arrays of integers.
 #include <item_ids_fragment.h>
@@ -37,16 +37,12 @@ vk::raii::ShaderModule makeShader(const VulkanContext& context, std::span<const 
   return {context.device, vk::ShaderModuleCreateInfo{.codeSize = code.size_bytes(), .pCode = code.data()}};
 }
 
-vk::raii::Pipeline makeGraphicsPipeline(const VulkanContext& context, const vk::raii::PipelineLayout& layout,
-                                        raster::Blend blend) {
+vk::raii::Pipeline makeGraphicsPipeline(const VulkanContext& context, const vk::raii::PipelineLayout& layout) {
   const vk::raii::ShaderModule vertex = makeShader(context, itemIdsVertex),
                                fragment = makeShader(context, itemIdsFragment);
-  const vk::SpecializationMapEntry entry{.size = sizeof blend};
-  const vk::SpecializationInfo constants{
-      .mapEntryCount = 1, .pMapEntries = &entry, .dataSize = sizeof blend, .pData = &blend};
   const std::array<vk::PipelineShaderStageCreateInfo, 2> stages{
       {{.stage = Stage::eVertex, .module = *vertex, .pName = "main"},
-       {.stage = Stage::eFragment, .module = *fragment, .pName = "main", .pSpecializationInfo = &constants}}};
+       {.stage = Stage::eFragment, .module = *fragment, .pName = "main"}}};
 
   // The vertex shader reads corners from a buffer, so there are no vertex attributes.
   const vk::PipelineVertexInputStateCreateInfo noAttributes;
@@ -82,10 +78,10 @@ vk::raii::Pipeline makeGraphicsPipeline(const VulkanContext& context, const vk::
 
 }  // namespace
 
-VulkanPipeline makePipeline(const VulkanContext& context, raster::Blend blend) {
+VulkanPipeline makePipeline(const VulkanContext& context) {
   vk::raii::DescriptorSetLayout buffers = makeBufferLayout(context);
   vk::raii::PipelineLayout layout = makeLayout(context, buffers);
-  vk::raii::Pipeline pipeline = makeGraphicsPipeline(context, layout, blend);
+  vk::raii::Pipeline pipeline = makeGraphicsPipeline(context, layout);
   return {std::move(buffers), std::move(layout), std::move(pipeline)};
 }
 

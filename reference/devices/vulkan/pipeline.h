@@ -16,6 +16,6 @@ struct VulkanPipeline {
   vk::raii::Pipeline pipeline;            ///< the front face, the viewport and the scissor are set per view
 };
 
-VulkanPipeline makePipeline(const VulkanContext& context, raster::Blend blend);
+VulkanPipeline makePipeline(const VulkanContext& context);
 
 }  // namespace hemitex::reference

@@ -7,12 +7,12 @@
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
 #include "reference/devices/batches.h"
+#include "reference/devices/shader_inputs.h"
 #include "reference/devices/vulkan/context.h"
 #include "reference/devices/vulkan/draw_list_buffers.h"
 #include "reference/devices/vulkan/memory.h"
 #include "reference/devices/vulkan/pipeline.h"
 #include "reference/devices/vulkan/render_targets.h"
-#include "reference/devices/vulkan/shader_inputs.h"
 
 namespace hemitex::reference {
 namespace {
@@ -106,7 +106,7 @@ VulkanRenderer::Implementation::Implementation(const raster::DrawList& list)
     : list_(list),
       context_(openDevice()),
       limits_(context_.physicalDevice.getProperties().limits),
-      pipeline_(makePipeline(context_, list.blend)),
+      pipeline_(makePipeline(context_)),
       drawList_(uploadDrawList(context_, pipeline_, list)),
       commandPool_(makeCommandPool(context_)),
       commands_(makeCommands(context_, commandPool_)) {}
@@ -144,7 +144,7 @@ void VulkanRenderer::Implementation::recordDraws(const Face& face, const VertexR
   commands_.setFrontFace(raster::determinant(face) > 0 ? vk::FrontFace::eCounterClockwise : vk::FrontFace::eClockwise);
   commands_.pushConstants<ShaderView>(*pipeline_.layout,
                                       vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment, 0,
-                                      shaderView(face, list_.format, width));
+                                      shaderView(face, list_, width));
   // The vertex shader makes two triangles of each.
   for (std::size_t r = 0; r < runs.first.size(); ++r)
     commands_.draw(2 * static_cast<std::uint32_t>(runs.count[r]), 1, 2 * static_cast<std::uint32_t>(runs.first[r]), 0);

@@ -1,5 +1,5 @@
-// The inputs of the Vulkan shaders need no device.
-#include "reference/devices/vulkan/shader_inputs.h"
+// The inputs of the shaders need no device.
+#include "reference/devices/shader_inputs.h"
 
 #include <catch2/catch.hpp>
 
@@ -7,9 +7,11 @@
 
 using namespace hemitex;
 
-TEST_CASE("shaderView marks the highest bit of each channel", "[vulkan]") {
+TEST_CASE("shaderView marks the highest bit of each channel", "[shaders]") {
   const auto endsOf = [](const std::vector<int>& bits) {
-    return reference::shaderView(tests::frontFace(16), {bits}, 8).channelEnds;
+    raster::DrawList list;
+    list.format = {bits};
+    return reference::shaderView(tests::frontFace(16), list, 8).channelEnds;
   };
   CHECK(endsOf({5, 6, 5}) == (1u << 4 | 1u << 10 | 1u << 15));
   CHECK(endsOf({8, 8, 8, 8}) == 0x80808080u);
@@ -17,7 +19,7 @@ TEST_CASE("shaderView marks the highest bit of each channel", "[vulkan]") {
   CHECK(endsOf({1, 1, 1}) == 7u);
 }
 
-TEST_CASE("shaderCorners, shaderDraws and shaderTexels refer to each other", "[vulkan]") {
+TEST_CASE("shaderCorners, shaderDraws and shaderTexels refer to each other", "[shaders]") {
   raster::DrawList list = tests::plainList();
   list.indexMaps = {tests::countingMap(2, 3), tests::countingMap(4, 4)};
   tests::addDraw(list, 100, 7, 1);

@@ -1,5 +1,5 @@
 /// The inputs of the shaders: the twins of shader_inputs.glsl, byte for byte. The draw list is in three arrays, which
-/// are the same for all views, and a view is in push constants.
+/// are the same for all views. A view is in push constants of Vulkan, or in a uniform block of OpenGL.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct ShaderDraw {
 };
 
 /// The members are ordered such that GLSL needs no padding.
-struct ShaderView {
+struct alignas(16) ShaderView {
   glm::vec3 eye;
   float near;
   glm::vec3 x;
@@ -37,15 +37,16 @@ struct ShaderView {
   glm::vec3 w;
   std::uint32_t channelEnds;  ///< the highest bit of each channel
   glm::vec2 scissor;          ///< first column and row
+  raster::Blend blend;
 };
-static_assert(sizeof(ShaderCorner) == 24 && sizeof(ShaderDraw) == 24 && sizeof(ShaderView) == 72);
+static_assert(sizeof(ShaderCorner) == 24 && sizeof(ShaderDraw) == 24 && sizeof(ShaderView) == 80);
 
 /// Three corners per triangle, draw after draw.
 std::vector<ShaderCorner> shaderCorners(const raster::DrawList& list);
 std::vector<ShaderDraw> shaderDraws(const raster::DrawList& list);
 /// The item IDs of all index maps, one map after the other.
 std::vector<raster::ItemId> shaderTexels(const raster::DrawList& list);
-/// A view whose viewport is `width` times as wide as the face.
-ShaderView shaderView(const raster::Face& face, const raster::IdFormat& format, int width);
+/// A view of the list whose viewport is `width` times as wide as the face.
+ShaderView shaderView(const raster::Face& face, const raster::DrawList& list, int width);
 
 }  // namespace hemitex::reference

@@ -1,4 +1,5 @@
-// The inputs of both shaders: the twins of shader_inputs.h.
+// The inputs of both shaders: the twins of shader_inputs.h. Stands in front of the text of each shader.
+#version 450
 
 struct Corner {
   float x, y, z;
@@ -18,7 +19,13 @@ layout(std430, binding = 0) readonly buffer Corners { Corner corners[]; };
 layout(std430, binding = 1) readonly buffer Draws { Draw draws[]; };
 layout(std430, binding = 2) readonly buffer Texels { uint texels[]; };
 
+#ifdef VULKAN
+#define vertexNumber gl_VertexIndex
 layout(push_constant) uniform View {
+#else
+#define vertexNumber gl_VertexID
+layout(std140, binding = 0) uniform View {
+#endif
   vec3 eye;
   float near;
   vec3 x;
@@ -28,4 +35,5 @@ layout(push_constant) uniform View {
   vec3 w;
   uint channelEnds;
   vec2 scissor;
+  int blend;  // raster::Blend
 };

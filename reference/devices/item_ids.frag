@@ -1,10 +1,5 @@
 // The depth and the item ID of a pixel (docs/item-buffers.md, "depth and texel" and "blend"), in double precision from
 // the planes of item_ids.vert.
-#version 450
-#extension GL_GOOGLE_include_directive : require
-#include "shader_inputs.glsl"
-
-layout(constant_id = 0) const int blend = 0;  // raster::Blend
 
 layout(location = 0) flat in dvec3 one;
 layout(location = 2) flat in dvec3 column;

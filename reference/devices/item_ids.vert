@@ -1,9 +1,6 @@
 // Transforms, clips and snaps a triangle by the rules, and computes planes from which the fragment shader derives depth
 // and texel. A triangle is up to two after the near plane has clipped it, so there are six invocations per triangle.
 // Each reads all three corners and computes one corner of the result. No geometry shader is needed.
-#version 450
-#extension GL_GOOGLE_include_directive : require
-#include "shader_inputs.glsl"
 
 layout(location = 0) flat out dvec3 one;
 layout(location = 2) flat out dvec3 column;
@@ -67,7 +64,7 @@ void setPlanes(dvec3 v[3], dvec2 texel[3]) {
 }
 
 void main() {
-  int triangle = gl_VertexIndex / 6, fan = gl_VertexIndex / 3 % 2, k = gl_VertexIndex % 3;
+  int triangle = vertexNumber / 6, fan = vertexNumber / 3 % 2, k = vertexNumber % 3;
   draw = corners[3 * triangle].draw;
   one = column = row = dvec3(0);
   volume = 0;

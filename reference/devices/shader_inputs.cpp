@@ -1,4 +1,4 @@
-#include "reference/devices/vulkan/shader_inputs.h"
+#include "reference/devices/shader_inputs.h"
 
 namespace hemitex::reference {
 namespace {
@@ -50,7 +50,7 @@ std::vector<raster::ItemId> shaderTexels(const raster::DrawList& list) {
   return texels;
 }
 
-ShaderView shaderView(const raster::Face& face, const raster::IdFormat& format, int width) {
+ShaderView shaderView(const raster::Face& face, const raster::DrawList& list, int width) {
   return {.eye = face.eye,
           .near = face.nearDistance,
           .x = face.x,
@@ -58,8 +58,9 @@ ShaderView shaderView(const raster::Face& face, const raster::IdFormat& format, 
           .y = face.y,
           .width = static_cast<float>(width),
           .w = face.w,
-          .channelEnds = channelEnds(format),
-          .scissor = {face.scissor.column, face.scissor.row}};
+          .channelEnds = channelEnds(list.format),
+          .scissor = {face.scissor.column, face.scissor.row},
+          .blend = list.blend};
 }
 
 }  // namespace hemitex::reference
