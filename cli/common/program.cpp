@@ -57,7 +57,7 @@ int run(const Program& program, int argc, char** argv, Context& context) {
       .hidden();
   program.addCommands(Command(app), context);
   if (argc > 1 && argv[1] == std::string("--complete")) {  // an incomplete command line
-    std::cout << offersFor(commandTree(app), {argv + 2, argv + argc});
+    std::cout << completionsFor(commandTree(app), {argv + 2, argv + argc});
     return 0;
   }
   try {

@@ -24,32 +24,32 @@ bool hasName(const OptionInfo& option, const std::string& name) {
 
 /// The names of the options with their help; the program has some of the options of its commands, too.
 std::string namesOf(const std::vector<OptionInfo>& options) {
-  std::string offers;
+  std::string completions;
   std::set<std::string> known;
   for (const OptionInfo& option : options)
     for (const std::string& name : option.names)
-      if (known.insert(name).second) offers += name + '\t' + option.help + '\n';
-  return offers;
+      if (known.insert(name).second) completions += name + '\t' + option.help + '\n';
+  return completions;
 }
 
 }  // namespace
 
-std::string offersFor(const CommandInfo& program, const std::vector<std::string>& words) {
+std::string completionsFor(const CommandInfo& program, const std::vector<std::string>& words) {
   const std::string current = words.empty() ? "" : words.back(), before = words.size() < 2 ? "" : words.end()[-2];
   const CommandInfo& command = commandAt(program, {words.begin(), words.end() - (words.empty() ? 0 : 1)});
   std::vector<OptionInfo> options = command.options;
   options.insert(options.end(), program.options.begin(), program.options.end());
-  std::string offers;
+  std::string completions;
   for (const OptionInfo& option : options)
     if (!option.value.empty() && hasName(option, before)) {
-      for (const std::string& choice : option.choices) offers += choice + '\n';
-      return option.isPath() ? filesOffer + '\n' : offers;
+      for (const std::string& choice : option.choices) completions += choice + '\n';
+      return option.isPath() ? fileCompletion + '\n' : completions;
     }
   if (current.starts_with('-')) return namesOf(options);
   if (std::any_of(command.arguments.begin(), command.arguments.end(), [](const auto& a) { return a.isPath(); }))
-    return filesOffer + '\n';
-  for (const CommandInfo& inner : command.commands) offers += inner.word() + '\t' + inner.help + '\n';
-  return offers;
+    return fileCompletion + '\n';
+  for (const CommandInfo& inner : command.commands) completions += inner.word() + '\t' + inner.help + '\n';
+  return completions;
 }
 
 }  // namespace hemitex::cli

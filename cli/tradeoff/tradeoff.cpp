@@ -62,7 +62,7 @@ reference::TradeMethod methodOption(const std::string& text, const std::vector<r
     names += (names.empty() ? "" : "|") + method.name;
     if (method.name != name) continue;
     if (name.size() == text.size()) return method;
-    method.measured = integersOption("--method", text.substr(name.size() + 1), method.least, method.most);
+    method.measured = integersOption("--method", text.substr(name.size() + 1), method.smallest, method.largest);
     for (const int setting : method.measured)
       if (!std::has_single_bit(static_cast<unsigned>(setting)))
         usageError("--method", std::to_string(setting) + " is not a power of two");

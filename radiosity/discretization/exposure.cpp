@@ -126,7 +126,7 @@ class BuriedRegions {
     raster::parallelFor(scene_.surfaces.size(), [&](std::size_t s) {
       const auto own = std::span(slices).subspan(first[s], first[s + 1] - first[s]);
       if (std::all_of(own.begin(), own.end(), [](const auto& some) { return some.empty(); })) return;
-      cut_[s] = cutSurface(scene_.surfaces[s], sizes_[s], own, eyeMove * scene_.extent);
+      cut_[s] = cutSurface(scene_.surfaces[s], sizes_[s], own, eyeInset * scene_.extent);
     });
     for (std::uint32_t s = 0; s < cut_.size(); ++s) {
       if (!cut_[s]) continue;
@@ -164,7 +164,7 @@ class BuriedRegions {
     const SurfacePoint point = pointOn(scene_.surfaces[surface], cutting.triangle, cutting.centre);
     const glm::dvec3 eye = eyeOver(scene_, surface, point);
     // A face that touches another sees the inside of the solid behind that face, or the outside of the scene.
-    const bool isTouching = rays_.meetsBack(eye, -point.normal, 2 * eyeLift * scene_.extent, touchingCosine);
+    const bool isTouching = rays_.meetsBack(eye, -point.normal, 2 * eyeHeight * scene_.extent, touchingCosine);
     Seen seen = look(eye, point.normal, fewDirections_);
     if (seen.backs < 1 - rounding) seen = look(eye, point.normal, directions_);
     if (emits(surface) && !seesFronts(seen)) seen = look(eye, point.normal, manyDirections_);

@@ -21,9 +21,9 @@ struct SurfacePoint {
 /// In extents of the scene. Where surfaces meet at the shooting point, rounding of positions to binary32 must not put
 /// the eye behind one of them. So the eye is moved into its triangle and lifted off it. The lift is enough for shallow
 /// concave folds, the move for all but the sharpest folds.
-inline constexpr double eyeMove = 0x1p-19;
-inline constexpr double eyeLift = 0x1p-21;
-/// The eye of a view from a point of a surface, in units of the file (see eyeMove).
+inline constexpr double eyeInset = 0x1p-19;
+inline constexpr double eyeHeight = 0x1p-21;
+/// The eye of a view from a point of a surface, in units of the file (see eyeInset).
 glm::dvec3 eyeOver(const Scene& scene, std::uint32_t surface, const SurfacePoint& point);
 
 /// The point of a triangle with these barycentric weights of its corners 1 and 2.

@@ -126,7 +126,7 @@ bool isBefore(const Slice& a, const Slice& b) {
 class Slicer {
  public:
   Slicer(const Scene& scene, const RayTree& tree)
-      : lift_(eyeLift * scene.extent), tolerance_(eyeMove * scene.extent), tree_(tree) {
+      : lift_(eyeHeight * scene.extent), tolerance_(eyeInset * scene.extent), tree_(tree) {
     for (const Surface& surface : scene.surfaces)
       for (const Triangle& triangle : surface.triangles) triangles_.push_back(&triangle);
   }

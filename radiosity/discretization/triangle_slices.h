@@ -15,7 +15,7 @@ struct Slice {
   glm::dvec2 from, to;
 };
 
-/// The slices of each triangle of the scene, by its number in the scene. The plane lies `eyeLift` extents above the
+/// The slices of each triangle of the scene, by its number in the scene. The plane lies `eyeHeight` extents above the
 /// triangle, like the eyes of its patches. The slices are then moved along the crossing triangles down to the triangle.
 ///
 /// Slices along the border of a surface are left out, because they separate nothing; so are slices along an edge by the

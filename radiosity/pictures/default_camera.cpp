@@ -192,9 +192,9 @@ std::vector<Camera> cornerCameras(const Bounds& bounds, int up, double side) {
 }
 
 /// Scores views of one scene.
-class Judge {
+class ViewScores {
  public:
-  Judge(const Scene& scene, const Floor& floor, double height) : scene_(scene), view_(scene), up_(floor.up) {
+  ViewScores(const Scene& scene, const Floor& floor, double height) : scene_(scene), view_(scene), up_(floor.up) {
     if (floor.area == 0) return;
     const auto [u, v] = levelAxes(floor.up);
     const glm::dvec3 size = floor.bounds.high - floor.bounds.low;
@@ -277,9 +277,9 @@ struct Choice {
   double score = 0;
 };
 
-void chooseBest(Judge& judge, const std::vector<Camera>& cameras, Choice& best) {
+void chooseBest(ViewScores& scoreOf, const std::vector<Camera>& cameras, Choice& best) {
   for (const Camera& camera : cameras) {
-    const double score = judge(camera).score;
+    const double score = scoreOf(camera).score;
     if (score > best.score) best = {camera, score};
   }
 }
@@ -298,16 +298,16 @@ Camera defaultCamera(const Scene& scene) {
   const Bounds bounds = boundsOf(scene);
   const Floor floor = floorOf(scene, bounds);
   const double height = freeHeight(scene, bounds, floor);
-  Judge judge(scene, floor, height);
+  ViewScores scoreOf(scene, floor, height);
   Choice best;
   if (floor.area > 0.25 * crossSection(bounds, floor.up) && height > 0) {
-    chooseBest(judge, standingCameras(floor, height), best);
+    chooseBest(scoreOf, standingCameras(floor, height), best);
     // In a room there is a wall behind the eye. In an open scene, views from farther away are candidates too.
-    if (best.score > 0 && judge(turnedRound(best.camera)).sky <= 0.25) return best.camera;
-    chooseBest(judge, sideCameras(bounds, floor.up), best);
+    if (best.score > 0 && scoreOf(turnedRound(best.camera)).sky <= 0.25) return best.camera;
+    chooseBest(scoreOf, sideCameras(bounds, floor.up), best);
   }
-  chooseBest(judge, cornerCameras(bounds, floor.up, 1), best);
-  if (best.score == 0) chooseBest(judge, cornerCameras(bounds, floor.up, -1), best);
+  chooseBest(scoreOf, cornerCameras(bounds, floor.up, 1), best);
+  if (best.score == 0) chooseBest(scoreOf, cornerCameras(bounds, floor.up, -1), best);
   return best.score > 0 ? best.camera : cornerCameras(bounds, floor.up, 1).front();
 }
 

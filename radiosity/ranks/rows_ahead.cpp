@@ -78,10 +78,10 @@ void RowsAhead::drop(std::uint32_t patch) {
 
 /// The number of shots to look ahead: about twice those that rank 0 shoots while another rank computes a row.
 std::size_t RowsAhead::rowsNeeded() const {
-  const std::size_t most = shotsPerRank * (tasksOf_.size() - 1) + 1;
-  if (shots_ == 0) return most;
+  const std::size_t limit = shotsPerRank * (tasksOf_.size() - 1) + 1;
+  if (shots_ == 0) return limit;
   const double shotsPerRow = slowestRow_ * static_cast<double>(shots_) / shotSeconds_;
-  return static_cast<std::size_t>(std::min(static_cast<double>(most), spareShots + 2 * shotsPerRow));
+  return static_cast<std::size_t>(std::min(static_cast<double>(limit), spareShots + 2 * shotsPerRow));
 }
 
 bool RowsAhead::isUnderWay(std::uint32_t patch) const {
@@ -97,12 +97,12 @@ void RowsAhead::lookAhead(const Step& step) {
   takeMessages();
   if (tasksOf_.size() == 1 || keptBytes_ >= budget_) return;
   const std::size_t needed = rowsNeeded();
-  const std::size_t least = *std::min_element(tasksOf_.begin() + 1, tasksOf_.end());
-  const bool isRoom = least < tasksPerRank;
+  const std::size_t fewest = *std::min_element(tasksOf_.begin() + 1, tasksOf_.end());
+  const bool isRoom = fewest < tasksPerRank;
   if (!isRoom && !areOthersSlow()) return;
   const std::vector<LikelyShot> shots = step.likelyShots(needed);
   std::size_t next = 0;
-  for (std::size_t held = least; isRoom && held < tasksPerRank; ++held)
+  for (std::size_t held = fewest; isRoom && held < tasksPerRank; ++held)
     for (std::size_t rank = 1; rank < tasksOf_.size(); ++rank) {
       if (tasksOf_[rank] > held) continue;
       std::optional<Task> task = nextTask(step.patches, shots, next);

@@ -28,8 +28,8 @@ std::vector<glm::dvec3> quadOf(const Surface& surface) {
 SurfacePoint eyeOver(const Scene& scene, const SurfacePoint& point) {
   const auto& [a, b, c] = scene.surfaces[from].triangles[point.triangle].position;
   const glm::dvec3 inward = (a + b + c) / 3.0 - point.position;
-  const double share = std::min(0.5, eyeMove * scene.extent / glm::length(inward));
-  return {point.position + share * inward + eyeLift * scene.extent * point.normal, point.normal, point.triangle};
+  const double share = std::min(0.5, eyeInset * scene.extent / glm::length(inward));
+  return {point.position + share * inward + eyeHeight * scene.extent * point.normal, point.normal, point.triangle};
 }
 
 FromCentres fromCentres(const Scene& scene, std::uint32_t to, int centresAlongSide) {

@@ -50,7 +50,7 @@ class ShellFiles : public Shell {
     return execute("PATH=\"$(dirname '" HEMITEX_PROGRAM "'):$PATH\"; " + line);
   }
 
-  /// What bash offers for the last of these words, which need no quotes.
+  /// What bash completions for the last of these words, which need no quotes.
   std::vector<std::string> completionsOf(const std::string& words) const {
     writeAll(file("ask.bash"), "source share/bash-completion/completions/hemitex\nCOMP_WORDS=(" + words +
                                    ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_hemitex\n"
@@ -193,7 +193,7 @@ TEST_CASE("shellQuoted makes the suggested --emit a word that a shell reads back
   CHECK(lit.exitCode == 0);
 }
 
-TEST_CASE("offersFor gives bash the options of each command's help, and no other", "[cli]") {
+TEST_CASE("completionsFor gives bash the options of each command's help, and no other", "[cli]") {
   const ShellFiles shell;
   const std::set<std::string> everywhere = optionsOf(shell.output("--help-all"));
   CHECK(everywhere.count("--threads") == 1);
@@ -206,7 +206,7 @@ TEST_CASE("offersFor gives bash the options of each command's help, and no other
   }
 }
 
-TEST_CASE("offersFor gives bash commands, named values and files", "[cli]") {
+TEST_CASE("completionsFor gives bash commands, named values and files", "[cli]") {
   const ShellFiles shell;
   using Words = std::vector<std::string>;
   fs::create_directory(shell.file("a folder"));
@@ -225,7 +225,7 @@ TEST_CASE("offersFor gives bash commands, named values and files", "[cli]") {
 }
 
 // A test that needs a program that may be missing has its own entry in CTest, by its tag.
-TEST_CASE("zsh offers commands, options, named values and files", "[.zsh]") {
+TEST_CASE("zsh completions commands, options, named values and files", "[.zsh]") {
   const ShellFiles shell;
   if (!shell.has("zsh")) return;
   // A zsh in a pseudo-terminal completes a line, and the widget prints the line that results.
@@ -252,10 +252,10 @@ print -r -- "${${output##*<<}%%>>*}"
   CHECK(completed("hemitex solve room.o") == "hemitex solve room.obj \n");
 }
 
-TEST_CASE("fish offers commands, options, named values and files", "[.fish]") {
+TEST_CASE("fish completions commands, options, named values and files", "[.fish]") {
   const ShellFiles shell;
   if (!shell.has("fish")) return;
-  const auto offers = [&shell](const std::string& line) {
+  const auto completions = [&shell](const std::string& line) {
     const Outcome outcome = shell.withProgram(
         "HOME=$PWD fish -c \"source share/fish/vendor_completions.d/hemitex.fish; complete -C '" + line + "'\"");
     INFO(line << '\n' << outcome.err);
@@ -263,12 +263,12 @@ TEST_CASE("fish offers commands, options, named values and files", "[.fish]") {
     return matches(outcome.out, "([^\t\n]+)[^\n]*\n");
   };
   using Words = std::vector<std::string>;
-  CHECK(offers("hemitex so") == Words{"solve"});
-  CHECK(offers("hemitex vector che") == Words{"check"});
-  CHECK(offers("hemitex solve --max-r") == Words{"--max-reflectance"});
-  CHECK(offers("hemitex solve --blend int") == Words{"integer-add"});
-  CHECK(offers("hemitex solve --texels ") == Words{});
-  CHECK(offers("hemitex solve room.o") == Words{"room.obj"});
+  CHECK(completions("hemitex so") == Words{"solve"});
+  CHECK(completions("hemitex vector che") == Words{"check"});
+  CHECK(completions("hemitex solve --max-r") == Words{"--max-reflectance"});
+  CHECK(completions("hemitex solve --blend int") == Words{"integer-add"});
+  CHECK(completions("hemitex solve --texels ") == Words{});
+  CHECK(completions("hemitex solve room.o") == Words{"room.obj"});
 }
 
 TEST_CASE("manPage names every option and example of each command's help", "[cli]") {

@@ -24,7 +24,7 @@ struct TradeRows {
 struct TradeMethod {
   std::string name;                             ///< as on the command line, without spaces
   std::string setting;                          ///< name of the setting, whose value is a power of two
-  int least, most;                              ///< range of the setting
+  int smallest, largest;                        ///< range of the setting
   std::vector<int> measured;                    ///< default settings, ascending
   std::function<double(int)> directions;        ///< pixels or rays per row, for a setting
   std::function<std::size_t(int)> bufferBytes;  ///< bytes of item buffers, or of the rays of a row

@@ -17,11 +17,11 @@ std::vector<bool> paretoFront(std::span<const double> cost, std::span<const doub
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return choice(a) < choice(b); });
   std::vector<bool> isOnFront(cost.size());
-  double least = std::numeric_limits<double>::infinity();
+  double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < order.size(); ++i) {
     const bool equalsLast = i > 0 && choice(order[i]) == choice(order[i - 1]);
-    isOnFront[order[i]] = equalsLast ? isOnFront[order[i - 1]] : error[order[i]] < least;
-    least = std::min(least, error[order[i]]);
+    isOnFront[order[i]] = equalsLast ? isOnFront[order[i - 1]] : error[order[i]] < smallest;
+    smallest = std::min(smallest, error[order[i]]);
   }
   return isOnFront;
 }

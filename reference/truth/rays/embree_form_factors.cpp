@@ -74,10 +74,10 @@ struct Origin {
 Origin originAt(const ShootingPoint& point, const glm::dvec3& middle, const glm::dvec2& turn) {
   const glm::dvec3 inward = middle - point.position;
   const double distance = glm::length(inward);
-  const double share = distance > 0 ? std::min(0.5, radiosity::eyeMove / distance) : 0;
+  const double share = distance > 0 ? std::min(0.5, radiosity::eyeInset / distance) : 0;
   const glm::dvec3 axis = std::abs(point.normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 right = glm::normalize(glm::cross(axis, point.normal)), up = glm::cross(point.normal, right);
-  return {point.position + share * inward + radiosity::eyeLift * point.normal, turn.x * right + turn.y * up,
+  return {point.position + share * inward + radiosity::eyeHeight * point.normal, turn.x * right + turn.y * up,
           turn.x * up - turn.y * right, point.normal};
 }
 

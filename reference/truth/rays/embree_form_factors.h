@@ -8,10 +8,10 @@
 /// less. Each patch rotates the directions about its normal by its own angle, so that the next patch meets what one
 /// patch misses.
 ///
-/// The start of a ray is moved into its triangle by `eyeMove` and lifted off it by `eyeLift`, as the eye of a hemicube
-/// (radiosity/projection/patch_view.h). That exceeds the rounding of corners to binary32, which is 2^-26 of the scene's
-/// extent. So no ray meets the plane that it leaves, or the back of a wall that rises from its start. Lower objects are
-/// not seen: blockers and receivers within 5e-7 extents of the patch.
+/// The start of a ray is moved into its triangle by `eyeInset` and lifted off it by `eyeHeight`, as the eye of a
+/// hemicube (radiosity/projection/patch_view.h). That exceeds the rounding of corners to binary32, which is 2^-26 of
+/// the scene's extent. So no ray meets the plane that it leaves, or the back of a wall that rises from its start. Lower
+/// objects are not seen: blockers and receivers within 5e-7 extents of the patch.
 ///
 /// Backs of faces block, except those with a twin. The results have the same bits for any number of threads, but not on
 /// different machines.

@@ -56,7 +56,7 @@ double distanceTo(const Triangle& triangle, const glm::dvec3& point) {
 /// intersection of their planes.
 double commonLength(const Scene& scene, const Triangle& one, const Triangle& other) {
   const glm::dvec3 n = normal(one), m = normal(other), along = glm::normalize(glm::cross(n, m));
-  const double lift = eyeLift * scene.extent;
+  const double lift = eyeHeight * scene.extent;
   const auto range = [&](const Triangle& triangle, const glm::dvec3& shift, const glm::dvec3& planeNormal,
                          const glm::dvec3& planePoint) {
     double low = 1e9, high = -1e9;
@@ -93,7 +93,7 @@ bool areSame(const std::vector<std::vector<Slice>>& a, const std::vector<std::ve
 TEST_CASE("triangleSlices finds the slices that a search through all pairs finds", "[slices]") {
   for (const unsigned seed : {1U, 2U, 3U}) {
     const Scene scene = randomTriangles(seed, 150);
-    const double tolerance = eyeMove * scene.extent;
+    const double tolerance = eyeInset * scene.extent;
     const std::vector<std::vector<Slice>> slices = triangleSlices(scene, RayTree(scene));
     std::size_t found = 0;
     for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
@@ -106,7 +106,7 @@ TEST_CASE("triangleSlices finds the slices that a search through all pairs finds
         const double expected = commonLength(scene, one, other);
         // A slice was moved along the other triangle by a lift over the sine of the angle between both. So it may leave
         // the triangle by that much. If the sine is below 1/256, it stays a lift above.
-        const double lift = eyeLift * scene.extent;
+        const double lift = eyeHeight * scene.extent;
         const auto liesOnOther = [&](const Slice& slice) {
           for (const glm::dvec2& end : {slice.from, slice.to}) {
             const glm::dvec3 point = pointAt(one, end);
