@@ -155,8 +155,9 @@ Image projectionView(const RenderOptions& options, const Subject& subject, Conso
                                             ? radiosity::elementCentre(scene, discretization, *source.element)
                                             : radiosity::patchCentre(scene, discretization, patch);
   const radiosity::Projection projection = radiosity::projectionOf(kind, options.resolution);
-  const auto skipped = radiosity::skippedTriangles(scene, surface, point);
-  const double nearDistance = radiosity::nearDistance(scene, point.position, skipped, projection.squaredReach);
+  const std::vector<radiosity::TriangleBox> boxes = radiosity::triangleBoxes(scene);
+  const auto skipped = radiosity::skippedTriangles(scene, boxes, surface, point);
+  const double nearDistance = radiosity::nearDistance(scene, boxes, point.position, skipped, projection.squaredReach);
   const auto faces =
       radiosity::facesOver(projection.faces, point.position - scene.origin, point.normal, glm::dvec3(0), nearDistance);
   raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));

@@ -49,7 +49,7 @@ SurfaceMeans meansOf(const radiosity::Scene& scene, const radiosity::Discretizat
   const radiosity::SurfaceValues reflectance = reflectances(scene, discretization, surface),
                                  emission = emissions(scene, discretization, surface);
   SurfaceMeans means;
-  for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e) {
+  for (const std::uint32_t e : radiosity::elementsOf(grid)) {
     const double area = discretization.elements[e].area;
     means.area += area;
     means.radiosity += solution.radiosity[e] * area;

@@ -15,7 +15,7 @@ namespace {
 /// The element of each leaf, at its lowest texel; nothing for leaves without area.
 std::vector<std::optional<std::uint32_t>> elementsOfLeaves(const Discretization& discretization, const Grid& grid) {
   std::vector<std::optional<std::uint32_t>> elements(grid.elementOfTexel.size());
-  for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e) {
+  for (const std::uint32_t e : elementsOf(grid)) {
     const Leaf leaf = leafOf(grid, discretization.elements[e].texel);
     elements[static_cast<std::size_t>(leaf.row * grid.columns + leaf.column)] = e;
   }

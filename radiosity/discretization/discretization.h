@@ -24,6 +24,7 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,11 @@ struct Grid {
   std::vector<CutTexel> cutTexels = {};       ///< texels that are partly or completely buried, ascending
   std::optional<Quadtree> quadtree = {};      ///< its leaves are the elements; without quadtree each texel is a leaf
 };
+
+/// The numbers of the elements of a surface, ascending.
+inline auto elementsOf(const Grid& grid) {
+  return std::views::iota(grid.firstElement, grid.firstElement + grid.elementCount);
+}
 
 /// The leaf that contains a texel. An element with this own texel consists of the leaf, except for slivers.
 Leaf leafOf(const Grid& grid, std::uint32_t texel);

@@ -39,7 +39,7 @@ void append(Discretization& whole, const Discretization& from, std::uint32_t num
   const auto surface = static_cast<std::uint32_t>(whole.grids.size());
   // The difference may be negative; unsigned arithmetic wraps around to the right result.
   const std::uint32_t elementShift = static_cast<std::uint32_t>(whole.elements.size()) - grid.firstElement;
-  for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e) {
+  for (const std::uint32_t e : elementsOf(grid)) {
     Element element = from.elements[e];
     element.surface = surface;
     whole.elements.push_back(element);

@@ -90,10 +90,6 @@ std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::span<const 
   return skipped;
 }
 
-std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::uint32_t surface, const SurfacePoint& point) {
-  return skippedTriangles(scene, triangleBoxes(scene), surface, point);
-}
-
 double nearDistance(const Scene& scene, std::span<const TriangleBox> boxes, const glm::dvec3& point,
                     const std::vector<std::uint32_t>& skipped, double squaredReach) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -109,11 +105,6 @@ double nearDistance(const Scene& scene, std::span<const TriangleBox> boxes, cons
     }
   }
   return std::clamp(std::sqrt(nearest / squaredReach), smallestNearDistance * scene.extent, scene.extent);
-}
-
-double nearDistance(const Scene& scene, const glm::dvec3& point, const std::vector<std::uint32_t>& skipped,
-                    double squaredReach) {
-  return nearDistance(scene, triangleBoxes(scene), point, skipped, squaredReach);
 }
 
 double turnOf(std::uint32_t patch, int point) {

@@ -22,17 +22,14 @@ inline constexpr double smallestNearDistance = 0x1p-24;
 
 /// The triangles that a view from a point of a surface skips, ascending: those of the surface in the tangent plane and,
 /// in two-sided scenes, the coincident side that faces away from the point.
-std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::uint32_t surface, const SurfacePoint& point);
-/// As above, with the scene's triangleBoxes, for repeated calls.
+/// `boxes` are triangleBoxes of the scene.
 std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::span<const TriangleBox> boxes,
                                             std::uint32_t surface, const SurfacePoint& point);
 
 /// A near distance that clips no visible triangle: the distance to the nearest triangle that is not skipped, divided by
 /// the projection's reach (see Projection::squaredReach). It is smallestNearDistance if a triangle touches the point,
 /// and the scene's extent if no triangle is near.
-double nearDistance(const Scene& scene, const glm::dvec3& point, const std::vector<std::uint32_t>& skipped,
-                    double squaredReach);
-/// As above, with the scene's triangleBoxes.
+/// `boxes` are triangleBoxes of the scene.
 double nearDistance(const Scene& scene, std::span<const TriangleBox> boxes, const glm::dvec3& point,
                     const std::vector<std::uint32_t>& skipped, double squaredReach);
 

@@ -18,7 +18,7 @@ glm::dvec3 ambientEstimate(const Scene& scene, const Discretization& discretizat
   for (std::uint32_t s = 0; s < discretization.grids.size(); ++s) {
     const SurfaceValues reflectance = reflectances(scene, discretization, s);
     const Grid& grid = discretization.grids[s];
-    for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e) {
+    for (const std::uint32_t e : elementsOf(grid)) {
       area += discretization.elements[e].area;
       reflecting += reflectance.of(e) * discretization.elements[e].area;
     }

@@ -14,12 +14,6 @@ namespace {
 /// One past the last element of a surface.
 std::uint32_t endOf(const Grid& grid) { return grid.firstElement + grid.elementCount; }
 
-/// Calls body(element) for the elements of a surface, in ascending order.
-template <typename Body>
-void forEachElement(const Grid& grid, const Body& body) {
-  for (std::uint32_t e = grid.firstElement; e < endOf(grid); ++e) body(e);
-}
-
 /// Entries [first, end) of a row.
 struct Part {
   std::size_t first = 0, end = 0;
@@ -157,9 +151,8 @@ glm::dvec3 emittedFlux(const Scene& scene, const Discretization& discretization)
   for (std::uint32_t s = 0; s < discretization.grids.size(); ++s) {
     const SurfaceValues emission = emissions(scene, discretization, s);
     if (emission.areZero()) continue;
-    forEachElement(discretization.grids[s], [&](std::uint32_t element) {
+    for (const std::uint32_t element : elementsOf(discretization.grids[s]))
       sum.add(emission.of(element) * discretization.elements[element].area);
-    });
   }
   return sum.value();
 }
@@ -267,10 +260,10 @@ void ShootingState::makeRadiosity(std::vector<glm::dvec3>& received) const {
     const auto surface = static_cast<std::uint32_t>(s);
     const SurfaceValues emission = emissions(scene_, discretization_, surface),
                         reflectance = reflectances(scene_, discretization_, surface);
-    forEachElement(discretization_.grids[s], [&](std::uint32_t element) {
+    for (const std::uint32_t element : elementsOf(discretization_.grids[s])) {
       const double area = discretization_.elements[element].area;
       received[element] = (emission.of(element) * area + reflectance.of(element) * received[element]) / area;
-    });
+    }
   });
 }
 

@@ -29,7 +29,7 @@ class CornerValues {
       : grid_(grid),
         leafRadiosity_(grid.elementOfTexel.size(), nullptr),
         values_(static_cast<std::size_t>((grid.columns + 1) * (grid.rows + 1))) {
-    for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e)
+    for (const std::uint32_t e : elementsOf(grid))
       leafRadiosity_[lowestTexel(leafOf(grid, discretization.elements[e].texel))] = &radiosity[e];
   }
 

@@ -48,8 +48,7 @@ TEST_CASE("solve of the furnished room agrees with light tracing, and loses no l
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const Grid& grid = discretization.grids[s];
     glm::dvec3 flux(0);
-    for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e)
-      flux += discretization.elements[e].area * solution.radiosity[e];
+    for (const std::uint32_t e : elementsOf(grid)) flux += discretization.elements[e].area * solution.radiosity[e];
     const std::string& name = scene.surfaces[s].name;
     const double expected = bandSum(truth.at(name).flux), error = std::abs(bandSum(flux) - expected);
     const double slack = std::count(thin.begin(), thin.end(), name) > 0 ? 10 : 1.5;

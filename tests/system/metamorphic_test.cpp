@@ -428,7 +428,8 @@ TEST_CASE("ProjectedFormFactors never grow if an occluder is added", "[metamorph
         const Patch& block = world.discretization.patches.list[patch];
         const SurfacePoint centre = patchCentre(world.scene, world.discretization, block);
         const auto nearest = [&](const World& w) {
-          return nearDistance(w.scene, centre.position, skippedTriangles(w.scene, block.surface, centre),
+          return nearDistance(w.scene, triangleBoxes(w.scene), centre.position,
+                              skippedTriangles(w.scene, triangleBoxes(w.scene), block.surface, centre),
                               hemicubeSquaredReach);
         };
         if (nearest(occluded) != nearest(world)) continue;

@@ -49,7 +49,8 @@ reference::TestVector vectorOf(const ExportOptions& options, Console& console) {
   vector.list = radiosity::makeDrawList(scene, discretization, layout);
   const double nearDistance = options.nearDistance
                                   ? *options.nearDistance
-                                  : radiosity::nearDistance(scene, options.eye, {}, radiosity::hemicubeSquaredReach);
+                                  : radiosity::nearDistance(scene, radiosity::triangleBoxes(scene), options.eye, {},
+                                                            radiosity::hemicubeSquaredReach);
   const auto faces = radiosity::facesOver(radiosity::hemicubeFaces(options.resolution), options.eye - scene.origin,
                                           options.normal / length, options.up, nearDistance);
   for (std::size_t f = 0; f < faces.size(); ++f) {

@@ -32,7 +32,8 @@ TestVector hemicube(const radiosity::Scene& scene, const radiosity::Discretizati
   vector.origin = scene.origin;
   vector.list = radiosity::makeDrawList(scene, discretization,
                                         radiosity::layOut(discretization, {view.format, view.blend, view.aligned}));
-  const double near = radiosity::nearDistance(scene, view.eye, {}, radiosity::hemicubeSquaredReach);
+  const double near =
+      radiosity::nearDistance(scene, radiosity::triangleBoxes(scene), view.eye, {}, radiosity::hemicubeSquaredReach);
   const auto faces = radiosity::facesOver(radiosity::hemicubeFaces(resolution), view.eye - scene.origin,
                                           glm::normalize(view.normal), view.up, near);
   const std::array<std::string, 5> names{"top", "side-right", "side-up", "side-left", "side-down"};

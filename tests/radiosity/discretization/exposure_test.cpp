@@ -502,7 +502,7 @@ TEST_CASE("discretize keeps the light that comes from inside a solid, and no oth
       const std::uint32_t s = numberOf(scene, name);
       const Grid& grid = discretization.grids[s];
       double flux = 0;
-      for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e)
+      for (const std::uint32_t e : elementsOf(grid))
         flux += emission(scene, discretization, e).r * discretization.elements[e].area;
       return flux;
     };
@@ -516,7 +516,8 @@ TEST_CASE("discretize keeps the light that comes from inside a solid, and no oth
 }
 
 TEST_CASE("discretize never buries a light in the open", "[exposure]") {
-  // A light that sees the backs of others, the background, and the low wall that stands on it, but is not inside a solid.
+  // A light that sees the backs of others, the background, and the low wall that stands on it, but is not inside a
+  // solid.
   Scene scene = tests::sceneOf({tests::parallelogram("light", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
                                 tests::parallelogram("cover", {-1, -1, 0.1}, {3, 0, 0}, {0, 3, 0}),
                                 tests::parallelogram("wall", {0.5, -1, 0}, {0, 1.5, 0}, {0, 0, 0.05}),

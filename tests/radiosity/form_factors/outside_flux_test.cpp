@@ -51,7 +51,7 @@ struct Lit {
   double ofSurface(std::size_t surface) const {
     const Grid& grid = world.discretization.grids[surface];
     double sum = 0, areas = 0;
-    for (std::uint32_t e = grid.firstElement; e < grid.firstElement + grid.elementCount; ++e) {
+    for (const std::uint32_t e : elementsOf(grid)) {
       sum += flux.received[e].r;
       areas += area(e);
     }

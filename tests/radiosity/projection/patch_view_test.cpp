@@ -22,17 +22,20 @@ TEST_CASE("nearDistance of a hemicube is the distance to the nearest triangle ov
   const Scene cube = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
   const double root3 = std::sqrt(3.0);
   // On the floor (triangles 4 and 5 are skipped), 0.2 from the left wall.
-  CHECK(nearDistance(cube, {0.2, 0, 0.6}, {4, 5}, hemicubeSquaredReach) == Approx(0.2 / root3).epsilon(1e-12));
+  CHECK(nearDistance(cube, triangleBoxes(cube), {0.2, 0, 0.6}, {4, 5}, hemicubeSquaredReach) ==
+        Approx(0.2 / root3).epsilon(1e-12));
   // Without skipped triangles, the point lies on the floor itself.
-  CHECK(nearDistance(cube, {0.2, 0, 0.6}, {}, hemicubeSquaredReach) == smallestNearDistance * cube.extent);
+  CHECK(nearDistance(cube, triangleBoxes(cube), {0.2, 0, 0.6}, {}, hemicubeSquaredReach) ==
+        smallestNearDistance * cube.extent);
   // Nearest to an edge and to a corner of a single square in the plane y = 0, from outside of it.
   Scene lone;
   lone.surfaces = {tests::quad("lone", {{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}})};
   lone.extent = 10;
-  CHECK(nearDistance(lone, {0.5, 0.3, -0.4}, {}, hemicubeSquaredReach) == Approx(0.5 / root3).epsilon(1e-12));
-  CHECK(nearDistance(lone, {-1, 2, 3}, {}, hemicubeSquaredReach) ==
+  CHECK(nearDistance(lone, triangleBoxes(lone), {0.5, 0.3, -0.4}, {}, hemicubeSquaredReach) ==
+        Approx(0.5 / root3).epsilon(1e-12));
+  CHECK(nearDistance(lone, triangleBoxes(lone), {-1, 2, 3}, {}, hemicubeSquaredReach) ==
         Approx(3 / root3).epsilon(1e-12));  // 1, 2, 2 from the corner (0, 0, 1)
-  CHECK(nearDistance(lone, {0.5, 0.3, -0.4}, {0, 1}, hemicubeSquaredReach) == lone.extent);
+  CHECK(nearDistance(lone, triangleBoxes(lone), {0.5, 0.3, -0.4}, {0, 1}, hemicubeSquaredReach) == lone.extent);
 }
 
 TEST_CASE("nearDistance is the same with and without boxes", "[view]") {
@@ -61,9 +64,9 @@ TEST_CASE("nearDistance is the same with and without boxes", "[view]") {
         lone.surfaces.resize(1);
         lone.surfaces[0].triangles = {triangle};
         if (std::find(skipped.begin(), skipped.end(), number++) == skipped.end())
-          nearest = std::min(nearest, nearDistance(lone, eye, {}, hemicubeSquaredReach));
+          nearest = std::min(nearest, nearDistance(lone, triangleBoxes(lone), eye, {}, hemicubeSquaredReach));
       }
-    CHECK(nearDistance(scene, eye, skipped, hemicubeSquaredReach) == nearest);
+    CHECK(nearDistance(scene, triangleBoxes(scene), eye, skipped, hemicubeSquaredReach) == nearest);
   }
 }
 
@@ -73,9 +76,10 @@ TEST_CASE("skippedTriangles are those of the own surface in the tangent plane, a
   scene.surfaces.push_back(tests::quad("beside", {{{1, 0, 0}, {1, 0, 1}, {2, 0, 1}, {2, 0, 0}}}));
   scene.surfaces.push_back(tests::quad("bent", {{{0, 3, 0}, {1, 3, 0}, {1, 3.5, 1}, {0, 3, 1}}}));
   scene = tests::finish(scene);
-  CHECK(skippedTriangles(scene, 2, {{0.3, 0, 0.3}, {0, 1, 0}, 0}) == std::vector<std::uint32_t>{4, 5});
+  CHECK(skippedTriangles(scene, triangleBoxes(scene), 2, {{0.3, 0, 0.3}, {0, 1, 0}, 0}) ==
+        std::vector<std::uint32_t>{4, 5});
   const glm::dvec3 bent = normal(scene.surfaces[7].triangles[0]);
-  CHECK(skippedTriangles(scene, 7, {{0.6, 3, 0}, bent, 0}) == std::vector<std::uint32_t>{14});
+  CHECK(skippedTriangles(scene, triangleBoxes(scene), 7, {{0.6, 3, 0}, bent, 0}) == std::vector<std::uint32_t>{14});
 }
 
 TEST_CASE("skippedTriangles are the same with and without boxes", "[view]") {
@@ -114,7 +118,7 @@ TEST_CASE("skippedTriangles are the same with and without boxes", "[view]") {
         ++number;
         scene.surfaces[s].triangles.push_back(triangle);
       }
-    CHECK(skippedTriangles(scene, 0, point) == expected);
+    CHECK(skippedTriangles(scene, triangleBoxes(scene), 0, point) == expected);
     // Without twins, only the tangent plane matters.
     scene.surfaces[0].twin = scene.surfaces[1].twin = {};
     std::erase_if(expected, [&](std::uint32_t t) {
@@ -124,7 +128,7 @@ TEST_CASE("skippedTriangles are the same with and without boxes", "[view]") {
         return std::abs(glm::dot(corner - point.position, normal)) > tolerance;
       });
     });
-    CHECK(skippedTriangles(scene, 0, point) == expected);
+    CHECK(skippedTriangles(scene, triangleBoxes(scene), 0, point) == expected);
     CHECK(!expected.empty());
   }
 }
