@@ -8,6 +8,8 @@ namespace hemitex::radiosity {
 namespace {
 
 constexpr std::uint32_t trianglesOfLeaf = 2;
+/// Large triangles are separated down to this depth.
+constexpr int maxDepthOfLarge = 16;
 
 /// The distance at which a ray enters a box; infinity if it misses the box or enters it beyond `end`. `inverse` is 1
 /// over the direction.
@@ -34,10 +36,10 @@ RayTree::RayTree(const Scene& scene) : touching_(0x1p-30 * scene.extent) {
       const auto& [a, b, c] = scene.surfaces[s].triangles[t].position;
       leaves_.push_back({a, b - a, c - a, s, t, static_cast<std::uint32_t>(leaves_.size())});
     }
-  build(0, static_cast<std::uint32_t>(leaves_.size()));
+  build(0, static_cast<std::uint32_t>(leaves_.size()), 0);
 }
 
-void RayTree::build(std::uint32_t begin, std::uint32_t end) {
+void RayTree::build(std::uint32_t begin, std::uint32_t end, int depth) {
   const std::size_t number = nodes_.size();
   nodes_.emplace_back();
   Node node;
@@ -60,14 +62,24 @@ void RayTree::build(std::uint32_t begin, std::uint32_t end) {
   }
   const glm::dvec3 size = highMiddle - lowMiddle;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const std::uint32_t half = begin + (end - begin) / 2;
   const auto at = [&](std::uint32_t i) { return leaves_.begin() + i; };
-  std::nth_element(at(begin), at(half), at(end),
-                   [&](const Leaf& a, const Leaf& b) { return middle(a)[axis] < middle(b)[axis]; });
-  build(begin, half);
+  // Large triangles would make the boxes of all small ones beside them large.
+  const auto isLarge = [&](const Leaf& leaf) {
+    const glm::dvec3 extent = glm::max(glm::max(leaf.along1, leaf.along2), glm::dvec3(0)) -
+                              glm::min(glm::min(leaf.along1, leaf.along2), glm::dvec3(0));
+    return extent[axis] > (node.high[axis] - node.low[axis]) / 2;
+  };
+  std::uint32_t half =
+      depth < maxDepthOfLarge ? static_cast<std::uint32_t>(std::partition(at(begin), at(end), isLarge) - at(0)) : begin;
+  if (half == begin || half == end) {
+    half = begin + (end - begin) / 2;
+    std::nth_element(at(begin), at(half), at(end),
+                     [&](const Leaf& a, const Leaf& b) { return middle(a)[axis] < middle(b)[axis]; });
+  }
+  build(begin, half, depth + 1);
   node.second = static_cast<std::uint32_t>(nodes_.size());
   nodes_[number] = node;
-  build(half, end);
+  build(half, end, depth + 1);
 }
 
 template <typename Entry, typename Visit>
@@ -77,7 +89,8 @@ void RayTree::walk(double end, const Entry& entryOf, const Visit& visit) const {
     std::uint32_t node;
     double entry;
   };
-  // The tree halves at each level, so its depth is at most the number of bits of a triangle count.
+  // Below maxDepthOfLarge the tree halves at each level, so its depth is at most that plus the number of bits of a
+  // triangle count.
   std::array<Waiting, 64> waiting;
   std::size_t count = 0;
   const auto enter = [&](std::uint32_t node) { return Waiting{node, entryOf(nodes_[node], end)}; };

@@ -54,7 +54,7 @@ class RayTree {
   /// Calls meet(hit, leaf, end) for triangles along the ray up to `end`, approximately in order of distance.
   template <typename Meet>
   void trace(const glm::dvec3& origin, const glm::dvec3& direction, double end, const Meet& meet) const;
-  void build(std::uint32_t begin, std::uint32_t end);
+  void build(std::uint32_t begin, std::uint32_t end, int depth);
 
   double touching_;
   std::vector<Leaf> leaves_;
