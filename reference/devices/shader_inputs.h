@@ -46,7 +46,7 @@ std::vector<ShaderCorner> shaderCorners(const raster::DrawList& list);
 std::vector<ShaderDraw> shaderDraws(const raster::DrawList& list);
 /// The item IDs of all index maps, one map after the other.
 std::vector<raster::ItemId> shaderTexels(const raster::DrawList& list);
-/// A view of the list whose viewport is `width` times as wide as the face.
+/// A view of the list whose viewport is `width` times as wide as the face, 1 to 8.
 ShaderView shaderView(const raster::Face& face, const raster::DrawList& list, int width);
 
 }  // namespace hemitex::reference

@@ -14,6 +14,7 @@
 /// - It interpolates in binary32. The two pipelines solve this in different ways.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -40,8 +41,8 @@ enum class OpenGlPath {
 class OpenGlRenderer final : public raster::ItemBufferRenderer {
  public:
   /// Throws InputError if the list breaks the rules, there is no device (see context.h), or an index map exceeds the
-  /// device's textures. Also throws it if the path cannot draw the list. Fixed-function hardware adds only channels of
-  /// 8 bits with clamping and, in any format, item IDs that share no bits.
+  /// device's textures, on the shader path its buffers. Also throws it if the path cannot draw the list. Fixed-function
+  /// hardware adds only channels of 8 bits with clamping and, in any format, item IDs that share no bits.
   OpenGlRenderer(const raster::DrawList& list, OpenGlPath path);
   ~OpenGlRenderer() override;
 
