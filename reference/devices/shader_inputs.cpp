@@ -1,7 +1,6 @@
 #include "reference/devices/shader_inputs.h"
 
 namespace hemitex::reference {
-namespace {
 
 std::uint32_t channelEnds(const raster::IdFormat& format) {
   std::uint32_t ends = 0;
@@ -12,8 +11,6 @@ std::uint32_t channelEnds(const raster::IdFormat& format) {
   }
   return ends;
 }
-
-}  // namespace
 
 std::vector<ShaderCorner> shaderCorners(const raster::DrawList& list) {
   std::vector<ShaderCorner> corners;

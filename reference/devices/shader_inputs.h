@@ -35,12 +35,14 @@ struct alignas(16) ShaderView {
   glm::vec3 y;
   float width;  ///< of the viewport, in faces
   glm::vec3 w;
-  std::uint32_t channelEnds;  ///< the highest bit of each channel
-  glm::vec2 scissor;          ///< first column and row
+  std::uint32_t channelEnds;
+  glm::vec2 scissor;  ///< first column and row
   raster::Blend blend;
 };
 static_assert(sizeof(ShaderCorner) == 24 && sizeof(ShaderDraw) == 24 && sizeof(ShaderView) == 80);
 
+/// The highest bit of each channel.
+std::uint32_t channelEnds(const raster::IdFormat& format);
 /// Three corners per triangle, draw after draw.
 std::vector<ShaderCorner> shaderCorners(const raster::DrawList& list);
 std::vector<ShaderDraw> shaderDraws(const raster::DrawList& list);

@@ -24,7 +24,7 @@ reference::BenchSettings settingsOf(int resolution) {
 #ifdef HEMITEX_OPENGL
   setenv("LP_NUM_THREADS", "1", 1);
   settings.devices.emplace_back("opengl-plain", [](const raster::DrawList& list) {
-    return std::make_unique<reference::OpenGlRenderer>(list, reference::OpenGlPath::Plain);
+    return reference::makeOpenGlRenderer(list, reference::OpenGlPath::Plain);
   });
 #endif
   return settings;

@@ -13,7 +13,7 @@ reference::OpenGlPath pathOf(Device device) {
 }  // namespace
 
 std::unique_ptr<raster::ItemBufferRenderer> makeOpenGlRenderer(const raster::DrawList& list, Device device) {
-  return std::make_unique<reference::OpenGlRenderer>(list, pathOf(device));
+  return reference::makeOpenGlRenderer(list, pathOf(device));
 }
 
 }  // namespace hemitex::cli

@@ -1,14 +1,15 @@
 #include "reference/devices/opengl/fixed_function_pipeline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstddef>
+#include <glm/glm.hpp>
+#include <limits>
 #include <tuple>
+#include <vector>
 
 #include "raster/base/input_error.h"
 #include "raster/setup/vertex_stage.h"
-#include "reference/devices/opengl/texel_triangles.h"
-#include "reference/devices/opengl/vertex_buffers.h"
 
 namespace hemitex::reference {
 namespace {
@@ -28,10 +29,39 @@ bool addsAsBytes(const raster::DrawList& list) {
   });
 }
 
+/// A corner of a triangle as OpenGL interpolates it.
+struct Corner {
+  glm::vec3 position;
+  glm::vec2 texel;  ///< texture coordinates in texels
+};
+using Corners = std::array<Corner, 3>;
+
+/// u N, rounded down to binary32, which changes no floor. Devices round it before the floor function.
+float texelPosition(float u, int size) {
+  constexpr float largest = std::numeric_limits<float>::max();
+  const double exact = std::clamp<double>(static_cast<double>(u) * size, -largest, largest);
+  const float nearest = static_cast<float>(exact);
+  return static_cast<double>(nearest) > exact ? std::nextafter(nearest, -largest) : nearest;
+}
+
+/// The triangle whose indices begin at `first`, or one without area if a value is not finite; `map` is null if the draw
+/// has none.
+Corners cornersAt(const raster::DrawList& list, std::uint32_t first, const raster::IndexMap* map) {
+  Corners corners;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const glm::vec3& position = list.positions[list.indices[first + k]];
+    const glm::vec2& texcoord = list.texcoords[list.indices[first + k]];
+    if (!raster::isFinite({position.x, position.y, position.z, texcoord.x, texcoord.y})) return {};
+    corners[k].position = position;
+    if (map) corners[k].texel = {texelPosition(texcoord.x, map->width), texelPosition(texcoord.y, map->height)};
+  }
+  return corners;
+}
+
 /// OpenGL guarantees equal depths only for equal corners in equal order. Coincident triangles must have equal depths,
 /// so corners are sorted by position, as far as the winding does not matter.
-void sortCorners(TexelTriangle& corners, bool isTwoSided) {
-  const auto less = [](const TexelCorner& a, const TexelCorner& b) {
+void sortCorners(Corners& corners, bool isTwoSided) {
+  const auto less = [](const Corner& a, const Corner& b) {
     return std::tie(a.position.x, a.position.y, a.position.z) < std::tie(b.position.x, b.position.y, b.position.z);
   };
   if (isTwoSided) {
@@ -44,24 +74,26 @@ void sortCorners(TexelTriangle& corners, bool isTwoSided) {
 /// A sample on the border of two texels shows the upper one. Interpolation has errors of some units in the last place
 /// unless the coordinate is constant. They must not move the sample below the border. So coordinates move up by 16 such
 /// units, at most 2^-10 texel.
-void liftTexels(TexelTriangle& corners) {
+void liftTexels(Corners& corners) {
   for (int axis = 0; axis < 2; ++axis) {
     const auto [low, high] = std::minmax({corners[0].texel[axis], corners[1].texel[axis], corners[2].texel[axis]});
     if (low == high) continue;
     const float lift = std::min(0x1p-10f, 0x1p-20f * std::max(std::abs(low), std::abs(high)));
-    for (TexelCorner& corner : corners) corner.texel[axis] += lift;
+    for (Corner& corner : corners) corner.texel[axis] += lift;
   }
 }
 
-/// The triangles of the list, adjusted so that the device interpolates them correctly.
-std::vector<TexelTriangle> preparedTriangles(const raster::DrawList& list) {
-  std::vector<TexelTriangle> triangles = texelTriangles(list);
-  std::size_t triangle = 0;
-  for (const raster::Draw& draw : list.draws)
-    for (std::uint32_t i = 0; i < draw.count; i += 3, ++triangle) {
-      sortCorners(triangles[triangle], !draw.back.has_value());
-      liftTexels(triangles[triangle]);
+/// The triangles of all draws, adjusted so that the device interpolates them correctly.
+std::vector<Corners> preparedTriangles(const raster::DrawList& list) {
+  std::vector<Corners> triangles;
+  for (const raster::Draw& draw : list.draws) {
+    const raster::IndexMap* map = draw.indexMap ? &list.indexMaps[static_cast<std::size_t>(*draw.indexMap)] : nullptr;
+    for (std::uint32_t first = draw.first; first < draw.first + draw.count; first += 3) {
+      triangles.push_back(cornersAt(list, first, map));
+      sortCorners(triangles.back(), !draw.back);
+      liftTexels(triangles.back());
     }
+  }
   return triangles;
 }
 
@@ -81,61 +113,47 @@ class FixedFunction final : public OpenGlPipeline {
  public:
   explicit FixedFunction(const raster::DrawList& list);
   OpenGlPixels pixels() const override { return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV}; }
-  void clear(ItemId background) override;
+  GLenum textureTarget() const override { return GL_TEXTURE_RECTANGLE; }
+  void clear(ItemId background) const override { glClearBufferfv(GL_COLOR, 0, &colourOf(background)[0]); }
   void setView(const raster::Face& face, int width) override;
   /// The offset is a colour, which is set per draw, and the fronts of a draw are drawn before its backs.
   bool joins(const raster::Draw&, const raster::Draw&) const override { return false; }
   void draw(const raster::Draw& draw, const VertexRuns& runs) override;
 
  private:
-  /// Clip coordinates, and texture coordinates in texels.
+  /// GL_T4F_V4F: texture coordinates in texels, and clip coordinates.
   struct Vertex {
-    glm::vec4 position;
-    glm::vec2 texel;
+    glm::vec4 texel, position;
   };
 
-  std::vector<TexelTriangle> triangles_;
+  std::vector<Corners> triangles_;
   std::vector<Vertex> vertices_;  ///< of the current view
 };
-
-/// The texture environment adds the texel to the colour, or replaces it.
-void setTextureEnvironment(raster::Blend blend) {
-  const GLint operation = blend == raster::Blend::Replace ? GL_REPLACE : GL_ADD;
-  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
-  glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, operation);
-  glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, operation);
-}
 
 FixedFunction::FixedFunction(const raster::DrawList& list) : triangles_(preparedTriangles(list)) {
   if (!addsAsBytes(list))
     throw raster::InputError("fixed-function hardware cannot add item IDs of these channels",
                              "use r8g8b8 or r8g8b8a8 with a clamped add, aligned offsets, or the shader path");
   glDepthFunc(GL_GREATER);
+  glClearDepth(0);
   glDisable(GL_DITHER);
   glShadeModel(GL_FLAT);
-  setTextureEnvironment(list.blend);
-
-  makeVertexBuffer(nullptr, 0, GL_STREAM_DRAW);
-  glEnableClientState(GL_VERTEX_ARRAY);
-  glEnableClientState(GL_TEXTURE_COORD_ARRAY);
-  glVertexPointer(4, GL_FLOAT, sizeof(Vertex), vertexOffset(offsetof(Vertex, position)));
-  glTexCoordPointer(2, GL_FLOAT, sizeof(Vertex), vertexOffset(offsetof(Vertex, texel)));
-}
-
-void FixedFunction::clear(ItemId background) {
-  const glm::vec4 colour = colourOf(background);
-  const float farthest = 0;
-  glClearBufferfv(GL_COLOR, 0, &colour[0]);
-  glClearBufferfv(GL_DEPTH, 0, &farthest);
+  // The texture environment adds the texel to the colour, or replaces it.
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
+  for (const GLenum channels : {GL_COMBINE_RGB, GL_COMBINE_ALPHA})
+    glTexEnvi(GL_TEXTURE_ENV, channels, list.blend == raster::Blend::Replace ? GL_REPLACE : GL_ADD);
+  glBindBuffer(GL_ARRAY_BUFFER, makeBuffer());
+  glInterleavedArrays(GL_T4F_V4F, 0, nullptr);
 }
 
 void FixedFunction::setView(const raster::Face& face, int width) {
   vertices_.clear();
-  for (const TexelTriangle& corners : triangles_) {
+  for (const Corners& corners : triangles_) {
     std::array<raster::ViewVertex, 3> views;
     for (std::size_t k = 0; k < 3; ++k) views[k] = raster::transform(face, corners[k].position, corners[k].texel);
     if (!std::all_of(views.begin(), views.end(), raster::isFinite)) views.fill({0, 0, 1, 0, 0});
-    for (std::size_t k = 0; k < 3; ++k) vertices_.push_back({clipPosition(face, views[k], width), corners[k].texel});
+    for (std::size_t k = 0; k < 3; ++k)
+      vertices_.push_back({glm::vec4(corners[k].texel, 0, 1), clipPosition(face, views[k], width)});
   }
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)), vertices_.data(),
                GL_STREAM_DRAW);

@@ -8,7 +8,6 @@
 
 #include <memory>
 
-#include "raster/interface/draw_list.h"
 #include "reference/devices/opengl/pipeline.h"
 
 namespace hemitex::reference {

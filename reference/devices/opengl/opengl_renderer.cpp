@@ -9,9 +9,9 @@
 #include "reference/devices/batches.h"
 #include "reference/devices/opengl/context.h"
 #include "reference/devices/opengl/fixed_function_pipeline.h"
-#include "reference/devices/opengl/pipeline.h"
 #include "reference/devices/opengl/plain_pipeline.h"
 #include "reference/devices/opengl/shader_pipeline.h"
+#include "reference/devices/viewport.h"
 
 namespace hemitex::reference {
 namespace {
@@ -58,35 +58,29 @@ struct Framebuffer {
   GLuint framebuffer = 0, colour = 0, depth = 0;
 };
 
-/// Makes and binds a framebuffer.
-Framebuffer makeFramebuffer(int width, int height, GLint colourStorage) {
+Framebuffer makeFramebuffer(const raster::ItemBuffer& size, GLint colourStorage) {
   Framebuffer made;
-  glGenFramebuffers(1, &made.framebuffer);
-  glBindFramebuffer(GL_FRAMEBUFFER, made.framebuffer);
-  const auto attach = [=](GLuint& buffer, GLenum attachment, GLint storage) {
-    glGenRenderbuffers(1, &buffer);
-    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-    glRenderbufferStorage(GL_RENDERBUFFER, static_cast<GLenum>(storage), width, height);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+  glCreateFramebuffers(1, &made.framebuffer);
+  const auto attach = [&](GLuint& buffer, GLenum attachment, GLint storage) {
+    glCreateRenderbuffers(1, &buffer);
+    glNamedRenderbufferStorage(buffer, static_cast<GLenum>(storage), size.width, size.height);
+    glNamedFramebufferRenderbuffer(made.framebuffer, attachment, GL_RENDERBUFFER, buffer);
   };
   attach(made.colour, GL_COLOR_ATTACHMENT0, colourStorage);
   attach(made.depth, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F);
   return made;
 }
 
-}  // namespace
-
-class OpenGlRenderer::Implementation {
+class OpenGlRenderer final : public raster::ItemBufferRenderer {
  public:
-  Implementation(const raster::DrawList& list, OpenGlPath path);
+  OpenGlRenderer(const raster::DrawList& list, OpenGlPath path);
   void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
-            std::vector<raster::ItemBuffer>& buffers);
+            std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) override;
 
  private:
-  void setSize(int width, int height);
-  void deleteFramebuffers();
+  void bindFramebuffer(const raster::ItemBuffer& size);
   void setView(const raster::Face& face);
-  void draw(const raster::Face& face, const std::vector<DrawBatch>& batches, raster::ItemBuffer& buffer);
+  void drawFace(const raster::Face& face, const std::vector<DrawBatch>& batches, raster::ItemBuffer& buffer);
 
   raster::DrawList list_;
   std::unique_ptr<OpenGlContext> context_;
@@ -95,7 +89,7 @@ class OpenGlRenderer::Implementation {
   std::map<std::pair<int, int>, Framebuffer> framebuffers_;  ///< by width and height
 };
 
-OpenGlRenderer::Implementation::Implementation(const raster::DrawList& list, OpenGlPath path)
+OpenGlRenderer::OpenGlRenderer(const raster::DrawList& list, OpenGlPath path)
     : list_(list), context_(OpenGlContext::create()) {
   raster::validate(list);
   if (!context_)
@@ -108,48 +102,39 @@ OpenGlRenderer::Implementation::Implementation(const raster::DrawList& list, Ope
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
 }
 
-/// Binds a framebuffer of the size of the scissor rectangle. The faces of a hemicube have two sizes, so those of some
-/// sizes are kept.
-void OpenGlRenderer::Implementation::setSize(int width, int height) {
+/// The faces of a hemicube have two sizes, so the framebuffers of some sizes are kept.
+void OpenGlRenderer::bindFramebuffer(const raster::ItemBuffer& size) {
   constexpr std::size_t maxKept = 16;
-  const auto known = framebuffers_.find({width, height});
-  if (known != framebuffers_.end()) return glBindFramebuffer(GL_FRAMEBUFFER, known->second.framebuffer);
-  if (framebuffers_.size() == maxKept) deleteFramebuffers();
-  framebuffers_[{width, height}] = makeFramebuffer(width, height, pipeline_->pixels().storage);
-}
-
-void OpenGlRenderer::Implementation::deleteFramebuffers() {
-  for (const auto& [size, framebuffer] : framebuffers_) {
-    glDeleteFramebuffers(1, &framebuffer.framebuffer);
-    glDeleteRenderbuffers(1, &framebuffer.colour);
-    glDeleteRenderbuffers(1, &framebuffer.depth);
+  const std::pair key{size.width, size.height};
+  if (framebuffers_.size() == maxKept && !framebuffers_.contains(key)) {
+    for (const auto& [kept, framebuffer] : framebuffers_) {
+      glDeleteFramebuffers(1, &framebuffer.framebuffer);
+      glDeleteRenderbuffers(1, &framebuffer.colour);
+      glDeleteRenderbuffers(1, &framebuffer.depth);
+    }
+    framebuffers_.clear();
   }
-  framebuffers_.clear();
+  if (!framebuffers_.contains(key)) framebuffers_[key] = makeFramebuffer(size, pipeline_->pixels().storage);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffers_[key].framebuffer);
 }
 
-/// The device clips triangles at the sides of its viewport. So the viewport is as wide as the pipeline asks, or as the
-/// device allows.
-void OpenGlRenderer::Implementation::setView(const raster::Face& face) {
-  const int resolution = face.resolution, largest = openGlLimit(GL_MAX_VIEWPORT_DIMS);
-  if (resolution > largest)
-    throw InputError("a face is larger than the viewport of the OpenGL device",
-                     "use a resolution of at most " + std::to_string(largest));
-  int width = pipeline_->viewportWidth();
-  while (width * resolution > largest) width /= 2;
-  const int beside = (width - 1) * resolution / 2;
-  glViewport(-beside - face.scissor.column, -beside - face.scissor.row, width * resolution, width * resolution);
+void OpenGlRenderer::setView(const raster::Face& face) {
+  const DeviceViewport viewport =
+      viewportOf(face, pipeline_->viewportWidth(), openGlLimit(GL_MAX_VIEWPORT_DIMS), "OpenGL");
+  glViewport(viewport.x, viewport.y, viewport.side, viewport.side);
   // docs/item-buffers.md, "facing": front-facing if the area and the determinant differ in sign. OpenGL also computes
   // the area in columns and rows, and calls a negative area clockwise.
   glFrontFace(raster::determinant(face) > 0 ? GL_CW : GL_CCW);
-  pipeline_->setView(face, width);
+  pipeline_->setView(face, viewport.width);
 }
 
-void OpenGlRenderer::Implementation::draw(const raster::Face& face, const std::vector<DrawBatch>& batches,
-                                          raster::ItemBuffer& buffer) {
+void OpenGlRenderer::drawFace(const raster::Face& face, const std::vector<DrawBatch>& batches,
+                              raster::ItemBuffer& buffer) {
   buffer.resize(face.scissor);
-  setSize(buffer.width, buffer.height);
+  bindFramebuffer(buffer);
   setView(face);
   pipeline_->clear(raster::backgroundId(list_.format));
+  glClear(GL_DEPTH_BUFFER_BIT);
   for (const DrawBatch& batch : batches) {
     const raster::Draw& draw = *batch.draw;
     const std::size_t map = draw.indexMap ? static_cast<std::size_t>(*draw.indexMap) : textures_.size() - 1;
@@ -162,26 +147,23 @@ void OpenGlRenderer::Implementation::draw(const raster::Face& face, const std::v
     throw InputError("the OpenGL device fails with error " + std::to_string(error));
 }
 
-void OpenGlRenderer::Implementation::draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
-                                          std::vector<raster::ItemBuffer>& buffers) {
-  for (const raster::Face& face : faces) raster::validate(face);
-  const OpenGlContext::Use use(*context_);
-  const std::vector<DrawBatch> batches =
-      batchesOf(list_, skipped,
-                [this](const raster::Draw& draw, const raster::Draw& next) { return pipeline_->joins(draw, next); });
-  buffers.resize(faces.size());
-  for (std::size_t i = 0; i < faces.size(); ++i) draw(faces[i], batches, buffers[i]);
-}
-
-OpenGlRenderer::OpenGlRenderer(const raster::DrawList& list, OpenGlPath path)
-    : implementation_(std::make_unique<Implementation>(list, path)) {}
-
-OpenGlRenderer::~OpenGlRenderer() = default;
-
 void OpenGlRenderer::draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
                           std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) {
-  implementation_->draw(faces, skipped, buffers);
+  for (const raster::Face& face : faces) raster::validate(face);
+  const OpenGlContext::Use use(*context_);
+  const auto joins = [this](const raster::Draw& draw, const raster::Draw& next) {
+    return pipeline_->joins(draw, next);
+  };
+  const std::vector<DrawBatch> batches = batchesOf(list_, skipped, joins);
+  buffers.resize(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) drawFace(faces[i], batches, buffers[i]);
   raster::parallelFor(faces.size(), drawn);
+}
+
+}  // namespace
+
+std::unique_ptr<raster::ItemBufferRenderer> makeOpenGlRenderer(const raster::DrawList& list, OpenGlPath path) {
+  return std::make_unique<OpenGlRenderer>(list, path);
 }
 
 }  // namespace hemitex::reference

@@ -1,5 +1,5 @@
-/// The interface of the pipelines of OpenGlRenderer, which convert the vertices of a draw to item IDs:
-/// fixed_function_pipeline.h, shader_pipeline.h and plain_pipeline.h.
+/// The interface of the pipelines of makeOpenGlRenderer, which convert the vertices of a draw to item IDs, and what
+/// several of them use: fixed_function_pipeline.h, shader_pipeline.h and plain_pipeline.h.
 ///
 /// Clip coordinates are (x / width, y / width, z, w), where a unit of x / w is half the side of the face. The viewport
 /// is `width` times as wide as the face. With a width of 8 the device clips triangles at sides so far out that clipping
@@ -7,6 +7,10 @@
 #pragma once
 
 #include <epoxy/gl.h>
+
+#include <cstddef>
+#include <span>
+#include <string>
 
 #include "raster/interface/draw_list.h"
 #include "raster/interface/face.h"
@@ -24,13 +28,13 @@ struct OpenGlPixels {
 class OpenGlPipeline {
  public:
   virtual ~OpenGlPipeline() = default;
-  virtual OpenGlPixels pixels() const = 0;
+  virtual OpenGlPixels pixels() const { return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT}; }
   /// GL_TEXTURE_RECTANGLE for coordinates in texels, GL_TEXTURE_2D for unit coordinates, GL_NONE without textures.
-  virtual GLenum textureTarget() const { return GL_TEXTURE_RECTANGLE; }
+  virtual GLenum textureTarget() const = 0;
   /// The width that the viewport should have, in faces; less on devices with small viewports.
   virtual int viewportWidth() const { return 8; }
-  /// Sets all item IDs to `background`, and all depths to the farthest.
-  virtual void clear(raster::ItemId background) = 0;
+  /// Sets all item IDs to `background`.
+  virtual void clear(raster::ItemId background) const { glClearBufferuiv(GL_COLOR, 0, &background); }
   virtual void setView(const raster::Face& face, int width) = 0;
   /// Whether both draws can be drawn as one.
   virtual bool joins(const raster::Draw& draw, const raster::Draw& next) const = 0;
@@ -38,5 +42,14 @@ class OpenGlPipeline {
   /// single texel 0.
   virtual void draw(const raster::Draw& draw, const VertexRuns& runs) = 0;
 };
+
+/// Compiles, links and uses two shaders. Throws InputError with the message of the driver if it rejects them.
+void useProgram(const std::string& vertexText, const std::string& fragmentText);
+
+/// A new buffer that holds `content`.
+GLuint makeBuffer(std::span<const std::byte> content = {});
+
+/// Draws the runs of vertices of the bound buffers, in their order.
+void drawRuns(const VertexRuns& runs);
 
 }  // namespace hemitex::reference

@@ -1,22 +1,72 @@
 #include "reference/devices/opengl/plain_pipeline.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <glm/glm.hpp>
+#include <map>
 #include <vector>
 
-#include "reference/devices/opengl/shader_programs.h"
-#include "reference/devices/opengl/vertex_buffers.h"
+#include "reference/devices/shader_inputs.h"
 
 namespace hemitex::reference {
 namespace {
 
+using raster::ItemId;
+
+constexpr const char* vertexText = R"(#version 450
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec2 texcoord;
+layout(location = 2) in uint drawOffset;
+layout(location = 0) uniform mat4 matrix;
+out vec2 uv;
+flat out uint offset;
+
+void main() {
+  gl_Position = matrix * vec4(position, 1);
+  uv = texcoord;
+  offset = drawOffset;
+}
+)";
+
+constexpr const char* integerSumText = R"(#version 450
+layout(location = 3) uniform uint allBits;
+uint sum(uint a, uint b) { return (a + b) & allBits; }
+)";
+
+constexpr const char* clampedSumText = R"(#version 450
+layout(location = 3) uniform uint channelEnds;  // the highest bit of each channel
+uint sum(uint a, uint b) {
+  uint sum = 0u, low = 1u;
+  for (uint ends = channelEnds; ends != 0u; ends &= ends - 1u) {
+    uint next = (ends & -ends) << 1, channel = next - low;
+    uint x = a & channel, y = b & channel;
+    sum |= y + min(x, channel - y);
+    low = next;
+  }
+  return sum;
+}
+)";
+
+constexpr const char* fragmentText = R"(
+layout(location = 1) uniform uint back;
+layout(location = 2) uniform bool hasBack;
+layout(binding = 0) uniform usampler2D map;
+in vec2 uv;
+flat in uint offset;
+out uint id;
+
+void main() { id = hasBack && !gl_FrontFacing ? back : sum(offset, texture(map, uv).x); }
+)";
+
 /// The largest value of each channel of a map's item IDs.
-raster::ItemId largestChannels(const raster::IndexMap& map, const raster::IdFormat& format) {
-  raster::ItemId largest = 0;
+ItemId largestChannels(const raster::IndexMap& map, const raster::IdFormat& format) {
+  ItemId largest = 0;
   int shift = 0;
   for (const int bits : format.channelBits) {
-    const raster::ItemId channel = raster::backgroundId({{bits}}) << shift;
-    raster::ItemId ofChannel = 0;
-    for (const raster::ItemId id : map.ids) ofChannel = std::max(ofChannel, id & channel);
+    const ItemId channel = raster::backgroundId({{bits}}) << shift;
+    ItemId ofChannel = 0;
+    for (const ItemId id : map.ids) ofChannel = std::max(ofChannel, id & channel);
     largest |= ofChannel;
     shift += bits;
   }
@@ -26,22 +76,58 @@ raster::ItemId largestChannels(const raster::IndexMap& map, const raster::IdForm
 /// Whether a sum of offset and texel exceeds a channel.
 bool clamps(const raster::DrawList& list) {
   if (list.blend != raster::Blend::ClampedAdd) return false;
-  std::vector<raster::ItemId> largest;
+  std::vector<ItemId> largest;
   for (const raster::IndexMap& map : list.indexMaps) largest.push_back(largestChannels(map, list.format));
   return std::any_of(list.draws.begin(), list.draws.end(), [&](const raster::Draw& draw) {
     if (!draw.indexMap) return false;
-    const raster::ItemId texel = largest[static_cast<std::size_t>(*draw.indexMap)];
+    const ItemId texel = largest[static_cast<std::size_t>(*draw.indexMap)];
     return blend(list.format, list.blend, draw.offset, texel) != draw.offset + texel;
   });
 }
 
+/// The bits of position, texture coordinates and offset, which have an order even where a number is not finite.
+using Vertex = std::array<std::uint32_t, 6>;
+
+/// Makes and binds buffers of the vertices of all draws, and of the index of each corner, draw after draw. The offset
+/// of a vertex is that of its draw, or 0 if texels replace it. Corners with equal values share a vertex.
+void uploadVertices(const raster::DrawList& list) {
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> indices;
+  std::map<Vertex, std::uint32_t> known;
+  const auto bits = [](float number) { return std::bit_cast<std::uint32_t>(number); };
+  for (const raster::Draw& draw : list.draws) {
+    const bool isReplaced = draw.indexMap && list.blend == raster::Blend::Replace;
+    for (std::uint32_t i = draw.first; i < draw.first + draw.count; ++i) {
+      const glm::vec3& position = list.positions[list.indices[i]];
+      const glm::vec2& texcoord = list.texcoords[list.indices[i]];
+      const Vertex vertex{bits(position.x), bits(position.y), bits(position.z),
+                          bits(texcoord.x), bits(texcoord.y), isReplaced ? 0 : draw.offset};
+      const auto [place, isNew] = known.try_emplace(vertex, static_cast<std::uint32_t>(vertices.size()));
+      if (isNew) vertices.push_back(vertex);
+      indices.push_back(place->second);
+    }
+  }
+  glBindVertexBuffer(0, makeBuffer(std::as_bytes(std::span(vertices))), 0, sizeof(Vertex));
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, makeBuffer(std::as_bytes(std::span(indices))));
+  glVertexAttribFormat(0, 3, GL_FLOAT, GL_FALSE, 0);
+  glVertexAttribFormat(1, 2, GL_FLOAT, GL_FALSE, 12);
+  glVertexAttribIFormat(2, 1, GL_UNSIGNED_INT, 20);
+  for (GLuint attribute = 0; attribute < 3; ++attribute) {
+    glVertexAttribBinding(attribute, 0);
+    glEnableVertexAttribArray(attribute);
+  }
+}
+
 class Plain final : public OpenGlPipeline {
  public:
-  explicit Plain(const raster::DrawList& list);
-  OpenGlPixels pixels() const override { return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT}; }
+  explicit Plain(const raster::DrawList& list) {
+    const bool isClamped = clamps(list);
+    useProgram(vertexText, std::string(isClamped ? clampedSumText : integerSumText) + fragmentText);
+    glUniform1ui(3, isClamped ? channelEnds(list.format) : raster::backgroundId(list.format));
+    uploadVertices(list);
+  }
   GLenum textureTarget() const override { return GL_TEXTURE_2D; }
   int viewportWidth() const override { return 1; }
-  void clear(raster::ItemId background) override;
   void setView(const raster::Face& face, int width) override;
   /// Each vertex has the offset of its draw.
   bool joins(const raster::Draw& draw, const raster::Draw& next) const override {
@@ -50,31 +136,23 @@ class Plain final : public OpenGlPipeline {
   void draw(const raster::Draw& draw, const VertexRuns& runs) override;
 };
 
-Plain::Plain(const raster::DrawList& list) {
-  glUseProgram(linkPlainPrograms(clamps(list)));
-  setFormat(list.format);
-  glDepthFunc(GL_LESS);
-  uploadVertices(list);
-}
-
-void Plain::clear(raster::ItemId background) {
-  const float farthest = 1;
-  glClearBufferuiv(GL_COLOR, 0, &background);
-  glClearBufferfv(GL_DEPTH, 0, &farthest);
-}
-
 /// The depth is 1 - n/w, that of a perspective projection without a far plane.
 void Plain::setView(const raster::Face& face, int) {
   const auto row = [&face](const glm::vec3& axis, float added) {
     return glm::vec4(axis, added - glm::dot(axis, face.eye));
   };
   const glm::mat4 rows(row(face.x, 0), row(face.y, 0), row(face.w, -face.nearDistance), row(face.w, 0));
-  glUniformMatrix4fv(Uniform::matrix, 1, GL_TRUE, &rows[0][0]);
+  glUniformMatrix4fv(0, 1, GL_TRUE, &rows[0][0]);
 }
 
 void Plain::draw(const raster::Draw& draw, const VertexRuns& runs) {
-  setBack(draw);
-  drawIndexedRuns(runs);
+  glUniform1ui(1, draw.back.value_or(0));
+  glUniform1i(2, draw.back.has_value());
+  std::vector<const void*> first;  // in the index buffer
+  for (const int index : runs.first)
+    first.push_back(reinterpret_cast<const void*>(static_cast<std::size_t>(index) * sizeof(GLuint)));
+  glMultiDrawElements(GL_TRIANGLES, runs.count.data(), GL_UNSIGNED_INT, first.data(),
+                      static_cast<GLsizei>(first.size()));
 }
 
 }  // namespace

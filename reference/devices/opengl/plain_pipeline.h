@@ -9,7 +9,6 @@
 
 #include <memory>
 
-#include "raster/interface/draw_list.h"
 #include "reference/devices/opengl/pipeline.h"
 
 namespace hemitex::reference {

@@ -1,5 +1,5 @@
-// OpenGlRenderer on a real device: verdicts on both of its paths, and a scene that it lights. Without a device, each
-// test reports that it was skipped.
+// makeOpenGlRenderer on a real device: verdicts on both of its paths, and a scene that it lights. Without a device,
+// each test reports that it was skipped.
 #include "reference/devices/opengl/opengl_renderer.h"
 
 #include <algorithm>
@@ -20,8 +20,8 @@
 #include "tests/support/device_scenes.h"
 
 using namespace hemitex;
+using reference::makeOpenGlRenderer;
 using reference::OpenGlPath;
-using reference::OpenGlRenderer;
 using reference::PixelVerdict;
 using reference::TestVector;
 
@@ -30,7 +30,7 @@ namespace {
 bool hasDevice() {
   const bool isFound = reference::OpenGlContext::create() != nullptr;
   if (!isFound) {
-    CHECK_THROWS_AS(OpenGlRenderer(tests::plainList(), OpenGlPath::Shader), raster::InputError);
+    CHECK_THROWS_AS(makeOpenGlRenderer(tests::plainList(), OpenGlPath::Shader), raster::InputError);
     WARN("skipped: no OpenGL device answers through EGL");
   }
   return isFound;
@@ -66,9 +66,9 @@ std::vector<std::string> judgeSuite(OpenGlPath path) {
   std::vector<std::string> leftOut;
   for (const TestVector& vector : reference::wholeSuite(HEMITEX_DATA)) {
     INFO(vector.name);
-    std::unique_ptr<OpenGlRenderer> renderer;
+    std::unique_ptr<raster::ItemBufferRenderer> renderer;
     try {
-      renderer = std::make_unique<OpenGlRenderer>(vector.list, path);
+      renderer = makeOpenGlRenderer(vector.list, path);
     } catch (const raster::InputError&) {
       leftOut.push_back(vector.name);
       continue;
@@ -94,14 +94,15 @@ constexpr std::array<OpenGlPath, 2> paths{OpenGlPath::FixedFunction, OpenGlPath:
 /// Draws on the device, judges each item buffer, and collects the item IDs of explained pixels.
 class JudgedRenderer final : public raster::ItemBufferRenderer {
  public:
-  JudgedRenderer(const raster::DrawList& list, OpenGlPath path) : list_(list), device_(list, path) {}
+  JudgedRenderer(const raster::DrawList& list, OpenGlPath path)
+      : list_(list), device_(makeOpenGlRenderer(list, path)) {}
 
   void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
             std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) override {
     TestVector vector;
     vector.list = tests::without(list_, skipped);
     for (const raster::Face& face : faces) vector.faces.push_back({"", face, "", ""});
-    device_.draw(faces, skipped, buffers, drawn);
+    device_->draw(faces, skipped, buffers, drawn);
     const reference::Verdict verdict = judge(vector, buffers, {});
     CHECK(!hasErrors(verdict));
     for (const reference::FaceVerdict& face : verdict.faces)
@@ -113,12 +114,12 @@ class JudgedRenderer final : public raster::ItemBufferRenderer {
 
  private:
   raster::DrawList list_;
-  OpenGlRenderer device_;
+  std::unique_ptr<raster::ItemBufferRenderer> device_;
 };
 
 }  // namespace
 
-TEST_CASE("OpenGlRenderer with fixed function draws all vectors of the suite that bytes can add, without errors",
+TEST_CASE("makeOpenGlRenderer with fixed function draws all vectors of the suite that bytes can add, without errors",
           "[opengl]") {
   if (!hasDevice()) return;
   // Sums with carries between bytes, or with clamping at other bits.
@@ -128,19 +129,19 @@ TEST_CASE("OpenGlRenderer with fixed function draws all vectors of the suite tha
                                  "scene-paper-room-tilted"});
 }
 
-TEST_CASE("OpenGlRenderer with shaders draws the whole suite without errors", "[opengl]") {
+TEST_CASE("makeOpenGlRenderer with shaders draws the whole suite without errors", "[opengl]") {
   if (!hasDevice()) return;
   CHECK(judgeSuite(OpenGlPath::Shader).empty());
 }
 
-TEST_CASE("OpenGlRenderer without remedies draws the whole suite without errors, but fewer pixels exactly",
+TEST_CASE("makeOpenGlRenderer without remedies draws the whole suite without errors, but fewer pixels exactly",
           "[opengl]") {
   if (!hasDevice()) return;
   tests::Tally plain, shader;
   for (const TestVector& vector : reference::wholeSuite(HEMITEX_DATA)) {
     INFO(vector.name);
     const auto verdictOf = [&vector](OpenGlPath path) {
-      return judge(vector, render(OpenGlRenderer(vector.list, path), facesOf(vector), {}), {});
+      return judge(vector, render(*makeOpenGlRenderer(vector.list, path), facesOf(vector), {}), {});
     };
     const reference::Verdict verdict = verdictOf(OpenGlPath::Plain);
     CHECK(!hasErrors(verdict));
@@ -151,22 +152,22 @@ TEST_CASE("OpenGlRenderer without remedies draws the whole suite without errors,
   CHECK(plain.exact < shader.exact);
 }
 
-TEST_CASE("OpenGlRenderer leaves out skipped triangles", "[opengl]") {
+TEST_CASE("makeOpenGlRenderer leaves out skipped triangles", "[opengl]") {
   if (!hasDevice()) return;
   TestVector vector = tests::suiteVector("five-faces");
   const raster::DrawList whole = vector.list;
   std::vector<std::uint32_t> all(whole.indices.size() / 3);
   for (std::uint32_t t = 0; t < all.size(); ++t) all[t] = t;
   for (const OpenGlPath path : {OpenGlPath::FixedFunction, OpenGlPath::Shader, OpenGlPath::Plain}) {
-    OpenGlRenderer renderer(whole, path);
+    const auto renderer = makeOpenGlRenderer(whole, path);
     for (const std::vector<std::uint32_t>& skipped : {{}, {0}, {1, 2, 7}, {3, 4, 5, 11}, all}) {
       vector.list = tests::without(whole, skipped);
-      CHECK(!hasErrors(judge(vector, render(renderer, facesOf(vector), skipped), {})));
+      CHECK(!hasErrors(judge(vector, render(*renderer, facesOf(vector), skipped), {})));
     }
   }
 }
 
-TEST_CASE("OpenGlRenderer draws faces of many sizes like a new renderer per face", "[opengl]") {
+TEST_CASE("makeOpenGlRenderer draws faces of many sizes like a new renderer per face", "[opengl]") {
   if (!hasDevice()) return;
   const raster::DrawList list = tests::suiteVector("five-faces").list;
   std::vector<raster::Face> faces;
@@ -176,26 +177,27 @@ TEST_CASE("OpenGlRenderer draws faces of many sizes like a new renderer per face
   }
   faces.push_back(faces.front());
   for (const OpenGlPath path : {OpenGlPath::Shader, OpenGlPath::Plain}) {
-    const std::vector<raster::ItemBuffer> buffers = render(OpenGlRenderer(list, path), faces, {});
+    const std::vector<raster::ItemBuffer> buffers = render(*makeOpenGlRenderer(list, path), faces, {});
     for (std::size_t f = 0; f < faces.size(); ++f)
-      CHECK(buffers[f].ids == render(OpenGlRenderer(list, path), {&faces[f], 1}, {}).front().ids);
+      CHECK(buffers[f].ids == render(*makeOpenGlRenderer(list, path), {&faces[f], 1}, {}).front().ids);
   }
 }
 
-TEST_CASE("OpenGlRenderer drops triangles with a value that is not finite", "[opengl]") {
+TEST_CASE("makeOpenGlRenderer drops triangles with a value that is not finite", "[opengl]") {
   if (!hasDevice()) return;
   const raster::DrawList list = tests::wallsWithoutFiniteValues();
   const raster::Face face = tests::scaledFrontFace();
   const std::vector<raster::ItemId> expected = tests::drawOne(list, face).ids;
   CHECK(*std::min_element(expected.begin(), expected.end()) >> 8 == list.draws.size() - 1);
-  for (const OpenGlPath path : paths) CHECK(render(OpenGlRenderer(list, path), {&face, 1}, {}).front().ids == expected);
+  for (const OpenGlPath path : paths)
+    CHECK(render(*makeOpenGlRenderer(list, path), {&face, 1}, {}).front().ids == expected);
 }
 
-TEST_CASE("OpenGlRenderer throws InputError for lists that the device cannot draw", "[opengl]") {
+TEST_CASE("makeOpenGlRenderer throws InputError for lists that the device cannot draw", "[opengl]") {
   if (!hasDevice()) return;
   const auto refusal = [](const raster::DrawList& list, OpenGlPath path) -> std::string {
     try {
-      OpenGlRenderer(list, path);
+      makeOpenGlRenderer(list, path);
       return "";
     } catch (const raster::InputError& error) {
       return error.what();
@@ -216,13 +218,14 @@ TEST_CASE("OpenGlRenderer throws InputError for lists that the device cannot dra
   list.draws[0].indexMap = 1;
   CHECK(refusal(list, OpenGlPath::Shader).find("an index map that does not exist") != std::string::npos);
 
-  OpenGlRenderer renderer(tests::plainList(), OpenGlPath::Shader);
+  const auto renderer = makeOpenGlRenderer(tests::plainList(), OpenGlPath::Shader);
   const raster::Face odd = tests::frontFace(15);
-  CHECK_THROWS_AS(render(renderer, {&odd, 1}, {}), raster::InputError);
+  CHECK_THROWS_AS(render(*renderer, {&odd, 1}, {}), raster::InputError);
 }
 
-TEST_CASE("OpenGlRenderer lights the Cornell box like SoftwareRenderer, except in explained pixels, to a thousandth",
-          "[opengl]") {
+TEST_CASE(
+    "makeOpenGlRenderer lights the Cornell box like SoftwareRenderer, except in explained pixels, to a thousandth",
+    "[opengl]") {
   if (!hasDevice()) return;
   const radiosity::Scene scene = radiosity::loadScene(std::string(HEMITEX_DATA) + "/cornell-box.obj");
   const radiosity::Discretization discretization = radiosity::discretize(scene, {.texels = 8, .patch = 4});
@@ -230,7 +233,11 @@ TEST_CASE("OpenGlRenderer lights the Cornell box like SoftwareRenderer, except i
   const raster::DrawList list = radiosity::makeDrawList(scene, discretization, layout);
   const auto solutionOf = [&](raster::ItemBufferRenderer& renderer) {
     radiosity::ProjectedFormFactors rows(scene, discretization, layout, renderer, {.resolution = 128});
-    return radiosity::solve({.scene = scene, .discretization = discretization, .patches = discretization.patches, .rowOf = [&rows](const radiosity::Patch& patch) { return rows.ofPatch(patch); }, .settings = {.residual = 0.01}});
+    return radiosity::solve({.scene = scene,
+                             .discretization = discretization,
+                             .patches = discretization.patches,
+                             .rowOf = [&rows](const radiosity::Patch& patch) { return rows.ofPatch(patch); },
+                             .settings = {.residual = 0.01}});
   };
   raster::SoftwareRenderer software(list);
   const radiosity::Solution expected = solutionOf(software);
