@@ -4,7 +4,7 @@
 namespace hemitex::cli {
 
 std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list) {
-  return std::make_unique<reference::VulkanRenderer>(list);
+  return reference::makeVulkanRenderer(list);
 }
 
 }  // namespace hemitex::cli

@@ -22,14 +22,11 @@ bool isSuitable(const vk::raii::PhysicalDevice& device) {
 
 vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physicalDevice, std::uint32_t queueFamily) {
   const float priority = 1;
-  const vk::DeviceQueueCreateInfo queue{
-      .queueFamilyIndex = queueFamily, .queueCount = 1, .pQueuePriorities = &priority};
+  const auto queue = vk::DeviceQueueCreateInfo{.queueFamilyIndex = queueFamily}.setQueuePriorities(priority);
   const vk::PhysicalDeviceFeatures features{.shaderFloat64 = true};
   const vk::PhysicalDeviceVulkan13Features features13{.synchronization2 = true, .dynamicRendering = true};
-  return {
-      physicalDevice,
-      vk::DeviceCreateInfo{
-          .pNext = &features13, .queueCreateInfoCount = 1, .pQueueCreateInfos = &queue, .pEnabledFeatures = &features}};
+  const vk::DeviceCreateInfo info{.pNext = &features13, .pEnabledFeatures = &features};
+  return {physicalDevice, vk::DeviceCreateInfo(info).setQueueCreateInfos(queue)};
 }
 
 }  // namespace

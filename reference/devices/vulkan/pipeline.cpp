@@ -1,6 +1,5 @@
 #include "reference/devices/vulkan/pipeline.h"
 
-#include <array>
 #include <span>
 
 #include "reference/devices/shader_inputs.h"
@@ -14,6 +13,11 @@ namespace {
 
 using Stage = vk::ShaderStageFlagBits;
 
+std::array<VulkanBuffer, 3> uploadDrawList(const VulkanContext& context, const raster::DrawList& list) {
+  const auto upload = [&](const auto& array) { return makeStorageBuffer(context, std::as_bytes(std::span(array))); };
+  return {upload(shaderCorners(list)), upload(shaderDraws(list)), upload(shaderTexels(list))};
+}
+
 vk::raii::DescriptorSetLayout makeBufferLayout(const VulkanContext& context) {
   std::array<vk::DescriptorSetLayoutBinding, 3> bindings;
   for (std::uint32_t b = 0; b < bindings.size(); ++b)
@@ -21,16 +25,32 @@ vk::raii::DescriptorSetLayout makeBufferLayout(const VulkanContext& context) {
                    .descriptorType = vk::DescriptorType::eStorageBuffer,
                    .descriptorCount = 1,
                    .stageFlags = Stage::eVertex | Stage::eFragment};
-  return {context.device, vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(bindings.size()),
-                                                            .pBindings = bindings.data()}};
+  return {context.device, vk::DescriptorSetLayoutCreateInfo().setBindings(bindings)};
+}
+
+vk::raii::DescriptorPool makeDescriptorPool(const VulkanContext& context) {
+  const vk::DescriptorPoolSize buffers{.type = vk::DescriptorType::eStorageBuffer, .descriptorCount = 3};
+  const vk::DescriptorPoolCreateInfo info{.flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, .maxSets = 1};
+  return {context.device, vk::DescriptorPoolCreateInfo(info).setPoolSizes(buffers)};
+}
+
+/// Tells the shaders where their three buffers are.
+vk::raii::DescriptorSet makeDescriptors(const VulkanContext& context, const vk::raii::DescriptorPool& pool,
+                                        const vk::raii::DescriptorSetLayout& layout,
+                                        const std::array<VulkanBuffer, 3>& arrays) {
+  const auto info = vk::DescriptorSetAllocateInfo{.descriptorPool = *pool}.setSetLayouts(*layout);
+  vk::raii::DescriptorSet set = std::move(vk::raii::DescriptorSets(context.device, info).front());
+  for (std::uint32_t b = 0; b < arrays.size(); ++b) {
+    const vk::DescriptorBufferInfo whole{.buffer = *arrays[b].buffer, .range = VK_WHOLE_SIZE};
+    vk::WriteDescriptorSet write{.dstSet = *set, .dstBinding = b, .descriptorType = vk::DescriptorType::eStorageBuffer};
+    context.device.updateDescriptorSets(write.setBufferInfo(whole), {});
+  }
+  return set;
 }
 
 vk::raii::PipelineLayout makeLayout(const VulkanContext& context, const vk::raii::DescriptorSetLayout& buffers) {
   const vk::PushConstantRange view{.stageFlags = Stage::eVertex | Stage::eFragment, .size = sizeof(ShaderView)};
-  return {
-      context.device,
-      vk::PipelineLayoutCreateInfo{
-          .setLayoutCount = 1, .pSetLayouts = &*buffers, .pushConstantRangeCount = 1, .pPushConstantRanges = &view}};
+  return {context.device, vk::PipelineLayoutCreateInfo().setSetLayouts(*buffers).setPushConstantRanges(view)};
 }
 
 vk::raii::ShaderModule makeShader(const VulkanContext& context, std::span<const std::uint32_t> code) {
@@ -53,18 +73,15 @@ vk::raii::Pipeline makeGraphicsPipeline(const VulkanContext& context, const vk::
   const vk::PipelineDepthStencilStateCreateInfo nearer{
       .depthTestEnable = true, .depthWriteEnable = true, .depthCompareOp = vk::CompareOp::eLess};
   const vk::PipelineColorBlendAttachmentState unblended{.colorWriteMask = vk::ColorComponentFlagBits::eR};
-  const vk::PipelineColorBlendStateCreateInfo replace{.attachmentCount = 1, .pAttachments = &unblended};
+  const auto replace = vk::PipelineColorBlendStateCreateInfo().setAttachments(unblended);
   constexpr std::array<vk::DynamicState, 3> perView{vk::DynamicState::eViewport, vk::DynamicState::eScissor,
                                                     vk::DynamicState::eFrontFace};
-  const vk::PipelineDynamicStateCreateInfo dynamic{.dynamicStateCount = perView.size(),
-                                                   .pDynamicStates = perView.data()};
-  const vk::PipelineRenderingCreateInfo targets{.colorAttachmentCount = 1,
-                                                .pColorAttachmentFormats = &VulkanPipeline::colourFormat,
-                                                .depthAttachmentFormat = VulkanPipeline::depthFormat};
+  const auto dynamic = vk::PipelineDynamicStateCreateInfo().setDynamicStates(perView);
+  const auto targets =
+      vk::PipelineRenderingCreateInfo{.depthAttachmentFormat = VulkanPipeline::depthFormat}.setColorAttachmentFormats(
+          VulkanPipeline::colourFormat);
   return {context.device, nullptr,
           vk::GraphicsPipelineCreateInfo{.pNext = &targets,
-                                         .stageCount = stages.size(),
-                                         .pStages = stages.data(),
                                          .pVertexInputState = &noAttributes,
                                          .pInputAssemblyState = &triangles,
                                          .pViewportState = &oneViewport,
@@ -73,16 +90,21 @@ vk::raii::Pipeline makeGraphicsPipeline(const VulkanContext& context, const vk::
                                          .pDepthStencilState = &nearer,
                                          .pColorBlendState = &replace,
                                          .pDynamicState = &dynamic,
-                                         .layout = *layout}};
+                                         .layout = *layout}
+              .setStages(stages)};
 }
 
 }  // namespace
 
-VulkanPipeline makePipeline(const VulkanContext& context) {
+VulkanPipeline makePipeline(const VulkanContext& context, const raster::DrawList& list) {
+  std::array<VulkanBuffer, 3> arrays = uploadDrawList(context, list);
   vk::raii::DescriptorSetLayout buffers = makeBufferLayout(context);
+  vk::raii::DescriptorPool pool = makeDescriptorPool(context);
+  vk::raii::DescriptorSet descriptors = makeDescriptors(context, pool, buffers, arrays);
   vk::raii::PipelineLayout layout = makeLayout(context, buffers);
   vk::raii::Pipeline pipeline = makeGraphicsPipeline(context, layout);
-  return {std::move(buffers), std::move(layout), std::move(pipeline)};
+  return {std::move(arrays),      std::move(buffers), std::move(pool),
+          std::move(descriptors), std::move(layout),  std::move(pipeline)};
 }
 
 }  // namespace hemitex::reference

@@ -27,17 +27,19 @@ vk::Extent2D sizeOf(const raster::Face& face) {
 void changeLayout(const vk::raii::CommandBuffer& commands, const VulkanImage& image, Aspect aspect, Layout from,
                   Layout to) {
   using Access = vk::AccessFlagBits2;
-  const vk::ImageMemoryBarrier2 barrier{.srcStageMask = vk::PipelineStageFlagBits2::eAllCommands,
-                                        .srcAccessMask = Access::eMemoryRead | Access::eMemoryWrite,
-                                        .dstStageMask = vk::PipelineStageFlagBits2::eAllCommands,
-                                        .dstAccessMask = Access::eMemoryRead | Access::eMemoryWrite,
+  constexpr vk::PipelineStageFlags2 all = vk::PipelineStageFlagBits2::eAllCommands;
+  constexpr vk::AccessFlags2 any = Access::eMemoryRead | Access::eMemoryWrite;
+  const vk::ImageMemoryBarrier2 barrier{.srcStageMask = all,
+                                        .srcAccessMask = any,
+                                        .dstStageMask = all,
+                                        .dstAccessMask = any,
                                         .oldLayout = from,
                                         .newLayout = to,
                                         .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
                                         .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
                                         .image = *image.image,
                                         .subresourceRange = {aspect, 0, 1, 0, 1}};
-  commands.pipelineBarrier2({.imageMemoryBarrierCount = 1, .pImageMemoryBarriers = &barrier});
+  commands.pipelineBarrier2(vk::DependencyInfo().setImageMemoryBarriers(barrier));
 }
 
 void beginRendering(const vk::raii::CommandBuffer& commands, const RenderTargets& targets, const raster::Face& face,
@@ -55,11 +57,9 @@ void beginRendering(const vk::raii::CommandBuffer& commands, const RenderTargets
                                           .clearValue = {vk::ClearDepthStencilValue{1, 0}}};
   changeLayout(commands, targets.colour, Aspect::eColor, Layout::eUndefined, colour.imageLayout);
   changeLayout(commands, targets.depth, Aspect::eDepth, Layout::eUndefined, depth.imageLayout);
-  commands.beginRendering({.renderArea = {{0, 0}, sizeOf(face)},
-                           .layerCount = 1,
-                           .colorAttachmentCount = 1,
-                           .pColorAttachments = &colour,
-                           .pDepthAttachment = &depth});
+  commands.beginRendering(
+      vk::RenderingInfo{.renderArea = {{0, 0}, sizeOf(face)}, .layerCount = 1, .pDepthAttachment = &depth}
+          .setColorAttachments(colour));
 }
 
 }  // namespace hemitex::reference

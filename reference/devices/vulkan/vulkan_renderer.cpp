@@ -8,9 +8,8 @@
 #include "raster/base/parallel.h"
 #include "reference/devices/batches.h"
 #include "reference/devices/shader_inputs.h"
+#include "reference/devices/viewport.h"
 #include "reference/devices/vulkan/context.h"
-#include "reference/devices/vulkan/draw_list_buffers.h"
-#include "reference/devices/vulkan/memory.h"
 #include "reference/devices/vulkan/pipeline.h"
 #include "reference/devices/vulkan/render_targets.h"
 
@@ -39,31 +38,9 @@ std::size_t bytesOf(const Face& face) {
   return sizeof(ItemId) * static_cast<std::size_t>(face.scissor.width) * static_cast<std::size_t>(face.scissor.height);
 }
 
-/// The width of the viewport in faces. The device clips triangles at the sides of its viewport. So the viewport is as
-/// wide as the guard band of the rules, or as the device allows.
-int viewportWidth(const Face& face, const vk::PhysicalDeviceLimits& limits) {
-  const auto allows = [&](int width) {
-    const int size = width * face.resolution, beside = (size - face.resolution) / 2;
-    return static_cast<std::uint32_t>(size) <=
-               std::min(limits.maxViewportDimensions[0], limits.maxViewportDimensions[1]) &&
-           static_cast<float>(-beside - face.resolution) >= limits.viewportBoundsRange[0] &&
-           static_cast<float>(beside + face.resolution) <= limits.viewportBoundsRange[1];
-  };
-  int width = 8;
-  while (width > 1 && !allows(width)) width /= 2;
-  return width;
-}
-
-/// The framebuffer shows the scissor rectangle of the face. Row 0 is at y/w = -1 in Vulkan as in the rules.
-vk::Viewport viewportOf(const Face& face, int width) {
-  const int beside = (width - 1) * face.resolution / 2;
-  const auto size = static_cast<float>(width * face.resolution);
-  return {.x = static_cast<float>(-beside - face.scissor.column),
-          .y = static_cast<float>(-beside - face.scissor.row),
-          .width = size,
-          .height = size,
-          .minDepth = 0,
-          .maxDepth = 1};
+int largestViewport(const VulkanContext& context) {
+  const auto& size = context.physicalDevice.getProperties().limits.maxViewportDimensions;
+  return static_cast<int>(std::min(size[0], size[1]));
 }
 
 vk::raii::CommandPool makeCommandPool(const VulkanContext& context) {
@@ -76,25 +53,22 @@ vk::raii::CommandBuffer makeCommands(const VulkanContext& context, const vk::rai
   return std::move(vk::raii::CommandBuffers(context.device, info).front());
 }
 
-}  // namespace
-
-class VulkanRenderer::Implementation {
+class VulkanRenderer final : public raster::ItemBufferRenderer {
  public:
-  explicit Implementation(const raster::DrawList& list);
-  void draw(std::span<const Face> faces, const VertexRuns& runs, std::vector<raster::ItemBuffer>& buffers);
-  VertexRuns runsWithout(std::span<const std::uint32_t> skipped) const;
+  explicit VulkanRenderer(const raster::DrawList& list);
+  void draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
+            std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) override;
 
  private:
   void makeRoom(std::span<const Face> faces);
-  void recordDraws(const Face& face, const VertexRuns& runs);
-  void recordFace(const Face& face, const VertexRuns& runs, std::size_t outputOffset);
+  void recordDraws(const Face& face, const DeviceViewport& viewport, const VertexRuns& runs);
+  void recordFace(const Face& face, const DeviceViewport& viewport, const VertexRuns& runs, std::size_t outputOffset);
   void submit();
 
   raster::DrawList list_;
   VulkanContext context_;
-  vk::PhysicalDeviceLimits limits_;
+  int largestViewport_;
   VulkanPipeline pipeline_;
-  DrawListBuffers drawList_;
   vk::raii::CommandPool commandPool_;
   vk::raii::CommandBuffer commands_;
   std::optional<RenderTargets> targets_;
@@ -102,23 +76,16 @@ class VulkanRenderer::Implementation {
   std::size_t outputSize_ = 0;
 };
 
-VulkanRenderer::Implementation::Implementation(const raster::DrawList& list)
+VulkanRenderer::VulkanRenderer(const raster::DrawList& list)
     : list_(list),
       context_(openDevice()),
-      limits_(context_.physicalDevice.getProperties().limits),
-      pipeline_(makePipeline(context_)),
-      drawList_(uploadDrawList(context_, pipeline_, list)),
+      largestViewport_(largestViewport(context_)),
+      pipeline_(makePipeline(context_, list)),
       commandPool_(makeCommandPool(context_)),
       commands_(makeCommands(context_, commandPool_)) {}
 
-/// Each corner has the number of its draw, so all draws are one batch.
-VertexRuns VulkanRenderer::Implementation::runsWithout(std::span<const std::uint32_t> skipped) const {
-  const auto batches = batchesOf(list_, skipped, [](const raster::Draw&, const raster::Draw&) { return true; });
-  return batches.empty() ? VertexRuns{} : batches.front().runs;
-}
-
 /// Enlarges the targets and the output where the faces need it.
-void VulkanRenderer::Implementation::makeRoom(std::span<const Face> faces) {
+void VulkanRenderer::makeRoom(std::span<const Face> faces) {
   vk::Extent2D size = targets_ ? targets_->size : vk::Extent2D{1, 1};
   std::size_t outputSize = 0;
   for (const Face& face : faces) {
@@ -133,27 +100,34 @@ void VulkanRenderer::Implementation::makeRoom(std::span<const Face> faces) {
   }
 }
 
-void VulkanRenderer::Implementation::recordDraws(const Face& face, const VertexRuns& runs) {
-  const int width = viewportWidth(face, limits_);
+void VulkanRenderer::recordDraws(const Face& face, const DeviceViewport& viewport, const VertexRuns& runs) {
   commands_.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_.pipeline);
-  commands_.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *pipeline_.layout, 0, *drawList_.descriptors, {});
-  commands_.setViewport(0, viewportOf(face, width));
+  commands_.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *pipeline_.layout, 0, *pipeline_.descriptors, {});
+  // Row 0 is at y/w = -1 in Vulkan as in the rules.
+  const auto side = static_cast<float>(viewport.side);
+  commands_.setViewport(0, vk::Viewport{.x = static_cast<float>(viewport.x),
+                                        .y = static_cast<float>(viewport.y),
+                                        .width = side,
+                                        .height = side,
+                                        .minDepth = 0,
+                                        .maxDepth = 1});
   commands_.setScissor(0, vk::Rect2D{{0, 0}, sizeOf(face)});
   // docs/item-buffers.md, "facing": front-facing if the area and the determinant differ in sign. Rows count downwards
   // in Vulkan, where a positive area of the rules is clockwise.
   commands_.setFrontFace(raster::determinant(face) > 0 ? vk::FrontFace::eCounterClockwise : vk::FrontFace::eClockwise);
   commands_.pushConstants<ShaderView>(*pipeline_.layout,
                                       vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment, 0,
-                                      shaderView(face, list_, width));
+                                      shaderView(face, list_, viewport.width));
   // The vertex shader makes two triangles of each.
   for (std::size_t r = 0; r < runs.first.size(); ++r)
     commands_.draw(2 * static_cast<std::uint32_t>(runs.count[r]), 1, 2 * static_cast<std::uint32_t>(runs.first[r]), 0);
 }
 
 /// Draws a face, then copies its item IDs to the output, row 0 first and without padding.
-void VulkanRenderer::Implementation::recordFace(const Face& face, const VertexRuns& runs, std::size_t outputOffset) {
+void VulkanRenderer::recordFace(const Face& face, const DeviceViewport& viewport, const VertexRuns& runs,
+                                std::size_t outputOffset) {
   beginRendering(commands_, *targets_, face, raster::backgroundId(list_.format));
-  recordDraws(face, runs);
+  recordDraws(face, viewport, runs);
   commands_.endRendering();
   changeLayout(commands_, targets_->colour, vk::ImageAspectFlagBits::eColor, Layout::eColorAttachmentOptimal,
                Layout::eTransferSrcOptimal);
@@ -164,56 +138,51 @@ void VulkanRenderer::Implementation::recordFace(const Face& face, const VertexRu
 }
 
 /// Runs the recorded commands and waits until this program can read the output.
-void VulkanRenderer::Implementation::submit() {
+void VulkanRenderer::submit() {
   const vk::MemoryBarrier2 readable{.srcStageMask = vk::PipelineStageFlagBits2::eCopy,
                                     .srcAccessMask = vk::AccessFlagBits2::eTransferWrite,
                                     .dstStageMask = vk::PipelineStageFlagBits2::eHost,
                                     .dstAccessMask = vk::AccessFlagBits2::eHostRead};
-  commands_.pipelineBarrier2({.memoryBarrierCount = 1, .pMemoryBarriers = &readable});
+  commands_.pipelineBarrier2(vk::DependencyInfo().setMemoryBarriers(readable));
   commands_.end();
-  context_.queue.submit(vk::SubmitInfo{.commandBufferCount = 1, .pCommandBuffers = &*commands_});
+  context_.queue.submit(vk::SubmitInfo().setCommandBuffers(*commands_));
   context_.queue.waitIdle();
 }
 
-void VulkanRenderer::Implementation::draw(std::span<const Face> faces, const VertexRuns& runs,
-                                          std::vector<raster::ItemBuffer>& buffers) {
+void VulkanRenderer::draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
+                          std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) try {
+  for (const Face& face : faces) raster::validate(face);
+  std::vector<DeviceViewport> viewports;
+  for (const Face& face : faces) viewports.push_back(viewportOf(face, 8, largestViewport_, "Vulkan"));
+  buffers.resize(faces.size());
+  if (faces.empty()) return;
+
+  // Each corner has the number of its draw, so all draws are one batch.
+  const auto batches = batchesOf(list_, skipped, [](const raster::Draw&, const raster::Draw&) { return true; });
+  const VertexRuns runs = batches.empty() ? VertexRuns{} : batches.front().runs;
   makeRoom(faces);
   commands_.begin(vk::CommandBufferBeginInfo{.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
   std::size_t offset = 0;
-  for (const Face& face : faces) {
-    recordFace(face, runs, offset);
-    offset += bytesOf(face);
-  }
+  for (std::size_t f = 0; f < faces.size(); offset += bytesOf(faces[f]), ++f)
+    recordFace(faces[f], viewports[f], runs, offset);
   submit();
   const std::byte* ids = output_->bytes;
   for (std::size_t f = 0; f < faces.size(); ids += bytesOf(faces[f]), ++f) {
     buffers[f].resize(faces[f].scissor);
     std::memcpy(buffers[f].ids.data(), ids, bytesOf(faces[f]));
   }
-}
-
-VulkanRenderer::VulkanRenderer(const raster::DrawList& list) {
-  raster::validate(list);
-  try {
-    implementation_ = std::make_unique<Implementation>(list);
-  } catch (const vk::SystemError& error) {
-    throw failure(error);
-  }
-}
-
-VulkanRenderer::~VulkanRenderer() = default;
-
-void VulkanRenderer::draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
-                          std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) {
-  for (const Face& face : faces) raster::validate(face);
-  buffers.resize(faces.size());
-  if (faces.empty()) return;
-  try {
-    implementation_->draw(faces, implementation_->runsWithout(skipped), buffers);
-  } catch (const vk::SystemError& error) {
-    throw failure(error);
-  }
   raster::parallelFor(faces.size(), drawn);
+} catch (const vk::SystemError& error) {
+  throw failure(error);
+}
+
+}  // namespace
+
+std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list) try {
+  raster::validate(list);
+  return std::make_unique<VulkanRenderer>(list);
+} catch (const vk::SystemError& error) {
+  throw failure(error);
 }
 
 }  // namespace hemitex::reference

@@ -1,4 +1,4 @@
-// VulkanRenderer on a real device. Without a device, each test reports that it was skipped.
+// makeVulkanRenderer on a real device. Without a device, each test reports that it was skipped.
 #include "reference/devices/vulkan/vulkan_renderer.h"
 
 #include <catch2/catch.hpp>
@@ -10,14 +10,14 @@
 #include "tests/support/device_scenes.h"
 
 using namespace hemitex;
+using reference::makeVulkanRenderer;
 using reference::TestVector;
-using reference::VulkanRenderer;
 
 namespace {
 
 bool hasDevice() {
   try {
-    VulkanRenderer renderer(tests::plainList());
+    makeVulkanRenderer(tests::plainList());
     return true;
   } catch (const raster::InputError& error) {
     REQUIRE(std::string(error.what()).starts_with("no Vulkan device"));
@@ -27,12 +27,12 @@ bool hasDevice() {
 }
 
 std::vector<raster::ItemBuffer> draw(const TestVector& vector) {
-  return render(VulkanRenderer(vector.list), facesOf(vector));
+  return render(*makeVulkanRenderer(vector.list), facesOf(vector));
 }
 
 std::string refusal(const raster::DrawList& list) {
   try {
-    VulkanRenderer renderer(list);
+    makeVulkanRenderer(list);
     return "";
   } catch (const raster::InputError& error) {
     return error.what();
@@ -41,7 +41,7 @@ std::string refusal(const raster::DrawList& list) {
 
 }  // namespace
 
-TEST_CASE("VulkanRenderer draws the whole suite without errors, and 99.99 % of the covered pixels exactly",
+TEST_CASE("makeVulkanRenderer draws the whole suite without errors, and 99.99 % of the covered pixels exactly",
           "[vulkan]") {
   if (!hasDevice()) return;
   tests::Tally suite;
@@ -55,7 +55,7 @@ TEST_CASE("VulkanRenderer draws the whole suite without errors, and 99.99 % of t
   CHECK(static_cast<double>(suite.exact) >= 0.9999 * static_cast<double>(suite.covered));
 }
 
-TEST_CASE("VulkanRenderer draws random vectors of all families without errors", "[vulkan]") {
+TEST_CASE("makeVulkanRenderer draws random vectors of all families without errors", "[vulkan]") {
   if (!hasDevice()) return;
   for (std::uint64_t index = 0; index < 200; ++index) {
     const TestVector vector = reference::interleavedRandomVector(0, index);
@@ -64,20 +64,20 @@ TEST_CASE("VulkanRenderer draws random vectors of all families without errors", 
   }
 }
 
-TEST_CASE("VulkanRenderer leaves out skipped triangles", "[vulkan]") {
+TEST_CASE("makeVulkanRenderer leaves out skipped triangles", "[vulkan]") {
   if (!hasDevice()) return;
   TestVector vector = tests::suiteVector("five-faces");
   const raster::DrawList whole = vector.list;
   std::vector<std::uint32_t> all(whole.indices.size() / 3);
   for (std::uint32_t t = 0; t < all.size(); ++t) all[t] = t;
-  VulkanRenderer renderer(whole);
+  const auto renderer = makeVulkanRenderer(whole);
   for (const std::vector<std::uint32_t>& skipped : {{}, {0}, {1, 2, 7}, {3, 4, 5, 11}, all}) {
     vector.list = tests::without(whole, skipped);
-    CHECK(!hasErrors(judge(vector, render(renderer, facesOf(vector), skipped), {})));
+    CHECK(!hasErrors(judge(vector, render(*renderer, facesOf(vector), skipped), {})));
   }
 }
 
-TEST_CASE("VulkanRenderer draws a face the same alone and among others, before and after larger ones", "[vulkan]") {
+TEST_CASE("makeVulkanRenderer draws a face the same alone and among others, before and after larger ones", "[vulkan]") {
   if (!hasDevice()) return;
   const TestVector vector = tests::suiteVector("five-faces");
   const std::vector<raster::Face> faces = facesOf(vector);
@@ -85,11 +85,11 @@ TEST_CASE("VulkanRenderer draws a face the same alone and among others, before a
   large.resolution *= 4;
   large.scissor = {0, 0, large.resolution, large.resolution};
 
-  VulkanRenderer renderer(vector.list);
-  CHECK(render(renderer, {}).empty());
+  const auto renderer = makeVulkanRenderer(vector.list);
+  CHECK(render(*renderer, {}).empty());
   const auto idsOf = [&](std::span<const raster::Face> drawn) {
     std::vector<std::vector<raster::ItemId>> ids;
-    for (const raster::ItemBuffer& buffer : render(renderer, drawn)) ids.push_back(buffer.ids);
+    for (const raster::ItemBuffer& buffer : render(*renderer, drawn)) ids.push_back(buffer.ids);
     return ids;
   };
   const auto together = idsOf(faces);
@@ -103,23 +103,23 @@ TEST_CASE("VulkanRenderer draws a face the same alone and among others, before a
   }
 }
 
-TEST_CASE("VulkanRenderer drops triangles with a value that is not finite", "[vulkan]") {
+TEST_CASE("makeVulkanRenderer drops triangles with a value that is not finite", "[vulkan]") {
   if (!hasDevice()) return;
   const raster::DrawList list = tests::wallsWithoutFiniteValues();
   const raster::Face face = tests::scaledFrontFace();
   const std::vector<raster::ItemId> expected = tests::drawOne(list, face).ids;
   CHECK(*std::min_element(expected.begin(), expected.end()) >> 8 == list.draws.size() - 1);
-  CHECK(render(VulkanRenderer(list), {&face, 1}).front().ids == expected);
+  CHECK(render(*makeVulkanRenderer(list), {&face, 1}).front().ids == expected);
 }
 
-TEST_CASE("VulkanRenderer throws InputError for lists and faces that break the rules", "[vulkan]") {
+TEST_CASE("makeVulkanRenderer throws InputError for lists and faces that break the rules", "[vulkan]") {
   if (!hasDevice()) return;
   raster::DrawList list = tests::plainList();
   CHECK(refusal(list).empty());
   tests::addDraw(list, 0, {}, 0);
   CHECK(refusal(list).find("an index map that does not exist") != std::string::npos);
 
-  VulkanRenderer renderer(tests::plainList());
+  const auto renderer = makeVulkanRenderer(tests::plainList());
   const raster::Face odd = tests::frontFace(15);
-  CHECK_THROWS_AS(render(renderer, {&odd, 1}), raster::InputError);
+  CHECK_THROWS_AS(render(*renderer, {&odd, 1}), raster::InputError);
 }
