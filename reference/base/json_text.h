@@ -22,12 +22,6 @@ std::string shortText(const Json& value) {
   return raster::excerpt(value.dump(-1, ' ', true, Json::error_handler_t::replace), 100);
 }
 
-/// Throws InputError with `what`, and with `file` if it is not empty.
-[[noreturn]] inline void refuseJson(const std::string& what, const std::string& file) {
-  if (file.empty()) throw raster::InputError(what);
-  throw raster::InputError(file, 0, what);
-}
-
 /// The value of a text. Throws InputError, with `file` if it is not empty, for text that is not JSON, for a key that an
 /// object has twice, and for values nested deeper than maxJsonDepth. `keeps` tells which parts of the
 /// text the value has, as in Json::parse: the others take no memory.
@@ -39,19 +33,19 @@ Json parseJson(const std::string& text, const std::string& file = {},
   const auto check = [&](int depth, Event event, Json& value) {
     const auto open = static_cast<std::size_t>(depth);
     if (depth == maxJsonDepth && (event == Event::object_start || event == Event::array_start))
-      refuseJson("values are nested too deeply", file);
+      throw raster::InputError(file, 0, "values are nested too deeply");
     if (event == Event::object_start) {
       keys.resize(open + 1);
       keys.back().clear();
     }
     if (event == Event::key && !keys[open - 1].insert(value.template get<std::string>()).second)
-      refuseJson("an object has this key twice: " + shortText(value), file);
+      throw raster::InputError(file, 0, "an object has this key twice: " + shortText(value));
     return !keeps || keeps(depth, event, value);
   };
   try {
     return Json::parse(text, check);
   } catch (const typename Json::exception& error) {
-    refuseJson(error.what(), file);
+    throw raster::InputError(file, 0, error.what());
   }
 }
 
