@@ -20,7 +20,6 @@
 #include "radiosity/ranks/shared_tasks.h"
 #include "reference/base/hashes/sha256.h"
 #include "reference/truth/solution/form_factor_matrix.h"
-#include "reference/truth/solution/reciprocity_smoothing.h"
 
 namespace hemitex::cli {
 namespace {

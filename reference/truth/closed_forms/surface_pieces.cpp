@@ -61,6 +61,14 @@ std::array<glm::dvec3, 3> inFrame(const radiosity::Scene& scene, const radiosity
   return {inFrame(scene, a), inFrame(scene, b), inFrame(scene, c)};
 }
 
+std::vector<SceneTriangle> sceneTriangles(const radiosity::Scene& scene) {
+  std::vector<SceneTriangle> triangles;
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+    for (const Triangle& triangle : scene.surfaces[s].triangles)
+      triangles.push_back({s, &triangle, scene.surfaces[s].twin.has_value()});
+  return triangles;
+}
+
 SurfacePieces surfacePieces(const radiosity::Scene& scene, const radiosity::Discretization& discretization) {
   SurfacePieces result;
   std::uint32_t first = 0;

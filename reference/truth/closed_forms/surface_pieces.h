@@ -19,6 +19,14 @@ namespace hemitex::reference {
 glm::dvec3 inFrame(const radiosity::Scene& scene, const glm::dvec3& position);
 std::array<glm::dvec3, 3> inFrame(const radiosity::Scene& scene, const radiosity::Triangle& triangle);
 
+/// A triangle of the scene, in which surfaces follow each other.
+struct SceneTriangle {
+  std::uint32_t surface;  ///< in Scene::surfaces
+  const radiosity::Triangle* triangle;
+  bool hasTwin;  ///< rays pass through its back
+};
+std::vector<SceneTriangle> sceneTriangles(const radiosity::Scene& scene);
+
 /// The part of a triangle that belongs to an element: a convex polygon.
 struct SurfacePiece {
   std::uint32_t element = 0;

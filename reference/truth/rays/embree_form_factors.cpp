@@ -110,26 +110,12 @@ bool meetsFront(const RTCRayHit16& packet, std::size_t i) {
          0;
 }
 
-/// A triangle of the scene, by number.
-struct Place {
-  std::uint32_t surface, triangle;  ///< in Scene::surfaces, in Surface::triangles
-  bool hasTwin;                     ///< rays pass through its back
-};
-
-std::vector<Place> placesOf(const radiosity::Scene& scene) {
-  std::vector<Place> places;
-  for (std::uint32_t surface = 0; surface < scene.surfaces.size(); ++surface)
-    for (std::uint32_t t = 0; t < scene.surfaces[surface].triangles.size(); ++t)
-      places.push_back({surface, t, scene.surfaces[surface].twin.has_value()});
-  return places;
-}
-
 /// The filter callback of Embree, which accepts or rejects hits.
 void passBacksOfTwins(const RTCFilterFunctionNArguments* arguments) {
-  const auto* places = static_cast<const Place*>(arguments->geometryUserPtr);
+  const auto* triangles = static_cast<const SceneTriangle*>(arguments->geometryUserPtr);
   const unsigned count = arguments->N;
   for (unsigned i = 0; i < count; ++i) {
-    if (arguments->valid[i] == 0 || !places[RTCHitN_primID(arguments->hit, count, i)].hasTwin) continue;
+    if (arguments->valid[i] == 0 || !triangles[RTCHitN_primID(arguments->hit, count, i)].hasTwin) continue;
     const float along = RTCRayN_dir_x(arguments->ray, count, i) * RTCHitN_Ng_x(arguments->hit, count, i) +
                         RTCRayN_dir_y(arguments->ray, count, i) * RTCHitN_Ng_y(arguments->hit, count, i) +
                         RTCRayN_dir_z(arguments->ray, count, i) * RTCHitN_Ng_z(arguments->hit, count, i);
@@ -137,21 +123,21 @@ void passBacksOfTwins(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
-/// `places` are those of the triangles and must live as long as the tree.
-EmbreeScene treeOver(const radiosity::Scene& scene, std::vector<Place>& places) {
+/// `triangles` must live as long as the tree.
+EmbreeScene treeOver(const radiosity::Scene& scene, std::vector<SceneTriangle>& triangles) {
   return embreeTree([&](RTCDevice device) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* corner = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), 3 * places.size()));
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), 3 * triangles.size()));
     auto* index = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), places.size()));
-    for (std::size_t t = 0; t < places.size(); ++t) {
-      const auto corners = inFrame(scene, scene.surfaces[places[t].surface].triangles[places[t].triangle]);
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles.size()));
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      const auto corners = inFrame(scene, *triangles[t].triangle);
       std::copy(corners.begin(), corners.end(), corner + 3 * t);
     }
-    for (std::uint32_t i = 0; i < 3 * places.size(); ++i) index[i] = i;
-    rtcSetGeometryUserData(geometry, places.data());
-    if (std::any_of(places.begin(), places.end(), [](const Place& place) { return place.hasTwin; }))
+    for (std::uint32_t i = 0; i < 3 * triangles.size(); ++i) index[i] = i;
+    rtcSetGeometryUserData(geometry, triangles.data());
+    if (std::any_of(triangles.begin(), triangles.end(), [](const SceneTriangle& triangle) { return triangle.hasTwin; }))
       rtcSetGeometryIntersectFilterFunction(geometry, passBacksOfTwins);
     return geometry;
   });
@@ -165,7 +151,7 @@ struct RayRows::Implementation {
   RayStart start;
   std::vector<Sample> samples;
   SurfacePieces pieces;  ///< empty if rays start at centres
-  std::vector<Place> places;
+  std::vector<SceneTriangle> triangles;
   EmbreeScene tree;
   std::vector<std::uint32_t> met;     ///< per ray: an element, `background` or `back`
   std::vector<std::uint64_t> counts;  ///< number of rays per element, all 0 between rows
@@ -181,10 +167,10 @@ RayRows::RayRows(const radiosity::Scene& scene, const radiosity::Discretization&
   assert(std::has_single_bit(static_cast<unsigned>(settings.rays)));
   implementation_.reset(new Implementation{
       scene, discretization, settings.start, samplesOf(settings.rays, settings.seed),
-      settings.start == RayStart::Area ? surfacePieces(scene, discretization) : SurfacePieces{}, placesOf(scene),
+      settings.start == RayStart::Area ? surfacePieces(scene, discretization) : SurfacePieces{}, sceneTriangles(scene),
       EmbreeScene{}, std::vector<std::uint32_t>(static_cast<std::size_t>(settings.rays)),
       std::vector<std::uint64_t>(discretization.elements.size())});
-  implementation_->tree = treeOver(scene, implementation_->places);
+  implementation_->tree = treeOver(scene, implementation_->triangles);
 }
 
 RayRows::~RayRows() = default;
@@ -197,9 +183,8 @@ RaySource RayRows::Implementation::shooterOf(const radiosity::Patch& patch) cons
 std::uint32_t RayRows::Implementation::whatIsMet(const RTCRayHit16& packet, std::size_t i) const {
   if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) return background;
   if (!meetsFront(packet, i)) return back;
-  const Place& place = places[packet.hit.primID[i]];
-  return elementAt(scene.surfaces[place.surface].triangles[place.triangle], discretization.grids[place.surface],
-                   {packet.hit.u[i], packet.hit.v[i]});
+  const SceneTriangle& triangle = triangles[packet.hit.primID[i]];
+  return elementAt(*triangle.triangle, discretization.grids[triangle.surface], {packet.hit.u[i], packet.hit.v[i]});
 }
 
 /// All rays have the same weight.
@@ -226,8 +211,7 @@ radiosity::FormFactorRow RayRows::ofPatch(const radiosity::Patch& patch) {
   const glm::dvec2 turn = onCircle(radiosity::turnOf(patch.number, 0));
   const auto originOf = [&](const glm::vec2& square) {
     const ShootingPoint point = shootingPoint(raySource, square.x, square.y);
-    const Place& place = our.places[point.triangle];
-    const auto corner = inFrame(our.scene, our.scene.surfaces[place.surface].triangles[place.triangle]);
+    const auto corner = inFrame(our.scene, *our.triangles[point.triangle].triangle);
     return originAt(point, (corner[0] + corner[1] + corner[2]) / 3.0, turn);
   };
   const Origin centre = originOf({0.5F, 0.5F});

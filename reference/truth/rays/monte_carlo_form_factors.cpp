@@ -97,19 +97,18 @@ Receivers everyElement(const radiosity::Discretization& discretization) {
 }
 
 RayFormFactors::RayFormFactors(const radiosity::Scene& scene, const radiosity::Discretization& discretization)
-    : scene_(scene), discretization_(discretization), rays_(scene), pieces_(surfacePieces(scene, discretization)) {
-  for (std::uint32_t surface = 0; surface < scene.surfaces.size(); ++surface)
-    for (std::uint32_t t = 0; t < scene.surfaces[surface].triangles.size(); ++t) places_.push_back({surface, t});
-}
+    : discretization_(discretization),
+      rays_(scene),
+      pieces_(surfacePieces(scene, discretization)),
+      triangles_(sceneTriangles(scene)) {}
 
 MeasuredRow RayFormFactors::overHemisphere(const RaySource& raySource, const Receivers& receivers,
                                            const Sampling& sampling) const {
   const std::size_t back = receivers.count, background = back + 1;
   const auto columnOf = [&](const std::optional<RayHit>& hit) -> std::size_t {
     if (!hit) return background;
-    const auto [surface, triangle] = places_[hit->triangle];
-    const std::uint32_t element =
-        elementAt(scene_.surfaces[surface].triangles[triangle], discretization_.grids[surface], hit->weights);
+    const SceneTriangle& met = triangles_[hit->triangle];
+    const std::uint32_t element = elementAt(*met.triangle, discretization_.grids[met.surface], hit->weights);
     const std::uint32_t receiver = receivers.ofElement[element];
     return receiver == Receivers::none ? background : hit->front ? receiver : back;
   };
@@ -130,16 +129,12 @@ MeasuredRow RayFormFactors::aimed(const RaySource& raySource, const Receivers& r
   std::vector<const SurfacePiece*> asked;
   for (const SurfacePiece& piece : pieces_.pieces)
     if (receivers.ofElement[piece.element] != Receivers::none) asked.push_back(&piece);
-  const auto hasTwin = [&](const SurfacePiece& piece) {
-    return scene_.surfaces[places_[piece.triangle].surface].twin.has_value();
-  };
-
   const auto add = [&](const SamplePoint& sample, Sums& sums) {
     const ShootingPoint point = shootingPoint(raySource, sample[0], sample[1]);
     double left = 1;
     for (const SurfacePiece* piece : asked) {
       const std::optional<SeenSide> side = seenSide(*piece, point);
-      if (!side || (!side->front && hasTwin(*piece))) continue;
+      if (!side || (!side->front && triangles_[piece->triangle].hasTwin)) continue;
       const double whole = pointToPolygon(point.position, point.normal, side->polygon, closedFormError);
       if (whole == 0) continue;
       const double seen = whole - hiddenFactor(rays_, point, side->polygon, piece->triangle, sample[2], sample[3]);

@@ -72,14 +72,10 @@ class RayFormFactors {
   const SurfacePieces& pieces() const { return pieces_; }
 
  private:
-  const radiosity::Scene& scene_;
   const radiosity::Discretization& discretization_;
   RayCaster rays_;
   SurfacePieces pieces_;
-  struct Place {
-    std::uint32_t surface, triangle;  ///< in Scene::surfaces, in Surface::triangles
-  };
-  std::vector<Place> places_;  ///< of all triangles of the scene
+  std::vector<SceneTriangle> triangles_;
 };
 
 }  // namespace hemitex::reference

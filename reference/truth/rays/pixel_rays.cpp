@@ -100,26 +100,15 @@ void castRows(RTCScene scene, const raster::Face& face, int firstRow, int endRow
 
 }  // namespace
 
-struct PixelRays::Implementation {
-  EmbreeScene tree;
-};
-
-PixelRays::PixelRays(const raster::DrawList& list) : implementation_(new Implementation{treeOver(list)}) {}
-
-PixelRays::~PixelRays() = default;
+PixelRays::PixelRays(const raster::DrawList& list) : tree_(std::make_shared<EmbreeScene>(treeOver(list))) {}
 
 void PixelRays::cast(std::span<const raster::Face> faces, std::vector<raster::ItemBuffer>& buffers) const {
   buffers.resize(faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const raster::Scissor& scissor = faces[f].scissor;
-    buffers[f].width = scissor.width;
-    buffers[f].height = scissor.height;
-    buffers[f].ids.resize(static_cast<std::size_t>(scissor.width) * static_cast<std::size_t>(scissor.height));
-  }
+  for (std::size_t f = 0; f < faces.size(); ++f) buffers[f].resize(faces[f].scissor);
   const std::vector<Rows> rows = rowsOf(faces);
   raster::parallelFor(rows.size(), [&](std::size_t i) {
     const Rows& part = rows[i];
-    castRows(implementation_->tree.scene.get(), faces[part.face], part.first, part.end, buffers[part.face]);
+    castRows(tree_->scene.get(), faces[part.face], part.first, part.end, buffers[part.face]);
   });
 }
 

@@ -14,6 +14,8 @@
 
 namespace hemitex::reference {
 
+struct EmbreeScene;
+
 /// The result of a ray that meets no triangle.
 inline constexpr raster::ItemId noTriangle = 0xffffffff;
 
@@ -21,17 +23,13 @@ class PixelRays {
  public:
   /// Builds the tree over the triangles of a list. Throws std::runtime_error if Embree fails.
   explicit PixelRays(const raster::DrawList& list);
-  ~PixelRays();
-  PixelRays(const PixelRays&) = delete;
-  PixelRays& operator=(const PixelRays&) = delete;
 
   /// For each pixel of the faces' scissor rectangles, the triangle that its sample shows, numbered as in the list, or
   /// noTriangle. Ignores triangles nearer than the face's near distance. Reuses the allocations of `buffers`.
   void cast(std::span<const raster::Face> faces, std::vector<raster::ItemBuffer>& buffers) const;
 
  private:
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  std::shared_ptr<const EmbreeScene> tree_;
 };
 
 }  // namespace hemitex::reference

@@ -84,10 +84,8 @@ void ask(const RTCIntersectFunctionNArguments* arguments) {
 
 std::vector<Target> targetsOf(const radiosity::Scene& scene) {
   std::vector<Target> targets;
-  targets.reserve(radiosity::triangleCount(scene));
-  for (const radiosity::Surface& surface : scene.surfaces)
-    for (const radiosity::Triangle& triangle : surface.triangles)
-      targets.push_back({inFrame(scene, triangle), surface.twin.has_value()});
+  for (const SceneTriangle& triangle : sceneTriangles(scene))
+    targets.push_back({inFrame(scene, *triangle.triangle), triangle.hasTwin});
   return targets;
 }
 
@@ -106,34 +104,27 @@ EmbreeScene treeOver(std::vector<Target>& targets) {
 }  // namespace
 
 struct RayCaster::Implementation {
+  explicit Implementation(const radiosity::Scene& scene) : targets(targetsOf(scene)), tree(treeOver(targets)) {}
+
   std::vector<Target> targets;
   EmbreeScene tree;
 };
 
-RayCaster::RayCaster(const radiosity::Scene& scene) : implementation_(new Implementation{targetsOf(scene), {}}) {
-  implementation_->tree = treeOver(implementation_->targets);
-}
-
-RayCaster::~RayCaster() = default;
+RayCaster::RayCaster(const radiosity::Scene& scene) : implementation_(std::make_shared<Implementation>(scene)) {}
 
 std::optional<RayHit> RayCaster::firstHit(const Ray& ray) const {
   Query query;
   rtcInitIntersectContext(&query);
   query.ray = ray;
   RTCRayHit embree{};
-  const glm::vec3 start(ray.start), direction(ray.direction);
-  embree.ray = {start.x,
-                start.y,
-                start.z,
-                0,
-                direction.x,
-                direction.y,
-                direction.z,
-                0,
-                std::numeric_limits<float>::infinity(),
-                /*mask*/ ~0U,
-                /*id*/ 0,
-                /*flags*/ 0};
+  embree.ray.org_x = static_cast<float>(ray.start.x);
+  embree.ray.org_y = static_cast<float>(ray.start.y);
+  embree.ray.org_z = static_cast<float>(ray.start.z);
+  embree.ray.dir_x = static_cast<float>(ray.direction.x);
+  embree.ray.dir_y = static_cast<float>(ray.direction.y);
+  embree.ray.dir_z = static_cast<float>(ray.direction.z);
+  embree.ray.tfar = std::numeric_limits<float>::infinity();
+  embree.ray.mask = ~0U;
   embree.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(implementation_->tree.scene.get(), &query, &embree);
   return query.hit;

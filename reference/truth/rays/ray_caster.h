@@ -13,7 +13,6 @@
 /// in item buffers.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
@@ -43,9 +42,6 @@ class RayCaster {
  public:
   /// Copies what it needs of the scene.
   explicit RayCaster(const radiosity::Scene& scene);
-  ~RayCaster();
-  RayCaster(const RayCaster&) = delete;
-  RayCaster& operator=(const RayCaster&) = delete;
 
   /// The first triangle that a ray meets; nothing if the ray leaves the scene. In two-sided scenes rays pass through
   /// the backs of surfaces, which have twins. May be called from any thread.
@@ -53,7 +49,7 @@ class RayCaster {
 
  private:
   struct Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  std::shared_ptr<const Implementation> implementation_;
 };
 
 }  // namespace hemitex::reference

@@ -11,6 +11,7 @@
 #include "radiosity/discretization/patch_points.h"
 #include "reference/truth/closed_forms/surface_pieces.h"
 #include "reference/truth/rays/ray_caster.h"
+#include "reference/truth/rays/sample_points.h"
 
 namespace hemitex::reference {
 namespace {
@@ -132,23 +133,6 @@ double appendTexels(Pieces pieces, RaySource& raySource) {
     appendRange(raySource.texels, area, sum, begin, raySource.slabs.size());
   }
   return sum;
-}
-
-/// A member of a list, chosen in proportion to its area by x in [0, 1], and the place of x in its interval.
-struct Choice {
-  std::size_t index;
-  double within;  ///< [0, 1]
-};
-
-/// `upTo` returns the cumulative area of a member.
-template <typename Member>
-Choice choose(std::span<const Member> members, double x, const auto& upTo) {
-  const double place = x * upTo(members.back());
-  const auto found = std::upper_bound(members.begin(), std::prev(members.end()), place,
-                                      [&](double value, const Member& member) { return value < upTo(member); });
-  const double before = found == members.begin() ? 0 : upTo(*std::prev(found)), area = upTo(*found) - before;
-  return {static_cast<std::size_t>(found - members.begin()),
-          area > 0 ? std::clamp((place - before) / area, 0.0, 1.0) : 0.5};
 }
 
 Choice choose(std::span<const ShootingRange> ranges, double x) {

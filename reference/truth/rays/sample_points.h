@@ -13,9 +13,11 @@
 /// times smaller in asymmetric scenes, and up to 250 times larger in symmetric ones.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <vector>
 
@@ -42,6 +44,23 @@ class SamplePoints {
   std::vector<Words> points_;                 ///< of the first block, without shift
   std::array<Words, sampleBlocks> shifts_{};  ///< from the first block to each block, with the random shift
 };
+
+/// A member of a list, chosen in proportion to its size by x in [0, 1], and the place of x in its interval.
+struct Choice {
+  std::size_t index;
+  double within;  ///< [0, 1]
+};
+
+/// `upTo` returns the cumulative size of a member.
+template <typename Member>
+Choice choose(std::span<const Member> members, double x, const auto& upTo) {
+  const double place = x * upTo(members.back());
+  const auto found = std::upper_bound(members.begin(), std::prev(members.end()), place,
+                                      [&](double value, const Member& member) { return value < upTo(member); });
+  const double before = found == members.begin() ? 0 : upTo(*std::prev(found)), size = upTo(*found) - before;
+  return {static_cast<std::size_t>(found - members.begin()),
+          size > 0 ? std::clamp((place - before) / size, 0.0, 1.0) : 0.5};
+}
 
 /// A sampled value.
 struct Measurement {

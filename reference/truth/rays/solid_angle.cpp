@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
+
+#include "reference/truth/rays/sample_points.h"
 
 namespace hemitex::reference {
 namespace {
@@ -25,18 +28,8 @@ glm::dvec3 onArc(const glm::dvec3& axis, const glm::dvec3& towards, double cosin
   return cosine * axis + std::sqrt(std::max(0.0, 1 - cosine * cosine)) * acrossFrom(towards, axis);
 }
 
-/// A triangle of a fan, chosen in proportion to the sizes behind the cumulative sums, and the place of `x` in its
-/// interval.
-struct Choice {
-  std::size_t index;
-  double within;  ///< [0, 1)
-};
-
-Choice choose(const std::vector<double>& upTo, double x) {
-  const auto found = std::upper_bound(upTo.begin(), std::prev(upTo.end()), x * upTo.back());
-  const double before = found == upTo.begin() ? 0 : *std::prev(found);
-  return {static_cast<std::size_t>(found - upTo.begin()), (x * upTo.back() - before) / (*found - before)};
-}
+/// Chooses a triangle of a fan from the cumulative sums of their sizes.
+Choice chooseTriangle(std::span<const double> upTo, double x) { return choose(upTo, x, std::identity()); }
 
 /// By area: a point of a flat triangle represents its area, with foreshortening and distance.
 Aim aimByArea(std::span<const glm::dvec3> polygon, const glm::dvec3& point, double x, double y) {
@@ -44,7 +37,7 @@ Aim aimByArea(std::span<const glm::dvec3> polygon, const glm::dvec3& point, doub
   double sum = 0;
   for (std::size_t i = 2; i < polygon.size(); ++i)
     upTo.push_back(sum += glm::length(glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0])) / 2);
-  const Choice choice = choose(upTo, x);
+  const Choice choice = chooseTriangle(upTo, x);
   const glm::dvec3 &a = polygon[0], &b = polygon[choice.index + 1], &c = polygon[choice.index + 2];
   const glm::dvec3 offset = a + std::sqrt(choice.within) * ((b - a) + y * (c - b)) - point;
   const double distance = glm::length(offset);
@@ -94,7 +87,7 @@ Aim aimInto(std::span<const glm::dvec3> polygon, const glm::dvec3& point, double
   double sum = 0;
   for (std::size_t i = 0; i + 2 < corner.size(); ++i) upTo.push_back(sum += solidAngle(triangle(i)));
   if (sum < smallSolidAngle) return aimByArea(polygon, point, x, y);
-  const auto [i, within] = choose(upTo, x);
+  const auto [i, within] = chooseTriangle(upTo, x);
   const std::array<glm::dvec3, 3> flat{polygon[0] - point, polygon[i + 1] - point, polygon[i + 2] - point};
   return {movedInside(directionIn(triangle(i), within, y), flat), sum};
 }

@@ -1,58 +1,32 @@
 #include "reference/truth/solution/direct_solution.h"
 
 #include <Eigen/LU>
-#include <algorithm>
 #include <cassert>
 
-#include "reference/truth/solution/form_factor_matrix.h"
-
 namespace hemitex::reference {
-namespace {
 
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/// One band of a vector of colours.
-Eigen::VectorXd bandOf(std::span<const glm::dvec3> values, int band) {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i) result[static_cast<Eigen::Index>(i)] = values[i][band];
-  return result;
-}
-
-/// The flux of one band, and the residual of its equations.
-struct Band {
-  Eigen::VectorXd flux;
-  double missing;
-};
-
-Band solveBand(const Eigen::Map<const RowMajor>& factors, const Eigen::VectorXd& emitted,
-               const Eigen::VectorXd& reflectance) {
-  const Eigen::Index size = emitted.size();
-  const Eigen::MatrixXd equations =
-      Eigen::MatrixXd::Identity(size, size) - reflectance.asDiagonal() * factors.transpose();
-  const Eigen::PartialPivLU<Eigen::MatrixXd> decomposition(equations);
-  Band band{decomposition.solve(emitted), 0};
-  // Two steps of iterative refinement remove the rounding error of the decomposition.
-  for (int step = 0; step < 2; ++step) band.flux += decomposition.solve(emitted - equations * band.flux);
-  band.missing = (emitted - equations * band.flux).lpNorm<1>();
-  return band;
-}
-
-}  // namespace
-
-DirectSolution solveDirectly(const FormFactorMatrix& matrix, std::span<const glm::dvec3> emitted,
-                             std::span<const glm::dvec3> reflectance) {
+std::vector<glm::dvec3> solveDirectly(const FormFactorMatrix& matrix, std::span<const glm::dvec3> emitted,
+                                      std::span<const glm::dvec3> reflectance) {
+  using Eigen::Dynamic, Eigen::MatrixXd, Eigen::RowMajor, Eigen::VectorXd;
+  using Bands = Eigen::Matrix<double, Dynamic, 3, RowMajor>;
   assert(matrix.factors.size() == matrix.size * matrix.size);
   assert(emitted.size() == matrix.size && reflectance.size() == matrix.size);
   const auto size = static_cast<Eigen::Index>(matrix.size);
-  const Eigen::Map<const RowMajor> factors(matrix.factors.data(), size, size);
-  DirectSolution solution{std::vector<glm::dvec3>(matrix.size), 0};
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::VectorXd source = bandOf(emitted, k);
-    const Band band = solveBand(factors, source, bandOf(reflectance, k));
-    for (std::size_t e = 0; e < matrix.size; ++e) solution.flux[e][k] = band.flux[static_cast<Eigen::Index>(e)];
-    if (band.missing > 0) solution.residual = std::max(solution.residual, band.missing / band.flux.lpNorm<1>());
+  const Eigen::Map<const Eigen::Matrix<double, Dynamic, Dynamic, RowMajor>> factors(matrix.factors.data(), size, size);
+  const Eigen::Map<const Bands> sources(&emitted.data()->x, size, 3), reflectances(&reflectance.data()->x, size, 3);
+  std::vector<glm::dvec3> flux(matrix.size);
+  Eigen::Map<Bands> fluxes(&flux.data()->x, size, 3);
+  for (int band = 0; band < 3; ++band) {
+    const VectorXd source = sources.col(band);
+    const MatrixXd equations =
+        MatrixXd::Identity(size, size) - reflectances.col(band).asDiagonal() * factors.transpose();
+    const Eigen::PartialPivLU<MatrixXd> decomposition(equations);
+    VectorXd found = decomposition.solve(source);
+    // Two steps of iterative refinement remove the rounding error of the decomposition.
+    for (int step = 0; step < 2; ++step) found += decomposition.solve(source - equations * found);
+    fluxes.col(band) = found;
   }
-  return solution;
+  return flux;
 }
 
 std::vector<glm::dvec3> algebraicRadiosity(const radiosity::Scene& scene,
@@ -64,7 +38,7 @@ std::vector<glm::dvec3> algebraicRadiosity(const radiosity::Scene& scene,
     emitted.push_back(emission(scene, discretization, e) * elements[e].area);
     reflectances.push_back(reflectance(scene, discretization, e));
   }
-  std::vector<glm::dvec3> radiosity = solveDirectly(matrix, emitted, reflectances).flux;
+  std::vector<glm::dvec3> radiosity = solveDirectly(matrix, emitted, reflectances);
   for (std::size_t e = 0; e < radiosity.size(); ++e) radiosity[e] /= elements[e].area;
   return radiosity;
 }

@@ -9,7 +9,6 @@
 /// In terms of flux, the equations need no reciprocity of the matrix. They give the limit of shooting along its rows.
 #pragma once
 
-#include <cstddef>
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
@@ -19,16 +18,12 @@
 
 namespace hemitex::reference {
 
-struct DirectSolution {
-  std::vector<glm::dvec3> flux;  ///< outgoing flux of each element, per band
-  double residual = 0;           ///< residual of the equations over all flux, sums of absolute values; the worst band
-};
-
-/// Flux from the emitted flux and the reflectance of each element, by LU decomposition and iterative refinement. For
-/// row sums up to 1 and reflectances up to 0.9999 the residual is below 1e-12. Takes twice the memory of the matrix,
-/// and time proportional to the cube of its size (5000 elements: 400 MB).
-DirectSolution solveDirectly(const FormFactorMatrix& matrix, std::span<const glm::dvec3> emitted,
-                             std::span<const glm::dvec3> reflectance);
+/// Outgoing flux of each element, per band, from the emitted flux and the reflectance of each, by LU decomposition and
+/// iterative refinement. For row sums up to 1 and reflectances up to 0.9999 the residual of the equations is below
+/// 1e-12 of all flux. Takes twice the memory of the matrix, and time proportional to the cube of its size (5000
+/// elements: 400 MB).
+std::vector<glm::dvec3> solveDirectly(const FormFactorMatrix& matrix, std::span<const glm::dvec3> emitted,
+                                      std::span<const glm::dvec3> reflectance);
 
 /// Radiosity of each element of a discretized scene, per band.
 std::vector<glm::dvec3> algebraicRadiosity(const radiosity::Scene& scene,

@@ -71,8 +71,8 @@ RadiosityError expectedError(const radiosity::Scene& scene, const radiosity::Dis
   return errorOf(discretization, moved, truth.radiosity);
 }
 
-}  // namespace
-
+/// The form factors from each element to each element, averaged over the shooting element, over the hemisphere.
+/// `samples` holds the number of rays of each element (see Sampling::samples); each element has its own seed.
 FormFactorMatrix measuredMatrix(const RayFormFactors& rays, const radiosity::Discretization& discretization,
                                 std::span<const int> samples, std::uint32_t seed) {
   const Receivers receivers = everyElement(discretization);
@@ -87,6 +87,8 @@ FormFactorMatrix measuredMatrix(const RayFormFactors& rays, const radiosity::Dis
   });
   return matrix;
 }
+
+}  // namespace
 
 TrueRadiosity trueRadiosity(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                             const Sampling& sampling) {

@@ -26,12 +26,6 @@ namespace hemitex::reference {
 /// Each of the two matrices then takes 200 MB, and solving takes twice that in addition.
 inline constexpr std::size_t maxTrueElements = 5000;
 
-/// The form factors from each element to each element, averaged over the shooting element, over the hemisphere.
-/// `samples` holds the number of rays of each element (see Sampling::samples); each element has its own seed. Gives the
-/// same bits for any number of threads.
-FormFactorMatrix measuredMatrix(const RayFormFactors& rays, const radiosity::Discretization& discretization,
-                                std::span<const int> samples, std::uint32_t seed);
-
 struct TrueRadiosity {
   FormFactorMatrix matrix;  ///< from element to element: the mean of two independent measurements
   FormFactorMatrix spread;  ///< half of their difference, which has the distribution of the error of their mean

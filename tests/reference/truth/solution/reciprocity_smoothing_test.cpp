@@ -1,5 +1,4 @@
 // smoothed: reciprocity, sums kept, minimal changes, and smaller errors.
-#include "reference/truth/solution/reciprocity_smoothing.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
