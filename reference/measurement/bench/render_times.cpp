@@ -49,28 +49,17 @@ struct World {
 constexpr std::size_t fragmentBytes = 12;
 
 /// Clears as many bytes as drawing that many pixels, in parts that stay in the cache of a thread.
-class Clearing {
- public:
-  explicit Clearing(std::size_t pixels) : ids_(pixels) {}
-
-  void operator()() {
+std::function<void()> clearing(std::size_t pixels) {
+  const auto ids = std::make_shared<std::vector<raster::ItemId>>(pixels);  // of all faces
+  const auto fragments = std::make_shared<raster::Pool<std::vector<std::byte>>>();
+  return [ids, fragments] {
     static constexpr std::size_t part = 32768;
-    raster::parallelFor((ids_.size() + part - 1) / part, [this](std::size_t i) {
-      const std::size_t first = i * part, count = std::min(part, ids_.size() - first);
-      fragments_.with([&](auto& fragments) { fragments.assign(count * fragmentBytes, std::byte{0}); });
-      std::fill_n(ids_.begin() + static_cast<std::ptrdiff_t>(first), count, raster::ItemId{0});
+    raster::parallelFor((ids->size() + part - 1) / part, [&](std::size_t i) {
+      const std::size_t first = i * part, count = std::min(part, ids->size() - first);
+      fragments->with([&](auto& ofThread) { ofThread.assign(count * fragmentBytes, std::byte{0}); });
+      std::fill_n(ids->begin() + static_cast<std::ptrdiff_t>(first), count, raster::ItemId{0});
     });
-  }
-
- private:
-  std::vector<raster::ItemId> ids_;  ///< of all faces
-  raster::Pool<std::vector<std::byte>> fragments_;
-};
-
-std::size_t pixelsOf(const std::vector<raster::ItemBuffer>& buffers) {
-  std::size_t pixels = 0;
-  for (const raster::ItemBuffer& buffer : buffers) pixels += buffer.ids.size();
-  return pixels;
+  };
 }
 
 /// A measured task; one call of `call` counts as `calls` calls.
@@ -116,11 +105,14 @@ class Tasks {
   /// One patch only: a hemicube finds its item IDs in the cache, but those of several patches do not fit there.
   void addFloor() {
     const auto drawn = render(*world_.textures, views_.front().faces, views_.front().skipped);
-    const auto clear = std::make_shared<Clearing>(pixelsOf(drawn));
-    tasks_.push_back({"floor", [this, drawn, clear, faces = radiosity::wholeFaces(rows_.projection())] {
-                        (*clear)();
-                        sum_.rowOf(rows_.projection(), faces, drawn);
-                      }});
+    std::size_t pixels = 0;
+    for (const raster::ItemBuffer& buffer : drawn) pixels += buffer.ids.size();
+    const auto clearAndSum = [this, drawn, clear = clearing(pixels),
+                              faces = radiosity::wholeFaces(rows_.projection())] {
+      clear();
+      sum_.rowOf(rows_.projection(), faces, drawn);
+    };
+    tasks_.push_back({"floor", clearAndSum});
   }
 
   void addDrawing(const std::string& what, raster::ItemBufferRenderer& renderer) {

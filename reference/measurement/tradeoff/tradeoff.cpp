@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "radiosity/discretization/discretize.h"
-#include "reference/measurement/tradeoff/pareto_front.h"
 
 namespace hemitex::reference {
 namespace {
@@ -98,16 +97,6 @@ TradeMeasurement judge(const Discretization& fine, const TrueRadiosity& truth, c
   return measurement;
 }
 
-void markFront(std::vector<TradeMeasurement>& measurements) {
-  std::vector<double> times, errors;
-  for (const TradeMeasurement& measurement : measurements) {
-    times.push_back(measurement.seconds.median);
-    errors.push_back(measurement.error.fluxWeighted);
-  }
-  const std::vector<bool> isOnFront = paretoFront(times, errors);
-  for (std::size_t i = 0; i < measurements.size(); ++i) measurements[i].isOnFront = isOnFront[i];
-}
-
 }  // namespace
 
 std::vector<TradeChoice> tradeChoices(const std::vector<TradeMethod>& methods, const std::vector<int>& texels,
@@ -124,6 +113,16 @@ std::vector<TradeChoice> tradeChoices(const std::vector<TradeMethod>& methods, c
       }
   }
   return choices;
+}
+
+void markFront(std::vector<TradeMeasurement>& measurements) {
+  const auto isBetter = [](const TradeMeasurement& a, const TradeMeasurement& b) {
+    const double seconds = a.seconds.median - b.seconds.median, error = a.error.fluxWeighted - b.error.fluxWeighted;
+    return seconds <= 0 && error <= 0 && (seconds < 0 || error < 0);
+  };
+  for (TradeMeasurement& one : measurements)
+    one.isOnFront = std::none_of(measurements.begin(), measurements.end(),
+                                 [&](const TradeMeasurement& other) { return isBetter(other, one); });
 }
 
 std::vector<TradeMeasurement> measureTradeoff(const Scene& scene, const Discretization& fine,

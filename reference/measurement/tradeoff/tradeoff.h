@@ -51,8 +51,12 @@ struct TradeMeasurement {
   std::size_t elementBytes = 0;       ///< of the discretization, and of the flux and unshot flux of each element
   std::vector<glm::dvec3> radiosity;  ///< one per element of its own grids
   Timing seconds;                     ///< one repetition per round
-  bool isOnFront = false;             ///< no other choice has a smaller median time and a smaller error
+  bool isOnFront = false;             ///< see markFront
 };
+
+/// Sets whether each choice is on the Pareto front. It is not if another one has at most the same median time and
+/// error, and less time or a smaller error.
+void markFront(std::vector<TradeMeasurement>& measurements);
 
 /// Measures all choices. `fine` has the elements of the truth; its number of texels must be a multiple of those of the
 /// choices. `progress` is called before each solution with the number of finished solutions and of all.

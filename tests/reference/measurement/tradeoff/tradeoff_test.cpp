@@ -3,7 +3,10 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <numeric>
+#include <random>
 
 #include "radiosity/discretization/discretize.h"
 #include "raster/base/parallel.h"
@@ -60,7 +63,42 @@ struct Measured {
   TrueRadiosity truth = trueRadiosity(scene, fine, {1 << 13});
 };
 
+/// The Pareto front by a search in the order of ascending time: a choice is on it if its error is below those of all
+/// choices before it.
+std::vector<bool> frontByOrder(const std::vector<TradeMeasurement>& measurements) {
+  const auto choice = [&](std::size_t i) {
+    return std::pair{measurements[i].seconds.median, measurements[i].error.fluxWeighted};
+  };
+  std::vector<std::size_t> order(measurements.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return choice(a) < choice(b); });
+  std::vector<bool> isOnFront(measurements.size());
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool equalsLast = i > 0 && choice(order[i]) == choice(order[i - 1]);
+    isOnFront[order[i]] = equalsLast ? isOnFront[order[i - 1]] : choice(order[i]).second < smallest;
+    smallest = std::min(smallest, choice(order[i]).second);
+  }
+  return isOnFront;
+}
+
 }  // namespace
+
+TEST_CASE("markFront agrees with a search in the order of time, also for ties and equal choices", "[tradeoff]") {
+  std::mt19937 random(1);
+  for (const unsigned values : {2U, 5U, 1000U})
+    for (std::size_t size = 0; size < 40; ++size) {
+      std::vector<TradeMeasurement> measurements(size);
+      for (TradeMeasurement& measurement : measurements) {
+        measurement.seconds.median = static_cast<double>(random() % values);
+        measurement.error.fluxWeighted = static_cast<double>(random() % values);
+      }
+      markFront(measurements);
+      std::vector<bool> isOnFront;
+      for (const TradeMeasurement& measurement : measurements) isOnFront.push_back(measurement.isOnFront);
+      CHECK(isOnFront == frontByOrder(measurements));
+    }
+}
 
 TEST_CASE("measureTradeoff finds only the error of the grids for a method with the true rows", "[tradeoff]") {
   const Measured measured;
