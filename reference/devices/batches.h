@@ -16,13 +16,7 @@ namespace hemitex::reference {
 struct VertexRuns {
   std::vector<int> first;
   std::vector<int> count;
-
-  /// Adds the vertices in [from, end), which begin at the end of the last run or behind it.
-  void add(int from, int end);
 };
-
-/// Whether the device may draw `next` together with `draw` before it.
-using DrawsJoin = std::function<bool(const raster::Draw& draw, const raster::Draw& next)>;
 
 /// Draws that are drawn together, represented by the first of them.
 struct DrawBatch {
@@ -31,8 +25,9 @@ struct DrawBatch {
 };
 
 /// The batches of all draws without the `skipped` triangles (see ItemBufferRenderer::draw). Vertices are numbered as
-/// the corners of triangles: draw after draw. The batches point into the list.
+/// the corners of triangles: draw after draw. The batches point into the list. `joins` tells whether the device may
+/// draw `next` together with `draw` before it.
 std::vector<DrawBatch> batchesOf(const raster::DrawList& list, std::span<const std::uint32_t> skipped,
-                                 const DrawsJoin& join);
+                                 const std::function<bool(const raster::Draw& draw, const raster::Draw& next)>& joins);
 
 }  // namespace hemitex::reference

@@ -14,19 +14,22 @@ OpenGlContext::Use::Use(const OpenGlContext& context) : display_(context.display
 OpenGlContext::Use::~Use() { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
 
 bool OpenGlContext::isMade() {
-  constexpr std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                                         EGL_NONE};
-  constexpr std::array<EGLint, 5> size{EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
-  constexpr EGLint profile = EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT;
-  constexpr std::array<EGLint, 7> version{
-      EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK, profile, EGL_NONE};
+  constexpr EGLint wanted[]{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+  constexpr EGLint size[]{EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
+  constexpr EGLint version[]{EGL_CONTEXT_MAJOR_VERSION,
+                             4,
+                             EGL_CONTEXT_MINOR_VERSION,
+                             5,
+                             EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                             EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
+                             EGL_NONE};
   EGLConfig config;
   EGLint configs = 0;
   if (!eglInitialize(display_, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API) ||
-      !eglChooseConfig(display_, wanted.data(), &config, 1, &configs) || configs == 0)
+      !eglChooseConfig(display_, wanted, &config, 1, &configs) || configs == 0)
     return false;
-  surface_ = eglCreatePbufferSurface(display_, config, size.data());
-  context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, version.data());
+  surface_ = eglCreatePbufferSurface(display_, config, size);
+  context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, version);
   return surface_ != EGL_NO_SURFACE && context_ != EGL_NO_CONTEXT;
 }
 
