@@ -32,23 +32,15 @@ class Album {
  public:
   explicit Album(const std::filesystem::path& folder) : folder_(folder) {}
 
-  /// Writes a panel of a figure of the paper.
-  void addPanel(int figure, const std::string& panel, const Image& image, const std::string& caption) {
-    add(figure, panel, "figure-" + std::to_string(figure) + panel + ".png", image, caption);
-  }
-  /// Writes a picture that the paper does not have.
-  void addOwn(const std::string& name, const Image& image, const std::string& caption) {
-    add(0, name, name + ".png", image, caption);
+  /// Writes a panel of a figure of the paper, or with figure 0 a picture that the paper does not have.
+  void add(int figure, const std::string& panel, const Image& image, const std::string& caption) {
+    const std::string file = (figure == 0 ? panel : "figure-" + std::to_string(figure) + panel) + ".png";
+    radiosity::writePng(folder_ / file, image);
+    list_.push_back({{"figure", figure}, {"panel", panel}, {"file", file}, {"caption", caption}});
   }
   const ordered_json& list() const { return list_; }
 
  private:
-  void add(int figure, const std::string& panel, const std::string& file, const Image& image,
-           const std::string& caption) {
-    radiosity::writePng(folder_ / file, image);
-    list_.push_back({{"figure", figure}, {"panel", panel}, {"file", file}, {"caption", caption}});
-  }
-
   std::filesystem::path folder_;
   ordered_json list_ = ordered_json::array();
 };
@@ -106,26 +98,26 @@ void addFigure2(Album& album, const Stage& stage) {
   // 439 elements, with one index map for all surfaces.
   const Discretization discretization = radiosity::discretize(scene, reference::roomElements(8, 3, 2));
   const IdLayout layout = radiosity::layOut(discretization, {.page = mapSide});
-  album.addPanel(2, "a", radiosity::indexMapPicture(scene, discretization, layout, camera, width, height),
-                 "Index maps on the surfaces. The grey level of a texel is its index.");
-  album.addPanel(2, "b", radiosity::offsetPicture(scene, discretization, layout, camera, width, height),
-                 "The offset of each surface, in one colour per surface.");
-  album.addPanel(
+  album.add(2, "a", radiosity::indexMapPicture(scene, discretization, layout, camera, width, height),
+            "Index maps on the surfaces. The grey level of a texel is its index.");
+  album.add(2, "b", radiosity::offsetPicture(scene, discretization, layout, camera, width, height),
+            "The offset of each surface, in one colour per surface.");
+  album.add(
       2, "c", radiosity::idPicture(scene, discretization, layout, camera, width, height),
       "Item IDs, which the hemicube draws: the sums of index and offset, (a) + (b). Each element has its own item ID.");
-  album.addPanel(2, "d", radiosity::wireframePicture(scene, camera, width, height),
-                 "The polygons that are drawn: 13 quads for any number of elements.");
-  album.addPanel(
+  album.add(2, "d", radiosity::wireframePicture(scene, camera, width, height),
+            "The polygons that are drawn: 13 quads for any number of elements.");
+  album.add(
       2, "e", radiosity::meshPicture(scene, discretization, camera, width, height),
       "Regular meshing draws the same elements with " + std::to_string(discretization.elements.size()) + " quads.");
-  album.addPanel(2, "f", radiosity::indexMapImage(mapSide, mapSide, height / mapSide),
-                 "The index map of all surfaces, with 8 x 8 texels. A surface with fewer elements uses a part of it.");
+  album.add(2, "f", radiosity::indexMapImage(mapSide, mapSide, height / mapSide),
+            "The index map of all surfaces, with 8 x 8 texels. A surface with fewer elements uses a part of it.");
 }
 
 void addFigure3(Album& album, const std::filesystem::path& sceneFolder, const reference::PaperScene& simple,
                 const Camera& camera) {
   const reference::PaperLevel& medium = mediumOf(simple);
-  album.addPanel(
+  album.add(
       3, "a",
       unfiltered(simple.scene, solved(simple.scene, medium.discretization, medium.layout, {.residual = 0.01}), camera),
       "The scene of Figure 2 at the medium level: one texel per element, without filtering.");
@@ -133,7 +125,7 @@ void addFigure3(Album& album, const std::filesystem::path& sceneFolder, const re
     const Stage stage = stageOf(sceneFolder, name);
     const Discretization discretization = radiosity::discretize(stage.scene, {.texels = texels, .patch = 4});
     const Shown shown = solved(stage.scene, discretization, radiosity::layOut(discretization), {.residual = 0.01});
-    album.addPanel(3, panel, unfiltered(stage.scene, shown, stage.camera), caption);
+    album.add(3, panel, unfiltered(stage.scene, shown, stage.camera), caption);
   };
   addScene("b", "pyramid-room", 16,
            "Surfaces that are not rectangles: the sides of a pyramid and the floor around it.");
@@ -180,15 +172,14 @@ void addFigure4(Album& album, const reference::PaperScene& complex, const Camera
   constexpr int shots = 1000;
   const reference::PaperLevel& medium = mediumOf(complex);
   const Shown shown = solved(complex.scene, medium.discretization, medium.layout, {.shots = shots});
-  album.addPanel(4, "a", unfiltered(complex.scene, shown, camera),
-                 "The complex scene of 8088 triangles at the medium level, without filtering: a vaulted hall between a "
-                 "library and a picture gallery.");
-  album.addPanel(4, "b",
-                 radiosity::idPicture(complex.scene, medium.discretization, medium.layout, camera, width, height),
-                 "Item IDs, which the hemicube draws. Surfaces of the same page have the same offset and colour.");
+  album.add(4, "a", unfiltered(complex.scene, shown, camera),
+            "The complex scene of 8088 triangles at the medium level, without filtering: a vaulted hall between a "
+            "library and a picture gallery.");
+  album.add(4, "b", radiosity::idPicture(complex.scene, medium.discretization, medium.layout, camera, width, height),
+            "Item IDs, which the hemicube draws. Surfaces of the same page have the same offset and colour.");
   const auto closeUp = [&](const std::string& panel, const glm::dvec3& eye, const glm::dvec3& lookAt, double fov,
                            const std::string& caption) {
-    album.addPanel(4, panel, unfiltered(complex.scene, shown, {.eye = eye, .lookAt = lookAt, .fov = fov}), caption);
+    album.add(4, panel, unfiltered(complex.scene, shown, {.eye = eye, .lookAt = lookAt, .fov = fov}), caption);
   };
   closeUp("c", {1.7, 1.5, 4.5}, {-0.2, 0.75, 2.2}, 42, "A table with its lamp, and chairs.");
   closeUp("d", {-4.3, 1.7, 0.3}, {-6.6, 1.35, -2}, 45, "Shelves in which each book is a surface.");
@@ -197,12 +188,12 @@ void addFigure4(Album& album, const reference::PaperScene& complex, const Camera
   for (std::size_t page = 0; page < medium.layout.pages.size(); ++page)
     pages.push_back(packedPage(shown, medium.layout, page));
   const std::string count = std::to_string(pages.size()), side = std::to_string(pages[0].width);
-  album.addPanel(4, "f", sheetOf(pages),
-                 "The radiosity of all surfaces in " + count + " radiosity textures of " + side + " x " + side +
-                     " texels. Black texels belong to no surface.");
+  album.add(4, "f", sheetOf(pages),
+            "The radiosity of all surfaces in " + count + " radiosity textures of " + side + " x " + side +
+                " texels. Black texels belong to no surface.");
   for (std::size_t page = 0; page < pages.size(); ++page)
-    album.addPanel(4, "f-" + std::to_string(page + 1), pages[page],
-                   "Texture " + std::to_string(page + 1) + " of " + count + ".");
+    album.add(4, "f-" + std::to_string(page + 1), pages[page],
+              "Texture " + std::to_string(page + 1) + " of " + count + ".");
 }
 
 /// Shows the errors of clamped adds for offsets without alignment. Maps of 12 x 12 texels have offsets whose sums with
@@ -211,8 +202,8 @@ void addWrongAnswers(Album& album, const Stage& stage, const Discretization& dis
   const IdLayout layout = radiosity::layOut(discretization, {.aligned = false});
   const radiosity::BlendErrors errors =
       radiosity::blendErrorPicture(stage.scene, discretization, layout, stage.camera, width, height);
-  album.addOwn(
-      "wrong-answers", errors.picture,
+  album.add(
+      0, "wrong-answers", errors.picture,
       "Offsets without gaps, added per channel with clamping: " + std::to_string(errors.pixels) + " of " +
           std::to_string(width * height) +
           " pixels, shown in magenta, have the item ID of a wrong element. With aligned offsets or integer adds no "
@@ -223,9 +214,9 @@ void addPlant(Album& album, const std::filesystem::path& sceneFolder) {
   const Stage stage = stageOf(sceneFolder, "plant");
   const Discretization discretization = radiosity::discretize(stage.scene, {.texelSize = 0.25, .patch = 4});
   const Shown shown = solved(stage.scene, discretization, radiosity::layOut(discretization), {.shots = 200});
-  album.addOwn("plant", unfiltered(stage.scene, shown, stage.camera),
-               "Plants of 1000 leaves, " + std::to_string(radiosity::triangleCount(stage.scene)) +
-                   " triangles. Each side of a leaf is a surface with one element, so meshing adds no polygons.");
+  album.add(0, "plant", unfiltered(stage.scene, shown, stage.camera),
+            "Plants of 1000 leaves, " + std::to_string(radiosity::triangleCount(stage.scene)) +
+                " triangles. Each side of a leaf is a surface with one element, so meshing adds no polygons.");
 }
 
 const reference::PaperScene& sceneNamed(const std::vector<reference::PaperScene>& scenes, const std::string& name) {
