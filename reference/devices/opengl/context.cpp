@@ -16,13 +16,9 @@ OpenGlContext::Use::~Use() { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SUR
 bool OpenGlContext::isMade() {
   constexpr EGLint wanted[]{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
   constexpr EGLint size[]{EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
-  constexpr EGLint version[]{EGL_CONTEXT_MAJOR_VERSION,
-                             4,
-                             EGL_CONTEXT_MINOR_VERSION,
-                             5,
-                             EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                             EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
-                             EGL_NONE};
+  constexpr EGLint profile = EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT;
+  constexpr EGLint version[]{
+      EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK, profile, EGL_NONE};
   EGLConfig config;
   EGLint configs = 0;
   if (!eglInitialize(display_, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API) ||
