@@ -7,12 +7,12 @@
 #include <set>
 
 #include "cli/common/commands.h"
+#include "cli/common/program.h"
 #include "cli/common/staging.h"
 #include "cli/devices/renderers.h"
 #include "cli/report/bench_report.h"
 #include "cli/report/embedded_files.h"
 #include "cli/report/html_page.h"
-#include "cli/scene/scene_folder.h"
 #include "cli/scene/scene_options.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"

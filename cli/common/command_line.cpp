@@ -4,7 +4,6 @@
 
 #include "cli/common/console.h"
 #include "cli/help/command_tree.h"
-#include "cli/help/help_formatter.h"
 
 namespace hemitex::cli {
 
@@ -34,8 +33,14 @@ Option Command::addTexts(const std::string& name, const std::string& type, const
   return inTopic(*option->type_name(type));
 }
 
-Option Command::addPath(const std::string& name, std::filesystem::path& target, const std::string& help) const {
-  return addText(name, "PATH", help, [&target](const std::string& text) { target = text; });
+Option Command::addText(const std::string& name, const std::string& type, const std::string& help,
+                        std::string& target) const {
+  return addText(name, type, help, [&target](const std::string& text) { target = text; });
+}
+
+Option Command::addPath(const std::string& name, std::filesystem::path& target, const std::string& help,
+                        const std::string& type) const {
+  return addText(name, type, help, [&target](const std::string& text) { target = text; });
 }
 
 Option Command::addFlag(const std::string& name, const std::string& help, const std::function<void()>& action) const {

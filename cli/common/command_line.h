@@ -1,5 +1,5 @@
-/// Commands and their options. Only five sources include CLI11, because its headers take seconds to compile:
-/// command_line.cpp, program.cpp, unknown_argument.cpp, command_tree.cpp and help_formatter.cpp.
+/// Commands and their options. Only three sources include CLI11, because its headers take seconds to compile:
+/// command_line.cpp, program.cpp and command_tree.cpp.
 #pragma once
 
 #include <filesystem>
@@ -52,7 +52,9 @@ class Command {
   /// Adds a repeatable option; `read` gets all values.
   Option addTexts(const std::string& name, const std::string& type, const std::string& help,
                   const std::function<void(const std::vector<std::string>&)>& read) const;
-  Option addPath(const std::string& name, std::filesystem::path& target, const std::string& help) const;
+  Option addText(const std::string& name, const std::string& type, const std::string& help, std::string& target) const;
+  Option addPath(const std::string& name, std::filesystem::path& target, const std::string& help,
+                 const std::string& type = "PATH") const;
   /// Adds an option without a value; if it is given, `action` is called.
   Option addFlag(const std::string& name, const std::string& help, const std::function<void()>& action) const;
   Option addFlag(const std::string& name, bool& target, const std::string& help) const;

@@ -17,8 +17,7 @@ void addBench(Command program, Context& context);
 /// Commands for test vectors that need scenes.
 void addVectorExport(Command vector, Context& context);
 void addVectorSuite(Command vector, Context& context);
-/// All commands for test vectors that need no scene: the ones below.
-void addVectorCommands(Command parent, Context& context);
+/// Commands for test vectors that need no scene.
 void addVectorRender(Command vector, Context& context);
 void addVectorRandom(Command vector, Context& context);
 void addVectorCheck(Command vector, Context& context);
@@ -26,5 +25,12 @@ void addVectorRun(Command vector, Context& context);
 void addVectorExplain(Command vector, Context& context);
 void addVectorCalibrate(Command vector, Context& context);
 void addVectorVerify(Command vector, Context& context);
+
+/// All commands that need no scene: hemitex-vector has them alone, `hemitex vector` beside `export` and `suite`.
+inline void addVectorCommands(Command parent, Context& context) {
+  for (const auto add : {addVectorRender, addVectorRandom, addVectorCheck, addVectorRun, addVectorExplain,
+                         addVectorCalibrate, addVectorVerify})
+    add(parent, context);
+}
 
 }  // namespace hemitex::cli

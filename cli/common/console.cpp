@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <boost/algorithm/string.hpp>
 #include <iostream>
 
 namespace hemitex::cli {
@@ -20,6 +21,8 @@ std::string shortened(const std::string& text, std::size_t maxBytes) {
   const std::size_t tail = maxBytes / 3;
   return text.substr(0, maxBytes - tail) + " ... " + text.substr(text.size() - tail);
 }
+
+std::string shellQuoted(const std::string& text) { return '\'' + boost::replace_all_copy(text, "'", "'\\''") + '\''; }
 
 void Console::error(const std::string& text) { print("hemitex: error: " + text); }
 

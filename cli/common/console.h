@@ -17,6 +17,9 @@ enum class Verbosity {
 /// terminal.
 std::string shortened(const std::string& text, std::size_t maxBytes);
 
+/// The text in single quotes, which sh, bash and zsh read as one word, so that a person can copy a suggested command.
+std::string shellQuoted(const std::string& text);
+
 class Console {
  public:
   Verbosity verbosity = Verbosity::Normal;

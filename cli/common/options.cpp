@@ -1,5 +1,6 @@
 #include "cli/common/options.h"
 
+#include <bit>
 #include <limits>
 #include <optional>
 
@@ -12,6 +13,12 @@ int integerOption(const std::string& name, const std::string& text, int low, int
                                 ? "of at least " + std::to_string(low)
                                 : "from " + std::to_string(low) + " to " + std::to_string(high);
   usageError(name, "`" + text + "` is not an integer " + range);
+}
+
+int powerOfTwoOption(const std::string& name, const std::string& text, int low, int high) {
+  const int value = integerOption(name, text, low, high);
+  if (std::has_single_bit(static_cast<unsigned>(value))) return value;
+  usageError(name, "`" + text + "` is not a power of two");
 }
 
 double positiveOption(const std::string& name, const std::string& text, double limit) {

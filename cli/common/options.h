@@ -34,6 +34,8 @@ struct Context {
 
 /// Reads the value of an option as an integer in [low, high]. Throws a usage error.
 int integerOption(const std::string& name, const std::string& text, int low, int high);
+/// As integerOption for a power of two.
+int powerOfTwoOption(const std::string& name, const std::string& text, int low, int high);
 /// Reads the value of an option as a number above 0 and below `limit`, which may be infinite. Throws a usage error.
 double positiveOption(const std::string& name, const std::string& text, double limit);
 /// Reads the value of an option as a vector `x,y,z`. Throws a usage error.
@@ -78,9 +80,9 @@ std::string nameOf(const Choices<Value>& choices, const Value& value) {
   return {};
 }
 
-/// Adds an option with a list of names, one per value.
-template <typename Value>
-Option addChoice(Command command, const std::string& name, Value& target, const Choices<Value>& choices,
+/// Adds an option with a list of names, one per value. `target` is a value or an optional value.
+template <typename Value, typename Target>
+Option addChoice(Command command, const std::string& name, Target& target, const Choices<Value>& choices,
                  const std::string& help) {
   std::string words;
   for (const auto& choice : choices) words += (words.empty() ? "" : "|") + choice.first;

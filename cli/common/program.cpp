@@ -9,9 +9,8 @@
 
 #include "cli/common/interruption.h"
 #include "cli/common/launched_rank.h"
-#include "cli/common/unknown_argument.h"
+#include "cli/help/command_tree.h"
 #include "cli/help/completion.h"
-#include "cli/help/help_formatter.h"
 #include "cli/help/shell_files.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
@@ -68,8 +67,10 @@ int run(const Program& program, int argc, char** argv, Context& context) {
     return code;
   } catch (const CLI::ParseError& error) {
     // An unknown argument often is the reason of other errors, such as a missing option.
-    const std::string unknown = unknownArgument(app, {argv + 1, argv + argc});
-    context.console.error((unknown.empty() ? error.what() : unknown) + '\n' + adviceOf(program));
+    const std::vector<std::string> unknown = app.remaining(true);
+    const std::string problem =
+        unknown.empty() ? error.what() : unknownArgument(commandTree(app), {argv + 1, argv + argc}, unknown.front());
+    context.console.error(problem + '\n' + adviceOf(program));
     return badInput;
   }
   if (isHelper && !context.isShared) return 0;
@@ -108,6 +109,15 @@ int failed(Context& context, int exitCode, const std::string& text) {
 void requireOutput(const std::string& state) {
   if (!std::cout.flush())
     throw raster::InputError("standard output cannot be written" + state, "check the disk or the pipe that it goes to");
+}
+
+std::filesystem::path sceneFolder() {
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
+  const std::filesystem::path folder = program.parent_path().parent_path() / "share" / "hemitex";
+  if (!std::filesystem::is_directory(folder))
+    throw raster::InputError(folder.string(), 0, "does not exist, but should hold the scenes of the program",
+                             "run the program from the folder into which `cmake --install` puts it");
+  return folder;
 }
 
 int runProgram(const Program& program, int argc, char** argv) {

@@ -66,14 +66,6 @@ fs::path topmostMissing(fs::path folder) {
   return missing;
 }
 
-/// The regular files below a folder, relative to it, in order of their names.
-std::set<fs::path> filesBelow(const fs::path& folder) {
-  std::set<fs::path> files;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-    if (!entry.is_directory()) files.insert(entry.path().lexically_relative(folder));
-  return files;
-}
-
 }  // namespace
 
 Staging::Staging(const fs::path& folder, FolderUse use) {
@@ -160,6 +152,13 @@ void Staging::commit(const std::string& last, const std::set<std::string>& stale
   } catch (const fs::filesystem_error& error) {
     throw raster::InputError(final_.string(), 0, "the result cannot be moved here: " + error.code().message());
   }
+}
+
+std::set<fs::path> filesBelow(const fs::path& folder) {
+  std::set<fs::path> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (!entry.is_directory()) files.insert(entry.path().lexically_relative(folder));
+  return files;
 }
 
 void removeTemporaryFolders() {

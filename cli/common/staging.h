@@ -48,6 +48,9 @@ class Staging {
   int lock_ = -1;  ///< the open temporary folder
 };
 
+/// The files below a folder, relative to it.
+std::set<std::filesystem::path> filesBelow(const std::filesystem::path& folder);
+
 /// Removes the temporary folders of this program at once, before it ends because of a signal. Results that are being
 /// moved are moved first.
 void removeTemporaryFolders();

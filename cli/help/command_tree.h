@@ -1,12 +1,14 @@
-/// The commands of a program and their options as plain data. Completion and manual pages are made of it.
+/// The commands of a program and their options as plain data, of which completion and manual pages are made, and the
+/// text that `--help` and `--help-all` print.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace CLI {
 class App;
-class Option;
+class FormatterBase;
 }  // namespace CLI
 
 namespace hemitex::cli {
@@ -34,16 +36,6 @@ struct CommandInfo {
   std::string word() const { return name.substr(name.rfind(' ') + 1); }
 };
 
-/// The options of a command under one heading.
-struct Topic {
-  std::string name;
-  std::vector<const CLI::Option*> options;
-};
-
-/// The options of a command, without hidden and positional ones, by topic in the order in which they were added.
-/// Options without a topic come last.
-std::vector<Topic> topicsOf(const CLI::App& app);
-
 /// The name of a command with the names of the program and of the outer commands before it.
 std::string fullNameOf(const CLI::App& app);
 
@@ -51,7 +43,8 @@ std::string fullNameOf(const CLI::App& app);
 /// footer.
 CommandInfo commandTree(const CLI::App& app);
 
-/// The command and all commands below it; outer commands come first.
-std::vector<CommandInfo> allCommands(const CommandInfo& command);
+/// Formats the help of a command, its options by topic. `--help` shows only the options in `first`, or all if it is
+/// empty; `--help-all` shows all.
+std::shared_ptr<CLI::FormatterBase> helpFormatter(const std::vector<std::string>& first);
 
 }  // namespace hemitex::cli

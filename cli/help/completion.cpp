@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "raster/base/name_suggestions.h"
+
 namespace hemitex::cli {
 namespace {
 
@@ -16,6 +18,13 @@ const CommandInfo& commandAt(const CommandInfo& program, const std::vector<std::
         break;
       }
   return *command;
+}
+
+/// The options that work with a command: its own and those of the program.
+std::vector<OptionInfo> optionsOf(const CommandInfo& program, const CommandInfo& command) {
+  std::vector<OptionInfo> options = command.options;
+  options.insert(options.end(), program.options.begin(), program.options.end());
+  return options;
 }
 
 bool hasName(const OptionInfo& option, const std::string& name) {
@@ -37,8 +46,7 @@ std::string namesOf(const std::vector<OptionInfo>& options) {
 std::string completionsFor(const CommandInfo& program, const std::vector<std::string>& words) {
   const std::string current = words.empty() ? "" : words.back(), before = words.size() < 2 ? "" : words.end()[-2];
   const CommandInfo& command = commandAt(program, {words.begin(), words.end() - (words.empty() ? 0 : 1)});
-  std::vector<OptionInfo> options = command.options;
-  options.insert(options.end(), program.options.begin(), program.options.end());
+  const std::vector<OptionInfo> options = optionsOf(program, command);
   std::string completions;
   for (const OptionInfo& option : options)
     if (!option.value.empty() && hasName(option, before)) {
@@ -50,6 +58,23 @@ std::string completionsFor(const CommandInfo& program, const std::vector<std::st
     return fileCompletion + '\n';
   for (const CommandInfo& inner : command.commands) completions += inner.word() + '\t' + inner.help + '\n';
   return completions;
+}
+
+std::string unknownArgument(const CommandInfo& program, const std::vector<std::string>& arguments,
+                            const std::string& unknown) {
+  // A later word may be the name of a command by chance, such as that of a folder.
+  const CommandInfo& command =
+      commandAt(program, {arguments.begin(), std::find(arguments.begin(), arguments.end(), unknown)});
+  const std::string argument = unknown.substr(0, unknown.find('='));
+  const bool isOption = argument.starts_with('-');
+  std::set<std::string> names;
+  if (isOption)
+    for (const OptionInfo& option : optionsOf(program, command)) names.insert(option.names.begin(), option.names.end());
+  else
+    for (const CommandInfo& inner : command.commands) names.insert(inner.word());
+  if (names.empty()) return "`" + command.name + "` takes no further argument `" + unknown + "`";
+  return "`" + argument + "` is no " + (isOption ? "option" : "command") + " of `" + command.name +
+         "`; similar names: " + raster::nearestNames(names, argument);
 }
 
 }  // namespace hemitex::cli

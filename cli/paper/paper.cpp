@@ -3,11 +3,11 @@
 #include <memory>
 
 #include "cli/common/commands.h"
+#include "cli/common/program.h"
 #include "cli/common/staging.h"
 #include "cli/devices/renderers.h"
 #include "cli/paper/figures.h"
 #include "cli/report/paper_report.h"
-#include "cli/scene/scene_folder.h"
 #include "raster/base/file_io.h"
 #include "raster/base/parallel.h"
 #include "reference/base/stopwatch.h"

@@ -205,8 +205,7 @@ void addRender(Command program, Context& context) {
   addChoice<bool>(picture, "--discretize", options->mesh, {{"texture", false}, {"mesh", true}},
                   "with --show wireframe, draw the edges of polygons, or of the mesh of elements (default texture)");
   picture.addText("--from", "SURFACE[:COL,ROW]",
-                  "surface or texel under the projection (default: the first surface with emission)",
-                  [options](const std::string& text) { options->from = text; });
+                  "surface or texel under the projection (default: the first surface with emission)", options->from);
   addResolution(picture, options->resolution);
   addCameraOptions(command, options->camera);
   addSceneOptions(command, options->scene);

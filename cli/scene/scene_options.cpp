@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "cli/common/json.h"
-#include "cli/common/shell_quote.h"
 #include "cli/scene/surface_names.h"
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/scene/load_scene.h"

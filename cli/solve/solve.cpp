@@ -9,7 +9,6 @@
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
 #include "cli/common/program.h"
-#include "cli/common/shell_quote.h"
 #include "cli/common/staging.h"
 #include "cli/scene/sealed_folder.h"
 #include "cli/solve/edits_file.h"

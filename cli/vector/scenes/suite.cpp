@@ -5,9 +5,9 @@
 
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
+#include "cli/common/program.h"
 #include "cli/common/staging.h"
 #include "cli/common/table.h"
-#include "cli/scene/scene_folder.h"
 #include "reference/conformance/scenes/scene_vectors.h"
 #include "reference/conformance/vectors/vector_file.h"
 
