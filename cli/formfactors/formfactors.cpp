@@ -55,12 +55,9 @@ nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
             {"seed", options.rays.seed},
             {"aimed", options.rays.aimed}};
   if (options.method == "analytic") return {{"method", options.method}, {"blockers_ignored", true}};
-  return {{"method", options.method},
-          {"discretize", nameOf(elementsByChoices(), options.drawing.elementsBy)},
-          {"resolution", options.drawing.resolution},
-          {"orientation", nameOf(orientationChoices(), options.drawing.orientation)},
-          {"split", options.drawing.split},
-          {"pixels_per_element", options.drawing.pixelsPerElement}};
+  nlohmann::ordered_json settings{{"method", options.method}};
+  settings.update(toJson(options.drawing));
+  return settings;
 }
 
 /// Appends the values of a receiver, behind the columns that name it.

@@ -22,13 +22,8 @@ std::optional<glm::dvec3> vectorAt(const nlohmann::json& view, const std::string
 
 /// The camera of a scene file as options; empty options if it has none.
 CameraOptions optionsOf(const std::optional<radiosity::SceneCamera>& seen) {
-  CameraOptions view;
-  if (!seen) return view;
-  view.eye = seen->eye;
-  view.lookAt = seen->lookAt;
-  view.up = seen->up;
-  view.fov = seen->fov;
-  return view;
+  if (!seen) return {};
+  return {.eye = seen->eye, .lookAt = seen->lookAt, .up = seen->up, .fov = seen->fov};
 }
 
 /// The camera options of a view file; nothing if the file does not exist.

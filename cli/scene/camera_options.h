@@ -15,11 +15,10 @@
 namespace hemitex::cli {
 
 struct CameraOptions {
-  std::optional<glm::dvec3> eye, lookAt, up;
-  std::optional<double> fov;  ///< degrees, in (0, 180)
-  int width = 800;            ///< of the picture in pixels
-  int height = 600;
-  std::optional<double> exposure;
+  std::optional<glm::dvec3> eye = {}, lookAt = {}, up = {};
+  std::optional<double> fov = {};  ///< degrees, in (0, 180)
+  int width = 800, height = 600;   ///< of the picture in pixels
+  std::optional<double> exposure = {};
 };
 void addCameraOptions(Command command, CameraOptions& options);
 

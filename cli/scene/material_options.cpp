@@ -79,28 +79,31 @@ radiosity::Sun readSun(const ordered_json& value, const std::string& file) {
   return {unit(*towards), readLight("sun", member("irradiance"), file).color};
 }
 
-/// Reads the file of `--lights`.
+/// Reads the file of `--lights`, after all other options, which override it.
 void readLights(const std::filesystem::path& file, MaterialOptions& options) {
   const std::string form = R"(write {"NAME": [R,G,B], ...})";
   options.lightsFile = file;
-  options.lights.clear();
-  options.outside = {};
+  std::vector<NamedColor> lights;
+  radiosity::OutsideLight outside;
   try {
     const auto content =
         reference::parseJson<ordered_json>(raster::readFile(file, "give a JSON file of lights"), file.string());
     if (!content.is_object()) throw InputError(file.string(), 0, "is no JSON object", form);
     for (const auto& [name, value] : content.items()) {
       if (name == "sky")
-        options.outside.sky = readLight(name, value, file.string()).color;
+        outside.sky = readLight(name, value, file.string()).color;
       else if (name != "sun")
-        options.lights.push_back(readLight(name, value, file.string()));
+        lights.push_back(readLight(name, value, file.string()));
       else
         for (const ordered_json& sun : value.is_array() ? value : ordered_json::array({value}))
-          options.outside.suns.push_back(readSun(sun, file.string()));
+          outside.suns.push_back(readSun(sun, file.string()));
     }
   } catch (const ordered_json::exception& error) {
     throw InputError(file.string(), 0, error.what(), form);
   }
+  options.emissions.insert(options.emissions.begin(), lights.begin(), lights.end());
+  if (!options.sky && outside.sky != glm::dvec3(0)) options.sky = outside.sky;
+  if (options.suns.empty()) options.suns = outside.suns;
 }
 
 void apply(radiosity::Scene& scene, const NamedColor& change, const radiosity::Edit& edit) {
@@ -136,23 +139,18 @@ void addMaterialOptions(Command command, MaterialOptions& options) {
                   [&options](const std::string& text) { readLights(text, options); });
 }
 
-radiosity::OutsideLight outsideLight(const MaterialOptions& options) {
-  return {options.sky.value_or(options.outside.sky), options.suns.empty() ? options.outside.suns : options.suns};
-}
-
 radiosity::Scene withMaterials(radiosity::Scene scene, const MaterialOptions& options,
                                const radiosity::SceneSettings& settings) {
   const double unit = radiosity::radiosityPerUnit(settings.emission);
-  for (const std::vector<NamedColor>* emissions : {&options.lights, &options.emissions})
-    for (const NamedColor& light : *emissions)
-      apply(scene, light, radiosity::SetEmission{light.name, unit * light.color});
+  for (const NamedColor& light : options.emissions)
+    apply(scene, light, radiosity::SetEmission{light.name, unit * light.color});
   for (const NamedColor& paint : options.reflectances) {
     glm::dvec3 reflectance = paint.color;
     if (const auto warning = radiosity::lowerReflectance(reflectance, settings.maxReflectance))
       scene.warnings.push_back("`" + raster::excerpt(paint.name) + "`: " + *warning);
     apply(scene, paint, radiosity::SetReflectance{paint.name, reflectance});
   }
-  scene.outside = outsideLight(options);
+  scene.outside = {options.sky.value_or(glm::dvec3(0)), options.suns};
   if (radiosity::brightest(scene.outside) > radiosity::largestEmission)
     throw InputError("the light from outside is above 1e30 W/m^2", "scale it down");
   return scene;
@@ -160,9 +158,8 @@ radiosity::Scene withMaterials(radiosity::Scene scene, const MaterialOptions& op
 
 ordered_json toJson(const MaterialOptions& options) {
   ordered_json changes = ordered_json::array();
-  for (const std::vector<NamedColor>* emissions : {&options.lights, &options.emissions})
-    for (const NamedColor& light : *emissions)
-      changes.push_back({{"emission", light.name}, {"to", toJson(light.color)}});
+  for (const NamedColor& light : options.emissions)
+    changes.push_back({{"emission", light.name}, {"to", toJson(light.color)}});
   for (const NamedColor& paint : options.reflectances)
     changes.push_back({{"reflectance", paint.name}, {"to", toJson(paint.color)}});
   return changes;

@@ -23,28 +23,21 @@ struct NamedColor {
 };
 
 struct MaterialOptions {
-  std::vector<NamedColor> lights;        ///< of `--lights`, in the order of the file; in the unit of `Ke`
-  std::vector<NamedColor> emissions;     ///< of `--emit`; in the unit of `Ke`
+  std::vector<NamedColor> emissions;     ///< of `--lights`, then of `--emit`; in the unit of `Ke`
   std::vector<NamedColor> reflectances;  ///< of `--reflectance`
-  std::optional<glm::dvec3> sky;         ///< of `--sky`
-  std::vector<radiosity::Sun> suns;      ///< of `--sun`
-  radiosity::OutsideLight outside;       ///< of `--lights`
+  std::optional<glm::dvec3> sky;         ///< of `--sky`, else of `--lights`
+  std::vector<radiosity::Sun> suns;      ///< of `--sun`, else of `--lights`
   std::filesystem::path lightsFile;      ///< of `--lights`; empty if it is not given
 
-  bool changeMaterials() const { return !lights.empty() || !emissions.empty() || !reflectances.empty(); }
-  bool areGiven() const {
-    return changeMaterials() || sky || !suns.empty() || !outside.suns.empty() || outside.sky != glm::dvec3(0);
-  }
+  bool changeMaterials() const { return !emissions.empty() || !reflectances.empty(); }
+  bool areGiven() const { return changeMaterials() || sky || !suns.empty(); }
 };
 
 void addMaterialOptions(Command command, MaterialOptions& options);
 
-/// The light from outside: `--sky` overrides the sky of `--lights`, and `--sun` its suns.
-radiosity::OutsideLight outsideLight(const MaterialOptions& options);
-
-/// The scene with the changes; later ones override earlier ones, and `--emit` overrides `--lights`. A reflectance of 1
-/// or more is lowered to `settings.maxReflectance` with a warning, as Kd is. Throws InputError with similar names for a
-/// name of no surface, group or material, and for an emission above 1e30 W/m^2.
+/// The scene with the changes; later ones override earlier ones. A reflectance of 1 or more is lowered to
+/// `settings.maxReflectance` with a warning, as Kd is. Throws InputError with similar names for a name of no surface,
+/// group or material, and for an emission above 1e30 W/m^2.
 radiosity::Scene withMaterials(radiosity::Scene scene, const MaterialOptions& options,
                                const radiosity::SceneSettings& settings);
 

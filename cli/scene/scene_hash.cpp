@@ -12,36 +12,26 @@ namespace {
 struct Bytes {
   std::string text;
 
-  void add(const std::string& value) {
-    add(value.size());
+  template <typename... Values>
+  void add(const Values&... values) {
+    (append(values), ...);
+  }
+
+ private:
+  void append(const std::string& value) {
+    append(value.size());
     text += value;
   }
   template <typename Value>
-  void add(const Value& value) {
+  void append(const Value& value) {
     radiosity::appendBytes(text, value);
   }
   template <typename Value>
-  void add(const std::optional<Value>& value) {
-    add(value.has_value());
-    if (value) add(*value);
+  void append(const std::optional<Value>& value) {
+    append(value.has_value());
+    if (value) append(*value);
   }
 };
-
-void add(Bytes& bytes, const radiosity::Triangle& triangle) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    bytes.add(triangle.position[k]);
-    bytes.add(triangle.chart[k]);
-    bytes.add(triangle.texcoord[k]);
-  }
-  bytes.add(triangle.polygon);
-}
-
-void add(Bytes& bytes, const radiosity::Material& material) {
-  bytes.add(material.reflectance);
-  bytes.add(material.emission);
-  bytes.add(material.reflectanceMap);
-  bytes.add(material.emissionMap);
-}
 
 }  // namespace
 
@@ -50,25 +40,23 @@ std::string hashOf(const radiosity::Scene& scene) {
   const auto extend = [&hash](const Bytes& bytes) { hash = reference::sha256(hash + bytes.text); };
   Bytes light;
   light.add(scene.outside.sky);
-  for (const radiosity::Sun& sun : scene.outside.suns) {
-    light.add(sun.towards);
-    light.add(sun.irradiance);
-  }
-  for (const radiosity::Material& material : scene.materials) add(light, material);
+  for (const radiosity::Sun& sun : scene.outside.suns) light.add(sun.towards, sun.irradiance);
+  for (const radiosity::Material& material : scene.materials)
+    light.add(material.reflectance, material.emission, material.reflectanceMap, material.emissionMap);
   extend(light);
   for (const radiosity::Image& image : scene.images) {
     Bytes bytes;
-    bytes.add(image.width);
-    bytes.add(image.height);
+    bytes.add(image.width, image.height);
     for (const glm::dvec3& pixel : image.pixels) bytes.add(pixel);
     extend(bytes);
   }
   for (const radiosity::Surface& surface : scene.surfaces) {
     Bytes bytes;
-    bytes.add(surface.name);
-    bytes.add(surface.material);
-    bytes.add(surface.twin);
-    for (const radiosity::Triangle& triangle : surface.triangles) add(bytes, triangle);
+    bytes.add(surface.name, surface.material, surface.twin);
+    for (const radiosity::Triangle& triangle : surface.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) bytes.add(triangle.position[k], triangle.chart[k], triangle.texcoord[k]);
+      bytes.add(triangle.polygon);
+    }
     extend(bytes);
   }
   return hash;

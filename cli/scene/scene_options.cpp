@@ -1,7 +1,6 @@
 #include "cli/scene/scene_options.h"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 #include <numeric>
 
@@ -13,9 +12,28 @@
 
 namespace hemitex::cli {
 
-using nlohmann::ordered_json;
-
 namespace {
+
+using nlohmann::ordered_json;
+using radiosity::Charts;
+using radiosity::ElementsBy;
+using radiosity::EmissionUnit;
+using radiosity::IndexMaps;
+using radiosity::Orientation;
+using radiosity::ProjectionKind;
+
+const Choices<Charts> chartsChoices{{"auto", Charts::Auto}, {"file", Charts::File}, {"planar", Charts::Planar}};
+const Choices<EmissionUnit> emissionChoices{{"radiosity", EmissionUnit::Radiosity},
+                                            {"radiance", EmissionUnit::Radiance}};
+const Choices<IndexMaps> indexMapsChoices{
+    {"shared", IndexMaps::Shared}, {"packed", IndexMaps::Packed}, {"unique", IndexMaps::Unique}};
+const Choices<raster::Blend> blendChoices{{"clamped-add", raster::Blend::ClampedAdd},
+                                          {"integer-add", raster::Blend::IntegerAdd}};
+const Choices<ElementsBy> elementsByChoices{{"texture", ElementsBy::Texture}, {"mesh", ElementsBy::Mesh}};
+const Choices<Orientation> orientationChoices{{"aligned", Orientation::Aligned}, {"turned", Orientation::Turned}};
+const Choices<ProjectionKind> projectionChoices{{"hemicube", ProjectionKind::Hemicube},
+                                                {"single-plane", ProjectionKind::SinglePlane},
+                                                {"tetrahedron", ProjectionKind::CubicTetrahedron}};
 
 constexpr int largestTexels = 4096;
 constexpr int largestResolution = 4096;
@@ -46,53 +64,26 @@ std::vector<std::string> largestFamilies(const radiosity::Scene& scene) {
 
 }  // namespace
 
-Choices<radiosity::Charts> chartsChoices() {
-  using radiosity::Charts;
-  return {{"auto", Charts::Auto}, {"file", Charts::File}, {"planar", Charts::Planar}};
-}
-
-Choices<radiosity::EmissionUnit> emissionChoices() {
-  using radiosity::EmissionUnit;
-  return {{"radiosity", EmissionUnit::Radiosity}, {"radiance", EmissionUnit::Radiance}};
-}
-
-Choices<radiosity::IndexMaps> indexMapsChoices() {
-  using radiosity::IndexMaps;
-  return {{"shared", IndexMaps::Shared}, {"packed", IndexMaps::Packed}, {"unique", IndexMaps::Unique}};
-}
-
-Choices<raster::Blend> blendChoices() {
-  return {{"clamped-add", raster::Blend::ClampedAdd}, {"integer-add", raster::Blend::IntegerAdd}};
-}
-
-Choices<radiosity::ElementsBy> elementsByChoices() {
-  return {{"texture", radiosity::ElementsBy::Texture}, {"mesh", radiosity::ElementsBy::Mesh}};
-}
-
-Choices<radiosity::Orientation> orientationChoices() {
-  return {{"aligned", radiosity::Orientation::Aligned}, {"turned", radiosity::Orientation::Turned}};
-}
-
-Choices<radiosity::ProjectionKind> projectionChoices() {
-  using radiosity::ProjectionKind;
-  return {{"hemicube", ProjectionKind::Hemicube},
-          {"single-plane", ProjectionKind::SinglePlane},
-          {"tetrahedron", ProjectionKind::CubicTetrahedron}};
-}
-
 void addSceneOptions(Command command, SceneOptions& options) {
   command = command.under("Scene");
   command.addPath("SCENE", options.file, "scene: Wavefront OBJ, or glTF 2.0 (.gltf, .glb)").required();
-  addChoice(command, "--charts", options.settings.charts, chartsChoices(),
+  addChoice(command, "--charts", options.settings.charts, chartsChoices,
             "take charts from the texture coordinates of the file (file), or make one per planar part (planar); auto "
             "uses the coordinates that form a chart and planar parts otherwise (default auto)");
   addPositive(command, "--max-reflectance", options.settings.maxReflectance, 1.0,
               "lower a reflectance of 1 or more to this value (default 0.9999)");
   command.addFlag("--two-sided", options.settings.twoSided,
                   "make one surface for each side of a face (default: the back of a face is black)");
-  addChoice(command, "--emission", options.settings.emission, emissionChoices(),
+  addChoice(command, "--emission", options.settings.emission, emissionChoices,
             "unit of Ke, --emit and --lights: radiosity in W/m^2, or radiance in W/(m^2 sr) (default radiosity)");
   addMaterialOptions(command, options.materials);
+}
+
+ordered_json toJson(const radiosity::SceneSettings& settings) {
+  return {{"charts", nameOf(chartsChoices, settings.charts)},
+          {"max_reflectance", settings.maxReflectance},
+          {"two_sided", settings.twoSided},
+          {"emission", nameOf(emissionChoices, settings.emission)}};
 }
 
 radiosity::Scene loadedScene(const SceneOptions& options) {
@@ -165,20 +156,18 @@ void addIdOptions(Command command, radiosity::IdSettings& settings) {
   addChoice<std::string>(command, "--format", settings.format, formats,
                          "channels and bits of an item ID (default r8g8b8a8)");
   addChoice(
-      command, "--index-maps", settings.indexMaps, indexMapsChoices(),
+      command, "--index-maps", settings.indexMaps, indexMapsChoices,
       "use one map per grid size and one offset per surface (shared); one map and one offset per page of many surfaces "
       "(packed); or one map per surface without offsets (unique) (default shared)");
   const auto readPage = [&settings](const std::string& text) {
-    const int page = integerOption("--page", text, 1, largestTexels);
-    if (!std::has_single_bit(static_cast<unsigned>(page))) usageError("--page", "`" + text + "` is not a power of two");
-    settings.page = page;
+    settings.page = powerOfTwoOption("--page", text, 1, largestTexels);
   };
   command.addText(
       "--page", "N",
       "let packed pages have N x N texels, a power of two (default 64, or more if the largest surface needs it). With "
       "shared maps, use one map of N x N texels for all surfaces.",
       readPage);
-  addChoice(command, "--blend", settings.blend, blendChoices(),
+  addChoice(command, "--blend", settings.blend, blendChoices,
             "add offset and index per channel with clamping, as blend units do, or as integers (default clamped-add)");
   command.addFlag("--no-align", "assign offsets without gaps; needs --blend integer-add",
                   [&settings] { settings.aligned = false; });
@@ -199,9 +188,9 @@ radiosity::IdLayout layoutOf(const radiosity::IdSettings& settings, const radios
 
 ordered_json toJson(const radiosity::IdSettings& settings) {
   return {{"format", settings.format},
-          {"index_maps", nameOf(indexMapsChoices(), settings.indexMaps)},
+          {"index_maps", nameOf(indexMapsChoices, settings.indexMaps)},
           {"page", orNull(settings.page)},
-          {"blend", nameOf(blendChoices(), settings.blend)},
+          {"blend", nameOf(blendChoices, settings.blend)},
           {"align", settings.aligned}};
 }
 
@@ -222,11 +211,11 @@ Option addResolutions(Command command, std::vector<int>& resolutions) {
 
 void addDrawingOptions(Command command, radiosity::DrawingSettings& settings) {
   command = command.under("Form factors");
-  addChoice(command, "--discretize", settings.elementsBy, elementsByChoices(),
+  addChoice(command, "--discretize", settings.elementsBy, elementsByChoices,
             "draw surfaces with index maps, or cut them into one polygon per element (default texture)");
   addResolution(command, settings.resolution);
   addChoice(
-      command, "--orientation", settings.orientation, orientationChoices(),
+      command, "--orientation", settings.orientation, orientationChoices,
       "rotate projections about the normal, by a different angle per patch (turned) or not at all (aligned); turned "
       "reduces aliasing (default turned)");
   addPositive(
@@ -239,8 +228,16 @@ void addDrawingOptions(Command command, radiosity::DrawingSettings& settings) {
       "reduces the aliasing of small elements.");
 }
 
+ordered_json toJson(const radiosity::DrawingSettings& settings) {
+  return {{"discretize", nameOf(elementsByChoices, settings.elementsBy)},
+          {"resolution", settings.resolution},
+          {"orientation", nameOf(orientationChoices, settings.orientation)},
+          {"split", settings.split},
+          {"pixels_per_element", settings.pixelsPerElement}};
+}
+
 std::optional<radiosity::ProjectionKind> projectionNamed(const std::string& method) {
-  for (const auto& [name, kind] : projectionChoices())
+  for (const auto& [name, kind] : projectionChoices)
     if (name == method) return kind;
   return std::nullopt;
 }

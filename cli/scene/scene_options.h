@@ -19,14 +19,6 @@
 
 namespace hemitex::cli {
 
-Choices<radiosity::Charts> chartsChoices();
-Choices<radiosity::EmissionUnit> emissionChoices();
-Choices<radiosity::IndexMaps> indexMapsChoices();
-Choices<raster::Blend> blendChoices();
-Choices<radiosity::ElementsBy> elementsByChoices();
-Choices<radiosity::Orientation> orientationChoices();
-Choices<radiosity::ProjectionKind> projectionChoices();
-
 /// The file of the scene, the settings for reading it, and changes of its materials.
 struct SceneOptions {
   std::filesystem::path file;
@@ -34,6 +26,7 @@ struct SceneOptions {
   MaterialOptions materials;
 };
 void addSceneOptions(Command command, SceneOptions& options);
+nlohmann::ordered_json toJson(const radiosity::SceneSettings& settings);
 /// Loads the scene and changes its materials. Throws InputError as radiosity::loadScene and withMaterials.
 radiosity::Scene loadedScene(const SceneOptions& options);
 /// As loadedScene, and prints the warnings of the scene.
@@ -48,7 +41,6 @@ void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings
 /// Discretizes the scene. Throws InputError with similar names if the scene has no surface of a given name.
 radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettings& settings,
                                            const radiosity::Scene& scene);
-
 /// The settings that were given, and null for others.
 nlohmann::ordered_json toJson(const radiosity::DiscretizationSettings& settings);
 
@@ -58,7 +50,6 @@ void addIdOptions(Command command, radiosity::IdSettings& settings);
 /// index maps, which have no offsets.
 radiosity::IdLayout layoutOf(const radiosity::IdSettings& settings, const radiosity::Discretization& discretization,
                              Console& console);
-
 nlohmann::ordered_json toJson(const radiosity::IdSettings& settings);
 
 /// Adds `--resolution`: pixels along the side of a face, even, 2 to 4096.
@@ -68,6 +59,7 @@ Option addResolutions(Command command, std::vector<int>& resolutions);
 
 /// Adds the options of projections, except the choice of the projection.
 void addDrawingOptions(Command command, radiosity::DrawingSettings& settings);
+nlohmann::ordered_json toJson(const radiosity::DrawingSettings& settings);
 
 /// The projection of a `--method`: `hemicube`, `single-plane` or `tetrahedron`; nothing for methods that do not draw.
 std::optional<radiosity::ProjectionKind> projectionNamed(const std::string& method);

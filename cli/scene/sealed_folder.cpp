@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "cli/common/staging.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/base/hashes/sha256.h"
@@ -42,11 +43,8 @@ ordered_json namedFiles(const fs::path& folder) {
 }  // namespace
 
 ordered_json fileHashes(const fs::path& folder) {
-  std::set<fs::path> names;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file()) names.insert(entry.path().lexically_relative(folder));
   ordered_json hashes = ordered_json::object();
-  for (const fs::path& name : names)
+  for (const fs::path& name : filesBelow(folder))
     hashes[name.string()] = hasTimes(name) ? ordered_json() : ordered_json(reference::sha256OfFile(folder / name));
   return hashes;
 }

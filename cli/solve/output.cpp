@@ -17,23 +17,14 @@ namespace hemitex::cli {
 using nlohmann::ordered_json;
 
 ordered_json solutionSettings(const SolveOptions& options) {
-  const auto ofProjections = [&](const auto& value) {
-    return usesRays(options) ? ordered_json() : ordered_json(value);
-  };
-  ordered_json settings = {{"charts", nameOf(chartsChoices(), options.scene.settings.charts)},
-                           {"max_reflectance", options.scene.settings.maxReflectance},
-                           {"two_sided", options.scene.settings.twoSided},
-                           {"emission", nameOf(emissionChoices(), options.scene.settings.emission)}};
+  ordered_json drawing = toJson(options.drawing), rays = {{"samples", options.samples}, {"seed", options.seed}};
+  for (const auto& [key, value] : (usesRays(options) ? drawing : rays).items())
+    if (key != "split") value = nullptr;  // patches are split by hemicubes for all methods
+  ordered_json settings = toJson(options.scene.settings);
   settings.update(toJson(options.discretization));
-  settings.update({{"adaptive", orNull(options.adaptive)},
-                   {"discretize", ofProjections(nameOf(elementsByChoices(), options.drawing.elementsBy))},
-                   {"method", options.method},
-                   {"resolution", ofProjections(options.drawing.resolution)},
-                   {"orientation", ofProjections(nameOf(orientationChoices(), options.drawing.orientation))},
-                   {"split", options.drawing.split},
-                   {"pixels_per_element", ofProjections(options.drawing.pixelsPerElement)},
-                   {"samples", usesRays(options) ? ordered_json(options.samples) : ordered_json()},
-                   {"seed", usesRays(options) ? ordered_json(options.seed) : ordered_json()}});
+  settings.update({{"adaptive", orNull(options.adaptive)}, {"discretize", nullptr}, {"method", options.method}});
+  settings.update(drawing);
+  settings.update(rays);
   settings.update(toJson(options.id));
   settings.update({{"max_error", orNull(options.maxError)},
                    {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
