@@ -81,7 +81,7 @@ std::string dataElement(const std::string& type, const std::string& id, const st
 
 }  // namespace
 
-std::string solvedPage(const ShownScene& lit, const ordered_json& solution, const std::optional<SolveRecord>& record) {
+std::string solvedPage(const ShownScene& lit, const ordered_json& solution) {
   const ordered_json& surfaces = solution.at("surfaces");
   const std::vector<std::uint32_t> listed = listedSurfaces(surfaces);
   std::error_code isMissing;
@@ -98,15 +98,15 @@ std::string solvedPage(const ShownScene& lit, const ordered_json& solution, cons
                                       : "too large"}};
   page["surfaces"] = listOf(listed, [&](std::uint32_t s) { return surfaceJson(surfaces[s]); });
   ordered_json times = {{"solve_s", solution.at("times").at("solve_s")}};
-  if (record) {
-    const std::vector<std::size_t> shots = curvePoints(record->convergence.residual.size());
+  if (lit.backs) {
+    const std::vector<std::size_t> shots = curvePoints(lit.convergence.residual.size());
     page["convergence"] = {
         {"shots", shots},
-        {"residual", listOf(shots, [&](std::size_t shot) { return record->convergence.residual[shot - 1]; })}};
-    page["backs"] = {{"absorbed_by", fluxBySurface(record->backs.ofSurfaces, listed)},
-                     {"seen_from", fluxBySurface(record->lostToBacks, listed)},
-                     {"patches", record->backs.patches}};
-    times["shots_s"] = listOf(shots, [&](std::size_t shot) { return record->convergence.seconds[shot - 1]; });
+        {"residual", listOf(shots, [&](std::size_t shot) { return lit.convergence.residual[shot - 1]; })}};
+    page["backs"] = {{"absorbed_by", fluxBySurface(lit.backs->ofSurfaces, listed)},
+                     {"seen_from", fluxBySurface(lit.lostToBacks, listed)},
+                     {"patches", lit.backs->patches}};
+    times["shots_s"] = listOf(shots, [&](std::size_t shot) { return lit.convergence.seconds[shot - 1]; });
   }
   return completePage(
       std::string("<script>") + sceneLibrary + "</script>\n" + dataElement("application/json", "times", times.dump()) +

@@ -20,23 +20,18 @@ struct Convergence {
   std::vector<double> seconds;   ///< since the start of the solution
 };
 
-/// What is known while a scene is solved, and not kept in its folder.
-struct SolveRecord {
-  Convergence convergence;
-  radiosity::BackAbsorption backs;
-  std::vector<glm::dvec3> lostToBacks;  ///< one per surface: flux that it shot and that backs absorbed
-};
-
-/// A lit scene (radiosity/textures/lit_scene.h).
+/// A lit scene (radiosity/textures/lit_scene.h), and what is known while it is solved and not kept in its folder.
 struct ShownScene {
   std::filesystem::path glb;  ///< the file scene.glb, which the page contains; if it is missing, the page says so
-  const radiosity::Scene& scene;
-  const std::vector<std::uint32_t>& surfaceOf;  ///< one per surface: its number in solution["surfaces"]
+  radiosity::Scene scene;
+  std::vector<std::uint32_t> surfaceOf;  ///< one per surface: its number in solution["surfaces"]
+  Convergence convergence = {};
+  std::optional<radiosity::BackAbsorption> backs = {};  ///< nothing if the scene was solved earlier
+  std::vector<glm::dvec3> lostToBacks = {};             ///< one per surface: flux that it shot and that backs absorbed
 };
 
 /// `solution` is the object of solution.json. Only the element `times` of the page depends on time. Throws
 /// nlohmann::json::exception if the solution does not belong to the scene.
-std::string solvedPage(const ShownScene& lit, const nlohmann::ordered_json& solution,
-                       const std::optional<SolveRecord>& record);
+std::string solvedPage(const ShownScene& lit, const nlohmann::ordered_json& solution);
 
 }  // namespace hemitex::cli

@@ -29,13 +29,13 @@ void flush(const fs::path& file) {
 
 }  // namespace
 
-Checkpoint::Checkpoint(const CheckpointOptions& options, const radiosity::Scene& scene, const std::string& settings)
+Checkpoint::Checkpoint(const LongRunOptions& options, const radiosity::Scene& scene, const std::string& settings)
     : options_(options) {
-  if (options.file.empty() && options.resume.empty()) return;
+  if (options.checkpoint.empty() && options.resume.empty()) return;
   scene_ = hashOf(scene);
   settings_ = reference::sha256(settings);
   if (!options.resume.empty()) read(options.resume);
-  if (!options.file.empty()) write();  // reports a file that cannot be written before the work
+  if (!options.checkpoint.empty()) write();  // reports a file that cannot be written before the work
 }
 
 std::optional<radiosity::Snapshot> Checkpoint::begin() {
@@ -49,7 +49,7 @@ std::optional<radiosity::Snapshot> Checkpoint::begin() {
 }
 
 void Checkpoint::update(const radiosity::Step& step, bool isStopping) {
-  if (options_.file.empty()) return;
+  if (options_.checkpoint.empty()) return;
   const bool isTime = std::chrono::duration<double>(Clock::now() - written_).count() >= options_.every;
   if (!step.isLast && !isTime && !isStopping) return;
   snapshots_[begun_ - 1] = radiosity::toBytes(step.snapshot());
@@ -81,14 +81,14 @@ void Checkpoint::write() const {
     radiosity::appendBytes(content, std::uint64_t{snapshot.size()});
     content += snapshot;
   }
-  const fs::path partial = options_.file.string() + ".partial";
+  const fs::path partial = options_.checkpoint.string() + ".partial";
   raster::writeFile(partial, title + reference::sha256(content) + content);
   flush(partial);
   std::error_code error;
-  fs::rename(partial, options_.file, error);
+  fs::rename(partial, options_.checkpoint, error);
   if (!error) return;
   fs::remove(partial);
-  throw InputError(options_.file.string(), 0, "cannot be written: " + error.message(), "choose another file");
+  throw InputError(options_.checkpoint.string(), 0, "cannot be written: " + error.message(), "choose another file");
 }
 
 }  // namespace hemitex::cli

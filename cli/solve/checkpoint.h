@@ -16,17 +16,18 @@
 
 namespace hemitex::cli {
 
-struct CheckpointOptions {
-  std::filesystem::path file;    ///< written if not empty
-  std::filesystem::path resume;  ///< read if not empty
-  double every = 60;             ///< seconds
+struct LongRunOptions {
+  std::filesystem::path checkpoint;  ///< written if not empty
+  std::filesystem::path resume;      ///< read if not empty
+  double every = 60;                 ///< seconds
+  bool isForPrograms = false;        ///< progress as lines of JSON
 };
 
 class Checkpoint {
  public:
   /// `settings` is text that is equal for equal settings. Throws InputError for a file to resume that is damaged or
   /// belongs to another scene or other settings, and for a file that cannot be written.
-  Checkpoint(const CheckpointOptions& options, const radiosity::Scene& scene, const std::string& settings);
+  Checkpoint(const LongRunOptions& options, const radiosity::Scene& scene, const std::string& settings);
 
   /// Begins the next solution of the run. Returns the snapshot from which it goes on; nothing at its start.
   std::optional<radiosity::Snapshot> begin();
@@ -39,7 +40,7 @@ class Checkpoint {
   void read(const std::filesystem::path& file);
   void write() const;
 
-  CheckpointOptions options_;
+  LongRunOptions options_;
   std::string scene_, settings_;        ///< hashes
   std::vector<std::string> snapshots_;  ///< bytes, one per solution so far; empty before its first
   std::size_t begun_ = 0;               ///< number of solutions that this run has begun

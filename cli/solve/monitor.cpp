@@ -44,9 +44,7 @@ std::optional<double> secondsLeft(const radiosity::SolverSettings& settings, int
 
 Monitor::Monitor(Console& console, const LongRunOptions& options, const radiosity::Scene& scene,
                  const std::string& settings)
-    : console_(console),
-      isForPrograms_(options.progress == ProgressFormat::Json),
-      checkpoint_(options.checkpoint, scene, settings) {}
+    : console_(console), isForPrograms_(options.isForPrograms), checkpoint_(options, scene, settings) {}
 
 radiosity::Progress Monitor::progressOf(const radiosity::SolverSettings& settings, Convergence& convergence) {
   return [this, &settings, &convergence, watch = reference::Stopwatch()](const radiosity::Step& step) {

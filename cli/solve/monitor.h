@@ -14,13 +14,6 @@
 
 namespace hemitex::cli {
 
-enum class ProgressFormat { Bar, Json };
-
-struct LongRunOptions {
-  CheckpointOptions checkpoint;
-  ProgressFormat progress = ProgressFormat::Bar;
-};
-
 class Monitor {
  public:
   /// `console` must outlive this object. See Checkpoint for the other arguments and for errors.

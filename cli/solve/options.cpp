@@ -1,30 +1,22 @@
 #include "cli/solve/options.h"
 
-#include <bit>
 #include <limits>
 
 namespace hemitex::cli {
 namespace {
 
 using radiosity::TextureFilter;
-using AskedFilter = std::optional<TextureFilter>;
 
 constexpr int maxMagnification = 16;
 
-Choices<AskedFilter> filterChoices() {
-  return {{"one-to-one", TextureFilter::OneToOne}, {"triangle", TextureFilter::Triangle},
-          {"bilinear", TextureFilter::Bilinear},   {"bicubic", TextureFilter::Bicubic},
-          {"quadtree", TextureFilter::Quadtree},   {"gouraud", TextureFilter::Gouraud}};
-}
+const Choices<TextureFilter> filterChoices{
+    {"one-to-one", TextureFilter::OneToOne}, {"triangle", TextureFilter::Triangle},
+    {"bilinear", TextureFilter::Bilinear},   {"bicubic", TextureFilter::Bicubic},
+    {"quadtree", TextureFilter::Quadtree},   {"gouraud", TextureFilter::Gouraud}};
 
 /// Adds `--samples`, a power of two: then the share of each ray is an integer.
 void addSamples(Command command, int& samples) {
-  const auto read = [&samples](const std::string& text) {
-    const int value = integerOption("--samples", text, 64, 1 << 24);
-    if (!std::has_single_bit(static_cast<unsigned>(value)))
-      usageError("--samples", "`" + text + "` is not a power of two");
-    samples = value;
-  };
+  const auto read = [&samples](const std::string& text) { samples = powerOfTwoOption("--samples", text, 64, 1 << 24); };
   command.addText("--samples", "N", "cast N rays per patch, with --method rays; a power of two (default 65536)", read);
 }
 
@@ -79,8 +71,8 @@ void addChosenSettings(Command command, SolveOptions& options) {
 /// Adds the options of display textures.
 void addTextureOptions(Command command, SolveOptions& options) {
   command = command.under("Output");
-  addChoice<AskedFilter>(
-      command, "--filter", options.filter, filterChoices(),
+  addChoice(
+      command, "--filter", options.filter, filterChoices,
       "interpolate elements in display textures: none (one-to-one), by a 3 x 3 triangle filter, bilinear or cubic "
       "B-splines between texels, bilinear in quadtree leaves, or Gouraud shading (default bicubic; "
       "with --adaptive quadtree)");
@@ -102,32 +94,29 @@ void addOmissions(Command command, SolveOptions& options) {
 
 void addEdits(Command command, std::filesystem::path& edits) {
   command.under("Changes over time")
-      .addText("--edits", "FILE.json",
+      .addPath("--edits", edits,
                "update the solution for each frame of edits in the file, and write each frame into its own folder. "
                "Edits move, "
                "add and remove objects, or change lights and reflectances.",
-               [&edits](const std::string& text) { edits = text; })
+               "FILE.json")
       .excludes(command.option("--adaptive"))
       // Coarser maps distribute light beyond the pixels of the changed region, so an update would miss changes.
       .excludes(command.option("--pixels-per-element"));
 }
 
 void addLongRunOptions(Command command, LongRunOptions& longRun) {
-  CheckpointOptions& options = longRun.checkpoint;
   command = command.under("Long runs");
-  const Option checkpoint =
-      command.addText("--checkpoint", "FILE",
-                      "store the solution in this file from time to time, and after a signal that stops the run",
-                      [&options](const std::string& text) { options.file = text; });
-  const Option resume = command.addText("--resume", "FILE",
+  const Option checkpoint = command.addPath(
+      "--checkpoint", longRun.checkpoint,
+      "store the solution in this file from time to time, and after a signal that stops the run", "FILE");
+  const Option resume = command.addPath("--resume", longRun.resume,
                                         "go on from a file of --checkpoint, with the same scene and options; the "
                                         "result is that of a run without a stop",
-                                        [&options](const std::string& text) { options.resume = text; });
-  addPositive(command, "--every", options.every, 1e6, "seconds between two checkpoints (default 60)").needs(checkpoint);
-  addChoice<ProgressFormat>(command, "--progress", longRun.progress,
-                            {{"bar", ProgressFormat::Bar}, {"json", ProgressFormat::Json}},
-                            "show progress as a bar on a terminal, or as lines of JSON on stderr for programs (default "
-                            "bar)");
+                                        "FILE");
+  addPositive(command, "--every", longRun.every, 1e6, "seconds between two checkpoints (default 60)").needs(checkpoint);
+  addChoice<bool>(command, "--progress", longRun.isForPrograms, {{"bar", false}, {"json", true}},
+                  "show progress as a bar on a terminal, or as lines of JSON on stderr for programs (default "
+                  "bar)");
   for (const Option& option : {checkpoint, resume}) option.excludes(command.option("--edits"));
 }
 
@@ -188,6 +177,6 @@ radiosity::Magnification magnificationOf(const SolveOptions& options) {
   return {options.magnification};
 }
 
-std::string nameOf(TextureFilter filter) { return nameOf(filterChoices(), AskedFilter(filter)); }
+std::string nameOf(TextureFilter filter) { return nameOf(filterChoices, filter); }
 
 }  // namespace hemitex::cli

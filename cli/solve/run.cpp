@@ -38,11 +38,6 @@ radiosity::Solution solutionOfRankZero(radiosity::Messenger& ranks) {
   return solution;
 }
 
-std::string textOf(const radiosity::RowCounts& counts) {
-  return std::to_string(counts.ahead) + " rows were computed ahead, of which " + std::to_string(counts.used) +
-         " were used; rank 0 computed " + std::to_string(counts.ofRankZero) + " when they were needed";
-}
-
 /// Gives rows to the solution as rank 0 of several ranks.
 radiosity::Solution solvedWithRanks(radiosity::Messenger& ranks, radiosity::SceneFormFactors& drawn,
                                     radiosity::SolveInput input, const radiosity::Progress& progress,
@@ -54,7 +49,9 @@ radiosity::Solution solvedWithRanks(radiosity::Messenger& ranks, radiosity::Scen
     return progress(step);
   });
   rows.end();
-  console.detail(textOf(rows.counts()));
+  const radiosity::RowCounts counts = rows.counts();
+  console.detail(std::to_string(counts.ahead) + " rows were computed ahead, of which " + std::to_string(counts.used) +
+                 " were used; rank 0 computed " + std::to_string(counts.ofRankZero) + " when they were needed");
   return solution;
 }
 
@@ -101,54 +98,53 @@ void solve(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor)
   if (result.solution.continuation) result.solution.continuation->rows.ofViews = std::move(ofViews);
 }
 
+/// As `solve` for a choice of settings, which goes on with the radiosity. Throws Stopped after a signal.
+const std::vector<glm::dvec3>& solvedRadiosity(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor) {
+  solve(result, scene, monitor);
+  if (result.solution.isInterrupted) throw Stopped();
+  return result.solution.radiosity;
+}
+
 /// Solves with growing effort until the expected error is within --max-error.
-SolveResult boundedResult(const SolveOptions& asked, const radiosity::Scene& scene,
-                          radiosity::Discretization discretization, Monitor& monitor) {
-  SolveResult result{asked, std::move(discretization)};
-  result.layout = layoutOf(asked.id, result.discretization, monitor.console());
-  result.options.solver.residual = radiosity::residualFor(*asked.maxError);
+void solveBounded(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor) {
+  const double bound = *result.options.maxError;
+  result.options.solver.residual = radiosity::residualFor(bound);
   const radiosity::Patches unsplit = result.discretization.patches;
   const auto solveWith = [&](const radiosity::Effort& effort) {
     result.options.drawing.resolution = effort.resolution;
     result.options.drawing.split = effort.split;
     result.discretization.patches = unsplit;
-    solve(result, scene, monitor);
-    if (result.solution.isInterrupted) throw Stopped();
-    return result.solution.radiosity;
+    return solvedRadiosity(result, scene, monitor);
   };
-  try {
-    result.expectedError = radiosity::chooseEffort(result.discretization, solveWith, *asked.maxError).expectedError;
-  } catch (const Stopped&) {  // the last solution is the result
-  }
-  return result;
+  result.expectedError = radiosity::chooseEffort(result.discretization, solveWith, bound).expectedError;
 }
 
 /// Solves with elements that become smaller where radiosity changes fast.
-SolveResult adaptiveResult(const SolveOptions& asked, const radiosity::Scene& scene, Monitor& monitor) {
-  SolveResult result{asked};
+void solveAdaptive(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor) {
+  const SolveOptions& options = result.options;
   const auto solveElements = [&](const radiosity::Discretization& discretization) {
     result.discretization = discretization;
-    result.layout = layoutOf(asked.id, discretization, monitor.console());
-    solve(result, scene, monitor);
-    if (result.solution.isInterrupted) throw Stopped();
-    return result.solution.radiosity;
+    result.layout = layoutOf(options.id, discretization, monitor.console());
+    return solvedRadiosity(result, scene, monitor);
   };
-  try {
-    solveElements(radiosity::adaptiveDiscretization(scene, asked.discretization, *asked.adaptive, solveElements));
-  } catch (const Stopped&) {  // the last solution is the result
-  }
-  return result;
+  solveElements(radiosity::adaptiveDiscretization(scene, options.discretization, *options.adaptive, solveElements));
 }
 
 }  // namespace
 
 SolveResult solveScene(const SolveOptions& asked, const radiosity::Scene& scene,
                        radiosity::Discretization discretization, Monitor& monitor) {
-  if (asked.adaptive) return adaptiveResult(asked, scene, monitor);
-  if (asked.maxError) return boundedResult(asked, scene, std::move(discretization), monitor);
   SolveResult result{asked, std::move(discretization)};
-  result.layout = layoutOf(asked.id, result.discretization, monitor.console());
-  solve(result, scene, monitor);
+  if (!asked.adaptive) result.layout = layoutOf(asked.id, result.discretization, monitor.console());
+  try {
+    if (asked.adaptive)
+      solveAdaptive(result, scene, monitor);
+    else if (asked.maxError)
+      solveBounded(result, scene, monitor);
+    else
+      solve(result, scene, monitor);
+  } catch (const Stopped&) {  // the last solution is the result
+  }
   return result;
 }
 

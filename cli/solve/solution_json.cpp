@@ -1,39 +1,15 @@
 #include "cli/solve/solution_json.h"
 
+#include <iomanip>
+#include <sstream>
+
 #include "cli/common/json.h"
-#include "radiosity/discretization/patch_points.h"
+#include "cli/common/numbers.h"
 #include "radiosity/index_maps/phantom_indices.h"
 
 namespace hemitex::cli {
 
 using nlohmann::ordered_json;
-
-Table elementTable(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                   const radiosity::Solution& solution) {
-  const auto row = [&](std::size_t index) -> std::vector<Cell> {
-    const radiosity::Element& element = discretization.elements[index];
-    const auto columns = static_cast<std::uint32_t>(discretization.grids[element.surface].columns);
-    const auto [centre, normal, triangle] =
-        radiosity::elementCentre(scene, discretization, static_cast<std::uint32_t>(index));
-    const glm::dvec3& b = solution.radiosity[index];
-    return {scene.surfaces[element.surface].name,
-            std::int64_t{element.texel % columns},
-            std::int64_t{element.texel / columns},
-            centre.x,
-            centre.y,
-            centre.z,
-            normal.x,
-            normal.y,
-            normal.z,
-            element.area,
-            b.r,
-            b.g,
-            b.b};
-  };
-  return {{"surface", "column", "row", "x", "y", "z", "nx", "ny", "nz", "area", "b_r", "b_g", "b_b"},
-          discretization.elements.size(),
-          row};
-}
 
 namespace {
 
@@ -43,16 +19,14 @@ struct SurfaceMeans {
   glm::dvec3 radiosity{0.0}, reflectance{0.0}, emission{0.0};
 };
 
-SurfaceMeans meansOf(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                     const radiosity::Solution& solution, std::uint32_t surface) {
-  const radiosity::Grid& grid = discretization.grids[surface];
-  const radiosity::SurfaceValues reflectance = reflectances(scene, discretization, surface),
-                                 emission = emissions(scene, discretization, surface);
+SurfaceMeans meansOf(const SolvedScene& solved, std::uint32_t surface) {
+  const radiosity::SurfaceValues reflectance = reflectances(solved.scene, solved.discretization, surface),
+                                 emission = emissions(solved.scene, solved.discretization, surface);
   SurfaceMeans means;
-  for (const std::uint32_t e : radiosity::elementsOf(grid)) {
-    const double area = discretization.elements[e].area;
+  for (const std::uint32_t e : radiosity::elementsOf(solved.discretization.grids[surface])) {
+    const double area = solved.discretization.elements[e].area;
     means.area += area;
-    means.radiosity += solution.radiosity[e] * area;
+    means.radiosity += solved.solution.radiosity[e] * area;
     means.reflectance += reflectance.of(e) * area;
     means.emission += emission.of(e) * area;
   }
@@ -77,24 +51,22 @@ ordered_json placeJson(const radiosity::TextureLayout& textures, std::uint32_t s
           {"column", place.column},          {"row", place.row},    {"magnification", size.magnification}};
 }
 
-ordered_json surfacesJson(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                          const std::optional<radiosity::TextureLayout>& textures,
-                          const radiosity::Solution& solution) {
-  const auto patches = radiosity::patchesOfSurfaces(discretization.patches, discretization.grids.size());
+ordered_json surfacesJson(const SolvedScene& solved, const std::optional<radiosity::LitScene>& lit) {
+  const std::vector<radiosity::Grid>& grids = solved.discretization.grids;
+  const auto patches = radiosity::patchesOfSurfaces(solved.discretization.patches, grids.size());
   ordered_json surfaces = ordered_json::array();
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-    const SurfaceMeans means = meansOf(scene, discretization, solution, s);
-    const radiosity::Grid& grid = discretization.grids[s];
-    surfaces.push_back({{"name", scene.surfaces[s].name},
-                        {"columns", grid.columns},
-                        {"rows", grid.rows},
-                        {"elements", grid.elementCount},
+  for (std::uint32_t s = 0; s < solved.scene.surfaces.size(); ++s) {
+    const SurfaceMeans means = meansOf(solved, s);
+    surfaces.push_back({{"name", solved.scene.surfaces[s].name},
+                        {"columns", grids[s].columns},
+                        {"rows", grids[s].rows},
+                        {"elements", grids[s].elementCount},
                         {"patches", patches[s].size()},
                         {"area", means.area},
                         {"radiosity", toJson(means.radiosity)},
                         {"reflectance", toJson(means.reflectance)},
                         {"emission", toJson(means.emission)},
-                        {"texture", textures ? placeJson(*textures, s) : ordered_json()}});
+                        {"texture", lit ? placeJson(lit->layout, s) : ordered_json()}});
   }
   return surfaces;
 }
@@ -109,22 +81,91 @@ ordered_json energyJson(const radiosity::Energy& energy, bool isLitFromOutside) 
   return text;
 }
 
+std::string shotsText(const ordered_json& solution, double seconds) {
+  return std::to_string(solution["shots"].get<int>()) + " shots in " + roundedText(seconds) + " s, " +
+         percentText(solution["residual"]) + " of the emitted flux unshot\n";
+}
+
+std::string titleOf(const std::string& flux) {
+  if (flux == "lost_to_backs") return "  to backs";
+  return flux == "sky_on_backs" ? "sky on backs" : flux;
+}
+
+/// One line per kind of flux: W in each band, and the share of the emitted flux, summed over bands.
+std::string fluxText(const ordered_json& energy) {
+  const auto sum = [](const ordered_json& bands) {
+    return bands[0].get<double>() + bands[1].get<double>() + bands[2].get<double>();
+  };
+  const double emitted = sum(energy["emitted"]);
+  std::ostringstream text;
+  text << '\n' << std::left << std::setw(16) << "flux in W" << std::right;
+  for (const char* title : {"red", "green", "blue", "of emitted"}) text << std::setw(12) << title;
+  for (const auto& [name, bands] : energy.items()) {
+    text << '\n' << std::left << std::setw(16) << titleOf(name) << std::right;
+    for (const ordered_json& flux : bands) text << std::setw(12) << roundedText(flux);
+    text << std::setw(12) << (emitted > 0 ? percentText(sum(bands) / emitted) : "-");
+  }
+  text << '\n';
+  return text.str();
+}
+
 }  // namespace
 
-ordered_json describe(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                      const radiosity::IdLayout& layout, const std::optional<radiosity::TextureLayout>& textures,
-                      const radiosity::Solution& solution) {
-  const radiosity::Phantoms phantoms = radiosity::countPhantoms(discretization, layout);
-  return {{"surfaces", surfacesJson(scene, discretization, textures, solution)},
-          {"elements", discretization.elements.size()},
-          {"patches", discretization.patches.list.size()},
+ordered_json solutionSettings(const SolveOptions& options) {
+  ordered_json drawing = toJson(options.drawing), rays = {{"samples", options.samples}, {"seed", options.seed}};
+  for (const auto& [key, value] : (usesRays(options) ? drawing : rays).items())
+    if (key != "split") value = nullptr;  // patches are split by hemicubes for all methods
+  ordered_json settings = toJson(options.scene.settings);
+  settings.update(toJson(options.discretization));
+  settings.update({{"adaptive", orNull(options.adaptive)}, {"discretize", nullptr}, {"method", options.method}});
+  settings.update(drawing);
+  settings.update(rays);
+  settings.update(toJson(options.id));
+  settings.update({{"max_error", orNull(options.maxError)},
+                   {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
+                   {"shots", orNull(options.solver.shots)}});
+  return settings;
+}
+
+ordered_json description(const SolvedScene& solved, const std::optional<radiosity::LitScene>& lit) {
+  const SolveOptions& options = solved.options;
+  ordered_json settings = solutionSettings(options);
+  settings.update({{"filter", options.noTextures ? ordered_json() : ordered_json(nameOf(filterOf(options)))},
+                   {"magnify", orNull(options.magnification)},
+                   {"camera", toJson(solved.camera)},
+                   {"size", {options.camera.width, options.camera.height}},
+                   {"exposure", orNull(options.camera.exposure)}});
+  const MaterialOptions& materials = options.scene.materials;
+  if (materials.changeMaterials()) settings["materials"] = toJson(materials);
+  settings.update(toJson(solved.scene.outside));
+  const radiosity::Phantoms phantoms = radiosity::countPhantoms(solved.discretization, solved.layout);
+  return {{"settings", settings},
+          {"surfaces", surfacesJson(solved, lit)},
+          {"elements", solved.discretization.elements.size()},
+          {"patches", solved.discretization.patches.list.size()},
           {"phantoms", phantoms.spareTexels + phantoms.alignmentGaps},
-          {"buried", buriedTexels(discretization)},
+          {"buried", buriedTexels(solved.discretization)},
           {"phantom_causes", {{"spare_texels", phantoms.spareTexels}, {"alignment_gaps", phantoms.alignmentGaps}}},
-          {"index_bits", layout.indexBits},
-          {"shots", solution.shots},
-          {"residual", solution.residual},
-          {"energy", energyJson(solution.energy, radiosity::brightest(scene.outside) > 0)}};
+          {"index_bits", solved.layout.indexBits},
+          {"shots", solved.solution.shots},
+          {"residual", solved.solution.residual},
+          {"energy", energyJson(solved.solution.energy, radiosity::brightest(solved.scene.outside) > 0)}};
+}
+
+std::string summary(const ordered_json& solution) {
+  std::ostringstream text;
+  text << solution["surfaces"].size() << " surfaces, " << solution["elements"] << " elements, " << solution["patches"]
+       << " patches\n"
+       << shotsText(solution, solution["times"]["solve_s"]);
+  if (solution.contains("frames"))
+    for (const ordered_json& frame : solution["frames"])
+      text << frame["folder"].get<std::string>() << ": " << shotsText(frame, frame["times"]["update_s"]);
+  text << "expected error: "
+       << (solution["expected_error"].is_null() ? "not measured; --max-error measures it"
+                                                : percentText(solution["expected_error"]) + " of all flux")
+       << '\n';
+  text << fluxText(solution["energy"]);
+  return text.str();
 }
 
 }  // namespace hemitex::cli

@@ -1,30 +1,39 @@
-/// The numbers of a solved folder: solution.json (settings, counts and the balance of flux) and elements.csv (the
-/// radiosity of each element).
+/// solution.json of a solved folder (settings, counts and the balance of flux), and its summary for people.
 #pragma once
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 
-#include "cli/common/table.h"
+#include "cli/solve/options.h"
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
+#include "radiosity/pictures/camera.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solver/progressive_solver.h"
-#include "radiosity/textures/texture_layout.h"
+#include "radiosity/textures/lit_scene.h"
 
 namespace hemitex::cli {
 
-/// One row per element, ordered by surface and texel: the column and row of its own texel, centre, normal, area and
-/// radiosity in W/m^2. For a quadtree leaf the texel is the first with area. All referenced objects must outlive the
-/// table.
-Table elementTable(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                   const radiosity::Solution& solution);
+/// A solution, what it was computed from, and how it is shown.
+struct SolvedScene {
+  const SolveOptions& options;  ///< including settings chosen for --max-error
+  const radiosity::Camera& camera;
+  const radiosity::Scene& scene;
+  const radiosity::Discretization& discretization;
+  const radiosity::IdLayout& layout;
+  const radiosity::Solution& solution;
+};
 
-/// The object of solution.json without settings, times and warnings: surfaces with their grids and places in the
-/// radiosity textures (null without `textures`), counts, residual and energy.
-nlohmann::ordered_json describe(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                                const radiosity::IdLayout& layout,
-                                const std::optional<radiosity::TextureLayout>& textures,
-                                const radiosity::Solution& solution);
+/// The settings that a solution depends on, but not those for showing it.
+nlohmann::ordered_json solutionSettings(const SolveOptions& options);
+
+/// The object of solution.json without times and warnings: the settings that the result depends on, and the surfaces
+/// with their grids and places in the textures of the lit scene, counts, residual and energy. It contains no path and
+/// no thread count, so that equal results have equal files. The options hold the exposure.
+nlohmann::ordered_json description(const SolvedScene& solved, const std::optional<radiosity::LitScene>& lit);
+
+/// The summary of solution.json: counts, times, residual, expected error and the balance of flux.
+std::string summary(const nlohmann::ordered_json& solution);
 
 }  // namespace hemitex::cli

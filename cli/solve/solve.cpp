@@ -14,7 +14,6 @@
 #include "cli/solve/edits_file.h"
 #include "cli/solve/options.h"
 #include "cli/solve/output.h"
-#include "cli/solve/places.h"
 #include "cli/solve/run.h"
 #include "radiosity/solver/dynamic_solution.h"
 #include "raster/base/file_io.h"
@@ -51,21 +50,23 @@ ordered_json toJson(const radiosity::UpdateCost& cost) {
 
 /// Updates the solution for a frame and writes its folder. Returns the entry of the frame in the main solution.json.
 ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number, const Frame& frame,
-                        radiosity::DynamicSolution& dynamic, const Display& display, Monitor& monitor) {
+                        radiosity::DynamicSolution& dynamic, const SolveOptions& options,
+                        const radiosity::Camera& camera, Monitor& monitor) {
   Console& console = monitor.console();
   Laps laps;
   Convergence convergence;
-  const radiosity::UpdateCost cost =
-      dynamic.update(frame.edits, monitor.progressOf(display.options.solver, convergence));
+  const radiosity::UpdateCost cost = dynamic.update(frame.edits, monitor.progressOf(options.solver, convergence));
   console.endProgress();
   laps.lap("update_s");
   const std::string name = "frame-" + std::to_string(number);
   std::filesystem::create_directory(folder / name);
-  const SolvedScene solved{dynamic.scene(), dynamic.discretization(), dynamic.layout(), dynamic.solution()};
+  const SolvedScene solved{options,           camera, dynamic.scene(), dynamic.discretization(), dynamic.layout(),
+                           dynamic.solution()};
+  const std::optional<radiosity::LitScene> lit = litScene(solved);
   console.warnings(solved.solution.warnings);
-  console.warnings(writeSolved(folder / name, solved, shownScene(solved, display), display));
+  console.warnings(writeSolved(folder / name, solved, lit));
   laps.lap("write_s");
-  ordered_json text = description(solved, display);
+  ordered_json text = description(solved, lit);
   text["edits"] = frame.written;
   text["rows"] = toJson(cost);
   text["times"] = laps.times();
@@ -90,7 +91,7 @@ void warnOf(const SolveResult& result, Console& console) {
 
 /// Says that a signal stopped the run, and how it goes on.
 void tellStop(const SolveOptions& options, int shots, Console& console) {
-  const std::string file = options.longRun.checkpoint.file.string();
+  const std::string file = options.longRun.checkpoint.string();
   console.message("a signal stopped the run after " + std::to_string(shots) + " shots; " +
                   (file.empty() ? "with --checkpoint FILE a run can go on later"
                                 : "the same command with --resume " + shellQuoted(file) + " goes on"));
@@ -101,6 +102,17 @@ void tellStop(const SolveOptions& options, int shots, Console& console) {
 std::set<std::string> staleFiles(const std::filesystem::path& folder) {
   std::set<std::string> files = filesOfSolution(folder);
   files.insert("report.html");
+  return files;
+}
+
+/// All files that were read: the scene with its materials and images, the camera, the lights, the edits and what they
+/// add.
+std::set<std::filesystem::path> inputFiles(const SolveOptions& options, const radiosity::Scene& scene,
+                                           const std::vector<Frame>& frames) {
+  std::set<std::filesystem::path> files(scene.files.begin(), scene.files.end());
+  for (const Frame& frame : frames) files.insert(frame.files.begin(), frame.files.end());
+  files.insert({viewFileOf(options.scene.file), options.scene.materials.lightsFile, options.edits});
+  files.erase(std::filesystem::path());
   return files;
 }
 
@@ -126,9 +138,10 @@ radiosity::DynamicSolution dynamicSolution(const radiosity::Scene& scene, SolveR
 /// Updates the solution for each frame and writes their folders. Adds the entries of the frames to `text`. Returns
 /// whether a signal ended the last one.
 bool writeFrames(const std::filesystem::path& folder, const std::vector<Frame>& frames,
-                 radiosity::DynamicSolution dynamic, const Display& display, Monitor& monitor, ordered_json& text) {
+                 radiosity::DynamicSolution dynamic, const SolveOptions& options, const radiosity::Camera& camera,
+                 Monitor& monitor, ordered_json& text) {
   for (std::size_t f = 0; f < frames.size() && !dynamic.solution().isInterrupted; ++f)
-    text["frames"].push_back(writeFrame(folder, f + 1, frames[f], dynamic, display, monitor));
+    text["frames"].push_back(writeFrame(folder, f + 1, frames[f], dynamic, options, camera, monitor));
   return dynamic.solution().isInterrupted;
 }
 
@@ -137,26 +150,26 @@ ordered_json writeResult(const radiosity::Scene& scene, const radiosity::Camera&
                          const std::vector<Frame>& frames, SolveResult& result, Staging& staging, Monitor& monitor,
                          Laps& laps) {
   Console& console = monitor.console();
-  const SolveOptions& options = result.options;
-  const SolvedScene solved{scene, result.discretization, result.layout, result.solution};
-  const Display display{options, camera, exposureOf(options, solved)};
-  std::optional<radiosity::LitScene> lit = shownScene(solved, display);
-  console.warnings(writeSolved(staging.folder(), solved, lit, display));
-  if (!options.report) lit.reset();  // textures take much memory
-  const std::optional<SolveRecord> record =
-      options.report ? std::optional(recordOf(solved, options, result.convergence)) : std::nullopt;
+  SolveOptions& options = result.options;
+  const SolvedScene solved{options, camera, scene, result.discretization, result.layout, result.solution};
+  options.camera.exposure = exposureOf(solved);  // also that of all frames
+  std::optional<radiosity::LitScene> lit = litScene(solved);
+  console.warnings(writeSolved(staging.folder(), solved, lit));
+  ordered_json text = description(solved, lit);
+  std::optional<ShownScene> shown;
+  if (options.report) shown = shownScene(staging.folder(), solved, std::move(lit->scene), result.convergence);
+  lit.reset();  // textures take much memory
   laps.lap("write_s");
-  ordered_json text = description(solved, display);
   text["captured"] = result.captured;
   text["expected_error"] = orNull(result.expectedError);
-  const bool isInterrupted =
-      frames.empty() || result.solution.isInterrupted
-          ? result.solution.isInterrupted
-          : writeFrames(staging.folder(), frames, dynamicSolution(scene, result, console), display, monitor, text);
+  bool isInterrupted = result.solution.isInterrupted;
+  if (!frames.empty() && !isInterrupted)
+    isInterrupted =
+        writeFrames(staging.folder(), frames, dynamicSolution(scene, result, console), options, camera, monitor, text);
   if (isInterrupted) text["interrupted"] = true;
   text["times"] = laps.times();
   text["warnings"] = console.given();
-  if (record) writeReport(staging.folder(), *lit, text, *record);
+  if (shown) raster::writeFile(staging.folder() / "report.html", solvedPage(*shown, text));
   text["files"] = fileHashes(staging.folder());
   raster::writeFile(staging.folder() / "solution.json", toText(text));
   staging.commit("solution.json", staleFiles(options.output));
@@ -201,9 +214,8 @@ void solve(SolveOptions asked, Context& context) {
   warnOf(result, console);
   laps.lap("solve_s");
   const int shots = result.solution.shots;
-  const ordered_json text = writtenOrKept(asked.longRun.checkpoint.file, [&] {
-    return writeResult(scene, camera, frames, result, staging, monitor, laps);
-  });
+  const ordered_json text = writtenOrKept(
+      asked.longRun.checkpoint, [&] { return writeResult(scene, camera, frames, result, staging, monitor, laps); });
   if (text.contains("interrupted")) tellStop(result.options, shots, console);
   if (context.json)
     std::cout << toText(text);

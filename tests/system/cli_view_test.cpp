@@ -198,7 +198,7 @@ TEST_CASE("solvedPage holds scene.glb in base64, and says if there is none", "[c
   const nlohmann::ordered_json surface{{"name", "wall"}, {"area", 1}},
       solution{{"surfaces", {surface, surface, surface}}, {"times", {{"solve_s", 1}}}};
   const auto pageOf = [&] {
-    return hemitex::cli::solvedPage({shell.file("scene.glb"), scene, surfaceOf}, solution, std::nullopt);
+    return hemitex::cli::solvedPage({shell.file("scene.glb"), scene, surfaceOf}, solution);
   };
   CHECK(elementOf(pageOf(), "result")["room"]["glb"] == "missing");
   writeAll(shell.file("scene.glb"), "glTF");
