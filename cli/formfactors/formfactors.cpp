@@ -60,47 +60,33 @@ nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
   return settings;
 }
 
-/// Appends the values of a receiver, behind the columns that name it.
-void appendValue(std::vector<Cell>& cells, const Row& row, std::size_t receiver) {
-  cells.emplace_back(row.formFactor[receiver]);
-  if (!row.standardError.empty()) cells.emplace_back(row.standardError[receiver]);
-}
-std::vector<std::string> withValue(std::vector<std::string> columns, const Row& row) {
+/// A table with one line per row and receiver: cells that name them, the form factor, and its standard error if there
+/// is one.
+Table tableOf(const std::vector<Row>& rows, std::vector<std::string> columns,
+              const std::function<std::vector<Cell>(std::size_t)>& names) {
+  const std::size_t receivers = rows.front().formFactor.size();
+  const bool hasErrors = !rows.front().standardError.empty();
   columns.emplace_back("form_factor");
-  if (!row.standardError.empty()) columns.emplace_back("standard_error");
-  return columns;
+  if (hasErrors) columns.emplace_back("standard_error");
+  const auto cells = [&rows, names, receivers, hasErrors](std::size_t index) {
+    const Row& row = rows[index / receivers];
+    std::vector<Cell> line = names(index);
+    line.emplace_back(row.formFactor[index % receivers]);
+    if (hasErrors) line.emplace_back(row.standardError[index % receivers]);
+    return line;
+  };
+  return {columns, rows.size() * receivers, cells};
 }
 
-/// A table of form factors, one row per receiver: elements or families.
-Table tableOf(const radiosity::Scene& scene, const radiosity::Discretization& discretization, const Row& row) {
-  const auto cells = [&](std::size_t index) {
+/// The table of the only row.
+Table tableOf(const std::vector<Row>& rows, const radiosity::Scene& scene,
+              const radiosity::Discretization& discretization) {
+  return tableOf(rows, {"surface", "column", "row", "area"}, [&](std::size_t index) -> std::vector<Cell> {
     const radiosity::Element& element = discretization.elements[index];
     const auto columns = static_cast<std::uint32_t>(discretization.grids[element.surface].columns);
-    std::vector<Cell> line{scene.surfaces[element.surface].name, std::int64_t{element.texel % columns},
-                           std::int64_t{element.texel / columns}, element.area};
-    appendValue(line, row, index);
-    return line;
-  };
-  return {withValue({"surface", "column", "row", "area"}, row), discretization.elements.size(), cells};
-}
-
-Table tableOf(const Families& families, const Receivers& receivers, const Row& row) {
-  const auto cells = [&](std::size_t index) {
-    std::vector<Cell> line{families.names[index], receivers.area[index]};
-    appendValue(line, row, index);
-    return line;
-  };
-  return {withValue({"surface", "area"}, row), families.names.size(), cells};
-}
-
-Table tableOf(const Families& families, const std::vector<Row>& matrix) {
-  const std::size_t count = families.names.size();
-  const auto cells = [&families, &matrix, count](std::size_t index) {
-    std::vector<Cell> line{families.names[index / count], families.names[index % count]};
-    appendValue(line, matrix[index / count], index % count);
-    return line;
-  };
-  return {withValue({"from", "to"}, matrix.front()), count * count, cells};
+    return {scene.surfaces[element.surface].name, std::int64_t{element.texel % columns},
+            std::int64_t{element.texel / columns}, element.area};
+  });
 }
 
 void tellCaptured(const Row& row, Console& console) {
@@ -115,14 +101,19 @@ void printRow(const FormFactorOptions& options, Context& context, const radiosit
   const Families families = familiesOf(scene);
   const Receivers receivers =
       options.bySurface ? familiesAsReceivers(discretization, families) : elementsAsReceivers(discretization);
-  const Row row = methodOf(options, scene, discretization, receivers, context.console)(source);
+  const std::vector<Row> rows{methodOf(options, scene, discretization, receivers, context.console)(source)};
+  const Row& row = rows.front();
   tellCaptured(row, context.console);
   context.console.message("from " + options.from + ": " +
                           (row.background
                                ? "the share of the light that leaves the scene is " + roundedText(*row.background) +
                                      "; the share that meets backs of faces is " + roundedText(*row.back)
                                : blockersIgnored));
-  const Table table = options.bySurface ? tableOf(families, receivers, row) : tableOf(scene, discretization, row);
+  const auto names = [&](std::size_t family) -> std::vector<Cell> {
+    return {families.names[family], receivers.area[family]};
+  };
+  const Table table =
+      options.bySurface ? tableOf(rows, {"surface", "area"}, names) : tableOf(rows, scene, discretization);
   if (!context.json) return writeCsv(std::cout, table);
   nlohmann::ordered_json result{{"from", options.from}};
   result.update(settingsOf(options));
@@ -223,7 +214,10 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
   const reference::MatrixChecks checks = reference::checkMatrix(factorsOf(matrix), receivers.area);
   tellCaptured(matrix.front(), context.console);
   tellChecks(matrix, checks, families, context.console);
-  const Table table = tableOf(families, matrix);
+  const auto names = [&](std::size_t index) -> std::vector<Cell> {
+    return {families.names[index / matrix.size()], families.names[index % matrix.size()]};
+  };
+  const Table table = tableOf(matrix, {"from", "to"}, names);
   std::ostringstream text;
   std::ostream& output = file ? text : std::cout;
   if (context.json) {
@@ -252,9 +246,8 @@ void addFormFactors(Command program, Context& context) {
   const auto options = std::make_shared<FormFactorOptions>();
   const Command command = program.addCommand("formfactors", "Compute form factors from a surface to all others");
   const Command rows = command.under("Rows");
-  const Option from =
-      rows.addText("--from", "SURFACE[:COL,ROW]", "surface, or texel of a surface, that the form factors start from",
-                   [options](const std::string& text) { options->from = text; });
+  const Option from = rows.addText("--from", "SURFACE[:COL,ROW]",
+                                   "surface, or texel of a surface, that the form factors start from", options->from);
   const Option bySurface =
       rows.addFlag("--by-surface", options->bySurface, "print one sum per surface instead of one value per element");
   const Option all = rows.addFlag("--all", options->all, "print the matrix from every surface to every surface");
@@ -297,10 +290,8 @@ void addFormFactors(Command program, Context& context) {
       usageError("--from", "is required; or print the matrix with --all --by-surface");
     const auto projection = projectionNamed(options->method);
     if (projection) options->drawing.projection = *projection;
-    if (!projection) {
-      refuseUnused(command, drawingOptionNames(), options->method);
-      refuseUnused(command, {"--split"}, options->method);
-    }
+    if (!projection) refuseUnused(command, drawingOptionNames(), options->method);
+    if (!projection) refuseUnused(command, {"--split"}, options->method);
     if (options->method != "rays") refuseUnused(command, {"--samples", "--seed", "--aimed"}, options->method);
     context.command = [options, &context] { print(*options, context); };
   });

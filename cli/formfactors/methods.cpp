@@ -24,7 +24,6 @@ void addRow(Row& mean, const radiosity::FormFactorRow& row, const Receivers& rec
 Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
             radiosity::ProjectedFormFactors& rows, const Source& source, const Receivers& receivers) {
   Row mean{.formFactor = std::vector<double>(receivers.area.size(), 0.0),
-           .standardError = {},
            .background = 0.0,
            .back = 0.0,
            .captured = radiosity::formFactor(rows.projection().captured)};
@@ -121,11 +120,7 @@ RowMethod rayMethod(const radiosity::Scene& scene, const radiosity::Discretizati
     const auto measure = options.aimed ? &reference::RayFormFactors::aimed : &reference::RayFormFactors::overHemisphere;
     const reference::MeasuredRow measured =
         (rays->formFactors.*measure)(shooter, rays->receivers, {.samples = options.samples, .seed = options.seed});
-    Row row{.formFactor = {},
-            .standardError = {},
-            .background = measured.background.value,
-            .back = measured.back.value,
-            .captured = {}};
+    Row row{.background = measured.background.value, .back = measured.back.value};
     for (const reference::Measurement& receiver : measured.receivers) {
       row.formFactor.push_back(receiver.value);
       row.standardError.push_back(receiver.standardError);
@@ -144,11 +139,7 @@ RowMethod analyticMethod(const radiosity::Scene& scene, const radiosity::Discret
                                elementsOf(source.element ? discretization : polygons->whole, source),
                                areElements ? polygons->ofTexels : polygons->ofWhole);
     const std::vector<std::uint32_t>& receiverOf = areElements ? receivers.ofElement : receivers.ofSurface;
-    Row row{.formFactor = std::vector<double>(receivers.area.size(), 0.0),
-            .standardError = {},
-            .background = {},
-            .back = {},
-            .captured = {}};
+    Row row{.formFactor = std::vector<double>(receivers.area.size(), 0.0)};
     for (std::size_t i = 0; i < values.size(); ++i) row.formFactor[receiverOf[i]] += values[i];
     return row;
   };

@@ -26,12 +26,12 @@ Receivers familiesAsReceivers(const radiosity::Discretization& discretization, c
 
 /// A row of form factors, one per receiver.
 struct Row {
-  std::vector<double> formFactor;
-  std::vector<double> standardError;  ///< one per receiver; empty if the method has none
-  std::optional<double> background;   ///< share that leaves the scene; none if the method ignores blockers
-  std::optional<double> back;         ///< share that meets backs of faces; none if the method ignores blockers
-  std::optional<double> captured;     ///< share that the projection captures; the rest is in `background`; none if
-                                      ///< the method does not draw
+  std::vector<double> formFactor = {};
+  std::vector<double> standardError = {};  ///< one per receiver; empty if the method has none
+  std::optional<double> background = {};   ///< share that leaves the scene; none if the method ignores blockers
+  std::optional<double> back = {};         ///< share that meets backs of faces; none if the method ignores blockers
+  std::optional<double> captured = {};     ///< share that the projection captures; the rest is in `background`; none if
+                                           ///< the method does not draw
 };
 
 /// Computes the row of a source. Keeps references to the arguments of the function that made it.
