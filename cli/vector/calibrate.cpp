@@ -5,8 +5,8 @@
 
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
-#include "cli/common/staging.h"
 #include "cli/common/table.h"
+#include "cli/vector/vector_output.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/conformance/calibration/calibration.h"
@@ -25,19 +25,8 @@ struct CalibrateOptions {
 
 void writeProbes(const filesystem::path& folder, const Context& context) {
   const std::vector<reference::TestVector> vectors = vectorsOf(reference::makeProbes());
-  for (const reference::TestVector& vector : vectors) {
-    Staging staging(folder / vector.name);
-    reference::writeVector(staging.folder(), vector, {});
-    staging.commit();
-  }
-  const auto row = [&](std::size_t index) -> std::vector<Cell> {
-    return {vectors[index].name, vectors[index].catches};
-  };
-  const Table table{{"name", "catches"}, vectors.size(), row};
-  if (context.json)
-    std::cout << toText({{"vectors", toJson(table)}});
-  else
-    writeCsv(std::cout, table);
+  writeVectors(
+      folder, vectors.size(), [&vectors](std::size_t k) { return vectors[k]; }, false, context);
 }
 
 /// A profile follows only from item buffers for the probes of this program version.
@@ -46,15 +35,6 @@ void requireSame(const filesystem::path& folder, const reference::TestVector& pr
   if (drawn.list.positions != probe.list.positions || drawn.list.texcoords != probe.list.texcoords)
     throw raster::InputError(folder.string(), 0, "differs from the probing vector of this program",
                              "write the probing vectors again with vector calibrate --probes, and draw them");
-}
-
-/// The keys of the profile and their values, one row each.
-Table tableOf(const Json& profile) {
-  const auto row = [profile](std::size_t index) -> std::vector<Cell> {
-    const auto entry = std::next(profile.begin(), static_cast<std::ptrdiff_t>(index));
-    return {entry.key(), entry->is_string() ? entry->get<std::string>() : entry->dump()};
-  };
-  return {{"key", "value"}, profile.size(), row};
 }
 
 void calibrateDevice(const CalibrateOptions& options, Context& context) {
@@ -73,7 +53,10 @@ void calibrateDevice(const CalibrateOptions& options, Context& context) {
   } else if (context.failed) {
     for (const std::string& fault : calibration.faults) std::cout << fault << '\n';
   } else {
-    writeCsv(std::cout, tableOf(profile));
+    writeCsv(std::cout, tableOf(listOf(profile.items(), [](const auto& entry) -> Json {
+               const Json& value = entry.value();
+               return {{"key", entry.key()}, {"value", value.is_string() ? value : Json(value.dump())}};
+             })));
   }
 }
 

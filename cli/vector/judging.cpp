@@ -46,17 +46,16 @@ reference::Expectations expectationsOf(const fs::path& file, const fs::path& fol
   return reference::readExpectations(file, names);
 }
 
-/// Counts by verdict, with `size` rows.
-Table tableOf(const std::string& what, std::size_t size, const std::function<std::string(std::size_t)>& nameAt,
-              const std::function<reference::VerdictCounts(std::size_t)>& countsAt) {
+/// Prints counts by verdict, with the name of what each row counts.
+void print(const std::string& what, const std::vector<std::pair<std::string, reference::VerdictCounts>>& rows) {
   std::vector<std::string> columns{what};
   for (const auto& verdict : reference::pixelVerdictNames) columns.emplace_back(verdict.name);
-  const auto row = [=](std::size_t index) {
-    std::vector<Cell> cells{nameAt(index)};
-    for (const std::uint64_t count : countsAt(index)) cells.emplace_back(static_cast<std::int64_t>(count));
+  const auto row = [&rows](std::size_t index) {
+    std::vector<Cell> cells{rows[index].first};
+    for (const std::uint64_t count : rows[index].second) cells.emplace_back(static_cast<std::int64_t>(count));
     return cells;
   };
-  return {columns, size, row};
+  writeCsv(std::cout, {columns, rows.size(), row});
 }
 
 /// The reason, and below it what the program said.
@@ -89,10 +88,9 @@ std::string remarkOn(const Report& report) {
 }
 
 void printVector(const Report& report) {
-  const std::vector<reference::FaceVerdict>& faces = report.verdict.faces;
-  writeCsv(std::cout, tableOf(
-                          "face", faces.size(), [&](std::size_t f) { return faces[f].name; },
-                          [&](std::size_t f) { return countVerdicts(faces[f]); }));
+  std::vector<std::pair<std::string, reference::VerdictCounts>> counts;
+  for (const reference::FaceVerdict& face : report.verdict.faces) counts.emplace_back(face.name, countVerdicts(face));
+  print("face", counts);
   for (const reference::ErrorPixel& error : report.errors)
     std::cout << "error in " << error.face << ": " << toText(error) << '\n';
   std::cout << remarkOn(report);
@@ -100,19 +98,12 @@ void printVector(const Report& report) {
   if (report.reference) std::cout << "reference: " << toText(*report.reference) << '\n';
 }
 
-void printCounts(const std::vector<Report>& reports) {
-  std::vector<const Report*> judged;
-  for (const Report& report : reports)
-    if (!report.verdict.faces.empty()) judged.push_back(&report);
-  const auto nameAt = [&](std::size_t k) { return k < judged.size() ? judged[k]->verdict.vector : "all"; };
-  const auto countsAt = [&](std::size_t k) {
-    return k < judged.size() ? countVerdicts(judged[k]->verdict) : countVerdicts(reports);
-  };
-  writeCsv(std::cout, tableOf("vector", judged.size() + 1, nameAt, countsAt));
-}
-
 void printSuite(const std::vector<Report>& reports) {
-  printCounts(reports);
+  std::vector<std::pair<std::string, reference::VerdictCounts>> counts;
+  for (const Report& report : reports)
+    if (!report.verdict.faces.empty()) counts.emplace_back(report.verdict.vector, countVerdicts(report.verdict));
+  counts.emplace_back("all", countVerdicts(reports));
+  print("vector", counts);
   for (const Report& report : reports) {
     if (!report.errors.empty() && !report.expected)
       std::cout << "error in " << report.verdict.vector << ", " << report.errors[0].face << ": "
@@ -238,10 +229,8 @@ void addJudgingOptions(Command command, JudgingOptions& options) {
                 "suite, from the first "
                 "failing vector");
   const Option record = files.addPath("--record", options.record, "write a conformance record into this JSON file");
-  const auto text = [](std::string& target) { return [&target](const std::string& value) { target = value; }; };
-  const Option device = files.addText("--device-name", "NAME", "the device, for the record", text(options.device));
-  const Option driver =
-      files.addText("--driver", "NAME", "its driver and version, for the record", text(options.driver));
+  const Option device = files.addText("--device-name", "NAME", "the device, for the record", options.device);
+  const Option driver = files.addText("--driver", "NAME", "its driver and version, for the record", options.driver);
   record.needs(device).needs(driver);
   device.needs(record);
   driver.needs(record);

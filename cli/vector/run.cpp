@@ -1,5 +1,6 @@
 /// `hemitex vector run` starts the program of a device for each vector and judges what it writes.
 #include <csignal>
+#include <cstdlib>
 #include <memory>
 #include <set>
 #include <thread>
@@ -7,12 +8,12 @@
 #include "cli/common/commands.h"
 #include "cli/common/interruption.h"
 #include "cli/common/staging.h"
-#include "cli/vector/device_program.h"
 #include "cli/vector/judging.h"
 #include "raster/base/input_error.h"
 #include "raster/base/thread_group.h"
 #include "reference/conformance/vectors/candidate.h"
 #include "reference/conformance/vectors/vector_file.h"
+#include "reference/conformance/verdict/device_process.h"
 #include "reference/conformance/verdict/reduction.h"
 
 namespace hemitex::cli {
@@ -20,11 +21,17 @@ namespace {
 
 namespace fs = std::filesystem;
 using reference::DeviceFailure;
+using reference::DeviceFault;
 
 constexpr double maxSeconds = 1e6;
 constexpr int maxJobs = 4096, maxRepetitions = 1000000;
 /// Enough for thousands of triangles; a vector that needs tens of thousands stays larger than it must.
 constexpr std::size_t maxReductionRuns = 5000;
+
+struct DeviceProgram {
+  std::vector<std::string> command;  ///< with {vector} and {output}
+  double timeLimit = 10;             ///< seconds per vector
+};
 
 struct RunOptions {
   JudgingOptions judging;
@@ -33,6 +40,54 @@ struct RunOptions {
   int jobs = 0;  ///< 0: one per core
   int repetitions = 1;
 };
+
+/// A new empty folder for files that nobody keeps.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    if (!mkdtemp(name_.data())) throw raster::InputError(name_, 0, "a temporary folder cannot be made");
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(name_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  fs::path path() const { return name_; }
+
+ private:
+  std::string name_ = (fs::temp_directory_path() / "hemitex-XXXXXX").string();
+};
+
+/// What is wrong with the item ID files of a program that ended well.
+std::optional<DeviceFailure> checkFiles(const reference::TestVector& vector, const fs::path& folder,
+                                        const reference::ProcessResult& process) {
+  for (const reference::VectorFace& face : vector.faces) {
+    const fs::path file = folder / face.ids;
+    if (!fs::is_regular_file(file)) return DeviceFailure{DeviceFault::MissingFile, face.ids + " is missing", process};
+    const auto width = static_cast<std::size_t>(face.face.scissor.width),
+               height = static_cast<std::size_t>(face.face.scissor.height);
+    const std::size_t bytes = width * height * sizeof(raster::ItemId);
+    if (fs::file_size(file) != bytes)
+      return DeviceFailure{
+          DeviceFault::WrongSize,
+          face.ids + " holds " + std::to_string(fs::file_size(file)) + " bytes instead of " + std::to_string(bytes),
+          process};
+  }
+  return {};
+}
+
+/// Starts the program for the vector in `folder`. It writes its item ID files into `output`, an empty folder that this
+/// function makes. Returns why there are none. A LongRun that stops ends the program.
+std::optional<DeviceFailure> draw(const DeviceProgram& program, const reference::TestVector& vector,
+                                  const fs::path& folder, const fs::path& output) {
+  fs::create_directories(output);
+  const auto words = reference::fillCommand(program.command, folder.string(), output.string());
+  const reference::ProcessResult process = reference::runProcess(words, program.timeLimit, &LongRun::isStopping());
+  if (process.hasSucceeded()) return checkFiles(vector, output, process);
+  return failureOf(process);
+}
 
 /// What a device did with a vector.
 struct Drawing {
@@ -48,12 +103,12 @@ Drawing drawRepeatedly(const RunOptions& options, const SuiteVector& vector, con
   runs.add(reference::readCandidate(output, vector.vector));
   for (int run = 2; run <= options.repetitions && !LongRun::isStopping(); ++run) {
     const ScratchFolder scratch;
-    drawing.failure = draw(options.device, vector.vector, vector.folder, scratch.path);
+    drawing.failure = draw(options.device, vector.vector, vector.folder, scratch.path());
     if (drawing.failure) {
       drawing.failure->message += ", in run " + std::to_string(run) + " of " + std::to_string(options.repetitions);
       return drawing;
     }
-    runs.add(reference::readCandidate(scratch.path, vector.vector));
+    runs.add(reference::readCandidate(scratch.path(), vector.vector));
   }
   drawing.repetition = runs.result();
   return drawing;
@@ -100,10 +155,10 @@ struct Answer {
 
 Answer answerTo(const DeviceProgram& device, const reference::TestVector& vector) {
   const ScratchFolder scratch;
-  fs::create_directory(scratch.path / "vector");
-  reference::writeVector(scratch.path / "vector", vector, {});
-  Answer answer{draw(device, vector, scratch.path / "vector", scratch.path / "output"), {}};
-  if (!answer.failure) answer.found = reference::readCandidate(scratch.path / "output", vector);
+  fs::create_directory(scratch.path() / "vector");
+  reference::writeVector(scratch.path() / "vector", vector, {});
+  Answer answer{draw(device, vector, scratch.path() / "vector", scratch.path() / "output"), {}};
+  if (!answer.failure) answer.found = reference::readCandidate(scratch.path() / "output", vector);
   return answer;
 }
 

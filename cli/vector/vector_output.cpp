@@ -3,27 +3,43 @@
 #include <iostream>
 
 #include "cli/common/json.h"
+#include "cli/common/staging.h"
 #include "cli/common/table.h"
 
 namespace hemitex::cli {
-namespace {
 
-/// The faces of a vector, as a table.
-Table tableOf(const reference::TestVector& vector) {
-  const auto row = [&](std::size_t index) -> std::vector<Cell> {
-    const reference::VectorFace& face = vector.faces[index];
-    return {face.name, std::int64_t{face.face.scissor.width}, std::int64_t{face.face.scissor.height}, face.hash};
-  };
-  return {{"face", "width", "height", "hash"}, vector.faces.size(), row};
-}
-
-}  // namespace
+using nlohmann::ordered_json;
 
 void printFaces(const reference::TestVector& vector, const Context& context) {
+  const ordered_json faces = listOf(vector.faces, [](const reference::VectorFace& face) -> ordered_json {
+    return {{"face", face.name},
+            {"width", face.face.scissor.width},
+            {"height", face.face.scissor.height},
+            {"hash", face.hash}};
+  });
   if (context.json)
-    std::cout << toText({{"name", vector.name}, {"faces", toJson(tableOf(vector))}});
+    std::cout << toText({{"name", vector.name}, {"faces", faces}});
   else
-    writeCsv(std::cout, tableOf(vector));
+    writeCsv(std::cout, tableOf(faces));
+}
+
+void writeVectors(const std::filesystem::path& folder, std::size_t count,
+                  const std::function<reference::TestVector(std::size_t)>& vectorAt, bool withIds,
+                  const Context& context) {
+  ordered_json vectors = ordered_json::array();
+  for (std::size_t k = 0; k < count; ++k) {
+    const reference::TestVector vector = vectorAt(k);
+    const auto buffers = withIds ? reference::render(vector) : std::vector<raster::ItemBuffer>();
+    Staging staging(folder / vector.name);
+    reference::writeVector(staging.folder(), vector, buffers);
+    staging.commit();
+    vectors.push_back({{"name", vector.name}, {"catches", vector.catches}});
+    if (withIds) vectors.back()["hash"] = reference::idsHash(buffers);
+  }
+  if (context.json)
+    std::cout << toText({{"vectors", vectors}});
+  else
+    writeCsv(std::cout, tableOf(vectors));
 }
 
 void addStages(Command command, bool& stages) {

@@ -1,5 +1,8 @@
-/// Output that `vector export` and `vector render` share.
+/// Output that several commands for test vectors share.
 #pragma once
+
+#include <filesystem>
+#include <functional>
 
 #include "cli/common/options.h"
 #include "reference/conformance/vectors/vector_file.h"
@@ -8,6 +11,12 @@ namespace hemitex::cli {
 
 /// Prints the names, sizes and hashes of the faces.
 void printFaces(const reference::TestVector& vector, const Context& context);
+
+/// Writes vectors, one folder each, and prints their names and what they catch. `withIds` also writes their item IDs
+/// and prints the hashes of these.
+void writeVectors(const std::filesystem::path& folder, std::size_t count,
+                  const std::function<reference::TestVector(std::size_t)>& vectorAt, bool withIds,
+                  const Context& context);
 
 /// Adds `--stages`.
 void addStages(Command command, bool& stages);

@@ -83,8 +83,7 @@ void addVectorExport(Command vector, Context& context) {
   addResolution(written, options->resolution);
   addPositive(written, "--near", options->nearDistance, std::numeric_limits<float>::max(),
               "near distance, in units of the scene (default: one that clips no triangle)");
-  written.addText("--name", "TEXT", "name of the vector (default: the name of the scene file)",
-                  [options](const std::string& text) { options->name = text; });
+  written.addText("--name", "TEXT", "name of the vector (default: the name of the scene file)", options->name);
   addDiscretizationOptions(command, options->discretization);
   addIdOptions(command, options->id);
   addStages(written, options->stages);
