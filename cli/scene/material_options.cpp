@@ -79,7 +79,8 @@ radiosity::Sun readSun(const ordered_json& value, const std::string& file) {
   return {unit(*towards), readLight("sun", member("irradiance"), file).color};
 }
 
-/// Reads the file of `--lights`, after all other options, which override it.
+/// Reads the file of `--lights`. The other options, which override it, are read before: options are read in the order
+/// in which they are added.
 void readLights(const std::filesystem::path& file, MaterialOptions& options) {
   const std::string form = R"(write {"NAME": [R,G,B], ...})";
   options.lightsFile = file;

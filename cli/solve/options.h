@@ -7,7 +7,7 @@
 
 #include "cli/scene/camera_options.h"
 #include "cli/scene/scene_options.h"
-#include "cli/solve/monitor.h"
+#include "cli/solve/checkpoint.h"
 #include "radiosity/ranks/messenger.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "radiosity/textures/lit_scene.h"

@@ -48,20 +48,20 @@ ordered_json toJson(const radiosity::UpdateCost& cost) {
           {"started_over", cost.startedOver}};
 }
 
-/// Updates the solution for a frame and writes its folder. Returns the entry of the frame in the main solution.json.
+/// Updates the solution for a frame and writes its folder, with the options and camera of `first`. Returns the entry of
+/// the frame in the main solution.json.
 ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number, const Frame& frame,
-                        radiosity::DynamicSolution& dynamic, const SolveOptions& options,
-                        const radiosity::Camera& camera, Monitor& monitor) {
+                        radiosity::DynamicSolution& dynamic, const SolvedScene& first, Monitor& monitor) {
   Console& console = monitor.console();
   Laps laps;
   Convergence convergence;
-  const radiosity::UpdateCost cost = dynamic.update(frame.edits, monitor.progressOf(options.solver, convergence));
+  const radiosity::UpdateCost cost = dynamic.update(frame.edits, monitor.progressOf(first.options.solver, convergence));
   console.endProgress();
   laps.lap("update_s");
   const std::string name = "frame-" + std::to_string(number);
   std::filesystem::create_directory(folder / name);
-  const SolvedScene solved{options,           camera, dynamic.scene(), dynamic.discretization(), dynamic.layout(),
-                           dynamic.solution()};
+  const SolvedScene solved{first.options,    first.camera,      dynamic.scene(), dynamic.discretization(),
+                           dynamic.layout(), dynamic.solution()};
   const std::optional<radiosity::LitScene> lit = litScene(solved);
   console.warnings(solved.solution.warnings);
   console.warnings(writeSolved(folder / name, solved, lit));
@@ -125,23 +125,18 @@ void computeForRankZero(SolveOptions options, Console& console) {
   solveScene(options, scene, discretizationOf(options.discretization, scene), monitor);
 }
 
-/// The solution of the result, to be updated by edits.
-radiosity::DynamicSolution dynamicSolution(const radiosity::Scene& scene, SolveResult& result, Console& console) {
+/// Updates the solution of the result, which `first` shows, for each frame and writes their folders. Adds the entries
+/// of the frames to `text`. Returns whether a signal ended the last one.
+bool writeFrames(const std::filesystem::path& folder, const std::vector<Frame>& frames, const SolvedScene& first,
+                 SolveResult& result, Monitor& monitor, ordered_json& text) {
   const SolveOptions& options = result.options;
-  return {scene,
-          std::move(result.discretization),
-          std::move(result.solution),
-          {options.discretization, options.drawing, options.solver},
-          [&](const radiosity::Discretization& edited) { return layoutOf(options.id, edited, console); }};
-}
-
-/// Updates the solution for each frame and writes their folders. Adds the entries of the frames to `text`. Returns
-/// whether a signal ended the last one.
-bool writeFrames(const std::filesystem::path& folder, const std::vector<Frame>& frames,
-                 radiosity::DynamicSolution dynamic, const SolveOptions& options, const radiosity::Camera& camera,
-                 Monitor& monitor, ordered_json& text) {
+  const auto layOut = [&](const radiosity::Discretization& edited) {
+    return layoutOf(options.id, edited, monitor.console());
+  };
+  radiosity::DynamicSolution dynamic(first.scene, std::move(result.discretization), std::move(result.solution),
+                                     {options.discretization, options.drawing, options.solver}, layOut);
   for (std::size_t f = 0; f < frames.size() && !dynamic.solution().isInterrupted; ++f)
-    text["frames"].push_back(writeFrame(folder, f + 1, frames[f], dynamic, options, camera, monitor));
+    text["frames"].push_back(writeFrame(folder, f + 1, frames[f], dynamic, first, monitor));
   return dynamic.solution().isInterrupted;
 }
 
@@ -164,8 +159,7 @@ ordered_json writeResult(const radiosity::Scene& scene, const radiosity::Camera&
   text["expected_error"] = orNull(result.expectedError);
   bool isInterrupted = result.solution.isInterrupted;
   if (!frames.empty() && !isInterrupted)
-    isInterrupted =
-        writeFrames(staging.folder(), frames, dynamicSolution(scene, result, console), options, camera, monitor, text);
+    isInterrupted = writeFrames(staging.folder(), frames, solved, result, monitor, text);
   if (isInterrupted) text["interrupted"] = true;
   text["times"] = laps.times();
   text["warnings"] = console.given();
