@@ -16,9 +16,9 @@
 #include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/pictures/id_pictures.h"
 #include "radiosity/pictures/pictures.h"
-#include "radiosity/projection/hemicube.h"
 #include "radiosity/projection/patch_view.h"
 #include "radiosity/projection/projection.h"
+#include "radiosity/projection/projection_kinds.h"
 #include "raster/base/input_error.h"
 #include "raster/software/software_renderer.h"
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/projection/fixed_point.h"
+#include "radiosity/projection/projection.h"
 
 namespace hemitex::radiosity {
 

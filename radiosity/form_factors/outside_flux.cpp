@@ -14,7 +14,6 @@
 #include "radiosity/form_factors/item_buffer_sum.h"
 #include "radiosity/projection/parallel_view.h"
 #include "radiosity/projection/patch_view.h"
-#include "radiosity/projection/sphere_directions.h"
 #include "radiosity/scene/ray_tree.h"
 #include "raster/base/parallel.h"
 
@@ -115,7 +114,8 @@ class PixelCounts {
       faces.push_back(views_.face(scene_.origin, directions[i], static_cast<std::uint32_t>(i)));
     const Window window = wholeFaces(shares_).front();
     const std::vector<std::uint32_t> skipped =
-        isTwoSided(scene_) ? hiddenSides(scene_, glm::dvec3(faces.front().eye) + scene_.origin) : covered_;
+        isTwoSided(scene_) ? trianglesFacingAway(scene_, glm::dvec3(faces.front().eye) + scene_.origin, true)
+                           : covered_;
     renderer_.draw(faces, skipped, buffers_, [&](std::size_t f) { add(window, buffers_[f]); });
   }
 

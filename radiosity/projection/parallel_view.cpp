@@ -61,15 +61,19 @@ Projection ParallelViews::pixelCounts() const {
   return projection;
 }
 
-std::vector<std::uint32_t> hiddenSides(const Scene& scene, const glm::dvec3& eye) {
-  std::vector<std::uint32_t> hidden;
-  std::uint32_t number = 0;
-  for (const Surface& surface : scene.surfaces)
-    for (const Triangle& triangle : surface.triangles) {
-      if (surface.twin && glm::dot(normal(triangle), eye - triangle.position[0]) < 0) hidden.push_back(number);
-      ++number;
-    }
-  return hidden;
+std::vector<glm::dvec3> sphereDirections(int count) {
+  // Each point is rotated against the one before by the golden angle, pi (3 - sqrt(5)). A product with constants
+  // replaces sines, whose last digits differ between machines.
+  constexpr double cosine = -0.7373688780783197, sine = 0.6754902942615238;
+  std::vector<glm::dvec3> directions(static_cast<std::size_t>(count));
+  glm::dvec2 around(1, 0);
+  for (int i = 0; i < count; ++i) {
+    const double z = 1 - (2.0 * i + 1) / count;
+    const glm::dvec2 xy = around * std::sqrt(1 - z * z);
+    directions[static_cast<std::size_t>(i)] = {xy, z};
+    around = {around.x * cosine - around.y * sine, around.x * sine + around.y * cosine};
+  }
+  return directions;
 }
 
 }  // namespace hemitex::radiosity

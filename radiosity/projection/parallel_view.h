@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "radiosity/projection/projection.h"
-#include "radiosity/projection/triangle_boxes.h"
 #include "radiosity/scene/scene.h"
 #include "raster/interface/face.h"
 
@@ -40,8 +39,9 @@ struct ParallelViews {
   Projection pixelCounts() const;
 };
 
-/// The triangles of two-sided scenes that face away from an eye, ascending; their other sides are drawn instead. None
-/// in other scenes.
-std::vector<std::uint32_t> hiddenSides(const Scene& scene, const glm::dvec3& eye);
+/// Evenly spread directions over the whole sphere: the spherical Fibonacci lattice, which integrates light over
+/// directions with a smaller error than Sobol points do (Marques, Bouville, Ribardiere, Santos and Bouatouch 2013).
+/// Unit vectors, each for the same solid angle; `count` is at least 1. The bits are equal on all machines.
+std::vector<glm::dvec3> sphereDirections(int count);
 
 }  // namespace hemitex::radiosity

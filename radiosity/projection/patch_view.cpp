@@ -6,12 +6,25 @@
 #include <limits>
 #include <utility>
 
-#include "radiosity/discretization/patch_points.h"
 #include "radiosity/geometry/tangent_along.h"
 #include "radiosity/projection/projection.h"
 
 namespace hemitex::radiosity {
 namespace {
+
+/// Maximum number of triangles per box. Larger runs have large boxes; smaller runs are too many.
+constexpr std::uint32_t maxTriangles = 32;
+
+TriangleBox boxAround(const std::vector<Triangle>& triangles, std::uint32_t first, std::uint32_t end) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  TriangleBox box{glm::dvec3(infinity), glm::dvec3(-infinity), 0, first, end, 0};
+  for (std::uint32_t t = first; t < end; ++t)
+    for (const glm::dvec3& corner : triangles[t].position) {
+      box.low = glm::min(box.low, corner);
+      box.high = glm::max(box.high, corner);
+    }
+  return box;
+}
 
 /// The direction at right angles to a normal at a share of a quarter turn from the first axis. It uses rational points
 /// of the circle, because a sine would differ between machines. The spacing is not quite uniform, which is sufficient.
@@ -37,12 +50,16 @@ double squaredDistance(const glm::dvec3& point, const std::array<glm::dvec3, 3>&
   return inside ? height * height / glm::dot(n, n) : nearest;
 }
 
-/// The squared distance from a point to the box around a triangle: a cheap lower bound.
-double squaredDistanceToBounds(const glm::dvec3& point, const std::array<glm::dvec3, 3>& corner) {
-  const glm::dvec3 low = glm::min(glm::min(corner[0], corner[1]), corner[2]);
-  const glm::dvec3 high = glm::max(glm::max(corner[0], corner[1]), corner[2]);
+/// The squared distance from a point to a box; 0 inside.
+double squaredDistanceToBox(const glm::dvec3& point, const glm::dvec3& low, const glm::dvec3& high) {
   const glm::dvec3 offset = point - glm::clamp(point, low, high);
   return glm::dot(offset, offset);
+}
+
+/// The squared distance from a point to the box around a triangle: a cheap lower bound.
+double squaredDistanceToBounds(const glm::dvec3& point, const std::array<glm::dvec3, 3>& corner) {
+  return squaredDistanceToBox(point, glm::min(glm::min(corner[0], corner[1]), corner[2]),
+                              glm::max(glm::max(corner[0], corner[1]), corner[2]));
 }
 
 /// Height above the tangent plane.
@@ -70,6 +87,21 @@ bool facesAway(const Triangle& triangle, const glm::dvec3& eye) {
 
 }  // namespace
 
+std::vector<TriangleBox> triangleBoxes(const Scene& scene) {
+  std::vector<TriangleBox> boxes;
+  std::uint32_t number = 0;
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    const auto count = static_cast<std::uint32_t>(scene.surfaces[s].triangles.size());
+    for (std::uint32_t first = 0; first < count; first += maxTriangles) {
+      boxes.push_back(boxAround(scene.surfaces[s].triangles, first, std::min(first + maxTriangles, count)));
+      boxes.back().surface = s;
+      boxes.back().number = number + first;
+    }
+    number += count;
+  }
+  return boxes;
+}
+
 std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::span<const TriangleBox> boxes,
                                             std::uint32_t surface, const SurfacePoint& point) {
   const double tolerance = tangentPlaneTolerance * scene.extent;
@@ -94,7 +126,7 @@ double nearDistance(const Scene& scene, std::span<const TriangleBox> boxes, cons
                     const std::vector<std::uint32_t>& skipped, double squaredReach) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const TriangleBox& box : boxes) {
-    if (squaredDistance(point, box) >= nearest) continue;
+    if (squaredDistanceToBox(point, box.low, box.high) >= nearest) continue;
     auto skip = std::lower_bound(skipped.begin(), skipped.end(), box.number);
     for (std::uint32_t t = box.first; t < box.end; ++t) {
       const std::array<glm::dvec3, 3>& corner = scene.surfaces[box.surface].triangles[t].position;
@@ -111,6 +143,17 @@ double turnOf(std::uint32_t patch, int point) {
   // The golden section and its square, in units of 2^-32; the product wraps around to the fraction.
   const std::uint32_t turn = patch * 0x9e3779b9U + static_cast<std::uint32_t>(point) * 0x61c88647U;
   return turn * 0x1p-32;
+}
+
+std::vector<std::uint32_t> trianglesFacingAway(const Scene& scene, const glm::dvec3& eye, bool onlyTwins) {
+  std::vector<std::uint32_t> away;
+  std::uint32_t number = 0;
+  for (const Surface& surface : scene.surfaces)
+    for (const Triangle& triangle : surface.triangles) {
+      if ((surface.twin || !onlyTwins) && facesAway(triangle, eye)) away.push_back(number);
+      ++number;
+    }
+  return away;
 }
 
 glm::dvec3 upOf(Orientation orientation, const glm::dvec3& normal, std::uint32_t patch, int point) {

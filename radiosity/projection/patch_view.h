@@ -7,12 +7,22 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/discretization/discretization.h"
 #include "radiosity/discretization/patch_points.h"
-#include "radiosity/projection/triangle_boxes.h"
 #include "radiosity/scene/scene.h"
 
 namespace hemitex::radiosity {
+
+/// Consecutive triangles of one surface, and the box around them: speeds up the search for the nearest triangle of a
+/// scene.
+struct TriangleBox {
+  glm::dvec3 low, high;
+  std::uint32_t surface = 0;
+  std::uint32_t first = 0, end = 0;  ///< in the surface
+  std::uint32_t number = 0;          ///< of the first triangle, in the scene
+};
+
+/// All triangles of a scene, in their order.
+std::vector<TriangleBox> triangleBoxes(const Scene& scene);
 
 /// In extents of the scene: triangles of the shooting surface lie in the tangent plane if their corners are this close
 /// to it. A few units of binary32 roundoff, which is the limit of what drawing can resolve.
@@ -25,6 +35,10 @@ inline constexpr double smallestNearDistance = 0x1p-24;
 /// `boxes` are triangleBoxes of the scene.
 std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::span<const TriangleBox> boxes,
                                             std::uint32_t surface, const SurfacePoint& point);
+
+/// The triangles whose backs face an eye, ascending: all, or only those of two-sided scenes, whose other sides are
+/// drawn instead.
+std::vector<std::uint32_t> trianglesFacingAway(const Scene& scene, const glm::dvec3& eye, bool onlyTwins = false);
 
 /// A near distance that clips no visible triangle: the distance to the nearest triangle that is not skipped, divided by
 /// the projection's reach (see Projection::squaredReach). It is smallestNearDistance if a triangle touches the point,

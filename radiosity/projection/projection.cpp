@@ -1,7 +1,6 @@
 #include "radiosity/projection/projection.h"
 
 #include <cassert>
-#include <numeric>
 
 #include "radiosity/geometry/tangent_along.h"
 
@@ -12,12 +11,6 @@ std::vector<Window> wholeFaces(const Projection& projection) {
   for (std::size_t face = 0; face < projection.faces.size(); ++face)
     windows.push_back({face, projection.faces[face].scissor});
   return windows;
-}
-
-std::vector<std::uint64_t> runningSums(const std::vector<std::uint64_t>& shares) {
-  std::vector<std::uint64_t> before(shares.size() + 1);
-  std::partial_sum(shares.begin(), shares.end(), before.begin() + 1);
-  return before;
 }
 
 std::uint64_t shareOf(const Projection& projection, std::size_t face, int column, int row) {

@@ -1,6 +1,6 @@
 /// A projection of the half space over a point of a surface: faces, and the share of the point's light that leaves
 /// through each pixel. The item buffers of the faces and these shares give a row of form factors. The hemicube is one
-/// projection (hemicube.h); projections differ only in the members below.
+/// projection (projection_kinds.h); projections differ only in the members below.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,20 @@
 #include <span>
 #include <vector>
 
-#include "radiosity/projection/fixed_point.h"
 #include "raster/interface/face.h"
 
 namespace hemitex::radiosity {
+
+/// Shares of the flux that leaves a patch are integers in units of 2^-60, so that the order of summation does not
+/// change a sum.
+inline constexpr int shareBits = 60;
+inline constexpr std::uint64_t wholeShare = std::uint64_t{1} << shareBits;
+
+/// The form factor of a share, in [0, 1]. Signed integers convert to double with one instruction, unsigned ones need
+/// several.
+inline double formFactor(std::uint64_t share) {
+  return static_cast<double>(static_cast<std::int64_t>(share)) / static_cast<double>(wholeShare);
+}
 
 /// A face in the axes of the projection: x right and y up in the tangent plane, z along the normal. Otherwise as
 /// raster::Face.
@@ -44,9 +54,6 @@ struct Window {
 
 /// One window per face, each the whole face.
 std::vector<Window> wholeFaces(const Projection& projection);
-
-/// Computes Projection::sharesBefore from the shares of pixels.
-std::vector<std::uint64_t> runningSums(const std::vector<std::uint64_t>& shares);
 
 /// The share of a pixel, by its place in the face's viewport; it must lie inside the scissor rectangle.
 std::uint64_t shareOf(const Projection& projection, std::size_t face, int column, int row);

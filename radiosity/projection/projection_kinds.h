@@ -1,5 +1,7 @@
-/// The kinds of projections.
+/// The kinds of projections, and their delta form factors: integrals over the solid angle of each pixel.
 #pragma once
+
+#include <vector>
 
 #include "radiosity/projection/projection.h"
 
@@ -7,8 +9,78 @@ namespace hemitex::radiosity {
 
 enum class ProjectionKind { Hemicube, SinglePlane, CubicTetrahedron };
 
-/// The projection of a kind with faces of resolution x resolution pixels, even, 2 to 4096 (see hemicube.h,
-/// single_plane.h, cubic_tetrahedron.h).
+/// The projection of a kind with faces of resolution x resolution pixels; `resolution` is even, 2 to 4096, here and
+/// below.
 Projection projectionOf(ProjectionKind kind, int resolution);
+
+/// The hemicube (Cohen and Greenberg 1985): half a cube over a point. It sees the whole half space. Its pixels have the
+/// smallest solid angles near the edges between faces, where the picture plane is farthest away. Delta form factors are
+/// rounded so that they sum to exactly 2^60.
+Projection hemicube(int resolution);
+
+/// The top, then the sides that look along the top's +x, +y, -x and -y; their rows grow away from the horizon. All
+/// determinants are 1. The top has resolution x resolution pixels, a side the upper half of that.
+std::vector<ProjectionFace> hemicubeFaces(int resolution);
+
+/// Squared reach of a hemicube, given by its corners (see Projection::squaredReach).
+inline constexpr double hemicubeSquaredReach = 3;
+
+/// Near the optimum for all three resolutions, and a power of two, so that the rows x, y, w are exact.
+inline constexpr double planeHalfWidth = 4;
+
+/// The single plane (Recker, George and Greenberg 1990): one square face over a point, wide enough for most of the
+/// light. It needs one view instead of five. Light below its edges is lost.
+///
+/// A square of half-width t at distance 1, centred over the point, has the form factor of four rectangles with a corner
+/// on the normal. With c = t / sqrt(1 + t^2), the share is 4/pi c atan(c):
+///
+///     t         1      2      3      4      6      8      12     16
+///     captured  0.554  0.831  0.917  0.951  0.978  0.987  0.994  0.997
+///
+/// The lost share falls with 1/t^2, but pixels grow with t. The next table shows rows of the Cornell box: the sum of
+/// all errors (see reference::distanceToTruth), including the lost share, by width. The resolutions have a quarter,
+/// once and four times the pixels of a hemicube with R = 256:
+///
+///     t             1     2     3     4     6     8     12
+///     220 x 220     0.37  0.16  0.12  0.12  0.16  0.21  0.34
+///     442 x 442     0.37  0.14  0.08  0.06  0.07  0.09  0.14
+///     886 x 886     0.36  0.14  0.07  0.05  0.03  0.04  0.05
+///
+/// The sums of a hemicube are 0.031, 0.012 and 0.004: the plane is the fastest and the least accurate projection.
+///
+/// A plane of resolution x resolution pixels at a distance of 1, from -halfWidth to halfWidth along the axes of the
+/// projection. Shares are the integrals over the solid angle of each pixel, and `captured` is their sum.
+/// `halfWidth` is above 0 and at most 64.
+Projection singlePlane(int resolution, double halfWidth = planeHalfWidth);
+
+/// The cubic tetrahedron (Beran-Koehn and Pavicic 1991): a corner of a cube that stands over a point so that the cube's
+/// diagonal is the normal. Its three faces see the whole half space; a hemicube needs five.
+///
+/// Coordinates of a face are those at distance 1. The corner is at (1, 1); the common edges with the other faces are x
+/// = 1 and y = 1; the horizon is x + y = -1. The part above the horizon is a right isosceles triangle from the corner
+/// to (1, -2) and (-2, 1). Pixels count from the corner. Their width, 6 / (2R + 1), puts the horizon halfway between
+/// two diagonals of samples. So no sample lies on the horizon or on a common edge. Samples below the horizon have no
+/// weight.
+///
+/// A pixel that the horizon cuts has the weight of the part above it. Some pixels have corners above the horizon but
+/// their sample below it. Those corners count for the two adjacent pixels, half for each, so that the sum of all shares
+/// is exact.
+///
+/// Rows of the Cornell box: sum of all errors (see reference::distanceToTruth), for equal numbers of pixels above the
+/// horizon:
+///
+///     hemicube       R = 32: 0.20   64: 0.079   128: 0.031   256: 0.0117   512: 0.0045
+///     tetrahedron    R = 44: 0.22   90: 0.077   180: 0.026   362: 0.0091   724: 0.0032
+///
+/// Its pixels are more uniform, but half of the pixels drawn are below the horizon.
+///
+/// Delta form factors are rounded so that they sum to exactly 2^60. Three does not divide 2^60: the pixel at the first
+/// face's corner has one unit more than those of the others.
+Projection cubicTetrahedron(int resolution);
+
+/// Three faces of resolution x resolution pixels, each rotated by a third of a turn. The first leans towards the
+/// projection's up direction. The frustum is off-axis, so that the rows x, y, w are not orthogonal; all determinants
+/// are equal and above 0.
+std::vector<ProjectionFace> cubicTetrahedronFaces(int resolution);
 
 }  // namespace hemitex::radiosity

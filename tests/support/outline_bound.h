@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "radiosity/discretization/patch_points.h"
-#include "radiosity/projection/hemicube.h"
+#include "radiosity/projection/projection_kinds.h"
 
 namespace hemitex::tests {
 

@@ -8,7 +8,7 @@
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/index_maps/scene_draw_list.h"
-#include "radiosity/projection/hemicube.h"
+#include "radiosity/projection/projection_kinds.h"
 #include "radiosity/scene/load_scene.h"
 #include "raster/software/software_renderer.h"
 #include "tests/support/hand_scenes.h"

@@ -8,7 +8,7 @@
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/projected_form_factors.h"
 #include "radiosity/index_maps/scene_draw_list.h"
-#include "radiosity/projection/hemicube.h"
+#include "radiosity/projection/projection_kinds.h"
 #include "raster/software/software_renderer.h"
 #include "reference/truth/closed_forms/point_to_polygon.h"
 #include "tests/support/hand_scenes.h"

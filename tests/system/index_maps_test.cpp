@@ -8,7 +8,7 @@
 #include "radiosity/form_factors/projected_form_factors.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/index_maps/scene_draw_list.h"
-#include "radiosity/projection/hemicube.h"
+#include "radiosity/projection/projection_kinds.h"
 #include "radiosity/scene/load_scene.h"
 #include "raster/base/input_error.h"
 #include "raster/software/software_renderer.h"

@@ -9,9 +9,9 @@
 #include "cli/scene/scene_options.h"
 #include "cli/vector/vector_output.h"
 #include "radiosity/index_maps/scene_draw_list.h"
-#include "radiosity/projection/hemicube.h"
 #include "radiosity/projection/patch_view.h"
 #include "radiosity/projection/projection.h"
+#include "radiosity/projection/projection_kinds.h"
 #include "raster/base/input_error.h"
 #include "reference/conformance/trace/stage_dump.h"
 

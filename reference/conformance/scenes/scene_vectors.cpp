@@ -6,9 +6,9 @@
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/index_maps/scene_draw_list.h"
-#include "radiosity/projection/hemicube.h"
 #include "radiosity/projection/patch_view.h"
 #include "radiosity/projection/projection.h"
+#include "radiosity/projection/projection_kinds.h"
 #include "radiosity/scene/load_scene.h"
 #include "reference/conformance/suite/vector_suite.h"
 

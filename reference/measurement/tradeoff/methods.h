@@ -38,9 +38,8 @@ struct TradeMethod {
 /// - `turned-hemicube`: rotated per patch about its normal.
 /// - `split-hemicube`: rotated per patch; patches near to their receivers are split (see
 ///   radiosity/form_factors/patch_subdivision.h).
-/// - `single-plane`, `tetrahedron`: rotated per patch, with these projections (see radiosity/projection/single_plane.h
-/// and
-///   radiosity/projection/cubic_tetrahedron.h).
+/// - `single-plane`, `tetrahedron`: rotated per patch, with these projections (see
+///   radiosity/projection/projection_kinds.h).
 /// - `levels-of-detail`: rotated hemicubes with coarser index maps for surfaces that cover few pixels (see
 ///   radiosity/form_factors/level_of_detail.h).
 /// - `centre-rays`: rays from the same points as hemicubes, to compare directions only.

@@ -10,7 +10,7 @@
 
 #include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/pictures/id_pictures.h"
-#include "radiosity/projection/hemicube.h"
+#include "radiosity/projection/projection_kinds.h"
 #include "raster/base/input_error.h"
 #include "raster/software/software_renderer.h"
 #include "tests/support/picture_scenes.h"

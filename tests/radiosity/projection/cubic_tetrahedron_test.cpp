@@ -1,11 +1,10 @@
 // The cubic tetrahedron: delta form factors compared with Lambert's contour integral, and faces that partition the half
 // space.
-#include "radiosity/projection/cubic_tetrahedron.h"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
+#include "radiosity/projection/projection_kinds.h"
 #include "reference/truth/closed_forms/point_to_polygon.h"
 
 using namespace hemitex;

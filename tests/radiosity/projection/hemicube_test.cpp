@@ -1,11 +1,10 @@
 // The hemicube: delta form factors compared with closed forms, and faces that partition the half space.
-#include "radiosity/projection/hemicube.h"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
 #include <random>
 
+#include "radiosity/projection/projection_kinds.h"
 #include "tests/support/corner_form_factors.h"
 
 using namespace hemitex;

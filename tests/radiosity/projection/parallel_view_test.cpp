@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "radiosity/projection/sphere_directions.h"
+#include "radiosity/projection/patch_view.h"
 #include "raster/software/software_renderer.h"
 #include "tests/support/hand_scenes.h"
 
@@ -90,13 +90,13 @@ TEST_CASE("ParallelViews show a triangle in as many pixels as its cross-section 
   CHECK(pixels == Approx(crossSection).epsilon(0.004));
 }
 
-TEST_CASE("hiddenSides are the sides that face away, in two-sided scenes only", "[parallel_view]") {
+TEST_CASE("trianglesFacingAway with onlyTwins are the hidden sides of two-sided scenes", "[parallel_view]") {
   Scene scene;
   scene.surfaces = {tests::parallelogram("front", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
                     tests::parallelogram("back", {0, 0, 0}, {0, 1, 0}, {1, 0, 0})};
-  CHECK(hiddenSides(scene, {0, 0, 9}).empty());
+  CHECK(trianglesFacingAway(scene, {0, 0, 9}, true).empty());
   scene.surfaces[0].twin = 1;
   scene.surfaces[1].twin = 0;
-  CHECK(hiddenSides(scene, {0, 0, 9}) == std::vector<std::uint32_t>{2, 3});
-  CHECK(hiddenSides(scene, {0, 0, -9}) == std::vector<std::uint32_t>{0, 1});
+  CHECK(trianglesFacingAway(scene, {0, 0, 9}, true) == std::vector<std::uint32_t>{2, 3});
+  CHECK(trianglesFacingAway(scene, {0, 0, -9}, true) == std::vector<std::uint32_t>{0, 1});
 }

@@ -10,8 +10,8 @@
 
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/geometry/tangent_along.h"
-#include "radiosity/projection/hemicube.h"
 #include "radiosity/projection/projection.h"
+#include "radiosity/projection/projection_kinds.h"
 #include "tests/support/box_scene.h"
 
 using namespace hemitex;

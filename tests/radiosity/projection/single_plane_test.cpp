@@ -1,9 +1,8 @@
 // The single plane: delta form factors compared with closed forms, and the captured share.
-#include "radiosity/projection/single_plane.h"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "radiosity/projection/projection_kinds.h"
 #include "tests/support/corner_form_factors.h"
 
 using namespace hemitex;
