@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "radiosity/form_factors/projected_form_factors.h"
-#include "raster/interface/draw_list.h"
+#include "radiosity/index_maps/scene_draw_list.h"
 #include "raster/interface/item_buffer_renderer.h"
 
 namespace hemitex::radiosity {
@@ -14,19 +14,8 @@ namespace {
 raster::DrawList drawsOfBacks(const Scene& scene) {
   raster::DrawList list;
   list.format = *raster::formatNamed("r32ui");
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    const auto first = static_cast<std::uint32_t>(list.indices.size());
-    for (const Triangle& triangle : scene.surfaces[s].triangles)
-      for (const glm::dvec3& position : triangle.position) {
-        list.indices.push_back(static_cast<std::uint32_t>(list.positions.size()));
-        list.positions.emplace_back(position - scene.origin);
-      }
-    list.draws.push_back({.first = first,
-                          .count = static_cast<std::uint32_t>(list.indices.size()) - first,
-                          .offset = 0,
-                          .back = static_cast<raster::ItemId>(s + 1)});
-  }
-  list.texcoords.resize(list.positions.size());
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+    appendDraw(list, scene.surfaces[s].triangles, scene.origin).back = static_cast<raster::ItemId>(s + 1);
   return list;
 }
 

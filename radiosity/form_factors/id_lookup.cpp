@@ -1,18 +1,12 @@
 #include "radiosity/form_factors/id_lookup.h"
 
 #include <algorithm>
-#include <optional>
-#include <utility>
 
 namespace hemitex::radiosity {
 namespace {
 
 /// Tables with up to this number of entries stay in the second-level cache.
 constexpr std::size_t maxCachedEntries = 65536;
-
-std::uint32_t texelCount(const Page& page) {
-  return static_cast<std::uint32_t>(page.columns) * static_cast<std::uint32_t>(page.rows);
-}
 
 /// Whether texel i is element firstElement + i for all texels.
 bool isPlain(const Grid& grid) {
@@ -30,13 +24,6 @@ std::vector<std::uint32_t> elementsOf(const Discretization& discretization, cons
   return elements;
 }
 
-/// The number of item IDs up to the end of the last page.
-std::uint32_t idCount(const IdLayout& layout) {
-  std::uint32_t count = 0;
-  for (const Page& page : layout.pages) count = std::max(count, page.offset + texelCount(page));
-  return count;
-}
-
 }  // namespace
 
 IdLookup::IdLookup(const Discretization& discretization, const IdLayout& layout)
@@ -46,8 +33,10 @@ IdLookup::IdLookup(const Discretization& discretization, const IdLayout& layout)
   } else if (layout.indexMaps == IndexMaps::Packed) {
     addBlocks(layout.packedElements.size(), layout.packedElements.data());
   } else if (!layout.aligned) {
-    // Item IDs of packed pages have no gaps.
-    tables_.push_back(elementsOf(discretization, layout, 0, idCount(layout)));
+    // Offsets have no gaps.
+    std::uint64_t ids = 0;
+    for (const Page& page : layout.pages) ids = std::max(ids, page.offset + texelCount(page));
+    tables_.push_back(elementsOf(discretization, layout, 0, static_cast<std::uint32_t>(ids)));
     addBlocks(tables_.back().size(), tables_.back().data());
   } else {
     if (layout.textured > 0) bits_ = layout.indexBits;
@@ -73,7 +62,7 @@ void IdLookup::addPages(const Discretization& discretization, const IdLayout& la
   for (std::uint32_t number = 0; number < layout.textured; ++number) {
     const Page& page = layout.pages[layout.byOffset[number]];
     const Grid& grid = discretization.grids[layout.byOffset[number]];
-    Block block{.count = texelCount(page), .first = grid.firstElement};
+    Block block{.count = static_cast<std::uint32_t>(texelCount(page)), .first = grid.firstElement};
     if (page.columns != grid.columns || page.rows != grid.rows) {
       // Texels behind the grid's last row have no slot.
       block.count = static_cast<std::uint32_t>(page.columns) * static_cast<std::uint32_t>(grid.rows);

@@ -4,7 +4,6 @@
 #include <bit>
 #include <cassert>
 #include <numeric>
-#include <string>
 #include <utility>
 
 #include "raster/base/input_error.h"
@@ -15,11 +14,6 @@ namespace {
 using raster::IdFormat;
 using raster::InputError;
 using raster::ItemId;
-
-template <typename Rectangle>
-std::uint64_t texelCount(const Rectangle& rectangle) {
-  return static_cast<std::uint64_t>(rectangle.columns) * static_cast<std::uint64_t>(rectangle.rows);
-}
 
 bool isTextured(const Page& page) { return texelCount(page) > 1; }
 
@@ -41,11 +35,17 @@ void validatePage(const Discretization& discretization, int page) {
                      "use a page of " + std::to_string(least) + " texels, or fewer texels a surface");
 }
 
-/// One page per surface, of the size of its grid or of `side`.
-void makeOwnPages(const Discretization& discretization, std::optional<int> side, IdLayout& layout) {
+/// One page per surface, of the size of its grid or of `page`. With unique maps a page has the elements in order: the
+/// item IDs are the element numbers.
+void makeOwnPages(const Discretization& discretization, const IdSettings& settings, IdLayout& layout) {
   for (const Grid& grid : discretization.grids) {
     layout.places.push_back({static_cast<int>(layout.pages.size()), 0, 0});
-    layout.pages.push_back(side && isDiscretized(grid) ? Page{*side, *side} : Page{grid.columns, grid.rows});
+    if (settings.indexMaps == IndexMaps::Unique)
+      layout.pages.push_back({static_cast<int>(grid.elementCount), 1});
+    else if (settings.page && isDiscretized(grid))
+      layout.pages.push_back({*settings.page, *settings.page});
+    else
+      layout.pages.push_back({grid.columns, grid.rows});
   }
 }
 
@@ -57,37 +57,10 @@ void makePackedPages(const Discretization& discretization, int side, IdLayout& l
   layout.pages.assign(packing.pages.size(), Page{side, side});
 }
 
-/// One page per surface, with its elements in order: the item IDs are the element numbers.
-void makeElementPages(const Discretization& discretization, IdLayout& layout) {
-  for (const Grid& grid : discretization.grids) {
-    layout.places.push_back({static_cast<int>(layout.pages.size()), 0, 0});
-    layout.pages.push_back({static_cast<int>(grid.elementCount), 1});
-  }
-}
-
 void makePages(const Discretization& discretization, const IdSettings& settings, IdLayout& layout) {
-  if (settings.indexMaps == IndexMaps::Unique) return makeElementPages(discretization, layout);
-  if (settings.page) validatePage(discretization, *settings.page);
-  if (settings.indexMaps == IndexMaps::Shared) return makeOwnPages(discretization, settings.page, layout);
+  if (settings.page && settings.indexMaps != IndexMaps::Unique) validatePage(discretization, *settings.page);
+  if (settings.indexMaps != IndexMaps::Packed) return makeOwnPages(discretization, settings, layout);
   makePackedPages(discretization, settings.page.value_or(defaultPage(discretization)), layout);
-}
-
-/// 64-bit offsets, so that an overflow of 32 bits is detected.
-struct Offsets {
-  std::vector<std::uint64_t> offset;  ///< one per page
-  std::uint64_t ids = 0;              ///< the end of the last page
-};
-
-Offsets offsetsOf(const IdLayout& layout) {
-  Offsets offsets;
-  std::uint64_t nextTextured = 0, nextSingle = std::uint64_t{layout.textured} << layout.indexBits;
-  for (const Page& page : layout.pages) {
-    offsets.offset.push_back(!layout.aligned    ? offsets.ids
-                             : isTextured(page) ? nextTextured++ << layout.indexBits
-                                                : nextSingle++);
-    offsets.ids = std::max(offsets.ids, offsets.offset.back() + texelCount(page));
-  }
-  return offsets;
 }
 
 /// The number of item IDs for `textured` surfaces of texels x texels and `singles` of one texel.
@@ -137,10 +110,16 @@ void layOutPages(IdLayout& layout, const std::string& formatName) {
   if (layout.aligned)
     std::stable_partition(layout.byOffset.begin(), layout.byOffset.end(),
                           [&](std::uint32_t page) { return isTextured(layout.pages[page]); });
-  const Offsets offsets = offsetsOf(layout);
-  if (offsets.ids > capacity(layout.format)) throwTooLarge(layout, formatName, offsets.ids);
-  for (std::size_t page = 0; page < layout.pages.size(); ++page)
-    layout.pages[page].offset = static_cast<ItemId>(offsets.offset[page]);
+  // In 64 bits, so that an overflow of 32 bits is detected.
+  std::uint64_t ids = 0, nextTextured = 0, nextSingle = std::uint64_t{layout.textured} << layout.indexBits;
+  for (Page& page : layout.pages) {
+    const std::uint64_t offset = !layout.aligned    ? ids
+                                 : isTextured(page) ? nextTextured++ << layout.indexBits
+                                                    : nextSingle++;
+    ids = std::max(ids, offset + texelCount(page));
+    page.offset = static_cast<ItemId>(offset);
+  }
+  if (ids > capacity(layout.format)) throwTooLarge(layout, formatName, ids);
 }
 
 ItemId idOfTexel(const IdLayout& layout, std::size_t surface, std::uint32_t column, std::uint32_t row) {

@@ -44,6 +44,12 @@ struct Page {
   raster::ItemId offset = 0;
 };
 
+/// The number of texels of a page or a grid.
+template <typename Rectangle>
+std::uint64_t texelCount(const Rectangle& rectangle) {
+  return static_cast<std::uint64_t>(rectangle.columns) * static_cast<std::uint64_t>(rectangle.rows);
+}
+
 struct IdLayout {
   raster::IdFormat format;
   raster::Blend blend = raster::Blend::ClampedAdd;

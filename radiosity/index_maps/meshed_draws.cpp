@@ -1,6 +1,5 @@
 #include "radiosity/index_maps/meshed_draws.h"
 
-#include <algorithm>
 #include <array>
 #include <boost/container_hash/hash.hpp>
 #include <cmath>
@@ -164,15 +163,11 @@ MeshedRenderer::MeshedRenderer(std::unique_ptr<raster::ItemBufferRenderer> piece
 
 void MeshedRenderer::draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
                           std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) {
-  pieces_->draw(faces, piecesOf(skipped), buffers, drawn);
-}
-
-std::vector<std::uint32_t> MeshedRenderer::piecesOf(std::span<const std::uint32_t> triangles) const {
-  std::vector<std::uint32_t> pieces;
-  for (const std::uint32_t triangle : triangles)
+  std::vector<std::uint32_t> skippedPieces;
+  for (const std::uint32_t triangle : skipped)
     for (std::uint32_t piece = firstPiece_[triangle]; piece < firstPiece_[triangle + 1]; ++piece)
-      pieces.push_back(piece);
-  return pieces;
+      skippedPieces.push_back(piece);
+  pieces_->draw(faces, skippedPieces, buffers, drawn);
 }
 
 }  // namespace hemitex::radiosity

@@ -44,8 +44,6 @@ class MeshedRenderer final : public raster::ItemBufferRenderer {
             std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) override;
 
  private:
-  std::vector<std::uint32_t> piecesOf(std::span<const std::uint32_t> triangles) const;
-
   std::unique_ptr<raster::ItemBufferRenderer> pieces_;
   std::vector<std::uint32_t> firstPiece_;
 };

@@ -6,10 +6,6 @@
 namespace hemitex::radiosity {
 namespace {
 
-std::uint64_t texelCount(int columns, int rows) {
-  return static_cast<std::uint64_t>(columns) * static_cast<std::uint64_t>(rows);
-}
-
 std::uint64_t sum(const Phantoms& phantoms) { return phantoms.spareTexels + phantoms.alignmentGaps; }
 
 IndexMapUse useOf(const std::string& name, const Discretization& discretization, IdSettings settings) {
@@ -17,8 +13,7 @@ IndexMapUse useOf(const std::string& name, const Discretization& discretization,
   const IdLayout layout = layOut(discretization, settings);
   std::uint64_t ids = 0;
   for (const Grid& grid : discretization.grids)
-    ids += settings.indexMaps == IndexMaps::Unique ? grid.elementCount
-                                                   : texelCount(grid.columns, grid.rows) - grid.phantoms;
+    ids += settings.indexMaps == IndexMaps::Unique ? grid.elementCount : texelCount(grid) - grid.phantoms;
   return {name, layout.pages.size(), ids, countPhantoms(discretization, layout)};
 }
 
@@ -42,12 +37,11 @@ Phantoms countPhantoms(const Discretization& discretization, const IdLayout& lay
   Phantoms phantoms;
   if (layout.indexMaps == IndexMaps::Unique) return phantoms;
   for (const Page& page : layout.pages) {
-    const std::uint64_t texels = texelCount(page.columns, page.rows);
+    const std::uint64_t texels = texelCount(page);
     phantoms.spareTexels += texels;
     if (layout.aligned && texels > 1) phantoms.alignmentGaps += (std::uint64_t{1} << layout.indexBits) - texels;
   }
-  for (const Grid& grid : discretization.grids)
-    phantoms.spareTexels -= texelCount(grid.columns, grid.rows) - grid.phantoms;
+  for (const Grid& grid : discretization.grids) phantoms.spareTexels -= texelCount(grid) - grid.phantoms;
   return phantoms;
 }
 

@@ -11,36 +11,25 @@ namespace {
 
 /// Texel (column, row) holds row * columns + column.
 raster::IndexMap countingMap(const Page& page) {
-  const auto texels = static_cast<std::size_t>(page.columns) * static_cast<std::size_t>(page.rows);
-  raster::IndexMap map{page.columns, page.rows, std::vector<raster::ItemId>(texels)};
+  raster::IndexMap map{page.columns, page.rows, std::vector<raster::ItemId>(texelCount(page))};
   std::iota(map.ids.begin(), map.ids.end(), raster::ItemId{0});
   return map;
 }
 
-/// The index maps of the draws so far.
-class IndexMapPool {
- public:
-  IndexMapPool(IndexMaps way, std::vector<raster::IndexMap>& maps) : way_(way), maps_(maps) {}
-
-  /// The number of a surface's map; none if the offset alone is its item ID.
-  std::optional<int> mapOf(const Grid& grid, const Page& page) {
-    if (way_ == IndexMaps::Unique)
-      return grid.elementCount == 1 ? std::nullopt : std::optional(add({grid.columns, grid.rows, grid.elementOfTexel}));
-    if (page.columns * page.rows == 1) return std::nullopt;
-    const auto [size, isNew] = bySize_.try_emplace({page.columns, page.rows}, static_cast<int>(maps_.size()));
-    return isNew ? add(countingMap(page)) : size->second;
+/// The number of a surface's map, which is appended if it is new; none if the offset alone is its item ID. `bySize` has
+/// the shared maps so far.
+std::optional<int> indexMapOf(const Grid& grid, const Page& page, bool isUnique,
+                              std::map<std::pair<int, int>, int>& bySize, std::vector<raster::IndexMap>& maps) {
+  if ((isUnique ? grid.elementCount : texelCount(page)) == 1) return std::nullopt;
+  const auto next = static_cast<int>(maps.size());
+  if (isUnique) {
+    maps.push_back({grid.columns, grid.rows, grid.elementOfTexel});
+    return next;
   }
-
- private:
-  int add(raster::IndexMap map) {
-    maps_.push_back(std::move(map));
-    return static_cast<int>(maps_.size()) - 1;
-  }
-
-  IndexMaps way_;
-  std::vector<raster::IndexMap>& maps_;
-  std::map<std::pair<int, int>, int> bySize_;
-};
+  const auto [map, isNew] = bySize.try_emplace({page.columns, page.rows}, next);
+  if (isNew) maps.push_back(countingMap(page));
+  return map->second;
+}
 
 /// Converts a chart coordinate to a page of `side` texels, strictly between the borders of the surface's texels.
 float inPage(double chart, int start, int texels, int side) {
@@ -62,36 +51,38 @@ struct TexelPlace {
   }
 };
 
-void appendTriangles(const Scene& scene, const Surface& surface, const TexelPlace& place, raster::DrawList& list) {
-  for (const Triangle& triangle : surface.triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      list.indices.push_back(static_cast<std::uint32_t>(list.positions.size()));
-      list.positions.emplace_back(triangle.position[k] - scene.origin);
-      list.texcoords.push_back(place.coordinates(triangle.chart[k]));
-    }
-}
-
 }  // namespace
+
+raster::Draw& appendDraw(raster::DrawList& list, std::span<const Triangle> triangles, const glm::dvec3& origin) {
+  const auto first = static_cast<std::uint32_t>(list.indices.size());
+  for (const Triangle& triangle : triangles)
+    for (const glm::dvec3& position : triangle.position) {
+      list.indices.push_back(static_cast<std::uint32_t>(list.positions.size()));
+      list.positions.emplace_back(position - origin);
+    }
+  list.texcoords.resize(list.positions.size());
+  list.draws.push_back({.first = first, .count = static_cast<std::uint32_t>(list.indices.size()) - first, .back = {}});
+  return list.draws.back();
+}
 
 raster::DrawList makeDrawList(const Scene& scene, const Discretization& discretization, const IdLayout& layout) {
   raster::DrawList list;
   list.format = layout.format;
   list.blend = layout.blend;
-  IndexMapPool maps(layout.indexMaps, list.indexMaps);
+  std::map<std::pair<int, int>, int> mapsBySize;
   const bool isUnique = layout.indexMaps == IndexMaps::Unique;
   for (std::size_t surface = 0; surface < scene.surfaces.size(); ++surface) {
     const Grid& grid = discretization.grids[surface];
     const RectanglePlace& place = layout.places[surface];
     const Page& page = layout.pages[static_cast<std::size_t>(place.page)];
-    raster::Draw draw;
-    draw.first = static_cast<std::uint32_t>(list.indices.size());
+    const TexelPlace texels{grid, place, isUnique ? grid.columns : page.columns, isUnique ? grid.rows : page.rows};
+    std::size_t corner = list.positions.size();
+    raster::Draw& draw = appendDraw(list, scene.surfaces[surface].triangles, scene.origin);
     draw.offset = page.offset;
     draw.back = raster::backId(layout.format);
-    draw.indexMap = maps.mapOf(grid, page);
-    const TexelPlace texels{grid, place, isUnique ? grid.columns : page.columns, isUnique ? grid.rows : page.rows};
-    appendTriangles(scene, scene.surfaces[surface], texels, list);
-    draw.count = static_cast<std::uint32_t>(list.indices.size()) - draw.first;
-    list.draws.push_back(draw);
+    draw.indexMap = indexMapOf(grid, page, isUnique, mapsBySize, list.indexMaps);
+    for (const Triangle& triangle : scene.surfaces[surface].triangles)
+      for (const glm::dvec2& chart : triangle.chart) list.texcoords[corner++] = texels.coordinates(chart);
   }
   return list;
 }

@@ -1,6 +1,8 @@
 /// The draw list of a scene: offsets and index maps from the item ID layout, charts as texture coordinates.
 #pragma once
 
+#include <span>
+
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
@@ -18,5 +20,9 @@ namespace hemitex::radiosity {
 /// step. Inside, binary32 page coordinates move the borders of texels by at most 2^-24 of the page's side. (The page's
 /// own border has no neighbour.)
 raster::DrawList makeDrawList(const Scene& scene, const Discretization& discretization, const IdLayout& layout);
+
+/// Appends triangles, with positions relative to `origin` and texture coordinates of 0, as one draw with offset 0 and
+/// without the item ID of backs and index map. Returns the draw.
+raster::Draw& appendDraw(raster::DrawList& list, std::span<const Triangle> triangles, const glm::dvec3& origin);
 
 }  // namespace hemitex::radiosity

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "radiosity/discretization/patch_points.h"
+#include "radiosity/index_maps/scene_draw_list.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -53,18 +53,12 @@ ChangedSurfaces::ChangedSurfaces(const Scene& scene, const std::vector<bool>& is
     : low_(std::numeric_limits<double>::infinity()), high_(-std::numeric_limits<double>::infinity()) {
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
     if (!isChanged[s]) continue;
-    raster::Draw draw;
-    draw.first = static_cast<std::uint32_t>(list_.indices.size());
+    appendDraw(list_, scene.surfaces[s].triangles, scene.origin);
     for (const Triangle& triangle : scene.surfaces[s].triangles)
       for (const glm::dvec3& corner : triangle.position) {
-        list_.indices.push_back(static_cast<std::uint32_t>(list_.positions.size()));
-        list_.positions.emplace_back(corner - scene.origin);
-        list_.texcoords.emplace_back(0);
         low_ = glm::min(low_, corner);
         high_ = glm::max(high_, corner);
       }
-    draw.count = static_cast<std::uint32_t>(list_.indices.size()) - draw.first;
-    list_.draws.push_back(draw);
   }
   clusters_ = raster::clustersOf(list_);
 }
