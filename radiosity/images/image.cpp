@@ -188,6 +188,11 @@ double decodeSrgb(double encoded) {
   return x * x * fifthRoot(x * x);  // x^2.4
 }
 
+glm::dvec3 decodeSrgb(const glm::dvec3& encoded) {
+  const glm::dvec3 clamped = glm::clamp(encoded, 0.0, 1.0);
+  return {decodeSrgb(clamped.x), decodeSrgb(clamped.y), decodeSrgb(clamped.z)};
+}
+
 std::uint8_t encodeSrgb(double linear) {
   static const std::array<double, 255> thresholds = codeThresholds();
   static const std::array<std::uint8_t, lowerCodes> lower = codesOfLowerValues(thresholds);

@@ -25,6 +25,8 @@ struct CodedImage {
 
 /// The linear value in [0,1] of an sRGB-encoded value in [0,1] (IEC 61966-2-1).
 double decodeSrgb(double encoded);
+/// As above per band; values outside [0,1] are clamped.
+glm::dvec3 decodeSrgb(const glm::dvec3& encoded);
 /// The 8-bit sRGB code nearest to a linear value. Values outside [0,1] are clamped; NaN gives 0.
 std::uint8_t encodeSrgb(double linear);
 CodedImage encodeSrgb(const Image& image);

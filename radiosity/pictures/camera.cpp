@@ -1,11 +1,12 @@
 #include "radiosity/pictures/camera.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
-#include "radiosity/pictures/tangent.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
@@ -18,7 +19,22 @@ constexpr double smallestFieldOfView = 1e-6;
 /// The distance of the middle of a scissor rectangle from that of the viewport, in units of x/w.
 double offCentre(int first, int size, int resolution) { return (2.0 * first + size) / resolution - 1; }
 
+/// Lambert's continued fraction, tan x = x / (1 - x^2 / (3 - x^2 / (5 - ...))), for x in [0, pi/4]. The error of
+/// stopping at level k is about (x/2)^(2k) / k!^2, which is negligible for k = 10.
+double tangentOfSmall(double x) {
+  double denominator = 21;
+  for (int odd = 19; odd >= 1; odd -= 2) denominator = odd - x * x / denominator;
+  return x / denominator;
+}
+
+double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
+
 }  // namespace
+
+double tangentOfDegrees(double degrees) {
+  assert(degrees >= 0 && degrees < 90);
+  return degrees <= 45 ? tangentOfSmall(radians(degrees)) : 1 / tangentOfSmall(radians(90 - degrees));
+}
 
 CameraAxes axesOf(const Camera& camera) {
   const glm::dvec3 direction = camera.lookAt - camera.eye;

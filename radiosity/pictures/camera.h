@@ -8,12 +8,7 @@
 
 namespace hemitex::radiosity {
 
-struct Camera {
-  glm::dvec3 eye{0.0};
-  glm::dvec3 lookAt{0.0, 0.0, -1.0};
-  glm::dvec3 up{0.0, 1.0, 0.0};
-  double fov = 50;  ///< vertical, in degrees, in (0, 180)
-};
+using Camera = SceneCamera;
 
 /// Unit vectors at right angles: right = forward x up.
 struct CameraAxes {
@@ -22,6 +17,10 @@ struct CameraAxes {
 
 /// Throws InputError if the camera has no direction, or `up` is parallel to it.
 CameraAxes axesOf(const Camera& camera);
+
+/// The tangent of an angle in degrees, in [0, 90), with a relative error of at most 1e-14; without libm, whose last
+/// digits differ between machines.
+double tangentOfDegrees(double degrees);
 
 /// The face that draws the view of `camera` at width x height pixels, each at most 4096. The viewport may be larger
 /// than the picture, which is the scissor rectangle. Row 0 is the BOTTOM of the picture. Surfaces nearer than 1e-5 of

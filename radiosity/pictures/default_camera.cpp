@@ -9,8 +9,6 @@
 #include <vector>
 
 #include "radiosity/discretization/patch_points.h"
-#include "radiosity/pictures/camera.h"
-#include "radiosity/pictures/tangent.h"
 #include "radiosity/pictures/visibility.h"
 
 namespace hemitex::radiosity {
@@ -218,7 +216,7 @@ class ViewScores {
     const glm::dvec3 forward = glm::normalize(camera.lookAt - camera.eye);
     SeenAreas seen;
     int sky = 0, backs = 0, near = 0, nearMiddle = 0;
-    const auto samples = view_.seeBothSides(camera, viewWidth, viewHeight);
+    const auto samples = view_.see(camera, viewWidth, viewHeight, {});
     for (int row = 0; row < viewHeight; ++row)
       for (int column = 0; column < viewWidth; ++column) {
         const std::optional<Visible>& sample = samples[static_cast<std::size_t>(row * viewWidth + column)];

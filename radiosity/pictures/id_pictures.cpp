@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "radiosity/index_maps/scene_draw_list.h"
-#include "radiosity/pictures/visibility.h"
+#include "radiosity/projection/patch_view.h"
 #include "raster/software/software_renderer.h"
 
 namespace hemitex::radiosity {
@@ -16,10 +16,6 @@ namespace {
 using Codes = glm::ivec3;
 
 constexpr Codes black(0), white(255), grey(160), magenta(255, 0, 255);
-
-glm::dvec3 linear(const Codes& codes) {
-  return {decodeSrgb(codes.x / 255.0), decodeSrgb(codes.y / 255.0), decodeSrgb(codes.z / 255.0)};
-}
 
 /// From 15 to 127: a ramp of 48 codes over the map, plus 64 codes on every other square of a chessboard. So adjacent
 /// texels differ by at least 31 codes. Black without a map.
@@ -69,16 +65,20 @@ raster::ItemBuffer drawBuffer(raster::DrawList list, const Scene& scene, const C
   return render(renderer, {&face, 1}, trianglesFacingAway(scene, camera.eye)).front();
 }
 
-/// A picture from one colour per pixel of an item buffer, whose rows go upwards.
+/// The picture of codesAt(column, row), with rows that go upwards.
 template <typename CodesAt>
 Image pictureOf(int width, int height, const CodesAt& codesAt) {
   Image image{width, height, {}};
   image.pixels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (int row = height - 1; row >= 0; --row)
     for (int column = 0; column < width; ++column)
-      image.pixels.push_back(linear(
-          codesAt(static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column))));
+      image.pixels.push_back(decodeSrgb(glm::dvec3(codesAt(column, row)) / 255.0));
   return image;
+}
+
+raster::ItemId idAt(const raster::ItemBuffer& buffer, int column, int row) {
+  return buffer
+      .ids[static_cast<std::size_t>(row) * static_cast<std::size_t>(buffer.width) + static_cast<std::size_t>(column)];
 }
 
 /// Draws the hemicube's draw list from a camera.
@@ -86,19 +86,20 @@ Image drawIds(const Scene& scene, const Discretization& discretization, const Id
               int width, int height, const CodesOf& codesOf) {
   const raster::ItemBuffer buffer =
       drawBuffer(makeDrawList(scene, discretization, layout), scene, camera, width, height);
-  return pictureOf(width, height, [&](std::size_t pixel) { return idCodes(layout, buffer.ids[pixel], codesOf); });
+  return pictureOf(width, height,
+                   [&](int column, int row) { return idCodes(layout, idAt(buffer, column, row), codesOf); });
 }
 
-/// The pixel of a face in a direction in front of it.
-std::size_t pixelTowards(const raster::Face& face, const glm::dvec3& direction) {
+/// The item ID of a face in a direction in front of it.
+raster::ItemId idTowards(const raster::Face& face, const raster::ItemBuffer& buffer, const glm::dvec3& direction) {
   const double depth = glm::dot(glm::dvec3(face.w), direction);
   const auto place = [&](const glm::vec3& axis, int first, int size) {
     const double coordinate = glm::dot(glm::dvec3(axis), direction) / depth;
     const int pixel = static_cast<int>(std::floor((coordinate + 1) / 2 * face.resolution));
-    return static_cast<std::size_t>(std::clamp(pixel - first, 0, size - 1));
+    return std::clamp(pixel - first, 0, size - 1);
   };
-  return place(face.y, face.scissor.row, face.scissor.height) * static_cast<std::size_t>(face.scissor.width) +
-         place(face.x, face.scissor.column, face.scissor.width);
+  return idAt(buffer, place(face.x, face.scissor.column, face.scissor.width),
+              place(face.y, face.scissor.row, face.scissor.height));
 }
 
 /// The direction of a point of the unfolded hemicube, in the top face's x, y, w. The middle square [-1,1]^2 is the top
@@ -135,11 +136,10 @@ BlendErrors blendErrorPicture(const Scene& scene, const Discretization& discreti
   const raster::ItemBuffer meant = drawBuffer(std::move(list), scene, camera, width, height);
   const CodesOf levelOf = [&](const PageIndex& place) { return indexLevel(layout, place); };
   BlendErrors errors;
-  errors.picture = pictureOf(width, height, [&](std::size_t pixel) {
-    const auto elementAt = [&](const raster::ItemBuffer& buffer) {
-      return elementOf(discretization, layout, buffer.ids[pixel]);
-    };
-    if (elementAt(drawn) == elementAt(meant)) return idCodes(layout, drawn.ids[pixel], levelOf);
+  errors.picture = pictureOf(width, height, [&](int column, int row) {
+    const raster::ItemId id = idAt(drawn, column, row), other = idAt(meant, column, row);
+    if (elementOf(discretization, layout, id) == elementOf(discretization, layout, other))
+      return idCodes(layout, id, levelOf);
     ++errors.pixels;
     return magenta;
   });
@@ -147,11 +147,8 @@ BlendErrors blendErrorPicture(const Scene& scene, const Discretization& discreti
 }
 
 Image indexMapImage(int columns, int rows, int texelSide) {
-  Image image{columns * texelSide, rows * texelSide, {}};
-  for (int y = image.height - 1; y >= 0; --y)
-    for (int x = 0; x < image.width; ++x)
-      image.pixels.push_back(linear(texelLevel(columns, rows, y / texelSide * columns + x / texelSide)));
-  return image;
+  return pictureOf(columns * texelSide, rows * texelSide,
+                   [&](int x, int y) { return texelLevel(columns, rows, y / texelSide * columns + x / texelSide); });
 }
 
 Image hemicubePicture(const IdLayout& layout, std::span<const raster::Face> faces,
@@ -163,24 +160,17 @@ Image hemicubePicture(const IdLayout& layout, std::span<const raster::Face> face
   const glm::dvec3 up(top.y), normal(top.w);
   const int side = 2 * top.resolution;
   const CodesOf codesOf = sumOfBoth(layout);
-  Image image{side, side, {}};
-  for (int row = side - 1; row >= 0; --row)
-    for (int column = 0; column < side; ++column) {
-      const double x = (2.0 * column + 1 - side) / top.resolution, y = (2.0 * row + 1 - side) / top.resolution;
-      if (std::min(std::fabs(x), std::fabs(y)) > 1) {
-        image.pixels.push_back(linear(grey));
-        continue;
-      }
-      const glm::dvec3 local = unfoldedDirection(x, y);
-      const glm::dvec3 direction = local.x * right + local.y * up + local.z * normal;
-      const auto depth = [&](const raster::Face& face) { return glm::dot(glm::dvec3(face.w), direction); };
-      const auto nearest = std::max_element(faces.begin(), faces.end(),
-                                            [&](const auto& a, const auto& b) { return depth(a) < depth(b); });
-      const raster::ItemBuffer& buffer = buffers[static_cast<std::size_t>(nearest - faces.begin())];
-      const raster::ItemId id = buffer.ids[pixelTowards(*nearest, direction)];
-      image.pixels.push_back(linear(idCodes(layout, id, codesOf)));
-    }
-  return image;
+  return pictureOf(side, side, [&](int column, int row) {
+    const double x = (2.0 * column + 1 - side) / top.resolution, y = (2.0 * row + 1 - side) / top.resolution;
+    if (std::min(std::fabs(x), std::fabs(y)) > 1) return grey;
+    const glm::dvec3 local = unfoldedDirection(x, y);
+    const glm::dvec3 direction = local.x * right + local.y * up + local.z * normal;
+    const auto depth = [&](const raster::Face& face) { return glm::dot(glm::dvec3(face.w), direction); };
+    const auto nearest =
+        std::max_element(faces.begin(), faces.end(), [&](const auto& a, const auto& b) { return depth(a) < depth(b); });
+    const raster::ItemBuffer& buffer = buffers[static_cast<std::size_t>(nearest - faces.begin())];
+    return idCodes(layout, idTowards(*nearest, buffer, direction), codesOf);
+  });
 }
 
 Image facesPicture(const IdLayout& layout, const Projection& projection, std::span<const raster::Face> faces,
@@ -188,21 +178,15 @@ Image facesPicture(const IdLayout& layout, const Projection& projection, std::sp
   assert(!faces.empty() && faces.size() == buffers.size());
   const CodesOf codesOf = sumOfBoth(layout);
   const int width = buffers.front().width, height = buffers.front().height;
-  Image image{width * static_cast<int>(faces.size()), height, {}};
-  for (int row = height - 1; row >= 0; --row)
-    for (std::size_t face = 0; face < faces.size(); ++face)
-      for (int i = 0; i < width; ++i) {
-        assert(buffers[face].width == width && buffers[face].height == height);
-        // A viewer along the face's w with y upwards has y x w on the right; for some faces that is -x.
-        const int column = raster::determinant(faces[face]) < 0 ? i : width - 1 - i;
-        const raster::Scissor& scissor = faces[face].scissor;
-        const bool counts = shareOf(projection, face, scissor.column + column, scissor.row + row) > 0;
-        const auto pixel =
-            static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
-        const Codes codes = idCodes(layout, buffers[face].ids[pixel], codesOf);
-        image.pixels.push_back(linear(counts ? codes : grey));
-      }
-  return image;
+  return pictureOf(width * static_cast<int>(faces.size()), height, [&](int x, int row) {
+    const auto face = static_cast<std::size_t>(x / width);
+    assert(buffers[face].width == width && buffers[face].height == height);
+    // A viewer along the face's w with y upwards has y x w on the right; for some faces that is -x.
+    const int column = raster::determinant(faces[face]) < 0 ? x % width : width - 1 - x % width;
+    const raster::Scissor& scissor = faces[face].scissor;
+    const bool counts = shareOf(projection, face, scissor.column + column, scissor.row + row) > 0;
+    return counts ? idCodes(layout, idAt(buffers[face], column, row), codesOf) : grey;
+  });
 }
 
 }  // namespace hemitex::radiosity

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 
-#include "radiosity/pictures/visibility.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
@@ -13,10 +11,8 @@ namespace {
 
 constexpr int largestPicture = 2048;
 
-using Samples = std::vector<std::optional<Visible>>;
-
 /// Two samples per pixel along each side.
-Samples seeTwice(const Scene& scene, const Camera& camera, int width, int height) {
+std::vector<std::optional<Visible>> seeTwice(const Scene& scene, const Camera& camera, int width, int height) {
   if (std::max(width, height) > largestPicture)
     throw raster::InputError("a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels",
                              "choose sides of at most " + std::to_string(largestPicture));
@@ -47,11 +43,6 @@ Value interpolate(const std::array<Value, 3>& corners, const glm::dvec3& weights
   return weights.x * corners[0] + weights.y * corners[1] + weights.z * corners[2];
 }
 
-glm::dvec3 decodedColour(const glm::dvec3& encoded) {
-  const glm::dvec3 clamped = glm::clamp(encoded, 0.0, 1.0);
-  return {decodeSrgb(clamped.x), decodeSrgb(clamped.y), decodeSrgb(clamped.z)};
-}
-
 /// The element that contains the visible point of a sample.
 std::uint32_t elementAt(const Scene& scene, const Discretization& discretization, const Visible& visible) {
   const Grid& grid = discretization.grids[visible.surface];
@@ -68,8 +59,13 @@ struct ShownPiece {
   bool operator==(const ShownPiece&) const = default;
 };
 
-/// Black where one of a sample's four neighbours shows another piece: lines of two samples, which is one pixel.
-Image borderPicture(const std::vector<std::optional<ShownPiece>>& pieces, int width, int height) {
+/// Black where one of a sample's four neighbours shows another piece, by pieceOf(sample): lines of two samples, which
+/// is one pixel.
+template <typename PieceOf>
+Image borderPicture(const Scene& scene, const Camera& camera, int width, int height, const PieceOf& pieceOf) {
+  std::vector<std::optional<ShownPiece>> pieces;
+  for (const std::optional<Visible>& visible : seeTwice(scene, camera, width, height))
+    pieces.push_back(visible ? std::optional<ShownPiece>(pieceOf(*visible)) : std::nullopt);
   const int columns = 2 * width, rows = 2 * height;
   const auto at = [&](int column, int row) -> const std::optional<ShownPiece>& {
     const int c = std::clamp(column, 0, columns - 1), r = std::clamp(row, 0, rows - 1);
@@ -85,16 +81,6 @@ Image borderPicture(const std::vector<std::optional<ShownPiece>>& pieces, int wi
       samples.emplace_back(isBorder ? 0.0 : 1.0);
     }
   return halved(samples, width, height);
-}
-
-/// The pieces that samples show; `pieceOf` returns the piece of a sample.
-std::vector<std::optional<ShownPiece>> piecesOf(const Samples& samples,
-                                                const std::function<ShownPiece(const Visible&)>& pieceOf) {
-  std::vector<std::optional<ShownPiece>> pieces;
-  pieces.reserve(samples.size());
-  for (const std::optional<Visible>& visible : samples)
-    pieces.push_back(visible ? std::optional(pieceOf(*visible)) : std::nullopt);
-  return pieces;
 }
 
 }  // namespace
@@ -115,7 +101,7 @@ glm::dvec3 unlitColour(const Scene& scene, const Visible& visible, const MapColo
         mapColour(static_cast<std::size_t>(*material.reflectanceMap), interpolate(triangle.texcoord, visible.weights));
   if (triangle.cornerColor) {
     const auto& [a, b, c] = *triangle.cornerColor;
-    colour *= interpolate(std::array{decodedColour(a), decodedColour(b), decodedColour(c)}, visible.weights);
+    colour *= interpolate(std::array{decodeSrgb(a), decodeSrgb(b), decodeSrgb(c)}, visible.weights);
   }
   return colour;
 }
@@ -136,18 +122,16 @@ Image elementPicture(const Scene& scene, const Discretization& discretization, c
 }
 
 Image wireframePicture(const Scene& scene, const Camera& camera, int width, int height) {
-  const auto pieceOf = [&](const Visible& visible) {
-    return ShownPiece{visible.surface, triangleOf(scene, visible).polygon, 0};
-  };
-  return borderPicture(piecesOf(seeTwice(scene, camera, width, height), pieceOf), width, height);
+  return borderPicture(scene, camera, width, height, [&](const Visible& visible) {
+    return ShownPiece{visible.surface, triangleOf(scene, visible).polygon};
+  });
 }
 
 Image meshPicture(const Scene& scene, const Discretization& discretization, const Camera& camera, int width,
                   int height) {
-  const auto pieceOf = [&](const Visible& visible) {
+  return borderPicture(scene, camera, width, height, [&](const Visible& visible) {
     return ShownPiece{visible.surface, triangleOf(scene, visible).polygon, elementAt(scene, discretization, visible)};
-  };
-  return borderPicture(piecesOf(seeTwice(scene, camera, width, height), pieceOf), width, height);
+  });
 }
 
 }  // namespace hemitex::radiosity

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <glm/glm.hpp>
-#include <vector>
 
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/images/image.h"

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "radiosity/pictures/camera.h"
@@ -14,19 +16,15 @@
 
 namespace hemitex::radiosity {
 
-/// The triangles whose backs face the eye, ascending. Pictures leave them out, so that closed rooms can be seen from
-/// outside.
-std::vector<std::uint32_t> trianglesFacingAway(const Scene& scene, const glm::dvec3& eye);
-
 /// The visible point of one sample.
 struct Visible {
   std::uint32_t surface = 0;
   std::uint32_t triangle = 0;  ///< in Surface::triangles
-  glm::dvec3 weights{0.0};     ///< barycentric weights of the point, of the triangle's corners 1 and 2
+  glm::dvec3 weights{0.0};     ///< barycentric, of the three corners; their sum is 1
 };
 
 /// The visible points of all samples, width x height, row 0 at the TOP; nothing for the background. Triangles that face
-/// away are invisible.
+/// away are invisible, so that closed rooms can be seen from outside. Throws InputError as cameraFace.
 std::vector<std::optional<Visible>> visibleSamples(const Scene& scene, const Camera& camera, int width, int height);
 
 /// For several pictures of one scene, which must outlive it.
@@ -34,18 +32,13 @@ class TriangleView {
  public:
   explicit TriangleView(const Scene& scene);
 
-  /// As visibleSamples.
-  std::vector<std::optional<Visible>> see(const Camera& camera, int width, int height);
-  /// As visibleSamples, but triangles that face away are visible.
-  std::vector<std::optional<Visible>> seeBothSides(const Camera& camera, int width, int height);
+  /// As visibleSamples, but only the triangles in `skipped` (numbers in the scene, ascending) are invisible.
+  std::vector<std::optional<Visible>> see(const Camera& camera, int width, int height,
+                                          std::span<const std::uint32_t> skipped);
 
  private:
-  std::vector<std::optional<Visible>> see(const raster::Face& face, const std::vector<std::uint32_t>& skipped);
-
-  Visible locate(raster::ItemId triangle) const;
-
   const Scene& scene_;
-  std::vector<raster::ItemId> firstTriangle_;  ///< one per surface: the number of its first triangle in the scene
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> places_;  ///< the surface of each triangle, and its number there
   raster::SoftwareRenderer renderer_;
 };
 

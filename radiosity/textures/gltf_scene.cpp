@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstring>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -43,14 +40,10 @@ std::vector<Part> partsByMaterial(const Scene& lit) {
 /// The position, texture coordinate and colour of a corner.
 using Vertex = std::array<float, 8>;
 
-glm::vec3 decodedColour(const glm::dvec3& encoded) {
-  return {decodeSrgb(encoded.x), decodeSrgb(encoded.y), decodeSrgb(encoded.z)};
-}
-
 Vertex vertexOf(const Triangle& triangle, std::size_t corner, const glm::dvec3& origin) {
   const glm::vec3 position(triangle.position[corner] - origin);
   const glm::vec2 texcoord(triangle.texcoord[corner].x, 1 - triangle.texcoord[corner].y);
-  const glm::vec3 colour = triangle.cornerColor ? decodedColour((*triangle.cornerColor)[corner]) : glm::vec3(1);
+  const glm::vec3 colour = triangle.cornerColor ? decodeSrgb((*triangle.cornerColor)[corner]) : glm::dvec3(1);
   return {position.x, position.y, position.z, texcoord.x, texcoord.y, colour.x, colour.y, colour.z};
 }
 

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <random>
 
-#include "radiosity/pictures/tangent.h"
 #include "radiosity/pictures/visibility.h"
+#include "radiosity/projection/patch_view.h"
 #include "raster/base/input_error.h"
 #include "tests/support/picture_scenes.h"
 
