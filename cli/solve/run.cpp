@@ -24,7 +24,7 @@ bool isChoosing(const SolveOptions& options) { return options.adaptive || option
 void tellOtherRanks(radiosity::Messenger& ranks, const radiosity::Solution& solution) {
   std::string bytes;
   radiosity::appendBytes(bytes, solution.isInterrupted);
-  radiosity::appendList(bytes, solution.radiosity);
+  radiosity::appendBytes(bytes, solution.radiosity);
   for (int rank = 1; rank < ranks.ranks(); ++rank) ranks.send(rank, radiosity::MessageKind::Solution, bytes);
 }
 
@@ -34,7 +34,7 @@ radiosity::Solution solutionOfRankZero(radiosity::Messenger& ranks) {
   std::string_view bytes = message.bytes;
   radiosity::Solution solution;
   solution.isInterrupted = radiosity::takeValue<bool>(bytes);
-  solution.radiosity = radiosity::takeList<glm::dvec3>(bytes);
+  solution.radiosity = radiosity::takeValue<std::vector<glm::dvec3>>(bytes);
   return solution;
 }
 
@@ -48,7 +48,7 @@ radiosity::Solution solvedWithRanks(radiosity::Messenger& ranks, radiosity::Scen
     rows.lookAhead(step);
     return progress(step);
   });
-  rows.end();
+  radiosity::endTasks(ranks);
   const radiosity::RowCounts counts = rows.counts();
   console.detail(std::to_string(counts.ahead) + " rows were computed ahead, of which " + std::to_string(counts.used) +
                  " were used; rank 0 computed " + std::to_string(counts.ofRankZero) + " when they were needed");

@@ -30,7 +30,7 @@ inline std::string_view takeBytes(std::string_view& bytes, std::size_t count) {
 
 /// Removes a value that appendBytes wrote, and returns it. Throws InputError if there are too few bytes.
 template <typename Value>
-Value takeValue(std::string_view& bytes) {
+requires(!requires { typename Value::allocator_type; }) Value takeValue(std::string_view& bytes) {
   static_assert(std::is_standard_layout_v<Value>);
   Value value;
   std::memcpy(static_cast<void*>(&value), takeBytes(bytes, sizeof value).data(), sizeof value);
@@ -39,19 +39,21 @@ Value takeValue(std::string_view& bytes) {
 
 /// Appends the number of values and their bytes.
 template <typename Value>
-void appendList(std::string& bytes, const std::vector<Value>& values) {
+void appendBytes(std::string& bytes, const std::vector<Value>& values) {
   static_assert(std::is_standard_layout_v<Value>);
   appendBytes(bytes, std::uint64_t{values.size()});
   bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value));
 }
 
-/// Removes values that appendList wrote, and returns them. Throws InputError if there are too few bytes.
-template <typename Value>
-std::vector<Value> takeList(std::string_view& bytes) {
+/// As above, of a std::vector.
+template <typename List>
+requires requires { typename List::allocator_type; }
+List takeValue(std::string_view& bytes) {
+  using Value = typename List::value_type;
   static_assert(std::is_standard_layout_v<Value>);
   const auto count = takeValue<std::uint64_t>(bytes);
   if (count > bytes.size() / sizeof(Value)) throw raster::InputError("is cut off");
-  std::vector<Value> values(count);
+  List values(count);
   if (count > 0)
     std::memcpy(static_cast<void*>(values.data()), takeBytes(bytes, count * sizeof(Value)).data(),
                 count * sizeof(Value));

@@ -19,29 +19,22 @@ constexpr std::size_t shotsPerRank = 4, spareShots = 8;
 /// Rank 0 waits for the row of another rank at most this number of times as long as it would compute the row.
 constexpr double patience = 2;
 
-using Clock = std::chrono::steady_clock;
-
-double seconds() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 std::size_t bytesOf(const FormFactorRow& row) {
   return row.elements.size() * (sizeof(row.elements[0]) + sizeof(row.shares[0]));
 }
 
 void append(std::string& bytes, const FormFactorRow& row) {
-  appendList(bytes, row.elements);
-  appendList(bytes, row.shares);
+  appendBytes(bytes, row.elements);
+  appendBytes(bytes, row.shares);
   appendBytes(bytes, row.background);
   appendBytes(bytes, row.back);
 }
 
 FormFactorRow takeRow(std::string_view& bytes) {
-  FormFactorRow row;
-  row.elements = takeList<std::uint32_t>(bytes);
-  row.shares = takeList<std::uint64_t>(bytes);
-  row.background = takeValue<std::uint64_t>(bytes);
-  row.back = takeValue<std::uint64_t>(bytes);
-  return row;
+  return {takeValue<std::vector<std::uint32_t>>(bytes), takeValue<std::vector<std::uint64_t>>(bytes),
+          takeValue<std::uint64_t>(bytes), takeValue<std::uint64_t>(bytes)};
 }
 
 }  // namespace
@@ -57,8 +50,7 @@ void RowsAhead::takeMessages() {
     ++counts_.ahead;
     const auto task = tasks_.find(number);
     if (task == tasks_.end()) continue;  // rank 0 has computed the row
-    FormFactorRow row = takeRow(bytes);
-    keep(std::move(task->second), std::move(row));
+    keep(std::move(task->second), takeRow(bytes));
     tasks_.erase(task);
   }
 }
@@ -109,7 +101,7 @@ void RowsAhead::lookAhead(const Step& step) {
       if (!task) break;
       std::string message;
       appendBytes(message, tasksGiven_);
-      appendList(message, task->points);
+      appendBytes(message, task->points);
       ranks_.send(static_cast<int>(rank), MessageKind::Task, std::move(message));
       tasks_[tasksGiven_++] = *std::move(task);
       ++tasksOf_[rank];
@@ -144,9 +136,9 @@ bool RowsAhead::areOthersSlow() const {
 }
 
 FormFactorRow RowsAhead::computed(const Points& points) {
-  const auto start = Clock::now();
+  const double start = seconds();
   FormFactorRow row = formFactors_.rows().ofPoints(points);
-  slowestRow_ = std::max(slowestRow_, secondsSince(start));
+  slowestRow_ = std::max(slowestRow_, seconds() - start);
   return row;
 }
 
@@ -164,8 +156,8 @@ FormFactorRow RowsAhead::row(const Patch& patch) {
 FormFactorRow RowsAhead::rowOf(const Patch& requested) {
   const std::uint32_t patch = requested.number;
   const Points points = formFactors_.rows().pointsOfPatch(requested);
-  const auto start = Clock::now();
-  while (isUnderWay(patch) && secondsSince(start) < patience * slowestRow_) {
+  const double start = seconds();
+  while (isUnderWay(patch) && seconds() - start < patience * slowestRow_) {
     takeMessages();
     std::this_thread::yield();
   }
@@ -182,18 +174,14 @@ FormFactorRow RowsAhead::rowOf(const Patch& requested) {
   return row;
 }
 
-void RowsAhead::end() { endTasks(ranks_); }
-
 std::string resultOf(std::string_view task, ProjectedFormFactors& rows) {
   std::string result(takeBytes(task, sizeof(std::uint64_t)));
-  append(result, rows.ofPoints(takeList<ViewPoint>(task)));
+  append(result, rows.ofPoints(takeValue<std::vector<ViewPoint>>(task)));
   return result;
 }
 
 void computeRows(Messenger& ranks, ProjectedFormFactors& rows) {
-  for (Message message = awaited(ranks); message.kind != MessageKind::Over; message = awaited(ranks))
-    ranks.send(0, MessageKind::Result, resultOf(message.bytes, rows));
-  ranks.send(0, MessageKind::Done, {});
+  answerTasks(ranks, [&rows](std::string_view task) { return resultOf(task, rows); });
 }
 
 }  // namespace hemitex::radiosity

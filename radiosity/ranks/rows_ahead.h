@@ -26,7 +26,7 @@ struct RowCounts {
   std::size_t ofRankZero = 0;  ///< computed by rank 0 when they were needed
 };
 
-/// The part of rank 0.
+/// The part of rank 0. Call endTasks after the solution.
 class RowsAhead {
  public:
   /// `budget` in bytes, for rows that have arrived and are not needed yet. References must outlive this object.
@@ -36,8 +36,6 @@ class RowsAhead {
   void lookAhead(const Step& step);
   /// The row of a patch. Computes it if no rank has it, or if the rank that computes it is slow.
   FormFactorRow row(const Patch& patch);
-  /// Ends the work of the other ranks.
-  void end();
 
   const RowCounts& counts() const { return counts_; }
 

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <map>
 #include <thread>
-#include <vector>
 
 #include "radiosity/base/bytes.h"
 
@@ -68,15 +67,6 @@ class HandingOut {
   std::map<std::size_t, std::string> results_;  ///< computed, but not taken
 };
 
-void computeTasks(Messenger& ranks, const SharedTasks& tasks) {
-  for (Message message = awaited(ranks); message.kind != MessageKind::Over; message = awaited(ranks)) {
-    std::string_view bytes = message.bytes;
-    const std::size_t task = takeValue<std::uint64_t>(bytes);
-    ranks.send(0, MessageKind::Result, bytesOf(task, tasks.compute(task)));
-  }
-  ranks.send(0, MessageKind::Done, {});
-}
-
 }  // namespace
 
 std::optional<Message> received(Messenger& ranks) {
@@ -101,13 +91,22 @@ void endTasks(Messenger& ranks) {
     if (awaited(ranks).kind == MessageKind::Done) --working;
 }
 
+void answerTasks(Messenger& ranks, const std::function<std::string(std::string_view task)>& answer) {
+  for (Message message = awaited(ranks); message.kind != MessageKind::Over; message = awaited(ranks))
+    ranks.send(0, MessageKind::Result, answer(message.bytes));
+  ranks.send(0, MessageKind::Done, {});
+}
+
 void run(Messenger* ranks, const SharedTasks& tasks) {
   if (ranks == nullptr)
     for (std::size_t task = tasks.first; task < tasks.end; ++task) tasks.take(task, tasks.compute(task));
   else if (ranks->rank() == 0)
     HandingOut(*ranks, tasks).run();
   else
-    computeTasks(*ranks, tasks);
+    answerTasks(*ranks, [&tasks](std::string_view bytes) {
+      const std::size_t task = takeValue<std::uint64_t>(bytes);
+      return bytesOf(task, tasks.compute(task));
+    });
 }
 
 }  // namespace hemitex::radiosity

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "radiosity/ranks/messenger.h"
 
@@ -15,6 +16,8 @@ std::optional<Message> received(Messenger& ranks);
 Message awaited(Messenger& ranks);
 /// On rank 0: tells the other ranks that there are no more tasks, and waits until they know. Late results are ignored.
 void endTasks(Messenger& ranks);
+/// On other ranks: sends rank 0 the answer to each task, given its bytes, until there are no more.
+void answerTasks(Messenger& ranks, const std::function<std::string(std::string_view task)>& answer);
 
 /// Computes the results of the tasks [first, end). Rank 0 hands out a task whenever a rank has sent a result, computes
 /// tasks itself meanwhile, and calls `take` in the order of tasks. It repeats tasks of slow ranks rather than wait for

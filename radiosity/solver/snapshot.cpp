@@ -9,26 +9,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the format is little-endian");
 
-template <typename Value>
-void append(std::string& bytes, const Value& value) {
-  appendBytes(bytes, value);
-}
-
-template <typename Value>
-void append(std::string& bytes, const std::vector<Value>& values) {
-  appendList(bytes, values);
-}
-
-template <typename Value>
-void take(std::string_view& bytes, Value& value) {
-  value = takeValue<Value>(bytes);
-}
-
-template <typename Value>
-void take(std::string_view& bytes, std::vector<Value>& values) {
-  values = takeList<Value>(bytes);
-}
-
 /// Calls visit(part) for each part of a snapshot.
 template <typename AnySnapshot, typename Visit>
 void forEachPart(AnySnapshot& snapshot, const Visit& visit) {
@@ -46,13 +26,13 @@ void forEachPart(AnySnapshot& snapshot, const Visit& visit) {
 
 std::string toBytes(const Snapshot& snapshot) {
   std::string bytes;
-  forEachPart(snapshot, [&](const auto& part) { append(bytes, part); });
+  forEachPart(snapshot, [&](const auto& part) { appendBytes(bytes, part); });
   return bytes;
 }
 
 Snapshot takeSnapshot(std::string_view& bytes) {
   Snapshot snapshot;
-  forEachPart(snapshot, [&](auto& part) { take(bytes, part); });
+  forEachPart(snapshot, [&]<typename Part>(Part& part) { part = takeValue<Part>(bytes); });
   return snapshot;
 }
 

@@ -127,7 +127,7 @@ Run simulated(int ranks, const Scene& scene, const Discretization& discretizatio
           return true;
         });
   const Run run{messenger.clock(), messenger.waited(), rows.counts()};
-  rows.end();
+  endTasks(messenger);
   return run;
 }
 
