@@ -11,8 +11,6 @@
 /// by chance. It is lit at its centre instead, by rays to some of the directions (ray_tree.h).
 #pragma once
 
-#include <cstdint>
-#include <functional>
 #include <glm/glm.hpp>
 #include <vector>
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "radiosity/discretization/patch_points.h"
 #include "radiosity/form_factors/level_of_detail.h"
 
 namespace hemitex::radiosity {
@@ -41,8 +40,7 @@ ProjectedFormFactors::ProjectedFormFactors(const Scene& scene, const Discretizat
 const Projection& ProjectedFormFactors::projectionAfter(int halvings) {
   const int halved = settings_.resolution >> halvings;
   const int resolution = std::min(settings_.resolution, std::max(smallestResolution, halved + halved % 2));
-  const auto known = projections_.find(resolution);
-  if (known != projections_.end()) return known->second;
+  if (const auto known = projections_.find(resolution); known != projections_.end()) return known->second;
   return projections_.emplace(resolution, projectionOf(settings_.projection, resolution)).first->second;
 }
 
@@ -75,8 +73,7 @@ std::vector<View> ProjectedFormFactors::viewsOfPatch(const Patch& patch) {
 }
 
 FormFactorRow ProjectedFormFactors::ofView(const View& view) {
-  const std::vector<Window> windows = wholeFaces(*view.projection);
-  FormFactorRow row = drawWindows(view, windows, buffers_);
+  FormFactorRow row = ofWindows(view, wholeFaces(*view.projection));
   if (settings_.pixelsPerElement > 0) {
     const std::vector<std::uint32_t> pixels = pixelsOf(row, discretization_, layout_, *view.projection, buffers_);
     row = withCoarserMaps(discretization_, row, pixels, settings_.pixelsPerElement);
@@ -86,18 +83,13 @@ FormFactorRow ProjectedFormFactors::ofView(const View& view) {
 }
 
 FormFactorRow ProjectedFormFactors::ofWindows(const View& view, std::span<const Window> windows) {
-  return drawWindows(view, windows, buffers_);
-}
-
-FormFactorRow ProjectedFormFactors::drawWindows(const View& view, std::span<const Window> windows,
-                                                std::vector<raster::ItemBuffer>& buffers) {
   std::vector<raster::Face> faces;
   for (const Window& window : windows) {
     faces.push_back(view.faces[window.face]);
     faces.back().scissor = window.scissor;
   }
   return counter_.rowOf(*view.projection, [&](const AddWindow& add) {
-    renderer_.draw(faces, view.skipped, buffers, [&](std::size_t w) { add(windows[w], buffers[w]); });
+    renderer_.draw(faces, view.skipped, buffers_, [&](std::size_t w) { add(windows[w], buffers_[w]); });
   });
 }
 

@@ -73,16 +73,13 @@ class ProjectedFormFactors {
   std::vector<View> viewsOfPatch(const Patch& patch);
   /// The row of one view.
   FormFactorRow ofView(const View& view);
-  /// The contribution of windows of a view to its row. Requires isSumOfWindows.
+  /// The sum of the pixels of windows of a view. It is their contribution to its row if isSumOfWindows.
   FormFactorRow ofWindows(const View& view, std::span<const Window> windows);
 
   /// Whether the row of a view is the sum of its windows. It is not with coarser maps, whose level is chosen per view.
   bool isSumOfWindows() const { return settings_.pixelsPerElement == 0; }
 
  private:
-  /// Draws the windows, one buffer per window, and returns the sum of their pixels.
-  FormFactorRow drawWindows(const View& view, std::span<const Window> windows,
-                            std::vector<raster::ItemBuffer>& buffers);
   View viewFrom(const ViewPoint& from);
   const Projection& projectionAfter(int halvings);
 

@@ -2,7 +2,6 @@
 /// that are too near to their receivers, and computes the row of each patch.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>

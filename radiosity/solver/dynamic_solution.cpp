@@ -1,30 +1,13 @@
 #include "radiosity/solver/dynamic_solution.h"
 
 #include <algorithm>
-#include <cassert>
-#include <limits>
 #include <utility>
 
 #include "radiosity/discretization/edited_discretization.h"
 #include "radiosity/discretization/grid_size.h"
-#include "radiosity/discretization/patch_points.h"
-#include "radiosity/scene/scene.h"
 #include "radiosity/solver/row_update.h"
 
 namespace hemitex::radiosity {
-/// A scene and what draws its rows.
-struct DrawnScene {
-  DrawnScene(Scene ofWorld, Discretization shooting, const LayoutFactory& layOut, const DrawingSettings& settings,
-             const RendererFactory& makeRenderer)
-      : scene(std::move(ofWorld)),
-        discretization(std::move(shooting)),
-        drawn(scene, discretization, layOut(discretization), settings, makeRenderer) {}
-
-  const Scene scene;
-  Discretization discretization;
-  SceneFormFactors drawn;
-};
-
 namespace {
 
 std::uint32_t viewCount(const Patch& patch) {
@@ -194,21 +177,11 @@ class LightUpdate {
       if (!numbers_.patch[p]) continue;  // all its shots are retracted
       const Patch& patch = patchBefore(p);
       const double pixel = pixelAngle(change_.rowsAfter.projection()) * (1 << patch.halvings);
-      for (const SurfacePoint& point : pointsOf(patch))
-        shares[p] = std::max(shares[p], std::min(1.0, change_.gone.largestShare(point, pixel) +
-                                                          change_.come.largestShare(point, pixel)));
+      for (const ViewPoint& from : change_.rowsBefore.pointsOfPatch(patch))
+        shares[p] = std::max(shares[p], std::min(1.0, change_.gone.largestShare(from.point, pixel) +
+                                                          change_.come.largestShare(from.point, pixel)));
     }
     return shares;
-  }
-
-  /// The points that the patch shoots from.
-  std::vector<SurfacePoint> pointsOf(const Patch& patch) const {
-    std::vector<SurfacePoint> points;
-    if (patch.points > 1)
-      for (const ShootingBlock& block : shootingBlocks(before_.scene, before_.discretization, patch))
-        points.push_back(block.centre);
-    if (points.empty()) points.push_back(patchCentre(before_.scene, before_.discretization, patch));
-    return points;
   }
 
   const Patch& patchBefore(std::uint32_t number) const { return before_.discretization.patches.list[number]; }
@@ -294,12 +267,6 @@ DynamicSolution::DynamicSolution(Scene scene, Discretization discretization, Sol
       solution_(std::move(solution)) {
   settings_.discretization = followingScene(world_->scene, settings_.discretization);
 }
-
-DynamicSolution::~DynamicSolution() = default;
-
-const Scene& DynamicSolution::scene() const { return world_->scene; }
-const Discretization& DynamicSolution::discretization() const { return world_->discretization; }
-const IdLayout& DynamicSolution::layout() const { return world_->drawn.layout(); }
 
 UpdateCost DynamicSolution::update(std::span<const Edit> edits, const Progress& progress) {
   EditedScene edit = edited(world_->scene, removed_, edits);

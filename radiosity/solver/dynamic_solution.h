@@ -12,11 +12,10 @@
 /// the edited scene with the same patches by at most the sum of both residuals.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
@@ -52,7 +51,18 @@ struct UpdateCost {
 /// With it `solve` gives the continuation `rows.ofViews`, which save work at the first update.
 FormFactorRow rowByViews(ProjectedFormFactors& rows, RowCache& ofViews, const Patch& patch);
 
-struct DrawnScene;
+/// A scene and what draws its rows.
+struct DrawnScene {
+  DrawnScene(Scene ofWorld, Discretization shooting, const LayoutFactory& layOut, const DrawingSettings& settings,
+             const RendererFactory& makeRenderer)
+      : scene(std::move(ofWorld)),
+        discretization(std::move(shooting)),
+        drawn(scene, discretization, layOut(discretization), settings, makeRenderer) {}
+
+  const Scene scene;
+  Discretization discretization;
+  SceneFormFactors drawn;
+};
 
 class DynamicSolution {
  public:
@@ -61,17 +71,15 @@ class DynamicSolution {
   /// otherwise surfaces under moved solids would stay dark.
   DynamicSolution(Scene scene, Discretization discretization, Solution solution, DynamicSettings settings,
                   LayoutFactory layOut, RendererFactory makeRenderer = softwareRenderer);
-  ~DynamicSolution();
-  DynamicSolution(const DynamicSolution&) = delete;
-  DynamicSolution& operator=(const DynamicSolution&) = delete;
 
   /// Edits the scene and updates the solution; counts shots from here. Throws InputError as `edited` and the layout,
   /// and then changes nothing.
   UpdateCost update(std::span<const Edit> edits, const Progress& progress = {});
 
-  const Scene& scene() const;
-  const Discretization& discretization() const;  ///< whose patches are those of the solution
-  const IdLayout& layout() const;
+  const Scene& scene() const { return world_->scene; }
+  /// Its patches are those of the solution.
+  const Discretization& discretization() const { return world_->discretization; }
+  const IdLayout& layout() const { return world_->drawn.layout(); }
   /// The solution; its patches are in the discretization.
   const Solution& solution() const { return solution_; }
   /// The flux that was shot, and where it arrived.

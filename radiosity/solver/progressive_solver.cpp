@@ -1,9 +1,9 @@
 #include "radiosity/solver/progressive_solver.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
-#include "radiosity/scene/scene.h"
 #include "radiosity/solver/loss_warning.h"
 #include "raster/base/input_error.h"
 
@@ -39,12 +39,6 @@ std::vector<std::string> warningsOf(const Energy& energy) {
       " % of the emitted flux was absorbed by the backs of faces, which lit surfaces see. Either a face is "
       "wound clockwise as seen from its lit side, or light reaches both sides of a single sheet. Turn the face over, "
       "or give each side a surface of its own"};
-}
-
-/// Adds the flux of a patch that backs absorbed. Patches may have been split since the last call.
-void addToBacks(std::vector<glm::dvec3>& absorbed, std::uint32_t patch, const glm::dvec3& flux) {
-  if (patch >= absorbed.size()) absorbed.resize(patch + 1);
-  absorbed[patch] += flux;
 }
 
 /// All emitted flux over the flux of a patch of weight 1.
@@ -84,7 +78,11 @@ Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, co
     const std::uint32_t patch = state.brightestPatch();
     if (hasBeenSplit(patch)) continue;  // another patch may be brighter than the parts
     const FormFactorRow& row = rows.row(patch, [&] { return input.rowOf(state.patches().list[patch]); });
-    if (row.back != 0) addToBacks(solution.absorbedByBacks, patch, state.unshot(patch) * formFactor(row.back));
+    if (row.back != 0) {
+      std::vector<glm::dvec3>& absorbed = solution.absorbedByBacks;
+      absorbed.resize(std::max(absorbed.size(), std::size_t{patch} + 1));
+      absorbed[patch] += state.unshot(patch) * formFactor(row.back);
+    }
     state.shoot(patch, row);
     ++solution.shots;
     solution.residual = state.residual();

@@ -3,7 +3,6 @@
 /// drawn in the scenes before and after. The rest of the row is unchanged, to the last unit of 2^-60.
 #pragma once
 
-#include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
 

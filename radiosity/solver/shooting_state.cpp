@@ -4,7 +4,6 @@
 #include <cassert>
 #include <limits>
 #include <span>
-#include <utility>
 
 #include "raster/base/parallel.h"
 
@@ -243,34 +242,18 @@ double ShootingState::residual() const {
   return light_.lastEmitted > 0 ? (bandSum(unshot_.sizes()) + light_.stale) / light_.lastEmitted : 0;
 }
 
-std::vector<glm::dvec3> ShootingState::radiosity() const& {
-  std::vector<glm::dvec3> result = light_.received;
-  makeRadiosity(result);
-  return result;
-}
-
 std::vector<glm::dvec3> ShootingState::radiosity() && {
-  makeRadiosity(light_.received);
-  return std::move(light_.received);
-}
-
-/// Converts the received flux of elements to radiosity: outgoing flux over area.
-void ShootingState::makeRadiosity(std::vector<glm::dvec3>& received) const {
   raster::parallelFor(discretization_.grids.size(), [&](std::size_t s) {
     const auto surface = static_cast<std::uint32_t>(s);
     const SurfaceValues emission = emissions(scene_, discretization_, surface),
                         reflectance = reflectances(scene_, discretization_, surface);
     for (const std::uint32_t element : elementsOf(discretization_.grids[s])) {
       const double area = discretization_.elements[element].area;
-      received[element] = (emission.of(element) * area + reflectance.of(element) * received[element]) / area;
+      glm::dvec3& value = light_.received[element];
+      value = (emission.of(element) * area + reflectance.of(element) * value) / area;
     }
   });
-}
-
-std::size_t ShootingState::bytes() const {
-  return (light_.shot.capacity() + light_.received.capacity() + light_.outside.received.capacity()) *
-             sizeof(glm::dvec3) +
-         unshot_.bytes();
+  return std::move(light_.received);
 }
 
 /// The outgoing flux of a patch's elements minus what the patch has shot.

@@ -20,7 +20,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -102,18 +101,13 @@ class ShootingState {
   /// The sum of absolute unshot flux of all patches and of the stale flux, over the emitted flux, bands summed. If
   /// nothing is emitted, over the flux emitted last; 0 if nothing ever was.
   double residual() const;
-  /// Radiosity of the elements: flux over area.
-  std::vector<glm::dvec3> radiosity() const&;
-  /// As above, reusing the memory of the received flux.
+  /// Radiosity of the elements, W/m^2 per band: flux over area. Reuses the memory of the received flux.
   std::vector<glm::dvec3> radiosity() &&;
   /// Moves the patches out. This object must not be used afterwards.
   Patches takePatches() { return std::move(patches_); }
 
-  std::size_t bytes() const;
-
  private:
   glm::dvec3 absorbed() const;
-  void makeRadiosity(std::vector<glm::dvec3>& received) const;
   glm::dvec3 unshotOf(std::uint32_t patch) const;
   std::vector<glm::dvec3> unshotByPatches() const;
 

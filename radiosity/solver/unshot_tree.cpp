@@ -9,20 +9,12 @@
 #include "radiosity/scene/scene.h"
 
 namespace hemitex::radiosity {
-namespace {
 
 constexpr std::size_t children = UnshotTree::patchesInBlock;
 
-}  // namespace
-
 UnshotTree::UnshotTree(std::vector<glm::dvec3> flux) : flux_(std::move(flux)) {
   assert(!flux_.empty());
-  std::size_t count = flux_.size();
-  do {
-    count = (count + children - 1) / children;
-    levels_.emplace_back(count);
-    for (std::uint32_t number = 0; number < count; ++number) make(levels_.size() - 1, number);
-  } while (count > 1);
+  grow(flux_.size());
 }
 
 void UnshotTree::grow(std::size_t patches) {
@@ -101,12 +93,6 @@ std::vector<std::uint32_t> UnshotTree::brightestPatches(std::size_t count) const
     }
   }
   return patches;
-}
-
-std::size_t UnshotTree::bytes() const {
-  std::size_t bytes = flux_.capacity() * sizeof(flux_[0]);
-  for (const std::vector<Node>& level : levels_) bytes += level.capacity() * sizeof(Node);
-  return bytes;
 }
 
 }  // namespace hemitex::radiosity

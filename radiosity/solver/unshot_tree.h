@@ -4,7 +4,6 @@
 /// rounding errors do not accumulate.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -38,8 +37,6 @@ class UnshotTree {
   std::vector<std::uint32_t> brightestPatches(std::size_t count) const;
   /// The sum of the absolute fluxes of the patches, per band.
   const glm::dvec3& sizes() const { return levels_.back().front().sizes; }
-
-  std::size_t bytes() const;
 
  private:
   struct Node {

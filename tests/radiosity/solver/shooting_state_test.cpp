@@ -64,9 +64,9 @@ TEST_CASE("ShootingState made from stored shots continues as if it had not been 
             Approx(energy.emitted[band]).epsilon(1e-12));
     shoot(whole, rowOf, 20);
     shoot(continued, rowOf, 20);
+    const std::vector<glm::dvec3> found = std::move(continued).radiosity(), expected = std::move(whole).radiosity();
     for (std::size_t e = 0; e < world.discretization.elements.size(); ++e)
-      for (int band = 0; band < 3; ++band)
-        CHECK(continued.radiosity()[e][band] == Approx(whole.radiosity()[e][band]).epsilon(1e-12));
+      for (int band = 0; band < 3; ++band) CHECK(found[e][band] == Approx(expected[e][band]).epsilon(1e-12));
   }
 }
 
@@ -94,10 +94,10 @@ TEST_CASE("ShootingState counts light from outside as emitted, and its account c
   // Without reflectance the radiosity is the emission: what comes from outside is received, not emitted again.
   Scene black = world.scene;
   for (Material& material : black.materials) material.reflectance = glm::dvec3(0);
-  const ShootingState absorbing = unlit(black, world.discretization, outside);
+  ShootingState absorbing = unlit(black, world.discretization, outside);
   CHECK(absorbing.energy().unshot.r == Approx(3));
   CHECK(absorbing.energy().absorbed.g == Approx(entered.g).epsilon(1e-12));
-  CHECK(absorbing.radiosity()[0] == glm::dvec3(0));
+  CHECK(std::move(absorbing).radiosity()[0] == glm::dvec3(0));
   // Continued from its light, the state is the same.
   const ShootingState continued(world.scene, world.discretization, world.discretization.patches, state.light());
   CHECK(continued.residual() == Approx(state.residual()).epsilon(1e-12));
