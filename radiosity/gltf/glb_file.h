@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "radiosity/gltf/gltf_model.h"
+#include "radiosity/gltf/gltf_module.h"
 
 namespace hemitex::radiosity {
 

@@ -1,13 +1,103 @@
-/// The module hemitex_gltf, which is the only code that links tinygltf. Programs open it when they first need it.
+/// The module hemitex_gltf, which is the only code that links tinygltf, and the plain data that it exchanges. Programs
+/// open it when they first need it.
 #pragma once
 
+#include <cstdint>
+#include <glm/glm.hpp>
 #include <iosfwd>
+#include <optional>
 #include <string>
-
-#include "radiosity/gltf/gltf_import.h"
-#include "radiosity/gltf/gltf_model.h"
+#include <vector>
 
 namespace hemitex::radiosity {
+
+// ---- The parts of a glTF 2.0 file that hemitex writes: unlit objects with textures, and a camera --------------------
+
+struct GltfTexture {
+  std::string name;
+  std::vector<unsigned char> png;  ///< the bytes of a PNG file, sRGB as glTF requires of base colours
+};
+
+/// An unlit material: a texture, or white.
+struct GltfMaterial {
+  std::string name;
+  std::optional<int> texture = {};  ///< in GltfModel::textures
+};
+
+/// A mesh of triangles in a node of its own.
+struct GltfObject {
+  std::string name;
+  int material = 0;                    ///< in GltfModel::materials
+  std::vector<glm::vec3> positions;    ///< one per vertex, relative to GltfModel::origin
+  std::vector<glm::vec2> texcoords;    ///< one per vertex; v = 0 is the TOP of the texture
+  std::vector<glm::vec3> colours;      ///< one per vertex, linear, scales the texture; or empty
+  std::vector<std::uint32_t> corners;  ///< three vertices per triangle, counter-clockwise seen from the front
+};
+
+struct GltfCamera {
+  glm::dmat4 toWorld{
+      1.0};           ///< from the camera, which looks along -z with y upwards, to positions relative to the origin
+  double fov = 1;     ///< vertical, in radians, in (0, pi)
+  double aspect = 1;  ///< width over height
+  double near = 1;    ///< distances of the near and far planes, 0 < near < far
+  double far = 2;
+};
+
+struct GltfModel {
+  glm::dvec3 origin{0.0};  ///< translation of all nodes, so that scenes far from zero lose no digits in binary32
+  std::vector<GltfTexture> textures;
+  std::vector<GltfMaterial> materials;
+  std::vector<GltfObject> objects;
+  GltfCamera camera;
+};
+
+// ---- The parts of a glTF 2.0 file that hemitex reads: triangles in world space, materials, images and the camera ----
+
+struct ImportedMaterial {
+  std::string name;                        ///< unique and not empty
+  glm::dvec3 baseColor{1.0};               ///< linear, as the file states it
+  std::optional<int> baseColorImage = {};  ///< in GltfImport::images
+  glm::dvec3 emission{0.0};                ///< the emissive factor times the emissive strength
+  std::optional<int> emissionImage = {};   ///< in GltfImport::images
+};
+
+struct ImportedImage {
+  std::string name;                  ///< for messages; not empty
+  std::vector<unsigned char> bytes;  ///< of a PNG or JPEG file; empty if the file is missing
+};
+
+/// The triangles of a mesh in a node that share a material.
+struct ImportedPart {
+  std::string node;                    ///< its name, or that of its mesh; unique per node and not empty
+  std::optional<int> material = {};    ///< in GltfImport::materials
+  std::vector<glm::dvec3> positions;   ///< one per vertex, in world space
+  std::vector<glm::dvec2> texcoords;   ///< one per vertex, or empty; v = 0 is the TOP of an image
+  std::vector<std::uint32_t> corners;  ///< three vertices per triangle, counter-clockwise seen from the front
+};
+
+struct ImportedCamera {
+  glm::dvec3 eye{0.0};
+  glm::dvec3 direction{0.0, 0.0, -1.0};
+  glm::dvec3 up{0.0, 1.0, 0.0};
+  double fov = 50;  ///< vertical, in degrees
+};
+
+struct GltfImport {
+  std::vector<ImportedMaterial> materials;
+  std::vector<ImportedImage> images;
+  std::vector<ImportedPart> parts;       ///< in the order of a walk from the roots of the scene, children after parents
+  std::optional<ImportedCamera> camera;  ///< the first one with a perspective
+  std::vector<std::string> warnings;     ///< one sentence each, for the user
+  std::vector<std::string> files;        ///< buffers and images that were read, with the folder of the scene
+};
+
+/// Why a file was not read, and what to do about it; both are empty when it was.
+struct ImportProblem {
+  std::string problem;
+  std::string advice;
+};
+
+// ---- Functions -----------------------------------------------------------------------------------------------------
 
 /// What the module exports under the name `hemitexGltfWriter`.
 struct GltfWriter {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "radiosity/gltf/gltf_import.h"
+#include "radiosity/gltf/gltf_module.h"
 #include "radiosity/scene/materials.h"
 #include "radiosity/scene/polygon_mesh.h"
 #include "radiosity/scene/scene.h"

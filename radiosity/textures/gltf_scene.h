@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "radiosity/gltf/gltf_model.h"
+#include "radiosity/gltf/gltf_module.h"
 #include "radiosity/pictures/camera.h"
 #include "radiosity/scene/scene.h"
 

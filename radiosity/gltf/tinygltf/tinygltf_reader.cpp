@@ -13,7 +13,6 @@
 #include <limits>
 #include <numbers>
 #include <set>
-#include <stdexcept>
 
 #include "radiosity/gltf/gltf_module.h"
 
@@ -22,11 +21,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the buffers of glTF are little-endian");
 
-/// A fault of the file.
-struct Fault {
-  std::string problem;
-  std::string advice;
-};
+using Fault = ImportProblem;
 
 constexpr const char* exportAgain = "export the scene again";
 
@@ -58,45 +53,33 @@ Bytes bytesOf(const tinygltf::Model& gltf, int viewIndex) {
   return {data.data() + view.byteOffset, view.byteLength};
 }
 
+/// The largest value of a normalized integer stands for 1.
 template <typename Component>
-double valueAt(const unsigned char* bytes) {
+double valueAt(const unsigned char* bytes, bool isNormalized) {
   Component value;
   std::memcpy(&value, bytes, sizeof value);
-  return static_cast<double>(value);
+  if (!isNormalized) return static_cast<double>(value);
+  constexpr bool isScaled = std::is_integral_v<Component> && sizeof value < 4;
+  return std::max(
+      static_cast<double>(value) / (isScaled ? static_cast<double>(std::numeric_limits<Component>::max()) : 1), -1.0);
 }
 
-double componentAt(const unsigned char* bytes, int type) {
+double componentAt(const unsigned char* bytes, int type, bool isNormalized) {
   switch (type) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return valueAt<std::int8_t>(bytes);
+      return valueAt<std::int8_t>(bytes, isNormalized);
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return valueAt<std::uint8_t>(bytes);
+      return valueAt<std::uint8_t>(bytes, isNormalized);
     case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return valueAt<std::int16_t>(bytes);
+      return valueAt<std::int16_t>(bytes, isNormalized);
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return valueAt<std::uint16_t>(bytes);
+      return valueAt<std::uint16_t>(bytes, isNormalized);
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-      return valueAt<std::uint32_t>(bytes);
+      return valueAt<std::uint32_t>(bytes, isNormalized);
     case TINYGLTF_COMPONENT_TYPE_FLOAT:
-      return valueAt<float>(bytes);
+      return valueAt<float>(bytes, isNormalized);
     default:
       throw Fault{"the component type " + std::to_string(type) + " is unknown", exportAgain};
-  }
-}
-
-/// The largest value of a normalized integer, which stands for 1.
-double scaleOf(int type) {
-  switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return 127;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return 255;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return 32767;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return 65535;
-    default:
-      return 1;
   }
 }
 
@@ -108,7 +91,7 @@ std::vector<double> valuesOf(const tinygltf::Model& gltf, int index, int type, i
   if (accessor.type != type) throw Fault{name + " has values of a wrong type", exportAgain};
   const std::int32_t componentSize =
       tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
-  componentAt(std::array<unsigned char, 8>{}.data(), accessor.componentType);  // throws for an unknown type
+  componentAt(std::array<unsigned char, 8>{}.data(), accessor.componentType, false);  // throws for an unknown type
   const auto componentBytes = static_cast<std::size_t>(componentSize);
   const std::size_t size = componentBytes * static_cast<std::size_t>(components);
   if (accessor.count == 0) return {};
@@ -120,14 +103,12 @@ std::vector<double> valuesOf(const tinygltf::Model& gltf, int index, int type, i
   if (accessor.byteOffset > bytes.size || size > bytes.size - accessor.byteOffset ||
       accessor.count - 1 > (bytes.size - accessor.byteOffset - size) / stride)
     throw Fault{name + " reaches beyond its buffer view", exportAgain};
-  const double scale = accessor.normalized ? scaleOf(accessor.componentType) : 1;
   std::vector<double> values;
   values.reserve(accessor.count * static_cast<std::size_t>(components));
   for (std::size_t i = 0; i < accessor.count; ++i)
     for (std::size_t c = 0; c < static_cast<std::size_t>(components); ++c) {
       const unsigned char* const first = bytes.first + accessor.byteOffset + i * stride + c * componentBytes;
-      values.push_back(std::max(componentAt(first, accessor.componentType) / scale,
-                                accessor.normalized ? -1.0 : -std::numeric_limits<double>::infinity()));
+      values.push_back(componentAt(first, accessor.componentType, accessor.normalized));
     }
   return values;
 }
@@ -497,7 +478,7 @@ ImportProblem read(const std::string& bytes, const std::string& folder, GltfImpo
   try {
     readFile(bytes, folder, import);
   } catch (const Fault& fault) {
-    return {fault.problem, fault.advice};
+    return fault;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {  // of tinygltf's JSON parser

@@ -1,7 +1,6 @@
 /// The module hemitex_gltf: writes glTF by tinygltf.
 #include <tiny_gltf.h>
 
-#include <cstring>
 #include <span>
 
 #include "radiosity/gltf/gltf_module.h"
