@@ -9,7 +9,7 @@ namespace {
 
 /// A triangle of a surface that is not discretized.
 struct Facet {
-  std::size_t triangle = 0;  ///< in the scene
+  std::size_t surface = 0, triangle = 0;  ///< in Scene::surfaces, in Surface::triangles
   const Triangle* geometry = nullptr;
   glm::dvec3 normal{0.0};
   double area = 0;
@@ -27,16 +27,12 @@ struct Corner {
 std::vector<Facet> collectFacets(const Scene& scene, const Discretization& discretization,
                                  const std::vector<glm::dvec3>& radiosity) {
   std::vector<Facet> facets;
-  std::size_t number = 0;
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
     const Surface& surface = scene.surfaces[s];
     const Grid& grid = discretization.grids[s];
-    for (const Triangle& triangle : surface.triangles) {
-      if (!isDiscretized(grid))
-        facets.push_back({number, &triangle, normal(triangle), area(triangle), surface.material,
-                          radiosity[grid.elementOfTexel.front()]});
-      ++number;
-    }
+    for (std::size_t t = 0; t < surface.triangles.size() && !isDiscretized(grid); ++t)
+      facets.push_back({s, t, &surface.triangles[t], normal(surface.triangles[t]), area(surface.triangles[t]),
+                        surface.material, radiosity[grid.elementOfTexel.front()]});
   }
   return facets;
 }
@@ -59,11 +55,12 @@ bool areSmooth(const Facet& a, const Facet& b) {
 
 }  // namespace
 
-std::vector<std::array<glm::dvec3, 3>> cornerRadiosity(const Scene& scene, const Discretization& discretization,
-                                                       const std::vector<glm::dvec3>& radiosity) {
+std::vector<std::vector<CornerColours>> cornerRadiosity(const Scene& scene, const Discretization& discretization,
+                                                        const std::vector<glm::dvec3>& radiosity) {
   const std::vector<Facet> facets = collectFacets(scene, discretization, radiosity);
   const std::vector<Corner> corners = sortedCorners(facets);
-  std::vector<std::array<glm::dvec3, 3>> result(triangleCount(scene));
+  std::vector<std::vector<CornerColours>> result(scene.surfaces.size());
+  for (const Facet& facet : facets) result[facet.surface].resize(facet.triangle + 1);
   for (auto first = corners.begin(); first != corners.end();) {
     const auto last =
         std::find_if(first, corners.end(), [&](const Corner& c) { return c.position != first->position; });
@@ -77,7 +74,7 @@ std::vector<std::array<glm::dvec3, 3>> cornerRadiosity(const Scene& scene, const
         flux += neighbour.area * neighbour.radiosity;
         totalArea += neighbour.area;
       }
-      result[facet.triangle][corner->index] = flux / totalArea;
+      result[facet.surface][facet.triangle][corner->index] = flux / totalArea;
     }
     first = last;
   }

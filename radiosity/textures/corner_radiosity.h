@@ -3,7 +3,6 @@
 
 #include <array>
 #include <glm/glm.hpp>
-#include <span>
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
@@ -11,12 +10,14 @@
 
 namespace hemitex::radiosity {
 
-/// Radiosity at the corners of each triangle of the scene (in scene order), for Gouraud shading of surfaces that are
-/// not discretized. It is the area-weighted mean over the triangles of such surfaces that share the position and the
-/// material. Their normals must differ by less than 30 degrees. (Radiosity is discontinuous at the border of a
-/// material.) Triangles of discretized surfaces have zeros. Takes linear time in the number of triangles, but quadratic
-/// time in those around one position.
-std::vector<std::array<glm::dvec3, 3>> cornerRadiosity(const Scene& scene, const Discretization& discretization,
-                                                       const std::vector<glm::dvec3>& radiosity);
+/// One value per corner of a triangle.
+using CornerColours = std::array<glm::dvec3, 3>;
+
+/// Radiosity at the corners of the triangles of each surface, from one value per element; empty lists for discretized
+/// surfaces. It is the area-weighted mean over the triangles of surfaces that are not discretized and share the
+/// position and the material. Their normals must differ by less than 30 degrees. (Radiosity is discontinuous at the
+/// border of a material.) Takes n log n time for n triangles, but quadratic time in those around one position.
+std::vector<std::vector<CornerColours>> cornerRadiosity(const Scene& scene, const Discretization& discretization,
+                                                        const std::vector<glm::dvec3>& radiosity);
 
 }  // namespace hemitex::radiosity

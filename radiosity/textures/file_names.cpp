@@ -1,6 +1,5 @@
 #include "radiosity/textures/file_names.h"
 
-#include <algorithm>
 #include <unordered_map>
 
 namespace hemitex::radiosity {

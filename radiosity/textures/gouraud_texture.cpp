@@ -1,7 +1,6 @@
 #include "radiosity/textures/gouraud_texture.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>

@@ -2,16 +2,13 @@
 
 #include <charconv>
 #include <optional>
-#include <string>
 #include <unordered_map>
 
 #include "radiosity/gltf/glb_file.h"
-#include "radiosity/images/image.h"
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/scene/scene_settings.h"
 #include "radiosity/textures/corner_radiosity.h"
 #include "radiosity/textures/file_names.h"
-#include "radiosity/textures/gltf_scene.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/file_io.h"
 #include "raster/base/parallel.h"
@@ -19,66 +16,25 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// Appends a blank and the shortest decimal number that parses to the same bits.
-void appendNumber(std::string& text, double value) {
-  char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-  text += ' ';
-  text.append(digits, end);
-}
-
+/// The keyword and numbers, each after a blank, with the fewest digits that parse to the same bits.
 template <typename Vector>
 std::string lineOf(const char* keyword, const Vector& vector) {
   std::string line = keyword;
-  for (int i = 0; i < vector.length(); ++i) appendNumber(line, vector[i]);
+  for (int i = 0; i < vector.length(); ++i) {
+    char digits[32];
+    line += ' ';
+    line.append(digits, std::to_chars(digits, digits + sizeof digits, vector[i]).ptr);
+  }
   return line;
 }
 
-/// Lines that faces refer to by number; equal lines are written once.
-class Lines {
- public:
-  /// The number of a line, counted from 1. Appends new lines to `text`.
-  std::size_t number(std::string& text, const std::string& line) {
-    const auto [place, isNew] = numbers_.try_emplace(line, numbers_.size() + 1);
-    if (isNew) text += line + "\n";
-    return place->second;
-  }
-
- private:
-  std::unordered_map<std::string, std::size_t> numbers_;
-};
-
-using Corners = std::array<glm::dvec3, 3>;
-
-/// Exposed radiosity at the corners of the scene's triangles, and whether a surface needs them because its texture has
-/// only one colour.
-class GouraudCorners {
- public:
-  GouraudCorners(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& exposed)
-      : corners_(cornerRadiosity(scene, discretization, exposed)) {
-    std::size_t first = 0;
-    for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-      first_.push_back(first);
-      first += scene.surfaces[s].triangles.size();
-      isNeeded_.push_back(!isDiscretized(discretization.grids[s]) && !isConstant(first_[s], first));
-    }
-  }
-
-  bool isNeeded(std::size_t surface) const { return isNeeded_[surface]; }
-  const Corners& at(std::size_t surface, std::size_t triangle) const { return corners_[first_[surface] + triangle]; }
-
- private:
-  bool isConstant(std::size_t first, std::size_t last) const {
-    for (std::size_t t = first; t < last; ++t)
-      for (const glm::dvec3& corner : corners_[t])
-        if (corner != corners_[first][0]) return false;
-    return true;
-  }
-
-  std::vector<Corners> corners_;
-  std::vector<std::size_t> first_;
-  std::vector<bool> isNeeded_;
-};
+/// Whether the corners of a surface of one texel differ, so that its texture is not enough.
+bool areDifferent(const std::vector<CornerColours>& triangles) {
+  for (const CornerColours& triangle : triangles)
+    for (const glm::dvec3& corner : triangle)
+      if (corner != triangles.front().front()) return true;
+  return false;
+}
 
 /// The colour of a vertex line, sRGB-encoded and rounded to 8-bit codes.
 glm::dvec3 encodedColour(const glm::dvec3& linear) {
@@ -119,7 +75,14 @@ std::string objText(const Scene& lit) {
   const std::vector<std::string> names = objectNames(lit);
   std::string text =
       "# A scene lit by radiosity: show it without lights, its textures hold the light.\nmtllib scene.mtl\n";
-  Lines positions, texcoords;
+  // The numbers of lines that faces refer to, counted from 1; equal lines are written once.
+  using Numbers = std::unordered_map<std::string, std::size_t>;
+  Numbers positions, texcoords;
+  const auto numberOf = [&text](Numbers& numbers, const std::string& line) {
+    const auto [place, isNew] = numbers.try_emplace(line, numbers.size() + 1);
+    if (isNew) text += line + "\n";
+    return std::to_string(place->second);
+  };
   for (std::size_t s = 0; s < lit.surfaces.size(); ++s) {
     const Surface& surface = lit.surfaces[s];
     // Some programs divide a scene by objects, others by groups.
@@ -130,8 +93,8 @@ std::string objText(const Scene& lit) {
       for (std::size_t k = 0; k < 3; ++k) {
         std::string position = lineOf("v", triangle.position[k]);
         if (triangle.cornerColor) position += lineOf("", (*triangle.cornerColor)[k]);
-        face += " " + std::to_string(positions.number(text, position)) + "/" +
-                std::to_string(texcoords.number(text, lineOf("vt", triangle.texcoord[k])));
+        const std::string texcoord = numberOf(texcoords, lineOf("vt", triangle.texcoord[k]));
+        face += " " + numberOf(positions, position) + "/" + texcoord;
       }
       text += face + "\n";
     }
@@ -157,18 +120,19 @@ LitScene makeLitScene(const Scene& scene, const Discretization& discretization, 
   LitScene lit{{}, layout, codedTextures(scene, discretization, layout, exposed, filter)};
   lit.scene.surfaces = scene.surfaces;
   lit.scene.materials = litMaterials(layout);
-  const GouraudCorners gouraud(scene, discretization, exposed);
+  const std::vector<std::vector<CornerColours>> corners = cornerRadiosity(scene, discretization, exposed);
   const auto mapless = static_cast<int>(layout.names.size());
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     Surface& surface = lit.scene.surfaces[s];
-    surface.material = gouraud.isNeeded(s) ? mapless : layout.places[s].texture;
+    const bool isGouraud = areDifferent(corners[s]);
+    surface.material = isGouraud ? mapless : layout.places[s].texture;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
       Triangle& triangle = surface.triangles[t];
       triangle.cornerColor.reset();
-      if (gouraud.isNeeded(s)) triangle.cornerColor.emplace();
+      if (isGouraud) triangle.cornerColor.emplace();
       for (std::size_t k = 0; k < 3; ++k) {
         triangle.texcoord[k] = textureCoordinate(discretization, layout, s, triangle.chart[k]);
-        if (triangle.cornerColor) (*triangle.cornerColor)[k] = encodedColour(gouraud.at(s, t)[k]);
+        if (triangle.cornerColor) (*triangle.cornerColor)[k] = encodedColour(corners[s][t][k]);
       }
     }
   }

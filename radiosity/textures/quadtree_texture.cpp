@@ -1,7 +1,6 @@
 #include "radiosity/textures/quadtree_texture.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cstddef>
 #include <optional>

@@ -1,7 +1,6 @@
 #include "radiosity/textures/radiosity_texture.h"
 
 #include <algorithm>
-#include <cassert>
 #include <functional>
 
 #include "raster/base/input_error.h"
@@ -90,7 +89,7 @@ Image filteredTexture(const Scene& scene, const Discretization& discretization, 
                       std::size_t texture, const std::vector<glm::dvec3>& radiosity, TextureFilter filter) {
   const int magnification = layout.textures[texture].magnification;
   return filledTexture(discretization, layout, texture, magnification, [&](std::uint32_t surface) {
-    return filteredTexels(scene, discretization, surface, radiosity, {filter, magnification});
+    return filteredTexels(scene, discretization, surface, radiosity, filter, magnification);
   });
 }
 

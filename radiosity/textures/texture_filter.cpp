@@ -107,13 +107,13 @@ std::vector<glm::dvec3> valuesAtCentres(const Discretization& discretization, co
 
 /// The weight of a texel is a product, so that rows are filtered first, then columns.
 std::vector<glm::dvec3> byKernel(const Discretization& discretization, const Grid& grid,
-                                 const std::vector<glm::dvec3>& radiosity, const TextureSettings& settings) {
-  const auto times = static_cast<std::size_t>(settings.magnification), columns = static_cast<std::size_t>(grid.columns);
+                                 const std::vector<glm::dvec3>& radiosity, TextureFilter filter, int magnification) {
+  const auto times = static_cast<std::size_t>(magnification), columns = static_cast<std::size_t>(grid.columns);
   const bool hasPhantoms = std::find(grid.covered.begin(), grid.covered.end(), false) != grid.covered.end();
   const std::vector<glm::dvec3> withoutArea =
-      hasPhantoms ? valuesAtCentres(discretization, grid, radiosity, settings.filter) : std::vector<glm::dvec3>();
-  FilteredRows rows(grid, radiosity, tapsAlong(settings.filter, grid.columns, settings.magnification));
-  const std::vector<Taps> taps = tapsAlong(settings.filter, grid.rows, settings.magnification);
+      hasPhantoms ? valuesAtCentres(discretization, grid, radiosity, filter) : std::vector<glm::dvec3>();
+  FilteredRows rows(grid, radiosity, tapsAlong(filter, grid.columns, magnification));
+  const std::vector<Taps> taps = tapsAlong(filter, grid.rows, magnification);
   std::vector<glm::dvec3> texels;
   texels.reserve(columns * times * taps.size());
   for (std::size_t j = 0; j < taps.size(); ++j) {
@@ -150,13 +150,12 @@ double kernelWeight(TextureFilter filter, double distance) {
 }
 
 std::vector<glm::dvec3> filteredTexels(const Scene& scene, const Discretization& discretization, std::uint32_t surface,
-                                       const std::vector<glm::dvec3>& radiosity, const TextureSettings& settings) {
+                                       const std::vector<glm::dvec3>& radiosity, TextureFilter filter,
+                                       int magnification) {
   const Grid& grid = discretization.grids[surface];
-  if (settings.filter == TextureFilter::Quadtree)
-    return quadtreeTexels(discretization, grid, radiosity, settings.magnification);
-  if (settings.filter == TextureFilter::Gouraud)
-    return gouraudTexels(scene.surfaces[surface], grid, radiosity, settings.magnification);
-  return byKernel(discretization, grid, radiosity, settings);
+  if (filter == TextureFilter::Quadtree) return quadtreeTexels(discretization, grid, radiosity, magnification);
+  if (filter == TextureFilter::Gouraud) return gouraudTexels(scene.surfaces[surface], grid, radiosity, magnification);
+  return byKernel(discretization, grid, radiosity, filter, magnification);
 }
 
 }  // namespace hemitex::radiosity

@@ -25,17 +25,14 @@ enum class TextureFilter {
   Gouraud,   ///< elements as Gouraud shaded polygons, see gouraud_texture.h
 };
 
-struct TextureSettings {
-  TextureFilter filter = TextureFilter::Bicubic;
-  int magnification = 1;  ///< texels of the texture along the side of a grid texel, at least 1
-};
-
 /// The weight of a texel at a distance, for all filters except Quadtree and Gouraud.
 double kernelWeight(TextureFilter filter, double distance);
 
 /// One value per texel of a surface's texture, row by row, (columns * magnification) x (rows * magnification) values,
-/// from one value per element. A grid texel without area has the value of its element's own texel.
+/// from one value per element. A grid texel without area has the value of its element's own texel. `magnification` is
+/// the number of texels of the texture along the side of a grid texel, at least 1.
 std::vector<glm::dvec3> filteredTexels(const Scene& scene, const Discretization& discretization, std::uint32_t surface,
-                                       const std::vector<glm::dvec3>& radiosity, const TextureSettings& settings);
+                                       const std::vector<glm::dvec3>& radiosity, TextureFilter filter,
+                                       int magnification);
 
 }  // namespace hemitex::radiosity

@@ -15,11 +15,7 @@ constexpr int smoothSide = 128;
 constexpr int largestTexture = 4096;
 constexpr int largestDisplayTexture = 1024;
 
-std::vector<RectangleSize> sizesWithBorders(const Discretization& discretization) {
-  std::vector<RectangleSize> sizes;
-  for (const Grid& grid : discretization.grids) sizes.push_back({grid.columns + 2 * border, grid.rows + 2 * border});
-  return sizes;
-}
+using Size = TextureLayout::Size;
 
 int smoothMagnification(const Grid& grid) {
   if (grid.elementCount <= 1) return 1;
@@ -28,24 +24,10 @@ int smoothMagnification(const Grid& grid) {
   return magnification;
 }
 
-/// The number of display texels of a rectangle of grid texels.
-std::int64_t magnifiedTexels(int width, int height, int magnification) {
-  return std::int64_t{width} * height * magnification * magnification;
-}
-
-/// The number of display texels of all surfaces, without gaps between them.
-std::int64_t magnifiedTexels(const std::vector<RectangleSize>& sizes, const std::vector<int>& magnifications) {
-  std::int64_t texels = 0;
-  for (std::size_t s = 0; s < sizes.size(); ++s)
-    texels += magnifiedTexels(sizes[s].width, sizes[s].height, magnifications[s]);
-  return texels;
-}
-
-TextureLayout separateTextures(const Scene& scene, const std::vector<RectangleSize>& sizes,
-                               const std::vector<int>& magnifications) {
-  TextureLayout layout;
+/// `sizes` are those of the surfaces with their borders.
+TextureLayout separateTextures(const Scene& scene, const std::vector<Size>& sizes) {
+  TextureLayout layout{sizes, {}, {}};
   for (std::size_t surface = 0; surface < sizes.size(); ++surface) {
-    layout.textures.push_back({sizes[surface].width, sizes[surface].height, magnifications[surface]});
     layout.names.push_back(scene.surfaces[surface].name);
     layout.places.push_back({static_cast<int>(surface), border, border});
   }
@@ -55,17 +37,18 @@ TextureLayout separateTextures(const Scene& scene, const std::vector<RectangleSi
 
 /// Packs the surfaces of each magnification into textures of at most `largestSide(magnification)`.
 template <typename LargestSide>
-TextureLayout packTextures(const std::vector<RectangleSize>& sizes, const std::vector<int>& magnifications,
-                           const LargestSide& largestSide) {
+TextureLayout packTextures(const std::vector<Size>& sizes, const LargestSide& largestSide) {
   TextureLayout layout;
   layout.places.resize(sizes.size());
-  for (const int magnification : std::set<int>(magnifications.begin(), magnifications.end())) {
+  std::set<int> magnifications;
+  for (const Size& size : sizes) magnifications.insert(size.magnification);
+  for (const int magnification : magnifications) {
     std::vector<std::size_t> surfaces;
     std::vector<RectangleSize> own;
     for (std::size_t surface = 0; surface < sizes.size(); ++surface)
-      if (magnifications[surface] == magnification) {
+      if (sizes[surface].magnification == magnification) {
         surfaces.push_back(surface);
-        own.push_back(sizes[surface]);
+        own.push_back({sizes[surface].width, sizes[surface].height});
       }
     const Packing packing = packRectangles(own, largestSide(magnification));
     const auto first = static_cast<int>(layout.textures.size());
@@ -80,10 +63,12 @@ TextureLayout packTextures(const std::vector<RectangleSize>& sizes, const std::v
 }
 
 /// Halves the largest magnification. Returns false if all are 1.
-bool halveLargest(std::vector<int>& magnifications) {
-  const int largest = magnifications.empty() ? 1 : *std::max_element(magnifications.begin(), magnifications.end());
+bool halveLargest(std::vector<Size>& sizes) {
+  int largest = 1;
+  for (const Size& size : sizes) largest = std::max(largest, size.magnification);
   if (largest == 1) return false;
-  std::replace(magnifications.begin(), magnifications.end(), largest, largest / 2);
+  for (Size& size : sizes)
+    if (size.magnification == largest) size.magnification /= 2;
   return true;
 }
 
@@ -92,31 +77,30 @@ bool halveLargest(std::vector<int>& magnifications) {
 TextureLayout layOutTextures(const Scene& scene, const Discretization& discretization,
                              const Magnification& magnification, std::size_t separateLimit) {
   assert(discretization.grids.size() == scene.surfaces.size());
-  const std::vector<RectangleSize> sizes = sizesWithBorders(discretization);
-  const auto layOut = [&](const std::vector<int>& magnifications, const auto& largestSide) {
-    return sizes.size() <= separateLimit ? separateTextures(scene, sizes, magnifications)
-                                         : packTextures(sizes, magnifications, largestSide);
+  std::vector<Size> sizes;
+  for (const Grid& grid : discretization.grids)
+    sizes.push_back({grid.columns + 2 * border, grid.rows + 2 * border,
+                     magnification.factor ? *magnification.factor : smoothMagnification(grid)});
+  const auto layOut = [&](const auto& largestSide) {
+    return sizes.size() <= separateLimit ? separateTextures(scene, sizes) : packTextures(sizes, largestSide);
   };
-  if (magnification.factor)
-    return layOut(std::vector<int>(sizes.size(), *magnification.factor), [](int) { return largestTexture; });
+  if (magnification.factor) return layOut([](int) { return largestTexture; });
 
-  std::vector<int> magnifications;
-  for (const Grid& grid : discretization.grids) magnifications.push_back(smoothMagnification(grid));
   // Without packing first, which takes long for texels that are far too many.
-  while (magnifiedTexels(sizes, magnifications) > magnification.budget && halveLargest(magnifications)) {
+  while (displayTexels(sizes) > magnification.budget && halveLargest(sizes)) {
   }
-  const bool isWithin = magnifiedTexels(sizes, magnifications) <= magnification.budget;
+  const bool isWithin = displayTexels(sizes) <= magnification.budget;
   const auto largestSide = [isWithin](int times) { return isWithin ? largestDisplayTexture / times : largestTexture; };
   while (true) {
-    TextureLayout layout = layOut(magnifications, largestSide);
-    if (displayTexels(layout) <= magnification.budget || !halveLargest(magnifications)) return layout;
+    TextureLayout layout = layOut(largestSide);
+    if (displayTexels(layout.textures) <= magnification.budget || !halveLargest(sizes)) return layout;
   }
 }
 
-std::int64_t displayTexels(const TextureLayout& layout) {
+std::int64_t displayTexels(const std::vector<TextureLayout::Size>& textures) {
   std::int64_t texels = 0;
-  for (const TextureLayout::Size& size : layout.textures)
-    texels += magnifiedTexels(size.width, size.height, size.magnification);
+  for (const Size& size : textures)
+    texels += std::int64_t{size.width} * size.height * size.magnification * size.magnification;
   return texels;
 }
 

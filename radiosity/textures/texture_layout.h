@@ -52,8 +52,8 @@ struct Magnification {
 TextureLayout layOutTextures(const Scene& scene, const Discretization& discretization,
                              const Magnification& magnification, std::size_t separateLimit = 64);
 
-/// The number of texels of all display textures.
-std::int64_t displayTexels(const TextureLayout& layout);
+/// The number of texels of these display textures.
+std::int64_t displayTexels(const std::vector<TextureLayout::Size>& textures);
 
 /// Converts a chart coordinate of `surface`, in [0,1]^2, to a coordinate of its texture, in [0,1]^2 (v upwards).
 glm::dvec2 textureCoordinate(const Discretization& discretization, const TextureLayout& layout, std::uint32_t surface,

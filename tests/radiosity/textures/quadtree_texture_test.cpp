@@ -82,8 +82,7 @@ TEST_CASE("quadtreeTexels over single texels equal the triangle filter, except a
   std::vector<glm::dvec3> values;
   for (int e = 0; e < side * side; ++e) values.emplace_back(random() % 100, 1, 0);
   const std::vector<glm::dvec3> flattened = texelsOf(discretization, values, 1);
-  const std::vector<glm::dvec3> filtered =
-      filteredTexels(scene, discretization, 0, values, {TextureFilter::Triangle, 1});
+  const std::vector<glm::dvec3> filtered = filteredTexels(scene, discretization, 0, values, TextureFilter::Triangle, 1);
   for (int j = 1; j < side - 1; ++j)
     for (int i = 1; i < side - 1; ++i)
       CHECK(glm::distance(flattened[std::size_t(j * side + i)], filtered[std::size_t(j * side + i)]) < 1e-12);

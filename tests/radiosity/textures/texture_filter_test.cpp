@@ -89,7 +89,7 @@ TEST_CASE("filteredTexels keep linear fields away from edges, also magnified", "
     if (filter == TextureFilter::OneToOne) continue;
     for (const int times : {1, 2, 3, 4}) {
       INFO("filter " << int(filter) << " times " << times);
-      const std::vector<glm::dvec3> texels = filteredTexels(scene, discretization, 0, values, {filter, times});
+      const std::vector<glm::dvec3> texels = filteredTexels(scene, discretization, 0, values, filter, times);
       REQUIRE(texels.size() == std::size_t(81 * times * times));
       CHECK(distanceFromLinear(texels, 9, 2, times) < 1e-14);
     }
@@ -102,12 +102,12 @@ TEST_CASE("filteredTexels with one-to-one repeat elements, and with bilinear are
   const Discretization discretization = discretize(scene, {.texels = 10});
   std::mt19937 random(1);
   const std::vector<glm::dvec3> values = randomElements(discretization, random);
-  const auto oneToOne = filteredTexels(scene, discretization, 0, values, {TextureFilter::OneToOne, 3});
+  const auto oneToOne = filteredTexels(scene, discretization, 0, values, TextureFilter::OneToOne, 3);
   for (std::size_t j = 0; j < 30; ++j)
     for (std::size_t i = 0; i < 30; ++i)
       CHECK(oneToOne[j * 30 + i] == values[discretization.grids[0].elementOfTexel[j / 3 * 10 + i / 3]]);
-  CHECK(filteredTexels(scene, discretization, 0, values, {TextureFilter::Bilinear, 1}) ==
-        filteredTexels(scene, discretization, 0, values, {TextureFilter::OneToOne, 1}));
+  CHECK(filteredTexels(scene, discretization, 0, values, TextureFilter::Bilinear, 1) ==
+        filteredTexels(scene, discretization, 0, values, TextureFilter::OneToOne, 1));
 }
 
 TEST_CASE("filteredTexels with all filters keep constants and write every texel, on holes, slivers and quadtrees",
@@ -125,12 +125,12 @@ TEST_CASE("filteredTexels with all filters keep constants and write every texel,
       for (const TextureFilter filter : allFilters) {
         INFO(scene.surfaces[s].name << " by filter " << int(filter));
         const int times = 1 + int(random() % 4);
-        for (const glm::dvec3& texel : filteredTexels(scene, discretization, s, constants, {filter, times}))
+        for (const glm::dvec3& texel : filteredTexels(scene, discretization, s, constants, filter, times))
           REQUIRE(glm::all(glm::lessThanEqual(glm::abs(texel - constant), 1e-13 * constant)));
         // Means stay in the range of the values. A quadtree's edges may be extrapolated beyond, but not below 0.
         const double least = filter == TextureFilter::Quadtree ? 0 : 1 - 1e-13;
         const double most = filter == TextureFilter::Quadtree ? 2000 : 1000 + 1e-10;
-        for (const glm::dvec3& texel : filteredTexels(scene, discretization, s, values, {filter, times}))
+        for (const glm::dvec3& texel : filteredTexels(scene, discretization, s, values, filter, times))
           REQUIRE((texel.x >= least && texel.x <= most));
       }
   }
