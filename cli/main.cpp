@@ -1,7 +1,7 @@
 /// The program hemitex.
 #include "cli/common/commands.h"
 #include "cli/common/program.h"
-#include "radiosity/ranks/mpi_module.h"
+#include "radiosity/ranks/messenger.h"
 
 namespace {
 

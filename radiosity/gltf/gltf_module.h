@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <iosfwd>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -112,8 +114,13 @@ struct GltfReader {
   ImportProblem (*read)(const std::string& bytes, const std::string& folder, GltfImport& import);
 };
 
-/// Open the module at the first call. Throw std::runtime_error where it is not found.
-const GltfWriter& gltfWriter();
+/// Opens the module at the first call. Throws std::runtime_error where it is not found.
 const GltfReader& gltfReader();
+
+/// Writes a model as binary glTF (.glb); equal models give equal files. The format counts bytes in 32 bits. A model
+/// that may need more than `maxBytes` is not written; then returns a warning for the user. Uses memory for two copies
+/// of the file. Throws InputError if the file cannot be written.
+std::optional<std::string> writeGlb(const std::filesystem::path& file, GltfModel model,
+                                    std::uint64_t maxBytes = std::numeric_limits<std::uint32_t>::max());
 
 }  // namespace hemitex::radiosity

@@ -1,8 +1,10 @@
 /// Messages between the ranks of a parallel run: processes that compute one result together, on one machine or many.
-/// Rank 0 reads the command, hands out work and writes results; the other ranks compute. MPI implements the interface
-/// (mpi_module.h), and tests implement it with threads.
+/// Rank 0 reads the command, hands out work and writes results; the other ranks compute. MPI implements the interface,
+/// and tests implement it with threads. Programs open the module hemitex_mpi, which is the only code that links MPI,
+/// when they run with several ranks.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -39,12 +41,22 @@ class Messenger {
   virtual int rank() const = 0;
   /// The number of ranks, at least 1.
   virtual int ranks() const = 0;
-  /// Sends a message of at most 2 GiB and returns at once. Messages from one rank to another arrive in their order.
+  /// Sends a message and returns at once; throws std::length_error above 2 GiB. Messages from one rank to another
+  /// arrive in their order.
   virtual void send(int to, MessageKind kind, std::string bytes) = 0;
   /// The next message that has arrived; nothing if there is none.
   virtual std::optional<Message> receive() = 0;
   /// Ends all ranks at once. Their launcher exits with this code.
   [[noreturn]] virtual void abort(int exitCode) = 0;
 };
+
+/// What the module exports under the name `hemitexMpiFunctions`.
+struct MpiFunctions {
+  /// Starts MPI. The destructor of the result ends it; all ranks must reach that. At most one result per process.
+  std::unique_ptr<Messenger> (*start)();
+};
+
+/// Opens the module and starts MPI. Throws InputError where hemitex was built without MPI or its libraries are missing.
+std::unique_ptr<Messenger> startMpi();
 
 }  // namespace hemitex::radiosity

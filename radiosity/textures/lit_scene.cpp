@@ -4,7 +4,6 @@
 #include <optional>
 #include <unordered_map>
 
-#include "radiosity/gltf/glb_file.h"
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/scene/scene_settings.h"
 #include "radiosity/textures/corner_radiosity.h"

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "radiosity/ranks/mpi_module.h"
+#include "radiosity/ranks/messenger.h"
 
 namespace hemitex::radiosity {
 namespace {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "radiosity/gltf/glb_file.h"
 #include "radiosity/textures/lit_scene.h"
 #include "raster/base/input_error.h"
 #include "tests/support/glb.h"
