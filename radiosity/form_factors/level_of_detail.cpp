@@ -3,27 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace hemitex::radiosity {
 namespace {
-
-/// The elements [first, end) of a row that belong to one surface.
-struct Run {
-  std::size_t first = 0, end = 0;
-};
-
-std::vector<Run> runsBySurface(const Discretization& discretization, const FormFactorRow& row) {
-  std::vector<Run> runs;
-  for (std::size_t i = 0; i < row.elements.size(); ++i) {
-    const auto surfaceOf = [&](std::size_t k) { return discretization.elements[row.elements[k]].surface; };
-    if (i == 0 || surfaceOf(i) != surfaceOf(i - 1)) runs.push_back({i, i});
-    runs.back().end = i + 1;
-  }
-  return runs;
-}
 
 /// The block of a level that contains an element's own texel, by row and column of blocks.
 using Block = std::pair<int, int>;
@@ -47,72 +31,63 @@ std::vector<std::uint32_t> elementsIn(const Discretization& discretization, cons
   return elements;
 }
 
-/// Distributes a surface's part of a row over blocks.
-class Spreader {
- public:
-  Spreader(const Discretization& discretization, const FormFactorRow& row, const Run& run)
-      : discretization_(discretization), row_(row), run_(run) {
-    grid_ = &discretization.grids[elementAt(run.first).surface];
-  }
-
-  /// The lowest level with enough pixels per visible block.
-  int levelFor(std::uint64_t pixels, double pixelsPerElement) const {
-    int level = 0;
-    for (std::size_t blocks = run_.end - run_.first;
-         blocks > 1 && static_cast<double>(pixels) < pixelsPerElement * static_cast<double>(blocks);
-         blocks = sharesByBlock(level).size())
-      ++level;
-    return level;
-  }
-
-  void append(int level, FormFactorRow& result) const {
-    if (level == 0) {
-      const auto first = static_cast<std::ptrdiff_t>(run_.first), end = static_cast<std::ptrdiff_t>(run_.end);
-      result.elements.insert(result.elements.end(), row_.elements.begin() + first, row_.elements.begin() + end);
-      result.shares.insert(result.shares.end(), row_.shares.begin() + first, row_.shares.begin() + end);
-      return;
-    }
-    std::vector<std::pair<std::uint32_t, std::uint64_t>> spread;
-    for (const auto& [block, share] : sharesByBlock(level)) {
-      const std::vector<std::uint32_t> elements = elementsIn(discretization_, *grid_, block, level);
-      double area = 0;
-      for (const std::uint32_t element : elements) area += discretization_.elements[element].area;
-      // Rounds the running total, not each share, so that the shares sum to that of the block.
-      double areaSoFar = 0;
-      std::uint64_t given = 0;
-      for (const std::uint32_t element : elements) {
-        areaSoFar += discretization_.elements[element].area;
-        const bool isLast = element == elements.back();
-        const auto upTo = isLast ? share : std::min(share, portion(share, areaSoFar / area));
-        if (upTo > given) spread.emplace_back(element, upTo - given);
-        given = std::max(given, upTo);
-      }
-    }
-    std::sort(spread.begin(), spread.end());
-    for (const auto& [element, share] : spread) {
-      result.elements.push_back(element);
-      result.shares.push_back(share);
-    }
-  }
-
- private:
-  static std::uint64_t portion(std::uint64_t share, double part) {
-    return static_cast<std::uint64_t>(static_cast<double>(share) * part);
-  }
-
-  const Element& elementAt(std::size_t i) const { return discretization_.elements[row_.elements[i]]; }
-
-  std::map<Block, std::uint64_t> sharesByBlock(int level) const {
-    std::map<Block, std::uint64_t> shares;
-    for (std::size_t i = run_.first; i < run_.end; ++i) shares[blockOf(*grid_, elementAt(i), level)] += row_.shares[i];
-    return shares;
-  }
-
-  const Discretization& discretization_;
-  const FormFactorRow& row_;
-  Run run_;
-  const Grid* grid_ = nullptr;
+/// The entries [first, end) of a row that belong to one surface, with its grid.
+struct Part {
+  const Discretization& discretization;
+  const FormFactorRow& row;
+  const Grid& grid;
+  std::size_t first, end;
 };
+
+std::map<Block, std::uint64_t> sharesByBlock(const Part& part, int level) {
+  std::map<Block, std::uint64_t> shares;
+  for (std::size_t i = part.first; i < part.end; ++i)
+    shares[blockOf(part.grid, part.discretization.elements[part.row.elements[i]], level)] += part.row.shares[i];
+  return shares;
+}
+
+/// The lowest level with enough pixels per visible block.
+int levelFor(const Part& part, std::uint64_t pixels, double pixelsPerElement) {
+  int level = 0;
+  for (std::size_t blocks = part.end - part.first;
+       blocks > 1 && static_cast<double>(pixels) < pixelsPerElement * static_cast<double>(blocks);
+       blocks = sharesByBlock(part, level).size())
+    ++level;
+  return level;
+}
+
+/// Distributes the shares of a part over the elements of the blocks of a level, and appends them.
+void append(const Part& part, int level, FormFactorRow& result) {
+  const FormFactorRow& row = part.row;
+  if (level == 0) {
+    const auto first = static_cast<std::ptrdiff_t>(part.first), end = static_cast<std::ptrdiff_t>(part.end);
+    result.elements.insert(result.elements.end(), row.elements.begin() + first, row.elements.begin() + end);
+    result.shares.insert(result.shares.end(), row.shares.begin() + first, row.shares.begin() + end);
+    return;
+  }
+  const std::vector<Element>& all = part.discretization.elements;
+  std::vector<std::pair<std::uint32_t, std::uint64_t>> spread;
+  for (const auto& [block, share] : sharesByBlock(part, level)) {
+    const std::vector<std::uint32_t> elements = elementsIn(part.discretization, part.grid, block, level);
+    double area = 0;
+    for (const std::uint32_t element : elements) area += all[element].area;
+    // Rounds the running total, not each share, so that the shares sum to that of the block.
+    double areaSoFar = 0;
+    std::uint64_t given = 0;
+    for (const std::uint32_t element : elements) {
+      areaSoFar += all[element].area;
+      const auto portion = static_cast<std::uint64_t>(static_cast<double>(share) * (areaSoFar / area));
+      const std::uint64_t upTo = element == elements.back() ? share : std::min(share, portion);
+      if (upTo > given) spread.emplace_back(element, upTo - given);
+      given = std::max(given, upTo);
+    }
+  }
+  std::sort(spread.begin(), spread.end());
+  for (const auto& [element, share] : spread) {
+    result.elements.push_back(element);
+    result.shares.push_back(share);
+  }
+}
 
 }  // namespace
 
@@ -120,12 +95,12 @@ FormFactorRow withCoarserMaps(const Discretization& discretization, const FormFa
                               std::span<const std::uint32_t> pixels, double pixelsPerElement) {
   assert(pixels.size() == row.elements.size());
   FormFactorRow result{{}, {}, row.background, row.back};
-  for (const Run& run : runsBySurface(discretization, row)) {
-    const std::uint64_t sum = std::accumulate(pixels.begin() + static_cast<std::ptrdiff_t>(run.first),
-                                              pixels.begin() + static_cast<std::ptrdiff_t>(run.end), std::uint64_t{0});
-    const Spreader spreader(discretization, row, run);
-    const int level = spreader.levelFor(sum, pixelsPerElement);
-    spreader.append(level, result);
+  const auto surfaceOf = [&](std::size_t i) { return discretization.elements[row.elements[i]].surface; };
+  for (std::size_t first = 0, end = 0; first < row.elements.size(); first = end) {
+    std::uint64_t sum = 0;
+    for (; end < row.elements.size() && surfaceOf(end) == surfaceOf(first); ++end) sum += pixels[end];
+    const Part part{discretization, row, discretization.grids[surfaceOf(first)], first, end};
+    append(part, levelFor(part, sum, pixelsPerElement), result);
   }
   return result;
 }
