@@ -28,7 +28,7 @@ using RowSource = std::function<FormFactorRow(const Patch& patch)>;
 /// A row from one of several points, and the area that shoots from this point.
 struct WeightedRow {
   FormFactorRow row;
-  double area = 0;  ///< above 0
+  double area = 0;  ///< in squared units of the scene, above 0
 };
 
 /// The mean of rows, weighted by area. It sums to exactly 2^60; the largest share receives the rounding error. Elements

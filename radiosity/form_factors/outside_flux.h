@@ -26,7 +26,7 @@ struct OutsideFlux {
   glm::dvec3 onBacks{0.0};           ///< absorbed by backs, also by the outer sides of walls; W per band
 };
 
-/// The sum of the received flux.
+/// The sum of the received flux, in W per band.
 glm::dvec3 sumOf(const OutsideFlux& flux);
 
 inline constexpr int minDirections = 128;

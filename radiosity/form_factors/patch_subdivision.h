@@ -46,7 +46,7 @@ inline constexpr int maxSplits = 4;
 /// Maximum number of times that a resolution is halved.
 inline constexpr int maxHalvings = 8;
 
-/// Number of halvings of the resolution for a patch of this weight that is not split.
+/// Number of halvings of the resolution, 0 to maxHalvings, for a patch of this weight that is not split.
 int halvingsFor(double weight);
 
 /// The parts that replace a patch before its first shot (see replacePatch); one part if one point is enough. `weight`

@@ -36,7 +36,7 @@ struct ViewPoint {
   SurfacePoint point;
   glm::dvec3 up{0.0};  ///< direction of the upper side of the projection; 0: any (see facesOver)
   int halvings = 0;    ///< of the resolution, down to smallestResolution
-  double area = 0;     ///< of the surface part that shoots from this point
+  double area = 0;     ///< of the surface part that shoots from this point, in squared units of the scene
 
   bool operator==(const ViewPoint&) const = default;
 };

@@ -31,6 +31,7 @@ struct MeshedDraws {
   std::vector<std::uint32_t> firstPiece;
 };
 
+/// Meshes a scene with the item IDs of a layout of its discretization.
 MeshedDraws makeMeshedDraws(const Scene& scene, const Discretization& discretization, const IdLayout& layout);
 
 /// Renders a mesh. Skipping a triangle of the scene skips all its pieces.

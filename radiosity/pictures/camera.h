@@ -24,8 +24,7 @@ double tangentOfDegrees(double degrees);
 
 /// The face that draws the view of `camera` at width x height pixels, each at most 4096. The viewport may be larger
 /// than the picture, which is the scissor rectangle. Row 0 is the BOTTOM of the picture. Surfaces nearer than 1e-5 of
-/// the scene's extent are clipped. Throws InputError if the camera has no direction, `up` is parallel to it, or the
-/// field of view is out of range.
+/// the scene's extent are clipped. Throws InputError as axesOf, and if the size or the field of view is out of range.
 raster::Face cameraFace(const Scene& scene, const Camera& camera, int width, int height);
 
 }  // namespace hemitex::radiosity

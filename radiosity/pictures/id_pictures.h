@@ -2,7 +2,8 @@
 ///
 /// They draw the draw list of the hemicube from a camera. So they show offsets and index maps after the blend. An index
 /// map shows as grey levels, an offset as a hue, and an item ID as the sum of both. So image (c) is (a) + (b), also in
-/// the 8-bit codes of the files.
+/// the 8-bit codes of the files. Pictures from a camera have width x height pixels; they throw InputError as
+/// cameraFace.
 #pragma once
 
 #include <cstddef>

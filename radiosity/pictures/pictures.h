@@ -1,4 +1,5 @@
-/// Pictures of a scene, unlit as in an OBJ viewer, and of the borders of its polygons and elements.
+/// Pictures of a scene, unlit as in an OBJ viewer, and of the borders of its polygons and elements. All have width x
+/// height pixels and throw InputError as drawPicture.
 #pragma once
 
 #include <functional>
@@ -15,8 +16,8 @@ namespace hemitex::radiosity {
 /// The linear colour of the visible point of a sample.
 using ColourOf = std::function<glm::dvec3(const Visible&)>;
 
-/// A picture with 2 x 2 samples per pixel, averaged in linear light, on black. Sides are at most 2048 pixels. Throws
-/// InputError as cameraFace.
+/// A picture with 2 x 2 samples per pixel, averaged in linear light, on black. Throws InputError for sides above 2048
+/// pixels, and as cameraFace.
 Image drawPicture(const Scene& scene, const Camera& camera, int width, int height, const ColourOf& colourOf);
 
 /// The colour in a viewer without lights: Kd times map_Kd, bilinear between texel centres and repeating. It is

@@ -42,8 +42,8 @@ std::vector<std::uint32_t> trianglesFacingAway(const Scene& scene, const glm::dv
 
 /// A near distance that clips no visible triangle: the distance to the nearest triangle that is not skipped, divided by
 /// the projection's reach (see Projection::squaredReach). It is smallestNearDistance if a triangle touches the point,
-/// and the scene's extent if no triangle is near.
-/// `boxes` are triangleBoxes of the scene.
+/// and the scene's extent if no triangle is near. `point` and the result are in units of the file, `skipped` is
+/// ascending and `boxes` are triangleBoxes of the scene.
 double nearDistance(const Scene& scene, std::span<const TriangleBox> boxes, const glm::dvec3& point,
                     const std::vector<std::uint32_t>& skipped, double squaredReach);
 
@@ -58,7 +58,8 @@ enum class Orientation {
 /// golden section leave no large gap for any count (Weyl 1916); the faces of a hemicube repeat after a quarter turn.
 double turnOf(std::uint32_t patch, int point);
 
-/// The up direction of the projection over a point of a patch; zero if all have the same rotation.
+/// The up direction (of any length) of the projection over a point of a patch with this unit normal, for
+/// ViewPoint::up; zero if all have the same rotation.
 glm::dvec3 upOf(Orientation orientation, const glm::dvec3& normal, std::uint32_t patch, int point);
 
 }  // namespace hemitex::radiosity

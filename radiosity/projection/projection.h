@@ -58,9 +58,9 @@ std::vector<Window> wholeFaces(const Projection& projection);
 /// The share of a pixel, by its place in the face's viewport; it must lie inside the scissor rectangle.
 std::uint64_t shareOf(const Projection& projection, std::size_t face, int column, int row);
 
-/// The faces over a point, in their order. `position` is relative to the scene's origin, `normal` is a unit vector. If
-/// `up` is not zero, the projection is rotated about the normal so that its up direction is as near to `up` as
-/// possible.
+/// The faces over a point, in their order. `position` is relative to the scene's origin, `normal` is a unit vector, and
+/// `nearDistance` is in units of the scene, above 0. If `up` is not zero, the projection is rotated about the normal so
+/// that its up direction is as near to `up` as possible.
 std::vector<raster::Face> facesOver(std::span<const ProjectionFace> faces, const glm::dvec3& position,
                                     const glm::dvec3& normal, const glm::dvec3& up, double nearDistance);
 

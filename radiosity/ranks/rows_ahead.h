@@ -32,9 +32,9 @@ class RowsAhead {
   /// `budget` in bytes, for rows that have arrived and are not needed yet. References must outlive this object.
   RowsAhead(Messenger& ranks, SceneFormFactors& formFactors, std::size_t budget);
 
-  /// Gives likely rows to ranks that have room for a task. Call it after each shot.
+  /// Gives likely rows to ranks that have room for a task. Call it after each shot. Throws RankError if a rank failed.
   void lookAhead(const Step& step);
-  /// The row of a patch. Computes it if no rank has it, or if the rank that computes it is slow.
+  /// The row of a patch. Computes it if no rank has it, or if the rank that computes it is slow. Throws RankError.
   FormFactorRow row(const Patch& patch);
 
   const RowCounts& counts() const { return counts_; }

@@ -12,7 +12,8 @@ namespace hemitex::radiosity {
 
 /// As Messenger::receive, but throws RankError for the message of a rank that failed.
 std::optional<Message> received(Messenger& ranks);
-/// Waits for a message. Sleeps between looks, so that ranks that wait leave the cores to ranks that work.
+/// Waits for a message; throws RankError. Sleeps between looks, so that ranks that wait leave the cores to ranks that
+/// work.
 Message awaited(Messenger& ranks);
 /// On rank 0: tells the other ranks that there are no more tasks, and waits until they know. Late results are ignored.
 void endTasks(Messenger& ranks);

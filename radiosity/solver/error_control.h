@@ -31,14 +31,14 @@ struct ErrorBoundChoice {
   double expectedError = 0;  ///< its expected error
 };
 
-/// Solves at an effort; returns the radiosity of each element.
+/// Solves at an effort; returns the radiosity of each element in W/m^2.
 using SolveWith = std::function<std::vector<glm::dvec3>(const Effort&)>;
 
 /// The share of all emitted flux that may stay unshot for a bound on the error: a tenth of the bound.
 double residualFor(double bound);
 
-/// Solves at growing efforts until the expected error is within `bound`, above 0. Throws InputError if no effort of the
-/// ladder is enough; the advice says which bound can be reached.
+/// Solves at growing efforts until the expected error, a share of all flux, is within `bound`, above 0. Throws
+/// InputError if no effort of the ladder is enough; the advice says which bound can be reached.
 ErrorBoundChoice chooseEffort(const Discretization& discretization, const SolveWith& solveWith, double bound);
 
 }  // namespace hemitex::radiosity

@@ -32,7 +32,7 @@
 
 namespace hemitex::radiosity {
 
-/// Flux per RGB band. emitted = absorbed + unshot + lost.
+/// Flux in W per RGB band. emitted = absorbed + unshot + lost.
 struct Energy {
   glm::dvec3 emitted{0.0};  ///< by elements, and what elements receive from outside
   glm::dvec3 absorbed{0.0};
@@ -42,7 +42,7 @@ struct Energy {
   glm::dvec3 skyOnBacks{0.0};   ///< from outside, absorbed by backs; in no other number
 };
 
-/// The flux that was shot, and where it arrived: all that is needed to continue.
+/// The flux that was shot, in W per band, and where it arrived: all that is needed to continue.
 struct ShotLight {
   std::vector<glm::dvec3> shot;      ///< one per patch
   std::vector<glm::dvec3> received;  ///< one per element
@@ -65,7 +65,7 @@ struct SavedShots {
 /// The light before the first shot.
 ShotLight nothingShot(const Patches& patches, OutsideFlux outside = {});
 
-/// The flux that all elements emit.
+/// The flux that all elements emit, in W per band.
 glm::dvec3 emittedFlux(const Scene& scene, const Discretization& discretization);
 
 class ShootingState {
@@ -85,7 +85,7 @@ class ShootingState {
   std::uint32_t brightestPatch() const { return unshot_.brightest(); }
   /// The patches with the largest absolute unshot flux, in this order; at most `count`.
   std::vector<std::uint32_t> brightestPatches(std::size_t count) const { return unshot_.brightestPatches(count); }
-  /// The unshot flux of a patch, and whether it has ever shot.
+  /// The unshot flux of a patch in W per band, and whether it has ever shot.
   const glm::dvec3& unshot(std::uint32_t patch) const { return unshot_.flux()[patch]; }
   bool hasShot(std::uint32_t patch) const { return light_.shot[patch] != glm::dvec3(0); }
   /// Replaces a patch that never shot by parts (see replacePatch). If they are several, they get the unshot flux of

@@ -14,7 +14,7 @@ namespace hemitex::radiosity {
 std::vector<std::string> uniqueFileNames(const std::vector<std::string>& names,
                                          const std::vector<std::string>& reserved = {});
 
-/// The names of a scene's surfaces as objects of files, by the same rules.
+/// The names of a scene's surfaces as objects of files, one per surface, by the same rules.
 std::vector<std::string> objectNames(const Scene& scene);
 
 }  // namespace hemitex::radiosity

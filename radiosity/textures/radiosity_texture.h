@@ -20,12 +20,12 @@ namespace hemitex::radiosity {
 std::vector<Image> radiosityTextures(const Discretization& discretization, const TextureLayout& layout,
                                      const std::vector<glm::dvec3>& radiosity);
 
-/// Display texture t of the layout: filtered and magnified, including the border. Throws InputError if it would have
-/// more than 2^28 texels.
+/// Display texture t of the layout: filtered and magnified, including the border, from one value per element. Throws
+/// InputError if it would have more than 2^28 texels.
 Image filteredTexture(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
                       std::size_t texture, const std::vector<glm::dvec3>& radiosity, TextureFilter filter);
 
-/// The displayed value of an element: radiosity plus reflectance times the ambient estimate.
+/// The displayed value of an element in W/m^2: radiosity plus reflectance times the ambient estimate.
 glm::dvec3 displayRadiosity(const Scene& scene, const Discretization& discretization, const Solution& solution,
                             std::uint32_t element);
 /// As above, of all elements.

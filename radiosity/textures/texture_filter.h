@@ -25,7 +25,7 @@ enum class TextureFilter {
   Gouraud,   ///< elements as Gouraud shaded polygons, see gouraud_texture.h
 };
 
-/// The weight of a texel at a distance, for all filters except Quadtree and Gouraud.
+/// The weight of a texel at a distance in grid texels, for all filters except Quadtree and Gouraud.
 double kernelWeight(TextureFilter filter, double distance);
 
 /// One value per texel of a surface's texture, row by row, (columns * magnification) x (rows * magnification) values,
