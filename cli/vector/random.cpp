@@ -5,7 +5,6 @@
 
 #include "cli/common/commands.h"
 #include "cli/vector/vector_output.h"
-#include "reference/conformance/vectors/random_families.h"
 #include "reference/conformance/vectors/random_vectors.h"
 
 namespace hemitex::cli {

@@ -10,12 +10,19 @@
 namespace hemitex::tests {
 
 using reference::addDraw;
-using reference::addPixel;
 using reference::addTriangle;
 using reference::countingMap;
 using reference::frontFace;
 using reference::plainList;
 using reference::uniform;
+
+/// Adds a triangle that covers one pixel of a front face (Picture).
+inline void addPixel(raster::DrawList& list, int resolution, int column, int row, double w = 1) {
+  reference::Picture picture(resolution);
+  static_cast<raster::DrawList&>(picture) = std::move(list);
+  picture.addPixel(column, row, w);
+  list = std::move(picture);
+}
 
 inline raster::ItemBuffer drawOne(const raster::DrawList& list, const raster::Face& face,
                                   std::span<const std::uint32_t> skipped = {}) {

@@ -12,7 +12,7 @@ inline raster::DrawList tiedWall(int resolution, double moved) {
   raster::DrawList list = reference::plainList();
   list.indexMaps.push_back(reference::countingMap(resolution, resolution));
   reference::addDraw(list, 0x10000, {}, 0);
-  const auto corner = [&](double x, double y) { return reference::pixelPoint(resolution, {x, y}); };
+  const auto corner = [&](double x, double y) { return reference::Picture(resolution).point({x, y}); };
   const double first = moved, end = resolution + moved;
   const glm::vec3 a = corner(first, first), b = corner(end, first), c = corner(end, end), d = corner(first, end);
   const float low = -0.5f / static_cast<float>(resolution), high = 1 + low;

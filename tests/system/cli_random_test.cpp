@@ -10,7 +10,6 @@
 
 #include "raster/base/file_io.h"
 #include "reference/conformance/vectors/candidate.h"
-#include "reference/conformance/vectors/random_families.h"
 #include "reference/conformance/vectors/random_vectors.h"
 #include "reference/conformance/vectors/vector_file.h"
 #include "tests/support/temporary_folder.h"

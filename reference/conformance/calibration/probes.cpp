@@ -31,19 +31,10 @@ using Corners = std::array<glm::ivec2, 3>;
 glm::ivec2 onGrid(const glm::ivec2& point) { return pixelUnits / 16 * point + 1; }
 
 /// A corner of a pixel's triangle at depth w.
-glm::vec3 cornerPoint(int resolution, std::size_t pixel, const glm::ivec2& corner, double w) {
-  const auto side = static_cast<std::size_t>(resolution);
+glm::vec3 cornerPoint(const Picture& picture, std::size_t pixel, const glm::ivec2& corner, double w) {
+  const auto side = static_cast<std::size_t>(picture.resolution);
   const glm::dvec2 sample(static_cast<double>(pixel % side) + 0.5, static_cast<double>(pixel / side) + 0.5);
-  return pixelPoint(resolution, sample + glm::dvec2(corner) / static_cast<double>(pixelUnits), w);
-}
-
-TestVector makeProbe(std::string name, std::string catches, raster::DrawList list, const raster::Face& face) {
-  TestVector vector;
-  vector.name = std::move(name);
-  vector.catches = std::move(catches);
-  vector.list = std::move(list);
-  vector.faces = {{"front", face, "front.u32", {}}};
-  return vector;
+  return picture.point(sample + glm::dvec2(corner) / static_cast<double>(pixelUnits), w);
 }
 
 // --- coverage ---
@@ -79,17 +70,16 @@ Corners throughSample(std::mt19937& random) {
 template <typename MakeCorners>
 ProbeSheet<CoverageProbe> coverageSheet(const std::string& name, const std::string& catches,
                                         const MakeCorners& makeCorners) {
-  constexpr int resolution = 16;
   ProbeSheet<CoverageProbe> sheet;
-  raster::DrawList list = plainList();
-  addDraw(list, 1);
-  for (std::size_t pixel = 0; pixel < resolution * resolution; ++pixel) {
+  Picture picture(16);
+  addDraw(picture, 1);
+  for (std::size_t pixel = 0; pixel < 256; ++pixel) {
     const Corners corners = makeCorners();
-    const auto point = [&](std::size_t k) { return cornerPoint(resolution, pixel, corners[k], 1); };
-    addTriangle(list, {point(0), point(1), point(2)});
+    const auto point = [&](std::size_t k) { return cornerPoint(picture, pixel, corners[k], 1); };
+    addTriangle(picture, {point(0), point(1), point(2)});
     sheet.pixels.push_back({corners});
   }
-  sheet.vector = makeProbe(name, catches, std::move(list), frontFace(resolution, 0.5f));
+  sheet.vector = makeVector(name, catches, picture);
   return sheet;
 }
 
@@ -129,21 +119,19 @@ TexelProbe texelProbe(const TexelTriangle& triangle, int texels, const BorderCoo
           0x1p-24 * texels * largest * triangle.depthRatio()};
 }
 
-constexpr int texelResolution = 32;
-
 /// Half of the pixels of each row test u, half test v, in index maps of `texels` texels.
 /// `makeCoordinates(row, isAbove, random)` chooses their coordinates; every other pixel lies above its border.
 template <typename MakeCoordinates>
 ProbeSheet<TexelProbe> texelSheet(const std::string& name, const TexelTriangle& triangle, int texels,
                                   const MakeCoordinates& makeCoordinates) {
-  constexpr int resolution = texelResolution;
+  constexpr int resolution = 32;
   std::mt19937 random(32);
   ProbeSheet<TexelProbe> sheet;
   sheet.pixels.resize(resolution * resolution);
-  raster::DrawList list = plainList();
-  list.indexMaps = {countingMap(texels, 1), countingMap(1, texels)};
+  Picture picture(resolution);
+  picture.indexMaps = {countingMap(texels, 1), countingMap(1, texels)};
   for (const bool isU : {true, false}) {
-    addDraw(list, 0, {}, isU ? 0 : 1);
+    addDraw(picture, 0, {}, isU ? 0 : 1);
     for (int row = 0; row < resolution; ++row)
       for (int column = isU ? 0 : resolution / 2; column < (isU ? resolution / 2 : resolution); ++column) {
         const BorderCoordinates coordinates = makeCoordinates(row, column % 2 == 0, random);
@@ -152,13 +140,13 @@ ProbeSheet<TexelProbe> texelSheet(const std::string& name, const TexelTriangle& 
         };
         const auto pixel = static_cast<std::size_t>(row * resolution + column);
         const auto point = [&](int k) {
-          return cornerPoint(resolution, pixel, onGrid(triangle.corners[static_cast<std::size_t>(k)]), triangle.w[k]);
+          return cornerPoint(picture, pixel, onGrid(triangle.corners[static_cast<std::size_t>(k)]), triangle.w[k]);
         };
-        addTriangle(list, {point(0), point(1), point(2)}, {texcoord(0), texcoord(1), texcoord(2)});
+        addTriangle(picture, {point(0), point(1), point(2)}, {texcoord(0), texcoord(1), texcoord(2)});
         sheet.pixels[pixel] = texelProbe(triangle, texels, coordinates);
       }
   }
-  sheet.vector = makeProbe(name, "errors of texture coordinates", std::move(list), frontFace(resolution, 0.5f));
+  sheet.vector = makeVector(name, "errors of texture coordinates", picture);
   return sheet;
 }
 
@@ -208,21 +196,18 @@ ProbeSheet<DepthProbe> depthSheet(const std::string& name, int resolution, float
                                   const std::vector<DepthPair>& pairs) {
   const Corners corners{onGrid({-6, 1}), onGrid({0, -7}), onGrid({6, 1})};  // the sample's weights are 7/16, 2/16, 7/16
   ProbeSheet<DepthProbe> sheet;
-  raster::DrawList list = plainList();
+  Picture picture(resolution, nearDistance);
   for (const raster::ItemId id : {1u, 2u}) {
-    addDraw(list, id);
+    addDraw(picture, id);
     for (std::size_t pixel = 0; pixel < pairs.size(); ++pixel) {
       const raster::ItemId nearer = pixel % 2 == 0 ? 1 : 2;
       const glm::dvec3& w = id == nearer ? pairs[pixel].nearer : pairs[pixel].farther;
-      const auto point = [&](int k) {
-        return cornerPoint(resolution, pixel, corners[static_cast<std::size_t>(k)], w[k]);
-      };
-      addTriangle(list, {point(0), point(1), point(2)});
+      const auto point = [&](int k) { return cornerPoint(picture, pixel, corners[static_cast<std::size_t>(k)], w[k]); };
+      addTriangle(picture, {point(0), point(1), point(2)});
       if (id == 1) sheet.pixels.push_back({pairs[pixel].step, nearer});
     }
   }
-  sheet.vector =
-      makeProbe(name, "the resolution of the depth buffer", std::move(list), frontFace(resolution, nearDistance));
+  sheet.vector = makeVector(name, "the resolution of the depth buffer", picture);
   return sheet;
 }
 

@@ -10,22 +10,19 @@ namespace {
 
 /// A light in the plane of a ceiling, drawn before or after it, both of constant depth but made of different triangles.
 TestVector coplanarFlat(const std::string& name, bool lightFirst) {
-  constexpr int resolution = 32;
   // A depth whose inverse binary arithmetic cannot hold: 1/w is rounded differently in different triangles.
   constexpr double w = 0.3f;
-  raster::DrawList list = plainList();
+  Picture picture(32, 0.05f);
   for (const bool isLight : {lightFirst, !lightFirst}) {
-    addDraw(list, isLight ? 1 : 0);
-    addBlock(list, resolution, isLight ? Block{11, 9, 20, 23} : Block{2, 3, 29, 31}, w);
+    addDraw(picture, isLight ? 1 : 0);
+    picture.addBlock(isLight ? Block{11, 9, 20, 23} : Block{2, 3, 29, 31}, w);
   }
-  return makeVector(name, "ties in depth that go to the later triangle, or flicker from pixel to pixel",
-                    std::move(list), {frontFace(resolution, 0.05f)});
+  return makeVector(name, "ties in depth that go to the later triangle, or flicker from pixel to pixel", picture);
 }
 
 /// Four overlapping triangles of one sloped plane with exactly the same 1/w: w is 1, 2, 4, 8 at the columns 0, 16, 24,
 /// 28 of 32, where 1/w = 1 - column/32.
 TestVector coplanarSloped(const std::string& name, bool reversed) {
-  constexpr int resolution = 32;
   struct Corner {
     double column, row, w;
   };
@@ -33,118 +30,110 @@ TestVector coplanarSloped(const std::string& name, bool reversed) {
                                                {{{0, 32, 1}, {24, 0, 4}, {28, 30, 8}}},
                                                {{{0, 12, 1}, {24, 8, 4}, {16, 24, 2}}},
                                                {{{16, 0, 2}, {24, 16, 4}, {0, 24, 1}}}};
-  raster::DrawList list = plainList();
+  Picture picture(32);
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     const std::size_t number = reversed ? triangles.size() - 1 - k : k;
     const auto corner = [&](std::size_t c) {
       const Corner& at = triangles[number][c];
-      return pixelPoint(resolution, {at.column, at.row}, at.w);
+      return picture.point({at.column, at.row}, at.w);
     };
-    addDraw(list, static_cast<raster::ItemId>(number));
-    addTriangle(list, {corner(0), corner(1), corner(2)});
+    addDraw(picture, static_cast<raster::ItemId>(number));
+    addTriangle(picture, {corner(0), corner(1), corner(2)});
   }
-  return makeVector(name, "ties in depth on a slope that go to the later triangle", std::move(list),
-                    {frontFace(resolution, 0.5f)});
+  return makeVector(name, "ties in depth on a slope that go to the later triangle", picture);
 }
 
 /// The same triangle drawn several times, from every corner: the first one stays.
 TestVector sameTriangle() {
-  constexpr int resolution = 32;
-  raster::DrawList list = plainList();
-  const glm::vec3 a = pixelPoint(resolution, {1, 2}, 1.3), b = pixelPoint(resolution, {30, 5}, 7.7);
-  const glm::vec3 c = pixelPoint(resolution, {9, 31}, 3.1);
+  Picture picture(32);
+  const glm::vec3 a = picture.point({1, 2}, 1.3), b = picture.point({30, 5}, 7.7);
+  const glm::vec3 c = picture.point({9, 31}, 3.1);
   for (raster::ItemId id = 0; id < 6; ++id) {
-    addDraw(list, id);
-    if (id % 3 == 0) addTriangle(list, {a, b, c});
-    if (id % 3 == 1) addTriangle(list, {b, c, a});
-    if (id % 3 == 2) addTriangle(list, {c, a, b});
-    if (id >= 3) turnLastDraw(list);
+    addDraw(picture, id);
+    if (id % 3 == 0) addTriangle(picture, {a, b, c});
+    if (id % 3 == 1) addTriangle(picture, {b, c, a});
+    if (id % 3 == 2) addTriangle(picture, {c, a, b});
+    if (id >= 3) turnLastDraw(picture);
   }
   return makeVector("same-triangle", "less-or-equal instead of less, depth that depends on the order of corners",
-                    std::move(list), {frontFace(resolution, 0.5f)});
+                    picture);
 }
 
-/// One pixel each: two triangles whose depths differ by one binary32 number, the nearer first or second.
+/// Two triangles in each of 16 x 16 pixels, at the depths w and farther(w) of w = depthOf(pixel). The nearer one comes
+/// first in every other pixel.
+template <typename DepthOf, typename Farther>
+TestVector depthPairs(const std::string& name, const std::string& catches, float nearDistance, const DepthOf& depthOf,
+                      const Farther& farther) {
+  Picture picture(16, nearDistance);
+  for (int pixel = 0; pixel < 256; ++pixel)
+    for (const bool isFirst : {true, false}) {
+      const auto w = depthOf(pixel);
+      addDraw(picture, static_cast<raster::ItemId>(2 * pixel + (isFirst ? 0 : 1)));
+      picture.addPixel(pixel % 16, pixel / 16, isFirst == (pixel % 2 == 0) ? w : farther(w));
+    }
+  return makeVector(name, catches, picture);
+}
+
+/// Depths that differ by one binary32 number.
 TestVector depthSteps() {
-  constexpr int resolution = 16;
-  raster::DrawList list = plainList();
-  for (int pixel = 0; pixel < 256; ++pixel) {
-    const float w = std::ldexp(1.0f + static_cast<float>(pixel % 16) / 16, pixel / 16);
-    const float next = std::nextafter(w, 1e9f);
-    const bool nearerFirst = pixel % 2 == 0;
-    for (const bool isFirst : {true, false}) {
-      addDraw(list, static_cast<raster::ItemId>(2 * pixel + (isFirst ? 0 : 1)));
-      addPixel(list, resolution, pixel % 16, pixel / 16, isFirst == nearerFirst ? w : next);
-    }
-  }
-  return makeVector("depth-steps", "depth kept in less than binary64: the last bit of w from 1 to 65536 decides",
-                    std::move(list), {frontFace(resolution, 0.5f)});
+  return depthPairs(
+      "depth-steps", "depth kept in less than binary64: the last bit of w from 1 to 65536 decides", 0.5f,
+      [](int pixel) { return std::ldexp(1.0f + static_cast<float>(pixel % 16) / 16, pixel / 16); },
+      [](float w) { return std::nextafter(w, 1e9f); });
 }
 
-/// Pairs of triangles a hundredth apart at depths from 0.1 to 100, with a near plane at 0.01.
+/// A hundredth apart at depths from 0.1 to 100.
 TestVector depthRange() {
-  constexpr int resolution = 16;
-  raster::DrawList list = plainList();
-  for (int pixel = 0; pixel < 256; ++pixel) {
-    const double w = 0.1 + pixel * pixel * (100.0 / 65536);
-    const bool nearerFirst = pixel % 2 == 0;
-    for (const bool isFirst : {true, false}) {
-      addDraw(list, static_cast<raster::ItemId>(2 * pixel + (isFirst ? 0 : 1)));
-      addPixel(list, resolution, pixel % 16, pixel / 16, isFirst == nearerFirst ? w : 1.01 * w);
-    }
-  }
-  return makeVector("depth-range", "a depth buffer of 16 bits", std::move(list), {frontFace(resolution)});
+  return depthPairs(
+      "depth-range", "a depth buffer of 16 bits", 0.01f,
+      [](int pixel) { return 0.1 + pixel * pixel * (100.0 / 65536); }, [](double w) { return 1.01 * w; });
 }
 
 /// Parallel walls in random order of depth.
 TestVector depthStack() {
-  constexpr int resolution = 32;
   std::mt19937 random(12);
-  raster::DrawList list = plainList();
+  Picture picture(32);
   for (raster::ItemId id = 0; id < 64; ++id) {
     const int column = static_cast<int>(random() % 28), row = static_cast<int>(random() % 28);
     const int width = 4 + static_cast<int>(random() % 12), height = 4 + static_cast<int>(random() % 12);
-    addDraw(list, id);
-    addBlock(list, resolution, {column, row, column + width, row + height}, 1 + static_cast<double>(random() % 64) / 8);
+    addDraw(picture, id);
+    picture.addBlock({column, row, column + width, row + height}, 1 + static_cast<double>(random() % 64) / 8);
   }
-  return makeVector("depth-stack", "the depth test off, reversed, or the depth buffer not cleared", std::move(list),
-                    {frontFace(resolution, 0.5f)});
+  return makeVector("depth-stack", "the depth test off, reversed, or the depth buffer not cleared", picture);
 }
 
 /// Triangles that pass through each other.
 TestVector crossing() {
-  constexpr int resolution = 64;
   std::mt19937 random(7);
-  raster::DrawList list = plainList();
+  Picture picture(64);
   for (raster::ItemId id = 0; id < 12; ++id) {
     std::array<glm::vec3, 3> corners;
     for (glm::vec3& corner : corners) {
       const double column = uniform(random, -8, 72), row = uniform(random, -8, 72), w = uniform(random, 1, 6);
-      corner = pixelPoint(resolution, {column, row}, w);
+      corner = picture.point({column, row}, w);
     }
-    addDraw(list, id);
-    addTriangle(list, {corners[0], corners[1], corners[2]});
+    addDraw(picture, id);
+    addTriangle(picture, {corners[0], corners[1], corners[2]});
   }
   return makeVector("crossing", "depth of a whole triangle instead of a sample, w interpolated instead of 1/w",
-                    std::move(list), {frontFace(resolution, 0.5f)});
+                    picture);
 }
 
 /// A floor nearly edge-on from w = 0.01 to 10000 under a wall: depths with a ratio of a million.
 TestVector depthRatio() {
-  constexpr int resolution = 32;
-  raster::DrawList list = plainList();
-  addDraw(list, 0);
-  addQuad(list, {glm::vec3(-9000, 0.008f, 10000), glm::vec3(9000, 0.008f, 10000), glm::vec3(0.009f, 0.008f, 0.01f),
-                 glm::vec3(-0.009f, 0.008f, 0.01f)});
+  Picture picture(32, 0.005f);
+  addDraw(picture, 0);
+  addQuad(picture, {glm::vec3(-9000, 0.008f, 10000), glm::vec3(9000, 0.008f, 10000), glm::vec3(0.009f, 0.008f, 0.01f),
+                    glm::vec3(-0.009f, 0.008f, 0.01f)});
   for (raster::ItemId wall = 1; wall < 12; ++wall) {
     const float w = std::ldexp(0.012f, static_cast<int>(wall) * 2);
-    addDraw(list, wall);
+    addDraw(picture, wall);
     const float left = (static_cast<float>(wall) / 6 - 1.1f) * w, right = left + 0.14f * w;
-    addQuad(list, {glm::vec3(left, -0.9f * w, w), glm::vec3(right, -0.9f * w, w), glm::vec3(right, 0.9f * w, w),
-                   glm::vec3(left, 0.9f * w, w)});
+    addQuad(picture, {glm::vec3(left, -0.9f * w, w), glm::vec3(right, -0.9f * w, w), glm::vec3(right, 0.9f * w, w),
+                      glm::vec3(left, 0.9f * w, w)});
   }
   return makeVector("depth-ratio", "depth or perspective that breaks down where w spans a factor of a million",
-                    std::move(list), {frontFace(resolution, 0.005f)});
+                    picture);
 }
 
 /// 8 x 8 quads, each drawn twice with the same corners in the same order. Their depths are equal on any device, so the
@@ -152,14 +141,14 @@ TestVector depthRatio() {
 /// farther, which any depth format can tell.
 TestVector equalDepths(const std::string& name, bool isSloped) {
   constexpr int resolution = 32, cell = 4;
-  raster::DrawList list = plainList();
+  Picture picture(resolution);
   const auto add = [&](int number, double distance) {
     const double column = number % 8 * cell, row = number / 8 * cell;
     const auto corner = [&](double x, double y, double slope) {
-      return pixelPoint(resolution, {column + x, row + y}, distance * (isSloped ? 1 + slope : 1));
+      return picture.point({column + x, row + y}, distance * (isSloped ? 1 + slope : 1));
     };
-    addDraw(list, static_cast<raster::ItemId>(list.draws.size()));
-    addQuad(list, {corner(0, 0, 0.03), corner(cell, 0, 0.1), corner(cell, cell, 0.07), corner(0, cell, 0.01)});
+    addDraw(picture, static_cast<raster::ItemId>(picture.draws.size()));
+    addQuad(picture, {corner(0, 0, 0.03), corner(cell, 0, 0.1), corner(cell, cell, 0.07), corner(0, cell, 0.01)});
   };
   for (int number = 0; number < 64; ++number) {
     // Neighbours get all combinations, and depths whose inverses binary arithmetic cannot hold.
@@ -171,8 +160,7 @@ TestVector equalDepths(const std::string& name, bool isSloped) {
     add(number, w);
     if (place == 3) add(number, other);
   }
-  return makeVector(name, "less-or-equal instead of less: item IDs of the second of two equal triangles",
-                    std::move(list), {frontFace(resolution, 0.5f)});
+  return makeVector(name, "less-or-equal instead of less: item IDs of the second of two equal triangles", picture);
 }
 
 }  // namespace

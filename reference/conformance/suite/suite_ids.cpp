@@ -10,30 +10,27 @@ namespace {
 
 using raster::ItemId;
 
-constexpr float nearDistance = 0.5f;
-
-raster::DrawList emptyList(const raster::IdFormat& format, raster::Blend operation) {
-  raster::DrawList list;
-  list.format = format;
-  list.blend = operation;
-  return list;
+Picture emptyPicture(int resolution, const raster::IdFormat& format, raster::Blend operation) {
+  Picture picture(resolution);
+  picture.format = format;
+  picture.blend = operation;
+  return picture;
 }
 
 /// Row j of the picture blends offset j with every texel in turn.
-void addTable(raster::DrawList& list, int resolution, const std::vector<ItemId>& offsets,
-              const std::vector<ItemId>& texels) {
-  list.indexMaps.push_back({static_cast<int>(texels.size()), 1, texels});
+void addTable(Picture& picture, const std::vector<ItemId>& offsets, const std::vector<ItemId>& texels) {
+  picture.indexMaps.push_back({static_cast<int>(texels.size()), 1, texels});
   for (int row = 0; row < static_cast<int>(offsets.size()); ++row) {
-    addDraw(list, offsets[static_cast<std::size_t>(row)], {}, static_cast<int>(list.indexMaps.size()) - 1);
-    addBlock(list, resolution, {0, row, static_cast<int>(texels.size()), row + 1});
+    addDraw(picture, offsets[static_cast<std::size_t>(row)], {}, static_cast<int>(picture.indexMaps.size()) - 1);
+    picture.addBlock({0, row, static_cast<int>(texels.size()), row + 1});
   }
 }
 
 /// One pixel of a triangle that faces away, with a back item ID.
-void addBack(raster::DrawList& list, int resolution, int column, int row) {
-  addDraw(list, 1, raster::backId(list.format));
-  addPixel(list, resolution, column, row);
-  turnLastDraw(list);
+void addBack(Picture& picture, int column, int row) {
+  addDraw(picture, 1, raster::backId(picture.format));
+  picture.addPixel(column, row);
+  turnLastDraw(picture);
 }
 
 /// Pixel (i, j) adds texel byte i to offset byte j in every channel at once: as (i, j), (255 - i, 255 - j), (i, 255 -
@@ -46,16 +43,15 @@ TestVector bytePairs() {
     texels.push_back(byte | (all - byte) << 8 | byte << 16 | (all - byte) << 24);
     offsets.push_back(byte | (all - byte) << 8 | (all - byte) << 16 | byte << 24);
   }
-  raster::DrawList list = emptyList({{8, 8, 8, 8}}, raster::Blend::ClampedAdd);
-  addTable(list, 256, offsets, texels);
+  Picture picture = emptyPicture(256, {{8, 8, 8, 8}}, raster::Blend::ClampedAdd);
+  addTable(picture, offsets, texels);
   return makeVector("byte-pairs", "wrapping instead of clamping, carries between channels, any byte sum that is wrong",
-                    std::move(list), {frontFace(256, nearDistance)});
+                    picture);
 }
 
 /// Offsets and texels of one bit each, in every combination, and texels that fill a channel but for its last bit: sums
 /// show where one channel ends and the next begins. Beside them the background and, in the last pixel, a back.
 TestVector layout(const std::string& name, const raster::IdFormat& format) {
-  constexpr int resolution = 48;
   const int bits = raster::idBits(format);
   std::vector<ItemId> offsets, texels{0};
   for (int bit = 0; bit < bits; ++bit) offsets.push_back(ItemId{1} << bit);
@@ -66,68 +62,61 @@ TestVector layout(const std::string& name, const raster::IdFormat& format) {
     if (width < bits) texels.push_back(((ItemId{1} << width) - 2) << shift);
     shift += width;
   }
-  raster::DrawList list = emptyList(format, raster::Blend::ClampedAdd);
-  addTable(list, resolution, offsets, texels);
-  addBack(list, resolution, resolution - 1, resolution - 1);
-  return makeVector("layout-" + name, "channels cut, ordered or written back otherwise than " + name, std::move(list),
-                    {frontFace(resolution, nearDistance)});
+  Picture picture = emptyPicture(48, format, raster::Blend::ClampedAdd);
+  addTable(picture, offsets, texels);
+  addBack(picture, 47, 47);
+  return makeVector("layout-" + name, "channels cut, ordered or written back otherwise than " + name, picture);
 }
 
 /// All sums of offsets and texels around the channels' borders; some run over the end of the item ID.
 TestVector integerAdd(const std::string& name, const raster::IdFormat& format) {
-  constexpr int resolution = 16;
   const ItemId background = raster::backgroundId(format);
-  raster::DrawList list = emptyList(format, raster::Blend::IntegerAdd);
-  addTable(list, resolution,
+  Picture picture = emptyPicture(16, format, raster::Blend::IntegerAdd);
+  addTable(picture,
            {0, 0x7f, 0xfe, 0xffffu - 1, background / 2 - 3, background - 5, background - 0x100, background - 0x10001},
            {0, 1, 2, 3, 0x80, 0x82, 0xff, 0x102, 0x8000, 0x10002, 0x7fff02, background - 0xff});
   return makeVector(name, "carries lost between channels, clamping of an integer add, wrapping at the wrong bit",
-                    std::move(list), {frontFace(resolution, nearDistance)});
+                    picture);
 }
 
 /// Surfaces of 3 x 3 elements whose indices follow each other without a gap; only whole item IDs can be added so.
 TestVector unaligned(const std::string& name, const std::string& catches, raster::Blend operation) {
-  constexpr int resolution = 48;
-  raster::DrawList list = emptyList({{8, 8, 8}}, operation);
-  list.indexMaps.push_back(countingMap(3, 3));
+  Picture picture = emptyPicture(48, {{8, 8, 8}}, operation);
+  picture.indexMaps.push_back(countingMap(3, 3));
   for (ItemId surface = 0; surface < 256; ++surface) {
-    addDraw(list, 9 * surface, {}, 0);
+    addDraw(picture, 9 * surface, {}, 0);
     const int column = static_cast<int>(surface % 16) * 3, row = static_cast<int>(surface / 16) * 3;
-    addBlock(list, resolution, {column, row, column + 3, row + 3});
+    picture.addBlock({column, row, column + 3, row + 3});
   }
-  return makeVector(name, catches, std::move(list), {frontFace(resolution, nearDistance)});
+  return makeVector(name, catches, picture);
 }
 
 /// Four surfaces, each with an index map of its own whose item IDs occur nowhere else; the offsets must not show.
 TestVector uniqueMaps() {
-  constexpr int resolution = 32;
-  raster::DrawList list = emptyList({{8, 8, 8, 8}}, raster::Blend::Replace);
+  Picture picture = emptyPicture(32, {{8, 8, 8, 8}}, raster::Blend::Replace);
   for (int surface = 0; surface < 4; ++surface) {
     raster::IndexMap map = countingMap(16, 16);
     for (ItemId& id : map.ids) id += 0x00ff80u + 256 * static_cast<ItemId>(surface);
-    list.indexMaps.push_back(std::move(map));
-    addDraw(list, 0x01010101, raster::backId(list.format), surface);
+    picture.indexMaps.push_back(std::move(map));
+    addDraw(picture, 0x01010101, raster::backId(picture.format), surface);
     const int column = surface % 2 * 16, row = surface / 2 * 16;
-    addBlock(list, resolution, {column, row, column + 16, row + 16});
+    picture.addBlock({column, row, column + 16, row + 16});
   }
-  return makeVector("unique-maps", "modulate or add where the texel replaces the offset", std::move(list),
-                    {frontFace(resolution, nearDistance)});
+  return makeVector("unique-maps", "modulate or add where the texel replaces the offset", picture);
 }
 
 /// Surfaces of a single element, without index map, between textured ones, two to each aligned offset and beyond.
 TestVector singleElements() {
-  constexpr int resolution = 32;
-  raster::DrawList list = emptyList({{8, 8, 8}}, raster::Blend::ClampedAdd);
-  list.indexMaps.push_back(countingMap(16, 16));
+  Picture picture = emptyPicture(32, {{8, 8, 8}}, raster::Blend::ClampedAdd);
+  picture.indexMaps.push_back(countingMap(16, 16));
   for (int block = 0; block < 64; ++block) {
     const bool isTextured = block % 3 == 0;
     const ItemId offset = isTextured ? static_cast<ItemId>(block) << 8 : 0x10000 + static_cast<ItemId>(block);
-    addDraw(list, offset, raster::backId(list.format), isTextured ? std::optional<int>(0) : std::nullopt);
+    addDraw(picture, offset, raster::backId(picture.format), isTextured ? std::optional<int>(0) : std::nullopt);
     const int column = block % 8 * 4, row = block / 8 * 4;
-    addBlock(list, resolution, {column, row, column + 4, row + 4});
+    picture.addBlock({column, row, column + 4, row + 4});
   }
-  return makeVector("single-elements", "a texture left bound for surfaces without index map", std::move(list),
-                    {frontFace(resolution, nearDistance)});
+  return makeVector("single-elements", "a texture left bound for surfaces without index map", picture);
 }
 
 /// Item IDs at the limits of binary32, signed integers and bytes, from 0 to the largest that a draw can produce.
@@ -142,48 +131,46 @@ std::vector<ItemId> edgeIds(int bits) {
 /// The edge item IDs as offsets without a texel, one pixel each; then the back item ID, surrounded by the background.
 TestVector edgeOffsets(const std::string& name, const raster::IdFormat& format) {
   constexpr int resolution = 16;
-  raster::DrawList list = emptyList(format, raster::Blend::ClampedAdd);
+  Picture picture = emptyPicture(resolution, format, raster::Blend::ClampedAdd);
   int pixel = 0;
   for (const ItemId id : edgeIds(raster::idBits(format))) {
-    addDraw(list, id);
-    addPixel(list, resolution, pixel % resolution, pixel / resolution);
+    addDraw(picture, id);
+    picture.addPixel(pixel % resolution, pixel / resolution);
     ++pixel;
   }
-  addBack(list, resolution, pixel % resolution, pixel / resolution);
+  addBack(picture, pixel % resolution, pixel / resolution);
   return makeVector("edge-offsets-" + name, "offsets that pass through binary32, signed numbers, sRGB or dithering",
-                    std::move(list), {frontFace(resolution, nearDistance)});
+                    picture);
 }
 
 /// The edge item IDs as texels, one pixel each, in one 32-bit channel: replaced, or added modulo 2^32 to an offset.
 TestVector edgeTexels(const std::string& name, raster::Blend operation, ItemId offset) {
-  constexpr int resolution = 32;
   std::vector<ItemId> texels = edgeIds(32);
   for (ItemId& texel : texels) texel -= offset;
-  raster::DrawList list = emptyList({{32}}, operation);
-  addTable(list, resolution, {offset}, texels);
-  addBack(list, resolution, resolution - 1, resolution - 1);
-  return makeVector(name, "texels that pass through binary32, signed numbers or sRGB", std::move(list),
-                    {frontFace(resolution, nearDistance)});
+  Picture picture = emptyPicture(32, {{32}}, operation);
+  addTable(picture, {offset}, texels);
+  addBack(picture, 31, 31);
+  return makeVector(name, "texels that pass through binary32, signed numbers or sRGB", picture);
 }
 
 /// Blocks with and without index map and back item ID, front-facing and back-facing, in a plain and a mirrored view.
 TestVector backs() {
-  constexpr int resolution = 32;
-  raster::DrawList list = emptyList({{8, 8, 8}}, raster::Blend::ClampedAdd);
-  list.indexMaps.push_back(countingMap(4, 4));
+  Picture picture = emptyPicture(32, {{8, 8, 8}}, raster::Blend::ClampedAdd);
+  picture.indexMaps.push_back(countingMap(4, 4));
   for (int block = 0; block < 16; ++block) {
     const bool isMapped = block % 2 == 1, hasBack = block / 2 % 2 == 1, isTurned = block / 4 % 2 == 1;
-    const ItemId back = raster::backId(list.format) - static_cast<ItemId>(block / 8);
-    addDraw(list, static_cast<ItemId>(block) << 8, hasBack ? std::optional<ItemId>(back) : std::nullopt,
+    const ItemId back = raster::backId(picture.format) - static_cast<ItemId>(block / 8);
+    addDraw(picture, static_cast<ItemId>(block) << 8, hasBack ? std::optional<ItemId>(back) : std::nullopt,
             isMapped ? std::optional<int>(0) : std::nullopt);
     const int column = block % 4 * 8, row = block / 4 * 8;
-    addBlock(list, resolution, {column, row, column + 7, row + 6});
-    if (isTurned) turnLastDraw(list);
+    picture.addBlock({column, row, column + 7, row + 6});
+    if (isTurned) turnLastDraw(picture);
   }
-  raster::Face mirrored = frontFace(resolution, nearDistance);
+  const raster::Face plain = frontFace(32, 0.5f);
+  raster::Face mirrored = plain;
   mirrored.x = -mirrored.x;
   return makeVector("backs", "backs culled, drawn as fronts, textured, or told by winding alone in a mirrored view",
-                    std::move(list), {frontFace(resolution, nearDistance), mirrored});
+                    picture, {plain, mirrored});
 }
 
 }  // namespace

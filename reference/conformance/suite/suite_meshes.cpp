@@ -26,24 +26,20 @@ Corners inOrder(Corners corners, std::size_t order) {
   return corners;
 }
 
-/// Draw t has triangle t alone and the item ID t.
-raster::DrawList drawMesh(int resolution, const Mesh& mesh, bool laterIsNearer) {
-  raster::DrawList list = plainList();
-  for (std::size_t t = 0; t < mesh.size(); ++t) {
-    const std::size_t rank = laterIsNearer ? mesh.size() - 1 - t : t;
-    const double w = 1 + static_cast<double>(rank) / 4096;
-    addDraw(list, static_cast<raster::ItemId>(t));
-    addTriangle(list, {pixelPoint(resolution, mesh[t][0], w), pixelPoint(resolution, mesh[t][1], w),
-                       pixelPoint(resolution, mesh[t][2], w)});
-  }
-  return list;
-}
-
+/// Adds the mesh with later triangles nearer, and with earlier ones nearer. Draw t has triangle t alone and the item ID
+/// t.
 void addBothOrders(std::vector<TestVector>& vectors, const std::string& name, const std::string& catches,
                    int resolution, const Mesh& mesh) {
-  const raster::Face face = frontFace(resolution, 0.5f);
-  vectors.push_back(makeVector(name + "-later-nearer", catches, drawMesh(resolution, mesh, true), {face}));
-  vectors.push_back(makeVector(name + "-earlier-nearer", catches, drawMesh(resolution, mesh, false), {face}));
+  for (const bool laterIsNearer : {true, false}) {
+    Picture picture(resolution);
+    for (std::size_t t = 0; t < mesh.size(); ++t) {
+      const std::size_t rank = laterIsNearer ? mesh.size() - 1 - t : t;
+      const double w = 1 + static_cast<double>(rank) / 4096;
+      addDraw(picture, static_cast<raster::ItemId>(t));
+      addTriangle(picture, {picture.point(mesh[t][0], w), picture.point(mesh[t][1], w), picture.point(mesh[t][2], w)});
+    }
+    vectors.push_back(makeVector(name + (laterIsNearer ? "-later-nearer" : "-earlier-nearer"), catches, picture));
+  }
 }
 
 /// The triangles from a hub to the sides of a polygon around it.
@@ -127,41 +123,35 @@ Mesh sampleGrid() {
 Mesh microGrid() {
   constexpr int cells = 32;
   std::mt19937 random(32);
-  std::vector<glm::dvec2> points;
-  for (int j = 0; j <= cells; ++j)
-    for (int i = 0; i <= cells; ++i) {
-      const auto jitter = [&] { return (static_cast<double>(random() % 49) - 24) * subPixel; };
-      const double x = jitter(), y = jitter();
-      points.emplace_back(0.5 * i + (i % cells == 0 ? 0 : x), 0.5 * j + (j % cells == 0 ? 0 : y));
-    }
-  const auto at = [&](int i, int j) { return points[static_cast<std::size_t>(j * (cells + 1) + i)]; };
   Mesh mesh;
-  for (int j = 0; j < cells; ++j)
-    for (int i = 0; i < cells; ++i) {
-      mesh.push_back(inOrder({at(i, j), at(i + 1, j), at(i, j + 1)}, mesh.size()));
-      mesh.push_back(inOrder({at(i + 1, j + 1), at(i, j + 1), at(i + 1, j)}, mesh.size()));
-    }
+  const auto point = [&](int i, int j) {
+    const auto jitter = [&] { return (static_cast<double>(random() % 49) - 24) * subPixel; };
+    const double x = jitter(), y = jitter();
+    return glm::dvec2(0.5 * i + (i % cells == 0 ? 0 : x), 0.5 * j + (j % cells == 0 ? 0 : y));
+  };
+  forEachCell(cells, point, [&](const std::array<glm::dvec2, 4>& p, int, int) {
+    mesh.push_back(inOrder({p[0], p[1], p[3]}, mesh.size()));
+    mesh.push_back(inOrder({p[2], p[3], p[1]}, mesh.size()));
+  });
   return mesh;
 }
 
 /// Four strips over the view. Triangle t of a strip has the vertices t, t + 1 and t + 2 and its own draw. So three
 /// draws share a vertex, and each vertex is the first, the second and the last of at most one triangle.
 TestVector strips() {
-  constexpr int resolution = 32;
-  raster::DrawList list = plainList();
+  Picture picture(32);
   for (int strip = 0; strip < 4; ++strip) {
-    const auto firstVertex = static_cast<std::uint32_t>(list.positions.size());
-    for (int t = 0; t <= 16; ++t)
-      list.positions.push_back(pixelPoint(resolution, {2 * t, 8 * strip + (t % 2 == 0 ? 0 : 8)}));
+    const auto firstVertex = static_cast<std::uint32_t>(picture.positions.size());
+    for (int t = 0; t <= 16; ++t) picture.positions.push_back(picture.point({2 * t, 8 * strip + (t % 2 == 0 ? 0 : 8)}));
     for (std::uint32_t t = 0; t < 15; ++t) {
-      addDraw(list, static_cast<raster::ItemId>(list.draws.size() + 1) * 0x107);
-      for (std::uint32_t k = 0; k < 3; ++k) list.indices.push_back(firstVertex + t + k);
-      list.draws.back().count = 3;
+      addDraw(picture, static_cast<raster::ItemId>(picture.draws.size() + 1) * 0x107);
+      for (std::uint32_t k = 0; k < 3; ++k) picture.indices.push_back(firstVertex + t + k);
+      picture.draws.back().count = 3;
     }
   }
-  list.texcoords.resize(list.positions.size());
+  picture.texcoords.resize(picture.positions.size());
   return makeVector("shared-vertices", "colour from the wrong provoking vertex, vertices that belong to one draw alone",
-                    std::move(list), {frontFace(resolution, 0.5f)});
+                    picture);
 }
 
 /// A board of quads whose vertices are the last ones of more than 65,536; those of the last quad lie on either side of
@@ -170,26 +160,25 @@ TestVector strips() {
 TestVector manyVertices() {
   constexpr int resolution = 32, side = 8, cell = resolution / side;
   constexpr std::uint32_t quads = side * side, overflow = 65536;
-  raster::DrawList list = plainList();
-  list.positions.resize(overflow + 4 * quads - 2);
-  list.texcoords.resize(list.positions.size());
+  Picture picture(resolution);
+  picture.positions.resize(overflow + 4 * quads - 2);
+  picture.texcoords.resize(picture.positions.size());
   const auto corner = [&](std::uint32_t quad, std::uint32_t k, double w) {
     const auto place = static_cast<int>(quad % quads);
     const glm::dvec2 first(place % side * cell, place / side * cell);
-    return pixelPoint(resolution, first + glm::dvec2(k == 1 || k == 2 ? cell : 0, k > 1 ? cell : 0), w);
+    return picture.point(first + glm::dvec2(k == 1 || k == 2 ? cell : 0, k > 1 ? cell : 0), w);
   };
   for (std::uint32_t quad = 0; quad < quads; ++quad) {
     const std::uint32_t first = quad + 1 == quads ? overflow - 2 : overflow + 2 + 4 * quad;
     for (std::uint32_t k = 0; k < 4; ++k) {
-      list.positions[first + k] = corner(quad, k, 1);
-      if (first + k >= overflow) list.positions[first + k - overflow] = corner(quad + 1, k, 0.75);
+      picture.positions[first + k] = corner(quad, k, 1);
+      if (first + k >= overflow) picture.positions[first + k - overflow] = corner(quad + 1, k, 0.75);
     }
-    addDraw(list, quad);
-    for (const std::uint32_t k : {0u, 2u, 1u, 0u, 3u, 2u}) list.indices.push_back(first + k);
-    list.draws.back().count = 6;
+    addDraw(picture, quad);
+    for (const std::uint32_t k : {0u, 2u, 1u, 0u, 3u, 2u}) picture.indices.push_back(first + k);
+    picture.draws.back().count = 6;
   }
-  return makeVector("many-vertices", "indices cut to 16 bits or to 8: there are more than 65,536 vertices",
-                    std::move(list), {frontFace(resolution, 0.5f)});
+  return makeVector("many-vertices", "indices cut to 16 bits or to 8: there are more than 65,536 vertices", picture);
 }
 
 }  // namespace

@@ -22,103 +22,91 @@ TestVector borderSteps(int texels) {
   int resolution = 2;
   while (resolution * resolution < pixels) resolution += 2;
 
-  raster::DrawList list = plainList();
-  list.indexMaps = {countingMap(texels, 1), countingMap(1, texels)};
+  Picture picture(resolution);
+  picture.indexMaps = {countingMap(texels, 1), countingMap(1, texels)};
   int pixel = 0;
   for (const bool isU : {true, false}) {
-    addDraw(list, isU ? 0 : mark, {}, isU ? 0 : 1);
+    addDraw(picture, isU ? 0 : mark, {}, isU ? 0 : 1);
     for (const float step : steps) {
       const glm::vec2 texcoord = isU ? glm::vec2(step, 0.5f) : glm::vec2(0.5f, step);
-      addPixel(list, resolution, pixel % resolution, pixel / resolution, 1, texcoord);
+      picture.addPixel(pixel % resolution, pixel / resolution, 1, texcoord);
       ++pixel;
     }
   }
   return makeVector("texels-" + std::to_string(texels),
                     "u N rounded before its floor is taken, and half-texel shifts, beside k/" + std::to_string(texels),
-                    std::move(list), {frontFace(resolution, 0.5f)});
+                    picture);
 }
 
-/// A textured list of one draw.
-raster::DrawList mapped(raster::IndexMap map) {
-  raster::DrawList list = plainList();
-  list.indexMaps.push_back(std::move(map));
-  addDraw(list, mark, {}, 0);
-  return list;
+/// A picture with one textured draw.
+Picture mapped(Picture picture, raster::IndexMap map) {
+  picture.indexMaps.push_back(std::move(map));
+  addDraw(picture, mark, {}, 0);
+  return picture;
 }
 
 /// A floor from w = 1 to w = 40.
 TestVector perspectiveFloor() {
-  raster::DrawList list = mapped(countingMap(64, 64));
-  addQuad(list, {glm::vec3(-3, 0.8f, 40), glm::vec3(3, 0.8f, 40), glm::vec3(3, 0.8f, 1), glm::vec3(-3, 0.8f, 1)});
-  return makeVector("perspective-floor", "texture coordinates interpolated without perspective, w 40 : 1",
-                    std::move(list), {frontFace(64, 0.5f)});
+  Picture picture = mapped(Picture(64), countingMap(64, 64));
+  addQuad(picture, {glm::vec3(-3, 0.8f, 40), glm::vec3(3, 0.8f, 40), glm::vec3(3, 0.8f, 1), glm::vec3(-3, 0.8f, 1)});
+  return makeVector("perspective-floor", "texture coordinates interpolated without perspective, w 40 : 1", picture);
 }
 
 /// A pair of triangles whose corners have different depths, up to 40 times the smallest.
 TestVector perspectiveTwist() {
-  constexpr int resolution = 64;
-  raster::DrawList list = mapped(countingMap(48, 80));
-  addQuad(list, {pixelPoint(resolution, {3, 5}, 1), pixelPoint(resolution, {61, 2}, 40),
-                 pixelPoint(resolution, {58, 63}, 2.5), pixelPoint(resolution, {1, 55}, 11)});
-  return makeVector("perspective-twist", "perspective by quad instead of by triangle, w 40 : 1", std::move(list),
-                    {frontFace(resolution, 0.5f)});
+  Picture picture = mapped(Picture(64), countingMap(48, 80));
+  addQuad(picture, {picture.point({3, 5}, 1), picture.point({61, 2}, 40), picture.point({58, 63}, 2.5),
+                    picture.point({1, 55}, 11)});
+  return makeVector("perspective-twist", "perspective by quad instead of by triangle, w 40 : 1", picture);
 }
 
 /// A wall beside the eye, cut at the near plane and at the guard band.
 TestVector perspectiveClipped() {
-  raster::DrawList list = mapped(countingMap(100, 7));
-  addQuad(list, {glm::vec3(0.3f, -2, -3), glm::vec3(0.6f, -2, 20), glm::vec3(0.6f, 2.5f, 20), glm::vec3(0.3f, 2, -3)});
+  Picture picture = mapped(Picture(64, 0.25f), countingMap(100, 7));
+  addQuad(picture,
+          {glm::vec3(0.3f, -2, -3), glm::vec3(0.6f, -2, 20), glm::vec3(0.6f, 2.5f, 20), glm::vec3(0.3f, 2, -3)});
   return makeVector("perspective-clipped", "texture coordinates not clipped with the triangle, or clipped after 1/w",
-                    std::move(list), {frontFace(64, 0.25f)});
+                    picture);
 }
 
 /// Samples exactly on the borders of texels in both directions: u = column/32, v = row/32.
 TestVector bordersOnSamples() {
-  constexpr int resolution = 32;
-  raster::DrawList list = mapped(countingMap(resolution, resolution));
-  const float half = 0.5f / resolution;
-  addBlock(list, resolution, {0, 0, resolution, resolution}, 1, {{-half, -half}, {1 - half, 1 - half}});
-  return makeVector("borders-on-samples", "a sample on a texel's border that goes to the texel before it",
-                    std::move(list), {frontFace(resolution, 0.5f)});
+  Picture picture = mapped(Picture(32), countingMap(32, 32));
+  const float half = 0.5f / 32;
+  picture.addBlock(picture.whole(), 1, {-half, -half}, {1 - half, 1 - half});
+  return makeVector("borders-on-samples", "a sample on a texel's border that goes to the texel before it", picture);
 }
 
 /// Coordinates from -1 to 2, and, in the last rows, from minus to plus a million.
 TestVector clampedCoordinates() {
-  constexpr int resolution = 48;
-  raster::DrawList list = mapped(countingMap(5, 3));
-  addBlock(list, resolution, {0, 0, 48, 46}, 1, {{-1, -1}, {2, 2}});
-  addBlock(list, resolution, {0, 46, 48, 48}, 1, {{-1e6f, -1e6f}, {1e6f, 1e6f}});
-  return makeVector("clamped-coordinates", "repeated or mirrored index maps, overflow of texel numbers",
-                    std::move(list), {frontFace(resolution, 0.5f)});
+  Picture picture = mapped(Picture(48), countingMap(5, 3));
+  picture.addBlock({0, 0, 48, 46}, 1, {-1, -1}, {2, 2});
+  picture.addBlock({0, 46, 48, 48}, 1, {-1e6f, -1e6f}, {1e6f, 1e6f});
+  return makeVector("clamped-coordinates", "repeated or mirrored index maps, overflow of texel numbers", picture);
 }
 
 /// 7 x 3 texels of 6 x 14 pixels each.
 TestVector rectangularMap() {
-  constexpr int resolution = 42;
-  raster::DrawList list = mapped(countingMap(7, 3));
-  addBlock(list, resolution, {0, 0, resolution, resolution});
+  Picture picture = mapped(Picture(42), countingMap(7, 3));
+  picture.addBlock(picture.whole());
   return makeVector("rectangular-map", "width and height exchanged, rows upside down, rows padded to 4 or more words",
-                    std::move(list), {frontFace(resolution, 0.5f)});
+                    picture);
 }
 
 /// Texels of 8 x 8 pixels whose item IDs are far apart.
 TestVector magnified() {
-  constexpr int resolution = 32;
   raster::IndexMap map{4, 4, {}};
   for (raster::ItemId texel = 0; texel < 16; ++texel) map.ids.push_back((texel * 7 % 16) * 0x0fff);
-  raster::DrawList list = mapped(std::move(map));
-  addBlock(list, resolution, {0, 0, resolution, resolution});
-  return makeVector("magnified", "linear filtering: words between those of neighbours", std::move(list),
-                    {frontFace(resolution, 0.5f)});
+  Picture picture = mapped(Picture(32), std::move(map));
+  picture.addBlock(picture.whole());
+  return makeVector("magnified", "linear filtering: words between those of neighbours", picture);
 }
 
 /// 120 x 120 texels on 16 x 16 pixels.
 TestVector minified() {
-  constexpr int resolution = 16;
-  raster::DrawList list = mapped(countingMap(120, 120));
-  addBlock(list, resolution, {0, 0, resolution, resolution});
-  return makeVector("minified", "mipmapping, or a filter over the pixel's footprint", std::move(list),
-                    {frontFace(resolution, 0.5f)});
+  Picture picture = mapped(Picture(16), countingMap(120, 120));
+  picture.addBlock(picture.whole());
+  return makeVector("minified", "mipmapping, or a filter over the pixel's footprint", picture);
 }
 
 /// 8 x 8 quads of constant coordinates: in every other cell on the border of a texel, in the others a quarter of a
@@ -126,25 +114,24 @@ TestVector minified() {
 /// 1/256, so that double precision interpolates without rounding.
 TestVector constantCoordinates() {
   constexpr int resolution = 32, cell = 4;
-  raster::DrawList list = plainList();
-  list.indexMaps = {countingMap(64, 4), countingMap(4, 64)};
+  Picture picture(resolution);
+  picture.indexMaps = {countingMap(64, 4), countingMap(4, 64)};
   for (int number = 0; number < 64; ++number) {
     const bool isU = number < 32;
     const bool isOnBorder = (number + number / 8) % 2 == 0;
     const float constant = static_cast<float>(4 * (2 * (number % 32) + 1) + (isOnBorder ? 0 : 1)) / 256;
     const glm::vec2 texcoord = isU ? glm::vec2(constant, 0.375f) : glm::vec2(0.375f, constant);
-    addDraw(list, isU ? 0 : mark, {}, isU ? 0 : 1);
+    addDraw(picture, isU ? 0 : mark, {}, isU ? 0 : 1);
     std::array<glm::vec3, 4> corners;
     for (int k = 0; k < 4; ++k) {
       const glm::dvec2 pixel(number % 8 * cell + (k == 1 || k == 2 ? cell : 0), number / 8 * cell + k / 2 * cell);
-      corners[static_cast<std::size_t>(k)] =
-          pixelPoint(resolution, pixel, std::ldexp(1.0, (k * (2 * number + 1) + number) % 4));
+      corners[static_cast<std::size_t>(k)] = picture.point(pixel, std::ldexp(1.0, (k * (2 * number + 1) + number) % 4));
     }
-    addTriangle(list, {corners[0], corners[2], corners[1]}, {texcoord, texcoord, texcoord});
-    addTriangle(list, {corners[0], corners[3], corners[2]}, {texcoord, texcoord, texcoord});
+    addTriangle(picture, {corners[0], corners[2], corners[1]}, {texcoord, texcoord, texcoord});
+    addTriangle(picture, {corners[0], corners[3], corners[2]}, {texcoord, texcoord, texcoord});
   }
   return makeVector("constant-coordinates", "a coordinate that is equal at all corners and interpolated to just below",
-                    std::move(list), {frontFace(resolution, 0.5f)});
+                    picture);
 }
 
 /// Lines of pixels that show every seventh texel of a map of 4000, a quarter of a texel or more away from borders: rows
@@ -153,36 +140,34 @@ TestVector constantCoordinates() {
 TestVector fineCoordinates() {
   constexpr int side = 32, resolution = side + 2;  // inside of the view, where nothing is clipped
   constexpr int texels = 4000, step = 7;
-  raster::DrawList list = plainList();
-  list.indexMaps = {countingMap(texels, 1), countingMap(1, texels)};
+  Picture picture(resolution);
+  picture.indexMaps = {countingMap(texels, 1), countingMap(1, texels)};
   const auto addLine = [&](const Block& block, bool isU, int line, int lines) {
     const int pixels = isU ? block.endColumn - block.firstColumn : block.endRow - block.firstRow;
     const double start = 3 + texels / lines * line + 0.25 + line % 4 * 0.125 - 0.5 * step;
     const auto low = static_cast<float>(start / texels), high = static_cast<float>((start + step * pixels) / texels);
     const glm::vec2 first = isU ? glm::vec2(low, 0.5f) : glm::vec2(0.5f, low);
-    addBlock(list, resolution, block, 1, {first, isU ? glm::vec2(high, 0.5f) : glm::vec2(0.5f, high)});
+    picture.addBlock(block, 1, first, isU ? glm::vec2(high, 0.5f) : glm::vec2(0.5f, high));
   };
-  addDraw(list, 0, {}, 0);
+  addDraw(picture, 0, {}, 0);
   for (int row = 0; row < side / 2; ++row) addLine({1, 1 + row, 1 + side, 2 + row}, true, row, side / 2);
-  addDraw(list, mark, {}, 1);
+  addDraw(picture, mark, {}, 1);
   for (int column = 0; column < side; ++column)
     addLine({1 + column, 1 + side / 2, 2 + column, 1 + side}, false, column, side);
   return makeVector("fine-coordinates", "texture coordinates in half floats or in fixed point with too few bits",
-                    std::move(list), {frontFace(resolution, 0.5f)});
+                    picture);
 }
 
 /// Sixteen draws with a map each, all of different sizes; two draws share one.
 TestVector manyMaps() {
-  constexpr int resolution = 32;
-  raster::DrawList list = plainList();
+  Picture picture(32);
   for (int k = 0; k < 16; ++k) {
-    if (k < 15) list.indexMaps.push_back(countingMap(1 + k, 1 + k * 5 % 7));
-    addDraw(list, static_cast<raster::ItemId>(k) << 16, {}, k * 11 % 15);
+    if (k < 15) picture.indexMaps.push_back(countingMap(1 + k, 1 + k * 5 % 7));
+    addDraw(picture, static_cast<raster::ItemId>(k) << 16, {}, k * 11 % 15);
     const int column = k % 4 * 8, row = k / 4 * 8;
-    addBlock(list, resolution, {column, row, column + 8, row + 8});
+    picture.addBlock({column, row, column + 8, row + 8});
   }
-  return makeVector("many-maps", "a draw that shows another draw's index map", std::move(list),
-                    {frontFace(resolution, 0.5f)});
+  return makeVector("many-maps", "a draw that shows another draw's index map", picture);
 }
 
 }  // namespace

@@ -92,8 +92,8 @@ TestVector smallestViewport() {
 TestVector largestViewport() {
   constexpr int resolution = 4096;
   std::mt19937 random(4096);
-  raster::DrawList list = plainList();
-  list.indexMaps.push_back(countingMap(256, 256));
+  Picture picture(resolution);
+  picture.indexMaps.push_back(countingMap(256, 256));
   for (raster::ItemId id = 0; id < 64; ++id) {
     const bool isFirstCorner = id % 2 == 0;
     const float size = std::array<float, 4>{4, 20, 100, 20000}[id / 2 % 4];
@@ -103,18 +103,18 @@ TestVector largestViewport() {
       const float middle = isFirstCorner ? 8 : resolution - 8;
       const float column = middle + uniform(random, -size, size), row = middle + uniform(random, -size, size);
       const float w = uniform(random, 1, 2) + size / 100;
-      corners[k] = pixelPoint(resolution, {column, row}, w);
+      corners[k] = picture.point({column, row}, w);
       const float u = uniform(random, 0, 1), v = uniform(random, 0, 1);
       texcoords[k] = {u, v};
     }
-    addDraw(list, id << 16, {}, 0);
-    addTriangle(list, {corners[0], corners[1], corners[2]}, {texcoords[0], texcoords[1], texcoords[2]});
+    addDraw(picture, id << 16, {}, 0);
+    addTriangle(picture, {corners[0], corners[1], corners[2]}, {texcoords[0], texcoords[1], texcoords[2]});
   }
   Face first = frontFace(resolution, 0.5f), last = first;
   first.scissor = {0, 0, 16, 16};
   last.scissor = {resolution - 16, resolution - 16, 16, 16};
-  return makeVector("corners-of-4096", "edge functions in 32 bits, or in binary32, that overflow or lose bits",
-                    std::move(list), {first, last});
+  return makeVector("corners-of-4096", "edge functions in 32 bits, or in binary32, that overflow or lose bits", picture,
+                    {first, last});
 }
 
 /// A crumpled sheet with one item ID per triangle, in a view so narrow that the last bit of the vertex stage is about a
@@ -126,29 +126,15 @@ TestVector narrowView() {
   const glm::vec3 right(2 * third, 2 * third, -third), rows(-third, 2 * third, 2 * third),
       forward(2 * third, -third, 2 * third);
   std::mt19937 random(4096);
-  std::vector<glm::vec3> corners;
-  for (int row = 0; row <= cells; ++row)
-    for (int column = 0; column <= cells; ++column) {
-      const auto across = [&](int cell) {
-        const float position = static_cast<float>(cell) + uniform(random, -0.3f, 0.3f);
-        return (2 * position / cells - 1) / scale;
-      };
-      const float x = across(column), y = across(row), w = uniform(random, 1, 2);
-      corners.push_back(eye + w * (forward + x * right + y * rows));
-    }
   raster::DrawList list = plainList();
-  list.indexMaps.push_back(countingMap(2 * cells, cells));
-  addDraw(list, 0, {}, 0);
-  for (std::size_t row = 0; row < cells; ++row)
-    for (std::size_t column = 0; column < cells; ++column) {
-      const std::size_t first = row * (cells + 1) + column, next = first + cells + 1;
-      const auto middle = [&](std::size_t texel) {
-        return glm::vec2((static_cast<float>(texel) + 0.5f) / (2 * cells), (static_cast<float>(row) + 0.5f) / cells);
-      };
-      const glm::vec2 upper = middle(2 * column), lower = middle(2 * column + 1);
-      addTriangle(list, {corners[first], corners[next + 1], corners[first + 1]}, {upper, upper, upper});
-      addTriangle(list, {corners[first], corners[next], corners[next + 1]}, {lower, lower, lower});
-    }
+  addTexelSheet(list, cells, [&](int column, int row) {
+    const auto across = [&](int cell) {
+      const float position = static_cast<float>(cell) + uniform(random, -0.3f, 0.3f);
+      return (2 * position / cells - 1) / scale;
+    };
+    const float x = across(column), y = across(row), w = uniform(random, 1, 2);
+    return eye + w * (forward + x * right + y * rows);
+  });
   const Face face{eye, scale * right, scale * rows, forward, 0.5f, cells, {0, 0, cells, cells}};
   return makeVector("narrow-view", "a vertex stage that fuses multiply-add, sums in another order or in more bits",
                     std::move(list), {face});
@@ -161,19 +147,16 @@ TestVector rotatedView() {
   const glm::vec3 right = glm::vec3(6, -3, 2) / 7.0f, rows = glm::vec3(2, 6, 3) / 7.0f,
                   forward = glm::vec3(-3, -2, 6) / 7.0f;
   std::mt19937 random(49);
-  std::vector<glm::vec3> corners;
-  for (int corner = 0; corner < (cells + 1) * (cells + 1); ++corner) {
-    const auto across = [&](int cell) { return static_cast<float>(cell - cells / 2) + uniform(random, -0.3f, 0.3f); };
-    const float x = across(corner % (cells + 1)), y = across(corner / (cells + 1)), z = uniform(random, -0.5f, 0.5f);
-    corners.push_back(x * right + y * rows + z * forward);
-  }
   raster::DrawList list = plainList();
-  for (std::size_t row = 0; row < cells; ++row)
-    for (std::size_t column = 0; column < cells; ++column) {
-      const std::size_t first = row * (cells + 1) + column, next = first + cells + 1;
-      addDraw(list, static_cast<raster::ItemId>(list.draws.size() + 1) << 24);
-      addQuad(list, {corners[first], corners[first + 1], corners[next + 1], corners[next]});
-    }
+  const auto point = [&](int column, int row) {
+    const auto across = [&](int cell) { return static_cast<float>(cell - cells / 2) + uniform(random, -0.3f, 0.3f); };
+    const float x = across(column), y = across(row), z = uniform(random, -0.5f, 0.5f);
+    return x * right + y * rows + z * forward;
+  };
+  forEachCell(cells, point, [&](const std::array<glm::vec3, 4>& corners, int, int) {
+    addDraw(list, static_cast<raster::ItemId>(list.draws.size() + 1) << 24);
+    addQuad(list, corners);
+  });
   const Face face{-4.0f * forward, right, rows, forward, 0.5f, 32, {0, 0, 32, 32}};
   return makeVector("rotated-view", "matrices transposed, with the eye subtracted before or as a part of the matrix",
                     std::move(list), {face});

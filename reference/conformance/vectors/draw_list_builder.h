@@ -5,10 +5,10 @@
 #include <initializer_list>
 #include <optional>
 #include <random>
+#include <string>
 #include <utility>
 
-#include "raster/interface/draw_list.h"
-#include "raster/interface/face.h"
+#include "reference/conformance/vectors/vector_file.h"
 
 namespace hemitex::reference {
 
@@ -57,39 +57,73 @@ inline void addQuad(raster::DrawList& list, const std::array<glm::vec3, 4>& corn
   addTriangle(list, {corners[0], corners[3], corners[2]}, {{0, 0}, {0, 1}, {1, 1}});
 }
 
-/// The point at depth w that a front face shows at (column, row): in pixels, whose samples lie at the halves.
-inline glm::vec3 pixelPoint(int resolution, const glm::dvec2& pixel, double w = 1) {
-  const auto across = [&](double position) { return static_cast<float>((2 * position / resolution - 1) * w); };
-  return {across(pixel.x), across(pixel.y), static_cast<float>(w)};
-}
-
 /// Pixels [firstColumn, endColumn) x [firstRow, endRow).
 struct Block {
   int firstColumn, firstRow, endColumn, endRow;
 };
 
-/// Texture coordinates over a block: `low` at its first corner, `high` at the opposite one.
-struct Coordinates {
-  glm::vec2 low{0, 0};
-  glm::vec2 high{1, 1};
+/// A draw list laid out in the pixels of a front face; of 32-bit item IDs without channels, unless changed.
+struct Picture : raster::DrawList {
+  int resolution;
+  float nearDistance;
+
+  explicit Picture(int side, float near = 0.5f) : DrawList(plainList()), resolution(side), nearDistance(near) {}
+
+  /// The point at depth w that the face shows at (column, row): in pixels, whose samples lie at the halves.
+  glm::vec3 point(const glm::dvec2& pixel, double w = 1) const {
+    const auto across = [&](double position) { return static_cast<float>((2 * position / resolution - 1) * w); };
+    return {across(pixel.x), across(pixel.y), static_cast<float>(w)};
+  }
+
+  Block whole() const { return {0, 0, resolution, resolution}; }
+
+  /// Adds two triangles to the last draw that fill a block and face the eye. Its texture coordinates are `low` at its
+  /// first corner and `high` at the opposite one.
+  void addBlock(const Block& block, double w = 1, const glm::vec2& low = {0, 0}, const glm::vec2& high = {1, 1}) {
+    const glm::vec3 a = point({block.firstColumn, block.firstRow}, w), b = point({block.endColumn, block.firstRow}, w);
+    const glm::vec3 c = point({block.endColumn, block.endRow}, w), d = point({block.firstColumn, block.endRow}, w);
+    addTriangle(*this, {a, c, b}, {low, high, {high.x, low.y}});
+    addTriangle(*this, {a, d, c}, {low, {low.x, high.y}, high});
+  }
+
+  /// Adds a triangle to the last draw that covers the sample of one pixel, and no other, with constant coordinates.
+  void addPixel(int column, int row, double w = 1, const glm::vec2& texcoord = {0, 0}) {
+    const auto corner = [&](double x, double y) { return point({column + x, row + y}, w); };
+    addTriangle(*this, {corner(0.125, 0.125), corner(0.25, 0.875), corner(0.875, 0.5)}, {texcoord, texcoord, texcoord});
+  }
 };
 
-/// Adds two triangles to the last draw that fill a block and face the eye.
-inline void addBlock(raster::DrawList& list, int resolution, const Block& block, double w = 1,
-                     const Coordinates& coordinates = {}) {
-  const auto corner = [&](int column, int row) { return pixelPoint(resolution, {column, row}, w); };
-  const glm::vec3 a = corner(block.firstColumn, block.firstRow), b = corner(block.endColumn, block.firstRow);
-  const glm::vec3 c = corner(block.endColumn, block.endRow), d = corner(block.firstColumn, block.endRow);
-  const glm::vec2 low = coordinates.low, high = coordinates.high;
-  addTriangle(list, {a, c, b}, {low, high, {high.x, low.y}});
-  addTriangle(list, {a, d, c}, {low, {low.x, high.y}, high});
+/// The vector of a picture, which its face shows.
+inline TestVector makeVector(std::string name, std::string catches, const Picture& picture) {
+  return makeVector(std::move(name), std::move(catches), picture,
+                    {frontFace(picture.resolution, picture.nearDistance)});
 }
 
-/// Adds a triangle to the last draw that covers the sample of one pixel, and no other, with constant coordinates.
-inline void addPixel(raster::DrawList& list, int resolution, int column, int row, double w = 1,
-                     const glm::vec2& texcoord = {0, 0}) {
-  const auto corner = [&](double x, double y) { return pixelPoint(resolution, {column + x, row + y}, w); };
-  addTriangle(list, {corner(0.125, 0.125), corner(0.25, 0.875), corner(0.875, 0.5)}, {texcoord, texcoord, texcoord});
+/// Calls add(corners, column, row) for the cells of a sheet, whose corners the cells share: point(column, row) is
+/// called once for each, row by row. The corners of a cell wind like those of the unit square.
+template <typename MakePoint, typename Add>
+void forEachCell(int cells, const MakePoint& point, const Add& add) {
+  std::vector<decltype(point(0, 0))> points;
+  for (int row = 0; row <= cells; ++row)
+    for (int column = 0; column <= cells; ++column) points.push_back(point(column, row));
+  for (int row = 0; row < cells; ++row)
+    for (int column = 0; column < cells; ++column) {
+      const auto upper = points.begin() + row * (cells + 1) + column, lower = upper + cells + 1;
+      add(std::array{upper[0], upper[1], lower[1], lower[0]}, column, row);
+    }
+}
+
+/// Adds a sheet as one draw whose triangles show the texels of an index map in turn.
+template <typename MakePoint>
+void addTexelSheet(raster::DrawList& list, int cells, const MakePoint& point) {
+  list.indexMaps.push_back(countingMap(2 * cells, cells));
+  addDraw(list, 0, {}, 0);
+  forEachCell(cells, point, [&](const std::array<glm::vec3, 4>& p, int column, int row) {
+    const auto middle = [&](int texel) { return (glm::vec2(texel, row) + 0.5f) / glm::vec2(2 * cells, cells); };
+    const glm::vec2 upper = middle(2 * column), lower = middle(2 * column + 1);
+    addTriangle(list, {p[0], p[2], p[1]}, {upper, upper, upper});
+    addTriangle(list, {p[0], p[3], p[2]}, {lower, lower, lower});
+  });
 }
 
 /// Reverses the winding of the last draw.

@@ -152,8 +152,8 @@ TEST_CASE("derive finds the next triangle behind, by the exact difference of 1/w
   // A pixel that one triangle covers has none, though another comes close.
   raster::DrawList list = tests::plainList();
   tests::addDraw(list, 1);
-  reference::addPixel(list, 4, 1, 2);
-  reference::addPixel(list, 4, 2, 2);
+  tests::addPixel(list, 4, 1, 2);
+  tests::addPixel(list, 4, 2, 2);
   const auto derivation = deriveAt(list, tests::frontFace(4), 1, 2);
   REQUIRE(derivation);
   CHECK_FALSE(derivation->runnerUp);

@@ -188,7 +188,7 @@ TEST_CASE("stagesOf snaps vertices by the rule, except clipped ones", "[stages]"
   // A front face shows (x, y, w) as it stands. Pixel (3, 5) of 8 begins at (3 * 256, 5 * 256).
   raster::DrawList list = tests::plainList();
   tests::addDraw(list, 0);
-  tests::addTriangle(list, {reference::pixelPoint(8, {3, 5}, 2), {0, 0, -1}, {-17, 0, 2}});
+  tests::addTriangle(list, {reference::Picture(8).point({3, 5}, 2), {0, 0, -1}, {-17, 0, 2}});
   const Stages stages = reference::stagesOf(list, tests::frontFace(8));
   CHECK(stages.view[0] == list.positions[0]);
   CHECK(stages.snapped ==

@@ -6,9 +6,9 @@
 #include <catch2/catch.hpp>
 
 #include "raster/base/parallel.h"
+#include "reference/conformance/suite/vector_suite.h"
 #include "reference/conformance/trace/rational_rasterizer.h"
 #include "reference/conformance/vectors/random_vectors.h"
-#include "reference/conformance/suite/vector_suite.h"
 
 using namespace hemitex;
 using reference::TestVector;

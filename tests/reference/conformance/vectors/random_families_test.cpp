@@ -1,6 +1,4 @@
 // The random families contain the cases that they are named for, in sufficient numbers.
-#include "reference/conformance/vectors/random_families.h"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>

@@ -14,9 +14,9 @@
 #include "raster/base/parallel.h"
 #include "reference/conformance/diagnosis/fault.h"
 #include "reference/conformance/trace/rational_rasterizer.h"
-#include "reference/conformance/vectors/random_families.h"
 #include "reference/conformance/vectors/vector_file.h"
 #include "reference/conformance/verdict/verdict.h"
+#include "tests/support/random_pairs.h"
 #include "tests/support/staged_drawing.h"
 #include "tests/support/temporary_folder.h"
 
@@ -79,10 +79,10 @@ bool haveEqualBuffers(const std::vector<raster::ItemBuffer>& a, const std::vecto
 
 /// The number of pairs among `count` whose item buffers are equal as `draw` draws them.
 template <typename Draw>
-int equalPairs(reference::Relation relation, std::uint64_t count, const Draw& draw) {
+int equalPairs(tests::Relation relation, std::uint64_t count, const Draw& draw) {
   int equal = 0;
   for (std::uint64_t seed = 0; seed < count; ++seed) {
-    const reference::VectorPair pair = reference::randomPair(seed, relation);
+    const tests::VectorPair pair = tests::randomPair(seed, relation);
     equal += haveEqualBuffers(draw(pair.first), draw(pair.second));
   }
   return equal;
@@ -210,11 +210,11 @@ TEST_CASE("judge finds each fault of knownFaults in two vectors of each family, 
 
 TEST_CASE("randomPair gives different vectors with equal item buffers, most of which show triangles", "[random]") {
   constexpr std::uint64_t count = 2000;
-  for (const reference::Relation relation : reference::allRelations) {
+  for (const tests::Relation relation : tests::allRelations) {
     INFO("relation " << static_cast<int>(relation));
     CHECK(equalPairs(relation, count, reference::render) == count);
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
-      const reference::VectorPair pair = reference::randomPair(seed, relation);
+      const tests::VectorPair pair = tests::randomPair(seed, relation);
       CHECK(bitsOf(pair.first) != bitsOf(pair.second));
       const Ids ids = reference::render(pair.first)[0].ids;
       CHECK(std::count(ids.begin(), ids.end(), raster::backgroundId(pair.first.list.format)) < 200);
@@ -223,13 +223,13 @@ TEST_CASE("randomPair gives different vectors with equal item buffers, most of w
 }
 
 TEST_CASE("randomPair detects faults without expected item IDs", "[random]") {
-  const auto equalWith = [](const reference::StagedDevice& device, reference::Relation relation) {
+  const auto equalWith = [](const reference::StagedDevice& device, tests::Relation relation) {
     return equalPairs(relation, 100, [&](const TestVector& vector) { return tests::drawAll(device, vector); });
   };
   reference::StagedDevice affine, withoutDepthTest;
   affine.weight = [](double) { return 1.0; };
   withoutDepthTest.passes = [](double, double) { return true; };
-  CHECK(equalWith(affine, reference::Relation::SplitTriangle) < 90);
-  CHECK(equalWith(affine, reference::Relation::PermutedDraws) == 100);
-  CHECK(equalWith(withoutDepthTest, reference::Relation::PermutedDraws) < 50);
+  CHECK(equalWith(affine, tests::Relation::SplitTriangle) < 90);
+  CHECK(equalWith(affine, tests::Relation::PermutedDraws) == 100);
+  CHECK(equalWith(withoutDepthTest, tests::Relation::PermutedDraws) < 50);
 }

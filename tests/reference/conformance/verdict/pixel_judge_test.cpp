@@ -9,7 +9,6 @@
 using namespace hemitex;
 using raster::ItemId;
 using reference::DeviceProfile;
-using reference::pixelPoint;
 using reference::PixelVerdict;
 
 namespace {
@@ -43,7 +42,7 @@ PixelVerdict verdictAt(const raster::DrawList& list, const raster::Face& face, c
 }
 
 /// A corner at (column, row) in pixels, at depth w.
-glm::vec3 at(double column, double row, double w = 1) { return pixelPoint(resolution, {column, row}, w); }
+glm::vec3 at(double column, double row, double w = 1) { return reference::Picture(resolution).point({column, row}, w); }
 
 /// Adds a wall over the whole view and beyond, at depth w.
 void addBackdrop(raster::DrawList& list, ItemId id, double w) {

@@ -6,7 +6,6 @@
 #include <functional>
 
 #include "reference/conformance/suite/vector_suite.h"
-#include "reference/conformance/vectors/random_families.h"
 #include "reference/conformance/vectors/random_vectors.h"
 #include "reference/conformance/verdict/pixel_judge.h"
 #include "tests/support/judged_wall.h"
