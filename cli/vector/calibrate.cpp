@@ -10,7 +10,7 @@
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/conformance/calibration/calibration.h"
-#include "reference/conformance/vectors/candidate.h"
+#include "reference/conformance/vectors/vector_file.h"
 
 namespace hemitex::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include "reference/conformance/diagnosis/junit_report.h"
 #include "reference/conformance/pictures/verdict_picture.h"
 #include "reference/conformance/records/conformance_record.h"
-#include "reference/conformance/vectors/candidate.h"
+#include "reference/conformance/vectors/vector_file.h"
 
 namespace hemitex::cli {
 namespace {

@@ -11,7 +11,6 @@
 #include "cli/vector/judging.h"
 #include "raster/base/input_error.h"
 #include "raster/base/thread_group.h"
-#include "reference/conformance/vectors/candidate.h"
 #include "reference/conformance/vectors/vector_file.h"
 #include "reference/conformance/verdict/device_process.h"
 #include "reference/conformance/verdict/reduction.h"

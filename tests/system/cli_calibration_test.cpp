@@ -7,7 +7,7 @@
 
 #include "reference/conformance/calibration/probes.h"
 #include "reference/conformance/suite/vector_suite.h"
-#include "reference/conformance/vectors/candidate.h"
+#include "reference/conformance/vectors/vector_file.h"
 #include "tests/support/injected_faults.h"
 #include "tests/support/shell.h"
 

@@ -6,7 +6,7 @@
 
 #include "raster/base/file_io.h"
 #include "reference/conformance/suite/vector_suite.h"
-#include "reference/conformance/vectors/candidate.h"
+#include "reference/conformance/vectors/vector_file.h"
 #include "tests/support/shell.h"
 
 using namespace hemitex;

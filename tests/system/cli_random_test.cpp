@@ -9,7 +9,6 @@
 #include <string>
 
 #include "raster/base/file_io.h"
-#include "reference/conformance/vectors/candidate.h"
 #include "reference/conformance/vectors/random_vectors.h"
 #include "reference/conformance/vectors/vector_file.h"
 #include "tests/support/temporary_folder.h"

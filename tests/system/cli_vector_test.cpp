@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "reference/conformance/vectors/candidate.h"
 #include "reference/conformance/vectors/draw_list_builder.h"
 #include "reference/conformance/vectors/vector_file.h"
 #include "tests/support/shell.h"

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "reference/conformance/diagnosis/xml_text.h"
-
 namespace hemitex::reference {
 namespace {
 
@@ -50,18 +48,25 @@ std::vector<TestCase> casesOf(const Report& report, bool isStrict) {
   return cases;
 }
 
-/// The text keeps its line ends, which xmlText replaces.
-std::string xmlLines(const std::string& text) {
-  std::string lines;
-  for (std::size_t begin = 0, end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
-    lines += xmlText(text.substr(begin, end - begin)) + '\n';
-  return lines;
+/// Text for XML. Control characters become blanks, but line ends stay with `keepsLines`.
+std::string xmlText(const std::string& text, bool keepsLines = false) {
+  std::string result;
+  for (const char c : text) {
+    const bool isControl = static_cast<unsigned char>(c) < 0x20 && !(keepsLines && c == '\n');
+    result += c == '&'    ? "&amp;"
+              : c == '<'  ? "&lt;"
+              : c == '>'  ? "&gt;"
+              : c == '"'  ? "&quot;"
+              : isControl ? " "
+                          : std::string(1, c);
+  }
+  return result;
 }
 
 std::string xmlOf(const std::string& vector, const TestCase& test) {
   const std::string start = "    <testcase classname=\"" + xmlText(vector) + "\" name=\"" + xmlText(test.name) + "\"";
   if (test.result.empty()) return start + "/>\n";
-  return start + ">\n      <" + test.result + " message=\"" + xmlText(test.message) + "\">" + xmlLines(test.text) +
+  return start + ">\n      <" + test.result + " message=\"" + xmlText(test.message) + "\">" + xmlText(test.text, true) +
          "</" + test.result + ">\n    </testcase>\n";
 }
 

@@ -29,7 +29,15 @@ glm::vec3 anyPoint(Random& random) {
   return seenAt({random.uniform(-1.3f, 1.3f), random.uniform(-1.3f, 1.3f), random.uniform(0.5f, 4)});
 }
 
-Corners anyCorners(Random& random) { return {anyPoint(random), anyPoint(random), anyPoint(random)}; }
+/// Calls point() for each corner.
+template <typename MakePoint>
+Corners cornersOf(const MakePoint& point) {
+  return {point(), point(), point()};
+}
+
+Corners anyCorners(Random& random) {
+  return cornersOf([&] { return anyPoint(random); });
+}
 
 TexCoords anyTexCoords(Random& random, float low = -0.2f, float high = 1.2f) {
   TexCoords t;
@@ -49,20 +57,23 @@ Drawing emptyDrawing(raster::IndexMap map) {
   return drawing;
 }
 
+void append(raster::DrawList& list, const Corners& p, const TexCoords& t) {
+  addTriangle(list, {p[0], p[1], p[2]}, {t[0], t[1], t[2]});
+}
+
 /// Adds a triangle as a draw of its own; every other one has a back item ID.
 void add(Drawing& drawing, const Corners& p, const TexCoords& t) {
   const auto number = static_cast<ItemId>(drawing.list.draws.size());
   addDraw(drawing.list, number << 16, number % 2 == 0 ? std::optional<ItemId>() : 0xfffffffe, 0);
-  addTriangle(drawing.list, {p[0], p[1], p[2]}, {t[0], t[1], t[2]});
+  append(drawing.list, p, t);
 }
 
-/// Four triangles, whose corners `corners(random)` gives.
+void add(Drawing& drawing, Random& random, const Corners& p) { add(drawing, p, anyTexCoords(random)); }
+
+/// Four triangles with the corners that `corners()` gives.
 template <typename MakeCorners>
 void addFour(Drawing& drawing, Random& random, const MakeCorners& corners) {
-  for (int k = 0; k < 4; ++k) {
-    const Corners p = corners();
-    add(drawing, p, anyTexCoords(random));
-  }
+  for (int k = 0; k < 4; ++k) add(drawing, random, corners());
 }
 
 // --- coverage and clipping ---
@@ -94,14 +105,12 @@ Drawing sampleTies(Random& random) {
     // Devices may clip at the sides of the view. Then they move edges, and only triangles inside of it have exact ties.
     const int range = random.oneOf({9, 13}) * steps / 10;
     const auto grid = [&] { return static_cast<float>(random.between(-range, range)) / static_cast<float>(steps); };
-    Corners p;
     float y = grid();
-    for (glm::vec3& corner : p) {
+    return cornersOf([&] {
       const float x = grid();
       if (!random.isOneIn(3)) y = grid();
-      corner = seenAt({x, y, random.oneOf({0.5f, 1.0f, 2.0f})});
-    }
-    return p;
+      return seenAt({x, y, random.oneOf({0.5f, 1.0f, 2.0f})});
+    });
   });
   return drawing;
 }
@@ -110,29 +119,25 @@ Drawing sampleTies(Random& random) {
 Drawing nearPlane(Random& random) {
   Drawing drawing = emptyDrawing(anyCountingMap(random));
   drawing.faces[0].nearDistance = 0.25f;
-  addFour(drawing, random, [&] {
-    Corners p;
-    for (glm::vec3& corner : p) {
-      corner = {random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-1, 2)};
-      if (random.isOneIn(8)) corner.z = drawing.faces[0].nearDistance;
-    }
-    return p;
-  });
+  const auto point = [&] {
+    glm::vec3 corner{random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-1, 2)};
+    if (random.isOneIn(8)) corner.z = drawing.faces[0].nearDistance;
+    return corner;
+  };
+  addFour(drawing, random, [&] { return cornersOf(point); });
   return drawing;
 }
 
 /// Triangles that extend far beyond the guard band.
 Drawing guardBand(Random& random) {
   Drawing drawing = emptyDrawing(anyCountingMap(random));
-  addFour(drawing, random, [&] {
-    Corners p;
-    for (glm::vec3& corner : p) {
-      const float size = random.oneOf({1.0f, 30.0f, 1000.0f});
-      corner = seenAt({random.uniform(-size, size), random.uniform(-size, size), random.uniform(0.1f, 3)});
-      if (random.isOneIn(6)) corner.x = random.oneOf({-8.0f, 8.0f}) * corner.z;
-    }
-    return p;
-  });
+  const auto point = [&] {
+    const float size = random.oneOf({1.0f, 30.0f, 1000.0f});
+    glm::vec3 corner = seenAt({random.uniform(-size, size), random.uniform(-size, size), random.uniform(0.1f, 3)});
+    if (random.isOneIn(6)) corner.x = random.oneOf({-8.0f, 8.0f}) * corner.z;
+    return corner;
+  };
+  addFour(drawing, random, [&] { return cornersOf(point); });
   return drawing;
 }
 
@@ -161,10 +166,8 @@ Drawing longEdges(Random& random) {
     };
     const glm::vec3 start = point(first, row), end = point(first + 3 * thirds, row + slope * thirds);
     const int middle = first + 3 * thirds / 2, distance = random.between(10, 30);
-    for (const int side : {-1, 1}) {
-      const Corners p{start, end, point(middle, row + slope * thirds / 2 + side * distance)};
-      add(drawing, p, anyTexCoords(random));
-    }
+    for (const int side : {-1, 1})
+      add(drawing, random, {start, end, point(middle, row + slope * thirds / 2 + side * distance)});
   }
   return drawing;
 }
@@ -174,12 +177,10 @@ Drawing longEdges(Random& random) {
 /// Depths that differ by a factor of a million.
 Drawing depthRatios(Random& random) {
   Drawing drawing = emptyDrawing(anyCountingMap(random));
-  addFour(drawing, random, [&] {
-    Corners p;
-    for (glm::vec3& corner : p)
-      corner = seenAt({random.uniform(-1.3f, 1.3f), random.uniform(-1.3f, 1.3f), random.oneOf({1e-2f, 1e4f})});
-    return p;
-  });
+  const auto point = [&] {
+    return seenAt({random.uniform(-1.3f, 1.3f), random.uniform(-1.3f, 1.3f), random.oneOf({1e-2f, 1e4f})});
+  };
+  addFour(drawing, random, [&] { return cornersOf(point); });
   return drawing;
 }
 
@@ -191,7 +192,7 @@ Drawing depthTies(Random& random) {
     const float x = static_cast<float>(random.between(-20, 20)) / 8;
     return glm::vec3(x, static_cast<float>(random.between(-20, 20)) / 8, 1.5f + slope * x);
   };
-  addFour(drawing, random, [&]() -> Corners { return {point(), point(), point()}; });
+  addFour(drawing, random, [&] { return cornersOf(point); });
   return drawing;
 }
 
@@ -201,7 +202,7 @@ Drawing equalDepths(Random& random) {
   const std::array<Corners, 3> corners{anyCorners(random), anyCorners(random), anyCorners(random)};
   std::array<std::size_t, 6> order{0, 1, 2, 0, 1, 2};
   for (std::uint32_t k = 5; k > 0; --k) std::swap(order[k], order[random.below(k + 1)]);
-  for (const std::size_t k : order) add(drawing, corners[k], anyTexCoords(random));
+  for (const std::size_t k : order) add(drawing, random, corners[k]);
   return drawing;
 }
 
@@ -212,9 +213,7 @@ Drawing closeDepths(Random& random) {
   addFour(drawing, random, [&] {
     const int steps = random.between(0, 7);
     const float depth = 2 + static_cast<float>(steps) / static_cast<float>(1 << random.between(9, 17));
-    Corners p;
-    for (glm::vec3& corner : p) corner = seenAt({random.uniform(-2, 2), random.uniform(-2, 2), depth});
-    return p;
+    return cornersOf([&] { return seenAt({random.uniform(-2, 2), random.uniform(-2, 2), depth}); });
   });
   return drawing;
 }
@@ -260,11 +259,10 @@ Drawing minifiedMaps(Random& random) {
 Drawing constantCoordinates(Random& random) {
   Drawing drawing = emptyDrawing(countingMap(16, 16));
   for (int k = 0; k < 4; ++k) {
-    Corners p;
-    for (glm::vec3& corner : p) {
+    const Corners p = cornersOf([&] {
       const int x = random.between(-16, 16), y = random.between(-16, 16);
-      corner = seenAt({static_cast<float>(x) / 16, static_cast<float>(y) / 16, random.oneOf({0.5f, 1.0f, 2.0f, 4.0f})});
-    }
+      return seenAt({static_cast<float>(x) / 16, static_cast<float>(y) / 16, random.oneOf({0.5f, 1.0f, 2.0f, 4.0f})});
+    });
     const float u = static_cast<float>(random.between(1, 15)) / 16;
     const glm::vec2 t(u, static_cast<float>(random.between(1, 15)) / 16);
     add(drawing, p, {t, t, t});
@@ -289,8 +287,7 @@ Drawing facing(Random& random) {
     const std::optional<ItemId> back = random.isOneIn(2) ? std::optional<ItemId>(0xfffffffe - number) : std::nullopt;
     addDraw(drawing.list, number << 16, back, random.isOneIn(2) ? std::optional<int>(0) : std::nullopt);
     const Corners p = anyCorners(random);
-    const TexCoords t = anyTexCoords(random);
-    addTriangle(drawing.list, {p[0], p[1], p[2]}, {t[0], t[1], t[2]});
+    append(drawing.list, p, anyTexCoords(random));
   }
   drawing.faces.push_back(drawing.faces[0]);
   drawing.faces[1].x = -drawing.faces[1].x;
@@ -328,46 +325,40 @@ Drawing views(Random& random) {
   Drawing drawing = emptyDrawing(anyCountingMap(random));
   drawing.faces = {anyFace(random), anyFace(random), anyFace(random)};
   const auto point = [&] { return glm::vec3{random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(-4, 4)}; };
-  for (int k = 0; k < 8; ++k) {
-    const Corners p{point(), point(), point()};
-    add(drawing, p, anyTexCoords(random));
-  }
+  for (int k = 0; k < 8; ++k) add(drawing, random, cornersOf(point));
   return drawing;
 }
 
-/// Six triangles of six vertices, each triangle a draw of its own.
-Drawing sharedVertices(Random& random) {
-  constexpr std::uint32_t vertices = 6;
+/// Six triangles, each a draw of its own, between `count` vertices; `corners()` gives the three of a triangle.
+template <typename MakeCorners>
+Drawing ofVertices(Random& random, int count, const MakeCorners& corners) {
   Drawing drawing = emptyDrawing(anyCountingMap(random));
   raster::DrawList& list = drawing.list;
-  for (std::uint32_t k = 0; k < vertices; ++k) {
+  for (int k = 0; k < count; ++k) {
     list.positions.push_back(anyPoint(random));
     list.texcoords.push_back({random.uniform(-0.2f, 1.2f), random.uniform(-0.2f, 1.2f)});
   }
   for (ItemId number = 0; number < 6; ++number) {
     addDraw(list, number << 16, {}, 0);
-    const std::uint32_t a = random.below(vertices), b = (a + 1 + random.below(2)) % vertices;
-    list.indices.insert(list.indices.end(), {a, b, (a + 3 + random.below(3)) % vertices});
+    for (const std::uint32_t corner : corners()) list.indices.push_back(corner);
     list.draws.back().count = 3;
   }
   return drawing;
+}
+
+/// Triangles of six vertices that they share.
+Drawing sharedVertices(Random& random) {
+  return ofVertices(random, 6, [&]() -> std::array<std::uint32_t, 3> {
+    const std::uint32_t a = random.below(6), b = (a + 1 + random.below(2)) % 6;
+    return {a, b, (a + 3 + random.below(3)) % 6};
+  });
 }
 
 /// Triangles with any of 320 vertices, most of which no triangle uses.
 Drawing manyVertices(Random& random) {
-  constexpr std::uint32_t vertices = 320;
-  Drawing drawing = emptyDrawing(anyCountingMap(random));
-  raster::DrawList& list = drawing.list;
-  for (std::uint32_t k = 0; k < vertices; ++k) {
-    list.positions.push_back(anyPoint(random));
-    list.texcoords.push_back({random.uniform(-0.2f, 1.2f), random.uniform(-0.2f, 1.2f)});
-  }
-  for (ItemId number = 0; number < 6; ++number) {
-    addDraw(list, number << 16, {}, 0);
-    for (int k = 0; k < 3; ++k) list.indices.push_back(random.below(vertices));
-    list.draws.back().count = 3;
-  }
-  return drawing;
+  return ofVertices(random, 320, [&]() -> std::array<std::uint32_t, 3> {
+    return {random.below(320), random.below(320), random.below(320)};
+  });
 }
 
 // --- item IDs ---
@@ -405,8 +396,7 @@ Drawing idDrawing(Random& random, const raster::IdFormat& format, raster::Blend 
     const ItemId front = offset(drawing.list.indexMaps[0]);
     addDraw(drawing.list, front, random.isOneIn(2) ? std::optional(raster::backId(format)) : std::nullopt, indexMap);
     const Corners p = anyCorners(random);
-    const TexCoords t = anyTexCoords(random);
-    addTriangle(drawing.list, {p[0], p[1], p[2]}, {t[0], t[1], t[2]});
+    append(drawing.list, p, anyTexCoords(random));
   }
   return drawing;
 }

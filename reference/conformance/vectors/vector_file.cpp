@@ -98,13 +98,16 @@ constexpr std::array<Named<raster::Blend>, 3> blendNames{{{raster::Blend::Clampe
 
 // --- reading ---
 
+/// The vectors of a file, one per vertex.
 template <typename Value>
-std::vector<Value> pairUp(const std::vector<float>& numbers, std::size_t perValue, const std::string& file) {
+std::vector<Value> readVertices(const filesystem::path& folder, const std::string& file) {
+  constexpr std::size_t perValue = sizeof(Value) / sizeof(float);
+  const std::vector<float> numbers = readArray<float>(folder / file);
   if (numbers.size() % perValue != 0)
     throw InputError(file + " holds " + std::to_string(numbers.size()) + " numbers",
                      "use " + std::to_string(perValue) + " per vertex");
   std::vector<Value> values(numbers.size() / perValue);
-  for (std::size_t i = 0; i < numbers.size(); ++i) values[i / perValue][static_cast<int>(i % perValue)] = numbers[i];
+  std::copy(numbers.begin(), numbers.end(), reinterpret_cast<float*>(values.data()));
   return values;
 }
 
@@ -171,8 +174,8 @@ TestVector readJson(const filesystem::path& folder, const Json& json) {
   list.blend = valueOf(blendNames, toText(at(json, "blend"), "blend"), "blend");
 
   const auto file = [&](const std::string& key) { return toFileName(at(json, key), key); };
-  list.positions = pairUp<glm::vec3>(readArray<float>(folder / file("positions")), 3, file("positions"));
-  list.texcoords = pairUp<glm::vec2>(readArray<float>(folder / file("texcoords")), 2, file("texcoords"));
+  list.positions = readVertices<glm::vec3>(folder, file("positions"));
+  list.texcoords = readVertices<glm::vec2>(folder, file("texcoords"));
   list.indices = readArray<std::uint32_t>(folder / file("indices"));
   MapFiles mapFiles{folder, {}};
   for (const Json& draw : toList(at(json, "draws"), "draws"))
@@ -192,6 +195,23 @@ TestVector readJson(const filesystem::path& folder, const Json& json) {
     if (!names.insert(face.ids).second)
       throw InputError("the item IDs of face \"" + face.name + "\" would overwrite \"" + face.ids + "\"");
   return vector;
+}
+
+raster::ItemBuffer readIds(const filesystem::path& file, const raster::Scissor& scissor) {
+  if (!filesystem::is_regular_file(file))
+    throw InputError(file.string(), 0, "is missing or not a file", "a candidate holds one item ID file per face");
+  const std::uintmax_t size = filesystem::file_size(file);
+  raster::ItemBuffer buffer;
+  buffer.resize(scissor);
+  const std::size_t bytes = buffer.ids.size() * sizeof(raster::ItemId);
+  if (size != bytes)
+    throw InputError(file.string(), 0, "holds " + std::to_string(size) + " bytes",
+                     std::to_string(scissor.width) + " x " + std::to_string(scissor.height) + " item IDs are " +
+                         std::to_string(bytes) + " bytes");
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(reinterpret_cast<char*>(buffer.ids.data()), static_cast<std::streamsize>(bytes));
+  if (!stream) throw InputError(file.string(), 0, "cannot be read to its end");
+  return buffer;
 }
 
 // --- writing ---
@@ -234,15 +254,6 @@ Json toJson(const VectorFace& face, const glm::vec3& sharedEye, const std::strin
             {"hash", hash}};
   if (face.face.eye != sharedEye) json["eye"] = toJson(face.face.eye);
   return json;
-}
-
-template <typename Vector>
-std::vector<float> flatten(const std::vector<Vector>& values) {
-  std::vector<float> numbers;
-  numbers.reserve(values.size() * static_cast<std::size_t>(Vector::length()));
-  for (const Vector& value : values)
-    for (int k = 0; k < Vector::length(); ++k) numbers.push_back(value[k]);
-  return numbers;
 }
 
 }  // namespace
@@ -290,15 +301,26 @@ void writeVector(const filesystem::path& folder, const TestVector& vector,
   for (std::size_t f = 0; f < vector.faces.size(); ++f) {
     const std::string hash = buffers.empty() ? "" : idsHash(buffers[f].ids);
     json["faces"].push_back(toJson(vector.faces[f], first.eye, hash));
-    if (!buffers.empty()) writeArray(folder / vector.faces[f].ids, buffers[f].ids);
   }
-  writeArray(folder / "positions.f32", flatten(list.positions));
-  writeArray(folder / "texcoords.f32", flatten(list.texcoords));
+  writeCandidate(folder, vector, buffers);
+  writeArray(folder / "positions.f32", list.positions);
+  writeArray(folder / "texcoords.f32", list.texcoords);
   writeArray(folder / "indices.u32", list.indices);
   for (std::size_t m = 0; m < list.indexMaps.size(); ++m)
     writeArray(folder / mapFileName(list.indexMaps[m], m), list.indexMaps[m].ids);
   // Bytes of names that are not UTF-8 are replaced.
   raster::writeFile(folder / "vector.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+std::vector<raster::ItemBuffer> readCandidate(const filesystem::path& folder, const TestVector& vector) {
+  std::vector<raster::ItemBuffer> buffers;
+  for (const VectorFace& face : vector.faces) buffers.push_back(readIds(folder / face.ids, face.face.scissor));
+  return buffers;
+}
+
+void writeCandidate(const filesystem::path& folder, const TestVector& vector,
+                    std::span<const raster::ItemBuffer> buffers) {
+  for (std::size_t f = 0; f < buffers.size(); ++f) writeArray(folder / vector.faces[f].ids, buffers[f].ids);
 }
 
 std::string idsHash(std::span<const raster::ItemId> ids) {
@@ -320,6 +342,11 @@ TestVector makeVector(std::string name, std::string catches, raster::DrawList li
     vector.faces.push_back({faceName, face, faceName + ".u32", {}});
   }
   return vector;
+}
+
+glm::ivec2 pixelAt(const raster::Scissor& scissor, std::size_t index) {
+  const auto width = static_cast<std::size_t>(scissor.width);
+  return {scissor.column + static_cast<int>(index % width), scissor.row + static_cast<int>(index / width)};
 }
 
 std::vector<raster::ItemBuffer> render(const TestVector& vector) {

@@ -36,6 +36,9 @@ TestVector makeVector(std::string name, std::string catches, raster::DrawList li
 /// The views of all faces of a vector.
 std::vector<raster::Face> facesOf(const TestVector& vector);
 
+/// The column and row in the viewport of entry `index` of an item buffer.
+glm::ivec2 pixelAt(const raster::Scissor& scissor, std::size_t index);
+
 /// The item buffers of a vector's faces, by the reference renderer.
 std::vector<raster::ItemBuffer> render(const TestVector& vector);
 
@@ -48,6 +51,15 @@ TestVector readVector(const std::filesystem::path& folder);
 /// written.
 void writeVector(const std::filesystem::path& folder, const TestVector& vector,
                  std::span<const raster::ItemBuffer> buffers);
+
+/// Reads the item buffers of a device for a vector: a folder with one item ID file per face, in its order. Throws
+/// InputError if an item ID file is missing, cannot be read, or does not hold exactly one item ID per pixel.
+std::vector<raster::ItemBuffer> readCandidate(const std::filesystem::path& folder, const TestVector& vector);
+
+/// Writes one item buffer per face of the vector, in its order, into `folder`, which exists. Throws InputError for a
+/// file that cannot be written.
+void writeCandidate(const std::filesystem::path& folder, const TestVector& vector,
+                    std::span<const raster::ItemBuffer> buffers);
 
 /// 64-bit FNV-1a over the little-endian bytes of the item IDs, as 16 hexadecimal digits.
 std::string idsHash(std::span<const raster::ItemId> ids);

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "raster/base/input_error.h"
-#include "reference/conformance/vectors/candidate.h"
+#include "reference/conformance/vectors/vector_file.h"
 #include "tests/support/raster_scenes.h"
 #include "tests/support/temporary_folder.h"
 
