@@ -5,7 +5,7 @@
 #include "cli/common/commands.h"
 #include "cli/vector/judging.h"
 #include "raster/base/input_error.h"
-#include "reference/conformance/verdict/minimal_failure.h"
+#include "reference/conformance/verdict/reduction.h"
 
 namespace hemitex::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include "reference/conformance/trace/pixel_trace.h"
 #include "reference/conformance/vectors/enum_names.h"
 #include "reference/conformance/vectors/vector_file.h"
-#include "reference/conformance/verdict/id_origin.h"
+#include "reference/conformance/verdict/error_pixel.h"
 
 namespace hemitex::cli {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/conformance/trace/fragments.h"
+
 namespace hemitex::reference {
 namespace {
 
@@ -38,11 +40,6 @@ DeviceVertex place(const StagedGeometry& geometry, const ClipVertex& vertex, int
     placed.position[axis] = geometry.snap((q + 1) * 128 * resolution);
   }
   return placed;
-}
-
-double doubledArea(const std::array<DeviceVertex, 3>& vertices) {
-  const glm::dvec2 p = vertices[1].position - vertices[0].position, q = vertices[2].position - vertices[0].position;
-  return p.x * q.y - p.y * q.x;
 }
 
 }  // namespace
@@ -82,23 +79,20 @@ std::vector<DeviceTriangle> placeTriangles(const StagedGeometry& geometry, const
                                            const raster::Face& face) {
   const bool isMirrored = raster::determinant(face) < 0;
   std::vector<DeviceTriangle> triangles;
-  for (std::uint32_t d = 0; d < list.draws.size(); ++d) {
-    const std::uint32_t first = list.draws[d].first / 3;
-    for (std::uint32_t t = first; t < first + list.draws[d].count / 3; ++t) {
-      const ClipPolygon polygon = polygonOf(geometry, list, face, t);
-      for (std::size_t k = 2; k < polygon.size(); ++k) {
-        DeviceTriangle triangle{};
-        triangle.triangle = t;
-        triangle.draw = d;
-        const std::array<std::size_t, 3> fan{0, k - 1, k};
-        for (std::size_t j = 0; j < 3; ++j) triangle.vertices[j] = place(geometry, polygon[fan[j]], face.resolution);
-        triangle.area = doubledArea(triangle.vertices);
-        triangle.facesAway = (triangle.area < 0) == isMirrored;
-        const auto isAhead = [](const DeviceVertex& vertex) { return vertex.view.w > 0; };
-        // Without area, or where a position is not a number, there is nothing to draw.
-        if (std::abs(triangle.area) > 0 && std::all_of(triangle.vertices.begin(), triangle.vertices.end(), isAhead))
-          triangles.push_back(triangle);
-      }
+  for (const DrawnTriangle& drawn : drawnTriangles(list)) {
+    const ClipPolygon polygon = polygonOf(geometry, list, face, drawn.triangle);
+    for (std::size_t k = 2; k < polygon.size(); ++k) {
+      DeviceTriangle triangle{};
+      triangle.triangle = drawn.triangle;
+      triangle.draw = drawn.draw;
+      const std::array<std::size_t, 3> fan{0, k - 1, k};
+      for (std::size_t j = 0; j < 3; ++j) triangle.vertices[j] = place(geometry, polygon[fan[j]], face.resolution);
+      triangle.area = doubledArea(triangle.vertices);
+      triangle.facesAway = (triangle.area < 0) == isMirrored;
+      const auto isAhead = [](const DeviceVertex& vertex) { return vertex.view.w > 0; };
+      // Without area, or where a position is not a number, there is nothing to draw.
+      if (std::abs(triangle.area) > 0 && std::all_of(triangle.vertices.begin(), triangle.vertices.end(), isAhead))
+        triangles.push_back(triangle);
     }
   }
   return triangles;

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "raster/base/parallel.h"
 #include "reference/conformance/trace/rational_rasterizer.h"
 #include "reference/conformance/vectors/vector_file.h"
 
@@ -77,23 +76,6 @@ Json toJson(const Repetition& repetition) {
   return json;
 }
 
-/// The item buffers of all faces by the independent evaluator. It evaluates each row by itself, on all threads.
-std::vector<raster::ItemBuffer> evaluateRows(const TestVector& vector) {
-  std::vector<raster::ItemBuffer> buffers;
-  for (const VectorFace& face : vector.faces) {
-    const raster::Scissor& scissor = face.face.scissor;
-    std::vector<raster::ItemBuffer> rows(static_cast<std::size_t>(scissor.height));
-    raster::parallelFor(rows.size(), [&](std::size_t row) {
-      raster::Face strip = face.face;
-      strip.scissor = {scissor.column, scissor.row + static_cast<int>(row), scissor.width, 1};
-      rows[row] = evaluateRules(vector.list, strip);
-    });
-    raster::ItemBuffer& buffer = buffers.emplace_back(raster::ItemBuffer{scissor.width, scissor.height, {}});
-    for (const raster::ItemBuffer& row : rows) buffer.ids.insert(buffer.ids.end(), row.ids.begin(), row.ids.end());
-  }
-  return buffers;
-}
-
 ReferenceCheck compareReference(const TestVector& vector, std::span<const raster::ItemBuffer> expected) {
   const std::vector<raster::ItemBuffer> drawn = render(vector);
   ReferenceCheck check;
@@ -118,7 +100,8 @@ Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> fo
 
 Report reportExactly(const TestVector& vector, std::span<const raster::ItemBuffer> found,
                      const DeviceProfile& profile) {
-  const std::vector<raster::ItemBuffer> expected = evaluateRows(vector);
+  std::vector<raster::ItemBuffer> expected;
+  for (const VectorFace& face : vector.faces) expected.push_back(evaluateRules(vector.list, face.face));
   Report report = reportOn(vector, judge(vector, expected, found, profile));
   report.reference = compareReference(vector, expected);
   return report;

@@ -51,10 +51,8 @@ std::vector<DrawnTriangle> drawnTriangles(const raster::DrawList& list) {
 
 std::vector<ScreenTriangle> screenTriangles(const raster::DrawList& list, const raster::Face& face) {
   std::vector<raster::TriangleRun> runs;
-  for (std::uint32_t draw = 0; draw < list.draws.size(); ++draw) {
-    const std::uint32_t first = list.draws[draw].first / 3;
-    runs.push_back({draw, first, first + list.draws[draw].count / 3});
-  }
+  for (const DrawnTriangle& drawn : drawnTriangles(list))
+    runs.push_back({drawn.draw, drawn.triangle, drawn.triangle + 1});
   std::vector<ScreenTriangle> triangles;
   raster::appendScreenTriangles(list, face, runs, {}, triangles);
   return triangles;

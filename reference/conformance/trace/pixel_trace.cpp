@@ -13,24 +13,15 @@ using raster::ViewVertex;
 
 // --- vertices and clipping ---
 
-DerivedVertex vertexOf(const raster::DrawList& list, const raster::Face& face, std::uint32_t index) {
-  const glm::vec3 position = list.positions[index];
-  const glm::vec2 texcoord = list.texcoords[index];
-  const ViewVertex view = raster::transform(face, position, texcoord);
-  return {index, position, position - face.eye, {view.x, view.y, view.w}, texcoord};
-}
-
-std::array<DerivedVertex, 3> verticesOf(const raster::DrawList& list, const raster::Face& face,
-                                        std::uint32_t triangle) {
-  const auto vertex = [&](std::size_t k) { return vertexOf(list, face, list.indices[3 * std::size_t{triangle} + k]); };
-  return {vertex(0), vertex(1), vertex(2)};
-}
-
-std::array<ViewVertex, 3> widened(const std::array<DerivedVertex, 3>& vertices) {
+/// Stores the vertices of a triangle, and returns them widened.
+std::array<ViewVertex, 3> deriveVertices(const raster::DrawList& list, const raster::Face& face, std::uint32_t triangle,
+                                         Derivation& derivation) {
   std::array<ViewVertex, 3> views;
   for (std::size_t k = 0; k < 3; ++k) {
-    const DerivedVertex& vertex = vertices[k];
-    views[k] = {vertex.view.x, vertex.view.y, vertex.view.z, vertex.texcoord.x, vertex.texcoord.y};
+    const std::uint32_t index = list.indices[3 * std::size_t{triangle} + k];
+    const glm::vec3 position = list.positions[index];
+    const ViewVertex view = views[k] = raster::transform(face, position, list.texcoords[index]);
+    derivation.vertices[k] = {index, position, position - face.eye, {view.x, view.y, view.w}, list.texcoords[index]};
   }
   return views;
 }
@@ -155,8 +146,7 @@ std::optional<Derivation> derive(const raster::DrawList& list, const raster::Fac
   Derivation derivation;
   derivation.visible = fragments.front();
   const ScreenTriangle& screen = derivation.visible.screen;
-  derivation.vertices = verticesOf(list, face, derivation.visible.triangle);
-  const std::array<ViewVertex, 3> views = widened(derivation.vertices);
+  const std::array<ViewVertex, 3> views = deriveVertices(list, face, derivation.visible.triangle, derivation);
   derivation.cutBy = cutsOf(views, face.nearDistance);
   derivePiece(face, views, screen, derivation);
 

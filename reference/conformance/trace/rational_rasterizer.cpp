@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
-#include <functional>
 #include <optional>
+
+#include "raster/base/parallel.h"
 
 namespace hemitex::reference {
 namespace {
@@ -31,43 +32,34 @@ Attributes vertexStage(const raster::Face& face, const glm::vec3& position, cons
   return {product(face.x), product(face.y), product(face.w), texcoord.x, texcoord.y};
 }
 
-/// Clips to the half-space f >= 0.
-std::vector<Attributes> clip(const std::vector<Attributes>& polygon, const std::function<double(const Attributes&)>& f,
-                             bool isNear, double n) {
-  std::vector<Attributes> result;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Attributes& start = polygon[i];
-    const Attributes& end = polygon[(i + 1) % polygon.size()];
-    if (f(start) >= 0) result.push_back(start);
-    if ((f(start) >= 0) == (f(end) >= 0)) continue;
-    const Attributes& a = f(start) >= 0 ? start : end;
-    const Attributes& b = f(start) >= 0 ? end : start;
-    const double t = f(a) / (f(a) - f(b));
-    Attributes p;
-    for (std::size_t k = 0; k < p.size(); ++k) p[k] = a[k] + t * (b[k] - a[k]);
-    p[W] = isNear ? n : std::max(p[W], n);
-    result.push_back(p);
+/// Clips to w >= n, then to |x| <= 8w and |y| <= 8w.
+std::vector<Attributes> clip(std::vector<Attributes> polygon, double n) {
+  for (const int plane : {0, 1, 2, 3, 4}) {
+    const auto f = [&](const Attributes& p) {
+      const double side = p[plane < 3 ? X : Y];
+      return plane == 0 ? p[W] - n : plane % 2 == 1 ? 8 * p[W] - side : 8 * p[W] + side;
+    };
+    std::vector<Attributes> result;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Attributes& start = polygon[i];
+      const Attributes& end = polygon[(i + 1) % polygon.size()];
+      if (f(start) >= 0) result.push_back(start);
+      if ((f(start) >= 0) == (f(end) >= 0)) continue;
+      const Attributes& a = f(start) >= 0 ? start : end;
+      const Attributes& b = f(start) >= 0 ? end : start;
+      const double t = f(a) / (f(a) - f(b));
+      Attributes p;
+      for (std::size_t k = 0; k < p.size(); ++k) p[k] = a[k] + t * (b[k] - a[k]);
+      p[W] = plane == 0 ? n : std::max(p[W], n);
+      result.push_back(p);
+    }
+    polygon = result;
   }
-  return result;
-}
-
-std::vector<Attributes> clipToGuardBand(std::vector<Attributes> polygon, double n) {
-  polygon = clip(
-      polygon, [n](const Attributes& p) { return p[W] - n; }, true, n);
-  polygon = clip(
-      polygon, [](const Attributes& p) { return 8 * p[W] - p[X]; }, false, n);
-  polygon = clip(
-      polygon, [](const Attributes& p) { return 8 * p[W] + p[X]; }, false, n);
-  polygon = clip(
-      polygon, [](const Attributes& p) { return 8 * p[W] - p[Y]; }, false, n);
-  return clip(
-      polygon, [](const Attributes& p) { return 8 * p[W] + p[Y]; }, false, n);
+  return polygon;
 }
 
 /// A point or a direction of the picture, in units of 1/256 pixel.
-struct Point {
-  std::int64_t x, y;
-};
+using Point = glm::i64vec2;
 
 /// The snapped position.
 Point snap(const Attributes& p, int resolution) {
@@ -78,7 +70,6 @@ Point snap(const Attributes& p, int resolution) {
 }
 
 std::int64_t cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
-Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y}; }
 int sign(std::int64_t value) { return (value > 0) - (value < 0); }
 
 struct Triangle {
@@ -155,6 +146,23 @@ raster::ItemId idAt(const raster::DrawList& list, const Triangle& triangle, cons
   return blend(list, draw.offset, map.ids[static_cast<std::size_t>(row * map.width + column)]);
 }
 
+/// The item ID of the nearest triangle that covers a sample.
+raster::ItemId idAt(const raster::DrawList& list, const std::vector<Triangle>& triangles, const Point& sample) {
+  const Triangle* nearest = nullptr;
+  std::optional<Rational> nearestInverseDepth;  // known once two triangles compete
+  for (const Triangle& triangle : triangles) {
+    if (!isCovered(triangle, sample)) continue;
+    if (nearest != nullptr) {
+      if (!nearestInverseDepth) nearestInverseDepth = sum(weightsOverDepth(*nearest, sample));
+      const Rational inverseDepth = sum(weightsOverDepth(triangle, sample));
+      if (inverseDepth <= *nearestInverseDepth) continue;
+      nearestInverseDepth = inverseDepth;
+    }
+    nearest = &triangle;
+  }
+  return nearest ? idAt(list, *nearest, sample) : raster::backgroundId(list.format);
+}
+
 bool isFinite(const Attributes& p) {
   return std::all_of(p.begin(), p.end(), [](double value) { return std::isfinite(value); });
 }
@@ -170,7 +178,7 @@ std::vector<Triangle> trianglesOf(const raster::DrawList& list, const raster::Fa
       for (std::uint32_t k = first; k < first + 3; ++k)
         polygon.push_back(vertexStage(face, list.positions[list.indices[k]], list.texcoords[list.indices[k]]));
       if (!std::all_of(polygon.begin(), polygon.end(), isFinite)) continue;
-      polygon = clipToGuardBand(polygon, face.nearDistance);
+      polygon = clip(polygon, face.nearDistance);
       for (std::size_t k = 2; k < polygon.size(); ++k) {
         Triangle triangle{&draw, {polygon[0], polygon[k - 1], polygon[k]}, {}, 0, false};
         for (std::size_t c = 0; c < 3; ++c) triangle.snapped[c] = snap(triangle.vertices[c], face.resolution);
@@ -189,25 +197,15 @@ raster::ItemBuffer evaluateRules(const raster::DrawList& list, const raster::Fac
   raster::validate(list);
   raster::validate(face);
   const std::vector<Triangle> triangles = trianglesOf(list, face, skipped);
-  const raster::Scissor& scissor = face.scissor;
-  raster::ItemBuffer buffer{scissor.width, scissor.height, {}};
-  for (int row = scissor.row; row < scissor.row + scissor.height; ++row)
-    for (int column = scissor.column; column < scissor.column + scissor.width; ++column) {
-      const Point sample{256 * std::int64_t{column} + 128, 256 * std::int64_t{row} + 128};
-      const Triangle* nearest = nullptr;
-      std::optional<Rational> nearestInverseDepth;  // known once two triangles compete
-      for (const Triangle& triangle : triangles) {
-        if (!isCovered(triangle, sample)) continue;
-        if (nearest != nullptr) {
-          if (!nearestInverseDepth) nearestInverseDepth = sum(weightsOverDepth(*nearest, sample));
-          const Rational inverseDepth = sum(weightsOverDepth(triangle, sample));
-          if (inverseDepth <= *nearestInverseDepth) continue;
-          nearestInverseDepth = inverseDepth;
-        }
-        nearest = &triangle;
-      }
-      buffer.ids.push_back(nearest ? idAt(list, *nearest, sample) : raster::backgroundId(list.format));
+  raster::ItemBuffer buffer;
+  buffer.resize(face.scissor);
+  const auto width = static_cast<std::size_t>(buffer.width);
+  raster::parallelFor(static_cast<std::size_t>(buffer.height), [&](std::size_t row) {
+    for (std::size_t column = 0; column < width; ++column) {
+      const Point pixel(face.scissor.column + static_cast<int>(column), face.scissor.row + static_cast<int>(row));
+      buffer.ids[row * width + column] = idAt(list, triangles, std::int64_t{256} * pixel + std::int64_t{128});
     }
+  });
   return buffer;
 }
 

@@ -1,6 +1,7 @@
 /// The raster rules by brute force in rational arithmetic: an independent evaluator of item buffers, which tests every
 /// triangle at every pixel. `vector check --exact` judges the reference renderer and devices by it. Independence is its
-/// purpose: it shares only the input types with the reference renderer, and uses different methods where it can:
+/// purpose: it shares only the input types and parallelFor with the reference renderer, and uses different methods
+/// where it can:
 ///
 /// - Coverage moves the sample by (epsilon, epsilon^2) instead of classifying top and left edges. A sample on a
 ///   horizontal edge moves inside exactly where the interior is at larger j. A sample on any other edge moves inside

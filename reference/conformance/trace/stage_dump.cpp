@@ -82,20 +82,15 @@ void addPixels(const raster::DrawList& list, const raster::Face& face, Stages& s
   stages.inverseDepths.resize(numbers.ids.size());
   stages.coordinates.resize(numbers.ids.size(), glm::dvec2(0.0));
   stages.texels.resize(numbers.ids.size(), glm::ivec2(-1));
-  const auto width = static_cast<std::size_t>(face.scissor.width);
-  raster::parallelFor(static_cast<std::size_t>(face.scissor.height), [&](std::size_t row) {
-    for (std::size_t column = 0; column < width; ++column) {
-      const std::size_t pixel = row * width + column;
-      if (numbers.ids[pixel] >= drawn.size()) continue;
-      const auto fragment =
-          fragmentOf(list, face, drawn[numbers.ids[pixel]], face.scissor.column + static_cast<int>(column),
-                     face.scissor.row + static_cast<int>(row));
-      assert(fragment);
-      stages.triangles[pixel] = static_cast<std::int32_t>(fragment->triangle);
-      stages.inverseDepths[pixel] = fragment->inverseDepth;
-      stages.coordinates[pixel] = {fragment->u, fragment->v};
-      if (fragment->texel) stages.texels[pixel] = {fragment->texel->column, fragment->texel->row};
-    }
+  raster::parallelFor(numbers.ids.size(), [&](std::size_t pixel) {
+    if (numbers.ids[pixel] >= drawn.size()) return;
+    const glm::ivec2 at = pixelAt(face.scissor, pixel);
+    const auto fragment = fragmentOf(list, face, drawn[numbers.ids[pixel]], at.x, at.y);
+    assert(fragment);
+    stages.triangles[pixel] = static_cast<std::int32_t>(fragment->triangle);
+    stages.inverseDepths[pixel] = fragment->inverseDepth;
+    stages.coordinates[pixel] = {fragment->u, fragment->v};
+    if (fragment->texel) stages.texels[pixel] = {fragment->texel->column, fragment->texel->row};
   });
 }
 

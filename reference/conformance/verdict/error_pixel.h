@@ -1,4 +1,5 @@
-/// The error pixels of a verdict, each with the expected fragment and the origins of both item IDs.
+/// The error pixels of a verdict, each with the expected fragment and the origins of both item IDs: the draw and the
+/// texel that produce them, which show what a wrong item ID names.
 #pragma once
 
 #include <array>
@@ -8,11 +9,26 @@
 #include <string>
 #include <vector>
 
+#include "reference/conformance/trace/fragments.h"
 #include "reference/conformance/vectors/enum_names.h"
-#include "reference/conformance/verdict/id_origin.h"
 #include "reference/conformance/verdict/verdict.h"
 
 namespace hemitex::reference {
+
+/// The origin of an item ID: the background, or a draw that may produce it. With aligned offsets the draw is the
+/// surface and the texel the element.
+struct IdOrigin {
+  enum class Kind { Background, Back, Offset, Texel, Unknown };
+  Kind kind = Kind::Unknown;
+  std::uint32_t draw = 0;  ///< of Back, Offset and Texel
+  Texel texel;             ///< of Texel: the first one of the draw's index map that holds the index
+};
+
+/// The origin of `id`: draw `likely` if it is given and produces the item ID, else the first draw that does. The origin
+/// of a sum with a clamped channel is unknown.
+IdOrigin originOf(const raster::DrawList& list, raster::ItemId id, std::optional<std::uint32_t> likely = {});
+/// "background", "back of draw 3", "draw 3", "draw 3 texel 5,7", "no draw".
+std::string toText(const IdOrigin& origin);
 
 /// How the found item ID differs from the expected one.
 enum class ErrorKind : std::uint8_t {

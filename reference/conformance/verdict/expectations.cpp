@@ -13,17 +13,6 @@ using raster::InputError;
 
 constexpr const char* blanks = " \t\r";
 
-/// Removes the first word of `text`, and the blanks around it.
-std::string takeWord(std::string& text) {
-  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
-  const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
-  std::string word = text.substr(begin, end - begin);
-  text.erase(0, std::min(text.find_first_not_of(blanks, end), text.size()));
-  return word;
-}
-
-std::string withoutTrailingBlanks(const std::string& text) { return text.substr(0, text.find_last_not_of(blanks) + 1); }
-
 Expectation expectationNamed(const std::string& word, const std::string& vector) {
   for (const auto& [expectation, name] : expectationNames)
     if (word == name) return expectation;
@@ -32,11 +21,14 @@ Expectation expectationNamed(const std::string& word, const std::string& vector)
 }
 
 /// Throws InputError without the place.
-ExpectedResult parseLine(std::string line, std::span<const std::string> vectors) {
+ExpectedResult parseLine(const std::string& line, std::span<const std::string> vectors) {
   ExpectedResult result;
-  result.vector = takeWord(line);
-  result.expectation = expectationNamed(takeWord(line), result.vector);
-  result.reason = withoutTrailingBlanks(line);
+  std::istringstream words(line);
+  std::string expectation;
+  words >> result.vector >> expectation >> std::ws;
+  std::getline(words, result.reason);
+  result.reason.erase(result.reason.find_last_not_of(blanks) + 1);
+  result.expectation = expectationNamed(expectation, result.vector);
   if (std::find(vectors.begin(), vectors.end(), result.vector) == vectors.end())
     throw InputError("the suite has no vector \"" + result.vector + "\"", "correct the name or remove the line");
   if (result.reason.empty())

@@ -1,8 +1,8 @@
 #include "reference/conformance/verdict/pixel_judge.h"
 
 #include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 namespace hemitex::reference {
@@ -59,21 +59,6 @@ std::vector<PassingEdge> passingEdges(const JudgedFace& face, const std::vector<
   return edges;
 }
 
-/// Groups of candidates that share edges: each candidate's group is named by one of its members.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-
-  std::size_t of(std::size_t member) {
-    while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
-    return member;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[of(a)] = of(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 /// A group of candidates at the sample.
 struct Sheet {
   int winding = 0;           ///< winding number around the sample
@@ -88,19 +73,19 @@ struct Sheet {
 /// around it stays the same. Where it is not zero, some triangle of the mesh covers the sample.
 double certainDepth(const JudgedFace& face, const std::vector<Candidate>& candidates, const glm::dvec2& sample) {
   const std::vector<PassingEdge> edges = passingEdges(face, candidates, sample);
-  Groups groups(candidates.size());
+  boost::disjoint_sets_with_storage<> groups(candidates.size());  // candidates that share edges
   std::vector<char> hasBoundary(candidates.size());
   for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
     int sum = 0;
     for (end = first; end < edges.size() && edges[end].isSameLine(edges[first]); ++end) {
       sum += edges[end].direction;
-      groups.join(edges[first].candidate, edges[end].candidate);
+      groups.union_set(edges[first].candidate, edges[end].candidate);
     }
     if (sum != 0) hasBoundary[edges[first].candidate] = 1;
   }
   std::vector<Sheet> sheets(candidates.size());
   for (std::size_t c = 0; c < candidates.size(); ++c) {
-    Sheet& sheet = sheets[groups.of(c)];
+    Sheet& sheet = sheets[groups.find_set(c)];
     if (candidates[c].covers) sheet.winding += candidates[c].triangle->area > 0 ? 1 : -1;
     // The near plane may clip the part in front of it.
     sheet.hasBoundary |= hasBoundary[c] != 0 || candidates[c].nearest() > face.nearest;
@@ -129,14 +114,11 @@ TexelRange texelRange(const JudgedFace& face, const Candidate& candidate, int ax
   // at most this fraction of its range.
   const double slack = std::min(candidate.triangle->depthSlack, 1.0);
   const double drift = slack / (1 + std::sqrt(1 - slack * slack)) * (high - low);
-  const auto texel = [size](double position) {
-    return static_cast<std::size_t>(std::clamp(std::floor(position), 0.0, size - 1.0));
-  };
   const DeviceTriangle& triangle = *candidate.triangle;
   const double error =
       texelError(face.profile, size, triangle.largest[axis], triangle.nearestDepth, candidate.region.farthest);
-  return {texel((candidate.region.low[axis] - drift) * size - error),
-          texel((candidate.region.high[axis] + drift) * size + error)};
+  return {texelAt((candidate.region.low[axis] - drift) * size - error, size),
+          texelAt((candidate.region.high[axis] + drift) * size + error, size)};
 }
 
 bool mayGiveTexel(const JudgedFace& face, const Candidate& candidate, const raster::IndexMap& map, ItemId offset,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <map>
 #include <set>
 #include <utility>
@@ -23,6 +24,49 @@ class Renumbering {
  private:
   std::map<std::uint32_t, std::uint32_t> numbers_;
 };
+
+/// The list with only these triangles, given in draw order, and with the draws and index maps that they use.
+raster::DrawList withTriangles(const raster::DrawList& list, std::span<const DrawnTriangle> triangles) {
+  raster::DrawList result;
+  result.format = list.format;
+  result.blend = list.blend;
+  result.positions = list.positions;
+  result.texcoords = list.texcoords;
+  Renumbering draws, maps;
+  for (const DrawnTriangle& each : triangles) {
+    if (draws(each.draw).second) {
+      raster::Draw draw = list.draws[each.draw];
+      draw.first = static_cast<std::uint32_t>(result.indices.size());
+      draw.count = 0;
+      if (draw.indexMap) {
+        const auto [map, isNew] = maps(static_cast<std::uint32_t>(*draw.indexMap));
+        if (isNew) result.indexMaps.push_back(list.indexMaps[static_cast<std::size_t>(*draw.indexMap)]);
+        draw.indexMap = static_cast<int>(map);
+      }
+      result.draws.push_back(draw);
+    }
+    const auto corners = list.indices.begin() + 3 * std::ptrdiff_t{each.triangle};
+    result.indices.insert(result.indices.end(), corners, corners + 3);
+    result.draws.back().count += 3;
+  }
+  return result;
+}
+
+/// The list without vertices that no triangle uses.
+raster::DrawList withUsedVertices(raster::DrawList list) {
+  const std::vector<glm::vec3> positions = std::exchange(list.positions, {});
+  const std::vector<glm::vec2> texcoords = std::exchange(list.texcoords, {});
+  Renumbering vertices;
+  for (std::uint32_t& index : list.indices) {
+    const auto [vertex, isNew] = vertices(index);
+    if (isNew) {
+      list.positions.push_back(positions[index]);
+      list.texcoords.push_back(texcoords[index]);
+    }
+    index = vertex;
+  }
+  return list;
+}
 
 /// Takes `smaller` in place of `vector` if it fails.
 bool replace(TestVector& vector, TestVector smaller, const Fails& fails) {
@@ -62,7 +106,7 @@ struct Interval {
 
 /// Removes half of an interval at one end or the other, then a quarter, and so on, while `replaceBy` takes the rest.
 /// Returns whether it removed anything.
-bool shrink(Interval interval, const std::function<bool(const Interval&)>& replaceBy) {
+bool shrink(Interval& interval, const std::function<bool(const Interval&)>& replaceBy) {
   bool isSmaller = false;
   for (int run = interval.size() / 2; run > 0 && interval.size() > 1;) {
     run = std::min(run, interval.size() - 1);
@@ -78,22 +122,27 @@ bool shrink(Interval interval, const std::function<bool(const Interval&)>& repla
   return isSmaller;
 }
 
+/// Shrinks columns, then rows. `change` gives a copy of the vector the columns and rows that stay.
+bool shrinkBoth(TestVector& vector, const Fails& fails, Interval columns, Interval rows,
+                const std::function<void(TestVector&, const Interval&, const Interval&)>& change) {
+  const auto replaceBy = [&](const Interval& newColumns, const Interval& newRows) {
+    TestVector smaller = vector;
+    change(smaller, newColumns, newRows);
+    return replace(vector, std::move(smaller), fails);
+  };
+  const bool isNarrower = shrink(columns, [&](const Interval& each) { return replaceBy(each, rows); });
+  return shrink(rows, [&](const Interval& each) { return replaceBy(columns, each); }) || isNarrower;
+}
+
 bool removePixels(TestVector& vector, const Fails& fails) {
   bool isSmaller = false;
   for (std::size_t f = 0; f < vector.faces.size(); ++f) {
-    const auto with = [&](const Interval& columns, const Interval& rows) {
-      TestVector smaller = vector;
-      smaller.faces[f].face.scissor = {columns.first, rows.first, columns.size(), rows.size()};
-      return smaller;
-    };
-    // Each call looks the face up, because a replacement frees the faces of the vector.
-    const auto scissor = [&]() -> const raster::Scissor& { return vector.faces[f].face.scissor; };
-    const auto columnsOf = [&] { return Interval{scissor().column, scissor().column + scissor().width}; };
-    const auto rowsOf = [&] { return Interval{scissor().row, scissor().row + scissor().height}; };
+    const raster::Scissor whole = vector.faces[f].face.scissor;
     isSmaller |=
-        shrink(columnsOf(), [&](const Interval& each) { return replace(vector, with(each, rowsOf()), fails); });
-    isSmaller |=
-        shrink(rowsOf(), [&](const Interval& each) { return replace(vector, with(columnsOf(), each), fails); });
+        shrinkBoth(vector, fails, {whole.column, whole.column + whole.width}, {whole.row, whole.row + whole.height},
+                   [f](TestVector& smaller, const Interval& columns, const Interval& rows) {
+                     smaller.faces[f].face.scissor = {columns.first, rows.first, columns.size(), rows.size()};
+                   });
   }
   return isSmaller;
 }
@@ -110,19 +159,11 @@ raster::IndexMap part(const raster::IndexMap& map, const Interval& columns, cons
 bool removeTexels(TestVector& vector, const Fails& fails) {
   bool isSmaller = false;
   for (std::size_t m = 0; m < vector.list.indexMaps.size(); ++m) {
-    // Intervals count from the map's present first row and column, so each removal starts from the whole map.
     const raster::IndexMap whole = vector.list.indexMaps[m];
-    Interval columns{0, whole.width}, rows{0, whole.height};
-    const auto tryPart = [&](const Interval& c, const Interval& r) {
-      TestVector smaller = vector;
-      smaller.list.indexMaps[m] = part(whole, c, r);
-      if (!replace(vector, smaller, fails)) return false;
-      columns = c;
-      rows = r;
-      return true;
-    };
-    isSmaller |= shrink(columns, [&](const Interval& each) { return tryPart(each, rows); });
-    isSmaller |= shrink(rows, [&](const Interval& each) { return tryPart(columns, each); });
+    isSmaller |= shrinkBoth(vector, fails, {0, whole.width}, {0, whole.height},
+                            [&](TestVector& smaller, const Interval& columns, const Interval& rows) {
+                              smaller.list.indexMaps[m] = part(whole, columns, rows);
+                            });
   }
   return isSmaller;
 }
@@ -155,7 +196,8 @@ bool removeVertices(TestVector& vector, const Fails& fails) {
   if (replace(vector, smallest, fails)) return true;
   const raster::DrawList whole = vector.list;
   const auto used = std::minmax_element(whole.indices.begin(), whole.indices.end());
-  return shrink({0, static_cast<int>(whole.positions.size())}, [&](const Interval& kept) {
+  Interval all{0, static_cast<int>(whole.positions.size())};
+  return shrink(all, [&](const Interval& kept) {
     if (std::int64_t{*used.first} < kept.first || std::int64_t{*used.second} >= kept.last) return false;
     TestVector smaller = vector;
     smaller.list.positions.assign(whole.positions.begin() + kept.first, whole.positions.begin() + kept.last);
@@ -166,48 +208,69 @@ bool removeVertices(TestVector& vector, const Fails& fails) {
   });
 }
 
+// --- failures at a pixel ---
+
+/// An error pixel of a face.
+struct Failure {
+  VectorFace face;  ///< its scissor rectangle is the pixel
+  raster::ItemBuffer found;
+  raster::ItemId expected;
+  ErrorKind kind;
+};
+
+/// A pixel of a verdict: its face, and its index in the item buffer.
+struct FacePixel {
+  std::size_t face, pixel;
+};
+
+std::vector<FacePixel> errorsOf(const Verdict& verdict) {
+  std::vector<FacePixel> errors;
+  for (std::size_t f = 0; f < verdict.faces.size(); ++f)
+    for (std::size_t pixel = 0; pixel < verdict.faces[f].pixels.size(); ++pixel)
+      if (verdict.faces[f].pixels[pixel] == PixelVerdict::Error) errors.push_back({f, pixel});
+  return errors;
+}
+
+ErrorPixel errorOf(const Failure& failure, const raster::DrawList& list) {
+  const raster::Scissor& pixel = failure.face.face.scissor;
+  return errorAt(list, failure.face, pixel.column, pixel.row, failure.found.ids[0]);
+}
+
+Failure failureAt(const TestVector& vector, const Verdict& verdict, const FacePixel& at) {
+  const FaceVerdict& face = verdict.faces[at.face];
+  const glm::ivec2 pixel = pixelAt(face.scissor, at.pixel);
+  Failure failure{vector.faces[at.face], {1, 1, {face.found.ids[at.pixel]}}, face.expected.ids[at.pixel], {}};
+  failure.face.face.scissor = {pixel.x, pixel.y, 1, 1};
+  failure.kind = errorOf(failure, vector.list).kind;
+  return failure;
+}
+
+/// At most `count` errors, spread evenly over all.
+std::vector<Failure> sampleOfFailures(const TestVector& vector, const Verdict& verdict, std::size_t count) {
+  const std::vector<FacePixel> errors = errorsOf(verdict);
+  const std::size_t taken = std::min(count, errors.size());
+  std::vector<Failure> failures;
+  for (std::size_t k = 0; k < taken; ++k)
+    failures.push_back(failureAt(vector, verdict, errors[k * errors.size() / taken]));
+  return failures;
+}
+
+ErrorKind mostFrequentKind(const std::vector<Failure>& failures) {
+  std::array<std::size_t, errorKindNames.size()> counts{};
+  for (const Failure& failure : failures) ++counts[static_cast<std::size_t>(failure.kind)];
+  return static_cast<ErrorKind>(std::max_element(counts.begin(), counts.end()) - counts.begin());
+}
+
+bool stillFails(const Failure& failure, const raster::DrawList& list, const DeviceProfile& profile) {
+  TestVector vector;
+  vector.list = list;
+  vector.faces = {failure.face};
+  if (!hasErrors(judge(vector, {&failure.found, 1}, profile))) return false;
+  const ErrorPixel error = errorOf(failure, list);
+  return error.kind == failure.kind && error.expected == failure.expected;
+}
+
 }  // namespace
-
-raster::DrawList withTriangles(const raster::DrawList& list, std::span<const DrawnTriangle> triangles) {
-  raster::DrawList result;
-  result.format = list.format;
-  result.blend = list.blend;
-  result.positions = list.positions;
-  result.texcoords = list.texcoords;
-  Renumbering draws, maps;
-  for (const DrawnTriangle& each : triangles) {
-    if (draws(each.draw).second) {
-      raster::Draw draw = list.draws[each.draw];
-      draw.first = static_cast<std::uint32_t>(result.indices.size());
-      draw.count = 0;
-      if (draw.indexMap) {
-        const auto [map, isNew] = maps(static_cast<std::uint32_t>(*draw.indexMap));
-        if (isNew) result.indexMaps.push_back(list.indexMaps[static_cast<std::size_t>(*draw.indexMap)]);
-        draw.indexMap = static_cast<int>(map);
-      }
-      result.draws.push_back(draw);
-    }
-    const auto corners = list.indices.begin() + 3 * std::ptrdiff_t{each.triangle};
-    result.indices.insert(result.indices.end(), corners, corners + 3);
-    result.draws.back().count += 3;
-  }
-  return result;
-}
-
-raster::DrawList withUsedVertices(raster::DrawList list) {
-  const std::vector<glm::vec3> positions = std::exchange(list.positions, {});
-  const std::vector<glm::vec2> texcoords = std::exchange(list.texcoords, {});
-  Renumbering vertices;
-  for (std::uint32_t& index : list.indices) {
-    const auto [vertex, isNew] = vertices(index);
-    if (isNew) {
-      list.positions.push_back(positions[index]);
-      list.texcoords.push_back(texcoords[index]);
-    }
-    index = vertex;
-  }
-  return list;
-}
 
 std::vector<DrawnTriangle> fewestTriangles(std::vector<DrawnTriangle> kept,
                                            const std::function<bool(std::span<const DrawnTriangle>)>& fails) {
@@ -242,6 +305,36 @@ TestVector reduce(TestVector vector, const Fails& fails, std::size_t maxRuns) {
     isSmaller |= removeVertices(vector, failsWithin);
   }
   return vector;
+}
+
+MinimalFailure minimize(const TestVector& vector, const Verdict& verdict, const DeviceProfile& profile) {
+  assert(hasErrors(verdict));
+  constexpr std::size_t sampled = 64, attempts = 8;
+  std::vector<Failure> failures = sampleOfFailures(vector, verdict, sampled);
+  const ErrorKind kind = mostFrequentKind(failures);
+  std::erase_if(failures, [=](const Failure& failure) { return failure.kind != kind; });
+  failures.resize(std::min(failures.size(), attempts));
+
+  const std::vector<DrawnTriangle> all = drawnTriangles(vector.list);
+  const Failure* best = nullptr;
+  std::vector<DrawnTriangle> fewest;
+  for (const Failure& failure : failures) {
+    const auto fails = [&](std::span<const DrawnTriangle> kept) {
+      return stillFails(failure, withUsedVertices(withTriangles(vector.list, kept)), profile);
+    };
+    const std::vector<DrawnTriangle> kept = fewestTriangles(all, fails);
+    if (best && kept.size() >= fewest.size()) continue;
+    best = &failure;
+    fewest = kept;
+  }
+
+  MinimalFailure minimal{
+      {vector.name, vector.catches, vector.origin, withUsedVertices(withTriangles(vector.list, fewest)), {best->face}},
+      {},
+      {1, 1, {best->expected}},
+      best->found};
+  minimal.error = errorOf(*best, minimal.vector.list);
+  return minimal;
 }
 
 }  // namespace hemitex::reference

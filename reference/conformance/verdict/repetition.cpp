@@ -7,11 +7,6 @@
 
 namespace hemitex::reference {
 
-double Repetition::differingShare() const {
-  if (runs == 0) return 0;
-  return static_cast<double>(runs - *std::max_element(answers.begin(), answers.end())) / static_cast<double>(runs);
-}
-
 void RepeatedRuns::add(std::span<const raster::ItemBuffer> buffers) {
   assert(buffers.size() == vector_.faces.size());
   if (first_.empty()) {
@@ -36,11 +31,10 @@ Repetition RepeatedRuns::result() const {
   for (const std::uint64_t runs : answers_) result.runs += runs;
   for (std::size_t f = 0; f < differing_.size(); ++f) {
     const VectorFace& face = vector_.faces[f];
-    const auto width = static_cast<std::size_t>(face.face.scissor.width);
-    for (std::size_t pixel = 0; pixel < differing_[f].size(); ++pixel)
-      if (differing_[f][pixel] > 0)
-        result.pixels.push_back({face.name, face.face.scissor.column + static_cast<int>(pixel % width),
-                                 face.face.scissor.row + static_cast<int>(pixel / width), differing_[f][pixel]});
+    for (std::size_t pixel = 0; pixel < differing_[f].size(); ++pixel) {
+      const glm::ivec2 at = pixelAt(face.face.scissor, pixel);
+      if (differing_[f][pixel] > 0) result.pixels.push_back({face.name, at.x, at.y, differing_[f][pixel]});
+    }
   }
   return result;
 }

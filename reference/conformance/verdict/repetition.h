@@ -25,8 +25,6 @@ struct Repetition {
   std::vector<ChangingPixel> pixels;   ///< face by face and row by row
 
   bool isDeterministic() const { return answers.size() <= 1; }
-  /// The runs that differ from the most frequent item IDs, as a share of all.
-  double differingShare() const;
 };
 
 /// Collects the item IDs of several runs. Memory: one answer, and a count per pixel.

@@ -4,6 +4,8 @@
 #include <boost/container/static_vector.hpp>
 #include <cmath>
 
+#include "reference/conformance/trace/fragments.h"
+
 namespace hemitex::reference {
 namespace {
 
@@ -79,8 +81,6 @@ struct Placement {
 
 // --- triangles ---
 
-double cross(const glm::dvec2& p, const glm::dvec2& q) { return p.x * q.y - p.y * q.x; }
-
 /// The doubled area is cross(s0, s1) + cross(s1, s2) + cross(s2, s0). Moving s_k by e_k changes it by the sums of
 /// cross(e_k, s_{k+1} - s_{k-1}) and cross(e_k, e_{k+1}). The second sum is the doubled area of a triangle in a box of
 /// sides 2 reach, so it is at most the area of the box.
@@ -98,7 +98,7 @@ double largestChangeOfArea(const DeviceTriangle& triangle) {
 bool complete(DeviceTriangle& triangle, bool mirrored) {
   const auto& [a, b, c] = triangle.vertices;
   triangle.reach = glm::max(a.reach, glm::max(b.reach, c.reach));
-  triangle.area = cross(b.position - a.position, c.position - a.position);
+  triangle.area = doubledArea(triangle.vertices);
   triangle.facesAway = (triangle.area < 0) == mirrored;
   const double change = largestChangeOfArea(triangle);
   triangle.mayFlip = change > 0 && std::abs(triangle.area) <= change;
@@ -247,16 +247,13 @@ std::vector<DeviceTriangle> placeTriangles(const raster::DrawList& list, const r
   const Placement placement(profile, face);
   const bool mirrored = raster::determinant(face) < 0;
   std::vector<DeviceTriangle> triangles;
-  for (std::uint32_t d = 0; d < list.draws.size(); ++d) {
-    const std::uint32_t first = list.draws[d].first / 3;
-    for (std::uint32_t t = first; t < first + list.draws[d].count / 3; ++t) {
-      const Clipped clipped = clipTriangle(list, face, t, loose, placement.roundoff);
-      for (std::size_t k = 2; k < static_cast<std::size_t>(clipped.polygon.count); ++k) {
-        DeviceTriangle triangle = fanTriangle(clipped, k, placement);
-        triangle.triangle = t;
-        triangle.draw = d;
-        if (complete(triangle, mirrored) && isWanted(triangle)) triangles.push_back(triangle);
-      }
+  for (const DrawnTriangle& drawn : drawnTriangles(list)) {
+    const Clipped clipped = clipTriangle(list, face, drawn.triangle, loose, placement.roundoff);
+    for (std::size_t k = 2; k < static_cast<std::size_t>(clipped.polygon.count); ++k) {
+      DeviceTriangle triangle = fanTriangle(clipped, k, placement);
+      triangle.triangle = drawn.triangle;
+      triangle.draw = drawn.draw;
+      if (complete(triangle, mirrored) && isWanted(triangle)) triangles.push_back(triangle);
     }
   }
   return triangles;

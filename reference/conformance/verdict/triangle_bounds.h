@@ -14,7 +14,9 @@
 ///   without such an edge covers p after the move if it did before. So does a mesh whose shared edges move together.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -68,6 +70,18 @@ inline glm::dvec2 sampleOf(int column, int row) { return {256.0 * column + 128, 
 /// edge runs to the right, a left edge up.
 inline bool isTopOrLeft(const glm::dvec2& direction) {
   return direction.y < 0 || (direction.y == 0 && direction.x > 0);
+}
+
+/// The texel of the rules at a coordinate times the size of the map: its floor, clamped to the map.
+inline std::size_t texelAt(double position, int size) {
+  return static_cast<std::size_t>(std::clamp(std::floor(position), 0.0, size - 1.0));
+}
+
+inline double cross(const glm::dvec2& p, const glm::dvec2& q) { return p.x * q.y - p.y * q.x; }
+
+/// The doubled, signed area of three vertices as placed.
+inline double doubledArea(const std::array<DeviceVertex, 3>& vertices) {
+  return cross(vertices[1].position - vertices[0].position, vertices[2].position - vertices[0].position);
 }
 
 /// The bounds of a triangle at a sample; nothing where it cannot cover the sample.

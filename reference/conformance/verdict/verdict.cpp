@@ -79,11 +79,10 @@ void judgeErrors(const raster::DrawList& list, const raster::Face& view, const D
     });
 
   const JudgedFace judged = judgedFace(list, view, profile);
-  const auto width = static_cast<std::size_t>(face.scissor.width);
   raster::parallelFor(tiles.size(), [&](std::size_t tile) {
     for (const std::size_t pixel : pixels[tile]) {
-      const glm::dvec2 sample = sampleOf(face.scissor.column + static_cast<int>(pixel % width),
-                                         face.scissor.row + static_cast<int>(pixel / width));
+      const glm::ivec2 at = pixelAt(face.scissor, pixel);
+      const glm::dvec2 sample = sampleOf(at.x, at.y);
       const PixelVerdict verdict = judgeId(judged, nearby[tile], sample, face.found.ids[pixel]);
       const bool isExplained = verdict != PixelVerdict::Error;
       face.pixels[pixel] = loose && isExplained ? PixelVerdict::LooseClipping : verdict;

@@ -1,5 +1,5 @@
 // Which draw and texel an item ID comes from.
-#include "reference/conformance/verdict/id_origin.h"
+#include "reference/conformance/verdict/error_pixel.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // A minimal failure keeps the kind of error at one pixel, and needs each of its triangles.
-#include "reference/conformance/verdict/minimal_failure.h"
+#include "reference/conformance/verdict/reduction.h"
 
 #include <catch2/catch.hpp>
 

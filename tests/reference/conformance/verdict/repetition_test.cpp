@@ -19,6 +19,12 @@ const reference::TestVector& fiveFaces() {
   return *std::find_if(vectors.begin(), vectors.end(), [](const auto& vector) { return vector.name == "five-faces"; });
 }
 
+/// The runs that differ from the most frequent item IDs, as a share of all.
+double differingShare(const Repetition& repetition) {
+  const std::uint64_t maxRuns = *std::max_element(repetition.answers.begin(), repetition.answers.end());
+  return static_cast<double>(repetition.runs - maxRuns) / static_cast<double>(repetition.runs);
+}
+
 }  // namespace
 
 TEST_CASE("RepeatedRuns counts runs by answer and by pixel", "[verdict]") {
@@ -34,13 +40,13 @@ TEST_CASE("RepeatedRuns counts runs by answer and by pixel", "[verdict]") {
   for (const auto* buffers : Answers{&right, &right, &right}) runs.add(*buffers);
   CHECK(runs.result().isDeterministic());
   CHECK(runs.result().pixels.empty());
-  CHECK(runs.result().differingShare() == 0);
+  CHECK(differingShare(runs.result()) == 0);
   for (const auto* buffers : Answers{&onePixel, &right, &twoPixels, &onePixel, &right}) runs.add(*buffers);
   const Repetition result = runs.result();
   CHECK_FALSE(result.isDeterministic());
   CHECK(result.runs == 8);
   CHECK(result.answers == std::vector<std::uint64_t>{5, 2, 1});
-  CHECK(result.differingShare() == 3.0 / 8);
+  CHECK(differingShare(result) == 3.0 / 8);
   REQUIRE(result.pixels.size() == 2);
   CHECK(result.pixels[0].face == fiveFaces().faces[1].name);
   CHECK(result.pixels[0].column == scissor.column + 2);
@@ -67,7 +73,7 @@ TEST_CASE("A fault in one of a hundred runs is found within a thousand", "[verdi
     }
     INFO(seed);
     CHECK_FALSE(runs.result().isDeterministic());
-    CHECK(runs.result().differingShare() == static_cast<double>(faults) / 1000);
-    CHECK(std::abs(runs.result().differingShare() - 0.01) < 4.5 * 0.0031);
+    CHECK(differingShare(runs.result()) == static_cast<double>(faults) / 1000);
+    CHECK(std::abs(differingShare(runs.result()) - 0.01) < 4.5 * 0.0031);
   }
 }
