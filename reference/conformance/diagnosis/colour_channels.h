@@ -1,6 +1,7 @@
 /// Item IDs as colours, which is how hardware without integer formats treats them.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -34,11 +35,14 @@ inline std::vector<Channel> colourChannelsOf(const raster::IdFormat& format) {
   return channelsOf(format.channelBits == std::vector<int>{32} ? raster::IdFormat{{8, 8, 8, 8}} : format);
 }
 
-/// The item ID whose channels are value(channel), the others zero.
+/// The item ID whose channels are value(channel), rounded to whole numbers, the others zero.
 template <typename Value>
 raster::ItemId idOf(std::span<const Channel> channels, const Value& value) {
   raster::ItemId id = 0;
-  for (const Channel& channel : channels) id |= value(channel) << channel.shift;
+  for (const Channel& channel : channels) {
+    const double number = value(channel);
+    id |= static_cast<raster::ItemId>(std::nearbyint(number)) << channel.shift;
+  }
   return id;
 }
 

@@ -120,7 +120,7 @@ std::vector<Variant> targetBlends(const raster::IdFormat& format) {
       return idOf(channels, [&](const Channel& channel) {
         const double source = channel.of(fragment), target = channel.of(stored), largest = channel.largest();
         const double sum = (isPremultiplied ? 1 : alpha) * source + (1 - alpha) * target;
-        return static_cast<ItemId>(std::min(std::nearbyint(sum), largest));
+        return std::min(std::nearbyint(sum), largest);
       });
     };
     variants.push_back(

@@ -141,8 +141,7 @@ std::vector<Variant> premultiplications(const raster::IdFormat& format) {
   std::vector<Variant> variants = withAny([=](ItemId id) {
     const double alpha = channels[3].of(id) / static_cast<double>(channels[3].largest());
     return idOf(channels, [&](const Channel& channel) {
-      const ItemId value = channel.of(id);
-      return channel.shift == channels[3].shift ? value : static_cast<ItemId>(std::nearbyint(alpha * value));
+      return (channel.shift == channels[3].shift ? 1 : alpha) * channel.of(id);
     });
   });
   for (Variant& variant : variants) variant.rounded = channels;
@@ -220,9 +219,9 @@ std::vector<Variant> colourEncodings(const raster::IdFormat& format) {
   const auto with = [&](double (*transfer)(double)) {
     return [=](ItemId id) {
       return idOf(channels, [&](const Channel& channel) {
-        if (channels.size() == 4 && channel.shift == channels[3].shift) return channel.of(id);
-        const double largest = channel.largest();
-        return static_cast<ItemId>(std::nearbyint(transfer(channel.of(id) / largest) * largest));
+        const double value = channel.of(id), largest = channel.largest();
+        const bool isAlpha = channels.size() == 4 && channel.shift == channels[3].shift;
+        return isAlpha ? value : transfer(value / largest) * largest;
       });
     };
   };
@@ -247,11 +246,9 @@ std::vector<Variant> ditherings(const raster::IdFormat& format) {
   for (const std::vector<int>& bits : {std::vector{8, 8, 8, 8}, {5, 6, 5, 8}, {5, 5, 5, 1}, {4, 4, 4, 4}}) {
     if (channels.size() > bits.size()) continue;
     const StagedDevice device = withReadBack([=](const raster::Face& face, raster::ItemBuffer& buffer) {
-      const auto width = static_cast<std::size_t>(buffer.width);
       for (std::size_t pixel = 0; pixel < buffer.ids.size(); ++pixel) {
-        const std::size_t column = static_cast<std::size_t>(face.scissor.column) + pixel % width;
-        const std::size_t row = static_cast<std::size_t>(face.scissor.row) + pixel / width;
-        const double threshold = (ditherMatrix[row % 4 * 4 + column % 4] + 0.5) / 16;
+        const glm::ivec2 at = pixelAt(face.scissor, pixel);
+        const double threshold = (ditherMatrix[static_cast<std::size_t>(at.y % 4 * 4 + at.x % 4)] + 0.5) / 16;
         std::size_t k = 0;
         const ItemId id = buffer.ids[pixel];
         buffer.ids[pixel] = idOf(

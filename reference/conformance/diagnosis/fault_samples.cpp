@@ -69,7 +69,7 @@ std::vector<Variant> multisamplings(const TestVector& vector) {
       return idOf(channels, [&](const Channel& channel) {
         double sum = 0;
         for (const ItemId sample : samples) sum += channel.of(sample);
-        return static_cast<ItemId>(std::nearbyint(sum / static_cast<double>(samples.size())));
+        return sum / static_cast<double>(samples.size());
       });
     };
     variants.push_back({name + "averaged", device, channels});

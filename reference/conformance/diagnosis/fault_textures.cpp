@@ -21,14 +21,6 @@ StagedDevice withFetch(const MapFetch& fetch) {
   });
 }
 
-glm::dvec2 sizeOf(const IndexMap& map) { return {map.width, map.height}; }
-
-ItemId texelAt(const IndexMap& map, const glm::dvec2& texel) {
-  const glm::dvec2 held = glm::clamp(texel, glm::dvec2(0.0), sizeOf(map) - 1.0);
-  return map
-      .ids[static_cast<std::size_t>(held.y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(held.x)];
-}
-
 // --- coordinates ---
 
 ItemId repeatedTexel(const IndexMap& map, const Lookup& lookup) {
@@ -78,7 +70,7 @@ std::vector<Variant> halfFloats() {
            })},
           {"at pixels, and their products with the size of the map",
            withFetch([](const IndexMap& map, const Lookup& lookup) {
-             return texelAt(map, glm::floor(throughBinary16(throughBinary16(lookup.at) * sizeOf(map))));
+             return texelAt(map, throughBinary16(throughBinary16(lookup.at) * sizeOf(map)));
            })}};
 }
 
@@ -103,7 +95,7 @@ ItemId linearTexel(const std::vector<Channel>& channels, const IndexMap& map, co
   return idOf(channels, [&](const Channel& channel) {
     const double top = (1 - part.x) * channel.of(a) + part.x * channel.of(b);
     const double bottom = (1 - part.x) * channel.of(c) + part.x * channel.of(d);
-    return static_cast<ItemId>(std::nearbyint((1 - part.y) * top + part.y * bottom));
+    return (1 - part.y) * top + part.y * bottom;
   });
 }
 
@@ -115,7 +107,7 @@ IndexMap halved(const std::vector<Channel>& channels, const IndexMap& map) {
       half.ids.push_back(idOf(channels, [&](const Channel& channel) {
         double sum = 0;
         for (int k = 0; k < 4; ++k) sum += channel.of(texelAt(map, glm::dvec2(2 * column + k % 2, 2 * row + k / 2)));
-        return static_cast<ItemId>(std::nearbyint(sum / 4));
+        return sum / 4;
       }));
   return half;
 }
@@ -146,9 +138,8 @@ ItemId mipmappedTexel(const std::vector<Channel>& channels, const Levels& levels
   if (!betweenLevels) return texelOf(std::floor(detail + 0.5));
   const double first = std::floor(detail), part = detail - first;
   const ItemId fine = texelOf(first), coarse = texelOf(first + 1);
-  return idOf(channels, [&](const Channel& channel) {
-    return static_cast<ItemId>(std::nearbyint((1 - part) * channel.of(fine) + part * channel.of(coarse)));
-  });
+  return idOf(channels,
+              [&](const Channel& channel) { return (1 - part) * channel.of(fine) + part * channel.of(coarse); });
 }
 
 /// The channels that a filter may use: those of the format, and the bytes of an item ID of one 32-bit channel.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "reference/conformance/verdict/triangle_bounds.h"
 
@@ -12,36 +13,24 @@ using raster::ItemId;
 
 constexpr double subPixels = 256;  // per pixel
 
-/// A linear function on the picture.
-struct Plane {
-  glm::dvec2 slope{0.0};
-  double atOrigin = 0;
-
-  double at(const glm::dvec2& position) const { return slope.x * position.x + slope.y * position.y + atOrigin; }
-};
-
-/// The linear functions of a triangle. Edge k is opposite vertex k, positive inside and exact. Attributes are quotients
-/// of sums of edges times vertex values.
+/// The functions of a triangle at a position. Edge k is opposite vertex k, positive inside and exact. Attributes are
+/// quotients of sums of edges times vertex values.
 struct Setup {
-  std::array<Plane, 3> edges;
+  std::array<glm::dvec2, 3> starts, directions;  ///< of the edges
   std::array<bool, 3> ownsEdge;
-  std::array<double, 3> inverseW;  ///< at the vertices, over the doubled area
-  std::array<double, 3> weights, u, v;
+  glm::dvec3 inverseW;  ///< at the vertices, over the doubled area
+  glm::dvec3 weights, u, v;
 
-  bool covers(const std::array<double, 3>& values) const {
-    for (std::size_t k = 0; k < 3; ++k)
-      if (values[k] < 0 || (values[k] == 0 && !ownsEdge[k])) return false;
+  bool covers(const glm::dvec3& values) const {
+    for (int k = 0; k < 3; ++k)
+      if (values[k] < 0 || (values[k] == 0 && !ownsEdge[static_cast<std::size_t>(k)])) return false;
     return true;
   }
-
-  std::array<double, 3> edgesAt(const glm::dvec2& position) const {
-    return {edges[0].at(position), edges[1].at(position), edges[2].at(position)};
+  glm::dvec3 edgesAt(const glm::dvec2& position) const {
+    const auto edge = [&](std::size_t k) { return cross(directions[k], position - starts[k]); };
+    return {edge(0), edge(1), edge(2)};
   }
 };
-
-double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /// Pixels [first, end) of the scissor rectangle that may hold covered samples.
 struct PixelBox {
@@ -60,15 +49,16 @@ PixelBox boxOf(const DeviceTriangle& triangle, const raster::Scissor& scissor) {
 Setup setUp(const StagedDevice& device, const DeviceTriangle& triangle) {
   Setup setup{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const DeviceVertex& vertex = triangle.vertices[k];
+    const auto i = static_cast<int>(k);
+    const raster::ViewVertex& view = triangle.vertices[k].view;
     const glm::dvec2 &p = triangle.vertices[(k + 1) % 3].position, &q = triangle.vertices[(k + 2) % 3].position;
-    const glm::dvec2 along = (triangle.area > 0 ? 1.0 : -1.0) * (q - p);
-    setup.edges[k] = {{-along.y, along.x}, along.y * p.x - along.x * p.y};
-    setup.ownsEdge[k] = device.ownsEdge(along);
-    setup.inverseW[k] = 1 / vertex.view.w / std::abs(triangle.area);
-    setup.weights[k] = device.weight(vertex.view.w);
-    setup.u[k] = setup.weights[k] * vertex.view.u;
-    setup.v[k] = setup.weights[k] * vertex.view.v;
+    setup.starts[k] = p;
+    setup.directions[k] = (triangle.area > 0 ? 1.0 : -1.0) * (q - p);
+    setup.ownsEdge[k] = device.ownsEdge(setup.directions[k]);
+    setup.inverseW[i] = 1 / view.w / std::abs(triangle.area);
+    setup.weights[i] = device.weight(view.w);
+    setup.u[i] = setup.weights[i] * view.u;
+    setup.v[i] = setup.weights[i] * view.v;
   }
   return setup;
 }
@@ -81,109 +71,55 @@ glm::dvec2 held(const glm::dvec2& coordinates) {
 }
 
 Lookup lookUp(const Setup& setup, const glm::dvec2& position) {
-  const std::array<double, 3> edges = setup.edgesAt(position);
-  const double total = dot(edges, setup.weights);
-  const glm::dvec2 at = glm::dvec2(dot(edges, setup.u), dot(edges, setup.v)) / total;
-  const auto change = [&](int axis) {
-    std::array<double, 3> slopes;
-    for (std::size_t k = 0; k < 3; ++k) slopes[k] = subPixels * setup.edges[k].slope[axis];
-    return (glm::dvec2(dot(slopes, setup.u), dot(slopes, setup.v)) - at * dot(slopes, setup.weights)) / total;
+  const glm::dvec3 edges = setup.edgesAt(position);
+  const double total = glm::dot(edges, setup.weights);
+  const glm::dvec2 at = glm::dvec2(glm::dot(edges, setup.u), glm::dot(edges, setup.v)) / total;
+  const auto change = [&](const glm::dvec2& pixel) {
+    const glm::dvec3 steps = setup.edgesAt(position + pixel) - edges;
+    return (glm::dvec2(glm::dot(steps, setup.u), glm::dot(steps, setup.v)) - at * glm::dot(steps, setup.weights)) /
+           total;
   };
-  return {held(at), held(change(0)), held(change(1))};
+  return {held(at), held(change({subPixels, 0})), held(change({0, subPixels}))};
 }
 
+ItemId shade(const StagedDevice& device, const raster::DrawList& list, const raster::Draw& draw, Facing facing,
+             const Setup& setup, const glm::dvec2& position) {
+  if (facing == Facing::Back && draw.back) return *draw.back;
+  if (!draw.indexMap) return draw.offset;
+  const ItemId texel = device.fetch(list, static_cast<std::size_t>(*draw.indexMap), lookUp(setup, position));
+  return device.blend(list, draw.offset, texel);
+}
+
+/// A sample of the target.
 struct Sample {
-  bool hasDepth = false;  ///< without a depth, any fragment passes
-  double depth = 0;
-  ItemId id = 0;
+  std::optional<double> depth;  ///< without one, any fragment passes
+  ItemId id;
 };
 
-/// The samples of a rectangle of pixels, device.samples.size() per pixel.
-struct Samples {
-  raster::Scissor rectangle;
-  std::vector<Sample> samples;
-
-  std::size_t pixelAt(int column, int row) const {
-    return static_cast<std::size_t>(row - rectangle.row) * static_cast<std::size_t>(rectangle.width) +
-           static_cast<std::size_t>(column - rectangle.column);
-  }
-};
-
-/// Copies the depths of the pixels that both rectangles contain.
-void copyDepths(const Samples& from, Samples& to, std::size_t perPixel) {
-  const raster::Scissor &a = from.rectangle, &b = to.rectangle;
-  const int endColumn = std::min(a.column + a.width, b.column + b.width);
-  const int endRow = std::min(a.row + a.height, b.row + b.height);
-  for (int row = std::max(a.row, b.row); row < endRow; ++row)
-    for (int column = std::max(a.column, b.column); column < endColumn; ++column)
-      for (std::size_t s = 0; s < perPixel; ++s) {
-        const Sample& source = from.samples[from.pixelAt(column, row) * perPixel + s];
-        Sample& target = to.samples[to.pixelAt(column, row) * perPixel + s];
-        target.hasDepth = source.hasDepth;
-        target.depth = source.depth;
+/// Draws a triangle into the samples of the view's scissor rectangle.
+void drawTriangle(const StagedDevice& device, const raster::DrawList& list, const raster::Face& view,
+                  const DeviceTriangle& triangle, std::vector<Sample>& target) {
+  const PixelBox box = boxOf(triangle, view.scissor);
+  if (box.first.x >= box.end.x || box.first.y >= box.end.y) return;
+  const Facing facing = device.facing(triangle.facesAway ? Facing::Back : Facing::Front, view);
+  if (facing == Facing::Culled) return;
+  const Setup setup = setUp(device, triangle);
+  for (int row = box.first.y; row < box.end.y; ++row)
+    for (int column = box.first.x; column < box.end.x; ++column) {
+      const glm::dvec2 corner(subPixels * column, subPixels * row);
+      const int pixel = (row - view.scissor.row) * view.scissor.width + column - view.scissor.column;
+      for (std::size_t s = 0; s < device.samples.size(); ++s) {
+        const glm::dvec3 edges = setup.edgesAt(corner + device.samples[s]);
+        if (!setup.covers(edges)) continue;
+        Sample& sample = target[static_cast<std::size_t>(pixel) * device.samples.size() + s];
+        const double depth = device.depth(glm::dot(edges, setup.inverseW), static_cast<double>(view.nearDistance));
+        if (sample.depth && !device.passes(depth, *sample.depth)) continue;
+        const ItemId fragment =
+            shade(device, list, list.draws[triangle.draw], facing, setup, corner + device.shadingSample);
+        sample = {depth, device.store(sample.id, fragment)};
       }
+    }
 }
-
-/// Draws the pixels of one scissor rectangle. `earlier` holds the samples whose depths stay in the target.
-class FaceDrawing {
- public:
-  FaceDrawing(const StagedDevice& device, const raster::DrawList& list, const raster::Face& view,
-              std::span<const Samples> earlier)
-      : device_(device), list_(list), view_(view), target_{view.scissor, {}} {
-    const auto pixels = static_cast<std::size_t>(view.scissor.width) * static_cast<std::size_t>(view.scissor.height);
-    target_.samples.assign(pixels * device.samples.size(), {false, 0, raster::backgroundId(list.format)});
-    for (const Samples& samples : earlier) copyDepths(samples, target_, device.samples.size());
-  }
-
-  void draw(const DeviceTriangle& triangle) {
-    const PixelBox box = boxOf(triangle, view_.scissor);
-    if (box.first.x >= box.end.x || box.first.y >= box.end.y) return;
-    const Facing facing = device_.facing(triangle.facesAway ? Facing::Back : Facing::Front, view_);
-    if (facing == Facing::Culled) return;
-    const Setup setup = setUp(device_, triangle);
-    for (int row = box.first.y; row < box.end.y; ++row)
-      for (int column = box.first.x; column < box.end.x; ++column)
-        drawPixel(setup, list_.draws[triangle.draw], facing, column, row);
-  }
-
-  raster::ItemBuffer resolve() const {
-    raster::ItemBuffer buffer{view_.scissor.width, view_.scissor.height, {}};
-    std::vector<ItemId> ids(device_.samples.size());
-    for (std::size_t first = 0; first < target_.samples.size(); first += ids.size()) {
-      for (std::size_t s = 0; s < ids.size(); ++s) ids[s] = target_.samples[first + s].id;
-      buffer.ids.push_back(device_.resolve(ids));
-    }
-    return buffer;
-  }
-
-  const Samples& target() const { return target_; }
-
- private:
-  void drawPixel(const Setup& setup, const raster::Draw& draw, Facing facing, int column, int row) {
-    const glm::dvec2 corner(subPixels * column, subPixels * row);
-    const std::size_t pixel = target_.pixelAt(column, row);
-    for (std::size_t s = 0; s < device_.samples.size(); ++s) {
-      const std::array<double, 3> edges = setup.edgesAt(corner + device_.samples[s]);
-      if (!setup.covers(edges)) continue;
-      Sample& sample = target_.samples[pixel * device_.samples.size() + s];
-      const double depth = device_.depth(dot(edges, setup.inverseW), static_cast<double>(view_.nearDistance));
-      if (sample.hasDepth && !device_.passes(depth, sample.depth)) continue;
-      sample = {true, depth, device_.store(sample.id, shade(setup, draw, facing, corner + device_.shadingSample))};
-    }
-  }
-
-  ItemId shade(const Setup& setup, const raster::Draw& draw, Facing facing, const glm::dvec2& position) const {
-    if (facing == Facing::Back && draw.back) return *draw.back;
-    if (!draw.indexMap) return draw.offset;
-    const ItemId texel = device_.fetch(list_, static_cast<std::size_t>(*draw.indexMap), lookUp(setup, position));
-    return device_.blend(list_, draw.offset, texel);
-  }
-
-  const StagedDevice& device_;
-  const raster::DrawList& list_;
-  const raster::Face& view_;
-  Samples target_;
-};
 
 std::vector<DeviceTriangle> placeFace(const StagedDevice& device, const raster::DrawList& list,
                                       const raster::Face& view) {
@@ -213,23 +149,41 @@ raster::Face viewOf(const StagedDevice& device, const std::vector<raster::Face>&
   return view;
 }
 
-/// Draws the pixels of the view's scissor rectangle. `earlier` is the memory of a device that keeps depths.
+/// The depths of samples that stay in the target, by column, row, and number in the pixel.
+using KeptDepths = std::map<std::array<int, 3>, double>;
+
+/// Draws the pixels of the view's scissor rectangle. `kept` is the memory of a device that keeps depths.
 raster::ItemBuffer drawFace(const StagedDevice& device, const raster::DrawList& list, const raster::Face& view,
-                            const std::vector<DeviceTriangle>& triangles, std::vector<Samples>& earlier) {
-  FaceDrawing drawing(device, list, view, earlier);
-  for (const DeviceTriangle& triangle : triangles) drawing.draw(triangle);
-  if (device.keepsDepth) earlier.push_back(drawing.target());
-  return drawing.resolve();
+                            const std::vector<DeviceTriangle>& triangles, KeptDepths& kept) {
+  raster::ItemBuffer buffer;
+  buffer.resize(view.scissor);
+  const std::size_t perPixel = device.samples.size();
+  std::vector<Sample> target(buffer.ids.size() * perPixel, {{}, raster::backgroundId(list.format)});
+  const auto placeOf = [&](std::size_t sample) {
+    const glm::ivec2 pixel = pixelAt(view.scissor, sample / perPixel);
+    return std::array{pixel.x, pixel.y, static_cast<int>(sample % perPixel)};
+  };
+  for (std::size_t s = 0; s < target.size() && !kept.empty(); ++s)
+    if (const auto place = kept.find(placeOf(s)); place != kept.end()) target[s].depth = place->second;
+  for (const DeviceTriangle& triangle : triangles) drawTriangle(device, list, view, triangle, target);
+  for (std::size_t s = 0; s < target.size() && device.keepsDepth; ++s)
+    if (target[s].depth) kept[placeOf(s)] = *target[s].depth;
+  std::vector<ItemId> ids(perPixel);
+  for (std::size_t pixel = 0; pixel < buffer.ids.size(); ++pixel) {
+    for (std::size_t s = 0; s < perPixel; ++s) ids[s] = target[pixel * perPixel + s].id;
+    buffer.ids[pixel] = device.resolve(ids);
+  }
+  return buffer;
 }
 
 }  // namespace
 
-ItemId nearestTexel(const raster::IndexMap& map, const glm::dvec2& at) {
-  const auto texel = [](double coordinate, int size) {
-    return static_cast<std::size_t>(std::clamp(std::floor(coordinate * size), 0.0, size - 1.0));
-  };
-  return map.ids[texel(at.y, map.height) * static_cast<std::size_t>(map.width) + texel(at.x, map.width)];
+ItemId texelAt(const raster::IndexMap& map, const glm::dvec2& position) {
+  return map
+      .ids[texelAt(position.y, map.height) * static_cast<std::size_t>(map.width) + texelAt(position.x, map.width)];
 }
+
+ItemId nearestTexel(const raster::IndexMap& map, const glm::dvec2& at) { return texelAt(map, at * sizeOf(map)); }
 
 StagedDevice withReadBack(const ReadBack& readBack) {
   StagedDevice device;
@@ -241,10 +195,10 @@ StagedDevice withReadBack(const ReadBack& readBack) {
 PlacedVector placeVector(const TestVector& vector) {
   PlacedVector placed{vector.list, facesOf(vector), {}, {}};
   const StagedDevice device;
-  std::vector<Samples> earlier;
+  KeptDepths kept;
   for (const VectorFace& face : vector.faces) {
     placed.triangles.push_back(placeFace(device, vector.list, face.face));
-    placed.buffers.push_back(drawFace(device, vector.list, face.face, placed.triangles.back(), earlier));
+    placed.buffers.push_back(drawFace(device, vector.list, face.face, placed.triangles.back(), kept));
   }
   return placed;
 }
@@ -256,7 +210,7 @@ void drawOn(const StagedDevice& device, const PlacedVector& placed,
   if (device.upload) device.upload(changed = placed.list);
   const raster::DrawList& list = device.upload ? changed : placed.list;
   const bool isSameMesh = !device.geometry && (!device.upload || haveSameTriangles(list, placed.list));
-  std::vector<Samples> earlier;
+  KeptDepths kept;
   for (std::size_t f = 0; f < placed.faces.size(); ++f) {
     raster::Face view = viewOf(device, placed.faces, f);
     const bool isPlaced = isSameMesh && isSameView(view, placed.faces[f]);
@@ -264,7 +218,7 @@ void drawOn(const StagedDevice& device, const PlacedVector& placed,
     const std::vector<DeviceTriangle>& triangles = isPlaced ? placed.triangles[f] : moved;
     if (device.readBack) {
       raster::ItemBuffer buffer =
-          device.isDrawnByRules ? placed.buffers[f] : drawFace(device, list, view, triangles, earlier);
+          device.isDrawnByRules ? placed.buffers[f] : drawFace(device, list, view, triangles, kept);
       device.readBack(view, buffer);
       if (!wantsMore(buffer)) return;
       continue;
@@ -272,7 +226,7 @@ void drawOn(const StagedDevice& device, const PlacedVector& placed,
     const int endRow = view.scissor.row + view.scissor.height;
     for (; view.scissor.row < endRow; view.scissor.row += stripRows) {
       view.scissor.height = std::min(stripRows, endRow - view.scissor.row);
-      if (!wantsMore(drawFace(device, list, view, triangles, earlier))) return;
+      if (!wantsMore(drawFace(device, list, view, triangles, kept))) return;
     }
   }
 }

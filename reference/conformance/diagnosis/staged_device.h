@@ -30,7 +30,12 @@ struct Lookup {
   glm::dvec2 at, perColumn, perRow;
 };
 
-/// The texel of the rules: clamp(floor(u N), 0, N - 1) and likewise for v.
+inline glm::dvec2 sizeOf(const raster::IndexMap& map) { return {map.width, map.height}; }
+
+/// The item ID of the texel of the rules at `position`, which is (u, v) times the size of the map.
+raster::ItemId texelAt(const raster::IndexMap& map, const glm::dvec2& position);
+
+/// The same at (u, v).
 raster::ItemId nearestTexel(const raster::IndexMap& map, const glm::dvec2& at);
 
 /// Changes the item IDs of a face on their way to its file.
