@@ -220,7 +220,8 @@ void explain(const std::filesystem::path& folder, const Pixel& pixel, const Cont
   const reference::TestVector vector = reference::readVector(folder);
   const raster::Face& face = faceOf(vector, pixel).face;
   requireInside(face.scissor, pixel);
-  const auto fragments = reference::fragmentsAt(vector.list, face, pixel.column, pixel.row);
+  const auto triangles = reference::screenTriangles(vector.list, face);
+  const auto fragments = reference::fragmentsAt(vector.list, triangles, pixel.column, pixel.row);
   const auto derivation = reference::derive(vector.list, face, fragments, pixel.column, pixel.row);
   const raster::ItemId id = derivation ? derivation->visible.id : raster::backgroundId(vector.list.format);
   const auto draw = derivation ? std::optional(derivation->visible.draw) : std::nullopt;

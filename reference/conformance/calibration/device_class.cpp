@@ -10,6 +10,7 @@ namespace {
 struct Hypothesis {
   std::string property;
   DeviceProfile profile;
+  std::uint64_t errors = 0;  ///< under the profile
 };
 
 /// From small changes to large ones.
@@ -56,22 +57,16 @@ std::uint64_t errorsUnder(const DeviceProfile& profile, std::span<const JudgedVe
 }
 
 /// The first hypothesis that explains at least 99.5 % of what the best one explains.
-struct BestChange {
-  Hypothesis hypothesis;
-  std::uint64_t errors;
-};
-
-BestChange bestChange(const DeviceProfile& profile, std::uint64_t errors, std::span<const JudgedVector> vectors) {
+Hypothesis bestChange(const DeviceProfile& profile, std::uint64_t errors, std::span<const JudgedVector> vectors) {
   // A change that explains less than half of the errors is of no use; nor is one that isGood beside a best one of half.
   const std::uint64_t limit = errors / 2 + errors / 200 + 1;
-  std::vector<BestChange> changes;
-  for (const Hypothesis& hypothesis : changesOf(profile))
-    changes.push_back({hypothesis, errorsUnder(hypothesis.profile, vectors, limit)});
-  const std::uint64_t fewest =
-      std::min_element(changes.begin(), changes.end(), [](const BestChange& a, const BestChange& b) {
-        return a.errors < b.errors;
-      })->errors;
-  const auto isGood = [&](const BestChange& change) {
+  std::vector<Hypothesis> changes = changesOf(profile);
+  std::uint64_t fewest = UINT64_MAX;
+  for (Hypothesis& change : changes) {
+    change.errors = errorsUnder(change.profile, vectors, limit);
+    fewest = std::min(fewest, change.errors);
+  }
+  const auto isGood = [&](const Hypothesis& change) {
     return change.errors <= fewest || 200 * (change.errors - fewest) <= errors - fewest;
   };
   return *std::find_if(changes.begin(), changes.end(), isGood);
@@ -88,11 +83,11 @@ std::optional<DeviceClass> guessDeviceClass(std::span<const JudgedVector> vector
   // A device may differ in several properties. Each explains most of the errors that are left, and not only a few.
   std::uint64_t left = guess.errors;
   while (left > 0) {
-    const BestChange best = bestChange(guess.profile, left, failing);
+    const Hypothesis best = bestChange(guess.profile, left, failing);
     if (2 * best.errors > left || 20 * (left - best.errors) < guess.errors) break;
-    guess.profile = best.hypothesis.profile;
+    guess.profile = best.profile;
     if (!guess.properties.empty()) guess.properties += " and ";
-    guess.properties += best.hypothesis.property;
+    guess.properties += best.property;
     left = best.errors;
   }
   guess.explained = guess.errors - left;

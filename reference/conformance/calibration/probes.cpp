@@ -4,7 +4,6 @@
 #include <cmath>
 #include <random>
 #include <string>
-#include <utility>
 
 #include "reference/conformance/vectors/draw_list_builder.h"
 #include "reference/conformance/verdict/device_profile.h"

@@ -1,9 +1,7 @@
 #include "reference/conformance/diagnosis/diagnosis.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <optional>
 
 #include "raster/base/parallel.h"
 #include "reference/conformance/diagnosis/fault.h"
@@ -16,12 +14,6 @@ using ItemIds = std::vector<ItemId>;  // of all faces
 
 constexpr double minAgreement = 0.9;
 constexpr std::uint64_t minPixels = 8;
-
-ItemIds idsOf(const std::vector<raster::ItemBuffer>& buffers) {
-  ItemIds ids;
-  for (const raster::ItemBuffer& buffer : buffers) ids.insert(ids.end(), buffer.ids.begin(), buffer.ids.end());
-  return ids;
-}
 
 /// Input of the diagnosis. Pixels are those of all faces.
 struct Case {
@@ -36,7 +28,8 @@ struct Case {
 
 Case makeCase(const TestVector& vector, const Verdict& verdict) {
   Case result{placeVector(vector), {}, {}, {}};
-  result.rules = idsOf(result.placed.buffers);
+  for (const raster::ItemBuffer& buffer : result.placed.buffers)
+    result.rules.insert(result.rules.end(), buffer.ids.begin(), buffer.ids.end());
   for (const FaceVerdict& face : verdict.faces) {
     result.found.insert(result.found.end(), face.found.ids.begin(), face.found.ids.end());
     for (const PixelVerdict pixel : face.pixels) result.isError.push_back(pixel == PixelVerdict::Error);
@@ -69,47 +62,38 @@ void count(const Case& given, const Variant& variant, std::size_t pixel, ItemId 
   agreement.agreeing += id != rules && (id == found || (isChanged && areLike(id, found)));
 }
 
-/// A variant with enough agreement.
+/// A variant, and its item IDs if it has enough agreement.
 struct Suspect {
   const Fault* fault;
   const Variant* variant;
-  double agreement;
-  std::uint64_t exact;  ///< pixels of all faces that hold the variant's item ID
-  ItemIds ids;
+  double agreement = 0;
+  std::uint64_t exact = 0;  ///< pixels of all faces that hold the variant's item ID
+  ItemIds ids = {};
 };
 
 /// Draws a variant while it may still be named. Most variants are rejected after a few rows.
-std::optional<Suspect> compare(const Case& given, std::uint64_t mayAgree, const Fault& fault, const Variant& variant) {
+void compare(const Case& given, std::uint64_t mayAgree, Suspect& suspect) {
   Agreement agreement{.remaining = mayAgree};
   ItemIds ids;
-  drawOn(variant.device, given.placed, [&](const raster::ItemBuffer& part) {
+  drawOn(suspect.variant->device, given.placed, [&](const raster::ItemBuffer& part) {
     for (const ItemId id : part.ids) {
-      count(given, variant, ids.size(), id, agreement);
+      count(given, *suspect.variant, ids.size(), id, agreement);
       ids.push_back(id);
     }
     return agreement.mayBeNamed();
   });
-  if (!agreement.mayBeNamed()) return {};
-  return Suspect{&fault, &variant, agreement.best(), agreement.exact, std::move(ids)};
+  if (agreement.mayBeNamed())
+    suspect = {suspect.fault, suspect.variant, agreement.best(), agreement.exact, std::move(ids)};
 }
 
 std::vector<Suspect> suspectsOf(const Case& given, const std::vector<Fault>& faults) {
-  struct Candidate {
-    const Fault* fault;
-    const Variant* variant;
-  };
-  std::vector<Candidate> candidates;
+  std::vector<Suspect> suspects;
   for (const Fault& fault : faults)
-    for (const Variant& variant : fault.variants) candidates.push_back({&fault, &variant});
+    for (const Variant& variant : fault.variants) suspects.push_back({&fault, &variant});
   std::uint64_t mayAgree = 0;
   for (std::size_t pixel = 0; pixel < given.found.size(); ++pixel) mayAgree += given.mayAgree(pixel);
-  std::vector<std::optional<Suspect>> compared(candidates.size());
-  raster::parallelFor(candidates.size(), [&](std::size_t k) {
-    compared[k] = compare(given, mayAgree, *candidates[k].fault, *candidates[k].variant);
-  });
-  std::vector<Suspect> suspects;
-  for (std::optional<Suspect>& suspect : compared)
-    if (suspect) suspects.push_back(std::move(*suspect));
+  raster::parallelFor(suspects.size(), [&](std::size_t k) { compare(given, mayAgree, suspects[k]); });
+  std::erase_if(suspects, [](const Suspect& suspect) { return suspect.ids.empty(); });
   return suspects;
 }
 

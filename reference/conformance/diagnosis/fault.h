@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "reference/conformance/diagnosis/colour_channels.h"
 #include "reference/conformance/diagnosis/staged_device.h"
+#include "reference/conformance/vectors/colour_channels.h"
 
 namespace hemitex::reference {
 
@@ -35,7 +35,6 @@ std::vector<Fault> geometryFaults(const TestVector& vector);  ///< indices, tran
 std::vector<Fault> sampleFaults(const TestVector& vector);    ///< facing, coverage and depth
 std::vector<Fault> textureFaults(const TestVector& vector);   ///< lookups in index maps
 std::vector<Fault> blendFaults(const TestVector& vector);     ///< offsets, and their blends with texels and the target
-std::vector<Fault> memoryFaults(
-    const TestVector& vector);  ///< item IDs in memory: channels, bytes, bits, rows, colours
+std::vector<Fault> memoryFaults(const TestVector& vector);    ///< channels, bytes, bits, rows and colours in memory
 
 }  // namespace hemitex::reference

@@ -35,16 +35,14 @@ std::vector<Variant> modulations(const raster::IdFormat& format) {
   return variants;
 }
 
-ItemId wrappedSum(const Channel& channel, std::uint64_t offset, std::uint64_t texel) {
-  return static_cast<ItemId>((offset + texel) & channel.largest());
-}
-
-ItemId clampedSum(const Channel& channel, std::uint64_t offset, std::uint64_t texel) {
-  return static_cast<ItemId>(std::min<std::uint64_t>(offset + texel, channel.largest()));
-}
-
 /// Wrong overflow of a channel.
 std::vector<Fault> additions(const DrawList& list) {
+  const auto clampedSum = [](const Channel& channel, std::uint64_t offset, std::uint64_t texel) {
+    return static_cast<ItemId>(std::min<std::uint64_t>(offset + texel, channel.largest()));
+  };
+  const auto wrappedSum = [](const Channel& channel, std::uint64_t offset, std::uint64_t texel) {
+    return static_cast<ItemId>((offset + texel) & channel.largest());
+  };
   if (list.blend == raster::Blend::IntegerAdd)
     return {{"clamp instead of integer add",
              "add whole item IDs modulo 2^m: a colour blend unit clamps channels",

@@ -37,12 +37,13 @@ StagedDevice withIds(const IdChange& change) {
   });
 }
 
-/// The same change in each place that holds item IDs.
-std::vector<Variant> withAny(const IdChange& change) {
-  return {{"in item ID files", withIds(change)},
-          {"in index maps", withTexels(change)},
-          {"in offsets", withOffsets(change)}};
+/// A change in each place that holds item IDs; `input` is that of index maps and offsets.
+std::vector<Variant> withAny(const IdChange& change, const IdChange& input) {
+  return {
+      {"in item ID files", withIds(change)}, {"in index maps", withTexels(input)}, {"in offsets", withOffsets(input)}};
 }
+
+std::vector<Variant> withAny(const IdChange& change) { return withAny(change, change); }
 
 // --- channels ---
 
@@ -87,8 +88,7 @@ std::vector<Variant> byteOrders(const raster::IdFormat& format) {
   // Hardware drops the bits beyond the size of an item ID.
   const ItemId all = raster::backgroundId(format);
   const auto cut = [=](ItemId id) { return reversed(id) & all; };
-  return {
-      {"in item ID files", withIds(reversed)}, {"in index maps", withTexels(cut)}, {"in offsets", withOffsets(cut)}};
+  return withAny(reversed, cut);
 }
 
 // --- numbers and constants ---

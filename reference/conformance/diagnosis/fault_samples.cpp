@@ -12,10 +12,6 @@ StagedDevice withFacing(const std::function<Facing(Facing)>& facing) {
   return withStage(&StagedDevice::facing, [=](Facing side, const raster::Face&) { return facing(side); });
 }
 
-Facing turnedOverInMirroredViews(Facing side, const raster::Face& view) {
-  return raster::determinant(view) < 0 ? otherSide(side) : side;
-}
-
 // --- coverage ---
 
 Variant withRule(const std::string& name, const std::function<bool(const glm::dvec2&)>& ownsEdge) {
@@ -91,10 +87,6 @@ std::vector<Variant> sixteenBits() {
   return variants;
 }
 
-StagedDevice withTest(const std::function<bool(double, double)>& passes) {
-  return withStage(&StagedDevice::passes, passes);
-}
-
 /// Depths n/w stay in the target.
 StagedDevice withDepthKept() {
   StagedDevice device = withStage(&StagedDevice::keepsDepth, true);
@@ -105,6 +97,9 @@ StagedDevice withDepthKept() {
 }  // namespace
 
 std::vector<Fault> sampleFaults(const TestVector& vector) {
+  const auto turnedInMirroredViews = [](Facing side, const raster::Face& view) {
+    return raster::determinant(view) < 0 ? otherSide(side) : side;
+  };
   const auto culled = [](Facing side) {
     return withFacing([=](Facing facing) { return facing == side ? Facing::Culled : facing; });
   };
@@ -116,7 +111,7 @@ std::vector<Fault> sampleFaults(const TestVector& vector) {
           {"front and back exchanged",
            "a mirrored view, det(X, Y, W) < 0, reverses windings: look at the front face",
            {{"", withFacing(otherSide)},
-            {"in mirrored views", withStage(&StagedDevice::facing, turnedOverInMirroredViews)},
+            {"in mirrored views", withStage(&StagedDevice::facing, turnedInMirroredViews)},
             {"all taken as fronts", withFacing([](Facing) { return Facing::Front; })},
             {"all taken as backs", withFacing([](Facing) { return Facing::Back; })}}},
           {"wrong fill rule",
@@ -129,13 +124,14 @@ std::vector<Fault> sampleFaults(const TestVector& vector) {
           {"16-bit depth", "ask for a depth format of 32-bit floats, or 24 bits at least", sixteenBits()},
           {"depth test off",
            "turn the depth test and depth writes on, and attach a depth buffer",
-           {{"", withTest([](double, double) { return true; })}}},
+           {{"", withStage(&StagedDevice::passes, [](double, double) { return true; })}}},
           {"depth test reversed",
            "the nearer fragment wins: look at the comparison, the depth range and the depth clear",
-           {{"", withTest([](double depth, double stored) { return depth > stored; })}}},
+           {{"", withStage(&StagedDevice::passes, [](double depth, double stored) { return depth > stored; })}}},
           {"equal depths pass the depth test",
            "at equal depths the triangle drawn first stays: compare with less or greater, without or equal",
-           {{"", withTest([](double depth, double stored) { return depth <= stored + 0x1p-40 * std::abs(stored); })}}},
+           {{"", withStage(&StagedDevice::passes,
+                           [](double depth, double stored) { return depth <= stored + 0x1p-40 * std::abs(stored); })}}},
           {"depth not cleared between faces",
            "clear the depth of the whole target before each face",
            {{"", withDepthKept()}}}};

@@ -26,18 +26,17 @@ struct View {
 
 TestVector hemicube(const radiosity::Scene& scene, const radiosity::Discretization& discretization, const View& view) {
   constexpr int resolution = 64;
-  TestVector vector;
-  vector.name = "scene-" + view.name;
-  vector.catches = "whatever goes wrong in a whole hemicube: " + view.format + (view.aligned ? "" : ", unaligned");
-  vector.origin = scene.origin;
-  vector.list = radiosity::makeDrawList(scene, discretization,
-                                        radiosity::layOut(discretization, {view.format, view.blend, view.aligned}));
   const double near =
       radiosity::nearDistance(scene, radiosity::triangleBoxes(scene), view.eye, {}, radiosity::hemicubeSquaredReach);
-  const auto faces = radiosity::facesOver(radiosity::hemicubeFaces(resolution), view.eye - scene.origin,
-                                          glm::normalize(view.normal), view.up, near);
-  const std::array<std::string, 5> names{"top", "side-right", "side-up", "side-left", "side-down"};
-  for (std::size_t f = 0; f < faces.size(); ++f) vector.faces.push_back({names[f], faces[f], names[f] + ".u32", {}});
+  TestVector vector =
+      makeVector("scene-" + view.name,
+                 "whatever goes wrong in a whole hemicube: " + view.format + (view.aligned ? "" : ", unaligned"),
+                 radiosity::makeDrawList(scene, discretization,
+                                         radiosity::layOut(discretization, {view.format, view.blend, view.aligned})),
+                 radiosity::facesOver(radiosity::hemicubeFaces(resolution), view.eye - scene.origin,
+                                      glm::normalize(view.normal), view.up, near),
+                 {"top", "side-right", "side-up", "side-left", "side-down"});
+  vector.origin = scene.origin;
   return vector;
 }
 

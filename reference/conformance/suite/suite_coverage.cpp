@@ -1,5 +1,4 @@
 /// Which samples a triangle covers: snapping to the sub-pixel grid, corners on samples, needles, and clipping.
-#include <algorithm>
 #include <random>
 
 #include "reference/conformance/suite/vector_suite.h"

@@ -23,19 +23,17 @@ TestVector coplanarFlat(const std::string& name, bool lightFirst) {
 /// Four overlapping triangles of one sloped plane with exactly the same 1/w: w is 1, 2, 4, 8 at the columns 0, 16, 24,
 /// 28 of 32, where 1/w = 1 - column/32.
 TestVector coplanarSloped(const std::string& name, bool reversed) {
-  struct Corner {
-    double column, row, w;
-  };
-  std::vector<std::array<Corner, 3>> triangles{{{{0, 0, 1}, {28, 4, 8}, {16, 32, 2}}},
-                                               {{{0, 32, 1}, {24, 0, 4}, {28, 30, 8}}},
-                                               {{{0, 12, 1}, {24, 8, 4}, {16, 24, 2}}},
-                                               {{{16, 0, 2}, {24, 16, 4}, {0, 24, 1}}}};
+  using Corners = std::array<glm::dvec3, 3>;  // column, row, w
+  const std::vector<Corners> triangles{{{{0, 0, 1}, {28, 4, 8}, {16, 32, 2}}},
+                                       {{{0, 32, 1}, {24, 0, 4}, {28, 30, 8}}},
+                                       {{{0, 12, 1}, {24, 8, 4}, {16, 24, 2}}},
+                                       {{{16, 0, 2}, {24, 16, 4}, {0, 24, 1}}}};
   Picture picture(32);
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     const std::size_t number = reversed ? triangles.size() - 1 - k : k;
     const auto corner = [&](std::size_t c) {
-      const Corner& at = triangles[number][c];
-      return picture.point({at.column, at.row}, at.w);
+      const glm::dvec3& at = triangles[number][c];
+      return picture.point({at.x, at.y}, at.z);
     };
     addDraw(picture, static_cast<raster::ItemId>(number));
     addTriangle(picture, {corner(0), corner(1), corner(2)});

@@ -1,8 +1,8 @@
 /// The item ID of an offset and a texel: channels and their clamping, whole item IDs, reserved item IDs.
-#include <algorithm>
 #include <set>
 
 #include "reference/conformance/suite/vector_suite.h"
+#include "reference/conformance/vectors/colour_channels.h"
 #include "reference/conformance/vectors/draw_list_builder.h"
 
 namespace hemitex::reference {
@@ -57,11 +57,8 @@ TestVector layout(const std::string& name, const raster::IdFormat& format) {
   for (int bit = 0; bit < bits; ++bit) offsets.push_back(ItemId{1} << bit);
   // The highest bit twice would clamp a single channel to the background.
   for (int bit = 0; bit < bits - 1; ++bit) texels.push_back(ItemId{1} << bit);
-  int shift = 0;
-  for (const int width : format.channelBits) {
-    if (width < bits) texels.push_back(((ItemId{1} << width) - 2) << shift);
-    shift += width;
-  }
+  for (const Channel& channel : channelsOf(format))
+    if (channel.bits < bits) texels.push_back((channel.largest() - 1) << channel.shift);
   Picture picture = emptyPicture(48, format, raster::Blend::ClampedAdd);
   addTable(picture, offsets, texels);
   addBack(picture, 47, 47);

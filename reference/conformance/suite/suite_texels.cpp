@@ -127,8 +127,7 @@ TestVector constantCoordinates() {
       const glm::dvec2 pixel(number % 8 * cell + (k == 1 || k == 2 ? cell : 0), number / 8 * cell + k / 2 * cell);
       corners[static_cast<std::size_t>(k)] = picture.point(pixel, std::ldexp(1.0, (k * (2 * number + 1) + number) % 4));
     }
-    addTriangle(picture, {corners[0], corners[2], corners[1]}, {texcoord, texcoord, texcoord});
-    addTriangle(picture, {corners[0], corners[3], corners[2]}, {texcoord, texcoord, texcoord});
+    addQuad(picture, corners, texcoord, texcoord);
   }
   return makeVector("constant-coordinates", "a coordinate that is equal at all corners and interpolated to just below",
                     picture);

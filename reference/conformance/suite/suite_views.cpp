@@ -33,23 +33,13 @@ raster::DrawList asymmetricRoom() {
 /// horizon, and only those above it exist.
 TestVector hemicube(const std::string& name, const std::string& catches, const glm::vec3& eye, const glm::vec3& x,
                     const glm::vec3& y, const glm::vec3& normal) {
-  constexpr int resolution = 64;
-  TestVector vector;
-  vector.name = name;
-  vector.catches = catches;
-  vector.list = asymmetricRoom();
-  const auto add = [&](const std::string& face, const glm::vec3& right, const glm::vec3& rows,
-                       const glm::vec3& forward) {
-    const int first = face == "top" ? 0 : resolution / 2;
-    const Scissor scissor{0, first, resolution, resolution - first};
-    vector.faces.push_back({face, {eye, right, rows, forward, 0.1f, resolution, scissor}, face + ".u32", {}});
+  const auto face = [&](const glm::vec3& right, const glm::vec3& rows, const glm::vec3& forward, int firstRow) -> Face {
+    return {eye, right, rows, forward, 0.1f, 64, {0, firstRow, 64, 64 - firstRow}};
   };
-  add("top", x, y, normal);
-  add("side-right", y, normal, x);
-  add("side-up", -x, normal, y);
-  add("side-left", -y, normal, -x);
-  add("side-down", x, normal, -y);
-  return vector;
+  return makeVector(name, catches, asymmetricRoom(),
+                    {face(x, y, normal, 0), face(y, normal, x, 32), face(-x, normal, y, 32), face(-y, normal, -x, 32),
+                     face(x, normal, -y, 32)},
+                    {"top", "side-right", "side-up", "side-left", "side-down"});
 }
 
 /// The room from faces with different eyes, mirrored, rotated, wider and narrower than ninety degrees.
@@ -81,11 +71,6 @@ TestVector scissors() {
   }
   return makeVector("scissors", "a viewport moved or scaled to the scissor rectangle, padded rows, rows upside down",
                     asymmetricRoom(), faces);
-}
-
-TestVector smallestViewport() {
-  return makeVector("two-by-two", "a viewport that is too small for a tile or a quad of pixels", asymmetricRoom(),
-                    {frontFace(2, 0.1f)});
 }
 
 /// Random triangles of all sizes at the corners of the largest viewport, with scissor rectangles of a few pixels.
@@ -173,7 +158,8 @@ std::vector<TestVector> viewVectors() {
           oddFaces(),
           narrowView(),
           scissors(),
-          smallestViewport(),
+          makeVector("two-by-two", "a viewport that is too small for a tile or a quad of pixels", asymmetricRoom(),
+                     {frontFace(2, 0.1f)}),
           largestViewport(),
           rotatedView()};
 }

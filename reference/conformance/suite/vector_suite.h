@@ -5,7 +5,6 @@
 /// The vectors of scenes (scene_vectors.h) are the other part of the suite. The vectors here need only the rasterizer.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "reference/conformance/vectors/vector_file.h"

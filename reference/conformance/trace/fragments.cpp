@@ -49,13 +49,17 @@ std::vector<DrawnTriangle> drawnTriangles(const raster::DrawList& list) {
   return drawn;
 }
 
-std::vector<ScreenTriangle> screenTriangles(const raster::DrawList& list, const raster::Face& face) {
+std::vector<ScreenTriangle> screenTriangles(const raster::DrawList& list, const raster::Face& face,
+                                            std::span<const DrawnTriangle> drawn) {
   std::vector<raster::TriangleRun> runs;
-  for (const DrawnTriangle& drawn : drawnTriangles(list))
-    runs.push_back({drawn.draw, drawn.triangle, drawn.triangle + 1});
+  for (const DrawnTriangle& each : drawn) runs.push_back({each.draw, each.triangle, each.triangle + 1});
   std::vector<ScreenTriangle> triangles;
   raster::appendScreenTriangles(list, face, runs, {}, triangles);
   return triangles;
+}
+
+std::vector<ScreenTriangle> screenTriangles(const raster::DrawList& list, const raster::Face& face) {
+  return screenTriangles(list, face, drawnTriangles(list));
 }
 
 std::vector<Fragment> fragmentsAt(const raster::DrawList& list, std::span<const ScreenTriangle> triangles, int column,
@@ -69,19 +73,6 @@ std::vector<Fragment> fragmentsAt(const raster::DrawList& list, std::span<const 
   std::vector<Fragment> fragments;
   for (const ScreenTriangle& triangle : covering) fragments.push_back(fragmentOf(list, triangle, column, row));
   return fragments;
-}
-
-std::vector<Fragment> fragmentsAt(const raster::DrawList& list, const raster::Face& face, int column, int row) {
-  return fragmentsAt(list, screenTriangles(list, face), column, row);
-}
-
-std::optional<Fragment> fragmentOf(const raster::DrawList& list, const raster::Face& face, const DrawnTriangle& drawn,
-                                   int column, int row) {
-  std::vector<ScreenTriangle> triangles;
-  const raster::TriangleRun run{drawn.draw, drawn.triangle, drawn.triangle + 1};
-  raster::appendScreenTriangles(list, face, {&run, 1}, {}, triangles);
-  const std::vector<Fragment> fragments = fragmentsAt(list, triangles, column, row);
-  return fragments.empty() ? std::nullopt : std::optional(fragments.front());
 }
 
 }  // namespace hemitex::reference

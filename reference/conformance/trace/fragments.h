@@ -41,21 +41,16 @@ struct DrawnTriangle {
 /// Every triangle of every draw, in draw order.
 std::vector<DrawnTriangle> drawnTriangles(const raster::DrawList& list);
 
-/// Sets up the triangles of all draws on the screen of a face, in draw order. The list and the face are valid. One
-/// setup serves any number of pixels.
+/// Sets up triangles on the screen of a face, given in draw order. The list and the face are valid. One setup serves
+/// any number of pixels.
+std::vector<raster::ScreenTriangle> screenTriangles(const raster::DrawList& list, const raster::Face& face,
+                                                    std::span<const DrawnTriangle> drawn);
+/// The same for the triangles of all draws.
 std::vector<raster::ScreenTriangle> screenTriangles(const raster::DrawList& list, const raster::Face& face);
 
 /// The fragments at pixel (column, row) of the viewport, nearest first, ties in draw order; none at a background pixel.
 /// The pixel lies in the scissor rectangle.
 std::vector<Fragment> fragmentsAt(const raster::DrawList& list, std::span<const raster::ScreenTriangle> triangles,
                                   int column, int row);
-
-/// The same for a single pixel: sets up all triangles of the face.
-std::vector<Fragment> fragmentsAt(const raster::DrawList& list, const raster::Face& face, int column, int row);
-
-/// The fragment of one triangle at a pixel; none where the triangle does not cover the sample. Rounding may let parts
-/// of a clipped triangle overlap: then the nearest counts.
-std::optional<Fragment> fragmentOf(const raster::DrawList& list, const raster::Face& face, const DrawnTriangle& drawn,
-                                   int column, int row);
 
 }  // namespace hemitex::reference

@@ -4,6 +4,8 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cassert>
 
+#include "reference/conformance/vectors/colour_channels.h"
+
 namespace hemitex::reference {
 namespace {
 
@@ -102,13 +104,12 @@ std::vector<DerivedSum> sumsOf(const raster::DrawList& list, raster::ItemId offs
   std::vector<DerivedSum> sums;
   if (list.blend == raster::Blend::Replace) return sums;
   const bool isClamped = list.blend == raster::Blend::ClampedAdd;
-  int shift = 0;
-  for (const int bits : isClamped ? list.format.channelBits : std::vector<int>{raster::idBits(list.format)}) {
-    const std::uint64_t largest = (std::uint64_t{1} << bits) - 1;
-    DerivedSum sum{bits, (offset >> shift) & largest, (texel >> shift) & largest, 0};
+  for (const Channel& channel :
+       isClamped ? channelsOf(list.format) : std::vector{Channel{0, raster::idBits(list.format)}}) {
+    const std::uint64_t largest = channel.largest();
+    DerivedSum sum{channel.bits, channel.of(offset), channel.of(texel), 0};
     sum.result = isClamped ? std::min(sum.offset + sum.texel, largest) : (sum.offset + sum.texel) & largest;
     sums.push_back(sum);
-    shift += bits;
   }
   return sums;
 }

@@ -19,16 +19,8 @@ enum Attribute : std::size_t { X, Y, W, U, V };
 
 /// The vertex stage.
 Attributes vertexStage(const raster::Face& face, const glm::vec3& position, const glm::vec2& texcoord) {
-  const float dx = position.x - face.eye.x;
-  const float dy = position.y - face.eye.y;
-  const float dz = position.z - face.eye.z;
-  const auto product = [&](const glm::vec3& row) {
-    const float a = row.x * dx;
-    const float b = row.y * dy;
-    const float c = row.z * dz;
-    const float ab = a + b;
-    return ab + c;
-  };
+  const glm::vec3 d = position - face.eye;
+  const auto product = [&](const glm::vec3& row) { return (row.x * d.x + row.y * d.y) + row.z * d.z; };
   return {product(face.x), product(face.y), product(face.w), texcoord.x, texcoord.y};
 }
 

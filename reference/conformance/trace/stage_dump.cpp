@@ -1,7 +1,6 @@
 #include "reference/conformance/trace/stage_dump.h"
 
 #include <algorithm>
-#include <cassert>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -85,12 +84,13 @@ void addPixels(const raster::DrawList& list, const raster::Face& face, Stages& s
   raster::parallelFor(numbers.ids.size(), [&](std::size_t pixel) {
     if (numbers.ids[pixel] >= drawn.size()) return;
     const glm::ivec2 at = pixelAt(face.scissor, pixel);
-    const auto fragment = fragmentOf(list, face, drawn[numbers.ids[pixel]], at.x, at.y);
-    assert(fragment);
-    stages.triangles[pixel] = static_cast<std::int32_t>(fragment->triangle);
-    stages.inverseDepths[pixel] = fragment->inverseDepth;
-    stages.coordinates[pixel] = {fragment->u, fragment->v};
-    if (fragment->texel) stages.texels[pixel] = {fragment->texel->column, fragment->texel->row};
+    // Rounding may let parts of a clipped triangle overlap: then the nearest counts.
+    const auto parts = screenTriangles(list, face, {&drawn[numbers.ids[pixel]], 1});
+    const Fragment fragment = fragmentsAt(list, parts, at.x, at.y).at(0);
+    stages.triangles[pixel] = static_cast<std::int32_t>(fragment.triangle);
+    stages.inverseDepths[pixel] = fragment.inverseDepth;
+    stages.coordinates[pixel] = {fragment.u, fragment.v};
+    if (fragment.texel) stages.texels[pixel] = {fragment.texel->column, fragment.texel->row};
   });
 }
 

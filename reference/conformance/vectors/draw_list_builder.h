@@ -50,11 +50,12 @@ inline void addTriangle(raster::DrawList& list, std::initializer_list<glm::vec3>
   list.draws.back().count += 3;
 }
 
-/// Adds the triangles (0, 2, 1) and (0, 3, 2) of a quad to the last draw, with (0, 0), (1, 0), (1, 1) and (0, 1) as
-/// texture coordinates. A front face sees a quad from its front whose corners wind like those of the unit square.
-inline void addQuad(raster::DrawList& list, const std::array<glm::vec3, 4>& corners) {
-  addTriangle(list, {corners[0], corners[2], corners[1]}, {{0, 0}, {1, 1}, {1, 0}});
-  addTriangle(list, {corners[0], corners[3], corners[2]}, {{0, 0}, {0, 1}, {1, 1}});
+/// Adds the triangles (0, 2, 1) and (0, 3, 2) of a quad to the last draw. Its texture coordinates are `low` at corner 0
+/// and `high` at corner 2. A front face sees a quad from its front whose corners wind like those of the unit square.
+inline void addQuad(raster::DrawList& list, const std::array<glm::vec3, 4>& corners, const glm::vec2& low = {0, 0},
+                    const glm::vec2& high = {1, 1}) {
+  addTriangle(list, {corners[0], corners[2], corners[1]}, {low, high, {high.x, low.y}});
+  addTriangle(list, {corners[0], corners[3], corners[2]}, {low, {low.x, high.y}, high});
 }
 
 /// Pixels [firstColumn, endColumn) x [firstRow, endRow).
@@ -77,13 +78,13 @@ struct Picture : raster::DrawList {
 
   Block whole() const { return {0, 0, resolution, resolution}; }
 
-  /// Adds two triangles to the last draw that fill a block and face the eye. Its texture coordinates are `low` at its
-  /// first corner and `high` at the opposite one.
+  /// Adds a quad to the last draw that fills a block and faces the eye.
   void addBlock(const Block& block, double w = 1, const glm::vec2& low = {0, 0}, const glm::vec2& high = {1, 1}) {
-    const glm::vec3 a = point({block.firstColumn, block.firstRow}, w), b = point({block.endColumn, block.firstRow}, w);
-    const glm::vec3 c = point({block.endColumn, block.endRow}, w), d = point({block.firstColumn, block.endRow}, w);
-    addTriangle(*this, {a, c, b}, {low, high, {high.x, low.y}});
-    addTriangle(*this, {a, d, c}, {low, {low.x, high.y}, high});
+    const auto& [column, row, endColumn, endRow] = block;
+    addQuad(*this,
+            {point({column, row}, w), point({endColumn, row}, w), point({endColumn, endRow}, w),
+             point({column, endRow}, w)},
+            low, high);
   }
 
   /// Adds a triangle to the last draw that covers the sample of one pixel, and no other, with constant coordinates.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "raster/base/input_error.h"
+#include "reference/conformance/vectors/colour_channels.h"
 #include "reference/conformance/vectors/draw_list_builder.h"
 
 namespace hemitex::reference {
@@ -76,31 +77,34 @@ void addFour(Drawing& drawing, Random& random, const MakeCorners& corners) {
   for (int k = 0; k < 4; ++k) add(drawing, random, corners());
 }
 
+/// The same on a map of any size.
+template <typename MakeCorners>
+Drawing ofFour(Random& random, const MakeCorners& corners) {
+  Drawing drawing = emptyDrawing(anyCountingMap(random));
+  addFour(drawing, random, corners);
+  return drawing;
+}
+
 // --- coverage and clipping ---
 
 Drawing generic(Random& random) {
-  Drawing drawing = emptyDrawing(anyCountingMap(random));
-  addFour(drawing, random, [&] { return anyCorners(random); });
-  return drawing;
+  return ofFour(random, [&] { return anyCorners(random); });
 }
 
 /// Triangles whose height is down to 1e-7 of their length.
 Drawing slivers(Random& random) {
-  Drawing drawing = emptyDrawing(anyCountingMap(random));
-  addFour(drawing, random, [&]() -> Corners {
+  return ofFour(random, [&]() -> Corners {
     const glm::vec3 a = anyPoint(random), b = anyPoint(random);
     const float height = random.oneOf({1e-1f, 1e-3f, 1e-5f, 1e-7f});
     const float t = random.uniform(0, 1);
     return {a, b, a + t * (b - a) + height * anyPoint(random)};
   });
-  return drawing;
 }
 
 /// Corners on samples, on half sub-pixels (where snapping rounds to even) and on sub-pixels; edges through samples,
 /// some of them along pixel rows.
 Drawing sampleTies(Random& random) {
-  Drawing drawing = emptyDrawing(anyCountingMap(random));
-  addFour(drawing, random, [&] {
+  return ofFour(random, [&] {
     const int steps = random.oneOf({16, 32, 4096, 8192});  // per unit of the picture
     // Devices may clip at the sides of the view. Then they move edges, and only triangles inside of it have exact ties.
     const int range = random.oneOf({9, 13}) * steps / 10;
@@ -112,7 +116,6 @@ Drawing sampleTies(Random& random) {
       return seenAt({x, y, random.oneOf({0.5f, 1.0f, 2.0f})});
     });
   });
-  return drawing;
 }
 
 /// Corners in front of, on and behind the near plane.
@@ -130,15 +133,13 @@ Drawing nearPlane(Random& random) {
 
 /// Triangles that extend far beyond the guard band.
 Drawing guardBand(Random& random) {
-  Drawing drawing = emptyDrawing(anyCountingMap(random));
   const auto point = [&] {
     const float size = random.oneOf({1.0f, 30.0f, 1000.0f});
     glm::vec3 corner = seenAt({random.uniform(-size, size), random.uniform(-size, size), random.uniform(0.1f, 3)});
     if (random.isOneIn(6)) corner.x = random.oneOf({-8.0f, 8.0f}) * corner.z;
     return corner;
   };
-  addFour(drawing, random, [&] { return cornersOf(point); });
-  return drawing;
+  return ofFour(random, [&] { return cornersOf(point); });
 }
 
 /// The generic drawing a million units away, where binary32 positions have a resolution of a sixteenth of a unit.
@@ -176,12 +177,10 @@ Drawing longEdges(Random& random) {
 
 /// Depths that differ by a factor of a million.
 Drawing depthRatios(Random& random) {
-  Drawing drawing = emptyDrawing(anyCountingMap(random));
   const auto point = [&] {
     return seenAt({random.uniform(-1.3f, 1.3f), random.uniform(-1.3f, 1.3f), random.oneOf({1e-2f, 1e4f})});
   };
-  addFour(drawing, random, [&] { return cornersOf(point); });
-  return drawing;
+  return ofFour(random, [&] { return cornersOf(point); });
 }
 
 /// Overlapping triangles of one plane, in random order; some have exact ties everywhere.
@@ -407,8 +406,7 @@ Drawing channelSums(Random& random) {
   const auto channels = static_cast<std::uint32_t>(format.channelBits.size());
   std::size_t kept = random.below(channels);
   while (format.channelBits[kept] < 2) kept = random.below(channels);
-  int topBit = -1;
-  for (std::size_t k = 0; k <= kept; ++k) topBit += format.channelBits[k];
+  const int topBit = channelsOf(format)[kept].shift + format.channelBits[kept] - 1;
   const auto id = [&] { return anyId(random, format) & ~(ItemId{1} << topBit); };
   return idDrawing(random, format, raster::Blend::ClampedAdd, id, [&](const raster::IndexMap&) { return id(); });
 }

@@ -332,14 +332,16 @@ std::string idsHash(std::span<const raster::ItemId> ids) {
   return text;
 }
 
-TestVector makeVector(std::string name, std::string catches, raster::DrawList list, std::vector<raster::Face> faces) {
+TestVector makeVector(std::string name, std::string catches, raster::DrawList list, std::vector<raster::Face> faces,
+                      const std::vector<std::string>& names) {
   TestVector vector;
   vector.name = std::move(name);
   vector.catches = std::move(catches);
   vector.list = std::move(list);
-  for (const raster::Face& face : faces) {
-    const std::string faceName = faces.size() == 1 ? "front" : "face-" + std::to_string(vector.faces.size());
-    vector.faces.push_back({faceName, face, faceName + ".u32", {}});
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const std::string numbered = faces.size() == 1 ? "front" : "face-" + std::to_string(f);
+    const std::string& faceName = names.empty() ? numbered : names[f];
+    vector.faces.push_back({faceName, faces[f], faceName + ".u32", {}});
   }
   return vector;
 }

@@ -30,8 +30,9 @@ struct TestVector {
   std::vector<VectorFace> faces;
 };
 
-/// A vector. Its only face is named "front"; several faces are numbered.
-TestVector makeVector(std::string name, std::string catches, raster::DrawList list, std::vector<raster::Face> faces);
+/// A vector. Without `names`, its only face is named "front", and several faces are numbered.
+TestVector makeVector(std::string name, std::string catches, raster::DrawList list, std::vector<raster::Face> faces,
+                      const std::vector<std::string>& names = {});
 
 /// The views of all faces of a vector.
 std::vector<raster::Face> facesOf(const TestVector& vector);

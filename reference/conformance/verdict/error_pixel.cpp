@@ -23,10 +23,8 @@ ItemId texelUnder(const raster::DrawList& list, ItemId offset, ItemId id) {
 std::optional<IdOrigin> originIn(const raster::DrawList& list, std::uint32_t number, ItemId id) {
   const raster::Draw& draw = list.draws[number];
   if (draw.back == id) return IdOrigin{IdOrigin::Kind::Back, number, {}};
-  if (!draw.indexMap) {
-    if (draw.offset != id) return {};
-    return IdOrigin{IdOrigin::Kind::Offset, number, {}};
-  }
+  if (!draw.indexMap && draw.offset == id) return IdOrigin{IdOrigin::Kind::Offset, number, {}};
+  if (!draw.indexMap) return {};
   const ItemId behind = texelUnder(list, draw.offset, id);
   if (raster::blend(list.format, list.blend, draw.offset, behind) != id) return {};
   const std::optional<Texel> texel = findTexel(list.indexMaps[static_cast<std::size_t>(*draw.indexMap)], behind);

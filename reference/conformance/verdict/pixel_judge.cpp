@@ -33,6 +33,8 @@ std::vector<Candidate> candidatesAt(const JudgedFace& face, std::span<const Devi
 
 using Corner = std::tuple<double, double, double>;
 
+Corner cornerOf(const DeviceVertex& vertex) { return {vertex.view.x, vertex.view.y, vertex.view.w}; }
+
 /// An edge that may pass over the sample, its ends in order.
 struct PassingEdge {
   Corner low, high;
@@ -49,8 +51,7 @@ std::vector<PassingEdge> passingEdges(const JudgedFace& face, const std::vector<
     for (std::size_t k = 0; k < 3; ++k) {
       const DeviceTriangle& triangle = *candidates[c].triangle;
       if (!edgeMayPass(triangle, k, sample, face.profile.edgeRule)) continue;
-      const auto corner = [](const DeviceVertex& v) { return Corner(v.view.x, v.view.y, v.view.w); };
-      const Corner from = corner(triangle.vertices[k]), to = corner(triangle.vertices[(k + 1) % 3]);
+      const Corner from = cornerOf(triangle.vertices[k]), to = cornerOf(triangle.vertices[(k + 1) % 3]);
       edges.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1, c});
     }
   std::sort(edges.begin(), edges.end(), [](const PassingEdge& a, const PassingEdge& b) {
@@ -144,9 +145,7 @@ bool mayGive(const JudgedFace& face, const Candidate& candidate, ItemId id) {
 
 bool haveSameCorners(const DeviceTriangle& a, const DeviceTriangle& b) {
   return std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(),
-                    [](const DeviceVertex& p, const DeviceVertex& q) {
-                      return p.view.x == q.view.x && p.view.y == q.view.y && p.view.w == q.view.w;
-                    });
+                    [](const DeviceVertex& p, const DeviceVertex& q) { return cornerOf(p) == cornerOf(q); });
 }
 
 /// Whether an earlier candidate has the same corners. Then it covers the same samples at the same depths on every

@@ -12,18 +12,14 @@ namespace {
 
 using Fails = std::function<bool(const TestVector&)>;
 
-/// Assigns new consecutive numbers in the order of first use.
-class Renumbering {
- public:
-  /// The new number, and whether it is new.
-  std::pair<std::uint32_t, bool> operator()(std::uint32_t old) {
-    const auto [place, isNew] = numbers_.try_emplace(old, static_cast<std::uint32_t>(numbers_.size()));
-    return {place->second, isNew};
-  }
+/// New consecutive numbers in the order of first use.
+using Numbers = std::map<std::uint32_t, std::uint32_t>;
 
- private:
-  std::map<std::uint32_t, std::uint32_t> numbers_;
-};
+/// The new number, and whether it is new.
+std::pair<std::uint32_t, bool> renumber(Numbers& numbers, std::uint32_t old) {
+  const auto [place, isNew] = numbers.try_emplace(old, static_cast<std::uint32_t>(numbers.size()));
+  return {place->second, isNew};
+}
 
 /// The list with only these triangles, given in draw order, and with the draws and index maps that they use.
 raster::DrawList withTriangles(const raster::DrawList& list, std::span<const DrawnTriangle> triangles) {
@@ -32,14 +28,14 @@ raster::DrawList withTriangles(const raster::DrawList& list, std::span<const Dra
   result.blend = list.blend;
   result.positions = list.positions;
   result.texcoords = list.texcoords;
-  Renumbering draws, maps;
+  Numbers draws, maps;
   for (const DrawnTriangle& each : triangles) {
-    if (draws(each.draw).second) {
+    if (renumber(draws, each.draw).second) {
       raster::Draw draw = list.draws[each.draw];
       draw.first = static_cast<std::uint32_t>(result.indices.size());
       draw.count = 0;
       if (draw.indexMap) {
-        const auto [map, isNew] = maps(static_cast<std::uint32_t>(*draw.indexMap));
+        const auto [map, isNew] = renumber(maps, static_cast<std::uint32_t>(*draw.indexMap));
         if (isNew) result.indexMaps.push_back(list.indexMaps[static_cast<std::size_t>(*draw.indexMap)]);
         draw.indexMap = static_cast<int>(map);
       }
@@ -56,9 +52,9 @@ raster::DrawList withTriangles(const raster::DrawList& list, std::span<const Dra
 raster::DrawList withUsedVertices(raster::DrawList list) {
   const std::vector<glm::vec3> positions = std::exchange(list.positions, {});
   const std::vector<glm::vec2> texcoords = std::exchange(list.texcoords, {});
-  Renumbering vertices;
+  Numbers vertices;
   for (std::uint32_t& index : list.indices) {
-    const auto [vertex, isNew] = vertices(index);
+    const auto [vertex, isNew] = renumber(vertices, index);
     if (isNew) {
       list.positions.push_back(positions[index]);
       list.texcoords.push_back(texcoords[index]);
@@ -68,8 +64,12 @@ raster::DrawList withUsedVertices(raster::DrawList list) {
   return list;
 }
 
-/// Takes `smaller` in place of `vector` if it fails.
-bool replace(TestVector& vector, TestVector smaller, const Fails& fails) {
+using Change = std::function<void(TestVector&)>;
+
+/// Changes the vector if it fails then.
+bool replaceBy(TestVector& vector, const Fails& fails, const Change& change) {
+  TestVector smaller = vector;
+  change(smaller);
   if (!fails(smaller)) return false;
   vector = std::move(smaller);
   return true;
@@ -77,24 +77,21 @@ bool replace(TestVector& vector, TestVector smaller, const Fails& fails) {
 
 bool keepOneFace(TestVector& vector, const Fails& fails) {
   if (vector.faces.size() == 1) return false;
-  for (const VectorFace& face : vector.faces) {
-    TestVector smaller = vector;
-    smaller.faces = {face};
-    if (replace(vector, smaller, fails)) return true;
-  }
+  for (std::size_t f = 0; f < vector.faces.size(); ++f)
+    if (replaceBy(vector, fails, [f](TestVector& smaller) { smaller.faces = {VectorFace(smaller.faces[f])}; }))
+      return true;
   return false;
 }
 
 bool removeTriangles(TestVector& vector, const Fails& fails) {
   const std::vector<DrawnTriangle> all = drawnTriangles(vector.list);
-  const auto with = [&](std::span<const DrawnTriangle> triangles) {
-    TestVector smaller = vector;
-    smaller.list = withTriangles(vector.list, triangles);
-    return smaller;
-  };
-  const auto kept = fewestTriangles(all, [&](std::span<const DrawnTriangle> each) { return fails(with(each)); });
+  TestVector smaller = vector;
+  const auto kept = fewestTriangles(all, [&](std::span<const DrawnTriangle> each) {
+    smaller.list = withTriangles(vector.list, each);
+    return fails(smaller);
+  });
   if (kept.size() == all.size()) return false;
-  vector = with(kept);
+  vector.list = withTriangles(vector.list, kept);
   return true;
 }
 
@@ -104,14 +101,14 @@ struct Interval {
   int size() const { return last - first; }
 };
 
-/// Removes half of an interval at one end or the other, then a quarter, and so on, while `replaceBy` takes the rest.
+/// Removes half of an interval at one end or the other, then a quarter, and so on, while `keep` takes the rest.
 /// Returns whether it removed anything.
-bool shrink(Interval& interval, const std::function<bool(const Interval&)>& replaceBy) {
+bool shrink(Interval& interval, const std::function<bool(const Interval&)>& keep) {
   bool isSmaller = false;
   for (int run = interval.size() / 2; run > 0 && interval.size() > 1;) {
     run = std::min(run, interval.size() - 1);
     const std::array<Interval, 2> rests{{{interval.first, interval.last - run}, {interval.first + run, interval.last}}};
-    const auto rest = std::find_if(rests.begin(), rests.end(), replaceBy);
+    const auto rest = std::find_if(rests.begin(), rests.end(), keep);
     if (rest == rests.end()) {
       run /= 2;
     } else {
@@ -125,13 +122,11 @@ bool shrink(Interval& interval, const std::function<bool(const Interval&)>& repl
 /// Shrinks columns, then rows. `change` gives a copy of the vector the columns and rows that stay.
 bool shrinkBoth(TestVector& vector, const Fails& fails, Interval columns, Interval rows,
                 const std::function<void(TestVector&, const Interval&, const Interval&)>& change) {
-  const auto replaceBy = [&](const Interval& newColumns, const Interval& newRows) {
-    TestVector smaller = vector;
-    change(smaller, newColumns, newRows);
-    return replace(vector, std::move(smaller), fails);
+  const auto keep = [&](const Interval& c, const Interval& r) {
+    return replaceBy(vector, fails, [&](TestVector& smaller) { change(smaller, c, r); });
   };
-  const bool isNarrower = shrink(columns, [&](const Interval& each) { return replaceBy(each, rows); });
-  return shrink(rows, [&](const Interval& each) { return replaceBy(columns, each); }) || isNarrower;
+  const bool isNarrower = shrink(columns, [&](const Interval& each) { return keep(each, rows); });
+  return shrink(rows, [&](const Interval& each) { return keep(columns, each); }) || isNarrower;
 }
 
 bool removePixels(TestVector& vector, const Fails& fails) {
@@ -180,31 +175,30 @@ bool mergeVertices(TestVector& vector, const Fails& fails) {
   const std::set<std::uint32_t> used(vector.list.indices.begin(), vector.list.indices.end());
   for (const std::uint32_t gone : used)
     for (const std::uint32_t other : used) {
-      TestVector smaller = vector;
-      std::replace(smaller.list.indices.begin(), smaller.list.indices.end(), gone, other);
-      if (smaller.list.indices == vector.list.indices || isDegenerate(smaller.list.indices)) continue;
-      isSmaller |= replace(vector, smaller, fails);
+      std::vector<std::uint32_t> merged = vector.list.indices;
+      std::replace(merged.begin(), merged.end(), gone, other);
+      if (merged == vector.list.indices || isDegenerate(merged)) continue;
+      isSmaller |= replaceBy(vector, fails, [&](TestVector& smaller) { smaller.list.indices = merged; });
     }
   return isSmaller;
 }
 
 /// Removes all vertices that no triangle uses. If a fault needs their number, it removes those at the ends.
 bool removeVertices(TestVector& vector, const Fails& fails) {
-  TestVector smallest = vector;
-  smallest.list = withUsedVertices(vector.list);
-  if (smallest.list.positions.size() == vector.list.positions.size()) return false;
-  if (replace(vector, smallest, fails)) return true;
+  const raster::DrawList smallest = withUsedVertices(vector.list);
+  if (smallest.positions.size() == vector.list.positions.size()) return false;
+  if (replaceBy(vector, fails, [&](TestVector& smaller) { smaller.list = smallest; })) return true;
   const raster::DrawList whole = vector.list;
   const auto used = std::minmax_element(whole.indices.begin(), whole.indices.end());
   Interval all{0, static_cast<int>(whole.positions.size())};
   return shrink(all, [&](const Interval& kept) {
     if (std::int64_t{*used.first} < kept.first || std::int64_t{*used.second} >= kept.last) return false;
-    TestVector smaller = vector;
-    smaller.list.positions.assign(whole.positions.begin() + kept.first, whole.positions.begin() + kept.last);
-    smaller.list.texcoords.assign(whole.texcoords.begin() + kept.first, whole.texcoords.begin() + kept.last);
-    for (std::size_t k = 0; k < whole.indices.size(); ++k)
-      smaller.list.indices[k] = whole.indices[k] - static_cast<std::uint32_t>(kept.first);
-    return replace(vector, smaller, fails);
+    return replaceBy(vector, fails, [&](TestVector& smaller) {
+      smaller.list.positions.assign(whole.positions.begin() + kept.first, whole.positions.begin() + kept.last);
+      smaller.list.texcoords.assign(whole.texcoords.begin() + kept.first, whole.texcoords.begin() + kept.last);
+      for (std::size_t k = 0; k < whole.indices.size(); ++k)
+        smaller.list.indices[k] = whole.indices[k] - static_cast<std::uint32_t>(kept.first);
+    });
   });
 }
 

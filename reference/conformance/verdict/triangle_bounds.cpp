@@ -152,13 +152,6 @@ Clipped clipTriangle(const raster::DrawList& list, const raster::Face& face, std
   return {raster::clip(corners, looseNear), raster::clip(sizes, looseNear), true, largest};
 }
 
-double nearestDepth(const raster::ClippedPolygon& polygon) {
-  double nearest = HUGE_VAL;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(polygon.count); ++k)
-    nearest = std::min(nearest, polygon.vertices[k].w);
-  return nearest;
-}
-
 /// Triangle (0, k - 1, k) of the fan of a polygon, its vertices placed.
 DeviceTriangle fanTriangle(const Clipped& clipped, std::size_t k, const Placement& placement) {
   DeviceTriangle triangle{};
@@ -169,7 +162,9 @@ DeviceTriangle fanTriangle(const Clipped& clipped, std::size_t k, const Placemen
     triangle.depthSlack = std::max(triangle.depthSlack, placement.depthSlack(sizes));
   }
   triangle.largest = clipped.largest;
-  triangle.nearestDepth = nearestDepth(clipped.polygon);
+  triangle.nearestDepth = HUGE_VAL;
+  for (std::size_t v = 0; v < static_cast<std::size_t>(clipped.polygon.count); ++v)
+    triangle.nearestDepth = std::min(triangle.nearestDepth, clipped.polygon.vertices[v].w);
   return triangle;
 }
 
@@ -262,12 +257,10 @@ std::vector<DeviceTriangle> placeTriangles(const raster::DrawList& list, const r
 std::optional<Region> regionAt(const DeviceTriangle& triangle, const glm::dvec2& sample, EdgeRule rule) {
   // Without reach the box is a point; the pad keeps it when rounding moves corners of the polygon.
   constexpr double pad = 0x1p-16;
-  const auto& [a, b, c] = triangle.vertices;
-  const glm::dvec2 low = glm::min(a.position, glm::min(b.position, c.position));
-  const glm::dvec2 high = glm::max(a.position, glm::max(b.position, c.position));
+  const Extent extent = extentOf(triangle);
   for (int axis = 0; axis < 2; ++axis) {
     const double reach = triangle.reach[axis] + pad;
-    if (low[axis] > sample[axis] + reach || high[axis] < sample[axis] - reach) return {};
+    if (extent.low[axis] > sample[axis] + reach || extent.high[axis] < sample[axis] - reach) return {};
   }
   if (isOutsideFixedEdge(triangle, sample, rule) || isBeyondEdge(triangle, sample, triangle.reach + 2 * pad)) return {};
   Polygon polygon;

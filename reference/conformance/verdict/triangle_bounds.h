@@ -50,6 +50,17 @@ struct DeviceTriangle {
   bool mayFlip;    ///< whether the reach allows the other facing
 };
 
+/// The smallest and largest coordinates of the placed vertices.
+struct Extent {
+  glm::dvec2 low, high;
+};
+
+inline Extent extentOf(const DeviceTriangle& triangle) {
+  const auto& [a, b, c] = triangle.vertices;
+  return {glm::min(a.position, glm::min(b.position, c.position)),
+          glm::max(a.position, glm::max(b.position, c.position))};
+}
+
 /// The triangles of a list in draw order, clipped, cut into fans and snapped by the rules, with their reach. With
 /// `loose`, a device may clip a triangle that leaves the view at other planes. All vertices of such a triangle get the
 /// largest error of its corners and of any snapping. Triangles for which `isWanted` is false are left out.

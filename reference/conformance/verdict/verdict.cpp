@@ -31,19 +31,15 @@ struct Tiles {
   /// Calls visit(tile) for each tile with a sample that the triangle may cover, and perhaps others.
   template <typename Visit>
   void forEach(const DeviceTriangle& triangle, const Visit& visit) const {
-    glm::dvec2 low = triangle.vertices[0].position, high = low;
-    for (const DeviceVertex& vertex : triangle.vertices) {
-      low = glm::min(low, vertex.position);
-      high = glm::max(high, vertex.position);
-    }
+    const Extent extent = extentOf(triangle);
     // One more pixel on either side: the bounds need not be tight.
     const glm::dvec2 corner(scissor.column, scissor.row);
     const auto tileOf = [&](const glm::dvec2& position) {
       return glm::floor((position / 256.0 - corner) / static_cast<double>(tileSide));
     };
     const glm::dvec2 last(columns - 1, rows - 1);
-    const glm::dvec2 from = glm::max(tileOf(low - triangle.reach - 256.0), glm::dvec2(0.0));
-    const glm::dvec2 to = glm::min(tileOf(high + triangle.reach + 256.0), last);
+    const glm::dvec2 from = glm::max(tileOf(extent.low - triangle.reach - 256.0), glm::dvec2(0.0));
+    const glm::dvec2 to = glm::min(tileOf(extent.high + triangle.reach + 256.0), last);
     for (int row = static_cast<int>(from.y); row <= to.y; ++row)
       for (int column = static_cast<int>(from.x); column <= to.x; ++column) visit(index(column, row));
   }
@@ -52,12 +48,13 @@ struct Tiles {
 /// The pixels to judge, by tile: indices into the item buffer.
 using TilePixels = std::vector<std::vector<std::size_t>>;
 
-TilePixels pixelsWith(PixelVerdict verdict, const FaceVerdict& face, const Tiles& tiles) {
+TilePixels errorsOf(const FaceVerdict& face, const Tiles& tiles) {
   TilePixels pixels(tiles.size());
-  std::size_t index = 0;
-  for (int row = 0; row < face.scissor.height; ++row)
-    for (int column = 0; column < face.scissor.width; ++column, ++index)
-      if (face.pixels[index] == verdict) pixels[tiles.index(column / tileSide, row / tileSide)].push_back(index);
+  for (std::size_t index = 0; index < face.pixels.size(); ++index) {
+    const glm::ivec2 tile =
+        (pixelAt(face.scissor, index) - glm::ivec2(face.scissor.column, face.scissor.row)) / tileSide;
+    if (face.pixels[index] == PixelVerdict::Error) pixels[tiles.index(tile.x, tile.y)].push_back(index);
+  }
   return pixels;
 }
 
@@ -65,7 +62,7 @@ TilePixels pixelsWith(PixelVerdict verdict, const FaceVerdict& face, const Tiles
 void judgeErrors(const raster::DrawList& list, const raster::Face& view, const DeviceProfile& profile, bool loose,
                  FaceVerdict& face) {
   const Tiles tiles(face.scissor);
-  const TilePixels pixels = pixelsWith(PixelVerdict::Error, face, tiles);
+  const TilePixels pixels = errorsOf(face, tiles);
   const auto isWanted = [&](const DeviceTriangle& triangle) {
     bool wanted = false;
     tiles.forEach(triangle, [&](std::size_t tile) { wanted |= !pixels[tile].empty(); });

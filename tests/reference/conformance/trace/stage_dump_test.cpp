@@ -115,9 +115,10 @@ TEST_CASE("stagesOf holds the first fragment of every pixel", "[stages]") {
                "guard-band-sheet", "coplanar-slope", "same-triangle", "minified", "needles"}))
     for (const reference::VectorFace& face : vector.faces) {
       const Stages stages = reference::stagesOf(vector.list, face.face);
+      const auto triangles = reference::screenTriangles(vector.list, face.face);
       std::size_t wrong = 0;
       forEachPixel(face.face, [&](std::size_t pixel, int column, int row) {
-        const auto fragments = reference::fragmentsAt(vector.list, face.face, column, row);
+        const auto fragments = reference::fragmentsAt(vector.list, triangles, column, row);
         reference::Fragment visible;
         if (!fragments.empty()) visible = fragments.front();
         const std::int32_t triangle = fragments.empty() ? -1 : static_cast<std::int32_t>(visible.triangle);
