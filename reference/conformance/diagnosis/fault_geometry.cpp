@@ -72,8 +72,8 @@ Variant withSidesAt(const std::string& name, double size) {
 }
 
 Variant withNearPlaneAt(const std::string& name, double distances) {
-  const auto transform = [=, byRules = StagedGeometry().transform](const Face& face, const glm::vec3& position) {
-    glm::dvec4 p = byRules(face, position);
+  const auto transform = [=](const Face& face, const glm::vec3& position) {
+    glm::dvec4 p = transformByRules(face, position);
     p.z = p.w - distances * static_cast<double>(face.nearDistance);
     return p;
   };
@@ -82,9 +82,9 @@ Variant withNearPlaneAt(const std::string& name, double distances) {
 
 /// Triangles that cross the near plane are left out.
 Variant withoutCutTriangles() {
-  const auto clip = [byRules = StagedGeometry().clip](const ClipPolygon& polygon) {
+  const auto clip = [](const ClipPolygon& polygon) {
     const auto isBehind = [](const ClipVertex& vertex) { return vertex.position.z < 0; };
-    return std::any_of(polygon.begin(), polygon.end(), isBehind) ? ClipPolygon{} : byRules(polygon);
+    return std::any_of(polygon.begin(), polygon.end(), isBehind) ? ClipPolygon{} : clipByRules(polygon);
   };
   return {"triangles that cross the near plane left out", withGeometry(&StagedGeometry::clip, clip)};
 }

@@ -14,11 +14,42 @@
 #include <span>
 #include <vector>
 
-#include "reference/conformance/diagnosis/staged_geometry.h"
 #include "reference/conformance/vectors/vector_file.h"
 #include "reference/conformance/verdict/triangle_bounds.h"
 
 namespace hemitex::reference {
+
+/// A vertex in clip coordinates.
+struct ClipVertex {
+  glm::dvec4 position;  ///< x, y, z, w
+  glm::dvec2 texcoord;
+};
+
+/// A convex polygon; it may be empty.
+using ClipPolygon = std::vector<ClipVertex>;
+
+/// The part of a polygon where dot(plane, position) >= 0.
+ClipPolygon clipAt(const glm::dvec4& plane, const ClipPolygon& polygon);
+
+/// Clips at |x| = size w and |y| = size w.
+ClipPolygon clipAtSides(double size, ClipPolygon polygon);
+
+/// The rules: the near plane is z = 0, with z = w - n.
+glm::dvec4 transformByRules(const raster::Face& face, const glm::vec3& position);
+ClipPolygon clipByRules(const ClipPolygon& polygon);
+
+/// Vertex transformation, clipping and snapping:
+///
+///     position -> clip coordinates (x, y, z, w) -> polygon -> fan of triangles on the sub-pixel grid
+struct StagedGeometry {
+  /// The clip coordinates of a position.
+  std::function<glm::dvec4(const raster::Face&, const glm::vec3&)> transform = transformByRules;
+
+  std::function<ClipPolygon(const ClipPolygon&)> clip = clipByRules;
+
+  /// The grid position of a position in sub-pixels.
+  std::function<double(double)> snap = [](double position) { return std::nearbyint(position); };
+};
 
 enum class Facing { Front, Back, Culled };
 
