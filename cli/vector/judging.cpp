@@ -9,7 +9,7 @@
 #include "cli/common/table.h"
 #include "raster/base/file_io.h"
 #include "reference/conformance/calibration/device_class.h"
-#include "reference/conformance/diagnosis/junit_report.h"
+#include "reference/conformance/diagnosis/verdict_report.h"
 #include "reference/conformance/pictures/verdict_picture.h"
 #include "reference/conformance/records/conformance_record.h"
 #include "reference/conformance/vectors/vector_file.h"
@@ -272,8 +272,7 @@ Report judgeAnswer(const JudgingOptions& options, const reference::DeviceProfile
   report.isMissing = !fs::is_directory(folder);
   if (!report.isMissing && !isUnsupported(vector)) {
     const std::vector<raster::ItemBuffer> found = reference::readCandidate(folder, vector.vector);
-    const auto judge = options.isExact ? reference::reportExactly : reference::reportOn;
-    report = judge(vector.vector, found, profile);
+    report = reference::reportOn(vector.vector, found, profile, options.isExact);
   }
   report.expected = vector.expected;
   return report;

@@ -76,8 +76,8 @@ Json toJson(const Repetition& repetition) {
   return json;
 }
 
-ReferenceCheck compareReference(const TestVector& vector, std::span<const raster::ItemBuffer> expected) {
-  const std::vector<raster::ItemBuffer> drawn = render(vector);
+ReferenceCheck compareReference(std::span<const raster::ItemBuffer> drawn,
+                                std::span<const raster::ItemBuffer> expected) {
   ReferenceCheck check;
   for (std::size_t f = 0; f < drawn.size(); ++f)
     for (std::size_t pixel = 0; pixel < drawn[f].ids.size(); ++pixel, ++check.pixels)
@@ -85,25 +85,99 @@ ReferenceCheck compareReference(const TestVector& vector, std::span<const raster
   return check;
 }
 
-Report reportOn(const TestVector& vector, Verdict verdict) {
-  Report report{std::move(verdict), {}, {}};
-  report.errors = firstErrors(vector, report.verdict);
-  report.findings = diagnose(vector, report.verdict);
-  return report;
+// --- JUnit XML ---
+
+struct TestCase {
+  std::string name;
+  std::string result = {};   ///< `failure` or `skipped`; empty for a pass
+  std::string message = {};  ///< of the result
+  std::string text = {};     ///< lines below the message
+};
+
+/// A failure, or a skipped test case where it is expected.
+TestCase failing(const Report& report, const std::string& name, const std::string& message, const std::string& text) {
+  if (report.expected) return {name, "skipped", message + ", " + toText(*report.expected)};
+  return {name, "failure", message, text};
+}
+
+TestCase caseOf(const Report& report, const FaceVerdict& face) {
+  const std::uint64_t wrong = countVerdicts(face)[static_cast<std::size_t>(PixelVerdict::Error)];
+  if (wrong == 0) return {face.name};
+  std::string text = report.findings.empty() ? "" : "diagnosis: " + toText(report.findings) + '\n';
+  for (const ErrorPixel& error : report.errors)
+    if (error.face == face.name) text += toText(error) + '\n';
+  return failing(report, face.name, std::to_string(wrong) + " pixels are errors", text);
+}
+
+TestCase caseOf(const Report& report, const DeviceFailure& device) {
+  std::string text;
+  for (const std::string& line : device.process.lastLines) text += line + '\n';
+  return failing(report, "all faces", nameOf(deviceFaultNames, device.fault) + ": " + device.message, text);
+}
+
+std::vector<TestCase> casesOf(const Report& report, bool isStrict) {
+  const Outcome outcome = outcomeOf(report);
+  if (outcome == Outcome::NotJudged) return {{"all faces", "skipped", toText(*report.expected)}};
+  if (outcome == Outcome::Missing) return {{"all faces", "failure", "missing: the vector was not drawn"}};
+  if (report.device) return {caseOf(report, *report.device)};
+  std::vector<TestCase> cases;
+  for (const FaceVerdict& face : report.verdict.faces) cases.push_back(caseOf(report, face));
+  if (outcome == Outcome::NotDeterministic)
+    cases.push_back(
+        {"all runs", report.expected ? "skipped" : "failure", "not deterministic: " + toText(*report.repetition)});
+  if (isStrict && agreementOf(report) == Agreement::UnexpectedPass)
+    cases.push_back({"expectation", "failure", "unexpected pass, " + toText(*report.expected)});
+  return cases;
+}
+
+/// Text for XML. Control characters become blanks, but line ends stay with `keepsLines`.
+std::string xmlText(const std::string& text, bool keepsLines = false) {
+  std::string result;
+  for (const char c : text) {
+    const bool isControl = static_cast<unsigned char>(c) < 0x20 && !(keepsLines && c == '\n');
+    result += c == '&'    ? "&amp;"
+              : c == '<'  ? "&lt;"
+              : c == '>'  ? "&gt;"
+              : c == '"'  ? "&quot;"
+              : isControl ? " "
+                          : std::string(1, c);
+  }
+  return result;
+}
+
+std::string xmlOf(const std::string& vector, const TestCase& test) {
+  const std::string start = "    <testcase classname=\"" + xmlText(vector) + "\" name=\"" + xmlText(test.name) + "\"";
+  if (test.result.empty()) return start + "/>\n";
+  return start + ">\n      <" + test.result + " message=\"" + xmlText(test.message) + "\">" + xmlText(test.text, true) +
+         "</" + test.result + ">\n    </testcase>\n";
+}
+
+/// The test suite of one vector.
+std::string testSuite(const Report& report, bool isStrict) {
+  const std::vector<TestCase> cases = casesOf(report, isStrict);
+  const auto count = [&](const std::string& result) {
+    return std::to_string(
+        std::count_if(cases.begin(), cases.end(), [&](const TestCase& test) { return test.result == result; }));
+  };
+  std::string text;
+  for (const TestCase& test : cases) text += xmlOf(report.verdict.vector, test);
+  const std::string skipped = count("skipped") == "0" ? "" : " skipped=\"" + count("skipped") + "\"";
+  return "  <testsuite name=\"" + xmlText(report.verdict.vector) + "\" tests=\"" + std::to_string(cases.size()) +
+         "\" failures=\"" + count("failure") + "\"" + skipped + ">\n" + text + "  </testsuite>\n";
 }
 
 }  // namespace
 
-Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile) {
-  return reportOn(vector, judge(vector, found, profile));
-}
-
-Report reportExactly(const TestVector& vector, std::span<const raster::ItemBuffer> found,
-                     const DeviceProfile& profile) {
+Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile,
+                bool isExact) {
+  const std::vector<raster::ItemBuffer> drawn = render(vector);
   std::vector<raster::ItemBuffer> expected;
-  for (const VectorFace& face : vector.faces) expected.push_back(evaluateRules(vector.list, face.face));
-  Report report = reportOn(vector, judge(vector, expected, found, profile));
-  report.reference = compareReference(vector, expected);
+  for (const VectorFace& face : vector.faces)
+    if (isExact) expected.push_back(evaluateRules(vector.list, face.face));
+  Report report{judge(vector, isExact ? expected : drawn, found, profile), {}, {}};
+  report.errors = firstErrors(vector, report.verdict);
+  report.findings = diagnose(vector, report.verdict);
+  if (isExact) report.reference = compareReference(drawn, expected);
   return report;
 }
 
@@ -210,6 +284,12 @@ Json toJson(std::span<const Report> reports, bool isStrict) {
   const bool pass =
       std::none_of(reports.begin(), reports.end(), [=](const Report& report) { return isFailure(report, isStrict); });
   return {{"pass", pass}, {"pixels", toJson(sums)}, {"vectors", vectors}, {"diagnosis", diagnosis}};
+}
+
+std::string toJUnit(std::span<const Report> reports, bool isStrict) {
+  std::string suites;
+  for (const Report& report : reports) suites += testSuite(report, isStrict);
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n" + suites + "</testsuites>\n";
 }
 
 }  // namespace hemitex::reference

@@ -1,4 +1,4 @@
-/// Reports of verdicts as text and JSON (JUnit XML: junit_report.h).
+/// Reports of verdicts as text, JSON and JUnit XML.
 #pragma once
 
 #include <cstddef>
@@ -40,12 +40,10 @@ Agreement agreementOf(const Report& report);
 /// Whether the result is not as expected. With `isStrict` an unexpected pass is a failure, too.
 bool isFailure(const Report& report, bool isStrict);
 
-/// The report on what a device drew: judge, firstErrors and diagnose.
-Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile);
-
-/// The same, but the independent evaluator gives the expected item IDs. It is also compared with the reference
-/// renderer. The cost is pixels times triangles.
-Report reportExactly(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile);
+/// The report on what a device drew: judge, firstErrors and diagnose. With `isExact` the independent evaluator gives
+/// the expected item IDs, and is compared with the reference renderer. Its cost is pixels times triangles.
+Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile,
+                bool isExact = false);
 
 /// Over all reports that compare the reference.
 ReferenceCheck checkReference(std::span<const Report> reports);
@@ -78,12 +76,9 @@ std::string toText(const CommonFault& common);
 /// - `vector`, `pass`, `pixels` (a count per verdict), `faces` (the same with `name`, `width` and `height`),
 /// - `errors`: `face`, `column`, `row`, `kind`, `expected`, `found`, `expected_from`, `found_from`, `triangle`, `texel`
 ///   (null where there is none),
-/// - `diagnosis`: `fault`, `variant`, `agreement`, `advice`; empty without a known fault, several indistinguishable
-/// ones,
+/// - `diagnosis`: `fault`, `variant`, `agreement`, `advice` of each that may explain the errors,
 /// - `reference`: `pixels` and `differing`; only of an exact report,
-/// - `outcome`: `pass`, `errors`, `missing`, `device failed`, `not deterministic` or `not judged`, and `expected` with
-/// `result` and
-///   `reason`, null without an expectation,
+/// - `outcome` (outcomeNames), and `expected` with `result` and `reason`, null without an expectation,
 /// - `device`: `failure`, `message`, `exit_code`, `signal` (null where there is none), `stderr` (its last lines); only
 ///   if the program of the device failed,
 /// - `repetition`: `runs`, `answers` (the number of runs with the same item IDs, for each different answer),
@@ -95,5 +90,11 @@ nlohmann::ordered_json toJson(const Report& report);
 /// above for each), and `diagnosis`: null, or `fault`, `variant`, `agreement`, `advice`, `vectors`, `failures` and
 /// `weak` (isWeak) of the common fault.
 nlohmann::ordered_json toJson(std::span<const Report> reports, bool isStrict = false);
+
+/// JUnit XML, for build servers. Each vector is a test suite, each face a test case. A face with errors fails and names
+/// the diagnosis; it counts as skipped where the errors are expected. A vector without verdicts is one test case: it
+/// fails when it is missing or when the program of the device failed, and counts as skipped when it is unsupported.
+/// With `isStrict` an unexpected pass is one more test case, which fails.
+std::string toJUnit(std::span<const Report> reports, bool isStrict = false);
 
 }  // namespace hemitex::reference

@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "reference/conformance/diagnosis/junit_report.h"
 #include "tests/support/judged_wall.h"
 
 using namespace hemitex;
@@ -153,10 +152,10 @@ TEST_CASE("commonFault names the fault that most of the failing vectors share", 
   CHECK(passed["diagnosis"].is_null());
 }
 
-TEST_CASE("reportExactly judges by the independent evaluator and compares the reference with it", "[verdict]") {
+TEST_CASE("reportOn judges exactly by the independent evaluator and compares the reference with it", "[verdict]") {
   JudgedWall judged;
   judged.found[0].ids[9] = 0x555555;
-  const Report exact = reference::reportExactly(judged.vector, judged.found, {});
+  const Report exact = reference::reportOn(judged.vector, judged.found, {}, true);
   Report report = reference::reportOn(judged.vector, judged.found, {});
   CHECK_FALSE(report.reference);
   REQUIRE(exact.reference);
