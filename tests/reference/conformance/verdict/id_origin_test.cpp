@@ -1,8 +1,7 @@
 // Which draw and texel an item ID comes from.
-#include "reference/conformance/verdict/error_pixel.h"
-
 #include <catch2/catch.hpp>
 
+#include "reference/conformance/verdict/error_pixel.h"
 #include "tests/support/judged_wall.h"
 
 using namespace hemitex;

@@ -1,10 +1,9 @@
 // A minimal failure keeps the kind of error at one pixel, and needs each of its triangles.
-#include "reference/conformance/verdict/reduction.h"
-
 #include <catch2/catch.hpp>
 
 #include "reference/conformance/scenes/scene_vectors.h"
 #include "reference/conformance/vectors/vector_file.h"
+#include "reference/conformance/verdict/reduction.h"
 #include "tests/support/judged_wall.h"
 
 using namespace hemitex;
