@@ -52,7 +52,7 @@ std::string hashOf(const radiosity::Scene& scene) {
   }
   for (const radiosity::Surface& surface : scene.surfaces) {
     Bytes bytes;
-    bytes.add(surface.name, surface.material, surface.twin);
+    bytes.add(surface.name, surface.material, surface.twin, surface.curvedPart);
     for (const radiosity::Triangle& triangle : surface.triangles) {
       for (std::size_t k = 0; k < 3; ++k) bytes.add(triangle.position[k], triangle.chart[k], triangle.texcoord[k]);
       bytes.add(triangle.polygon);

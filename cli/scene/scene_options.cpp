@@ -69,7 +69,10 @@ void addSceneOptions(Command command, SceneOptions& options) {
   command.addPath("SCENE", options.file, "scene: Wavefront OBJ, or glTF 2.0 (.gltf, .glb)").required();
   addChoice(command, "--charts", options.settings.charts, chartsChoices,
             "take charts from the texture coordinates of the file (file), or make one per planar part (planar); auto "
-            "uses the coordinates that form a chart and planar parts otherwise (default auto)");
+            "uses the coordinates that form a chart, and otherwise one per planar or curved part (default auto)");
+  addPositive(command, "--crease", options.settings.crease, 180.0,
+              "separate curved parts where faces meet at a larger angle, in degrees (default: by the normals of the "
+              "file, and 40 where it has none)");
   addPositive(command, "--max-reflectance", options.settings.maxReflectance, 1.0,
               "lower a reflectance of 1 or more to this value (default 0.9999)");
   command.addFlag("--two-sided", options.settings.twoSided,
@@ -81,6 +84,7 @@ void addSceneOptions(Command command, SceneOptions& options) {
 
 ordered_json toJson(const radiosity::SceneSettings& settings) {
   return {{"charts", nameOf(chartsChoices, settings.charts)},
+          {"crease", settings.crease ? ordered_json(*settings.crease) : ordered_json()},
           {"max_reflectance", settings.maxReflectance},
           {"two_sided", settings.twoSided},
           {"emission", nameOf(emissionChoices, settings.emission)}};

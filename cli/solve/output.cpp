@@ -13,14 +13,22 @@
 namespace hemitex::cli {
 namespace {
 
-/// One row per element, ordered by surface and texel: the column and row of its own texel, centre, normal, area and
-/// radiosity in W/m^2. For a quadtree leaf the texel is the first with area. `solved` must outlive the table.
+/// One row per element, ordered by surface and texel: the column and row of its own texel, centre, normal (of a curved
+/// surface the mean), area and radiosity in W/m^2. For a quadtree leaf the texel is the first with area. `solved` must
+/// outlive the table.
 Table elementTable(const SolvedScene& solved) {
-  const auto row = [&solved](std::size_t index) -> std::vector<Cell> {
+  std::vector<std::vector<glm::dvec3>> means(solved.scene.surfaces.size());  // of curved surfaces
+  for (std::size_t s = 0; s < means.size(); ++s)
+    if (solved.scene.surfaces[s].curvedPart)
+      means[s] = radiosity::meanNormals(solved.scene.surfaces[s], solved.discretization.grids[s]);
+  const auto row = [&solved, means](std::size_t index) -> std::vector<Cell> {
     const radiosity::Element& element = solved.discretization.elements[index];
     const auto columns = static_cast<std::uint32_t>(solved.discretization.grids[element.surface].columns);
-    const auto [centre, normal, triangle] =
+    const auto [centre, ofTriangle, triangle] =
         radiosity::elementCentre(solved.scene, solved.discretization, static_cast<std::uint32_t>(index));
+    const std::vector<glm::dvec3>& ofSurface = means[element.surface];
+    const glm::dvec3 normal =
+        ofSurface.empty() ? ofTriangle : ofSurface[index - solved.discretization.grids[element.surface].firstElement];
     const glm::dvec3& b = solved.solution.radiosity[index];
     return {solved.scene.surfaces[element.surface].name,
             std::int64_t{element.texel % columns},

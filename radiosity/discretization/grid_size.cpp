@@ -30,7 +30,14 @@ glm::dvec2 chartLengths(const Surface& surface) {
 
 /// Minimum of columns and rows of a surface that is not flat, if texels follow the scene, because its faces have
 /// different orientations.
-constexpr int fewestOfCurved = 4;
+constexpr int fewestOfBent = 4;
+
+/// The angle in radians by which a curved surface turns within a texel, if texels follow the scene. Then the error of a
+/// diffuse ball beside a wall is below 1 % of the mean (see tests/system/ball_test.cpp).
+constexpr double turnPerTexel = 0.06;
+
+/// Texels of curved surfaces are not smaller than this share of the others, so that small round parts stay cheap.
+constexpr double smallestOfCurved = 0.25;
 
 /// The power of two nearest to a number by ratio.
 double nearestPowerOfTwo(double number) {
@@ -47,14 +54,43 @@ bool isFlat(const Surface& surface) {
   });
 }
 
+/// The angle in radians by which the normals of a surface turn from one side to the other: twice the half-angle of the
+/// cap of a sphere whose normals differ as much from their mean.
+double turnOfNormals(const Surface& surface) {
+  glm::dvec3 sum(0);
+  double total = 0;
+  for (const Triangle& triangle : surface.triangles) {
+    sum += area(triangle) * normal(triangle);
+    total += area(triangle);
+  }
+  // The mean over the normals of 1 - cos to the mean normal is a quarter of the squared half-angle of a small cap.
+  return 4 * std::sqrt(std::max(0.0, 1 - glm::length(sum) / total));
+}
+
+/// The texel size on a curved surface whose longer side is given, if texels follow the scene.
+double texelSizeOfCurved(const Surface& surface, double longerSide, double texelSize) {
+  const double bySize = longerSide * turnPerTexel / turnOfNormals(surface);
+  return std::clamp(bySize, smallestOfCurved * texelSize, texelSize);
+}
+
 /// The number of texels of at most the texel size along an axis. The factor allows for the rounding of charts to
 /// binary32.
 int texelsAlong(double length, const DiscretizationSettings& settings) {
-  if (settings.powersOfTwo)
-    return std::min(static_cast<int>(nearestPowerOfTwo(std::min(length / *settings.texelSize, 0x1p12))),
-                    settings.maxTexels);
   const double texels = std::ceil(length / *settings.texelSize * (1 - 1e-6));
   return static_cast<int>(std::clamp(texels, 1.0, static_cast<double>(settings.maxTexels)));
+}
+
+/// The size if texels follow the scene: powers of two.
+GridSize sizeFollowingScene(const Surface& surface, const glm::dvec2& lengths, const DiscretizationSettings& settings) {
+  const int fewest = isFlat(surface) ? 1 : fewestOfBent;
+  const double texelSize = surface.curvedPart
+                               ? texelSizeOfCurved(surface, std::max(lengths.x, lengths.y), *settings.texelSize)
+                               : *settings.texelSize;
+  const auto along = [&](double length) {
+    const auto texels = static_cast<int>(nearestPowerOfTwo(std::min(length / texelSize, 0x1p12)));
+    return std::min(std::max(texels, fewest), settings.maxTexels);
+  };
+  return {along(lengths.x), along(lengths.y)};
 }
 
 int subdivided(int texels, int subdivision) {
@@ -94,11 +130,8 @@ GridSize gridSizeOf(const Surface& surface, const DiscretizationSettings& settin
   GridSize size;
   if (settings.texelSize) {
     const glm::dvec2 lengths = chartLengths(surface);
-    size = {texelsAlong(lengths.x, settings), texelsAlong(lengths.y, settings)};
-    if (settings.powersOfTwo && !isFlat(surface)) {
-      size.columns = std::max(size.columns, fewestOfCurved);
-      size.rows = std::max(size.rows, fewestOfCurved);
-    }
+    size = settings.powersOfTwo ? sizeFollowingScene(surface, lengths, settings)
+                                : GridSize(texelsAlong(lengths.x, settings), texelsAlong(lengths.y, settings));
   } else {
     size = *settings.texels;
   }

@@ -1,6 +1,8 @@
 #include "radiosity/discretization/patch_points.h"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/discretization/exposed_pieces.h"
@@ -52,6 +54,9 @@ SurfacePoint elementCentre(const Scene& scene, const Discretization& discretizat
 
 namespace {
 
+/// Normals whose cosines to a direction differ by less are equal, up to the tolerance of planar parts.
+constexpr double equalCosines = 1e-4;
+
 /// An exposed piece in a block.
 struct BlockPiece {
   std::uint32_t triangle = 0;
@@ -89,6 +94,27 @@ std::vector<BlockPiece> piecesIn(const Surface& surface, const Grid& grid, const
 
 }  // namespace
 
+namespace {
+
+/// The pieces whose normal is nearest to the mean normal, or all where a block is flat.
+std::vector<BlockPiece> facingPieces(const Surface& surface, std::vector<BlockPiece> pieces) {
+  if (pieces.size() == 1) return pieces;
+  std::vector<glm::dvec3> normals;
+  glm::dvec3 sum(0);
+  for (const BlockPiece& piece : pieces) {
+    normals.push_back(normal(surface.triangles[piece.triangle]));
+    sum += piece.area * normals.back();
+  }
+  double largest = std::numeric_limits<double>::lowest();
+  for (const glm::dvec3& n : normals) largest = std::max(largest, glm::dot(n, sum));
+  std::vector<BlockPiece> facing;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (largest - glm::dot(normals[i], sum) <= equalCosines * glm::length(sum)) facing.push_back(pieces[i]);
+  return facing;
+}
+
+}  // namespace
+
 std::optional<ShootingBlock> shootingBlock(const Surface& surface, const Grid& grid, const glm::dvec2& corner,
                                            const glm::dvec2& size) {
   const std::vector<BlockPiece> pieces = piecesIn(surface, grid, corner, size);
@@ -100,8 +126,9 @@ std::optional<ShootingBlock> shootingBlock(const Surface& surface, const Grid& g
     moment += piece.area * (piece.centre - corner);
   }
   const glm::dvec2 middle = corner + moment / block.area;
-  const BlockPiece* nearest = &pieces.front();
-  for (const BlockPiece& piece : pieces) {
+  const std::vector<BlockPiece> facing = facingPieces(surface, pieces);
+  const BlockPiece* nearest = &facing.front();
+  for (const BlockPiece& piece : facing) {
     if (contains(piece.piece, middle))
       if (const auto weights =
               weightsAt(inTexels(surface.triangles[piece.triangle], grid.columns, grid.rows), middle)) {
@@ -126,6 +153,17 @@ std::vector<ShootingBlock> shootingBlocks(const Scene& scene, const Discretizati
         blocks.push_back(*block);
     }
   return blocks;
+}
+
+std::vector<glm::dvec3> meanNormals(const Surface& surface, const Grid& grid) {
+  std::vector<glm::dvec3> sums(grid.elementCount, glm::dvec3(0));
+  forEachExposedPiece(surface, texelGrid(grid), [&](std::size_t texel, std::uint32_t t, const Piece& piece) {
+    const Triangle& triangle = surface.triangles[t];
+    sums[grid.elementOfTexel[texel] - grid.firstElement] += share(piece) * area(triangle) * normal(triangle);
+  });
+  for (glm::dvec3& sum : sums)
+    if (const double length = glm::length(sum); length > 0) sum /= length;
+  return sums;
 }
 
 }  // namespace hemitex::radiosity

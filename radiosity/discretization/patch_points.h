@@ -30,7 +30,8 @@ glm::dvec3 eyeOver(const Scene& scene, std::uint32_t surface, const SurfacePoint
 SurfacePoint pointOn(const Surface& surface, std::uint32_t triangle, const glm::dvec2& weights);
 
 /// The centre of a patch: the centroid, in the chart, of the exposed part of its block. If that point is not exposed, a
-/// point of the nearest exposed piece. Always on the surface.
+/// point of the nearest exposed piece. Where the block is curved, only pieces count whose normal is nearest to the mean
+/// normal, because a patch sends light around its normal. Always on the surface.
 SurfacePoint patchCentre(const Scene& scene, const Discretization& discretization, const Patch& patch);
 
 /// The centre of an element: the point of the surface at the middle of its own texel or leaf. If the chart does not
@@ -39,10 +40,12 @@ SurfacePoint patchCentre(const Scene& scene, const Discretization& discretizatio
 /// surface.
 SurfacePoint elementCentre(const Scene& scene, const Discretization& discretization, std::uint32_t element);
 
+/// The unit mean normals of the elements of a surface, by area; one per element. 0 where normals cancel.
+std::vector<glm::dvec3> meanNormals(const Surface& surface, const Grid& grid);
+
 /// A point that a part of the area of a surface shoots from.
 struct ShootingBlock {
-  SurfacePoint centre;  ///< the centroid, in the chart, of the exposed part of the block, or the centroid of the
-                        ///< nearest exposed piece
+  SurfacePoint centre;  ///< see patchCentre
   double area = 0;      ///< of the exposed surface inside the block, above 0
 };
 

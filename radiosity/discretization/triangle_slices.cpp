@@ -127,8 +127,12 @@ class Slicer {
  public:
   Slicer(const Scene& scene, const RayTree& tree)
       : lift_(eyeHeight * scene.extent), tolerance_(eyeInset * scene.extent), tree_(tree) {
-    for (const Surface& surface : scene.surfaces)
-      for (const Triangle& triangle : surface.triangles) triangles_.push_back(&triangle);
+    for (const Surface& surface : scene.surfaces) {
+      for (const Triangle& triangle : surface.triangles) {
+        triangles_.push_back(&triangle);
+        surfaces_.push_back(&surface);
+      }
+    }
   }
 
   /// A slice along an edge of a triangle, and the number of the triangle that makes it.
@@ -148,7 +152,7 @@ class Slicer {
     const WeightedTriangle plane(*triangles_[number], lift_, tolerance_);
     Found found;
     for (const std::uint32_t other : others) {
-      if (other == number) continue;
+      if (other == number || areOfOnePart(number, other)) continue;
       const std::optional<Slice> slice = sliceOf(*triangles_[other], plane);
       // Edges moved outwards meet far beyond an acute corner; a slice that only passes there is outside the triangle.
       if (!slice || !plane.clipped(*slice, roundingShare * tolerance_)) continue;
@@ -181,8 +185,15 @@ class Slicer {
   }
 
  private:
+  /// Where a curved part is hollow, its triangles slice each other near corners, but the part does not stand on itself.
+  bool areOfOnePart(std::uint32_t number, std::uint32_t other) const {
+    const Surface &one = *surfaces_[number], &two = *surfaces_[other];
+    return one.curvedPart && one.curvedPart == two.curvedPart && one.family == two.family;
+  }
+
   double lift_, tolerance_;
   std::vector<const Triangle*> triangles_;
+  std::vector<const Surface*> surfaces_;  ///< of each triangle
   const RayTree& tree_;
 };
 

@@ -74,6 +74,7 @@ struct ImportedPart {
   std::optional<int> material = {};    ///< in GltfImport::materials
   std::vector<glm::dvec3> positions;   ///< one per vertex, in world space
   std::vector<glm::dvec2> texcoords;   ///< one per vertex, or empty; v = 0 is the TOP of an image
+  std::vector<glm::dvec3> normals;     ///< one per vertex, in world space, of any length; or empty
   std::vector<std::uint32_t> corners;  ///< three vertices per triangle, counter-clockwise seen from the front
 };
 

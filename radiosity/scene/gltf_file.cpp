@@ -44,12 +44,14 @@ class MeshBuilder {
   explicit MeshBuilder(const std::filesystem::path& file) : file_(file) {}
 
   void add(const ImportedPart& part, const std::string& material) {
-    const std::size_t firstPosition = mesh_.positions.size(), firstTexcoord = mesh_.texcoords.size();
+    const std::size_t firstPosition = mesh_.positions.size(), firstTexcoord = mesh_.texcoords.size(),
+                      firstNormal = mesh_.normals.size();
     constexpr std::size_t maxCount = std::numeric_limits<std::uint32_t>::max();
     if (mesh_.corners.size() + part.corners.size() > maxCount || firstPosition + part.positions.size() > maxCount)
       throw InputError(file_.string(), 0, "the scene has more than 2^32 corners", "divide it");
     for (const glm::dvec3& position : part.positions) addPosition(position);
     for (const glm::dvec2& texcoord : part.texcoords) addTexcoord(texcoord);
+    mesh_.normals.insert(mesh_.normals.end(), part.normals.begin(), part.normals.end());
     const std::uint32_t section = sectionOf(part.node, material);
     for (std::size_t c = 0; c < part.corners.size(); c += 3) {
       mesh_.polygons.push_back({.firstCorner = static_cast<std::uint32_t>(mesh_.corners.size()),
@@ -59,6 +61,7 @@ class MeshBuilder {
       for (std::size_t k = c; k < c + 3; ++k) {
         MeshCorner corner{static_cast<std::uint32_t>(firstPosition + part.corners[k])};
         if (!part.texcoords.empty()) corner.texcoord = static_cast<std::uint32_t>(firstTexcoord + part.corners[k]);
+        if (!part.normals.empty()) corner.normal = static_cast<std::uint32_t>(firstNormal + part.corners[k]);
         mesh_.corners.push_back(corner);
       }
     }

@@ -66,10 +66,12 @@ MaterialChoice chooseMaterials(const std::vector<Section>& sections) {
   return choice;
 }
 
-void addSurfaces(Scene& scene, std::vector<std::vector<Triangle>> parts, const std::string& family, int material) {
+void addSurfaces(Scene& scene, std::vector<Surface> parts, const std::string& family, int material) {
   for (std::size_t n = 0; n < parts.size(); ++n) {
-    const std::string name = parts.size() == 1 ? family : family + "#" + std::to_string(n + 1);
-    scene.surfaces.push_back({.name = name, .family = family, .material = material, .triangles = std::move(parts[n])});
+    parts[n].name = parts.size() == 1 ? family : family + "#" + std::to_string(n + 1);
+    parts[n].family = family;
+    parts[n].material = material;
+    scene.surfaces.push_back(std::move(parts[n]));
   }
 }
 
@@ -174,7 +176,7 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
 
   for (std::size_t s = 0; s < sections.size(); ++s) {
     const std::string family = sections[s].family;
-    addSurfaces(scene, layCharts(std::move(sections[s]), mesh, file, settings.charts), family, choice.ofSection[s]);
+    addSurfaces(scene, layCharts(std::move(sections[s]), mesh, file, settings), family, choice.ofSection[s]);
   }
   if (settings.twoSided) addBacks(scene.surfaces);
   makeNamesUnique(scene.surfaces);

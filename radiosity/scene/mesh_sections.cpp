@@ -1,8 +1,12 @@
 #include "radiosity/scene/mesh_sections.h"
 
+#include <algorithm>
+#include <boost/container_hash/hash.hpp>
 #include <map>
 #include <span>
+#include <tuple>
 
+#include "radiosity/geometry/mesh_charts.h"
 #include "radiosity/geometry/triangulation.h"
 
 namespace hemitex::radiosity {
@@ -29,6 +33,39 @@ Triangle makeTriangle(const PolygonMesh& mesh, std::uint32_t polygonIndex,
   return triangle;
 }
 
+/// The unit normals of the file at corners of a polygon; nothing if one is missing.
+std::optional<std::array<glm::vec3, 3>> cornerNormals(const PolygonMesh& mesh, const MeshPolygon& polygon,
+                                                      const std::array<std::uint32_t, 3>& corners) {
+  std::array<glm::vec3, 3> normals{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::optional<std::uint32_t> index = mesh.corners[polygon.firstCorner + corners[k]].normal;
+    if (!index) return {};
+    const glm::dvec3 normal(mesh.normals[*index]);
+    const double length = glm::length(normal);
+    if (!(length > 0)) return {};
+    normals[k] = normal / length;
+  }
+  return normals;
+}
+
+/// Sets the normals of the sections, where the file has them.
+void addNormals(const PolygonMesh& mesh, Section& section, const Triangle& triangle,
+                const std::array<std::uint32_t, 3>& corners) {
+  if (mesh.normals.empty() || section.normals.size() + 1 != section.triangles.size()) return;
+  if (const auto normals = cornerNormals(mesh, mesh.polygons[triangle.polygon], corners))
+    section.normals.push_back(*normals);
+}
+
+/// Whether all normals are those of the faces, within a degree or so.
+bool areOfFaces(const Section& section) {
+  for (std::size_t t = 0; t < section.normals.size(); ++t) {
+    const glm::dvec3 ofFace = unitNormal(section.triangles[t].position);
+    for (const glm::vec3& normal : section.normals[t])
+      if (glm::distance(glm::dvec3(normal), ofFace) > 0.02) return false;
+  }
+  return true;
+}
+
 /// Counts faces with a fault, for a warning that names the first.
 struct FaceCount {
   int count = 0;
@@ -52,6 +89,45 @@ std::vector<glm::dvec3> positionsOf(const PolygonMesh& mesh, const MeshPolygon& 
   return positions;
 }
 
+/// The corners of a polygon, from the smallest position on.
+std::vector<glm::dvec3> fromSmallest(std::vector<glm::dvec3> positions) {
+  const auto isBefore = [](const glm::dvec3& a, const glm::dvec3& b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  };
+  std::rotate(positions.begin(), std::min_element(positions.begin(), positions.end(), isBefore), positions.end());
+  return positions;
+}
+
+/// Finds the polygons that repeat an earlier one: the same corners in the same order, and the same material. One of
+/// them hides the other, but both would emit.
+std::vector<bool> repeatedPolygons(const PolygonMesh& mesh) {
+  const auto materialOf = [&](std::uint32_t p) -> const std::string& {
+    return mesh.sections[mesh.polygons[p].section].material;
+  };
+  const auto cornersOf = [&](std::uint32_t p) { return fromSmallest(positionsOf(mesh, mesh.polygons[p])); };
+  std::vector<std::pair<std::size_t, std::uint32_t>> hashes;
+  hashes.reserve(mesh.polygons.size());
+  for (std::uint32_t p = 0; p < mesh.polygons.size(); ++p) {
+    std::size_t hash = 0;
+    for (const glm::dvec3& corner : cornersOf(p))
+      for (int axis = 0; axis < 3; ++axis) boost::hash_combine(hash, corner[axis] + 0.0);  // -0 is 0
+    hashes.emplace_back(hash, p);
+  }
+  std::sort(hashes.begin(), hashes.end());
+  std::vector<bool> isRepeated(mesh.polygons.size(), false);
+  for (std::size_t begin = 0, end = 0; begin < hashes.size(); begin = end) {
+    std::vector<std::uint32_t> different;
+    for (; end < hashes.size() && hashes[end].first == hashes[begin].first; ++end) {
+      const std::uint32_t p = hashes[end].second;
+      isRepeated[p] = std::any_of(different.begin(), different.end(), [&](std::uint32_t earlier) {
+        return materialOf(earlier) == materialOf(p) && cornersOf(earlier) == cornersOf(p);
+      });
+      if (!isRepeated[p]) different.push_back(p);
+    }
+  }
+  return isRepeated;
+}
+
 /// Makes room for the triangles of all polygons, so that the lists are not copied as they grow.
 void reserveTriangles(const PolygonMesh& mesh, std::vector<Section>& sections) {
   std::vector<std::size_t> counts(sections.size());
@@ -63,22 +139,32 @@ void reserveTriangles(const PolygonMesh& mesh, std::vector<Section>& sections) {
 std::vector<Section> cutPolygons(const PolygonMesh& mesh, std::vector<std::string>& warnings) {
   std::vector<Section> sections(mesh.sections.size());
   reserveTriangles(mesh, sections);
-  FaceCount degenerate, crossing;
+  const std::vector<bool> isRepeated = repeatedPolygons(mesh);
+  FaceCount degenerate, crossing, repeated;
   for (std::uint32_t p = 0; p < mesh.polygons.size(); ++p) {
+    if (isRepeated[p]) {
+      repeated.add(mesh, p);
+      continue;
+    }
     const MeshPolygon& polygon = mesh.polygons[p];
     const std::vector<glm::dvec3> positions = positionsOf(mesh, polygon);
     const Triangulation cut = triangulate(positions);
     std::vector<Triangle>& triangles = sections[polygon.section].triangles;
     const std::size_t before = triangles.size();
     for (const std::array<std::uint32_t, 3>& t : cut.triangles) {
-      if (hasArea(positions[t[0]], positions[t[1]], positions[t[2]])) triangles.push_back(makeTriangle(mesh, p, t));
+      if (!hasArea(positions[t[0]], positions[t[1]], positions[t[2]])) continue;
+      triangles.push_back(makeTriangle(mesh, p, t));
+      addNormals(mesh, sections[polygon.section], triangles.back(), t);
     }
     const bool isDegenerate = triangles.size() == before;
     if (isDegenerate) degenerate.add(mesh, p);
     if (cut.crossing && !isDegenerate) crossing.add(mesh, p);
   }
+  repeated.warn(warnings, "left out, because another has the same corners");
   degenerate.warn(warnings, "without area dropped");
   crossing.warn(warnings, "that cross themselves triangulated as well as can be");
+  for (Section& section : sections)
+    if (section.normals.size() != section.triangles.size() || areOfFaces(section)) section.normals.clear();
   return sections;
 }
 

@@ -2,6 +2,7 @@
 /// surface, or several if it needs several charts.
 #pragma once
 
+#include <array>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,10 +18,14 @@ struct Section {
   /// In file order, all with area. Texture coordinates are those of the file, or zero. Charts are not set yet, except
   /// for quads, whose corners map to those of the unit square.
   std::vector<Triangle> triangles;
+  /// The unit normals of the file at the corners of each triangle. Empty if a corner has none, or if all are the
+  /// normals of their faces: programs write these for meshes that nobody marked as smooth or flat.
+  std::vector<std::array<glm::vec3, 3>> normals = {};
 };
 
-/// Triangulates polygons. Polygons without area are dropped and counted in a warning; self-intersecting polygons are
-/// counted in another. Empty sections are left out.
+/// Triangulates polygons. Polygons without area are dropped and counted in a warning; so are polygons that repeat an
+/// earlier one of the same material, corner for corner. Self-intersecting polygons are counted in another. Empty
+/// sections are left out.
 std::vector<Section> cutIntoSections(const PolygonMesh& mesh, std::vector<std::string>& warnings);
 
 /// Returns `wanted`, or the first of `wanted~2`, `wanted~3`, ... that is not in `taken`, and inserts it there.

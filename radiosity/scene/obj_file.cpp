@@ -39,11 +39,7 @@ class NumberReader {
         if (corner.texcoord) checkRange(*corner.texcoord, obj_.texcoords.size(), "texture coordinates", place);
       }
     }
-    if (missingNormal_.line == 0 && largestNormal_.index > normalCount_) missingNormal_ = largestNormal_;
-    if (missingNormal_.line > 0)
-      obj_.warnings.push_back("a face names the normal " + std::to_string(missingNormal_.index) +
-                              ", which the file lacks (line " + std::to_string(missingNormal_.line) +
-                              "); normals are not used");
+    checkNormals();
   }
 
  private:
@@ -69,11 +65,10 @@ class NumberReader {
     obj_.texcoords.emplace_back(n[0], n[1]);
   }
 
-  /// Normals are not used, but a malformed line is an error.
   void readNormal(std::string_view rest, const Place& place) {
     std::array<double, 3> n{};
     if (readNumbers(rest, n, place) != 3) fail(place, "a normal has 3 numbers");
-    ++normalCount_;
+    obj_.normals.emplace_back(n[0], n[1], n[2]);
   }
 
   void readPolygon(std::string_view rest, const Place& place) {
@@ -99,7 +94,7 @@ class NumberReader {
     }
     MeshCorner corner{resolve(parts[0], obj_.positions.size(), "vertices", place)};
     if (!parts[1].empty()) corner.texcoord = resolve(parts[1], obj_.texcoords.size(), "texture coordinates", place);
-    if (!parts[2].empty()) noteNormal({readIndex(parts[2], place), place.line});
+    if (!parts[2].empty()) corner.normal = normalAt(readIndex(parts[2], place), place);
     return corner;
   }
 
@@ -133,23 +128,35 @@ class NumberReader {
          "index " + std::to_string(index + 1) + " is out of range: there are " + std::to_string(count) + " " + what);
   }
 
-  /// An index of a normal, and the line of its face.
-  struct NormalIndex {
-    int index = 0;
-    int line = 0;  ///< 0: no such face
-  };
+  /// An index out of range is a warning, because normals only say which edges are smooth.
+  std::optional<std::uint32_t> normalAt(int index, const Place& place) {
+    const std::int64_t resolved = index > 0 ? index - 1 : static_cast<std::int64_t>(obj_.normals.size()) + index;
+    if (resolved >= 0) return static_cast<std::uint32_t>(resolved);
+    warnOfNormal(index, place.line);
+    return {};
+  }
 
-  /// A negative index cannot point forward, so that only positive ones wait for the last line.
-  void noteNormal(const NormalIndex& normal) {
-    if (normal.index > largestNormal_.index) largestNormal_ = normal;
-    if (normal.index < -normalCount_ && missingNormal_.line == 0) missingNormal_ = normal;
+  void checkNormals() {
+    for (const MeshPolygon& polygon : obj_.polygons) {
+      for (std::uint32_t c = polygon.firstCorner; c < polygon.firstCorner + polygon.cornerCount; ++c) {
+        std::optional<std::uint32_t>& normal = obj_.corners[c].normal;
+        if (!normal || *normal < obj_.normals.size()) continue;
+        warnOfNormal(static_cast<int>(*normal) + 1, polygon.line);
+        normal.reset();
+      }
+    }
+  }
+
+  /// Warns of the first face whose normal is out of range.
+  void warnOfNormal(int index, int line) {
+    if (!std::exchange(hasWarned_, true))
+      obj_.warnings.push_back("a face names the normal " + std::to_string(index) + ", which the file lacks (line " +
+                              std::to_string(line) + "); faces without normals are smooth by the angle between them");
   }
 
   const std::filesystem::path& file_;
   PolygonMesh& obj_;
-  int normalCount_ = 0;
-  NormalIndex largestNormal_;
-  NormalIndex missingNormal_;  ///< of the first face whose normal is out of range
+  bool hasWarned_ = false;
 };
 
 /// Assigns polygons to sections.

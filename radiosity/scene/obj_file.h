@@ -17,7 +17,7 @@ PolygonMesh readObj(const std::filesystem::path& file);
 
 /// Parses the text of `file`. Throws InputError with the line for a malformed or non-finite number, an absolute
 /// coordinate above 1e18, and a vertex with too few numbers. Also throws it for an index that is malformed or out of
-/// range, and a face with fewer than three corners. A normal out of range is a warning, because normals are not used.
+/// range, and a face with fewer than three corners. A normal out of range is a warning.
 PolygonMesh parseObj(std::string_view text, const std::filesystem::path& file);
 
 }  // namespace hemitex::radiosity

@@ -27,12 +27,14 @@ struct MeshPolygon {
 struct MeshCorner {
   std::uint32_t position = 0;                  ///< in PolygonMesh::positions
   std::optional<std::uint32_t> texcoord = {};  ///< in PolygonMesh::texcoords
+  std::optional<std::uint32_t> normal = {};    ///< in PolygonMesh::normals
 };
 
 struct PolygonMesh {
   std::vector<glm::dvec3> positions;              ///< finite; absolute coordinates at most 1e18
   std::vector<std::optional<glm::dvec3>> colors;  ///< one per position
   std::vector<glm::dvec2> texcoords;              ///< finite; absolute coordinates at most 1e18
+  std::vector<glm::vec3> normals;                 ///< of any length, perhaps 0
   std::vector<MeshCorner> corners;
   std::vector<MeshPolygon> polygons;  ///< in file order
   std::vector<MeshSection> sections;  ///< in the order of their first faces

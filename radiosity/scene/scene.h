@@ -46,7 +46,9 @@ struct Surface {
   std::string family;  ///< the name without `#n`, which users give on the command line
   int material = 0;    ///< in Scene::materials
   std::vector<Triangle>
-      triangles;                 ///< in file order; never empty, all with area (see hasArea) in space and in the chart
+      triangles;  ///< in file order; never empty, all with area (see hasArea) in space and in the chart
+  /// Surfaces of one family with the same number are charts of one curved part of the mesh.
+  std::optional<std::uint32_t> curvedPart = {};
   std::optional<int> twin = {};  ///< two-sided scenes: the surface of the other side
 };
 

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <numbers>
+#include <optional>
 
 namespace hemitex::radiosity {
 
 /// The source of charts.
 enum class Charts {
-  Auto,    ///< the file's coordinates if they form a chart; the corners of a single quad; else planar parts
+  Auto,    ///< the file's coordinates if they form a chart; the corners of a single quad; else planar and curved parts
   File,    ///< the file's coordinates; an InputError if they do not form a chart
   Planar,  ///< always planar parts
 };
@@ -23,6 +24,9 @@ constexpr double radiosityPerUnit(EmissionUnit unit) { return unit == EmissionUn
 
 struct SceneSettings {
   Charts charts = Charts::Auto;
+  /// Edges at which faces meet at a larger angle are creases; in degrees, above 0. Without it the normals of the file
+  /// decide, and 40 degrees where it has none.
+  std::optional<double> crease = {};
   double maxReflectance = 0.9999;  ///< a reflectance of 1 or more is lowered to this, with a warning; in [0, 1)
   bool twoSided = false;           ///< makes one surface per side of each surface
   EmissionUnit emission = EmissionUnit::Radiosity;  ///< unit of Ke

@@ -1,17 +1,28 @@
 #include "radiosity/scene/section_charts.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "radiosity/geometry/chart_validation.h"
-#include "radiosity/geometry/planar_charts.h"
+#include "radiosity/geometry/mesh_charts.h"
 #include "radiosity/scene/obj_lines.h"
 
 namespace hemitex::radiosity {
 namespace {
 
 using Triangles = std::vector<Triangle>;
+
+/// The cosine of the crease angle without a setting, 40 degrees.
+constexpr double creaseCosine = 0.766044443118978;
+/// The cosine of 60 degrees. Normals of the file do not make a sharper edge smooth: light differs on its two sides.
+constexpr double sharpCosine = 0.5;
+/// Normals of the file are equal up to this distance, since files round them.
+constexpr double normalTolerance = 0.02;
 
 std::string describe(const ChartConflict& conflict, const Triangles& triangles, const PolygonMesh& mesh) {
   const auto face = [&](std::uint32_t triangle) {
@@ -48,56 +59,145 @@ bool isLoneQuad(const Triangles& triangles, const PolygonMesh& mesh) {
 }
 
 /// A list of one surface. A list in braces would copy the triangles.
-std::vector<Triangles> oneSurface(Triangles triangles) {
-  std::vector<Triangles> surfaces;
-  surfaces.push_back(std::move(triangles));
+std::vector<Surface> oneSurface(Triangles triangles) {
+  std::vector<Surface> surfaces(1);
+  surfaces.front().triangles = std::move(triangles);
   return surfaces;
 }
 
-std::vector<PlanarPart> planarPartsOf(const Triangles& triangles) {
+std::vector<TrianglePositions> positionsOf(const Triangles& triangles) {
   std::vector<TrianglePositions> positions;
   positions.reserve(triangles.size());
   for (const Triangle& triangle : triangles) positions.push_back(triangle.position);
-  return planarParts(positions);
+  return positions;
 }
 
-std::vector<Triangles> layPlanar(Triangles triangles) {
-  const std::vector<PlanarPart> parts = planarPartsOf(triangles);
+/// One surface per part.
+std::vector<Surface> divided(Triangles triangles, const std::vector<ChartedPart>& parts) {
   if (parts.size() == 1) {  // without a copy: the part has all triangles
     for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i].chart = parts.front().charts[i];
-    return oneSurface(std::move(triangles));
+    std::vector<Surface> whole = oneSurface(std::move(triangles));
+    whole.front().curvedPart = parts.front().component;
+    return whole;
   }
-  std::vector<Triangles> surfaces;
-  for (const PlanarPart& part : parts) {
-    Triangles& surface = surfaces.emplace_back();
-    surface.reserve(part.triangles.size());
+  std::vector<Surface> surfaces(parts.size());
+  for (std::size_t s = 0; s < parts.size(); ++s) {
+    const ChartedPart& part = parts[s];
+    surfaces[s].curvedPart = part.component;
+    surfaces[s].triangles.reserve(part.triangles.size());
     for (std::size_t i = 0; i < part.triangles.size(); ++i) {
-      surface.push_back(triangles[part.triangles[i]]);
-      surface.back().chart = part.charts[i];
+      surfaces[s].triangles.push_back(triangles[part.triangles[i]]);
+      surfaces[s].triangles.back().chart = part.charts[i];
     }
   }
   return surfaces;
 }
 
-std::vector<Triangles> lay(Section section, const PolygonMesh& mesh, const std::filesystem::path& file, Charts charts) {
-  if (charts == Charts::Planar) return layPlanar(std::move(section.triangles));
+/// The mesh of a section, which knows its smooth edges.
+class SectionMesh {
+ public:
+  SectionMesh(const Section& section, const std::optional<double>& crease)
+      : section_(section),
+        crease_(crease ? std::cos(*crease * std::numbers::pi / 180) : creaseCosine),
+        hasNormals_(!crease && !section.normals.empty()),
+        positions_(positionsOf(section.triangles)),
+        edges_(findEdges(positions_)) {}
+
+  const std::vector<TrianglePositions>& positions() const { return positions_; }
+  const MeshEdges& edges() const { return edges_; }
+
+  /// Two triangles in one plane always continue each other. Otherwise they do if exactly they share the edge, wind
+  /// alike, and the normals of the file, or else the angle between them, say so.
+  bool isSmooth(std::uint32_t halfEdge, std::uint32_t other) const {
+    const glm::dvec3 a = unitNormal(positions_[halfEdge / 3]), b = unitNormal(positions_[other / 3]);
+    if (areParallel(a, b)) return true;
+    if (edges_.around(edges_.edge[halfEdge]).size() != 2 || edges_.vertex[halfEdge] == edges_.vertex[other])
+      return false;
+    if (!hasNormals_) return glm::dot(a, b) >= crease_;
+    const auto isEqual = [&](std::uint32_t corner, std::uint32_t twin) {
+      return glm::distance(section_.normals[corner / 3][corner % 3], section_.normals[twin / 3][twin % 3]) <=
+             normalTolerance;
+    };
+    return glm::dot(a, b) >= sharpCosine && isEqual(halfEdge, nextCorner(other)) &&
+           isEqual(nextCorner(halfEdge), other);
+  }
+
+  const glm::dvec2& chartOf(std::uint32_t corner) const { return section_.triangles[corner / 3].chart[corner % 3]; }
+
+  /// Whether the charts of two triangles share the edge, too.
+  bool isJoined(std::uint32_t halfEdge, std::uint32_t other) const {
+    if (edges_.vertex[halfEdge] == edges_.vertex[other])
+      return chartOf(halfEdge) == chartOf(other) && chartOf(nextCorner(halfEdge)) == chartOf(nextCorner(other));
+    return chartOf(halfEdge) == chartOf(nextCorner(other)) && chartOf(nextCorner(halfEdge)) == chartOf(other);
+  }
+
+ private:
+  const Section& section_;
+  double crease_;
+  bool hasNormals_;
+  std::vector<TrianglePositions> positions_;
+  MeshEdges edges_;
+};
+
+/// Whether two triangles share an edge of the chart that is a crease. A texel there would hold light of both sides,
+/// unless the edge runs along borders of texels, as multiples of a quarter do in grids of 4, 8, 16, ... texels.
+bool isFolded(const SectionMesh& mesh) {
+  const auto isAlongQuarter = [](double a, double b) { return a == b && 4 * a == std::floor(4 * a); };
+  for (std::uint32_t e = 0; e < mesh.edges().count(); ++e) {
+    const std::span<const std::uint32_t> around = mesh.edges().around(e);
+    const glm::dvec2 from = mesh.chartOf(around[0]), to = mesh.chartOf(nextCorner(around[0]));
+    if (isAlongQuarter(from.x, to.x) || isAlongQuarter(from.y, to.y)) continue;
+    for (std::size_t i = 1; i < around.size(); ++i)
+      if (mesh.isJoined(around[0], around[i]) && !mesh.isSmooth(around[0], around[i])) return true;
+  }
+  return false;
+}
+
+/// The parts of a chart between creases, each scaled to the unit square.
+std::vector<ChartedPart> cutAtCreases(const Triangles& triangles, const SectionMesh& mesh) {
+  const TriangleSets sets = connectedSets(mesh.edges(), [&](std::uint32_t halfEdge, std::uint32_t other) {
+    return mesh.isJoined(halfEdge, other) && mesh.isSmooth(halfEdge, other);
+  });
+  std::vector<ChartedPart> parts;
+  for (const std::vector<std::uint32_t>& set : sets.triangles) {
+    std::vector<ChartTriangle> charts;
+    for (const std::uint32_t t : set) charts.push_back(triangles[t].chart);
+    parts.push_back({set, scaledToSquare(std::move(charts))});
+  }
+  return parts;
+}
+
+std::vector<Surface> lay(Section section, const PolygonMesh& mesh, const std::filesystem::path& file,
+                         const SceneSettings& settings) {
+  if (settings.charts == Charts::Planar) {
+    const std::vector<ChartedPart> parts = planarParts(positionsOf(section.triangles));
+    return divided(std::move(section.triangles), parts);
+  }
   const std::optional<std::string> fault = layFromFile(section.triangles, mesh);
-  if (fault && charts == Charts::File) {
-    fail({file}, "the texture coordinates of surface '" + section.family + "' form no chart: " + *fault,
-         "choose other charts, or mend the coordinates");
+  if (settings.charts == Charts::File) {
+    if (fault)
+      fail({file}, "the texture coordinates of surface '" + section.family + "' form no chart: " + *fault,
+           "choose other charts, or mend the coordinates");
+    return oneSurface(std::move(section.triangles));
   }
   // Quads have the chart of their corners already.
-  if (!fault || isLoneQuad(section.triangles, mesh)) return oneSurface(std::move(section.triangles));
-  return layPlanar(std::move(section.triangles));
+  if (isLoneQuad(section.triangles, mesh)) return oneSurface(std::move(section.triangles));
+  const SectionMesh edges(section, settings.crease);
+  if (!fault && !isFolded(edges)) return oneSurface(std::move(section.triangles));
+  const std::vector<ChartedPart> parts =
+      fault ? curvedParts(edges.positions(), edges.edges(),
+                          [&](std::uint32_t h, std::uint32_t other) { return edges.isSmooth(h, other); })
+            : cutAtCreases(section.triangles, edges);
+  return divided(std::move(section.triangles), parts);
 }
 
 }  // namespace
 
-std::vector<std::vector<Triangle>> layCharts(Section section, const PolygonMesh& mesh,
-                                             const std::filesystem::path& file, Charts charts) {
-  std::vector<Triangles> surfaces = lay(std::move(section), mesh, file, charts);
-  for (Triangles& surface : surfaces) {
-    for (Triangle& triangle : surface) {
+std::vector<Surface> layCharts(Section section, const PolygonMesh& mesh, const std::filesystem::path& file,
+                               const SceneSettings& settings) {
+  std::vector<Surface> surfaces = lay(std::move(section), mesh, file, settings);
+  for (Surface& surface : surfaces) {
+    for (Triangle& triangle : surface.triangles) {
       if (!mesh.polygons[triangle.polygon].textured) triangle.texcoord = triangle.chart;
     }
   }

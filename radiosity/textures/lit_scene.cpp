@@ -51,9 +51,10 @@ std::string gouraudMaterial(const TextureLayout& layout) {
 std::vector<CodedImage> codedTextures(const Scene& scene, const Discretization& discretization,
                                       const TextureLayout& layout, const std::vector<glm::dvec3>& exposed,
                                       TextureFilter filter) {
+  const std::vector<std::vector<BorderEdge>> borders = borderEdges(scene, discretization, exposed, filter);
   std::vector<CodedImage> textures(layout.textures.size());
   raster::parallelFor(textures.size(), [&](std::size_t t) {
-    textures[t] = encodeSrgb(filteredTexture(scene, discretization, layout, t, exposed, filter));
+    textures[t] = encodeSrgb(filteredTexture(scene, discretization, layout, t, exposed, filter, borders));
   });
   return textures;
 }

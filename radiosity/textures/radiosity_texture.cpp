@@ -86,10 +86,14 @@ std::vector<Image> radiosityTextures(const Discretization& discretization, const
 }
 
 Image filteredTexture(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
-                      std::size_t texture, const std::vector<glm::dvec3>& radiosity, TextureFilter filter) {
+                      std::size_t texture, const std::vector<glm::dvec3>& radiosity, TextureFilter filter,
+                      const std::vector<std::vector<BorderEdge>>& borders) {
   const int magnification = layout.textures[texture].magnification;
   return filledTexture(discretization, layout, texture, magnification, [&](std::uint32_t surface) {
-    return filteredTexels(scene, discretization, surface, radiosity, filter, magnification);
+    std::vector<glm::dvec3> texels = filteredTexels(scene, discretization, surface, radiosity, filter, magnification);
+    if (!borders.empty())
+      correctBorders(discretization.grids[surface], radiosity, filter, magnification, borders[surface], texels);
+    return texels;
   });
 }
 

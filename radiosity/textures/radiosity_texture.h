@@ -11,6 +11,7 @@
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/images/image.h"
 #include "radiosity/solver/progressive_solver.h"
+#include "radiosity/textures/chart_borders.h"
 #include "radiosity/textures/texture_filter.h"
 #include "radiosity/textures/texture_layout.h"
 
@@ -20,10 +21,12 @@ namespace hemitex::radiosity {
 std::vector<Image> radiosityTextures(const Discretization& discretization, const TextureLayout& layout,
                                      const std::vector<glm::dvec3>& radiosity);
 
-/// Display texture t of the layout: filtered and magnified, including the border, from one value per element. Throws
-/// InputError if it would have more than 2^28 texels.
+/// Display texture t of the layout: filtered and magnified, including the border, from one value per element. `borders`
+/// are the border edges of all surfaces (see chart_borders.h), or empty. Throws InputError if it would have more than
+/// 2^28 texels.
 Image filteredTexture(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
-                      std::size_t texture, const std::vector<glm::dvec3>& radiosity, TextureFilter filter);
+                      std::size_t texture, const std::vector<glm::dvec3>& radiosity, TextureFilter filter,
+                      const std::vector<std::vector<BorderEdge>>& borders = {});
 
 /// The displayed value of an element in W/m^2: radiosity plus reflectance times the ambient estimate.
 glm::dvec3 displayRadiosity(const Scene& scene, const Discretization& discretization, const Solution& solution,

@@ -149,6 +149,24 @@ double kernelWeight(TextureFilter filter, double distance) {
   return 0;
 }
 
+bool hasKernel(TextureFilter filter) { return filter != TextureFilter::Quadtree && filter != TextureFilter::Gouraud; }
+
+glm::dvec3 filteredValue(const Grid& grid, const std::vector<glm::dvec3>& radiosity, TextureFilter filter,
+                         const glm::dvec2& place) {
+  const Taps columns = tapsAt(filter, place.x - 0.5), rows = tapsAt(filter, place.y - 0.5);
+  WeightedSum sum;
+  forEachTap(rows, grid.rows, [&](double weight, int row) {
+    forEachTap(columns, grid.columns, [&](double times, int column) {
+      const auto texel = static_cast<std::size_t>(row * grid.columns + column);
+      if (grid.covered[texel]) sum.add(weight * times, {radiosity[grid.elementOfTexel[texel]], 1});
+    });
+  });
+  if (sum.weight > 0) return sum.radiosity / sum.weight;
+  const int column = std::clamp(static_cast<int>(place.x), 0, grid.columns - 1),
+            row = std::clamp(static_cast<int>(place.y), 0, grid.rows - 1);
+  return radiosity[grid.elementOfTexel[static_cast<std::size_t>(row * grid.columns + column)]];
+}
+
 std::vector<glm::dvec3> filteredTexels(const Scene& scene, const Discretization& discretization, std::uint32_t surface,
                                        const std::vector<glm::dvec3>& radiosity, TextureFilter filter,
                                        int magnification) {

@@ -28,6 +28,14 @@ enum class TextureFilter {
 /// The weight of a texel at a distance in grid texels, for all filters except Quadtree and Gouraud.
 double kernelWeight(TextureFilter filter, double distance);
 
+/// False for Quadtree and Gouraud.
+bool hasKernel(TextureFilter filter);
+
+/// The value at a place of the chart, in texels from its corner, for filters with a kernel. Where only texels without
+/// area weigh, the value of the element that the place belongs to.
+glm::dvec3 filteredValue(const Grid& grid, const std::vector<glm::dvec3>& radiosity, TextureFilter filter,
+                         const glm::dvec2& place);
+
 /// One value per texel of a surface's texture, row by row, (columns * magnification) x (rows * magnification) values,
 /// from one value per element. A grid texel without area has the value of its element's own texel. `magnification` is
 /// the number of texels of the texture along the side of a grid texel, at least 1.

@@ -144,6 +144,25 @@ std::vector<glm::dvec2> texcoordsOf(const tinygltf::Model& gltf, const tinygltf:
   return texcoords;
 }
 
+/// Empty if the normals are missing or faulty, since a scene is complete without them.
+std::vector<glm::dvec3> normalsOf(const tinygltf::Model& gltf, const tinygltf::Primitive& primitive,
+                                  std::size_t vertices, const glm::dmat4& toWorld) {
+  const auto found = primitive.attributes.find("NORMAL");
+  const glm::dmat3 linear(toWorld);
+  if (found == primitive.attributes.end() || glm::determinant(linear) == 0) return {};
+  const glm::dmat3 ofNormals = glm::transpose(glm::inverse(linear));
+  std::vector<glm::dvec3> normals;
+  try {
+    const std::vector<double> values = valuesOf(gltf, found->second, TINYGLTF_TYPE_VEC3, 3);
+    for (std::size_t i = 0; i < values.size(); i += 3)
+      normals.push_back(ofNormals * glm::dvec3(values[i], values[i + 1], values[i + 2]));
+  } catch (const Fault&) {
+    return {};
+  }
+  if (normals.size() != vertices || !std::all_of(normals.begin(), normals.end(), isFinite)) return {};
+  return normals;
+}
+
 /// The vertices of a primitive in the order in which it uses them.
 std::vector<std::uint32_t> verticesOf(const tinygltf::Model& gltf, const tinygltf::Primitive& primitive,
                                       std::size_t vertices) {
@@ -272,6 +291,7 @@ class NodeReader {
     }
     part.positions = positionsOf(gltf_, primitive, toWorld);
     part.texcoords = texcoordsOf(gltf_, primitive, part.positions.size());
+    part.normals = normalsOf(gltf_, primitive, part.positions.size(), toWorld);
     part.corners = cornersOf(verticesOf(gltf_, primitive, part.positions.size()), primitive.mode);
     // A mirror turns clockwise triangles into counter-clockwise ones.
     if (glm::determinant(glm::dmat3(toWorld)) < 0)

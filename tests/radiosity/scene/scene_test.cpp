@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <numbers>
+#include <regex>
 #include <set>
 
 #include "radiosity/scene/load_scene.h"
@@ -126,7 +127,7 @@ TEST_CASE("loadScene uses the file's coordinates if they form a chart", "[scene]
   // Two triangles of a bent sheet: not planar, but the coordinates form a chart (a mirrored one) and are rounded to
   // multiples of 2^-24.
   const Scene scene = load(
-      "v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\nvt 0.9 0\nvt 0.1 0\nvt 0.1 1\nvt 0.9 1\n"
+      "v 0 0 0\nv 1 0 0\nv 1 1 .5\nv 0 1 0\nvt 0.9 0\nvt 0.1 0\nvt 0.1 1\nvt 0.9 1\n"
       "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
   REQUIRE(scene.surfaces.size() == 1);
   const Triangle& triangle = scene.surfaces[0].triangles[0];
@@ -340,7 +341,7 @@ TEST_CASE("loadScene reports normals that the file lacks", "[scene]") {
 }
 
 TEST_CASE("loadScene with twoSided makes two surfaces of each, the second reversed", "[scene]") {
-  const Scene scene = load(cubeVertices + "g box\n" + cubeFaces + "g lid\nf 5 6 7 8\n", {.twoSided = true});
+  const Scene scene = load(cubeVertices + "g box\n" + cubeFaces + "g lid\nf 8 7 6 5\n", {.twoSided = true});
   REQUIRE(scene.surfaces.size() == 14);
   CHECK(totalArea(scene) == 14);
   for (std::size_t s = 0; s < 7; ++s) {
@@ -386,4 +387,80 @@ TEST_CASE("findMaterials names at most 8 unknown materials, and at most 200 byte
   const Scene scene = load(obj);
   CHECK(scene.warnings.back().size() < 2000);
   CHECK_THAT(scene.warnings.back(), Catch::EndsWith(" and 42 others"));
+}
+
+TEST_CASE("loadScene uses a repeated face once, with a warning", "[scene]") {
+  const Scene scene = load(cubeVertices + "f 1 2 3 4\nf 3 4 1 2\nf 4 3 2 1\n");
+  CHECK(totalArea(scene) == 2);  // the last face is the other side
+  REQUIRE(scene.warnings.size() == 2);
+  CHECK(scene.warnings[0] == "1 face left out, because another has the same corners (line 10)");
+}
+
+namespace {
+
+/// Two squares that share the edge from (0, 0, 0) to (0, 1, 0) and meet at an angle in degrees. Each corner has the
+/// normal of the given number: 1 faces up, 2 is that of the second square.
+std::string bentSheet(double degrees, const std::string& normals) {
+  const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+  char text[512];
+  std::snprintf(text, sizeof text,
+                "v -1 0 0\nv 0 0 0\nv 0 1 0\nv -1 1 0\nv %.17g 0 %.17g\nv %.17g 1 %.17g\nvn 0 0 3\nvn %.17g 0 %.17g\n"
+                "f 1//1 2//%c 3//%c 4//1\nf 2//%c 5//2 6//2 3//%c\n",
+                c, -s, c, -s, s, c, normals[0], normals[0], normals[1], normals[1]);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("loadScene joins faces that meet at less than the crease angle, or where the normals of the file agree",
+          "[scene]") {
+  const auto surfaces = [](const std::string& text, const SceneSettings& settings = {}) {
+    return load(text, settings).surfaces.size();
+  };
+  const auto withoutNormals = [](double degrees) {
+    return std::regex_replace(bentSheet(degrees, "11"), std::regex("//."), "");
+  };
+  CHECK(surfaces(withoutNormals(39)) == 1);
+  CHECK(surfaces(withoutNormals(41)) == 2);
+  CHECK(surfaces(withoutNormals(41), {.crease = 42}) == 1);
+  CHECK(surfaces(withoutNormals(39), {.charts = Charts::Planar}) == 2);
+  // The normals agree at the edge: "11" gives both squares the normal of the first one there.
+  CHECK(surfaces(bentSheet(50, "11")) == 1);
+  CHECK(surfaces(bentSheet(61, "11")) == 2);
+  // They differ, but a corner without its face's normal shows that somebody chose them.
+  CHECK(surfaces(bentSheet(30, "21")) == 2);
+  CHECK(surfaces(bentSheet(30, "21"), {.crease = 40}) == 1);
+  // All normals are those of the faces.
+  CHECK(surfaces(bentSheet(30, "12")) == 1);
+  const Scene joined = load(bentSheet(50, "11"));
+  CHECK(joined.surfaces[0].curvedPart == 0U);
+  CHECK_FALSE(load(cubeVertices + cubeFaces).surfaces[0].curvedPart);
+}
+
+// Four sides of a cube side by side: one chart without overlap. Each edge between two of them is a crease, which runs
+// along borders of texels if a side is a quarter of the chart wide.
+TEST_CASE("loadScene cuts the chart of the file at creases, except along texels or where charts are those of the file",
+          "[scene]") {
+  const auto cube = [](double side) {
+    std::string text = cubeVertices;
+    const std::array<std::array<int, 4>, 4> around{{{1, 2, 6, 5}, {2, 3, 7, 6}, {3, 4, 8, 7}, {4, 1, 5, 8}}};
+    for (int i = 0; i <= 4; ++i)
+      text += "vt " + std::to_string(i * side) + " .25\nvt " + std::to_string(i * side) + " .5\n";
+    for (int i = 0; i < 4; ++i) {
+      const auto corner = [&](int k, int texcoord) {
+        return " " + std::to_string(around[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)]) + "/" +
+               std::to_string(texcoord);
+      };
+      text += "f" + corner(0, 2 * i + 1) + corner(1, 2 * i + 3) + corner(2, 2 * i + 4) + corner(3, 2 * i + 2) + "\n";
+    }
+    return text;
+  };
+  CHECK(load(cube(0.25)).surfaces.size() == 1);
+  const std::string text = cube(0.2);
+  CHECK(load(text, {.charts = Charts::File}).surfaces.size() == 1);
+  const Scene scene = load(text);
+  REQUIRE(scene.surfaces.size() == 4);
+  for (const Surface& surface : scene.surfaces)
+    for (const Triangle& triangle : surface.triangles)
+      for (const glm::dvec2& p : triangle.chart) CHECK((p == glm::round(p)));
 }

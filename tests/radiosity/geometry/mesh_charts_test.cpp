@@ -1,12 +1,16 @@
-// planarParts: the number of parts, their triangles, and charts that are the scaled plane.
-#include "radiosity/geometry/planar_charts.h"
+// planarParts and curvedParts: the number of parts, their triangles, and charts that are scaled projections.
+#include "radiosity/geometry/mesh_charts.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
+
+#include "tests/support/ball.h"
 
 using namespace hemitex;
+using radiosity::ChartedPart;
 using radiosity::ChartTriangle;
-using radiosity::PlanarPart;
+using radiosity::curvedParts;
 using radiosity::planarParts;
 using radiosity::TrianglePositions;
 
@@ -38,9 +42,9 @@ double doubledArea(const ChartTriangle& t) {
 double doubledArea(const TrianglePositions& t) { return glm::length(glm::cross(t[1] - t[0], t[2] - t[0])); }
 
 /// Each triangle is in one part. Charts stay in the square, are not mirrored, and scale all areas of a part equally.
-void checkParts(const Triangles& triangles, const std::vector<PlanarPart>& parts) {
+void checkParts(const Triangles& triangles, const std::vector<ChartedPart>& parts) {
   std::vector<int> times(triangles.size(), 0);
-  for (const PlanarPart& part : parts) {
+  for (const ChartedPart& part : parts) {
     REQUIRE(part.triangles.size() == part.charts.size());
     const double scale = doubledArea(part.charts[0]) / doubledArea(triangles[part.triangles[0]]);
     for (std::size_t i = 0; i < part.triangles.size(); ++i) {
@@ -59,7 +63,7 @@ void checkParts(const Triangles& triangles, const std::vector<PlanarPart>& parts
 }  // namespace
 
 TEST_CASE("planarParts of a cube are six, each a whole chart", "[planar]") {
-  const std::vector<PlanarPart> parts = planarParts(cube());
+  const std::vector<ChartedPart> parts = planarParts(cube());
   checkParts(cube(), parts);
   REQUIRE(parts.size() == 6);
   for (std::uint32_t p = 0; p < 6; ++p) {
@@ -77,7 +81,7 @@ TEST_CASE("planarParts of the side of a prism are its facets", "[planar]") {
       addQuad(side, {std::cos(a), std::sin(a), 0}, {std::cos(b), std::sin(b), 0}, {std::cos(b), std::sin(b), 5},
               {std::cos(a), std::sin(a), 5});
     }
-    const std::vector<PlanarPart> parts = planarParts(side);
+    const std::vector<ChartedPart> parts = planarParts(side);
     checkParts(side, parts);
     CHECK(parts.size() == static_cast<std::size_t>(n));
   }
@@ -90,7 +94,7 @@ TEST_CASE("planarParts separates triangles in one plane that do not touch", "[pl
   addQuad(triangles, {1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0});  // touches both only in a corner
   CHECK(planarParts(triangles).size() == 3);
   addQuad(triangles, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0});  // closes the gap
-  const std::vector<PlanarPart> parts = planarParts(triangles);
+  const std::vector<ChartedPart> parts = planarParts(triangles);
   CHECK(parts.size() == 1);
   checkParts(triangles, parts);
 }
@@ -122,7 +126,7 @@ TEST_CASE("planarParts lets a part bend by up to 1e-4 rad from its first triangl
 TEST_CASE("planarParts makes the chart the bounding rectangle along the longest boundary edge", "[planar]") {
   // A right triangle with legs 3 and 4: along its hypotenuse of 5 the foot of its height 12/5 is at 9/5.
   const glm::dvec3 b(3, 0, 0), c(0, 4, 0), a(0, 0, 0);
-  const std::vector<PlanarPart> parts = planarParts(Triangles{{a, b, c}});
+  const std::vector<ChartedPart> parts = planarParts(Triangles{{a, b, c}});
   REQUIRE(parts.size() == 1);
   const ChartTriangle& chart = parts[0].charts[0];
   CHECK(chart[1] == glm::dvec2(0, 0));
@@ -135,7 +139,7 @@ TEST_CASE("planarParts does not rotate the chart along inner edges", "[planar]")
   // The diagonal of the square is its longest edge, but an inner one: the chart stays along the sides.
   Triangles square;
   addQuad(square, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
-  const PlanarPart part = planarParts(square).at(0);
+  const ChartedPart part = planarParts(square).at(0);
   CHECK(part.charts[0] == ChartTriangle{glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(1, 1)});
   CHECK(part.charts[1] == ChartTriangle{glm::dvec2(0, 0), glm::dvec2(1, 1), glm::dvec2(0, 1)});
 }
@@ -145,10 +149,10 @@ TEST_CASE("planarParts gives repeated faces charts of their own", "[planar]") {
   const Triangles again = cube();
   triangles.insert(triangles.end(), again.begin(), again.end());
   triangles.insert(triangles.end(), again.begin(), again.end());
-  const std::vector<PlanarPart> parts = planarParts(triangles);
+  const std::vector<ChartedPart> parts = planarParts(triangles);
   checkParts(triangles, parts);
   CHECK(parts.size() == 18);
-  for (const PlanarPart& part : parts) CHECK(radiosity::chartConflicts(part.charts).empty());
+  for (const ChartedPart& part : parts) CHECK(radiosity::chartConflicts(part.charts).empty());
   for (std::size_t p = 1; p < parts.size(); ++p) CHECK(parts[p - 1].triangles[0] < parts[p].triangles[0]);
 }
 
@@ -156,7 +160,84 @@ TEST_CASE("planarParts gives a triangle too thin for its part's chart a chart of
   Triangles triangles;
   addQuad(triangles, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
   triangles.push_back({glm::dvec3(0, 0, 0), glm::dvec3(0.5, -1e-9, 0), glm::dvec3(1, 0, 0)});
-  const std::vector<PlanarPart> parts = planarParts(triangles);
+  const std::vector<ChartedPart> parts = planarParts(triangles);
   checkParts(triangles, parts);
   CHECK(parts.size() == 2);
+}
+
+namespace {
+
+std::vector<ChartedPart> curvedPartsOf(const Triangles& triangles, bool isSmooth = true) {
+  return curvedParts(triangles, radiosity::findEdges(triangles), [=](auto, auto) { return isSmooth; });
+}
+
+/// Each triangle is in one part. The projection shortens each area to no less than half: within a part, areas in the
+/// chart over areas on the surface differ by a factor of at most 2.
+void checkCurvedParts(const Triangles& triangles, const std::vector<ChartedPart>& parts) {
+  std::vector<int> times(triangles.size(), 0);
+  for (const ChartedPart& part : parts) {
+    CHECK(radiosity::chartConflicts(part.charts).empty());
+    double least = std::numeric_limits<double>::infinity(), most = 0;
+    for (std::size_t i = 0; i < part.triangles.size(); ++i) {
+      ++times[part.triangles[i]];
+      const double scale = doubledArea(part.charts[i]) / doubledArea(triangles[part.triangles[i]]);
+      least = std::min(least, scale);
+      most = std::max(most, scale);
+    }
+    CHECK(least > 0);
+    CHECK(most <= 2 * least * (1 + 1e-4));
+  }
+  CHECK(times == std::vector<int>(triangles.size(), 1));
+}
+
+}  // namespace
+
+// The sides of a cube, projected onto the sphere, are within 54.7 degrees of their middles. Fewer parts than four are
+// not possible, since a part is seen from one direction at 60 degrees or less.
+TEST_CASE("curvedParts of a ball are six caps", "[planar]") {
+  for (const int levels : {2, 3, 4}) {
+    const Triangles ball = tests::icosphere(levels);
+    const std::vector<ChartedPart> parts = curvedPartsOf(ball);
+    CHECK(parts.size() == 6);
+    checkCurvedParts(ball, parts);
+    for (const ChartedPart& part : parts) CHECK(part.component == 0U);
+  }
+}
+
+TEST_CASE("curvedParts of a mesh without smooth edges are its triangles, and of a cube its planar parts", "[planar]") {
+  const Triangles ball = tests::icosphere(0);
+  CHECK(curvedPartsOf(ball, false).size() == 20);
+  const Triangles sides = cube();
+  const radiosity::MeshEdges edges = radiosity::findEdges(sides);
+  const auto areInOnePlane = [&](std::uint32_t h, std::uint32_t other) {
+    return radiosity::areParallel(radiosity::unitNormal(sides[h / 3]), radiosity::unitNormal(sides[other / 3]));
+  };
+  const std::vector<ChartedPart> parts = curvedParts(sides, edges, areInOnePlane), planar = planarParts(sides);
+  REQUIRE(parts.size() == planar.size());
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    CHECK(parts[p].triangles == planar[p].triangles);
+    CHECK(parts[p].charts == planar[p].charts);
+    CHECK_FALSE(parts[p].component);
+  }
+}
+
+// A grid of hills of height h and width 1 is a graph over the plane, so that one projection maps it without overlap.
+// Slopes are below pi h: 50 degrees for h = .38, and hills with steep parts need more charts.
+TEST_CASE("curvedParts of gentle hills are one part; small steep places of others do not become parts", "[planar]") {
+  const auto hills = [](double height) {
+    const auto at = [&](int i, int j) {
+      const double u = i / 12.0, v = j / 12.0;
+      const auto wave = [](double x) { return 4 * (x - std::floor(x)) * (1 - x + std::floor(x)); };
+      return glm::dvec3(u, v, height * wave(u) * wave(v));
+    };
+    Triangles triangles;
+    for (int j = 0; j < 36; ++j)
+      for (int i = 0; i < 36; ++i) addQuad(triangles, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+    return triangles;
+  };
+  CHECK(curvedPartsOf(hills(0.2)).size() == 1);
+  const Triangles steep = hills(0.36);
+  const std::vector<ChartedPart> parts = curvedPartsOf(steep);
+  checkCurvedParts(steep, parts);
+  CHECK(parts.size() == 1);
 }
