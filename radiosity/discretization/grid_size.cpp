@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "radiosity/geometry/mesh_charts.h"
 #include "radiosity/geometry/rectangle_packing.h"
 #include "raster/base/input_error.h"
 
@@ -49,9 +50,8 @@ double nearestPowerOfTwo(double number) {
 /// Whether all triangles have the same normal within the tolerance of planar parts.
 bool isFlat(const Surface& surface) {
   const glm::dvec3 first = normal(surface.triangles.front());
-  return std::all_of(surface.triangles.begin(), surface.triangles.end(), [&](const Triangle& triangle) {
-    return glm::length(glm::cross(first, normal(triangle))) <= 1e-4 && glm::dot(first, normal(triangle)) > 0;
-  });
+  return std::all_of(surface.triangles.begin(), surface.triangles.end(),
+                     [&](const Triangle& triangle) { return areParallel(first, normal(triangle)); });
 }
 
 /// The angle in radians by which the normals of a surface turn from one side to the other: twice the half-angle of the

@@ -10,6 +10,7 @@
 
 #include "radiosity/discretization/neighbours.h"
 #include "radiosity/discretization/patch_points.h"
+#include "radiosity/geometry/mesh_charts.h"
 #include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {
@@ -127,10 +128,12 @@ class Slicer {
  public:
   Slicer(const Scene& scene, const RayTree& tree)
       : lift_(eyeHeight * scene.extent), tolerance_(eyeInset * scene.extent), tree_(tree) {
-    for (const Surface& surface : scene.surfaces) {
+    for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+      const Surface& surface = scene.surfaces[s];
+      const std::uint32_t except = maySliceItself(surface) ? RayTree::noSurface : s;
       for (const Triangle& triangle : surface.triangles) {
         triangles_.push_back(&triangle);
-        surfaces_.push_back(&surface);
+        owners_.push_back({&surface, except});
       }
     }
   }
@@ -148,7 +151,8 @@ class Slicer {
   Found slicesOf(std::uint32_t number) const {
     const auto& [a, b, c] = triangles_[number]->position;
     std::vector<std::uint32_t> others;
-    tree_.appendNear(glm::min(glm::min(a, b), c) - tolerance_, glm::max(glm::max(a, b), c) + tolerance_, others);
+    tree_.appendNear(glm::min(glm::min(a, b), c) - tolerance_, glm::max(glm::max(a, b), c) + tolerance_, others,
+                     owners_[number].except);
     const WeightedTriangle plane(*triangles_[number], lift_, tolerance_);
     Found found;
     for (const std::uint32_t other : others) {
@@ -185,15 +189,28 @@ class Slicer {
   }
 
  private:
+  struct Owner {
+    const Surface* surface;
+    std::uint32_t except;  ///< the number of the surface if it cannot slice itself
+  };
+
+  /// Triangles in one plane do not slice each other, and those of a curved part are left out.
+  static bool maySliceItself(const Surface& surface) {
+    const glm::dvec3 first = normal(surface.triangles.front());
+    return !surface.curvedPart &&
+           !std::all_of(surface.triangles.begin(), surface.triangles.end(),
+                        [&](const Triangle& triangle) { return areParallel(first, normal(triangle)); });
+  }
+
   /// Where a curved part is hollow, its triangles slice each other near corners, but the part does not stand on itself.
   bool areOfOnePart(std::uint32_t number, std::uint32_t other) const {
-    const Surface &one = *surfaces_[number], &two = *surfaces_[other];
+    const Surface &one = *owners_[number].surface, &two = *owners_[other].surface;
     return one.curvedPart && one.curvedPart == two.curvedPart && one.family == two.family;
   }
 
   double lift_, tolerance_;
   std::vector<const Triangle*> triangles_;
-  std::vector<const Surface*> surfaces_;  ///< of each triangle
+  std::vector<Owner> owners_;  ///< of each triangle
   const RayTree& tree_;
 };
 

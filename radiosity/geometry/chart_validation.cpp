@@ -139,7 +139,8 @@ ChartTriangle roundedChart(const ChartTriangle& triangle) {
   return rounded;
 }
 
-std::vector<ChartConflict> chartConflicts(std::span<const ChartTriangle> triangles, std::size_t limit) {
+std::vector<ChartConflict> chartConflicts(std::span<const ChartTriangle> triangles, std::size_t limit,
+                                          bool mayOverlap) {
   using Kind = ChartConflict::Kind;
   std::vector<ChartConflict> conflicts;
   if (triangles.empty()) return conflicts;
@@ -149,6 +150,8 @@ std::vector<ChartConflict> chartConflicts(std::span<const ChartTriangle> triangl
       conflicts.push_back({Kind::Outside, i});
     } else if (!hasChartArea(triangles[i])) {
       conflicts.push_back({Kind::NoArea, i});
+    } else if (!mayOverlap) {
+      continue;
     } else if (const std::optional<std::uint32_t> other = grid.overlapped(i)) {
       conflicts.push_back({Kind::Overlap, i, *other});
     } else {

@@ -24,8 +24,8 @@ using Indices = std::vector<std::uint32_t>;
 /// Parts made of triangles that no part has yet.
 class Parts {
  public:
-  Parts(std::span<const TrianglePositions> triangles, const MeshEdges& edges)
-      : triangles_(triangles), edges_(edges), sets_(edges), uses_(edges.count(), 0) {}
+  Parts(std::span<const TrianglePositions> triangles, const MeshEdges& edges, std::span<const std::uint32_t> faces)
+      : triangles_(triangles), edges_(edges), faces_(faces), sets_(edges), uses_(edges.count(), 0) {}
 
   /// Makes parts until `seed` has one. Each grows from `seed` over edges to free triangles that `accepts` allows, given
   /// the half-edges of both triangles. Triangles that conflict in its chart stay free, perhaps `seed` too.
@@ -50,7 +50,9 @@ class Parts {
     ChartedPart part{sets_.grow(seed, number(), accepts), {}};
     while (!part.triangles.empty()) {
       part.charts = boundingRectangle(part.triangles, direction);
-      const std::vector<ChartConflict> conflicts = chartConflicts(part.charts);
+      const auto isOfFirstFace = [&](std::uint32_t t) { return faces_[t] == faces_[part.triangles[0]]; };
+      const bool mayOverlap = !std::all_of(part.triangles.begin(), part.triangles.end(), isOfFirstFace);
+      const std::vector<ChartConflict> conflicts = chartConflicts(part.charts, SIZE_MAX, mayOverlap);
       if (conflicts.empty()) return part;
       part.triangles = freed(part.triangles, conflicts);
     }
@@ -113,6 +115,7 @@ class Parts {
 
   std::span<const TrianglePositions> triangles_;
   const MeshEdges& edges_;
+  std::span<const std::uint32_t> faces_;
   SetGrower sets_;         ///< the owner of a triangle is its part
   std::vector<int> uses_;  ///< for each edge the number of triangles of the current part that have it
   std::vector<ChartedPart> parts_;
@@ -129,8 +132,9 @@ double areaOf(const TrianglePositions& t) { return glm::length(glm::cross(t[1] -
 
 class CurvedSplitter {
  public:
-  CurvedSplitter(std::span<const TrianglePositions> triangles, const MeshEdges& edges, const Connects& isSmooth)
-      : triangles_(triangles), edges_(edges), isSmooth_(isSmooth), normals_(unitNormals(triangles)) {}
+  CurvedSplitter(std::span<const TrianglePositions> triangles, const MeshEdges& edges,
+                 std::span<const std::uint32_t> faces, const Connects& isSmooth)
+      : triangles_(triangles), edges_(edges), faces_(faces), isSmooth_(isSmooth), normals_(unitNormals(triangles)) {}
 
   std::vector<ChartedPart> split() {
     components_ = connectedSets(edges_, isSmooth_);
@@ -194,7 +198,7 @@ class CurvedSplitter {
     Indices order(areas.size());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return areas[a] > areas[b]; });
-    Parts parts(triangles_, edges_);
+    Parts parts(triangles_, edges_, faces_);
     for (const std::uint32_t region : order) {
       const std::uint32_t first = regions.triangles[region][0], component = components_.owner[first];
       const glm::dvec3 direction = directions_[label_[first]];
@@ -211,6 +215,7 @@ class CurvedSplitter {
 
   std::span<const TrianglePositions> triangles_;
   const MeshEdges& edges_;
+  std::span<const std::uint32_t> faces_;
   const Connects& isSmooth_;
   std::vector<glm::dvec3> normals_;
   std::vector<glm::dvec3> directions_;
@@ -245,10 +250,11 @@ bool areParallel(const glm::dvec3& a, const glm::dvec3& b) {
   return glm::length(glm::cross(a, b)) <= angleTolerance && glm::dot(a, b) > 0;
 }
 
-std::vector<ChartedPart> planarParts(std::span<const TrianglePositions> triangles) {
+std::vector<ChartedPart> planarParts(std::span<const TrianglePositions> triangles,
+                                     std::span<const std::uint32_t> faces) {
   const MeshEdges edges = findEdges(triangles);
   const std::vector<glm::dvec3> normals = unitNormals(triangles);
-  Parts parts(triangles, edges);
+  Parts parts(triangles, edges, faces);
   for (std::uint32_t seed = 0; seed < triangles.size(); ++seed)
     parts.add(seed, normals[seed],
               [&](std::uint32_t, std::uint32_t other) { return areParallel(normals[seed], normals[other / 3]); });
@@ -256,8 +262,8 @@ std::vector<ChartedPart> planarParts(std::span<const TrianglePositions> triangle
 }
 
 std::vector<ChartedPart> curvedParts(std::span<const TrianglePositions> triangles, const MeshEdges& edges,
-                                     const Connects& isSmooth) {
-  return CurvedSplitter(triangles, edges, isSmooth).split();
+                                     std::span<const std::uint32_t> faces, const Connects& isSmooth) {
+  return CurvedSplitter(triangles, edges, faces, isSmooth).split();
 }
 
 }  // namespace hemitex::radiosity

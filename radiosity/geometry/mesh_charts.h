@@ -35,11 +35,13 @@ glm::dvec3 unitNormal(const TrianglePositions& triangle);
 bool areParallel(const glm::dvec3& a, const glm::dvec3& b);
 
 /// Splits triangles into planar parts, ordered by their first triangles. A part grows from its first triangle over
-/// edges, while normals are parallel to its first normal. All triangles must have area.
-std::vector<ChartedPart> planarParts(std::span<const TrianglePositions> triangles);
+/// edges, while normals are parallel to its first normal. All triangles must have area. `faces` has a number per
+/// triangle; triangles with the same number are those of a polygon and do not overlap each other.
+std::vector<ChartedPart> planarParts(std::span<const TrianglePositions> triangles,
+                                     std::span<const std::uint32_t> faces);
 
 /// Splits triangles into parts that may be curved, ordered by their first triangles. `edges` are those of `triangles`,
-/// which must all have area.
+/// which must all have area; `faces` is as above.
 ///
 /// The triangles that smooth edges connect form a component. If all its normals are parallel to the first, it is
 /// planar. Otherwise directions are added (Gonzalez 1985), always the normal farthest from all directions so far, until
@@ -47,6 +49,6 @@ std::vector<ChartedPart> planarParts(std::span<const TrianglePositions> triangle
 /// direction become a part. It takes in triangles of much smaller neighbours, as long as their normals are within 60
 /// degrees of its direction. So no length on the surface is more than twice its length in the projection.
 std::vector<ChartedPart> curvedParts(std::span<const TrianglePositions> triangles, const MeshEdges& edges,
-                                     const Connects& isSmooth);
+                                     std::span<const std::uint32_t> faces, const Connects& isSmooth);
 
 }  // namespace hemitex::radiosity

@@ -158,6 +158,7 @@ std::vector<Section> cutPolygons(const PolygonMesh& mesh, std::vector<std::strin
     }
     const bool isDegenerate = triangles.size() == before;
     if (isDegenerate) degenerate.add(mesh, p);
+    if (cut.crossing) sections[polygon.section].crossing.insert(p);
     if (cut.crossing && !isDegenerate) crossing.add(mesh, p);
   }
   repeated.warn(warnings, "left out, because another has the same corners");

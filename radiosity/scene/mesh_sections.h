@@ -21,6 +21,7 @@ struct Section {
   /// The unit normals of the file at the corners of each triangle. Empty if a corner has none, or if all are the
   /// normals of their faces: programs write these for meshes that nobody marked as smooth or flat.
   std::vector<std::array<glm::vec3, 3>> normals = {};
+  std::set<std::uint32_t> crossing = {};  ///< polygons that cross themselves, whose triangles may overlap
 };
 
 /// Triangulates polygons. Polygons without area are dropped and counted in a warning; so are polygons that repeat an

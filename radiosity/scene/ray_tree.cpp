@@ -36,7 +36,7 @@ RayTree::RayTree(const Scene& scene) : touching_(0x1p-30 * scene.extent) {
       const auto& [a, b, c] = scene.surfaces[s].triangles[t].position;
       leaves_.push_back({a, b - a, c - a, s, t, static_cast<std::uint32_t>(leaves_.size())});
     }
-  build(0, static_cast<std::uint32_t>(leaves_.size()), 0);
+  if (!leaves_.empty()) build(0, static_cast<std::uint32_t>(leaves_.size()), 0);
 }
 
 void RayTree::build(std::uint32_t begin, std::uint32_t end, int depth) {
@@ -44,9 +44,11 @@ void RayTree::build(std::uint32_t begin, std::uint32_t end, int depth) {
   nodes_.emplace_back();
   Node node;
   glm::dvec3 lowMiddle(std::numeric_limits<double>::infinity()), highMiddle(-lowMiddle);
+  node.surface = leaves_[begin].surface;
   const auto middle = [](const Leaf& leaf) { return 3.0 * leaf.corner + leaf.along1 + leaf.along2; };
   for (std::uint32_t i = begin; i < end; ++i) {
     const Leaf& leaf = leaves_[i];
+    if (leaf.surface != node.surface) node.surface = noSurface;
     for (const glm::dvec3& corner : {leaf.corner, leaf.corner + leaf.along1, leaf.corner + leaf.along2}) {
       node.low = glm::min(node.low, corner);
       node.high = glm::max(node.high, corner);
@@ -144,14 +146,20 @@ std::optional<TriangleHit> RayTree::firstHit(const glm::dvec3& origin, const glm
   return back && (!front || back->distance <= front->distance + touching) ? back : front;
 }
 
-void RayTree::appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vector<std::uint32_t>& numbers) const {
+void RayTree::appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vector<std::uint32_t>& numbers,
+                         std::uint32_t except) const {
   const auto isNear = [&](const glm::dvec3& otherLow, const glm::dvec3& otherHigh) {
     return otherLow.x <= high.x && otherLow.y <= high.y && otherLow.z <= high.z && otherHigh.x >= low.x &&
            otherHigh.y >= low.y && otherHigh.z >= low.z;
   };
   walk(
-      1, [&](const Node& node, double end) { return isNear(node.low, node.high) ? 0 : end; },
+      1,
+      [&](const Node& node, double end) {
+        const bool isLeftOut = except != noSurface && node.surface == except;
+        return !isLeftOut && isNear(node.low, node.high) ? 0 : end;
+      },
       [&](const Leaf& leaf, double&) {
+        if (leaf.surface == except) return;
         const glm::dvec3 b = leaf.corner + leaf.along1, c = leaf.corner + leaf.along2;
         if (isNear(glm::min(glm::min(leaf.corner, b), c), glm::max(glm::max(leaf.corner, b), c)))
           numbers.push_back(leaf.number);

@@ -32,8 +32,12 @@ class RayTree {
   /// Whether the ray meets the back of a triangle that faces along it, up to a distance in lengths of its direction.
   /// "Along" means that the cosine of the angle between the normal and the ray is at least `cosine`.
   bool meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine) const;
-  /// Appends the numbers of the triangles whose boxes intersect the box [low, high], in any order.
-  void appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vector<std::uint32_t>& numbers) const;
+  /// Appends the numbers of the triangles whose boxes intersect the box [low, high], in any order, except those of one
+  /// surface.
+  void appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vector<std::uint32_t>& numbers,
+                  std::uint32_t except = noSurface) const;
+
+  static constexpr std::uint32_t noSurface = UINT32_MAX;
 
  private:
   struct Leaf {
@@ -43,8 +47,9 @@ class RayTree {
   /// The first child of an inner node is the next node. A leaf node has triangles instead.
   struct Node {
     glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-    std::uint32_t second = 0;     ///< the second child, or the first triangle
-    std::uint32_t triangles = 0;  ///< 0 for an inner node
+    std::uint32_t second = 0;           ///< the second child, or the first triangle
+    std::uint32_t triangles = 0;        ///< 0 for an inner node
+    std::uint32_t surface = noSurface;  ///< of all triangles below, if they have the same
   };
 
   /// Calls visit(leaf, end) for the triangles of leaf nodes whose entryOf(node, end) is below `end`, and below which

@@ -72,6 +72,16 @@ std::vector<TrianglePositions> positionsOf(const Triangles& triangles) {
   return positions;
 }
 
+/// Numbers for the faces of triangles (see planarParts). Each triangle of a polygon that crosses itself is a face.
+std::vector<std::uint32_t> facesOf(const Section& section, const PolygonMesh& mesh) {
+  std::vector<std::uint32_t> faces;
+  faces.reserve(section.triangles.size());
+  auto next = static_cast<std::uint32_t>(mesh.polygons.size());
+  for (const Triangle& triangle : section.triangles)
+    faces.push_back(section.crossing.count(triangle.polygon) > 0 ? next++ : triangle.polygon);
+  return faces;
+}
+
 /// One surface per part.
 std::vector<Surface> divided(Triangles triangles, const std::vector<ChartedPart>& parts) {
   if (parts.size() == 1) {  // without a copy: the part has all triangles
@@ -170,7 +180,7 @@ std::vector<ChartedPart> cutAtCreases(const Triangles& triangles, const SectionM
 std::vector<Surface> lay(Section section, const PolygonMesh& mesh, const std::filesystem::path& file,
                          const SceneSettings& settings) {
   if (settings.charts == Charts::Planar) {
-    const std::vector<ChartedPart> parts = planarParts(positionsOf(section.triangles));
+    const std::vector<ChartedPart> parts = planarParts(positionsOf(section.triangles), facesOf(section, mesh));
     return divided(std::move(section.triangles), parts);
   }
   const std::optional<std::string> fault = layFromFile(section.triangles, mesh);
@@ -185,7 +195,7 @@ std::vector<Surface> lay(Section section, const PolygonMesh& mesh, const std::fi
   const SectionMesh edges(section, settings.crease);
   if (!fault && !isFolded(edges)) return oneSurface(std::move(section.triangles));
   const std::vector<ChartedPart> parts =
-      fault ? curvedParts(edges.positions(), edges.edges(),
+      fault ? curvedParts(edges.positions(), edges.edges(), facesOf(section, mesh),
                           [&](std::uint32_t h, std::uint32_t other) { return edges.isSmooth(h, other); })
             : cutAtCreases(section.triangles, edges);
   return divided(std::move(section.triangles), parts);

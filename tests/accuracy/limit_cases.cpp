@@ -63,8 +63,10 @@ std::string saidOfCoincidentFaces() {
   scene.surfaces.push_back(tests::parallelogram("down", corner, x, z));
   tests::HemicubeWorld world(tests::finish(std::move(scene)), 2, 1);
   ProjectedFormFactors rows = world.rows(64);
-  const Solution solution =
-      solve({.scene = world.scene, .discretization = world.discretization, .patches = world.discretization.patches, .rowOf = [&](const radiosity::Patch& patch) { return rows.ofPatch(patch); }});
+  const Solution solution = solve({.scene = world.scene,
+                                   .discretization = world.discretization,
+                                   .patches = world.discretization.patches,
+                                   .rowOf = [&](const radiosity::Patch& patch) { return rows.ofPatch(patch); }});
   return solution.warnings.empty() ? "" : solution.warnings.back();
 }
 
@@ -79,7 +81,11 @@ Files withMaterial(const std::string& statements) { return {.mtl = "newmtl paint
 /// Enough squares of 16 x 16 texels each to need more than 16 bits.
 Files manySquares() {
   Files files;
-  for (int i = 1; i <= 256; ++i) files.obj += "g square" + std::to_string(i) + "\nf 1 2 3 4\n";
+  for (int i = 1; i <= 256; ++i) {
+    const std::string z = std::to_string(i);
+    files.obj +=
+        "g square" + z + "\nv 0 0 " + z + "\nv 1 0 " + z + "\nv 1 1 " + z + "\nv 0 1 " + z + "\nf -4 -3 -2 -1\n";
+  }
   return files;
 }
 

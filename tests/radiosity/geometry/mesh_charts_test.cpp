@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "tests/support/ball.h"
 
@@ -11,12 +12,22 @@ using namespace hemitex;
 using radiosity::ChartedPart;
 using radiosity::ChartTriangle;
 using radiosity::curvedParts;
-using radiosity::planarParts;
 using radiosity::TrianglePositions;
 
 namespace {
 
 using Triangles = std::vector<TrianglePositions>;
+
+/// Each triangle is a face.
+std::vector<std::uint32_t> facesOf(const Triangles& triangles) {
+  std::vector<std::uint32_t> faces(triangles.size());
+  std::iota(faces.begin(), faces.end(), 0U);
+  return faces;
+}
+
+std::vector<ChartedPart> planarParts(const Triangles& triangles) {
+  return radiosity::planarParts(triangles, facesOf(triangles));
+}
 
 void addQuad(Triangles& triangles, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
   triangles.push_back({a, b, c});
@@ -168,7 +179,8 @@ TEST_CASE("planarParts gives a triangle too thin for its part's chart a chart of
 namespace {
 
 std::vector<ChartedPart> curvedPartsOf(const Triangles& triangles, bool isSmooth = true) {
-  return curvedParts(triangles, radiosity::findEdges(triangles), [=](auto, auto) { return isSmooth; });
+  return curvedParts(triangles, radiosity::findEdges(triangles), facesOf(triangles),
+                     [=](auto, auto) { return isSmooth; });
 }
 
 /// Each triangle is in one part. The projection shortens each area to no less than half: within a part, areas in the
@@ -212,7 +224,8 @@ TEST_CASE("curvedParts of a mesh without smooth edges are its triangles, and of 
   const auto areInOnePlane = [&](std::uint32_t h, std::uint32_t other) {
     return radiosity::areParallel(radiosity::unitNormal(sides[h / 3]), radiosity::unitNormal(sides[other / 3]));
   };
-  const std::vector<ChartedPart> parts = curvedParts(sides, edges, areInOnePlane), planar = planarParts(sides);
+  const std::vector<ChartedPart> parts = curvedParts(sides, edges, facesOf(sides), areInOnePlane),
+                                 planar = planarParts(sides);
   REQUIRE(parts.size() == planar.size());
   for (std::size_t p = 0; p < parts.size(); ++p) {
     CHECK(parts[p].triangles == planar[p].triangles);
