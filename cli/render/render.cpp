@@ -52,7 +52,10 @@ struct RenderOptions {
 
 Subject subjectOf(const RenderOptions& options, Console& console) {
   if (options.scene.file.filename() == "scene.obj") requireLitScene(options.scene.file.parent_path());
-  Subject subject{loadedScene(options.scene), {}, {}};
+  SceneOptions asked = options.scene;
+  // A lit scene has its backs already.
+  if (std::filesystem::exists(asked.file.parent_path() / "solution.json")) asked.settings.sides = radiosity::Sides::One;
+  Subject subject{loadedScene(asked), {}, {}};
   subject.solved = SolvedFolder::around(options.scene.file, subject.scene);
   if (subject.solved && options.scene.materials.areGiven())
     throw raster::InputError(options.scene.file.string(), 0, "is a solved scene, whose light cannot change",

@@ -75,8 +75,14 @@ void addSceneOptions(Command command, SceneOptions& options) {
               "file, and 40 where it has none)");
   addPositive(command, "--max-reflectance", options.settings.maxReflectance, 1.0,
               "lower a reflectance of 1 or more to this value (default 0.9999)");
-  command.addFlag("--two-sided", options.settings.twoSided,
-                  "make one surface for each side of a face (default: the back of a face is black)");
+  options.settings.sides = radiosity::Sides::TwoOfSheets;
+  const auto addSides = [&](const std::string& name, radiosity::Sides sides, const std::string& help) {
+    return command.addFlag(name, help, [&options, sides] { options.settings.sides = sides; });
+  };
+  const Option two = addSides("--two-sided", radiosity::Sides::Two,
+                              "make one surface for each side of a face (default: only for open sheets whose backs see "
+                              "the fronts of others)");
+  addSides("--one-sided", radiosity::Sides::One, "leave the backs of all faces black").excludes(two);
   addChoice(command, "--emission", options.settings.emission, emissionChoices,
             "unit of Ke, --emit and --lights: radiosity in W/m^2, or radiance in W/(m^2 sr) (default radiosity)");
   addMaterialOptions(command, options.materials);
@@ -86,7 +92,8 @@ ordered_json toJson(const radiosity::SceneSettings& settings) {
   return {{"charts", nameOf(chartsChoices, settings.charts)},
           {"crease", settings.crease ? ordered_json(*settings.crease) : ordered_json()},
           {"max_reflectance", settings.maxReflectance},
-          {"two_sided", settings.twoSided},
+          {"two_sided", settings.sides == radiosity::Sides::Two},
+          {"one_sided", settings.sides == radiosity::Sides::One},
           {"emission", nameOf(emissionChoices, settings.emission)}};
 }
 

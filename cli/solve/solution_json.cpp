@@ -1,5 +1,6 @@
 #include "cli/solve/solution_json.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -12,6 +13,29 @@ namespace hemitex::cli {
 using nlohmann::ordered_json;
 
 namespace {
+
+/// The names of open sheets with two sides; none if all surfaces have two.
+ordered_json sheetsJson(const radiosity::Scene& scene) {
+  ordered_json names = ordered_json::array();
+  const auto hasTwin = [](const radiosity::Surface& surface) { return surface.twin.has_value(); };
+  if (std::all_of(scene.surfaces.begin(), scene.surfaces.end(), hasTwin)) return names;
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const radiosity::Surface& surface = scene.surfaces[s];
+    const bool isFront = surface.twin && static_cast<std::size_t>(*surface.twin) > s;
+    if (isFront && (names.empty() || names.back() != surface.family)) names.push_back(surface.family);
+  }
+  return names;
+}
+
+/// A line that counts the sheets and names some.
+std::string sheetsText(const ordered_json& sheets) {
+  constexpr std::size_t maxNames = 5;
+  std::string text =
+      std::to_string(sheets.size()) + (sheets.size() == 1 ? " open sheet has" : " open sheets have") + " two sides: ";
+  for (std::size_t i = 0; i < std::min(sheets.size(), maxNames); ++i)
+    text += (i == 0 ? "" : ", ") + sheets[i].get<std::string>();
+  return text + (sheets.size() > maxNames ? ", ...\n" : "\n");
+}
 
 /// The area of a surface's elements, and means over this area.
 struct SurfaceMeans {
@@ -141,6 +165,7 @@ ordered_json description(const SolvedScene& solved, const std::optional<radiosit
   const radiosity::Phantoms phantoms = radiosity::countPhantoms(solved.discretization, solved.layout);
   return {{"settings", settings},
           {"surfaces", surfacesJson(solved, lit)},
+          {"sheets", sheetsJson(solved.scene)},
           {"elements", solved.discretization.elements.size()},
           {"patches", solved.discretization.patches.list.size()},
           {"phantoms", phantoms.spareTexels + phantoms.alignmentGaps},
@@ -157,6 +182,7 @@ std::string summary(const ordered_json& solution) {
   text << solution["surfaces"].size() << " surfaces, " << solution["elements"] << " elements, " << solution["patches"]
        << " patches\n"
        << shotsText(solution, solution["times"]["solve_s"]);
+  if (!solution["sheets"].empty()) text << sheetsText(solution["sheets"]);
   if (solution.contains("frames"))
     for (const ordered_json& frame : solution["frames"])
       text << frame["folder"].get<std::string>() << ": " << shotsText(frame, frame["times"]["update_s"]);
@@ -166,6 +192,13 @@ std::string summary(const ordered_json& solution) {
        << '\n';
   text << fluxText(solution["energy"]);
   return text.str();
+}
+
+std::vector<std::string> warningsOf(const radiosity::Solution& solution) {
+  std::vector<std::string> warnings = solution.warnings;
+  for (std::string& warning : warnings)
+    if (warning.ends_with("give each side a surface of its own")) warning += " (--two-sided)";
+  return warnings;
 }
 
 }  // namespace hemitex::cli

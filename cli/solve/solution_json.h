@@ -36,4 +36,7 @@ nlohmann::ordered_json description(const SolvedScene& solved, const std::optiona
 /// The summary of solution.json: counts, times, residual, expected error and the balance of flux.
 std::string summary(const nlohmann::ordered_json& solution);
 
+/// The warnings of a solution. Where it advises surfaces for both sides, it names the option.
+std::vector<std::string> warningsOf(const radiosity::Solution& solution);
+
 }  // namespace hemitex::cli

@@ -63,14 +63,14 @@ ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number,
   const SolvedScene solved{first.options,    first.camera,      dynamic.scene(), dynamic.discretization(),
                            dynamic.layout(), dynamic.solution()};
   const std::optional<radiosity::LitScene> lit = litScene(solved);
-  console.warnings(solved.solution.warnings);
+  console.warnings(warningsOf(solved.solution));
   console.warnings(writeSolved(folder / name, solved, lit));
   laps.lap("write_s");
   ordered_json text = description(solved, lit);
   text["edits"] = frame.written;
   text["rows"] = toJson(cost);
   text["times"] = laps.times();
-  text["warnings"] = solved.solution.warnings;
+  text["warnings"] = warningsOf(solved.solution);
   text["files"] = fileHashes(folder / name);
   raster::writeFile(folder / name / "solution.json", toText(text));
   return {{"folder", name},
@@ -83,7 +83,7 @@ ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number,
 
 /// Prints the warnings of a solution.
 void warnOf(const SolveResult& result, Console& console) {
-  console.warnings(result.solution.warnings);
+  console.warnings(warningsOf(result.solution));
   if (result.captured < 1)
     console.warning("the single plane captures " + percentText(result.captured) +
                     " of the flux of a patch; the rest is lost, so that the scene is too dark");

@@ -265,7 +265,7 @@ class BuriedRegions {
 
 std::vector<std::vector<CutTexel>> cutTexels(const Scene& scene, std::span<const GridSize> sizes) {
   std::vector<std::vector<CutTexel>> cut(scene.surfaces.size());
-  if (std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& s) { return s.twin.has_value(); }))
+  if (std::all_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& s) { return s.twin.has_value(); }))
     return cut;
   const RayTree rays(scene);
   const std::vector<std::vector<Slice>> slices = triangleSlices(scene, rays);

@@ -16,7 +16,7 @@
 namespace hemitex::radiosity {
 
 /// The cut texels of each surface, one list per surface. `sizes` has the grid size of each surface. The list is empty
-/// for a completely buried surface and for all surfaces of a two-sided scene, where no backs are visible.
+/// for a completely buried surface and for all surfaces of a scene in which all are two-sided, where no backs are visible.
 std::vector<std::vector<CutTexel>> cutTexels(const Scene& scene, std::span<const GridSize> sizes);
 
 }  // namespace hemitex::radiosity

@@ -38,7 +38,12 @@ ParallelViews viewsFor(const Scene& scene, const Discretization& discretization)
   return {bounds, std::clamp(2 * static_cast<int>(across / 2 + 1), smallestViews, largestViews)};
 }
 
-bool isTwoSided(const Scene& scene) { return scene.surfaces.front().twin.has_value(); }
+bool hasTwin(const Surface& surface) { return surface.twin.has_value(); }
+
+bool hasTwins(const Scene& scene) { return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), hasTwin); }
+
+/// Whether all surfaces have two sides, so that no back covers a face.
+bool isTwoSided(const Scene& scene) { return std::all_of(scene.surfaces.begin(), scene.surfaces.end(), hasTwin); }
 
 /// The corners of a triangle in an order that does not depend on the side.
 std::array<glm::dvec3, 3> sortedCorners(const Triangle& triangle) {
@@ -95,7 +100,7 @@ class PixelCounts {
 
   /// The pixels of all views together, one view per direction.
   FormFactorRow of(std::span<const glm::dvec3> directions) {
-    const std::size_t atOnce = isTwoSided(scene_) ? 1 : viewsAtOnce();
+    const std::size_t atOnce = hasTwins(scene_) ? 1 : viewsAtOnce();
     return sum_.rowOf(shares_, [&](const AddWindow& add) {
       for (std::size_t first = 0; first < directions.size(); first += atOnce)
         draw(directions, first, std::min(first + atOnce, directions.size()), add);
@@ -113,9 +118,12 @@ class PixelCounts {
     for (std::size_t i = first; i < end; ++i)
       faces.push_back(views_.face(scene_.origin, directions[i], static_cast<std::uint32_t>(i)));
     const Window window = wholeFaces(shares_).front();
-    const std::vector<std::uint32_t> skipped =
-        isTwoSided(scene_) ? trianglesFacingAway(scene_, glm::dvec3(faces.front().eye) + scene_.origin, true)
-                           : covered_;
+    std::vector<std::uint32_t> skipped = covered_;
+    if (hasTwins(scene_)) {
+      const auto away = trianglesFacingAway(scene_, glm::dvec3(faces.front().eye) + scene_.origin, true);
+      skipped.clear();
+      std::set_union(covered_.begin(), covered_.end(), away.begin(), away.end(), std::back_inserter(skipped));
+    }
     renderer_.draw(faces, skipped, buffers_, [&](std::size_t f) { add(window, buffers_[f]); });
   }
 

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "radiosity/scene/mesh_sections.h"
 #include "radiosity/scene/obj_file.h"
 #include "radiosity/scene/obj_lines.h"
+#include "radiosity/scene/open_sheets.h"
 #include "radiosity/scene/section_charts.h"
 #include "raster/base/input_error.h"
 #include "raster/base/short_number.h"
@@ -94,13 +96,20 @@ Surface backOf(const Surface& front) {
   return back;
 }
 
-void addBacks(std::vector<Surface>& surfaces) {
-  const std::size_t fronts = surfaces.size();
-  for (std::size_t s = 0; s < fronts; ++s) {
+/// Gives some surfaces, by their numbers, a surface on the other side.
+void addBacks(std::vector<Surface>& surfaces, const std::vector<std::uint32_t>& numbers) {
+  for (const std::uint32_t s : numbers) {
+    const auto back = static_cast<int>(surfaces.size());
     surfaces.push_back(backOf(surfaces[s]));
-    surfaces[s].twin = static_cast<int>(fronts + s);
+    surfaces[s].twin = back;
     surfaces.back().twin = static_cast<int>(s);
   }
+}
+
+std::vector<std::uint32_t> allSurfaces(const Scene& scene) {
+  std::vector<std::uint32_t> numbers(scene.surfaces.size());
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers;
 }
 
 void makeNamesUnique(std::vector<Surface>& surfaces) {
@@ -178,9 +187,10 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
     const std::string family = sections[s].family;
     addSurfaces(scene, layCharts(std::move(sections[s]), mesh, file, settings), family, choice.ofSection[s]);
   }
-  if (settings.twoSided) addBacks(scene.surfaces);
-  makeNamesUnique(scene.surfaces);
   measureBounds(scene);
+  if (settings.sides == Sides::Two) addBacks(scene.surfaces, allSurfaces(scene));
+  if (settings.sides == Sides::TwoOfSheets) addBacks(scene.surfaces, sheetsLitFromBothSides(scene));
+  makeNamesUnique(scene.surfaces);
   if (scene.extent < smallestExtent) fail({file}, "the scene is smaller than 1e-18 units", "scale it up");
   return scene;
 }

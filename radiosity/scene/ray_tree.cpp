@@ -34,7 +34,8 @@ RayTree::RayTree(const Scene& scene) : touching_(0x1p-30 * scene.extent) {
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
     for (std::uint32_t t = 0; t < scene.surfaces[s].triangles.size(); ++t) {
       const auto& [a, b, c] = scene.surfaces[s].triangles[t].position;
-      leaves_.push_back({a, b - a, c - a, s, t, static_cast<std::uint32_t>(leaves_.size())});
+      leaves_.push_back(
+          {a, b - a, c - a, s, t, static_cast<std::uint32_t>(leaves_.size()), scene.surfaces[s].twin.has_value()});
     }
   if (!leaves_.empty()) build(0, static_cast<std::uint32_t>(leaves_.size()), 0);
 }
@@ -128,6 +129,7 @@ void RayTree::trace(const glm::dvec3& origin, const glm::dvec3& direction, doubl
         if (!(u >= 0 && u <= 1)) return;
         const glm::dvec3 q = glm::cross(offset, leaf.along1);
         const double v = glm::dot(direction, q) / determinant, t = glm::dot(leaf.along2, q) / determinant;
+        if (leaf.hasTwin && determinant < 0) return;  // the twin shows its front there
         if (v >= 0 && u + v <= 1 && t > 0 && t < last)
           meet(TriangleHit{leaf.surface, leaf.triangle, {u, v}, t, determinant > 0}, leaf, last);
       });

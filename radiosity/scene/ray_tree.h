@@ -27,7 +27,7 @@ class RayTree {
   explicit RayTree(const Scene& scene);
 
   /// The first triangle that a ray meets. If faces touch within 2^-30 extents of the scene, a hit of a back comes
-  /// first. The reason: the front of a face that touches another is invisible.
+  /// first. The reason: the front of a face that touches another is invisible. Surfaces with twins have no backs.
   std::optional<TriangleHit> firstHit(const glm::dvec3& origin, const glm::dvec3& direction) const;
   /// Whether the ray meets the back of a triangle that faces along it, up to a distance in lengths of its direction.
   /// "Along" means that the cosine of the angle between the normal and the ray is at least `cosine`.
@@ -43,6 +43,7 @@ class RayTree {
   struct Leaf {
     glm::dvec3 corner, along1, along2;
     std::uint32_t surface, triangle, number;
+    bool hasTwin;
   };
   /// The first child of an inner node is the next node. A leaf node has triangles instead.
   struct Node {

@@ -49,7 +49,7 @@ struct Surface {
       triangles;  ///< in file order; never empty, all with area (see hasArea) in space and in the chart
   /// Surfaces of one family with the same number are charts of one curved part of the mesh.
   std::optional<std::uint32_t> curvedPart = {};
-  std::optional<int> twin = {};  ///< two-sided scenes: the surface of the other side
+  std::optional<int> twin = {};  ///< of a two-sided surface: the surface of the other side
 };
 
 /// A camera that a scene file contains.
@@ -65,9 +65,9 @@ struct Scene {
   double extent = 0;       ///< the diagonal of the bounds
   std::vector<Material> materials;
   std::vector<Image> images;
-  std::vector<Surface> surfaces;  ///< in the order of their first faces; in two-sided scenes all fronts, then all backs
-  OutsideLight outside = {};      ///< not part of the file
-  std::vector<std::string> warnings;              ///< one sentence each, for the user
+  std::vector<Surface> surfaces;      ///< in the order of their first faces; backs of two-sided ones behind all fronts
+  OutsideLight outside = {};          ///< not part of the file
+  std::vector<std::string> warnings;  ///< one sentence each, for the user
   std::optional<SceneCamera> camera = {};         ///< OBJ files have none
   std::vector<std::filesystem::path> files = {};  ///< all that were read: the scene, its materials, images and buffers
 };

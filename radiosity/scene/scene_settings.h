@@ -22,13 +22,20 @@ enum class EmissionUnit {
 /// The radiosity of one unit of emission: 1 or pi.
 constexpr double radiosityPerUnit(EmissionUnit unit) { return unit == EmissionUnit::Radiance ? std::numbers::pi : 1.0; }
 
+/// The surfaces that get a surface of their own on the back. Other backs absorb.
+enum class Sides {
+  One,          ///< none
+  TwoOfSheets,  ///< open sheets that are lit from both sides (see open_sheets.h)
+  Two,          ///< all
+};
+
 struct SceneSettings {
   Charts charts = Charts::Auto;
   /// Edges at which faces meet at a larger angle are creases; in degrees, above 0. Without it the normals of the file
   /// decide, and 40 degrees where it has none.
   std::optional<double> crease = {};
   double maxReflectance = 0.9999;  ///< a reflectance of 1 or more is lowered to this, with a warning; in [0, 1)
-  bool twoSided = false;           ///< makes one surface per side of each surface
+  Sides sides = Sides::One;
   EmissionUnit emission = EmissionUnit::Radiosity;  ///< unit of Ke
 };
 

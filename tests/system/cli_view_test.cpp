@@ -92,7 +92,7 @@ TEST_CASE("hemitex solve --report names the surfaces whose backs absorb light", 
                                                        "g sheet\nf 13 14 15 16\nusemtl lamp"));
   std::string command = quickSolve;
   command.replace(command.find("room.obj"), 8, "sheet.obj");
-  shell.output(command + "--report -o out");
+  shell.output(command + "--one-sided --report -o out");
   const json shown = elementOf(readAll(shell.file("out/report.html")), "result");
   REQUIRE(shown["backs"]["absorbed_by"].size() == 1);
   const json& back = shown["backs"]["absorbed_by"][0];

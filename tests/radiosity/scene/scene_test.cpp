@@ -340,8 +340,8 @@ TEST_CASE("loadScene reports normals that the file lacks", "[scene]") {
   CHECK(scene.surfaces.size() == 1);
 }
 
-TEST_CASE("loadScene with twoSided makes two surfaces of each, the second reversed", "[scene]") {
-  const Scene scene = load(cubeVertices + "g box\n" + cubeFaces + "g lid\nf 8 7 6 5\n", {.twoSided = true});
+TEST_CASE("loadScene with Sides::Two makes two surfaces of each, the second reversed", "[scene]") {
+  const Scene scene = load(cubeVertices + "g box\n" + cubeFaces + "g lid\nf 8 7 6 5\n", {.sides = Sides::Two});
   REQUIRE(scene.surfaces.size() == 14);
   CHECK(totalArea(scene) == 14);
   for (std::size_t s = 0; s < 7; ++s) {
