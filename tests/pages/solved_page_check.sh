@@ -16,7 +16,7 @@ cp "$2/cornell-box.mtl" .
 cp "$2/cornell-box.view.json" box.view.json
 awk '/^g /{turned = $2 == "short-block"} turned && /^f /{printf "f"; for (i = NF; i > 1; --i) printf " %s", $i; print ""; next} 1' \
   "$2/cornell-box.obj" >box.obj
-"$1" -q solve box.obj -o lit --report --texels 8 --filter bilinear --reflectance wall-red=1,0.1,0.1
+"$1" -q solve box.obj -o lit --one-sided --report --texels 8 --filter bilinear --reflectance wall-red=1,0.1,0.1
 if grep -E '(src|href)=["'\'']?(https?:)?//' lit/report.html; then
   echo "the page names resources of a network" >&2
   exit 1

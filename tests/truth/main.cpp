@@ -89,7 +89,7 @@ void printErrors(const radiosity::Scene& scene, const radiosity::Discretization&
 
 void write(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
-  const radiosity::Scene scene = radiosity::loadScene(arguments.scene);
+  const radiosity::Scene scene = radiosity::loadScene(arguments.scene, {.sides = radiosity::Sides::TwoOfSheets});
   const radiosity::Discretization discretization = radiosity::discretizeUnburied(scene, arguments.grid);
   const tests::BakedRadiosity baked = tests::bakedRadiosity(scene, discretization, arguments.bake);
   std::ofstream file(arguments.output, std::ios::binary);
