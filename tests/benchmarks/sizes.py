@@ -53,4 +53,5 @@ def main():
         print('| ' + ' | '.join(map(str, solved(program, generator, work, tiles))) + ' |', flush=True)
 
 
-main()
+if __name__ == "__main__":
+    main()
