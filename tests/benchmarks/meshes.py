@@ -12,7 +12,8 @@ import random
 import shutil
 import sys
 
-from sizes import run
+sys.dont_write_bytecode = True  # no files beside the sources
+from sizes import run  # noqa: E402
 
 LAMP = 'usemtl lamp\no lamp\nv 1.5 {0} 2\nv 2.5 {0} 2\nv 2.5 {0} 3\nv 1.5 {0} 3\nf -4 -3 -2 -1\n'
 
