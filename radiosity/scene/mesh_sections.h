@@ -19,7 +19,7 @@ struct Section {
   /// for quads, whose corners map to those of the unit square.
   std::vector<Triangle> triangles;
   /// The unit normals of the file at the corners of each triangle. Empty if a corner has none, or if all are the
-  /// normals of their faces: programs write these for meshes that nobody marked as smooth or flat.
+  /// normals of their faces: programs write these for meshes without smooth shading, too.
   std::vector<std::array<glm::vec3, 3>> normals = {};
   std::set<std::uint32_t> crossing = {};  ///< polygons that cross themselves, whose triangles may overlap
 };

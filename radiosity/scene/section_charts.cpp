@@ -116,8 +116,8 @@ class SectionMesh {
   const std::vector<TrianglePositions>& positions() const { return positions_; }
   const MeshEdges& edges() const { return edges_; }
 
-  /// Two triangles in one plane always continue each other. Otherwise they do if exactly they share the edge, wind
-  /// alike, and the normals of the file, or else the angle between them, say so.
+  /// Two triangles in one plane always continue each other. Otherwise they do if no third one shares the
+  /// edge, they wind alike, and the normals of the file, or else the angle between them, say so.
   bool isSmooth(std::uint32_t halfEdge, std::uint32_t other) const {
     const glm::dvec3 a = unitNormal(positions_[halfEdge / 3]), b = unitNormal(positions_[other / 3]);
     if (areParallel(a, b)) return true;

@@ -427,7 +427,7 @@ TEST_CASE("loadScene joins faces that meet at less than the crease angle, or whe
   // The normals agree at the edge: "11" gives both squares the normal of the first one there.
   CHECK(surfaces(bentSheet(50, "11")) == 1);
   CHECK(surfaces(bentSheet(61, "11")) == 2);
-  // They differ, but a corner without its face's normal shows that somebody chose them.
+  // They differ at the edge. One corner has not its face's normal, so that the normals count.
   CHECK(surfaces(bentSheet(30, "21")) == 2);
   CHECK(surfaces(bentSheet(30, "21"), {.crease = 40}) == 1);
   // All normals are those of the faces.
