@@ -80,8 +80,8 @@ void addSceneOptions(Command command, SceneOptions& options) {
     return command.addFlag(name, help, [&options, sides] { options.settings.sides = sides; });
   };
   const Option two = addSides("--two-sided", radiosity::Sides::Two,
-                              "make one surface for each side of a face (default: only for open sheets whose backs see "
-                              "the fronts of others)");
+                              "make one surface for each side of a face (default: only for open sheets whose backs are "
+                              "lit)");
   addSides("--one-sided", radiosity::Sides::One, "leave the backs of all faces black").excludes(two);
   addChoice(command, "--emission", options.settings.emission, emissionChoices,
             "unit of Ke, --emit and --lights: radiosity in W/m^2, or radiance in W/(m^2 sr) (default radiosity)");

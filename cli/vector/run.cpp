@@ -40,7 +40,7 @@ struct RunOptions {
   int repetitions = 1;
 };
 
-/// A new empty folder for files that nobody keeps.
+/// A new empty folder for temporary files.
 class ScratchFolder {
  public:
   ScratchFolder() {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/discretization/exposed_pieces.h"
@@ -92,12 +91,8 @@ std::vector<BlockPiece> piecesIn(const Surface& surface, const Grid& grid, const
   return pieces;
 }
 
-}  // namespace
-
-namespace {
-
 /// The pieces whose normal is nearest to the mean normal, or all where a block is flat.
-std::vector<BlockPiece> facingPieces(const Surface& surface, std::vector<BlockPiece> pieces) {
+std::vector<BlockPiece> facingPieces(const Surface& surface, const std::vector<BlockPiece>& pieces) {
   if (pieces.size() == 1) return pieces;
   std::vector<glm::dvec3> normals;
   glm::dvec3 sum(0);

@@ -19,8 +19,8 @@ struct Slice {
 /// triangle, like the eyes of its patches. The slices are then moved along the crossing triangles down to the triangle.
 ///
 /// Slices along the border of a surface are left out, because they separate nothing; so are slices along an edge by the
-/// neighbour at that edge, and slices by triangles of the same curved part. `tree` is that of the
-/// scene. Takes O(n log n) time for n triangles of about equal size, plus the slices.
+/// neighbour at that edge, and slices by triangles of the same curved part. `tree` is that of the scene.
+/// Takes O(n log n) time for n triangles of about equal size, plus the slices.
 std::vector<std::vector<Slice>> triangleSlices(const Scene& scene, const RayTree& tree);
 
 }  // namespace hemitex::radiosity

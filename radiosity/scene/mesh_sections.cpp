@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/container_hash/hash.hpp>
+#include <cmath>
 #include <map>
 #include <span>
 #include <tuple>
@@ -33,16 +34,16 @@ Triangle makeTriangle(const PolygonMesh& mesh, std::uint32_t polygonIndex,
   return triangle;
 }
 
-/// The unit normals of the file at corners of a polygon; nothing if one is missing.
+/// The unit normals of the file at corners of a polygon; nothing if one is missing, or has no finite length above 0.
 std::optional<std::array<glm::vec3, 3>> cornerNormals(const PolygonMesh& mesh, const MeshPolygon& polygon,
                                                       const std::array<std::uint32_t, 3>& corners) {
   std::array<glm::vec3, 3> normals{};
   for (std::size_t k = 0; k < 3; ++k) {
     const std::optional<std::uint32_t> index = mesh.corners[polygon.firstCorner + corners[k]].normal;
     if (!index) return {};
-    const glm::dvec3 normal(mesh.normals[*index]);
+    const glm::dvec3& normal = mesh.normals[*index];
     const double length = glm::length(normal);
-    if (!(length > 0)) return {};
+    if (!(length > 0 && std::isfinite(length))) return {};
     normals[k] = normal / length;
   }
   return normals;
@@ -56,12 +57,12 @@ void addNormals(const PolygonMesh& mesh, Section& section, const Triangle& trian
     section.normals.push_back(*normals);
 }
 
-/// Whether all normals are those of the faces, within a degree or so.
+/// Whether all normals are those of the faces.
 bool areOfFaces(const Section& section) {
   for (std::size_t t = 0; t < section.normals.size(); ++t) {
     const glm::dvec3 ofFace = unitNormal(section.triangles[t].position);
     for (const glm::vec3& normal : section.normals[t])
-      if (glm::distance(glm::dvec3(normal), ofFace) > 0.02) return false;
+      if (glm::distance(glm::dvec3(normal), ofFace) > normalTolerance) return false;
   }
   return true;
 }

@@ -12,6 +12,9 @@
 
 namespace hemitex::radiosity {
 
+/// Unit normals of a file are equal up to this distance, about a degree, since files round them.
+inline constexpr double normalTolerance = 0.02;
+
 struct Section {
   std::string family;    ///< unique: the group's name, with `/material` if the group has several sections
   std::string material;  ///< empty for none

@@ -34,7 +34,7 @@ struct PolygonMesh {
   std::vector<glm::dvec3> positions;              ///< finite; absolute coordinates at most 1e18
   std::vector<std::optional<glm::dvec3>> colors;  ///< one per position
   std::vector<glm::dvec2> texcoords;              ///< finite; absolute coordinates at most 1e18
-  std::vector<glm::vec3> normals;                 ///< of any length, perhaps 0
+  std::vector<glm::dvec3> normals;                ///< of any length, perhaps 0
   std::vector<MeshCorner> corners;
   std::vector<MeshPolygon> polygons;  ///< in file order
   std::vector<MeshSection> sections;  ///< in the order of their first faces

@@ -21,8 +21,6 @@ using Triangles = std::vector<Triangle>;
 constexpr double creaseCosine = 0.766044443118978;
 /// The cosine of 60 degrees. Normals of the file do not make a sharper edge smooth: light differs on its two sides.
 constexpr double sharpCosine = 0.5;
-/// Normals of the file are equal up to this distance, since files round them.
-constexpr double normalTolerance = 0.02;
 
 std::string describe(const ChartConflict& conflict, const Triangles& triangles, const PolygonMesh& mesh) {
   const auto face = [&](std::uint32_t triangle) {

@@ -432,6 +432,9 @@ TEST_CASE("loadScene joins faces that meet at less than the crease angle, or whe
   CHECK(surfaces(bentSheet(30, "21"), {.crease = 40}) == 1);
   // All normals are those of the faces.
   CHECK(surfaces(bentSheet(30, "12")) == 1);
+  // Normals without a finite length above 0 are as good as none.
+  for (const char* broken : {"vn 0 0 0\n", "vn 1e300 0 0\n"})
+    CHECK(surfaces(std::regex_replace(bentSheet(30, "21"), std::regex("vn 0 0 3\n"), broken)) == 1);
   const Scene joined = load(bentSheet(50, "11"));
   CHECK(joined.surfaces[0].curvedPart == 0U);
   CHECK_FALSE(load(cubeVertices + cubeFaces).surfaces[0].curvedPart);
