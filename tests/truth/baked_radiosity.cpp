@@ -9,6 +9,7 @@
 #include <random>
 #include <string>
 
+#include "radiosity/projection/parallel_view.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
 #include "reference/truth/closed_forms/surface_pieces.h"
@@ -70,12 +71,26 @@ std::vector<Place> placesOf(const radiosity::Scene& scene) {
   return places;
 }
 
-/// An element that emits.
+/// An element that emits, or the sky.
 struct Light {
-  RaySource raySource;
+  std::optional<RaySource> raySource;  ///< none for the sky
   glm::dvec3 power;  ///< flux of a path that starts here, W; all paths together carry the emitted flux
   double upTo;       ///< cumulative share of the flux of the lights; the last is 1
 };
+
+/// Number of no triangle, for rays that start in the sky.
+constexpr std::uint32_t noTriangle = ~0u;
+
+/// A sphere around the scene, in its frame.
+struct SkySphere {
+  glm::dvec3 centre{0.0};
+  double radius = 0;
+};
+
+SkySphere skyOf(const radiosity::Scene& scene) {
+  const radiosity::BoundingSphere bounds = radiosity::boundingSphere(scene);
+  return {(bounds.centre - scene.origin) / scene.extent, bounds.radius / scene.extent * 1.001};
+}
 
 using ElementFlux = std::vector<glm::dvec3>;
 
@@ -86,7 +101,8 @@ class Tracer {
         discretization_(discretization),
         pieces_(surfacePieces(scene, discretization)),
         places_(placesOf(scene)),
-        caster_(scene) {
+        caster_(scene),
+        sky_(skyOf(scene)) {
     findLights();
   }
 
@@ -124,6 +140,12 @@ class Tracer {
       if (bandSum(emission) == 0) continue;
       sum += discretization_.elements[e].area * bandSum(emission);
       lights_.push_back({areaRaySource(pieces_, std::array{e}), emission / bandSum(emission), sum});
+    }
+    if (const glm::dvec3& sky = scene_.outside.sky; bandSum(sky) > 0) {
+      // A sphere around the scene that emits inwards: its radiosity is the irradiance of an open plane.
+      const double radius = sky_.radius * scene_.extent;
+      sum += 4 * pi * radius * radius * bandSum(sky);
+      lights_.push_back({std::nullopt, sky / bandSum(sky), sum});
     }
     for (Light& light : lights_) {
       light.upTo /= sum;
@@ -181,7 +203,15 @@ class Tracer {
   ShootingPoint lightPoint(double x, double y) const {
     const auto light = lightAt(x);
     const double before = light == lights_.begin() ? 0 : std::prev(light)->upTo;
-    return shootingPoint(light->raySource, (x - before) / (light->upTo - before), y);
+    const double place = (x - before) / (light->upTo - before);
+    return light->raySource ? shootingPoint(*light->raySource, place, y) : skyPoint(place, y);
+  }
+
+  /// Equal areas of a cylinder around the sphere map to equal areas of the sphere (Archimedes).
+  ShootingPoint skyPoint(double x, double y) const {
+    const double z = 1 - 2 * x, radius = std::sqrt(std::max(0.0, 1 - z * z)), angle = 2 * pi * y;
+    const glm::dvec3 out(radius * std::cos(angle), radius * std::sin(angle), z);
+    return {sky_.centre + sky_.radius * out, -out, noTriangle};
   }
 
   /// Whether light arrives from a random point of the lights.
@@ -203,7 +233,7 @@ class Tracer {
     for (int bounce = 0; bounce < walkBounces; ++bounce) {
       if (seesLight(at, random)) return Walk::Light;
       const auto hit = cast(at, cosineDirection(at.normal, random));
-      if (!hit) return Walk::Background;
+      if (!hit) return bandSum(scene_.outside.sky) > 0 ? Walk::Light : Walk::Background;
       if (!hit->front) return Walk::Back;
       at = pointAt(*hit);
     }
@@ -226,6 +256,7 @@ class Tracer {
   SurfacePieces pieces_;
   std::vector<Place> places_;
   RayCaster caster_;
+  SkySphere sky_;
   std::vector<Light> lights_;
 };
 

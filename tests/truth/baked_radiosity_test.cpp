@@ -1,6 +1,7 @@
 // bakedRadiosity (light tracing) compared with closed forms.
 #include "tests/truth/baked_radiosity.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -54,6 +55,30 @@ double exposedAreaOf(const Scene& scene, const BakedRadiosity& baked, const std:
 }
 
 }  // namespace
+
+TEST_CASE("bakedRadiosity under a sky is the share of the sky that is seen, within its standard errors", "[baked]") {
+  // The floor of an open shaft with black walls sees the sky through the opening, which is an opposite rectangle.
+  constexpr double width = 2, depth = 3, height = 1.5;
+  std::vector<Surface> shaft = tests::box("shaft", {0, 0, 0}, {width, depth, height}, true);
+  const auto isOpening = [](const Surface& surface) { return normal(surface.triangles.front()).z < -0.5; };
+  std::erase_if(shaft, isOpening);
+  Scene scene = tests::sceneOf(std::move(shaft));
+  scene.materials = {tests::material("black", glm::dvec3(0), glm::dvec3(0))};
+  const auto floor = std::find_if(scene.surfaces.begin(), scene.surfaces.end(),
+                                  [](const Surface& surface) { return normal(surface.triangles.front()).z > 0.5; });
+  floor->material = 1;
+  scene.materials.push_back(tests::material("grey", glm::dvec3(0.5), glm::dvec3(0)));
+  scene.outside.sky = {1, 2, 3};
+  const Discretization discretization = discretizeUnburied(scene, {.texels = 1});
+  const BakedRadiosity baked = bakedRadiosity(scene, discretization);
+  const SurfaceFlux& of = baked.surfaces[static_cast<std::size_t>(floor - scene.surfaces.begin())];
+  const double seen = parallelRectangles({{0, width}, {0, depth}}, {{0, width}, {0, depth}}, height);
+  for (int band = 0; band < 3; ++band) {
+    const double expected = 0.5 * scene.outside.sky[band] * width * depth * seen;
+    CHECK(std::abs(of.flux[band] - expected) <= deviations * of.fluxError[band]);
+    CHECK(of.fluxError[band] < 0.02 * expected);
+  }
+}
 
 TEST_CASE("bakedRadiosity of a furnace is E over 1 minus r, within its standard errors", "[baked]") {
   const Scene scene = tests::closedCube(glm::dvec3(0.25, 0.5, 0.75), glm::dvec3(1, 2, 3));

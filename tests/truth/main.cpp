@@ -1,5 +1,6 @@
 /// Writes the light of a scene, found by light tracing, as a table of its surfaces:
-/// `hemitex_truth SCENE.obj [--texels N | --texel-size LENGTH] [--paths N] [--points N] [--seed N] -o FILE.csv`.
+/// `hemitex_truth SCENE.obj [--texels N | --texel-size LENGTH] [--paths N] [--points N] [--seed N] [--sky R,G,B]
+/// -o FILE.csv`.
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -21,7 +22,15 @@ struct Arguments {
   std::string scene, output, command = "hemitex_truth";
   radiosity::DiscretizationSettings grid;
   tests::BakeSettings bake;
+  glm::dvec3 sky{0.0};
 };
+
+glm::dvec3 bandsOf(const std::string& text) {
+  glm::dvec3 bands;
+  if (std::sscanf(text.c_str(), "%lf,%lf,%lf", &bands.r, &bands.g, &bands.b) != 3)
+    throw std::invalid_argument(text + " is not R,G,B");
+  return bands;
+}
 
 Arguments parsed(int argc, char** argv) {
   Arguments result;
@@ -47,6 +56,8 @@ Arguments parsed(int argc, char** argv) {
       result.bake.points = std::stoi(value);
     else if (name == "--seed")
       result.bake.seed = static_cast<std::uint32_t>(std::stoul(value));
+    else if (name == "--sky")
+      result.sky = bandsOf(value);
     else
       throw std::invalid_argument("unknown option " + name);
   }
@@ -89,7 +100,8 @@ void printErrors(const radiosity::Scene& scene, const radiosity::Discretization&
 
 void write(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
-  const radiosity::Scene scene = radiosity::loadScene(arguments.scene, {.sides = radiosity::Sides::TwoOfSheets});
+  radiosity::Scene scene = radiosity::loadScene(arguments.scene, {.sides = radiosity::Sides::TwoOfSheets});
+  scene.outside.sky = arguments.sky;
   const radiosity::Discretization discretization = radiosity::discretizeUnburied(scene, arguments.grid);
   const tests::BakedRadiosity baked = tests::bakedRadiosity(scene, discretization, arguments.bake);
   std::ofstream file(arguments.output, std::ios::binary);
@@ -108,8 +120,8 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     std::cerr
         << "hemitex_truth: " << error.what()
-        << "\nusage: hemitex_truth SCENE.obj [--texels N | --texel-size LENGTH] [--paths N] [--points N] [--seed N] -o "
-           "FILE.csv\n";
+        << "\nusage: hemitex_truth SCENE.obj [--texels N | --texel-size LENGTH] [--paths N] [--points N] [--seed N] "
+           "[--sky R,G,B] -o FILE.csv\n";
     return 2;
   }
 }
