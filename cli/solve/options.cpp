@@ -34,11 +34,13 @@ void addMethodOptions(Command command, SolveOptions& options) {
 }
 
 /// Adds the options for ending the solution and for memory.
-void addSolverOptions(Command command, radiosity::SolverSettings& settings) {
+void addSolverOptions(Command command, SolveOptions& options) {
+  radiosity::SolverSettings& settings = options.solver;
   command = command.under("Accuracy and memory");
   const Option residual =
-      addPositive(command, "--residual", settings.residual, std::numeric_limits<double>::infinity(),
-                  "stop when the unshot flux is at most this share of the emitted flux (default 0.001)");
+      addPositive(command, "--residual", options.residual, std::numeric_limits<double>::infinity(),
+                  "stop when the unshot flux is at most this share of the emitted flux (default 0.001; 0.00001 with "
+                  "light from outside)");
   addInteger(command, "--shots", settings.shots, 0, std::numeric_limits<int>::max(),
              "stop after N shots (default: see --residual)")
       .excludes(residual);
@@ -141,7 +143,7 @@ void addSolveOptions(Command command, SolveOptions& options) {
   addDiscretizationOptions(command, options.discretization);
   addMethodOptions(command, options);
   addIdOptions(command, options.id);
-  addSolverOptions(command, options.solver);
+  addSolverOptions(command, options);
   addChosenSettings(command, options);
   addTextureOptions(command, options);
   addOmissions(command, options);

@@ -26,6 +26,7 @@ struct SolveOptions {
   std::uint32_t seed = 0;
   radiosity::IdSettings id;
   radiosity::SolverSettings solver;
+  std::optional<double> residual;  ///< of `solver`; see radiosity::defaultResidual
   std::optional<double> maxError;
   std::optional<radiosity::TextureFilter> filter;  ///< see filterOf for the default
   std::optional<int> magnification;                ///< see magnificationOf for the default

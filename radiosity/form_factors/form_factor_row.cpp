@@ -51,9 +51,8 @@ void close(FormFactorRow& row, std::uint64_t total) {
   *largest += total - totalOf(row);
 }
 
-FormFactorRow weightedSum(std::span<const WeightedRow> rows, double area, std::uint64_t total) {
-  Sums sums;
-  for (const WeightedRow& weighted : rows) sums = sum(sums, weighted.row, weighted.area / area);
+/// Rounds shares to integers that sum to `total`.
+FormFactorRow roundedRow(const Sums& sums, std::uint64_t total) {
   FormFactorRow result{{}, {}, rounded(sums.background), rounded(sums.back)};
   for (std::size_t i = 0; i < sums.shares.size(); ++i) {
     if (rounded(sums.shares[i]) == 0) continue;
@@ -64,6 +63,12 @@ FormFactorRow weightedSum(std::span<const WeightedRow> rows, double area, std::u
   return result;
 }
 
+FormFactorRow weightedSum(std::span<const WeightedRow> rows, double area, std::uint64_t total) {
+  Sums sums;
+  for (const WeightedRow& weighted : rows) sums = sum(sums, weighted.row, weighted.area / area);
+  return roundedRow(sums, total);
+}
+
 }  // namespace
 
 FormFactorRow meanOf(std::span<const WeightedRow> rows) {
@@ -71,6 +76,15 @@ FormFactorRow meanOf(std::span<const WeightedRow> rows) {
   const double area = std::accumulate(rows.begin(), rows.end(), 0.0,
                                       [](double sum, const WeightedRow& weighted) { return sum + weighted.area; });
   return weightedSum(rows, area, wholeShare);
+}
+
+FormFactorRow closedRow(const std::vector<std::uint32_t>& elements, const std::vector<double>& shares,
+                        double background, double back) {
+  const double total = std::accumulate(shares.begin(), shares.end(), background + back);
+  const double scale = static_cast<double>(wholeShare) / total;
+  Sums sums{elements, shares, scale * background, scale * back};
+  for (double& share : sums.shares) share *= scale;
+  return roundedRow(sums, wholeShare);
 }
 
 FormFactorRow partOfMean(std::span<const WeightedRow> parts, double area) {

@@ -35,6 +35,11 @@ struct WeightedRow {
 /// whose share rounds to zero are left out.
 FormFactorRow meanOf(std::span<const WeightedRow> rows);
 
+/// A row with these shares, in any common unit, scaled so that it sums to exactly 2^60. `elements` ascend, with one
+/// share each; the sum of all shares is above 0. Elements whose share rounds to zero are left out.
+FormFactorRow closedRow(const std::vector<std::uint32_t>& elements, const std::vector<double>& shares,
+                        double background, double back);
+
 /// The contribution of parts of rows to their mean; `area` is that of all points, also those without a part. If two
 /// sets of parts have equal sums per row, their results have equal sums as well.
 FormFactorRow partOfMean(std::span<const WeightedRow> parts, double area);

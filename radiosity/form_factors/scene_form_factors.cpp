@@ -39,11 +39,17 @@ SceneFormFactors::SceneFormFactors(const Scene& scene, const Discretization& dis
   if (settings.split >= 1) return;
   if (settings.elementsBy == ElementsBy::Mesh)
     textures_ = softwareRenderer(makeDrawList(scene, discretization_, layout_));
-  splitter_.emplace(scene, discretization_, layout_, textures_ ? *textures_ : *renderer_, settings.split);
+  raster::ItemBufferRenderer& byTexture = textures_ ? *textures_ : *renderer_;
+  splitter_.emplace(scene, discretization_, layout_, byTexture, settings.split);
+  near_.emplace(scene, discretization_, layout_, byTexture);
 }
 
 RowSource SceneFormFactors::rowOf() {
-  return [this](const Patch& patch) { return rows_.ofPatch(patch); };
+  return [this](const Patch& patch) { return corrected(patch, rows_.ofPatch(patch)); };
+}
+
+FormFactorRow SceneFormFactors::corrected(const Patch& patch, FormFactorRow row) {
+  return near_ ? near_->corrected(patch, std::move(row)) : row;
 }
 
 OutsideFlux SceneFormFactors::outsideFlux() {

@@ -8,6 +8,7 @@
 
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/form_factor_row.h"
+#include "radiosity/form_factors/near_receivers.h"
 #include "radiosity/form_factors/outside_flux.h"
 #include "radiosity/form_factors/patch_subdivision.h"
 #include "radiosity/form_factors/projected_form_factors.h"
@@ -58,8 +59,11 @@ class SceneFormFactors {
   SceneFormFactors(const SceneFormFactors&) = delete;
   SceneFormFactors& operator=(const SceneFormFactors&) = delete;
 
-  /// The row of a patch. Keeps a reference to this object.
+  /// The row of a patch, corrected. Keeps a reference to this object.
   RowSource rowOf();
+  /// A row that was drawn for a patch, with the shares of small elements near it replaced (see NearReceivers), unless
+  /// no patch is to be split.
+  FormFactorRow corrected(const Patch& patch, FormFactorRow row);
   /// The parts of patches during a solution; empty if no patch is to be split. Keeps a reference to this object.
   PatchSplit splits();
   /// The points that a patch would shoot from now with this weight; none if it would be split (see PatchSplit).
@@ -80,6 +84,7 @@ class SceneFormFactors {
   std::unique_ptr<raster::ItemBufferRenderer>
       textures_;  ///< renderer for split tests, if rows are drawn in another way
   std::optional<PatchSubdivision> splitter_;
+  std::optional<NearReceivers> near_;
 };
 
 }  // namespace hemitex::radiosity

@@ -148,7 +148,7 @@ FormFactorRow RowsAhead::row(const Patch& patch) {
     ++shots_;
   }
   aheadSeconds_ = 0;
-  FormFactorRow row = rowOf(patch);
+  FormFactorRow row = formFactors_.corrected(patch, rowOf(patch));
   rowGiven_ = seconds();
   return row;
 }

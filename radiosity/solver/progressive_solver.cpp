@@ -41,8 +41,11 @@ std::vector<std::string> warningsOf(const Energy& energy) {
       "or give each side a surface of its own"};
 }
 
-/// All emitted flux over the flux of a patch of weight 1.
-constexpr double unitsOfFlux = 256;
+/// The flux of a patch of weight 1: a 256th of the emitted flux, of which light from outside counts as outsideShare.
+double unitFluxOf(const ShotLight& light) {
+  constexpr double unitsOfFlux = 256;
+  return (light.lastEmitted - (1 - outsideShare) * bandSum(sumOf(light.outside))) / unitsOfFlux;
+}
 
 /// Shoots until a limit of the settings is reached, after the shots and splits of `past`.
 Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, const Progress& progress,
@@ -57,7 +60,7 @@ Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, co
   };
   std::vector<SplitCall> splits = past.splits;
   const auto snapshot = [&] { return Snapshot{solution.shots, splits, solution.absorbedByBacks, state.saved()}; };
-  const double unitFlux = state.light().lastEmitted / unitsOfFlux;
+  const double unitFlux = unitFluxOf(state.light());
   const auto weightOf = [&](std::uint32_t patch) { return bandSum(glm::abs(state.unshot(patch))) / unitFlux; };
   const auto likelyShots = [&](std::size_t count) {
     std::vector<LikelyShot> shots;
@@ -122,6 +125,11 @@ Solution finished(const SolveInput& input, Solution solution, ShootingState stat
 }
 
 }  // namespace
+
+double defaultResidual(const Scene& scene) {
+  constexpr double withoutOutside = SolverSettings().residual;
+  return brightest(scene.outside) > 0 ? withoutOutside * outsideShare : withoutOutside;
+}
 
 Solution solve(SolveInput input, const Progress& progress) {
   assert(!input.patches.list.empty());

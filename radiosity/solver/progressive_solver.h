@@ -25,6 +25,14 @@ struct SolverSettings {
                               << 20;  ///< memory of the cache of rows, for later shots of the same patch
 };
 
+/// The share of light from outside that counts in the default residual and in the weights of patches (see
+/// patch_subdivision.h). A room behind windows receives about this share of the light on a house and the ground around
+/// it, and should be as accurate as a room with lamps.
+inline constexpr double outsideShare = 0.01;
+
+/// The residual for a scene: that of SolverSettings, times outsideShare if light comes from outside.
+double defaultResidual(const Scene& scene);
+
 /// All that a solution is computed from. What it refers to must not change during the solution.
 struct SolveInput {
   const Scene& scene;
