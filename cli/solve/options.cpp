@@ -55,10 +55,11 @@ void addSolverOptions(Command command, SolveOptions& options) {
 
 /// Adds the options that choose other settings: --max-error and --adaptive.
 void addChosenSettings(Command command, SolveOptions& options) {
-  const Option maxError = addPositive(
-      command.under("Accuracy and memory"), "--max-error", options.maxError, 1,
-      "choose --resolution, --split and --residual so that the expected error is at most this share of all flux, such "
-      "as 0.01 (default: use the given values)");
+  const Option maxError =
+      addPositive(command.under("Accuracy and memory"), "--max-error", options.maxError, 1,
+                  "choose --resolution, --split and --residual so that the expected error is at most this share, such "
+                  "as 0.01, both "
+                  "of all flux and of the flux of the surfaces that the camera sees (default: use the given values)");
   for (const char* chosen : {"--resolution", "--orientation", "--split", "--pixels-per-element", "--residual",
                              "--shots", "--samples", "--seed"})
     maxError.excludes(command.option(chosen));

@@ -1,14 +1,15 @@
 #include "cli/solve/run.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "radiosity/base/bytes.h"
 #include "radiosity/discretization/adaptive_subdivision.h"
 #include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/pictures/visibility.h"
 #include "radiosity/ranks/rows_ahead.h"
 #include "radiosity/ranks/shared_tasks.h"
 #include "radiosity/solver/dynamic_solution.h"
-#include "radiosity/solver/error_control.h"
 #include "reference/truth/rays/embree_form_factors.h"
 
 namespace hemitex::cli {
@@ -55,8 +56,9 @@ radiosity::Solution solvedWithRanks(radiosity::Messenger& ranks, radiosity::Scen
   return solution;
 }
 
-/// Solves with the options, discretization and layout of the result, and adds the solution to it.
-void solve(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor) {
+/// Solves with the options, discretization and layout of the result, and adds the solution to it. `seen`: see
+/// SeenLight.
+void solve(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor, const std::vector<bool>& seen = {}) {
   const SolveOptions& options = result.options;
   radiosity::Discretization& discretization = result.discretization;
   // Also used with rays, because patches are split by hemicubes for both methods.
@@ -76,6 +78,7 @@ void solve(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor)
                               .split = drawn.splits(),
                               .settings = options.solver,
                               .outside = drawn.outsideFlux(),
+                              .seen = {seen, drawn.scoutRows()},
                               .snapshot = snapshot ? &*snapshot : nullptr,
                               .isContinued = !options.edits.empty()};
   radiosity::RowCache ofViews(options.solver.rowCacheBytes / 2);
@@ -99,14 +102,25 @@ void solve(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor)
 }
 
 /// As `solve` for a choice of settings, which goes on with the radiosity. Throws Stopped after a signal.
-const std::vector<glm::dvec3>& solvedRadiosity(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor) {
-  solve(result, scene, monitor);
+const std::vector<glm::dvec3>& solvedRadiosity(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor,
+                                               const std::vector<bool>& seen = {}) {
+  solve(result, scene, monitor, seen);
   if (result.solution.isInterrupted) throw Stopped();
   return result.solution.radiosity;
 }
 
-/// Solves with growing effort until the expected error is within --max-error.
-void solveBounded(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor) {
+/// The surfaces that are seen in a picture of the proportions of render.png, with 256 pixels along its longer side.
+std::vector<bool> seenIn(const CameraOptions& picture, const radiosity::Scene& scene, const radiosity::Camera& camera) {
+  const auto scaled = [longer = std::max(picture.width, picture.height)](int side) {
+    return std::max(1, 256 * side / longer);
+  };
+  return radiosity::seenSurfaces(scene, camera, scaled(picture.width), scaled(picture.height));
+}
+
+/// Solves with growing effort until both expected errors are within --max-error.
+void solveBounded(SolveResult& result, const radiosity::Scene& scene, const radiosity::Camera& camera,
+                  Monitor& monitor) {
+  const std::vector<bool> seen = seenIn(result.options.camera, scene, camera);
   const double bound = *result.options.maxError;
   result.options.solver.residual = radiosity::residualFor(bound);
   const radiosity::Patches unsplit = result.discretization.patches;
@@ -114,9 +128,9 @@ void solveBounded(SolveResult& result, const radiosity::Scene& scene, Monitor& m
     result.options.drawing.resolution = effort.resolution;
     result.options.drawing.split = effort.split;
     result.discretization.patches = unsplit;
-    return solvedRadiosity(result, scene, monitor);
+    return solvedRadiosity(result, scene, monitor, seen);
   };
-  result.expectedError = radiosity::chooseEffort(result.discretization, solveWith, bound).expectedError;
+  result.expectedErrors = radiosity::chooseEffort(result.discretization, seen, solveWith, bound).expectedErrors;
 }
 
 /// Solves with elements that become smaller where radiosity changes fast.
@@ -132,7 +146,7 @@ void solveAdaptive(SolveResult& result, const radiosity::Scene& scene, Monitor& 
 
 }  // namespace
 
-SolveResult solveScene(const SolveOptions& asked, const radiosity::Scene& scene,
+SolveResult solveScene(const SolveOptions& asked, const radiosity::Scene& scene, const radiosity::Camera& camera,
                        radiosity::Discretization discretization, Monitor& monitor) {
   SolveResult result{asked, std::move(discretization)};
   if (!asked.adaptive) result.layout = layoutOf(asked.id, result.discretization, monitor.console());
@@ -140,7 +154,7 @@ SolveResult solveScene(const SolveOptions& asked, const radiosity::Scene& scene,
     if (asked.adaptive)
       solveAdaptive(result, scene, monitor);
     else if (asked.maxError)
-      solveBounded(result, scene, monitor);
+      solveBounded(result, scene, camera, monitor);
     else
       solve(result, scene, monitor);
   } catch (const Stopped&) {  // the last solution is the result

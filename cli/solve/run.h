@@ -8,7 +8,9 @@
 #include "cli/solve/options.h"
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
+#include "radiosity/pictures/camera.h"
 #include "radiosity/scene/scene.h"
+#include "radiosity/solver/error_control.h"
 #include "radiosity/solver/progressive_solver.h"
 
 namespace hemitex::cli {
@@ -20,13 +22,15 @@ struct SolveResult {
   radiosity::Solution solution = {};  ///< without its patches
   double captured = 1;                ///< share of the light of a patch that the projection captures; the rest is lost
   Convergence convergence = {};
-  std::optional<double> expectedError = {};  ///< with --max-error, unless a signal stopped the choice
+  /// With --max-error, unless a signal stopped the choice.
+  std::optional<radiosity::LightErrors> expectedErrors = {};
 };
 
-/// Solves the scene as the options ask. `discretization` is that of the options; with --adaptive it is not used. The
-/// solution of --edits has its continuation. After a signal the result is that of the last shot. Throws InputError if
+/// Solves the scene as the options ask. With --max-error the seen surfaces are those that `camera` shows.
+/// `discretization` is that of the options; with --adaptive it is not used. The solution of --edits has its
+/// continuation. After a signal the result is that of the last shot. Throws InputError if
 /// --max-error cannot be reached.
-SolveResult solveScene(const SolveOptions& asked, const radiosity::Scene& scene,
+SolveResult solveScene(const SolveOptions& asked, const radiosity::Scene& scene, const radiosity::Camera& camera,
                        radiosity::Discretization discretization, Monitor& monitor);
 
 }  // namespace hemitex::cli

@@ -110,6 +110,12 @@ std::string shotsText(const ordered_json& solution, double seconds) {
          percentText(solution["residual"]) + " of the emitted flux unshot\n";
 }
 
+std::string expectedErrorText(const ordered_json& solution) {
+  if (solution["expected_error"].is_null()) return "expected error: not measured; --max-error measures it\n";
+  return "expected error: " + percentText(solution["expected_error"]) + " of all flux\n                " +
+         percentText(solution["expected_error_seen"]) + " of the flux of the surfaces that the camera sees\n";
+}
+
 std::string titleOf(const std::string& flux) {
   if (flux == "lost_to_backs") return "  to backs";
   return flux == "sky_on_backs" ? "sky on backs" : flux;
@@ -186,11 +192,7 @@ std::string summary(const ordered_json& solution) {
   if (solution.contains("frames"))
     for (const ordered_json& frame : solution["frames"])
       text << frame["folder"].get<std::string>() << ": " << shotsText(frame, frame["times"]["update_s"]);
-  text << "expected error: "
-       << (solution["expected_error"].is_null() ? "not measured; --max-error measures it"
-                                                : percentText(solution["expected_error"]) + " of all flux")
-       << '\n';
-  text << fluxText(solution["energy"]);
+  text << expectedErrorText(solution) << fluxText(solution["energy"]);
   return text.str();
 }
 

@@ -122,7 +122,8 @@ void computeForRankZero(SolveOptions options, Console& console) {
   const radiosity::Scene scene = sceneOf(options.scene, console);
   requireLight(scene, options.scene.file);
   Monitor monitor(console, options.longRun, scene, {});
-  solveScene(options, scene, discretizationOf(options.discretization, scene), monitor);
+  const radiosity::Camera camera = cameraOf(options.camera, scene, options.scene.file);
+  solveScene(options, scene, camera, discretizationOf(options.discretization, scene), monitor);
 }
 
 /// Updates the solution of the result, which `first` shows, for each frame and writes their folders. Adds the entries
@@ -156,7 +157,9 @@ ordered_json writeResult(const radiosity::Scene& scene, const radiosity::Camera&
   lit.reset();  // textures take much memory
   laps.lap("write_s");
   text["captured"] = result.captured;
-  text["expected_error"] = orNull(result.expectedError);
+  const std::optional<radiosity::LightErrors>& errors = result.expectedErrors;
+  text["expected_error"] = errors ? ordered_json(errors->all) : ordered_json();
+  text["expected_error_seen"] = errors ? ordered_json(errors->seen) : ordered_json();
   bool isInterrupted = result.solution.isInterrupted;
   if (!frames.empty() && !isInterrupted)
     isInterrupted = writeFrames(staging.folder(), frames, solved, result, monitor, text);
@@ -205,7 +208,7 @@ void solve(SolveOptions asked, Context& context) {
   staging.requirePlaces(outputNames(asked, scene, unsplit, frames.size()), inputFiles(asked, scene, frames));
   Monitor monitor(console, asked.longRun, scene, toText(solutionSettings(asked)));
   laps.lap("discretize_s");
-  SolveResult result = solveScene(asked, scene, std::move(unsplit), monitor);
+  SolveResult result = solveScene(asked, scene, camera, std::move(unsplit), monitor);
   warnOf(result, console);
   laps.lap("solve_s");
   const int shots = result.solution.shots;

@@ -50,10 +50,16 @@ std::vector<Patch> PatchSubdivision::split(const Patches& patches, const Patch& 
   return parts;
 }
 
+const FormFactorRow& PatchSubdivision::scoutRow(const Patch& patch) {
+  const auto found = rowsAhead_.find(patch.elements.front());
+  if (found != rowsAhead_.end()) return found->second;
+  return rowsAhead_[patch.elements.front()] = estimatingRow(patch);
+}
+
 bool PatchSubdivision::wouldSplit(const Patches& patches, const Patch& patch, double weight) {
   const double limit = maxMisdirected_ / std::sqrt(weight);
   if (patch.isSettled || limit >= 1) return false;
-  if (!rowsAhead_.contains(patch.elements.front())) rowsAhead_[patch.elements.front()] = estimatingRow(patch);
+  scoutRow(patch);
   return misdirectedShareOf(patches, {patch}) > limit;
 }
 

@@ -51,7 +51,7 @@ inline constexpr int maxHalvings = 8;
 int halvingsFor(double weight);
 
 /// The parts that replace a patch before its first shot (see replacePatch); one part if one point is enough. `weight`
-/// is its unshot flux over a 256th of all emitted flux.
+/// is its unshot flux over a 256th of all emitted flux, or 256 times what it adds to the seen light (see SeenLight).
 using PatchSplit = std::function<std::vector<Patch>(const Patches& patches, const Patch& patch, double weight)>;
 
 /// Finds the parts of patches; elements stay the same.
@@ -65,6 +65,9 @@ class PatchSubdivision {
   /// Quarters a patch until each part misdirects at most maxMisdirected / sqrt(weight) of its light. The weight of a
   /// part is that of the patch times its share of the area. Returns the parts, which are settled.
   std::vector<Patch> split(const Patches& patches, const Patch& patch, double weight);
+  /// The row of low resolution from the middle of the patch. Keeps it for a later call of `split`, which invalidates
+  /// the reference.
+  const FormFactorRow& scoutRow(const Patch& patch);
   /// Whether the patch would be split now. Keeps what it draws for a later call of `split`.
   bool wouldSplit(const Patches& patches, const Patch& patch, double weight);
 

@@ -66,6 +66,11 @@ PatchSplit SceneFormFactors::splits() {
   };
 }
 
+RowSource SceneFormFactors::scoutRows() {
+  if (!splitter_) return {};
+  return [this](const Patch& patch) { return splitter_->scoutRow(patch); };
+}
+
 std::vector<ViewPoint> SceneFormFactors::likelyPoints(const Patches& patches, Patch patch, double weight) {
   if (splitter_ && splitter_->wouldSplit(patches, patch, weight)) return {};
   if (splitter_ && !patch.isSettled) patch.halvings = halvingsFor(weight);

@@ -66,6 +66,9 @@ class SceneFormFactors {
   FormFactorRow corrected(const Patch& patch, FormFactorRow row);
   /// The parts of patches during a solution; empty if no patch is to be split. Keeps a reference to this object.
   PatchSplit splits();
+  /// The rows of low resolution that decide how patches are split; empty if no patch is to be split. Keeps a reference
+  /// to this object.
+  RowSource scoutRows();
   /// The points that a patch would shoot from now with this weight; none if it would be split (see PatchSplit).
   std::vector<ViewPoint> likelyPoints(const Patches& patches, Patch patch, double weight);
   const IdLayout& layout() const { return layout_; }

@@ -1,5 +1,6 @@
 #include "radiosity/pictures/visibility.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -79,6 +80,33 @@ std::vector<std::optional<Visible>> TriangleView::see(const Camera& camera, int 
 
 std::vector<std::optional<Visible>> visibleSamples(const Scene& scene, const Camera& camera, int width, int height) {
   return TriangleView(scene).see(camera, width, height, trianglesFacingAway(scene, camera.eye));
+}
+
+std::vector<bool> seenSurfaces(const Scene& scene, const Camera& camera, int width, int height) {
+  constexpr double minOfArea = 1.0 / 8, minOfPicture = 1.0 / 2;
+  const glm::dvec3 forward = axesOf(camera).forward;
+  const double pixelSide = 2 * tangentOfDegrees(camera.fov / 2) / height;  // at distance 1
+  std::vector<double> shown(scene.surfaces.size());                        // area
+  std::vector<int> pixels(scene.surfaces.size());
+  for (const std::optional<Visible>& visible : visibleSamples(scene, camera, width, height)) {
+    if (!visible) continue;
+    const Triangle& triangle = scene.surfaces[visible->surface].triangles[visible->triangle];
+    const auto& [a, b, c] = triangle.position;
+    const glm::dvec3& weight = visible->weights;
+    const glm::dvec3 ray = weight.x * a + weight.y * b + weight.z * c - camera.eye;
+    // At depth z the pixel is z pixelSide wide and high. Its projection along the ray to the surface is larger by z
+    // over the distance of the eye from the plane of the surface.
+    const double z = glm::dot(ray, forward), side = z * pixelSide;
+    shown[visible->surface] += std::min(side * side * z / std::abs(glm::dot(ray, normal(triangle))), area(triangle));
+    ++pixels[visible->surface];
+  }
+  std::vector<bool> seen;
+  for (std::size_t s = 0; s < shown.size(); ++s) {
+    double all = 0;
+    for (const Triangle& triangle : scene.surfaces[s].triangles) all += area(triangle);
+    seen.push_back(shown[s] >= minOfArea * all || pixels[s] >= minOfPicture * width * height);
+  }
+  return seen;
 }
 
 }  // namespace hemitex::radiosity

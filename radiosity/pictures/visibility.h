@@ -27,6 +27,11 @@ struct Visible {
 /// away are invisible, so that closed rooms can be seen from outside. Throws InputError as cameraFace.
 std::vector<std::optional<Visible>> visibleSamples(const Scene& scene, const Camera& camera, int width, int height);
 
+/// Whether a picture shows at least an eighth of the area of each surface, or at least half of its samples show the
+/// surface; one value per surface. So a camera in a room sees its walls, but through a window it does not see the
+/// ground around the house. Throws InputError as cameraFace.
+std::vector<bool> seenSurfaces(const Scene& scene, const Camera& camera, int width, int height);
+
 /// For several pictures of one scene, which must outlive it.
 class TriangleView {
  public:

@@ -27,33 +27,54 @@ constexpr std::array<Effort, 10> ladder{{{0.05, 64},
 /// Share of the bound that is reserved for errors common to two solutions, which their difference does not show.
 constexpr double commonShare = 0.25;
 
-/// The flux by which the elements of two solutions differ, over that of the second.
-double difference(const Discretization& discretization, const std::vector<glm::dvec3>& first,
-                  const std::vector<glm::dvec3>& second) {
-  assert(first.size() == discretization.elements.size() && second.size() == first.size());
+/// The flux by which elements differ, and their flux.
+struct Difference {
   double different = 0, flux = 0;
-  for (std::size_t e = 0; e < first.size(); ++e) {
-    different += discretization.elements[e].area * bandSum(glm::abs(first[e] - second[e]));
-    flux += discretization.elements[e].area * bandSum(second[e]);
+
+  void add(const Difference& other) {
+    different += other.different;
+    flux += other.flux;
   }
-  return different > 0 ? different / flux : 0;
+  double share() const { return different > 0 ? different / flux : 0; }
+};
+
+/// An upper bound of the errors of the finer one of two solutions with these differences.
+LightErrors expectedErrors(const LightErrors& difference) {
+  const double factor = 1 / std::sqrt(2.0) / (1 - commonShare);
+  return {difference.all * factor, difference.seen * factor};
 }
 
 }  // namespace
 
+LightErrors lightErrors(const Discretization& discretization, const std::vector<bool>& seen,
+                        std::span<const glm::dvec3> found, std::span<const glm::dvec3> truth) {
+  assert(found.size() == discretization.elements.size() && truth.size() == found.size());
+  assert(seen.empty() || seen.size() == discretization.grids.size());
+  Difference ofAll, ofSeen;
+  for (std::size_t e = 0; e < found.size(); ++e) {
+    const Element& element = discretization.elements[e];
+    const Difference difference{element.area * bandSum(glm::abs(found[e] - truth[e])),
+                                element.area * bandSum(truth[e])};
+    ofAll.add(difference);
+    if (!seen.empty() && seen[element.surface]) ofSeen.add(difference);
+  }
+  return {ofAll.share(), ofSeen.share()};
+}
+
 double residualFor(double bound) { return bound / 10; }
 
-ErrorBoundChoice chooseEffort(const Discretization& discretization, const SolveWith& solveWith, double bound) {
+ErrorBoundChoice chooseEffort(const Discretization& discretization, const std::vector<bool>& seen,
+                              const SolveWith& solveWith, double bound) {
   std::vector<glm::dvec3> coarser = solveWith(ladder.front());
-  double expected = 0;
+  LightErrors expected;
   for (std::size_t step = 1; step < ladder.size(); ++step) {
     std::vector<glm::dvec3> finer = solveWith(ladder[step]);
-    expected = difference(discretization, coarser, finer) / std::sqrt(2.0) / (1 - commonShare);
-    if (expected <= bound) return {ladder[step], expected};
+    expected = expectedErrors(lightErrors(discretization, seen, coarser, finer));
+    if (expected.larger() <= bound) return {ladder[step], expected};
     coarser = std::move(finer);
   }
   std::ostringstream advice;
-  advice << "ask for " << std::ceil(expected * 1e4) / 1e4 << ", or for fewer texels";
+  advice << "ask for " << std::ceil(expected.larger() * 1e4) / 1e4 << ", or for fewer texels";
   throw raster::InputError("so small an error is out of reach for this scene", advice.str());
 }
 

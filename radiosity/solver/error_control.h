@@ -1,19 +1,25 @@
 /// Chooses solver settings for a bound on the error.
 ///
-/// The error of a solution is the flux by which its elements differ from the true radiosity, as a share of all flux. It
-/// has two causes with one setting each: shooting from one point for too large a patch (the limit of splits), and
-/// directions between pixels (the resolution of hemicubes). A ladder of efforts refines both together. Each step
+/// The error of a solution is the flux by which its elements differ from the true radiosity, as a share of their flux.
+/// The flux includes what the elements emit. There are two errors: that of all elements, and that of the elements of
+/// seen surfaces, of which a picture shows enough (see seenSurfaces). A bound holds for both. So a large bright ground
+/// around a house does not hide the errors in a room.
+///
+/// Errors have two causes with one setting each: shooting from one point for too large a patch (the limit of splits),
+/// and directions between pixels (the resolution of hemicubes). A ladder of efforts refines both together. Each step
 /// multiplies the work by about 1.6 and the error by about two thirds.
 ///
 /// The error is estimated from solutions at consecutive efforts. Hemicubes of different resolutions over different
 /// parts of patches have mostly independent errors. Let two solutions have errors e and e' < e, and let D be their
 /// difference. Then D^2 = e^2 + e'^2, and e' is below D / sqrt(2). A share of the bound is reserved for the errors that
-/// both have in common. The result is the first solution whose expected error is within the bound. It is an estimate,
-/// not a proof for every scene.
+/// both have in common. The result is the first solution whose expected errors are within the bound. They are
+/// estimates, not proofs for every scene.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
@@ -26,9 +32,22 @@ struct Effort {
   int resolution = 256;  ///< of hemicubes
 };
 
+/// The errors of a solution.
+struct LightErrors {
+  double all = 0;   ///< of all elements
+  double seen = 0;  ///< of those of seen surfaces
+
+  double larger() const { return std::max(all, seen); }
+};
+
+/// The errors of `found` against `truth`, one radiosity per element. `seen` has one value per surface, or is empty if
+/// no surface is seen.
+LightErrors lightErrors(const Discretization& discretization, const std::vector<bool>& seen,
+                        std::span<const glm::dvec3> found, std::span<const glm::dvec3> truth);
+
 struct ErrorBoundChoice {
-  Effort effort;             ///< of the last solution
-  double expectedError = 0;  ///< its expected error
+  Effort effort;               ///< of the last solution
+  LightErrors expectedErrors;  ///< of the last solution
 };
 
 /// Solves at an effort; returns the radiosity of each element in W/m^2.
@@ -37,8 +56,9 @@ using SolveWith = std::function<std::vector<glm::dvec3>(const Effort&)>;
 /// The share of all emitted flux that may stay unshot for a bound on the error: a tenth of the bound.
 double residualFor(double bound);
 
-/// Solves at growing efforts until the expected error, a share of all flux, is within `bound`, above 0. Throws
+/// Solves at growing efforts until both expected errors are within `bound`, above 0. See lightErrors for `seen`. Throws
 /// InputError if no effort of the ladder is enough; the advice says which bound can be reached.
-ErrorBoundChoice chooseEffort(const Discretization& discretization, const SolveWith& solveWith, double bound);
+ErrorBoundChoice chooseEffort(const Discretization& discretization, const std::vector<bool>& seen,
+                              const SolveWith& solveWith, double bound);
 
 }  // namespace hemitex::radiosity

@@ -41,9 +41,11 @@ std::vector<std::string> warningsOf(const Energy& energy) {
       "or give each side a surface of its own"};
 }
 
-/// The flux of a patch of weight 1: a 256th of the emitted flux, of which light from outside counts as outsideShare.
+/// All emitted flux over the flux of a patch of weight 1 (see PatchSplit).
+constexpr double unitsOfFlux = 256;
+
+/// The flux of a patch of weight 1, of which light from outside counts as outsideShare.
 double unitFluxOf(const ShotLight& light) {
-  constexpr double unitsOfFlux = 256;
   return (light.lastEmitted - (1 - outsideShare) * bandSum(sumOf(light.outside))) / unitsOfFlux;
 }
 
@@ -56,12 +58,19 @@ Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, co
   solution.absorbedByBacks = past.absorbedByBacks;
   solution.residual = state.residual();
   const auto isDone = [&] {
-    return solution.residual <= settings.residual || (settings.shots && solution.shots >= *settings.shots);
+    return (settings.shots && solution.shots >= *settings.shots) ||
+           (solution.residual <= settings.residual && state.seenResidual(input.seen.surfaces) <= settings.residual);
   };
   std::vector<SplitCall> splits = past.splits;
   const auto snapshot = [&] { return Snapshot{solution.shots, splits, solution.absorbedByBacks, state.saved()}; };
   const double unitFlux = unitFluxOf(state.light());
-  const auto weightOf = [&](std::uint32_t patch) { return bandSum(glm::abs(state.unshot(patch))) / unitFlux; };
+  const auto weightOf = [&](std::uint32_t number) {
+    const Patch& patch = state.patches().list[number];
+    const double ofAll = bandSum(glm::abs(state.unshot(number))) / unitFlux;
+    if (input.seen.surfaces.empty() || !input.seen.scoutRow || patch.isSettled) return ofAll;
+    const double ofSeen = unitsOfFlux * state.seenGain(number, input.seen.scoutRow(patch), input.seen.surfaces);
+    return std::max(ofAll, ofSeen);
+  };
   const auto likelyShots = [&](std::size_t count) {
     std::vector<LikelyShot> shots;
     for (const std::uint32_t patch : state.brightestPatches(count))

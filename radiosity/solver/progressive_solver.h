@@ -19,7 +19,8 @@
 namespace hemitex::radiosity {
 
 struct SolverSettings {
-  double residual = 0.001;        ///< stops when unshot over emitted flux, bands summed, is at most this; >= 0
+  double residual = 0.001;        ///< stops when unshot over emitted flux, bands summed, is at most this; >= 0.
+                                  ///< If surfaces are seen, also ShootingState::seenResidual
   std::optional<int> shots = {};  ///< maximum number of shots; >= 0
   std::size_t rowCacheBytes = std::size_t{1024}
                               << 20;  ///< memory of the cache of rows, for later shots of the same patch
@@ -33,6 +34,14 @@ inline constexpr double outsideShare = 0.01;
 /// The residual for a scene: that of SolverSettings, times outsideShare if light comes from outside.
 double defaultResidual(const Scene& scene);
 
+/// The light of seen surfaces (see seenSurfaces). The solution takes as much care of it as of all light: patches are
+/// split and drawn by what their flux adds to it, even if they are faint among all patches, and little of it stays
+/// unshot.
+struct SeenLight {
+  std::vector<bool> surfaces = {};  ///< whether they are seen, one per surface; empty if none is
+  RowSource scoutRow = {};          ///< see SceneFormFactors::scoutRows
+};
+
 /// All that a solution is computed from. What it refers to must not change during the solution.
 struct SolveInput {
   const Scene& scene;
@@ -41,7 +50,8 @@ struct SolveInput {
   RowSource rowOf;
   PatchSplit split = {};  ///< without it no patch is split
   SolverSettings settings = {};
-  OutsideFlux outside = {};            ///< light from outside the scene
+  OutsideFlux outside = {};  ///< light from outside the scene
+  SeenLight seen = {};
   const Snapshot* snapshot = nullptr;  ///< goes on from here; all else must be that of the solution that it is of
   bool isContinued = false;            ///< see Solution::continuation
 };

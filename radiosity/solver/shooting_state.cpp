@@ -242,6 +242,36 @@ double ShootingState::residual() const {
   return light_.lastEmitted > 0 ? (bandSum(unshot_.sizes()) + light_.stale) / light_.lastEmitted : 0;
 }
 
+double ShootingState::absorbedBy(const std::vector<bool>& surfaces) const {
+  double absorbed = 0;
+  for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
+    if (!surfaces[s]) continue;
+    const SurfaceValues reflectance = reflectances(scene_, discretization_, s);
+    for (const std::uint32_t element : elementsOf(discretization_.grids[s]))
+      absorbed += bandSum(light_.received[element] * (1.0 - reflectance.of(element)));
+  }
+  return absorbed;
+}
+
+double ShootingState::seenResidual(const std::vector<bool>& seen) const {
+  double unshot = 0;
+  for (std::size_t p = 0; p < patches_.list.size() && !seen.empty(); ++p)
+    if (seen[patches_.list[p].surface]) unshot += bandSum(glm::abs(unshot_.flux()[p]));
+  return unshot > 0 ? unshot / absorbedBy(seen) : 0;
+}
+
+double ShootingState::seenGain(std::uint32_t patch, const FormFactorRow& row, const std::vector<bool>& seen) const {
+  const glm::dvec3 flux = glm::abs(unshot(patch));
+  double gain = 0;
+  for (std::size_t i = 0; i < row.elements.size(); ++i) {
+    const std::uint32_t element = row.elements[i], surface = discretization_.elements[element].surface;
+    if (!seen[surface]) continue;
+    const glm::dvec3& reflectance = reflectances(scene_, discretization_, surface).of(element);
+    gain += bandSum(flux * (1.0 - reflectance)) * formFactor(row.shares[i]);
+  }
+  return gain > 0 ? gain / (gain + absorbedBy(seen)) : 0;
+}
+
 std::vector<glm::dvec3> ShootingState::radiosity() && {
   raster::parallelFor(discretization_.grids.size(), [&](std::size_t s) {
     const auto surface = static_cast<std::uint32_t>(s);

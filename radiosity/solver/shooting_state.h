@@ -101,12 +101,19 @@ class ShootingState {
   /// The sum of absolute unshot flux of all patches and of the stale flux, over the emitted flux, bands summed. If
   /// nothing is emitted, over the flux emitted last; 0 if nothing ever was.
   double residual() const;
+  /// As residual, of the seen surfaces alone: the absolute unshot flux of their patches over the flux that they have
+  /// absorbed. `seen` has one value per surface; 0 if it is empty.
+  double seenResidual(const std::vector<bool>& seen) const;
+  /// The share of the flux absorbed by seen surfaces that the patch would add directly if it shot along `row`; bands
+  /// summed.
+  double seenGain(std::uint32_t patch, const FormFactorRow& row, const std::vector<bool>& seen) const;
   /// Radiosity of the elements, W/m^2 per band: flux over area. Reuses the memory of the received flux.
   std::vector<glm::dvec3> radiosity() &&;
   /// Moves the patches out. This object must not be used afterwards.
   Patches takePatches() { return std::move(patches_); }
 
  private:
+  double absorbedBy(const std::vector<bool>& surfaces) const;
   glm::dvec3 absorbed() const;
   glm::dvec3 unshotOf(std::uint32_t patch) const;
   std::vector<glm::dvec3> unshotByPatches() const;

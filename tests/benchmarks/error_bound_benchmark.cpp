@@ -1,14 +1,17 @@
 /// The cost of a bound on the error. For each scene and bound, compares `solve --max-error`, including the choice of
-/// settings, with the cheapest setting of `tradeoff` that keeps the bound. Prints the time and the true error of both.
-/// The reference is light tracing. Prints one line per scene and bound, and how often bounds were kept; times are
-/// processor seconds.
+/// settings, with the cheapest setting of `tradeoff` that keeps the bound. An error is the larger one of the errors of
+/// all surfaces and of those that the default camera sees. Prints the time and the true error of both. The reference is
+/// light tracing. Prints one line per scene and bound, and how often bounds were kept; times are processor seconds.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/pictures/default_camera.h"
+#include "radiosity/pictures/visibility.h"
 #include "radiosity/solver/error_control.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "reference/measurement/tradeoff/methods.h"
@@ -33,12 +36,27 @@ class ProcessorWatch {
   std::clock_t start_ = std::clock();
 };
 
+/// A scene with its true radiosity, and the surfaces that the default camera sees.
+struct Judge {
+  TracedScene world;
+  std::vector<bool> seen;
+
+  explicit Judge(const std::string& file)
+      : world(file, paths),
+        seen(radiosity::seenSurfaces(world.scene, radiosity::defaultCamera(world.scene), 256, 192)) {}
+
+  double errorOf(const Radiosity& found) const {
+    return radiosity::lightErrors(world.discretization, seen, found, world.truth).larger();
+  }
+};
+
 struct Timed {
   Radiosity radiosity;
   double seconds = 0;
 };
 
-Timed solvedWithin(const TracedScene& world, double bound) {
+Timed solvedWithin(const Judge& judge, double bound) {
+  const TracedScene& world = judge.world;
   const ProcessorWatch watch;
   Timed timed;
   const auto solveWith = [&](const radiosity::Effort& effort) {
@@ -49,10 +67,11 @@ Timed solvedWithin(const TracedScene& world, double bound) {
                                                .patches = world.discretization.patches,
                                                .rowOf = drawn.rowOf(),
                                                .split = drawn.splits(),
-                                               .settings = {.residual = radiosity::residualFor(bound)}})
+                                               .settings = {.residual = radiosity::residualFor(bound)},
+                                               .seen = {judge.seen, drawn.scoutRows()}})
                                  .radiosity;
   };
-  radiosity::chooseEffort(world.discretization, solveWith, bound);
+  radiosity::chooseEffort(world.discretization, judge.seen, solveWith, bound);
   timed.seconds = watch.seconds();
   return timed;
 }
@@ -68,14 +87,17 @@ struct Setting {
   double error = 0, seconds = 0;
 };
 
-std::vector<Setting> measuredSettings(const TracedScene& world) {
+/// Enough settings to find the cheapest one for a bound of at least `smallest`.
+std::vector<Setting> measuredSettings(const Judge& judge, double smallest) {
   std::vector<Setting> settings;
+  double cheapest = std::numeric_limits<double>::infinity();  // within the smallest bound
   for (const reference::TradeMethod& method : reference::tradeMethods())
     for (const int setting : method.measured) {
-      const Timed timed = solvedBy(world, method, setting);
-      const double error = world.errorOf(timed.radiosity);
+      const Timed timed = solvedBy(judge.world, method, setting);
+      const double error = judge.errorOf(timed.radiosity);
       settings.push_back({method.name + " " + std::to_string(setting), error, timed.seconds});
-      if (error < 0.005) break;  // finer settings take longer
+      if (error <= smallest) cheapest = std::min(cheapest, timed.seconds);
+      if (error <= smallest || timed.seconds > cheapest) break;  // finer settings take longer
     }
   return settings;
 }
@@ -88,11 +110,11 @@ int main(int argc, char** argv) {
   std::vector<std::vector<double>> ratios(bounds.size());
   std::vector<int> kept(bounds.size());
   for (int i = 1; i < argc; ++i) {
-    const TracedScene world(argv[i], paths);
-    const std::vector<Setting> settings = measuredSettings(world);
+    const Judge judge(argv[i]);
+    const std::vector<Setting> settings = measuredSettings(judge, bounds.back());
     for (std::size_t b = 0; b < bounds.size(); ++b) {
-      const Timed chosen = solvedWithin(world, bounds[b]);
-      const double error = world.errorOf(chosen.radiosity);
+      const Timed chosen = solvedWithin(judge, bounds[b]);
+      const double error = judge.errorOf(chosen.radiosity);
       const Setting* cheapest = nullptr;
       for (const Setting& setting : settings)
         if (setting.error <= bounds[b] && (cheapest == nullptr || setting.seconds < cheapest->seconds))

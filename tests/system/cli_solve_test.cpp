@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,10 @@ TEST_CASE("hemitex solve --max-error chooses the settings and reports them", "[c
   const json loose = json::parse(shell.output(given + "--max-error 0.2 -o loose"));
   const json tight = json::parse(shell.output(given + "--max-error 0.0005 -o tight"));
   for (const json* solution : {&loose, &tight}) {
-    CHECK((*solution)["expected_error"] <= (*solution)["settings"]["max_error"]);
+    for (const char* expected : {"expected_error", "expected_error_seen"}) {
+      CHECK((*solution)[expected] > 0);
+      CHECK((*solution)[expected] <= (*solution)["settings"]["max_error"]);
+    }
     CHECK((*solution)["residual"] <= (*solution)["settings"]["residual"]);
   }
   CHECK(loose["settings"]["residual"] == 0.02);
@@ -34,6 +38,59 @@ TEST_CASE("hemitex solve --max-error chooses the settings and reports them", "[c
   CHECK(outcome.exitCode == 2);
   CHECK(outcome.err.find("out of reach") != std::string::npos);
   CHECK_FALSE(fs::exists(shell.file("out")));
+}
+
+namespace {
+
+/// A room with a window of 2 x 1 in its front, on a ground of 60 x 60. Its faces look inwards.
+void writeRoomOnGround(const Shell& shell) {
+  writeAll(shell.file("house.mtl"), "newmtl grey\nKd 0.6 0.6 0.6\n");
+  writeAll(shell.file("house.obj"),
+           "mtllib house.mtl\n"
+           "v 0 .01 0\nv 5 .01 0\nv 5 .01 4\nv 0 .01 4\nv 0 3 0\nv 5 3 0\nv 5 3 4\nv 0 3 4\n"
+           "v 1.5 .01 4\nv 1.5 3 4\nv 3.5 .01 4\nv 3.5 3 4\nv 1.5 1 4\nv 3.5 1 4\nv 1.5 2 4\nv 3.5 2 4\n"
+           "v -30 0 -30\nv -30 0 30\nv 30 0 30\nv 30 0 -30\nusemtl grey\n"
+           "g floor\nf 1 4 3 2\ng ceiling\nf 5 6 7 8\ng back\nf 1 2 6 5\ng left\nf 1 5 8 4\ng right\nf 2 3 7 6\n"
+           "g front-a\nf 4 8 10 9\ng front-b\nf 11 12 7 3\ng front-c\nf 9 13 14 11\ng front-d\nf 15 10 12 16\n"
+           "g ground\nf 17 18 19 20\n");
+}
+
+/// The error of the light in the room against a finer solution: the flux by which elements differ over their flux.
+double errorInRoom(const Shell& shell, const std::string& found, const std::string& fine) {
+  const std::vector<std::string> lines = linesOf(readAll(shell.file(found + "/elements.csv"))),
+                                 finer = linesOf(readAll(shell.file(fine + "/elements.csv")));
+  REQUIRE(lines.size() == finer.size());
+  double different = 0, flux = 0;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    if (lines[i].starts_with("ground")) continue;
+    const auto blueOf = [](const std::string& line) { return lastNumber(line); };  // the sky is grey
+    std::istringstream fields(finer[i]);
+    std::string field;
+    for (int column = 0; column < 10; ++column) std::getline(fields, field, ',');
+    const double area = std::stod(field);
+    different += area * std::abs(blueOf(lines[i]) - blueOf(finer[i]));
+    flux += area * blueOf(finer[i]);
+  }
+  return different / flux;
+}
+
+}  // namespace
+
+TEST_CASE("hemitex solve --max-error bounds the error in a room that has a thousandth of all light", "[cli]") {
+  const Shell shell;
+  writeRoomOnGround(shell);
+  const std::string given =
+      "solve house.obj --one-sided --sky 1,1,1 --size 40x30 --eye 4.5,1.6,3.5 --look-at 1.5,1.2,0 --json ";
+  shell.output(given + "--resolution 1024 --split 0.00005 --residual 5e-7 -o fine");
+  for (const double bound : {0.05, 0.02}) {
+    const json solution = json::parse(shell.output(given + "--max-error " + std::to_string(bound) + " -o found"));
+    const double all = solution["expected_error"], seen = solution["expected_error_seen"];
+    const double error = errorInRoom(shell, "found", "fine");
+    CAPTURE(bound, all, seen, error);
+    CHECK(std::max(all, seen) <= bound);
+    CHECK(error <= std::max(all, seen));
+    CHECK(error > all);  // the ground has most of the light, and hides the error in the room
+  }
 }
 
 TEST_CASE(

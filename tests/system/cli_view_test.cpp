@@ -123,13 +123,15 @@ TEST_CASE("hemitex solve ends with elements, shots, time, residual, expected err
     CHECK(std::regex_search(text, std::regex(line)));
   CHECK(shell.output(quickSolve + "-o out").find("report.html") == std::string::npos);
   CHECK(std::regex_search(shell.output("solve room.obj --texels 4 --size 40x30 --max-error 0.2 -o out"),
-                          std::regex("expected error: [0-9.]+ % of all flux\n")));
+                          std::regex("expected error: [0-9.]+ % of all flux\n"
+                                     " +[0-9.]+ % of the flux of the surfaces that the camera sees\n")));
   const Outcome quiet = shell.run(quickSolve + "-q -o out");
   CHECK(quiet.out.empty());
   CHECK(quiet.err.empty());
   const json solution = json::parse(shell.output(quickSolve + "-q --json -o out"));
   CHECK(solution["elements"] == 96);
   CHECK(solution["expected_error"].is_null());
+  CHECK(solution["expected_error_seen"].is_null());
 }
 
 TEST_CASE("hemitex view starts $BROWSER with the page and prints its path", "[cli]") {
@@ -197,9 +199,7 @@ TEST_CASE("solvedPage holds scene.glb in base64, and says if there is none", "[c
   const std::vector<std::uint32_t> surfaceOf{0, 0, 1, 1, 2, 2};
   const nlohmann::ordered_json surface{{"name", "wall"}, {"area", 1}},
       solution{{"surfaces", {surface, surface, surface}}, {"times", {{"solve_s", 1}}}};
-  const auto pageOf = [&] {
-    return hemitex::cli::solvedPage({shell.file("scene.glb"), scene, surfaceOf}, solution);
-  };
+  const auto pageOf = [&] { return hemitex::cli::solvedPage({shell.file("scene.glb"), scene, surfaceOf}, solution); };
   CHECK(elementOf(pageOf(), "result")["room"]["glb"] == "missing");
   writeAll(shell.file("scene.glb"), "glTF");
   const json room = elementOf(pageOf(), "result")["room"];

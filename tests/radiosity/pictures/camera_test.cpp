@@ -191,6 +191,27 @@ TEST_CASE("visibleSamples sees the triangles that rays meet, except for the roun
   CHECK(seen > 4000);
 }
 
+TEST_CASE("seenSurfaces are those of which an eighth is in the picture, or that fill half of it", "[camera]") {
+  // A square ground at x < 0 below the eye, in a picture of 90 degrees. If the camera looks down and by 0.3 to the
+  // right, 35 % of the picture show 0.948 of it, in units of the height; to the left, 65 % show 4.55 (by integration).
+  const auto isGroundSeen = [](double side, double height, double towards) {
+    const Scene scene = sceneOf({parallelogram("ground", {-side, -side / 2, 0}, {side, 0, 0}, {0, side, 0}),
+                                 parallelogram("away", {5, 5, 9}, {0, 1, 0}, {1, 0, 0})});
+    const Camera camera{{0, 0, height}, {towards * height, 0, 0}, {0, 1, 0}, 90};
+    const std::vector<bool> seen = seenSurfaces(scene, camera, 200, 200);
+    CHECK_FALSE(seen[1]);
+    return static_cast<bool>(seen[0]);
+  };
+  const double limit = std::sqrt(8 * 0.948);
+  for (const double height : {1.0, 3.0}) {
+    CHECK(isGroundSeen(0.98 * limit * height, height, 0.3));
+    CHECK_FALSE(isGroundSeen(1.02 * limit * height, height, 0.3));
+    CHECK(isGroundSeen(20 * height, height, -0.3));
+  }
+  CHECK(seenSurfaces(makeRoom(), {{0, 0, 0.9}, {0, 0, 0}, {0, 1, 0}, 70}, 80, 60) ==
+        std::vector<bool>{true, true, true, true, true, false});
+}
+
 TEST_CASE("trianglesFacingAway are the walls whose backs face the eye", "[camera]") {
   const Scene room = makeRoom();
   CHECK(trianglesFacingAway(room, {0, 0, 0}).empty());

@@ -66,8 +66,8 @@ void checkKeepsBounds(const std::string& name, const Scene& scene, int texels) {
     const auto solveWith = [&](const Effort& effort) {
       return found = solutionOf(scene, discretization, effort, residualFor(bound));
     };
-    const ErrorBoundChoice choice = chooseEffort(discretization, solveWith, bound);
-    CHECK(choice.expectedError <= bound);
+    const ErrorBoundChoice choice = chooseEffort(discretization, {}, solveWith, bound);
+    CHECK(choice.expectedErrors.all <= bound);
     CHECK(reference::errorOf(discretization, found, truth.radiosity).fluxWeighted <= bound);
   }
 }
@@ -80,12 +80,12 @@ TEST_CASE("chooseEffort takes the first solution whose difference from the one b
   // by 0.00667, the next two by 0.00333. Over sqrt(2) and 0.75 that is 0.00629 and 0.00314.
   const Discretization discretization = twoSquares();
   const SolveWith solutions = solutionsWithError(discretization.elements.size(), 1.28);
-  const ErrorBoundChoice loose = chooseEffort(discretization, solutions, 0.0065);
+  const ErrorBoundChoice loose = chooseEffort(discretization, {}, solutions, 0.0065);
   CHECK(loose.effort.resolution == 96);
-  CHECK(loose.expectedError == Approx((1.28 / 64 - 1.28 / 96) / std::sqrt(2) / 0.75));
-  const ErrorBoundChoice tight = chooseEffort(discretization, solutions, 0.0035);
+  CHECK(loose.expectedErrors.all == Approx((1.28 / 64 - 1.28 / 96) / std::sqrt(2) / 0.75));
+  const ErrorBoundChoice tight = chooseEffort(discretization, {}, solutions, 0.0035);
   CHECK(tight.effort.resolution == 128);
-  CHECK(tight.expectedError == Approx((1.28 / 96 - 1.28 / 128) / std::sqrt(2) / 0.75));
+  CHECK(tight.expectedErrors.all == Approx((1.28 / 96 - 1.28 / 128) / std::sqrt(2) / 0.75));
 }
 
 TEST_CASE("chooseEffort makes more effort for smaller bounds", "[error_bound]") {
@@ -94,12 +94,50 @@ TEST_CASE("chooseEffort makes more effort for smaller bounds", "[error_bound]") 
   for (const double bound : {0.1, 0.03, 0.01, 0.003, 0.001, 0.0007}) {
     CAPTURE(bound);
     const ErrorBoundChoice choice =
-        chooseEffort(discretization, solutionsWithError(discretization.elements.size(), 2), bound);
-    CHECK(choice.expectedError <= bound);
+        chooseEffort(discretization, {}, solutionsWithError(discretization.elements.size(), 2), bound);
+    CHECK(choice.expectedErrors.all <= bound);
     CHECK(choice.effort.resolution / choice.effort.split >= before);
     before = choice.effort.resolution / choice.effort.split;
   }
   CHECK(before > 100 * 64 / 0.07);
+}
+
+TEST_CASE("lightErrors of all surfaces as seen ones are equal, and one surface has the error of its own flux",
+          "[error_bound]") {
+  const Discretization discretization = twoSquares();
+  std::vector<glm::dvec3> truth(discretization.elements.size(), glm::dvec3(1, 2, 3)), found = truth;
+  for (const std::uint32_t e : elementsOf(discretization.grids[0])) found[e] *= e % 2 == 0 ? 1.2 : 0.8;
+  for (const std::uint32_t e : elementsOf(discretization.grids[1])) {
+    truth[e] *= 4;
+    found[e] = truth[e] * 1.1;
+  }
+  const auto errors = [&](const std::vector<bool>& seen) { return lightErrors(discretization, seen, found, truth); };
+  CHECK(errors({true, true}).all == Approx((0.2 + 4 * 0.1) / 5));
+  CHECK(errors({true, true}).seen == errors({true, true}).all);
+  CHECK(errors({true, false}).seen == Approx(0.2));
+  CHECK(errors({false, true}).seen == Approx(0.1));
+  for (const std::vector<bool>& seen : {std::vector<bool>{true, false}, {false, true}, {false, false}, {}})
+    CHECK(errors(seen).all == errors({true, true}).all);
+  for (const std::vector<bool>& unseen : {std::vector<bool>{false, false}, {}}) CHECK(errors(unseen).seen == 0);
+  CHECK(errors({true, false}).larger() == Approx(0.2));
+  CHECK(errors({false, true}).larger() == Approx((0.2 + 4 * 0.1) / 5));
+}
+
+TEST_CASE("chooseEffort keeps the bound of a seen surface that has little of the flux", "[error_bound]") {
+  const Discretization discretization = twoSquares();
+  // The second square is a thousand times as bright and exact.
+  const SolveWith solutions = [&](const Effort& effort) {
+    std::vector<glm::dvec3> radiosity = solutionsWithError(discretization.elements.size(), 1.28)(effort);
+    for (const std::uint32_t e : elementsOf(discretization.grids[1])) radiosity[e] = glm::dvec3(1000);
+    return radiosity;
+  };
+  const double bound = 0.0035;  // as in the first test
+  for (const std::vector<bool>& seen : {std::vector<bool>{}, {false, true}, {true, true}})
+    CHECK(chooseEffort(discretization, seen, solutions, bound).effort.resolution == 96);
+  const ErrorBoundChoice choice = chooseEffort(discretization, {true, false}, solutions, bound);
+  CHECK(choice.effort.resolution == 128);
+  CHECK(choice.expectedErrors.seen == Approx((1.28 / 96 - 1.28 / 128) / std::sqrt(2) / 0.75));
+  CHECK(choice.expectedErrors.all == Approx(choice.expectedErrors.seen / 1001));
 }
 
 TEST_CASE("residualFor leaves a tenth of the bound", "[error_bound]") {
@@ -116,7 +154,7 @@ TEST_CASE("chooseEffort refines patches and hemicubes with each effort", "[error
     efforts.push_back(effort);
     return std::vector<glm::dvec3>(discretization.elements.size(), glm::dvec3(efforts.size() % 2 == 0 ? 1.0 : 2.0));
   };
-  CHECK_THROWS_AS(chooseEffort(discretization, differing, 0.1), raster::InputError);
+  CHECK_THROWS_AS(chooseEffort(discretization, {}, differing, 0.1), raster::InputError);
   REQUIRE(efforts.size() > 5);
   for (std::size_t step = 1; step < efforts.size(); ++step) {
     CHECK(efforts[step].split < efforts[step - 1].split);
@@ -131,7 +169,7 @@ TEST_CASE("chooseEffort refuses a bound out of reach, and names one that is in r
   const SolveWith solutions = solutionsWithError(discretization.elements.size(), 40);
   std::string message;
   try {
-    chooseEffort(discretization, solutions, 1e-4);
+    chooseEffort(discretization, {}, solutions, 1e-4);
   } catch (const raster::InputError& error) {
     message = error.what();
   }
@@ -139,8 +177,8 @@ TEST_CASE("chooseEffort refuses a bound out of reach, and names one that is in r
   REQUIRE(message.find(before) != std::string::npos);
   const double reachable = std::stod(message.substr(message.find(before) + before.size()));
   CHECK(reachable > 1e-4);
-  CHECK_NOTHROW(chooseEffort(discretization, solutions, reachable));
-  CHECK_THROWS_AS(chooseEffort(discretization, solutions, 0.98 * reachable), raster::InputError);
+  CHECK_NOTHROW(chooseEffort(discretization, {}, solutions, reachable));
+  CHECK_THROWS_AS(chooseEffort(discretization, {}, solutions, 0.98 * reachable), raster::InputError);
 }
 
 TEST_CASE("chooseEffort returns solutions that keep the bound", "[error_bound]") {

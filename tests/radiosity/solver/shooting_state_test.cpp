@@ -70,6 +70,29 @@ TEST_CASE("ShootingState made from stored shots continues as if it had not been 
   }
 }
 
+TEST_CASE("ShootingState: seenResidual of all surfaces is the residual, and seenGain is what a shot adds",
+          "[refinement]") {
+  tests::HemicubeWorld world(litCube({3, 2, 1}), 4, 2);
+  ProjectedFormFactors rows = world.rows(32);
+  RowCache cache(std::size_t{1} << 30);
+  const RowSource rowOf = rowsOf(rows, cache);
+  ShootingState state = unlit(world.scene, world.discretization);
+  const std::vector<bool> all(6, true), none(6, false);
+  for (int shot = 0; shot < 30; ++shot) {
+    const std::uint32_t patch = state.brightestPatch();
+    const FormFactorRow row = rowOf(state.patches().list[patch]);
+    const double gain = state.seenGain(patch, row, all), before = bandSum(state.energy().absorbed);
+    CHECK(state.seenGain(patch, row, none) == 0);
+    state.shoot(patch, row);
+    const Energy energy = state.energy();
+    const double absorbed = bandSum(energy.absorbed);
+    CHECK(gain == Approx((absorbed - before) / absorbed).epsilon(1e-10));
+    CHECK(state.seenResidual(all) == Approx(state.residual() * bandSum(energy.emitted) / absorbed).epsilon(1e-10));
+    CHECK(state.seenResidual(none) == 0);
+    CHECK(state.seenResidual({}) == 0);
+  }
+}
+
 TEST_CASE("ShootingState counts light from outside as emitted, and its account closes", "[refinement]") {
   Scene open = litCube({3, 2, 1});
   open.surfaces.pop_back();
