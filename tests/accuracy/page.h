@@ -27,6 +27,8 @@ std::string section(const std::vector<IdCase>& cases);
 std::string section(const OneSurfaceFindings& findings);
 std::string section(const MillionFindings& findings);
 std::string section(const std::vector<LimitCase>& cases);
+/// Measured by hand (tests/benchmarks/error_bound_benchmark.cpp).
+std::string errorBoundSection();
 
 /// The titles of all sections in order, with functions that measure and format them.
 struct Section {

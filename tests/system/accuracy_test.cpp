@@ -207,5 +207,6 @@ TEST_CASE("docs/accuracy.md has the introduction and all sections in order", "[a
     if (line.starts_with("## ")) headlines += line + "\n";
   for (const Section& section : sections()) expected += headline(section.title);
   CHECK(headlines == expected);
+  checkPage(errorBoundSection());
   CHECK(committedPage().starts_with(introduction() + headline(sections().front().title)));
 }
