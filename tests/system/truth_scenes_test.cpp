@@ -1,0 +1,90 @@
+// Default solutions of scenes compared with light tracing (tests/truth/scenes, data/furnished-room.truth.csv).
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/scene/load_scene.h"
+#include "radiosity/scene/scene.h"
+#include "radiosity/solver/progressive_solver.h"
+#include "tests/support/truth_table.h"
+
+using namespace hemitex;
+using namespace hemitex::radiosity;
+
+namespace {
+
+/// A scene with light-traced truth, and what the default solution keeps. Errors of surfaces are bounded where light
+/// tracing is much more accurate.
+struct TruthScene {
+  std::string path;         ///< without ".obj"
+  glm::dvec3 sky{0.0};      ///< W/m^2 per band, as in the first line of the table
+  std::string family = "";  ///< prefix of the names of the surfaces whose light is measured
+  double error = 0;         ///< bound of the sum of flux differences of these surfaces, over their flux
+  double surfaceError = 0;  ///< bound of the flux difference of each, over its flux
+  std::vector<std::string> exceptions = {};  ///< surfaces with up to `exceptionError`
+  double exceptionError = 0;
+};
+
+Solution solvedByDefault(const Scene& scene, Discretization& discretization) {
+  discretization = discretize(scene, {});
+  SceneFormFactors drawn(scene, discretization, layOut(discretization), {});
+  return solve({.scene = scene,
+                .discretization = discretization,
+                .patches = discretization.patches,
+                .rowOf = drawn.rowOf(),
+                .split = drawn.splits(),
+                .settings = {.residual = defaultResidual(scene)},
+                .outside = drawn.outsideFlux()});
+}
+
+bool startsWith(const std::string& name, const std::string& prefix) {
+  return name.compare(0, prefix.size(), prefix) == 0;
+}
+
+void compare(const TruthScene& expected, const Scene& scene, const tests::TruthTable& truth,
+             const Discretization& discretization, const Solution& solution) {
+  double difference = 0, all = 0;
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    const std::string& name = scene.surfaces[s].name;
+    if (!startsWith(name, expected.family)) continue;
+    glm::dvec3 flux(0);
+    for (const std::uint32_t e : elementsOf(discretization.grids[s]))
+      flux += discretization.elements[e].area * solution.radiosity[e];
+    const double traced = bandSum(truth.at(name).flux), tracingError = bandSum(truth.at(name).fluxError);
+    const bool isException = std::any_of(expected.exceptions.begin(), expected.exceptions.end(),
+                                         [&](const std::string& prefix) { return startsWith(name, prefix); });
+    CAPTURE(name, bandSum(flux), traced, tracingError, bandSum(flux) / traced);
+    CHECK(std::abs(bandSum(flux) - traced) <=
+          (isException ? expected.exceptionError : expected.surfaceError) * traced + 4 * tracingError);
+    difference += std::abs(bandSum(flux) - traced);
+    all += traced;
+  }
+  CAPTURE(difference / all);
+  CHECK(difference <= expected.error * all);
+}
+
+const std::string scenes = HEMITEX_SOURCE "/tests/truth/scenes/";
+
+}  // namespace
+
+TEST_CASE("solve agrees with light tracing in scenes of many kinds", "[truth-scenes]") {
+  const TruthScene expected = GENERATE(values<TruthScene>({{HEMITEX_DATA "/furnished-room", {}, "", 0.005, 0.05},
+                                                           {scenes + "ball", {}, "", 0.005, 0.05},
+                                                           {scenes + "displaced", {}, "", 0.005, 0.05},
+                                                           {scenes + "attic", {}, "", 0.005, 0.05},
+                                                           {scenes + "thin", {}, "", 0.005, 0.05},
+                                                           {scenes + "block", {10, 10, 12}, "", 0.005, 0.05},
+                                                           {scenes + "flat", {10, 10, 12}, "a_", 0.005, 0.05},
+                                                           {scenes + "flat", {10, 10, 12}, "b_", 0.005, 0.05},
+                                                           {scenes + "flat", {10, 10, 12}, "opening", 0.005, 0.05}}));
+  CAPTURE(expected.path, expected.family);
+  Scene scene = loadScene(expected.path + ".obj", {.sides = Sides::TwoOfSheets});
+  scene.outside.sky = expected.sky;
+  Discretization discretization;
+  const Solution solution = solvedByDefault(scene, discretization);
+  compare(expected, scene, tests::readTruthTable(expected.path + ".truth.csv"), discretization, solution);
+}
