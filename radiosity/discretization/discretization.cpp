@@ -15,6 +15,8 @@ SurfaceValues reflectances(const Scene& scene, const Discretization& discretizat
 }
 
 SurfaceValues emissions(const Scene& scene, const Discretization& discretization, std::uint32_t surface) {
+  static const glm::dvec3 none(0);
+  if (discretization.grids[surface].isDark) return {none, {}};
   return {scene.materials[static_cast<std::size_t>(scene.surfaces[surface].material)].emission,
           discretization.mappedEmission};
 }

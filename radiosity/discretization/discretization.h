@@ -74,7 +74,8 @@ struct Grid {
   std::uint32_t phantoms = 0;                 ///< number of texels without area
   std::uint32_t buried = 0;                   ///< number of those that have area only inside solids
   std::vector<CutTexel> cutTexels = {};       ///< texels that are partly or completely buried, ascending
-  std::optional<Quadtree> quadtree = {};      ///< its leaves are the elements; without quadtree each texel is a leaf
+  bool isDark = false;  ///< whether the surface is buried completely: it keeps its elements, which do not emit
+  std::optional<Quadtree> quadtree = {};  ///< its leaves are the elements; without quadtree each texel is a leaf
 };
 
 /// The numbers of the elements of a surface, ascending.

@@ -211,15 +211,15 @@ std::vector<glm::dvec3> mappedValues(const Scene& scene, const Surface& surface,
   return values;
 }
 
-/// The discretization of one surface; elements and patches are numbered from 0. `quadtree` may be null. `cut` are the
-/// texels that are not completely exposed.
+/// The discretization of one surface; elements and patches are numbered from 0. `quadtree` may be null.
 Discretization discretizeSurface(const Scene& scene, std::uint32_t number, const DiscretizationSettings& settings,
-                                 const GridSize& size, const Quadtree* quadtree, const std::vector<CutTexel>& cut) {
+                                 const GridSize& size, const Quadtree* quadtree, const Exposure& exposure) {
   const Surface& surface = scene.surfaces[number];
   Discretization part;
   part.grids.push_back({.columns = size.columns, .rows = size.rows, .elementOfTexel = {}, .covered = {}});
   if (quadtree) part.grids.front().quadtree = *quadtree;
-  part.grids.front().cutTexels = cut;
+  part.grids.front().cutTexels = exposure.cutTexels;
+  part.grids.front().isDark = exposure.isBuried;
   makeElements(surface, number, part);
   const int side = patchSide(size, settings);
   if (quadtree) validateNesting(surface, size, *quadtree, side);
@@ -278,9 +278,9 @@ std::size_t endOfBlock(std::span<const GridSize> sizes, std::size_t first) {
   return end;
 }
 
-/// Discretizes all surfaces one after the other. One quadtree per surface or none at all; cut texels of each surface.
+/// Discretizes all surfaces one after the other. One quadtree per surface or none at all.
 Discretization assembled(const Scene& scene, const DiscretizationSettings& settings, std::span<const GridSize> sizes,
-                         const std::vector<Quadtree>& quadtrees, const std::vector<std::vector<CutTexel>>& cut) {
+                         const std::vector<Quadtree>& quadtrees, const std::vector<Exposure>& exposure) {
   std::vector<Discretization> blocks;
   for (std::size_t first = 0, end = 0; first < scene.surfaces.size(); first = end) {
     end = endOfBlock(sizes, first);
@@ -289,7 +289,7 @@ Discretization assembled(const Scene& scene, const DiscretizationSettings& setti
       const std::size_t surface = first + i;
       const Quadtree* quadtree = quadtrees.empty() ? nullptr : &quadtrees[surface];
       parts[i] = discretizeSurface(scene, static_cast<std::uint32_t>(surface), settings, sizes[surface], quadtree,
-                                   cut[surface]);
+                                   exposure[surface]);
     });
     blocks.push_back(joined(std::move(parts)));
   }
@@ -304,9 +304,9 @@ Discretization discretized(const Scene& scene, const DiscretizationSettings& ask
   std::vector<GridSize> sizes;
   for (const Surface& surface : scene.surfaces) sizes.push_back(gridSizeOf(surface, settings));
   validateSizes(sizes);
-  std::vector<std::vector<CutTexel>> cut(scene.surfaces.size());
-  if (!settings.isUnburied) cut = cutTexels(scene, sizes);
-  Discretization whole = assembled(scene, settings, sizes, quadtrees, cut);
+  std::vector<Exposure> exposure(scene.surfaces.size());
+  if (!settings.isUnburied) exposure = findExposure(scene, sizes);
+  Discretization whole = assembled(scene, settings, sizes, quadtrees, exposure);
   averageMaps(scene, whole);
   return whole;
 }

@@ -1,6 +1,7 @@
 #include "radiosity/discretization/exposure.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -16,7 +18,6 @@
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/discretization/texel_areas.h"
 #include "radiosity/discretization/triangle_slices.h"
-#include "radiosity/geometry/tangent_along.h"
 #include "radiosity/scene/ray_tree.h"
 #include "raster/base/parallel.h"
 
@@ -32,13 +33,15 @@ constexpr int fewPixels = 2, pixels = 6, manyPixels = 36;
 // alone at the values in brackets; those chosen lie between.
 /// Number of points of a region from which rays start [1 to 16].
 constexpr int pointsOfRegion = 4;
+/// The place of the first of them, in distances between them: off the border of two cuttings.
+constexpr double firstPoint = 0.45;
+/// Points lie in cuttings of at least this share of the area of the largest one.
+constexpr double minOfLargest = 0.3;
 /// A region is exposed if exposed fronts are at least this share of all exposed fronts and backs that it sees [.03 to
 /// .3]. Inside a solid it is 0, but for rays through cracks.
 constexpr double minExposed = 0.1;
 /// It is also exposed if lights are at least this share of its view, whatever surrounds it [.0005 to .05].
 constexpr double minLights = 0.005;
-/// Opposite faces at the same place touch if the cosine of the angle between them is at least this [.9 to .999999].
-constexpr double touchingCosine = 0.999;
 /// Of a sum of shares.
 constexpr double rounding = 1e-12;
 
@@ -86,12 +89,19 @@ std::vector<LookDirection> lookDirections(int resolution) {
   return directions;
 }
 
+/// The axes of a hemicube over a triangle, the third one along the normal. They turn with the triangle, so that a
+/// turned scene has the same view. The angle to its edges keeps rays off the edges of boxes, which rounding would
+/// decide.
+glm::dmat3 viewAxes(const Triangle& triangle) {
+  const glm::dvec3 n = normal(triangle), edge = glm::normalize(triangle.position[1] - triangle.position[0]);
+  const glm::dvec3 x = 15.0 / 17 * edge + 8.0 / 17 * glm::cross(n, edge);
+  return {x, glm::cross(n, x), n};
+}
+
 /// Finds the buried regions.
 class BuriedRegions {
  public:
-  /// `slices` has one entry per triangle of the scene.
-  BuriedRegions(const Scene& scene, std::span<const GridSize> sizes, const std::vector<std::vector<Slice>>& slices,
-                const RayTree& rays)
+  BuriedRegions(const Scene& scene, std::span<const GridSize> sizes, const SceneSlices& slices, const RayTree& rays)
       : scene_(scene), sizes_(sizes), cut_(scene.surfaces.size()), regionOf_(scene.surfaces.size()), rays_(rays) {
     cutSurfaces(slices);
     std::vector<std::optional<Seen>> seen(regions_.size());
@@ -100,9 +110,8 @@ class BuriedRegions {
     settle(seen);
   }
 
-  std::vector<CutTexel> cutTexels(std::uint32_t surface) const {
-    std::vector<CutTexel> cut;
-    if (!cut_[surface]) return cut;
+  Exposure exposureOf(std::uint32_t surface) const {
+    if (!cut_[surface]) return {};
     std::map<std::uint32_t, std::vector<Cutting>> exposedIn;
     bool hasExposed = false;
     const std::vector<Cutting>& cuttings = cut_[surface]->cuttings;
@@ -114,19 +123,21 @@ class BuriedRegions {
       if (const auto found = exposedIn.find(cuttings[c].texel); found != exposedIn.end())
         found->second.push_back(cuttings[c]);
     }
-    if (!hasExposed) return cut;
-    for (auto& [texel, some] : exposedIn) cut.push_back({texel, piecesOf(surface, texel, some)});
-    return cut;
+    Exposure exposure{.isBuried = !hasExposed};
+    if (hasExposed)
+      for (auto& [texel, some] : exposedIn) exposure.cutTexels.push_back({texel, piecesOf(surface, texel, some)});
+    return exposure;
   }
 
  private:
-  void cutSurfaces(const std::vector<std::vector<Slice>>& slices) {
+  void cutSurfaces(const SceneSlices& slices) {
     std::vector<std::size_t> first{0};
     for (const Surface& surface : scene_.surfaces) first.push_back(first.back() + surface.triangles.size());
     raster::parallelFor(scene_.surfaces.size(), [&](std::size_t s) {
-      const auto own = std::span(slices).subspan(first[s], first[s + 1] - first[s]);
-      if (std::all_of(own.begin(), own.end(), [](const auto& some) { return some.empty(); })) return;
-      cut_[s] = cutSurface(scene_.surfaces[s], sizes_[s], own, eyeInset * scene_.extent);
+      const auto own = std::span(slices.ofTriangle).subspan(first[s], first[s + 1] - first[s]);
+      if (!slices.isTouching[s] && std::all_of(own.begin(), own.end(), [](const auto& some) { return some.empty(); }))
+        return;
+      cut_[s] = cutSurface(scene_.surfaces[s], sizes_[s], own, outlineTolerance(scene_));
     });
     for (std::uint32_t s = 0; s < cut_.size(); ++s) {
       if (!cut_[s]) continue;
@@ -157,6 +168,17 @@ class BuriedRegions {
     return all;
   }
 
+  /// Whether two surfaces have the same corners.
+  bool areSheet(std::uint32_t one, std::uint32_t other) const {
+    const auto cornersOf = [&](std::uint32_t surface) {
+      std::set<std::array<double, 3>> corners;
+      for (const Triangle& triangle : scene_.surfaces[surface].triangles)
+        for (const glm::dvec3& p : triangle.position) corners.insert({p.x, p.y, p.z});
+      return corners;
+    };
+    return cornersOf(one) == cornersOf(other);
+  }
+
   static bool seesFronts(const Seen& seen) { return seen.exposedFronts > 0 || !seen.regions.empty(); }
 
   /// The view from the middle of a cutting.
@@ -164,33 +186,43 @@ class BuriedRegions {
     const SurfacePoint point = pointOn(scene_.surfaces[surface], cutting.triangle, cutting.centre);
     const glm::dvec3 eye = eyeOver(scene_, surface, point);
     // A face that touches another sees the inside of the solid behind that face, or the outside of the scene.
-    const bool isTouching = rays_.meetsBack(eye, -point.normal, 2 * eyeHeight * scene_.extent, touchingCosine);
-    Seen seen = look(eye, point.normal, fewDirections_);
-    if (seen.backs < 1 - rounding) seen = look(eye, point.normal, directions_);
-    if (emits(surface) && !seesFronts(seen)) seen = look(eye, point.normal, manyDirections_);
+    bool isTouching = rays_.meetsBack(eye, -point.normal, 2 * contactTolerance(scene_), touchingCosine);
+    const glm::dmat3 axes = viewAxes(scene_.surfaces[surface].triangles[cutting.triangle]);
+    Seen seen = look(eye, axes, fewDirections_);
+    if (seen.backs < 1 - rounding) seen = look(eye, axes, directions_);
+    if (emits(surface) && !seesFronts(seen)) seen = look(eye, axes, manyDirections_);
+    // A light that sees nothing may also be a side of a sheet.
+    if (isTouching && emits(surface) && seen.backs == 0 && !seesFronts(seen))
+      isTouching = !areSheet(surface, rays_.firstHit(eye, -point.normal)->surface);
     if (isTouching) seen.backs += 1;
     return seen;
   }
 
-  /// The largest cutting of a region and some others, evenly by area. Slivers are too near to outlines for a reliable
-  /// view.
+  /// Some cuttings of a region, evenly by area. Slivers are too near to outlines for a reliable view.
   std::vector<std::uint32_t> somePoints(const Region& region) const {
     const std::vector<Cutting>& cuttings = cut_[region.surface]->cuttings;
+    const double smallest = minOfLargest * cuttings[region.cuttings.front()].area;
+    std::vector<std::uint32_t> large;
     double whole = 0, before = 0;
-    for (const std::uint32_t c : region.cuttings) whole += cuttings[c].area;
-    std::vector<std::uint32_t> some;
     for (const std::uint32_t c : region.cuttings) {
-      if (before >= static_cast<double>(some.size()) / pointsOfRegion * whole) some.push_back(c);
+      if (cuttings[c].area < smallest) break;
+      large.push_back(c);
+      whole += cuttings[c].area;
+    }
+    // Their order by number does not depend on the rounding of areas.
+    std::sort(large.begin(), large.end());
+    std::vector<std::uint32_t> some;
+    for (const std::uint32_t c : large) {
       before += cuttings[c].area;
+      if (before > (static_cast<double>(some.size()) + firstPoint) / pointsOfRegion * whole) some.push_back(c);
     }
     return some;
   }
 
-  Seen look(const glm::dvec3& eye, const glm::dvec3& normal, const std::vector<LookDirection>& directions) const {
+  Seen look(const glm::dvec3& eye, const glm::dmat3& axes, const std::vector<LookDirection>& directions) const {
     Seen seen;
-    const glm::dvec3 x = tangentAlong(normal, glm::dvec3(0)), y = glm::cross(normal, x);
     for (const LookDirection& look : directions) {
-      const auto hit = rays_.firstHit(eye, glm::dmat3(x, y, normal) * look.direction);
+      const auto hit = rays_.firstHit(eye, axes * look.direction);
       if (!hit) continue;
       if (!hit->isFront)
         seen.backs += look.share;
@@ -263,16 +295,15 @@ class BuriedRegions {
 
 }  // namespace
 
-std::vector<std::vector<CutTexel>> cutTexels(const Scene& scene, std::span<const GridSize> sizes) {
-  std::vector<std::vector<CutTexel>> cut(scene.surfaces.size());
+std::vector<Exposure> findExposure(const Scene& scene, std::span<const GridSize> sizes) {
+  std::vector<Exposure> exposure(scene.surfaces.size());
   if (std::all_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& s) { return s.twin.has_value(); }))
-    return cut;
+    return exposure;
   const RayTree rays(scene);
-  const std::vector<std::vector<Slice>> slices = triangleSlices(scene, rays);
-  if (std::all_of(slices.begin(), slices.end(), [](const auto& some) { return some.empty(); })) return cut;
-  const BuriedRegions regions(scene, sizes, slices, rays);
-  raster::parallelFor(cut.size(), [&](std::size_t s) { cut[s] = regions.cutTexels(static_cast<std::uint32_t>(s)); });
-  return cut;
+  const BuriedRegions regions(scene, sizes, triangleSlices(scene, rays), rays);
+  raster::parallelFor(exposure.size(),
+                      [&](std::size_t s) { exposure[s] = regions.exposureOf(static_cast<std::uint32_t>(s)); });
+  return exposure;
 }
 
 }  // namespace hemitex::radiosity

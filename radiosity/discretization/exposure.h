@@ -4,7 +4,11 @@
 /// no outline separates form one region. The view from a few points of a region decides whether it is buried. Inside a
 /// solid only the backs of faces are visible, whether or not the solid has a face where it stands. Inside overlapping
 /// solids fronts are visible too, but those belong to buried regions. So a region is buried if the backs that it sees
-/// outweigh the fronts of exposed regions that it sees.
+/// outweigh the fronts of exposed regions that it sees. Surfaces that no outline cuts are looked at if they touch
+/// another back to back, like the top of a lamp under a ceiling.
+///
+/// Contact does not depend on how coordinates are rounded. Distances up to contactTolerance (scene.h) are contact, and
+/// the view turns with the surface.
 #pragma once
 
 #include <span>
@@ -15,8 +19,14 @@
 
 namespace hemitex::radiosity {
 
-/// The cut texels of each surface, one list per surface. `sizes` has the grid size of each surface. The list is empty
-/// for a completely buried surface and for all surfaces of a scene in which all are two-sided, where no backs are visible.
-std::vector<std::vector<CutTexel>> cutTexels(const Scene& scene, std::span<const GridSize> sizes);
+/// The exposure of a surface.
+struct Exposure {
+  std::vector<CutTexel> cutTexels = {};  ///< ascending; empty if the surface is completely exposed or buried
+  bool isBuried = false;                 ///< completely
+};
+
+/// The exposure of each surface. `sizes` has the grid size of each surface. In a scene in which all surfaces are
+/// two-sided no backs are visible, so that all are exposed.
+std::vector<Exposure> findExposure(const Scene& scene, std::span<const GridSize> sizes);
 
 }  // namespace hemitex::radiosity

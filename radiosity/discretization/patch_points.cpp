@@ -14,8 +14,8 @@ glm::dvec3 eyeOver(const Scene& scene, std::uint32_t surface, const SurfacePoint
   const std::array<glm::dvec3, 3>& corner = scene.surfaces[surface].triangles[point.triangle].position;
   const glm::dvec3 inward = (corner[0] + corner[1] + corner[2]) / 3.0 - point.position;
   const double distance = glm::length(inward);
-  const double share = distance > 0 ? std::min(0.5, eyeInset * scene.extent / distance) : 0;
-  return point.position + share * inward + eyeHeight * scene.extent * point.normal;
+  const double share = distance > 0 ? std::min(0.5, outlineTolerance(scene) / distance) : 0;
+  return point.position + share * inward + contactTolerance(scene) * point.normal;
 }
 
 SurfacePoint pointOn(const Surface& surface, std::uint32_t number, const glm::dvec2& weights) {

@@ -23,6 +23,9 @@ struct SurfacePoint {
 /// concave folds, the move for all but the sharpest folds.
 inline constexpr double eyeInset = 0x1p-19;
 inline constexpr double eyeHeight = 0x1p-21;
+/// The same lengths in units of the file: contactTolerance, and four times as much. The latter is also the distance up
+/// to which outlines count as one. Both are longer where coordinates are rounded more.
+inline double outlineTolerance(const Scene& scene) { return eyeInset / eyeHeight * contactTolerance(scene); }
 /// The eye of a view from a point of a surface, in units of the file (see eyeInset).
 glm::dvec3 eyeOver(const Scene& scene, std::uint32_t surface, const SurfacePoint& point);
 

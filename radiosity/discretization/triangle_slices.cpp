@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -52,6 +53,16 @@ class WeightedTriangle {
     const double squaredSine = glm::dot(down, down);
     if (squaredSine < minSine * minSine) return glm::dvec2(0);
     return weightsOfStep(lift_ / squaredSine * down);
+  }
+
+  /// Whether the middle of this triangle lies on the plane of another that faces the other way.
+  bool isBackToBackWith(const Triangle& other) const {
+    const glm::dvec3 otherNormal =
+        glm::cross(other.position[1] - other.position[0], other.position[2] - other.position[0]);
+    const double lengths = glm::length(normal_) * glm::length(otherNormal);
+    if (glm::dot(normal_, otherNormal) > -touchingCosine * lengths) return false;
+    const glm::dvec3 middle = corner_ + (along1_ + along2_) / 3.0;
+    return std::abs(glm::dot(middle - other.position[0], otherNormal)) <= 2 * lift_ * glm::length(otherNormal);
   }
 
   double lengthOf(const Slice& slice) const {
@@ -127,7 +138,7 @@ bool isBefore(const Slice& a, const Slice& b) {
 class Slicer {
  public:
   Slicer(const Scene& scene, const RayTree& tree)
-      : lift_(eyeHeight * scene.extent), tolerance_(eyeInset * scene.extent), tree_(tree) {
+      : lift_(contactTolerance(scene)), tolerance_(outlineTolerance(scene)), tree_(tree) {
     for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
       const Surface& surface = scene.surfaces[s];
       const std::uint32_t except = maySliceItself(surface) ? RayTree::noSurface : s;
@@ -143,10 +154,11 @@ class Slicer {
     Slice slice;
     std::uint32_t other = 0;
   };
-  /// The slices inside the triangle, and those along its edges.
+  /// The slices inside the triangle, those along its edges, and whether it is back to back with another.
   struct Found {
     std::vector<Slice> inside;
     std::vector<EdgeSlice> along;
+    bool isTouching = false;
   };
   Found slicesOf(std::uint32_t number) const {
     const auto& [a, b, c] = triangles_[number]->position;
@@ -157,6 +169,7 @@ class Slicer {
     Found found;
     for (const std::uint32_t other : others) {
       if (other == number || areOfOnePart(number, other)) continue;
+      found.isTouching = found.isTouching || plane.isBackToBackWith(*triangles_[other]);
       const std::optional<Slice> slice = sliceOf(*triangles_[other], plane);
       // Edges moved outwards meet far beyond an acute corner; a slice that only passes there is outside the triangle.
       if (!slice || !plane.clipped(*slice, roundingShare * tolerance_)) continue;
@@ -216,32 +229,36 @@ class Slicer {
 
 }  // namespace
 
-std::vector<std::vector<Slice>> triangleSlices(const Scene& scene, const RayTree& tree) {
+SceneSlices triangleSlices(const Scene& scene, const RayTree& tree) {
   const Slicer slicer(scene, tree);
-  std::vector<std::vector<Slice>> slices(triangleCount(scene));
-  std::vector<std::vector<Slicer::EdgeSlice>> along(slices.size());
-  raster::parallelFor(slices.size(), [&](std::size_t number) {
-    auto [inside, beside] = slicer.slicesOf(static_cast<std::uint32_t>(number));
-    slices[number] = std::move(inside);
-    along[number] = std::move(beside);
-  });
+  std::vector<Slicer::Found> found(triangleCount(scene));
+  raster::parallelFor(found.size(),
+                      [&](std::size_t number) { found[number] = slicer.slicesOf(static_cast<std::uint32_t>(number)); });
   std::vector<std::size_t> first;
   std::size_t count = 0;
   for (const Surface& surface : scene.surfaces) first.push_back(std::exchange(count, count + surface.triangles.size()));
+  std::vector<std::vector<Slice>> inner(count);
   raster::parallelFor(scene.surfaces.size(), [&](std::size_t s) {
     const Surface& surface = scene.surfaces[s];
     // A single triangle has no inner edge.
     if (surface.triangles.size() == 1) return;
-    const auto hasSlices = [](const std::vector<Slicer::EdgeSlice>& some) { return !some.empty(); };
-    const auto begin = along.begin() + static_cast<std::ptrdiff_t>(first[s]);
-    if (std::none_of(begin, begin + static_cast<std::ptrdiff_t>(surface.triangles.size()), hasSlices)) return;
+    const auto own = std::span(found).subspan(first[s], surface.triangles.size());
+    if (std::all_of(own.begin(), own.end(), [](const Slicer::Found& of) { return of.along.empty(); })) return;
     const auto ofTriangle = neighbours(surface);
-    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-      const std::vector<Slice> inner =
-          slicer.alongInnerEdges(surface.triangles[t], ofTriangle[t], first[s], along[first[s] + t]);
-      slices[first[s] + t].insert(slices[first[s] + t].end(), inner.begin(), inner.end());
-    }
+    for (std::uint32_t t = 0; t < own.size(); ++t)
+      inner[first[s] + t] = slicer.alongInnerEdges(surface.triangles[t], ofTriangle[t], first[s], own[t].along);
   });
+  SceneSlices slices;
+  for (std::size_t s = 0; s < first.size(); ++s) {
+    const auto own = std::span(found).subspan(first[s], scene.surfaces[s].triangles.size());
+    slices.isTouching.push_back(
+        std::any_of(own.begin(), own.end(), [](const Slicer::Found& of) { return of.isTouching; }));
+  }
+  slices.ofTriangle.resize(count);
+  for (std::size_t t = 0; t < count; ++t) {
+    slices.ofTriangle[t] = std::move(found[t].inside);
+    slices.ofTriangle[t].insert(slices.ofTriangle[t].end(), inner[t].begin(), inner[t].end());
+  }
   return slices;
 }
 

@@ -15,12 +15,22 @@ struct Slice {
   glm::dvec2 from, to;
 };
 
-/// The slices of each triangle of the scene, by its number in the scene. The plane lies `eyeHeight` extents above the
-/// triangle, like the eyes of its patches. The slices are then moved along the crossing triangles down to the triangle.
+/// Opposite faces at the same place touch if the cosine of the angle between them is at least this [.9 to .999999].
+inline constexpr double touchingCosine = 0.999;
+
+struct SceneSlices {
+  std::vector<std::vector<Slice>> ofTriangle;  ///< by the number of the triangle in the scene
+  /// One per surface: whether a triangle of it may touch one of another surface back to back. Its middle is in contact
+  /// with the plane of the other, and their boxes meet.
+  std::vector<bool> isTouching;
+};
+
+/// The slices of all triangles. The plane lies a contactTolerance above the triangle, like the eyes of its patches. The
+/// slices are then moved along the crossing triangles down to the triangle.
 ///
 /// Slices along the border of a surface are left out, because they separate nothing; so are slices along an edge by the
 /// neighbour at that edge, and slices by triangles of the same curved part. `tree` is that of the scene.
 /// Takes O(n log n) time for n triangles of about equal size, plus the slices.
-std::vector<std::vector<Slice>> triangleSlices(const Scene& scene, const RayTree& tree);
+SceneSlices triangleSlices(const Scene& scene, const RayTree& tree);
 
 }  // namespace hemitex::radiosity

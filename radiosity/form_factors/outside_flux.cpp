@@ -59,8 +59,8 @@ bool isCovered(const Scene& scene, const RayTree& rays, const Triangle& triangle
   const glm::dvec3 n = normal(triangle);
   const glm::dvec3 middle = (triangle.position[0] + triangle.position[1] + triangle.position[2]) / 3.0;
   const auto isCoveredAt = [&](const glm::dvec3& point) {
-    const auto hit = rays.firstHit(point + eyeHeight * scene.extent * n, -n);
-    return hit && !hit->isFront && hit->distance <= 2 * eyeHeight * scene.extent &&
+    const auto hit = rays.firstHit(point + contactTolerance(scene) * n, -n);
+    return hit && !hit->isFront && hit->distance <= 2 * contactTolerance(scene) &&
            sortedCorners(scene.surfaces[hit->surface].triangles[hit->triangle]) != sortedCorners(triangle);
   };
   return isCoveredAt(middle) &&

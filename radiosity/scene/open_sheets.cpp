@@ -30,8 +30,6 @@ constexpr double minLit = 0.08;
 constexpr std::size_t fewDirections = 12, mostOfFew = 9;
 /// Has no common divisor with the number of directions: any few of them are spread over all.
 constexpr std::size_t spread = 7;
-/// The distance of eyes from surfaces, in extents of the scene; that of hemicubes (see patch_points.h).
-constexpr double eyeDistance = 0x1p-21;
 
 /// Directions with about the density of the cosine around z: middles of the cells of a square, whose rings are mapped
 /// to circles of a disk, and lifted to the hemisphere (Malley).
@@ -110,7 +108,7 @@ class BackWalks {
   std::optional<TriangleHit> firstHit(const glm::dvec3& point, const glm::dvec3& normal,
                                       const glm::dvec3& direction) const {
     const glm::dvec3 x = tangentAlong(normal, glm::dvec3(0)), y = glm::cross(normal, x);
-    return rays_.firstHit(point + eyeDistance * scene_.extent * normal, glm::dmat3(x, y, normal) * direction);
+    return rays_.firstHit(point + contactTolerance(scene_) * normal, glm::dmat3(x, y, normal) * direction);
   }
 
   /// Whether a walk from a front meets an emitter, or fronts only. A walk ends at a back or outside the scene.

@@ -10,6 +10,8 @@ namespace {
 constexpr std::uint32_t trianglesOfLeaf = 2;
 /// Large triangles are separated down to this depth.
 constexpr int maxDepthOfLarge = 16;
+/// The cosine of the angle of a ray to a normal counts at least this much: rays along a plane leave it far away.
+constexpr double minCosine = 1 / 64.0;
 
 /// The distance at which a ray enters a box; infinity if it misses the box or enters it beyond `end`. `inverse` is 1
 /// over the direction.
@@ -30,7 +32,7 @@ glm::dvec3 inverseOf(const glm::dvec3& direction) {
 
 }  // namespace
 
-RayTree::RayTree(const Scene& scene) : touching_(0x1p-30 * scene.extent) {
+RayTree::RayTree(const Scene& scene) : touching_(contactTolerance(scene)) {
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
     for (std::uint32_t t = 0; t < scene.surfaces[s].triangles.size(); ++t) {
       const auto& [a, b, c] = scene.surfaces[s].triangles[t].position;
@@ -136,16 +138,22 @@ void RayTree::trace(const glm::dvec3& origin, const glm::dvec3& direction, doubl
 }
 
 std::optional<TriangleHit> RayTree::firstHit(const glm::dvec3& origin, const glm::dvec3& direction) const {
-  const double touching = touching_ / glm::length(direction);
   std::optional<TriangleHit> front, back;
+  double reach = 0;  // how far the ray goes beyond the front until the touching distance from its plane
   trace(origin, direction, std::numeric_limits<double>::infinity(),
-        [&](const TriangleHit& hit, const Leaf&, double& end) {
+        [&](const TriangleHit& hit, const Leaf& leaf, double& end) {
           std::optional<TriangleHit>& nearest = hit.isFront ? front : back;
           if (nearest && nearest->distance <= hit.distance) return;
           nearest = hit;
-          end = std::min(end, hit.distance + touching);
+          if (!hit.isFront) {
+            end = std::min(end, hit.distance);
+            return;
+          }
+          const glm::dvec3 normal = glm::normalize(glm::cross(leaf.along1, leaf.along2));
+          reach = touching_ / std::max(-glm::dot(normal, direction), minCosine * glm::length(direction));
+          end = std::min(end, hit.distance + reach);
         });
-  return back && (!front || back->distance <= front->distance + touching) ? back : front;
+  return back && (!front || back->distance <= front->distance + reach) ? back : front;
 }
 
 void RayTree::appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vector<std::uint32_t>& numbers,

@@ -26,8 +26,8 @@ class RayTree {
   /// Copies all corners. Takes O(n log n) time for n triangles.
   explicit RayTree(const Scene& scene);
 
-  /// The first triangle that a ray meets. If faces touch within 2^-30 extents of the scene, a hit of a back comes
-  /// first. The reason: the front of a face that touches another is invisible. Surfaces with twins have no backs.
+  /// The first triangle that a ray meets. If faces are in contact (see contactTolerance), a hit of a back comes first.
+  /// The reason: the front of a face that touches another is invisible. Surfaces with twins have no backs.
   std::optional<TriangleHit> firstHit(const glm::dvec3& origin, const glm::dvec3& direction) const;
   /// Whether the ray meets the back of a triangle that faces along it, up to a distance in lengths of its direction.
   /// "Along" means that the cosine of the angle between the normal and the ray is at least `cosine`.

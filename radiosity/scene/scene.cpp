@@ -1,10 +1,20 @@
 #include "radiosity/scene/scene.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace hemitex::radiosity {
 namespace {
 
 glm::dvec3 doubledArea(const Triangle& t) {
   return glm::cross(t.position[1] - t.position[0], t.position[2] - t.position[0]);
+}
+
+/// Half of the last of the 24 bits of a binary32 number if that bit is set, else 0.
+double roundingOf(double coordinate) {
+  if (coordinate == 0) return 0;
+  const double halfBit = std::ldexp(1.0, std::ilogb(coordinate) - 24);
+  return std::fmod(coordinate / halfBit, 4) == 0 ? 0 : halfBit;
 }
 
 }  // namespace
@@ -24,16 +34,23 @@ std::size_t triangleCount(const Scene& scene) {
 
 void measureBounds(Scene& scene) {
   glm::dvec3 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());
+  bool areRounded = true;
+  scene.rounding = 0;
   for (const Surface& surface : scene.surfaces) {
     for (const Triangle& triangle : surface.triangles) {
       for (const glm::dvec3& p : triangle.position) {
         low = glm::min(low, p);
         high = glm::max(high, p);
+        areRounded = areRounded && glm::dvec3(glm::vec3(p)) == p;
+        if (areRounded) scene.rounding = std::max({scene.rounding, roundingOf(p.x), roundingOf(p.y), roundingOf(p.z)});
       }
     }
   }
   scene.origin = 0.5 * (low + high);
   scene.extent = glm::length(high - low);
+  if (!areRounded) scene.rounding = 0;
 }
+
+double contactTolerance(const Scene& scene) { return 8 * std::max(0x1p-24 * scene.extent, scene.rounding); }
 
 }  // namespace hemitex::radiosity

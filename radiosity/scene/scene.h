@@ -63,6 +63,7 @@ struct SceneCamera {
 struct Scene {
   glm::dvec3 origin{0.0};  ///< the centre of the bounds
   double extent = 0;       ///< the diagonal of the bounds
+  double rounding = 0;  ///< by how much the file rounds coordinates to binary32 (see measureBounds); often unknown: 0
   std::vector<Material> materials;
   std::vector<Image> images;
   std::vector<Surface> surfaces;      ///< in the order of their first faces; backs of two-sided ones behind all fronts
@@ -82,7 +83,14 @@ std::size_t triangleCount(const Scene& scene);
 /// The sum over the RGB bands.
 inline double bandSum(const glm::dvec3& bands) { return bands.x + bands.y + bands.z; }
 
-/// Sets the origin and the extent of a scene that has a surface.
+/// Sets the origin, the extent and the rounding of a scene that has a surface. If all coordinates are binary32 numbers,
+/// as in glTF, one that needs all 24 bits is off by up to half of the last one. Those with fewer bits count as exact.
 void measureBounds(Scene& scene);
+
+/// The distance up to which faces are in contact, in units of the file: eight times the rounding of coordinates to
+/// binary32, 2^-24 of the scene's extent or more (see Scene::rounding). Each of two corners is off by up to the root of
+/// 3 times this rounding, so that faces in one plane keep well within the distance. Outlines within four times the
+/// distance are one.
+double contactTolerance(const Scene& scene);
 
 }  // namespace hemitex::radiosity

@@ -94,7 +94,7 @@ TEST_CASE("triangleSlices finds the slices that a search through all pairs finds
   for (const unsigned seed : {1U, 2U, 3U}) {
     const Scene scene = randomTriangles(seed, 150);
     const double tolerance = eyeInset * scene.extent;
-    const std::vector<std::vector<Slice>> slices = triangleSlices(scene, RayTree(scene));
+    const std::vector<std::vector<Slice>> slices = triangleSlices(scene, RayTree(scene)).ofTriangle;
     std::size_t found = 0;
     for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
       const Triangle& one = scene.surfaces[i].triangles[0];
@@ -136,7 +136,7 @@ TEST_CASE("triangleSlices of a floor under a box are the box's outline", "[slice
   const std::vector<Surface> box = tests::box("box", {1, 0.25, 0}, {1, 0.5, 0.5}, false);
   surfaces.insert(surfaces.end(), box.begin(), box.end());
   const Scene scene = tests::sceneOf(surfaces);
-  const std::vector<std::vector<Slice>> slices = triangleSlices(scene, RayTree(scene));
+  const std::vector<std::vector<Slice>> slices = triangleSlices(scene, RayTree(scene)).ofTriangle;
   double length = 0;
   for (std::size_t t = 0; t < slices.size(); ++t)
     for (const Slice& slice : slices[t]) {
@@ -151,7 +151,7 @@ TEST_CASE("triangleSlices leaves out hovering objects, and faces in the triangle
   const auto count = [](const std::vector<Surface>& surfaces) {
     const Scene scene = tests::sceneOf(surfaces);
     std::size_t sum = 0;
-    for (const std::vector<Slice>& some : triangleSlices(scene, RayTree(scene))) sum += some.size();
+    for (const std::vector<Slice>& some : triangleSlices(scene, RayTree(scene)).ofTriangle) sum += some.size();
     return sum;
   };
   const Surface floor = tests::parallelogram("floor", {0, 0, 0}, {4, 0, 0}, {0, 3, 0});
@@ -170,7 +170,7 @@ TEST_CASE("triangleSlices leaves out slices of a surface by its own folds, and k
   valley.triangles = {tests::triangleOf({a, {0, 0}}, {{1, 0, 1}, {1, 0}}, {b, {0, 1}}),
                       tests::triangleOf({{-1, 0, 1}, {1, 1}}, {a, {0, 0}}, {b, {0, 1}})};
   const auto isCut = [](const Scene& scene) {
-    const auto slices = triangleSlices(scene, RayTree(scene));
+    const auto slices = triangleSlices(scene, RayTree(scene)).ofTriangle;
     return std::array{!slices[0].empty(), !slices[1].empty()};
   };
   CHECK(isCut(tests::sceneOf({valley})) == std::array{false, false});
@@ -180,9 +180,9 @@ TEST_CASE("triangleSlices leaves out slices of a surface by its own folds, and k
 
 TEST_CASE("triangleSlices gives the same bits for any number of threads, and when repeated", "[slices]") {
   const Scene scene = randomTriangles(5, 200);
-  const std::vector<std::vector<Slice>> slices = triangleSlices(scene, RayTree(scene));
+  const std::vector<std::vector<Slice>> slices = triangleSlices(scene, RayTree(scene)).ofTriangle;
   for (const int threads : {1, 2, 5}) {
     const raster::ThreadLimit limit(threads);
-    CHECK(areSame(triangleSlices(scene, RayTree(scene)), slices));
+    CHECK(areSame(triangleSlices(scene, RayTree(scene)).ofTriangle, slices));
   }
 }

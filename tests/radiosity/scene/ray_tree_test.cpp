@@ -205,12 +205,16 @@ TEST_CASE("RayTree::firstHit returns the back of two faces that touch", "[rays]"
     // The extent of the scene is that of the third triangle.
     Triangle far = unitTriangle(-1, true);
     far.position[1].x = -100;
-    return RayTree(sceneOfTriangles({front, back, far})).firstHit({0.25, 0.25, 1}, {0, 0, -1})->surface;
+    const RayTree tree(sceneOfTriangles({front, back, far}));
+    const glm::dvec3 steep(0, 0, -1), flat(0.5, 0, -0.01), middle(0.25, 0.25, 0);
+    const std::uint32_t surface = tree.firstHit(middle - steep, steep)->surface;
+    CHECK(tree.firstHit(middle - flat, flat)->surface == surface);
+    return surface;
   };
   CHECK(first(0) == 1);
-  CHECK(first(50 * 0x1p-30) == 1);
-  CHECK(first(1000 * 0x1p-30) == 0);
-  CHECK(first(-0.5) == 1);
+  CHECK(first(50 * 0x1p-21) == 1);
+  CHECK(first(1000 * 0x1p-21) == 0);
+  CHECK(first(-0.005) == 1);
 }
 
 TEST_CASE("RayTree meets no triangle without an area, and none in a scene without triangles", "[rays]") {
