@@ -14,7 +14,8 @@ void append(const DrawList& list, const Cluster& cluster, ClusterMesh& mesh) {
   const auto firstVertex = static_cast<std::uint32_t>(mesh.positions[0].size());
   const auto firstTriangle = static_cast<std::uint32_t>(mesh.corners[0].size());
   std::vector<std::uint32_t> vertices;  // indices of the draw list
-  for (const TriangleRun& run : cluster.runs)
+  for (const TriangleRun& run : cluster.runs) {
+    mesh.draws.insert(mesh.draws.end(), run.end - run.first, run.draw);
     for (std::size_t i = 3 * std::size_t{run.first}; i < 3 * std::size_t{run.end}; ++i) {
       const std::uint32_t index = list.indices[i];
       const auto place = std::find_if(vertices.begin(), vertices.end(),
@@ -22,6 +23,7 @@ void append(const DrawList& list, const Cluster& cluster, ClusterMesh& mesh) {
       mesh.corners[i % 3].push_back(static_cast<std::uint8_t>(place - vertices.begin()));
       if (place == vertices.end()) vertices.push_back(index);
     }
+  }
   for (const std::uint32_t index : vertices) {
     mesh.texcoords.push_back(list.texcoords[index]);
     for (int axis = 0; axis < 3; ++axis)

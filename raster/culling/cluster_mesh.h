@@ -27,6 +27,7 @@ struct ClusterMesh {
   std::vector<glm::vec2> texcoords;             ///< of the vertices
   /// Per triangle: its vertices, counted from the first vertex of the part.
   std::array<std::vector<std::uint8_t>, 3> corners;
+  std::vector<std::uint32_t> draws;  ///< of the triangles
 };
 
 /// Makes the mesh. Its arrays are padded at the end, because kernels read several values at a time.

@@ -35,8 +35,13 @@ struct Range {
 void narrow(double low, double high, int resolution, int& first, int& count) {
   constexpr double subPixel = 1.0 / 256;
   const auto position = [=](double q) { return (std::clamp(q, -1.5, 1.5) + 1) * 0.5 * resolution - 0.5; };
-  const int begin = std::max(first, static_cast<int>(std::ceil(position(low) - subPixel)));
-  const int end = std::min(first + count, static_cast<int>(std::floor(position(high) + subPixel)) + 1);
+  // std::floor and std::ceil are calls on processors without SSE 4.1.
+  const auto floorOf = [](double x) {
+    const int truncated = static_cast<int>(x);
+    return truncated - (truncated > x ? 1 : 0);
+  };
+  const int begin = std::max(first, -floorOf(subPixel - position(low)));
+  const int end = std::min(first + count, floorOf(position(high) + subPixel) + 1);
   first = begin;
   count = std::max(end - begin, 0);
 }

@@ -16,15 +16,32 @@ bool isPlain(const glm::vec3& position, const glm::vec2& texcoord) {
          std::abs(position.z) <= largestPosition && std::isfinite(texcoord.x) && std::isfinite(texcoord.y);
 }
 
-void append(const DrawList& list, const TriangleRun& run, Cluster& cluster) {
-  const double infinity = std::numeric_limits<double>::infinity();
-  cluster.runs.push_back(run);
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Box boxOf(const DrawList& list, const TriangleRun& run) {
+  Box box{glm::dvec3(infinity), glm::dvec3(-infinity)};
   for (std::size_t i = 3 * std::size_t{run.first}; i < 3 * std::size_t{run.end}; ++i) {
     const std::uint32_t index = list.indices[i];
     const bool plain = isPlain(list.positions[index], list.texcoords[index]);
-    cluster.box.low = glm::min(cluster.box.low, plain ? glm::dvec3(list.positions[index]) : glm::dvec3(-infinity));
-    cluster.box.high = glm::max(cluster.box.high, plain ? glm::dvec3(list.positions[index]) : glm::dvec3(infinity));
+    box.low = glm::min(box.low, plain ? glm::dvec3(list.positions[index]) : glm::dvec3(-infinity));
+    box.high = glm::max(box.high, plain ? glm::dvec3(list.positions[index]) : glm::dvec3(infinity));
   }
+  return box;
+}
+
+Box around(const Box& a, const Box& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
+
+double diagonalOf(const Box& box) { return glm::length(box.high - box.low); }
+
+/// A cluster while runs are added.
+struct OpenCluster {
+  std::uint32_t room = 0;  ///< number of triangles that it can still take
+  double diagonals = 0;    ///< the sum of those of the boxes of its runs
+};
+
+/// Whether a cluster has at most one index map with a further draw.
+bool haveOneMap(const Cluster& cluster, const Draw& draw) {
+  return !cluster.indexMap || !draw.indexMap || *cluster.indexMap == *draw.indexMap;
 }
 
 }  // namespace
@@ -42,20 +59,26 @@ TriangleRun triangleOf(const Cluster& cluster, std::uint32_t t) {
 }
 
 std::vector<Cluster> clustersOf(const DrawList& list) {
-  const double infinity = std::numeric_limits<double>::infinity();
   std::vector<Cluster> clusters;
-  std::uint32_t room = 0;  // triangles that the last cluster can still take
-  for (std::uint32_t draw = 0; draw < list.draws.size(); ++draw) {
-    const std::uint32_t end = (list.draws[draw].first + list.draws[draw].count) / 3;
-    std::uint32_t first = list.draws[draw].first / 3;
-    while (first < end) {
+  OpenCluster open;
+  for (std::uint32_t number = 0; number < list.draws.size(); ++number) {
+    const Draw& draw = list.draws[number];
+    const std::uint32_t end = (draw.first + draw.count) / 3;
+    for (std::uint32_t first = draw.first / 3; first < end;) {
       const std::uint32_t count = std::min(largestCluster, end - first);
-      if (count > room || list.draws[draw].indexMap) {
-        clusters.push_back({{}, {glm::dvec3(infinity), glm::dvec3(-infinity)}});
-        room = largestCluster;
+      const TriangleRun run{number, first, first + count};
+      const Box box = boxOf(list, run);
+      open.diagonals += diagonalOf(box);
+      if (count > open.room || !haveOneMap(clusters.back(), draw) ||
+          diagonalOf(around(clusters.back().box, box)) > open.diagonals) {
+        clusters.push_back({{}, box, {}});
+        open = {largestCluster, diagonalOf(box)};
       }
-      append(list, {draw, first, first + count}, clusters.back());
-      room = list.draws[draw].indexMap ? 0 : room - count;
+      Cluster& cluster = clusters.back();
+      cluster.runs.push_back(run);
+      cluster.box = around(cluster.box, box);
+      if (draw.indexMap) cluster.indexMap = draw.indexMap;
+      open.room -= count;
       first += count;
     }
   }

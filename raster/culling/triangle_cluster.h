@@ -2,6 +2,7 @@
 /// no vertex stage, and no pixel changes. So drawing a narrow scissor rectangle is cheap.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,9 +17,11 @@ namespace hemitex::raster {
 inline constexpr std::uint32_t largestCluster = 32;
 
 struct Cluster {
-  /// Runs of one draw, or of consecutive draws without an index map, which usually are neighbours in a mesh.
+  /// Runs of consecutive draws that are neighbours: the diagonal of the box is at most the sum of those of the runs.
   std::vector<TriangleRun> runs;
   Box box;  ///< around its vertices; infinite also if a texture coordinate is not finite
+  std::optional<int> indexMap =
+      {};  ///< of the draws that have one; draws with different maps are in different clusters
 };
 
 std::uint32_t triangleCount(const Cluster& cluster);

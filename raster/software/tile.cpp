@@ -51,9 +51,9 @@ class Tile {
 
  private:
   void testDepths(const ScreenTriangle& triangle);
-  void drawSmall(std::uint32_t cluster, const TriangleSets& sets);
+  void drawSmall(std::uint32_t number, const TriangleSets& sets);
   void drawAlone(std::uint32_t cluster, std::uint32_t t);
-  SmallIds smallIds(const Cluster& cluster, ItemId addend) const;
+  SmallIds smallIds(const Cluster& cluster, const ClusterPart& part, std::uint32_t& alone);
   void drawUnresolved(const SmallIds& ids, std::uint32_t firstNumber);
   void resolveRow(int row);
   void resolveRun(const PixelRun& run, Shading& shading, ItemId* ids);
@@ -131,53 +131,55 @@ void Tile::drawAlone(std::uint32_t cluster, std::uint32_t t) {
     testDepths(triangle);
 }
 
-/// The item IDs of the small triangles of a cluster after setup.
-SmallIds Tile::smallIds(const Cluster& cluster, ItemId addend) const {
-  const SmallSetup& setup = memory_.small;
-  const Draw& first = draws_.list.draws[cluster.runs.front().draw];
+/// The item IDs of the small triangles of a cluster after setup. Those of texels that are no sum with the offset stay
+/// in `alone`, and have no rows to draw.
+SmallIds Tile::smallIds(const Cluster& cluster, const ClusterPart& part, std::uint32_t& alone) {
+  SmallSetup& setup = memory_.small;
   SmallIds ids;
-  if (first.indexMap) {
-    const auto number = static_cast<std::size_t>(*first.indexMap);
+  if (cluster.indexMap) {
+    const auto number = static_cast<std::size_t>(*cluster.indexMap);
     const IndexMap& map = draws_.list.indexMaps[number];
     ids.columns = map.width;
     ids.rows = map.height;
     if (!draws_.maps[number].countsTexels) ids.map = map.ids.data();
   }
   for (std::uint32_t k = 0; k < setup.count; ++k) {
-    const auto t = static_cast<std::uint32_t>(setup.triangles[k]);
-    const Draw& draw = cluster.runs.size() == 1 ? first : draws_.list.draws[triangleOf(cluster, t).draw];
+    const std::uint32_t inMesh = part.firstTriangle + static_cast<std::uint32_t>(setup.triangles[k]);
+    const Draw& draw = draws_.list.draws[draws_.mesh.draws[inMesh]];
     const bool facesAway = ((setup.negative >> k & 1) != 0) == isMirrored_;
-    const bool isTextured = draw.indexMap && !(facesAway && draw.back) && (setup.uniform >> k & 1) == 0;
-    if (isTextured) ids.textured |= 1U << k;
-    ids.ids[k] = isTextured ? addend : idOf(draws_, draw, facesAway, static_cast<ItemId>(setup.texel[k]));
+    if (!draw.indexMap || (facesAway && draw.back) || (setup.uniform >> k & 1) != 0) {
+      ids.ids[k] = idOf(draws_, draw, facesAway, static_cast<ItemId>(setup.texel[k]));
+    } else if (const std::optional<ItemId> addend = addendOf(draws_, draw)) {
+      ids.textured |= 1U << k;
+      ids.ids[k] = *addend;
+    } else {
+      alone |= 1U << k;
+      setup.rows[k] = 0;
+    }
   }
   return ids;
 }
 
 /// Draws the small triangles of a cluster.
-void Tile::drawSmall(std::uint32_t cluster, const TriangleSets& sets) {
-  const ClusterPart& part = draws_.mesh.parts[cluster];
-  const Draw& first = draws_.list.draws[draws_.clusters[cluster].runs.front().draw];
+void Tile::drawSmall(std::uint32_t number, const TriangleSets& sets) {
+  const Cluster& cluster = draws_.clusters[number];
+  const ClusterPart& part = draws_.mesh.parts[number];
   SmallTriangles triangles{draws_.mesh, part, memory_.placed, sets.small, sets.tiny};
-  if (first.indexMap) {  // such a cluster has one draw only
-    const IndexMap& map = draws_.list.indexMaps[static_cast<std::size_t>(*first.indexMap)];
+  if (cluster.indexMap) {
+    const IndexMap& map = draws_.list.indexMaps[static_cast<std::size_t>(*cluster.indexMap)];
     triangles.columns = map.width;
     triangles.rows = map.height;
   }
   SmallSetup& setup = memory_.small;
   kernels_.setUpSmall(triangles, buffer_.scissor, setup);
   if (setup.count == 0) return;
-  const std::optional<ItemId> addend = first.indexMap ? addendOf(draws_, first) : 0;
-  auto alone = static_cast<std::uint32_t>((std::uint64_t{1} << setup.count) - 1);
-  if (addend) {
-    const SmallIds ids = smallIds(draws_.clusters[cluster], *addend);
-    const std::uint32_t firstNumber = firstSmall + part.firstTriangle;
-    kernels_.drawSmall(setup, ids, firstNumber, buffer_, memory_.unresolvedSamples);
-    drawUnresolved(ids, firstNumber);
-    alone = setup.thin;
-  }
+  std::uint32_t alone = setup.thin;
+  const SmallIds ids = smallIds(cluster, part, alone);
+  const std::uint32_t firstNumber = firstSmall + part.firstTriangle;
+  kernels_.drawSmall(setup, ids, firstNumber, buffer_, memory_.unresolvedSamples);
+  drawUnresolved(ids, firstNumber);
   for (; alone != 0; alone &= alone - 1)
-    drawAlone(cluster, static_cast<std::uint32_t>(setup.triangles[static_cast<std::size_t>(std::countr_zero(alone))]));
+    drawAlone(number, static_cast<std::uint32_t>(setup.triangles[static_cast<std::size_t>(std::countr_zero(alone))]));
 }
 
 /// Draws the samples of small triangles that are not resolved in double precision.

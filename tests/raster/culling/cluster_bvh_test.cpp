@@ -12,17 +12,18 @@ using namespace hemitex::raster;
 
 namespace {
 
-/// `count` clusters of one triangle each; one in twenty has an infinite box.
+/// `count` clusters of one triangle each, because consecutive draws have different maps. One in twenty has an infinite
+/// box.
 std::vector<Cluster> scattered(std::size_t count) {
   DrawList list = tests::plainList();
-  list.indexMaps.push_back({1, 1, {0}});
+  list.indexMaps.resize(2, {1, 1, {0}});
   std::mt19937 random(4);
   for (std::size_t i = 0; i < count; ++i) {
     const auto near = [&](const glm::vec3& p, float size) {
       return p + glm::vec3(tests::uniform(random, -size, size), tests::uniform(random, -size, size),
                            tests::uniform(random, -size, size));
     };
-    tests::addDraw(list, 1, {}, 0);
+    tests::addDraw(list, 1, {}, static_cast<int>(i % 2));
     const glm::vec3 centre = near({0, 0, 0}, 9);
     const float far = i % 20 == 7 ? std::numeric_limits<float>::infinity() : 1;
     tests::addTriangle(list, {centre, near(centre, 1), far * near(centre, 1)});

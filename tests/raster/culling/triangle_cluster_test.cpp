@@ -33,6 +33,18 @@ DrawList cloud(int draws, int triangles, unsigned seed) {
   return list;
 }
 
+/// Draws of two triangles each, side by side in a row.
+DrawList row(int draws) {
+  DrawList list = plainList();
+  for (int draw = 0; draw < draws; ++draw) {
+    tests::addDraw(list, static_cast<ItemId>(draw));
+    const auto x = static_cast<float>(draw);
+    addTriangle(list, {{x, 0, 9}, {x + 1, 0, 9}, {x + 1, 1, 9}});
+    addTriangle(list, {{x, 0, 9}, {x + 1, 1, 9}, {x, 1, 9}});
+  }
+  return list;
+}
+
 /// The same draws with an index map.
 DrawList withMap(DrawList list) {
   list.indexMaps.push_back({1, 1, {0}});
@@ -65,10 +77,29 @@ TEST_CASE("clustersOf covers the triangles of the draws in order, each once", "[
   }
 }
 
-TEST_CASE("clustersOf puts pieces of a mesh into clusters of 32 triangles, and draws with a map into their own",
+TEST_CASE("clustersOf puts draws side by side into clusters of 32 triangles, if they have at most one map",
           "[cluster]") {
-  CHECK(clustersOf(cloud(500, 2, 4)).size() == 32);
-  CHECK(clustersOf(withMap(cloud(500, 2, 4))).size() == 500);
+  CHECK(clustersOf(row(500)).size() == 32);
+  DrawList list = withMap(row(500));
+  CHECK(clustersOf(list).size() == 32);
+  for (const Cluster& cluster : clustersOf(list)) CHECK(cluster.indexMap == 0);
+  // Draws without a map fit to any.
+  for (std::size_t i = 0; i < 500; i += 3) list.draws[i].indexMap = std::nullopt;
+  CHECK(clustersOf(list).size() == 32);
+  // Ten draws with one map, and ten with another.
+  list.indexMaps.push_back({1, 1, {0}});
+  for (std::size_t i = 0; i < 500; ++i) list.draws[i].indexMap = static_cast<int>(i / 10 % 2);
+  const std::vector<Cluster> clusters = clustersOf(list);
+  CHECK(clusters.size() == 50);
+  for (const Cluster& cluster : clusters)
+    for (const TriangleRun& run : cluster.runs) CHECK(list.draws[run.draw].indexMap == cluster.indexMap);
+}
+
+TEST_CASE("clustersOf separates draws that are far from each other", "[cluster]") {
+  DrawList list = row(500);
+  for (std::size_t i = 0; i < list.positions.size(); ++i)
+    if (i / 6 % 2 == 1) list.positions[i].y += 1000;
+  CHECK(clustersOf(list).size() == 500);
 }
 
 TEST_CASE("ViewBounds culls only clusters without screen triangles, and most of those", "[cluster]") {
