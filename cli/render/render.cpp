@@ -158,7 +158,7 @@ Image projectionView(const RenderOptions& options, const Subject& subject, Conso
                                             ? radiosity::elementCentre(scene, discretization, *source.element)
                                             : radiosity::patchCentre(scene, discretization, patch);
   const radiosity::Projection projection = radiosity::projectionOf(kind, options.resolution);
-  const std::vector<radiosity::TriangleBox> boxes = radiosity::triangleBoxes(scene);
+  const radiosity::TriangleBoxes boxes = radiosity::triangleBoxes(scene);
   const auto skipped = radiosity::skippedTriangles(scene, boxes, surface, point);
   const double nearDistance = radiosity::nearDistance(scene, boxes, point.position, skipped, projection.squaredReach);
   const auto faces =

@@ -88,7 +88,7 @@ class ProjectedFormFactors {
   const IdLayout& layout_;
   raster::ItemBufferRenderer& renderer_;
   ViewSettings settings_;
-  std::vector<TriangleBox> boxes_;
+  TriangleBoxes boxes_;
   std::map<int, Projection> projections_;  ///< by resolution, made on demand
   ItemBufferSum counter_;
   std::vector<raster::ItemBuffer> buffers_;  ///< of the last view; the allocations are reused

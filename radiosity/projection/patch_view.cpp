@@ -15,9 +15,9 @@ namespace {
 /// Maximum number of triangles per box. Larger runs have large boxes; smaller runs are too many.
 constexpr std::uint32_t maxTriangles = 32;
 
-TriangleBox boxAround(const std::vector<Triangle>& triangles, std::uint32_t first, std::uint32_t end) {
+SpaceBox boxAround(const std::vector<Triangle>& triangles, std::uint32_t first, std::uint32_t end) {
   const double infinity = std::numeric_limits<double>::infinity();
-  TriangleBox box{glm::dvec3(infinity), glm::dvec3(-infinity), 0, first, end, 0};
+  SpaceBox box{glm::dvec3(infinity), glm::dvec3(-infinity)};
   for (std::uint32_t t = first; t < end; ++t)
     for (const glm::dvec3& corner : triangles[t].position) {
       box.low = glm::min(box.low, corner);
@@ -50,16 +50,10 @@ double squaredDistance(const glm::dvec3& point, const std::array<glm::dvec3, 3>&
   return inside ? height * height / glm::dot(n, n) : nearest;
 }
 
-/// The squared distance from a point to a box; 0 inside.
-double squaredDistanceToBox(const glm::dvec3& point, const glm::dvec3& low, const glm::dvec3& high) {
-  const glm::dvec3 offset = point - glm::clamp(point, low, high);
-  return glm::dot(offset, offset);
-}
-
 /// The squared distance from a point to the box around a triangle: a cheap lower bound.
 double squaredDistanceToBounds(const glm::dvec3& point, const std::array<glm::dvec3, 3>& corner) {
-  return squaredDistanceToBox(point, glm::min(glm::min(corner[0], corner[1]), corner[2]),
-                              glm::max(glm::max(corner[0], corner[1]), corner[2]));
+  return squaredDistance(point, SpaceBox{glm::min(glm::min(corner[0], corner[1]), corner[2]),
+                                         glm::max(glm::max(corner[0], corner[1]), corner[2])});
 }
 
 /// Height above the tangent plane.
@@ -69,7 +63,7 @@ double heightOf(const glm::dvec3& position, const SurfacePoint& point) {
 
 /// The lowest and the highest value of heightOf in a box. The bounds hold in double precision, because all operations
 /// of heightOf are monotonic, including their rounding.
-std::pair<double, double> heightsOf(const TriangleBox& box, const SurfacePoint& point) {
+std::pair<double, double> heightsOf(const SpaceBox& box, const SurfacePoint& point) {
   const auto isUp = glm::greaterThan(point.normal, glm::dvec3(0));
   return {heightOf(glm::mix(box.high, box.low, isUp), point), heightOf(glm::mix(box.low, box.high, isUp), point)};
 }
@@ -87,55 +81,69 @@ bool facesAway(const Triangle& triangle, const glm::dvec3& eye) {
 
 }  // namespace
 
-std::vector<TriangleBox> triangleBoxes(const Scene& scene) {
-  std::vector<TriangleBox> boxes;
+TriangleBoxes triangleBoxes(const Scene& scene) {
+  std::vector<TriangleRange> ranges;
+  std::vector<SpaceBox> boxes;
+  std::vector<std::uint32_t> firstRange, twins;
   std::uint32_t number = 0;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-    const auto count = static_cast<std::uint32_t>(scene.surfaces[s].triangles.size());
+    const std::vector<Triangle>& triangles = scene.surfaces[s].triangles;
+    const auto count = static_cast<std::uint32_t>(triangles.size());
+    firstRange.push_back(static_cast<std::uint32_t>(ranges.size()));
+    if (scene.surfaces[s].twin) twins.push_back(s);
     for (std::uint32_t first = 0; first < count; first += maxTriangles) {
-      boxes.push_back(boxAround(scene.surfaces[s].triangles, first, std::min(first + maxTriangles, count)));
-      boxes.back().surface = s;
-      boxes.back().number = number + first;
+      ranges.push_back({s, first, std::min(first + maxTriangles, count), number + first});
+      boxes.push_back(boxAround(triangles, first, ranges.back().end));
     }
     number += count;
   }
-  return boxes;
+  firstRange.push_back(static_cast<std::uint32_t>(ranges.size()));
+  NearestBoxes nearest(boxes);
+  return {std::move(ranges), std::move(boxes), std::move(firstRange), std::move(twins), std::move(nearest)};
 }
 
-std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::span<const TriangleBox> boxes,
-                                            std::uint32_t surface, const SurfacePoint& point) {
+std::vector<std::uint32_t> skippedTriangles(const Scene& scene, const TriangleBoxes& boxes, std::uint32_t surface,
+                                            const SurfacePoint& point) {
   const double tolerance = tangentPlaneTolerance * scene.extent;
   std::vector<std::uint32_t> skipped;
-  for (const TriangleBox& box : boxes) {
-    const Surface& seen = scene.surfaces[box.surface];
-    const bool isOwn = box.surface == surface || seen.twin == static_cast<int>(surface);
-    if (!isOwn && !seen.twin) continue;
-    const auto [lowest, highest] = heightsOf(box, point);
-    const bool mayLie = isOwn && lowest <= tolerance && highest >= -tolerance;
-    const bool allLie = mayLie && lowest >= -tolerance && highest <= tolerance;
-    if (!mayLie && !seen.twin) continue;
-    for (std::uint32_t t = box.first; t < box.end; ++t)
-      if (allLie || (mayLie && liesInPlane(seen.triangles[t], point, tolerance)) ||
-          (seen.twin && facesAway(seen.triangles[t], point.position)))
-        skipped.push_back(box.number + (t - box.first));
-  }
+  const auto append = [&](std::uint32_t number) {
+    const Surface& seen = scene.surfaces[number];
+    const bool isOwn = number == surface || seen.twin == static_cast<int>(surface);
+    for (std::uint32_t r = boxes.firstRange[number]; r < boxes.firstRange[number + 1]; ++r) {
+      const auto [lowest, highest] = heightsOf(boxes.boxes[r], point);
+      const bool mayLie = isOwn && lowest <= tolerance && highest >= -tolerance;
+      const bool allLie = mayLie && lowest >= -tolerance && highest <= tolerance;
+      if (!mayLie && !seen.twin) continue;
+      const TriangleRange& range = boxes.ranges[r];
+      for (std::uint32_t t = range.first; t < range.end; ++t)
+        if (allLie || (mayLie && liesInPlane(seen.triangles[t], point, tolerance)) ||
+            (seen.twin && facesAway(seen.triangles[t], point.position)))
+          skipped.push_back(range.number + (t - range.first));
+    }
+  };
+  // A surface with a twin is one of `twins`, and so is its twin.
+  if (!scene.surfaces[surface].twin) append(surface);
+  const auto ownEnd = static_cast<std::ptrdiff_t>(skipped.size());
+  for (const std::uint32_t twin : boxes.twins) append(twin);
+  std::inplace_merge(skipped.begin(), skipped.begin() + ownEnd, skipped.end());
   return skipped;
 }
 
-double nearDistance(const Scene& scene, std::span<const TriangleBox> boxes, const glm::dvec3& point,
+double nearDistance(const Scene& scene, const TriangleBoxes& boxes, const glm::dvec3& point,
                     const std::vector<std::uint32_t>& skipped, double squaredReach) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const TriangleBox& box : boxes) {
-    if (squaredDistanceToBox(point, box.low, box.high) >= nearest) continue;
-    auto skip = std::lower_bound(skipped.begin(), skipped.end(), box.number);
-    for (std::uint32_t t = box.first; t < box.end; ++t) {
-      const std::array<glm::dvec3, 3>& corner = scene.surfaces[box.surface].triangles[t].position;
-      if (skip != skipped.end() && *skip == box.number + (t - box.first))
+  boxes.nearest.visit(point, nearest, [&](std::uint32_t number, double& limit) {
+    if (squaredDistance(point, boxes.boxes[number]) >= limit) return;
+    const TriangleRange& range = boxes.ranges[number];
+    auto skip = std::lower_bound(skipped.begin(), skipped.end(), range.number);
+    for (std::uint32_t t = range.first; t < range.end; ++t) {
+      const std::array<glm::dvec3, 3>& corner = scene.surfaces[range.surface].triangles[t].position;
+      if (skip != skipped.end() && *skip == range.number + (t - range.first))
         ++skip;
-      else if (squaredDistanceToBounds(point, corner) < nearest)
-        nearest = std::min(nearest, squaredDistance(point, corner));
+      else if (squaredDistanceToBounds(point, corner) < limit)
+        limit = std::min(limit, squaredDistance(point, corner));
     }
-  }
+  });
   return std::clamp(std::sqrt(nearest / squaredReach), smallestNearDistance * scene.extent, scene.extent);
 }
 

@@ -4,25 +4,32 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <span>
 #include <vector>
 
 #include "radiosity/discretization/patch_points.h"
+#include "radiosity/geometry/nearest_boxes.h"
 #include "radiosity/scene/scene.h"
 
 namespace hemitex::radiosity {
 
-/// Consecutive triangles of one surface, and the box around them: speeds up the search for the nearest triangle of a
-/// scene.
-struct TriangleBox {
-  glm::dvec3 low, high;
+/// Consecutive triangles of one surface; the first has the number `number` in the scene.
+struct TriangleRange {
   std::uint32_t surface = 0;
   std::uint32_t first = 0, end = 0;  ///< in the surface
-  std::uint32_t number = 0;          ///< of the first triangle, in the scene
+  std::uint32_t number = 0;
 };
 
-/// All triangles of a scene, in their order.
-std::vector<TriangleBox> triangleBoxes(const Scene& scene);
+/// All triangles of a scene in boxes, so that a view visits only those of its own surface, those near to its point, and
+/// surfaces with twins.
+struct TriangleBoxes {
+  std::vector<TriangleRange> ranges;      ///< in the order of the triangles
+  std::vector<SpaceBox> boxes;            ///< one around each range
+  std::vector<std::uint32_t> firstRange;  ///< of each surface; one more at the end
+  std::vector<std::uint32_t> twins;       ///< the surfaces with twins, ascending
+  NearestBoxes nearest;                   ///< over the boxes
+};
+
+TriangleBoxes triangleBoxes(const Scene& scene);
 
 /// In extents of the scene: triangles of the shooting surface lie in the tangent plane if their corners are this close
 /// to it. A few units of binary32 roundoff, which is the limit of what drawing can resolve.
@@ -33,8 +40,8 @@ inline constexpr double smallestNearDistance = 0x1p-24;
 /// The triangles that a view from a point of a surface skips, ascending: those of the surface in the tangent plane and,
 /// in two-sided scenes, the coincident side that faces away from the point.
 /// `boxes` are triangleBoxes of the scene.
-std::vector<std::uint32_t> skippedTriangles(const Scene& scene, std::span<const TriangleBox> boxes,
-                                            std::uint32_t surface, const SurfacePoint& point);
+std::vector<std::uint32_t> skippedTriangles(const Scene& scene, const TriangleBoxes& boxes, std::uint32_t surface,
+                                            const SurfacePoint& point);
 
 /// The triangles whose backs face an eye, ascending: all, or only those of two-sided scenes, whose other sides are
 /// drawn instead.
@@ -44,7 +51,7 @@ std::vector<std::uint32_t> trianglesFacingAway(const Scene& scene, const glm::dv
 /// the projection's reach (see Projection::squaredReach). It is smallestNearDistance if a triangle touches the point,
 /// and the scene's extent if no triangle is near. `point` and the result are in units of the file, `skipped` is
 /// ascending and `boxes` are triangleBoxes of the scene.
-double nearDistance(const Scene& scene, std::span<const TriangleBox> boxes, const glm::dvec3& point,
+double nearDistance(const Scene& scene, const TriangleBoxes& boxes, const glm::dvec3& point,
                     const std::vector<std::uint32_t>& skipped, double squaredReach);
 
 /// The rotation of projections over patches.
