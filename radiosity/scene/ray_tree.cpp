@@ -2,27 +2,94 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace hemitex::radiosity {
 namespace {
 
 constexpr std::uint32_t trianglesOfLeaf = 2;
-/// Large triangles are separated down to this depth.
-constexpr int maxDepthOfLarge = 16;
 /// The cosine of the angle of a ray to a normal counts at least this much: rays along a plane leave it far away.
 constexpr double minCosine = 1 / 64.0;
+/// Nodes are divided at the cheapest of this number of planes per axis down to this depth, then in halves.
+constexpr std::size_t bins = 16;
+constexpr int maxDepthOfBins = 32;
 
-/// The distance at which a ray enters a box; infinity if it misses the box or enters it beyond `end`. `inverse` is 1
-/// over the direction.
-inline double entry(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& origin, const glm::dvec3& inverse,
-                    double end) {
-  const glm::dvec3 a = (low - origin) * inverse, b = (high - origin) * inverse;
-  const glm::dvec3 near = glm::min(a, b), far = glm::max(a, b);
-  const double first = glm::max(glm::max(0.0, near.x), glm::max(near.y, near.z));
-  const double last = glm::min(glm::min(end, far.x), glm::min(far.y, far.z));
-  return first <= last ? first : std::numeric_limits<double>::infinity();
+struct Bounds {
+  glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+
+  void include(const glm::dvec3& point) {
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
+  void include(const Bounds& other) {
+    low = glm::min(low, other.low);
+    high = glm::max(high, other.high);
+  }
+};
+
+/// The expected cost of the rays through a node: its surface area times its triangles (Goldsmith and Salmon 1987).
+double costOf(const Bounds& bounds, std::uint32_t triangles) {
+  if (triangles == 0) return 0;
+  const glm::dvec3 size = bounds.high - bounds.low;
+  return triangles * (size.x * size.y + size.y * size.z + size.z * size.x);
 }
+
+/// Triangles whose middles lie between two planes.
+struct Bin {
+  Bounds bounds;
+  std::uint32_t triangles = 0;
+
+  void include(const Bin& other) {
+    bounds.include(other.bounds);
+    triangles += other.triangles;
+  }
+};
+using Bins = std::array<Bin, bins>;
+
+/// A plane between the bins of an axis: triangles of the bins before `firstBin` and of the others.
+struct Split {
+  int axis = 0;
+  std::size_t firstBin = 0;  ///< 0: no plane separates the triangles
+  double cost = std::numeric_limits<double>::infinity();
+};
+
+/// Replaces `best` by the cheapest plane of an axis if that is cheaper.
+void improve(const Bins& binsOfAxis, int axis, Split& best) {
+  std::array<double, bins> costBefore;
+  Bin before, behind;
+  for (std::size_t b = 0; b < bins; ++b) {
+    costBefore[b] = costOf(before.bounds, before.triangles);
+    before.include(binsOfAxis[b]);
+  }
+  for (std::size_t b = bins - 1; b > 0; --b) {
+    behind.include(binsOfAxis[b]);
+    if (behind.triangles == 0 || behind.triangles == before.triangles) continue;
+    const double cost = costBefore[b] + costOf(behind.bounds, behind.triangles);
+    if (cost < best.cost) best = {axis, b, cost};
+  }
+}
+
+/// A ray, with 1 over its direction, and for each axis the corner of boxes that it passes first: 0 for low, 1 for high.
+struct BoxRay {
+  glm::dvec3 origin, inverse;
+  std::array<std::size_t, 3> first;
+
+  BoxRay(const glm::dvec3& from, const glm::dvec3& inverseDirection) : origin(from), inverse(inverseDirection) {
+    for (int axis = 0; axis < 3; ++axis) first[static_cast<std::size_t>(axis)] = inverse[axis] < 0 ? 1 : 0;
+  }
+
+  /// The distance at which the ray enters a box; infinity if it misses the box or enters it beyond `end`.
+  double entry(const std::array<glm::dvec3, 2>& corners, double end) const {
+    const auto [x, y, z] = first;
+    const glm::dvec3 near = (glm::dvec3(corners[x].x, corners[y].y, corners[z].z) - origin) * inverse;
+    const glm::dvec3 far = (glm::dvec3(corners[1 - x].x, corners[1 - y].y, corners[1 - z].z) - origin) * inverse;
+    const double enters = glm::max(glm::max(0.0, near.x), glm::max(near.y, near.z));
+    const double leaves = glm::min(glm::min(end, far.x), glm::min(far.y, far.z));
+    return enters <= leaves ? enters : std::numeric_limits<double>::infinity();
+  }
+};
 
 /// 1 over a direction; for 0 a large number instead of infinity, so that 0 times it is 0.
 glm::dvec3 inverseOf(const glm::dvec3& direction) {
@@ -42,48 +109,51 @@ RayTree::RayTree(const Scene& scene) : touching_(contactTolerance(scene)) {
   if (!leaves_.empty()) build(0, static_cast<std::uint32_t>(leaves_.size()), 0);
 }
 
+/// Divides triangles at the plane with the smallest expected cost (Wald 2007), or in halves.
 void RayTree::build(std::uint32_t begin, std::uint32_t end, int depth) {
+  const auto middle = [](const Leaf& leaf) { return 3.0 * leaf.corner + leaf.along1 + leaf.along2; };
+  const auto boundsOf = [](const Leaf& leaf) {
+    Bounds bounds;
+    for (const glm::dvec3& corner : {leaf.corner, leaf.corner + leaf.along1, leaf.corner + leaf.along2})
+      bounds.include(corner);
+    return bounds;
+  };
   const std::size_t number = nodes_.size();
   nodes_.emplace_back();
-  Node node;
-  glm::dvec3 lowMiddle(std::numeric_limits<double>::infinity()), highMiddle(-lowMiddle);
-  node.surface = leaves_[begin].surface;
-  const auto middle = [](const Leaf& leaf) { return 3.0 * leaf.corner + leaf.along1 + leaf.along2; };
+  Bounds bounds, middles;
+  std::uint32_t surface = leaves_[begin].surface;
   for (std::uint32_t i = begin; i < end; ++i) {
-    const Leaf& leaf = leaves_[i];
-    if (leaf.surface != node.surface) node.surface = noSurface;
-    for (const glm::dvec3& corner : {leaf.corner, leaf.corner + leaf.along1, leaf.corner + leaf.along2}) {
-      node.low = glm::min(node.low, corner);
-      node.high = glm::max(node.high, corner);
-    }
-    lowMiddle = glm::min(lowMiddle, middle(leaf));
-    highMiddle = glm::max(highMiddle, middle(leaf));
+    bounds.include(boundsOf(leaves_[i]));
+    middles.include(middle(leaves_[i]));
+    if (leaves_[i].surface != surface) surface = noSurface;
   }
-  if (end - begin <= trianglesOfLeaf) {
-    node.second = begin;
-    node.triangles = end - begin;
-    nodes_[number] = node;
-    return;
-  }
-  const glm::dvec3 size = highMiddle - lowMiddle;
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const auto at = [&](std::uint32_t i) { return leaves_.begin() + i; };
-  // Large triangles would make the boxes of all small ones beside them large.
-  const auto isLarge = [&](const Leaf& leaf) {
-    const glm::dvec3 extent = glm::max(glm::max(leaf.along1, leaf.along2), glm::dvec3(0)) -
-                              glm::min(glm::min(leaf.along1, leaf.along2), glm::dvec3(0));
-    return extent[axis] > (node.high[axis] - node.low[axis]) / 2;
+  nodes_[number] = {{bounds.low, bounds.high}, begin, end - begin, surface};
+  if (end - begin <= trianglesOfLeaf) return;
+  const glm::dvec3 size = middles.high - middles.low;
+  const glm::dvec3 binsPerLength = static_cast<double>(bins) / size;
+  const auto binOf = [&](const Leaf& leaf, int axis) {
+    return std::min(static_cast<std::size_t>((middle(leaf)[axis] - middles.low[axis]) * binsPerLength[axis]), bins - 1);
   };
-  std::uint32_t half =
-      depth < maxDepthOfLarge ? static_cast<std::uint32_t>(std::partition(at(begin), at(end), isLarge) - at(0)) : begin;
-  if (half == begin || half == end) {
-    half = begin + (end - begin) / 2;
+  Split split;
+  for (int axis = 0; axis < 3 && depth < maxDepthOfBins; ++axis) {
+    if (!std::isfinite(binsPerLength[axis])) continue;
+    Bins ofAxis;
+    for (std::uint32_t i = begin; i < end; ++i) ofAxis[binOf(leaves_[i], axis)].include({boundsOf(leaves_[i]), 1});
+    improve(ofAxis, axis, split);
+  }
+  const auto at = [&](std::uint32_t i) { return leaves_.begin() + i; };
+  std::uint32_t half = begin + (end - begin) / 2;
+  if (split.firstBin > 0) {
+    const auto isBefore = [&](const Leaf& leaf) { return binOf(leaf, split.axis) < split.firstBin; };
+    half = static_cast<std::uint32_t>(std::partition(at(begin), at(end), isBefore) - at(0));
+  } else {
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     std::nth_element(at(begin), at(half), at(end),
                      [&](const Leaf& a, const Leaf& b) { return middle(a)[axis] < middle(b)[axis]; });
   }
   build(begin, half, depth + 1);
-  node.second = static_cast<std::uint32_t>(nodes_.size());
-  nodes_[number] = node;
+  nodes_[number].second = static_cast<std::uint32_t>(nodes_.size());
+  nodes_[number].triangles = 0;
   build(half, end, depth + 1);
 }
 
@@ -94,7 +164,7 @@ void RayTree::walk(double end, const Entry& entryOf, const Visit& visit) const {
     std::uint32_t node;
     double entry;
   };
-  // Below maxDepthOfLarge the tree halves at each level, so its depth is at most that plus the number of bits of a
+  // Below maxDepthOfBins the tree halves at each level, so its depth is at most that plus the number of bits of a
   // triangle count.
   std::array<Waiting, 64> waiting;
   std::size_t count = 0;
@@ -119,9 +189,9 @@ void RayTree::walk(double end, const Entry& entryOf, const Visit& visit) const {
 
 template <typename Meet>
 void RayTree::trace(const glm::dvec3& origin, const glm::dvec3& direction, double end, const Meet& meet) const {
-  const glm::dvec3 inverse = inverseOf(direction);
+  const BoxRay ray(origin, inverseOf(direction));
   walk(
-      end, [&](const Node& node, double last) { return entry(node.low, node.high, origin, inverse, last); },
+      end, [&](const Node& node, double last) { return ray.entry(node.corners, last); },
       [&](const Leaf& leaf, double& last) {
         // Moeller and Trumbore 1997.
         const glm::dvec3 p = glm::cross(direction, leaf.along2), offset = origin - leaf.corner;
@@ -143,7 +213,8 @@ std::optional<TriangleHit> RayTree::firstHit(const glm::dvec3& origin, const glm
   trace(origin, direction, std::numeric_limits<double>::infinity(),
         [&](const TriangleHit& hit, const Leaf& leaf, double& end) {
           std::optional<TriangleHit>& nearest = hit.isFront ? front : back;
-          if (nearest && nearest->distance <= hit.distance) return;
+          const auto order = [](const TriangleHit& of) { return std::tuple(of.distance, of.surface, of.triangle); };
+          if (nearest && order(*nearest) <= order(hit)) return;
           nearest = hit;
           if (!hit.isFront) {
             end = std::min(end, hit.distance);
@@ -166,7 +237,7 @@ void RayTree::appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vec
       1,
       [&](const Node& node, double end) {
         const bool isLeftOut = except != noSurface && node.surface == except;
-        return !isLeftOut && isNear(node.low, node.high) ? 0 : end;
+        return !isLeftOut && isNear(node.corners[0], node.corners[1]) ? 0 : end;
       },
       [&](const Leaf& leaf, double&) {
         if (leaf.surface == except) return;

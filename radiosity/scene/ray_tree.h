@@ -3,9 +3,9 @@
 /// solids far smaller than the depths of an item buffer do.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -47,7 +47,7 @@ class RayTree {
   };
   /// The first child of an inner node is the next node. A leaf node has triangles instead.
   struct Node {
-    glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+    std::array<glm::dvec3, 2> corners;  ///< of the box around all triangles below: low and high
     std::uint32_t second = 0;           ///< the second child, or the first triangle
     std::uint32_t triangles = 0;        ///< 0 for an inner node
     std::uint32_t surface = noSurface;  ///< of all triangles below, if they have the same

@@ -94,6 +94,18 @@ TEST_CASE("RayTree::firstHit equals a search of all triangles", "[rays]") {
   CHECK(met > 1000);
 }
 
+TEST_CASE("RayTree::firstHit is the first of triangles that coincide, and finds all of many", "[rays]") {
+  // The tree cannot separate triangles with the same middle.
+  const RayTree tree(sceneOfTriangles(std::vector<Triangle>(1000, unitTriangle(0, true))));
+  const auto hit = tree.firstHit({0.2, 0.2, 1}, {0, 0, -1});
+  REQUIRE(hit);
+  CHECK(hit->surface == 0);
+  CHECK(hit->distance == 1);
+  std::vector<std::uint32_t> numbers;
+  tree.appendNear({0, 0, 0}, {1, 1, 0}, numbers);
+  CHECK(numbers.size() == 1000);
+}
+
 TEST_CASE("RayTree::meetsBack equals a search of all triangles", "[rays]") {
   std::mt19937 random(2);
   const Scene scene = randomScene(random, 60);
