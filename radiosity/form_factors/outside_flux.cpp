@@ -20,8 +20,6 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// Pixels of a view for an element of mean area that faces the light.
-constexpr double pixelsPerElement = 16;
 constexpr int smallestViews = 256, largestViews = 4096;
 /// Elements with fewer pixels per view are lit at their centre.
 constexpr double minPixels = 0.5;
@@ -29,7 +27,7 @@ constexpr double minPixels = 0.5;
 constexpr int directionsPerRay = 16;
 constexpr int directionsPerSunView = 16;
 
-ParallelViews viewsFor(const Scene& scene, const Discretization& discretization) {
+ParallelViews viewsFor(const Scene& scene, const Discretization& discretization, double pixelsPerElement) {
   double area = 0;
   for (const Element& element : discretization.elements) area += element.area;
   const double side = std::sqrt(area / (static_cast<double>(discretization.elements.size()) * pixelsPerElement));
@@ -117,14 +115,13 @@ class PixelCounts {
     std::vector<raster::Face> faces;
     for (std::size_t i = first; i < end; ++i)
       faces.push_back(views_.face(scene_.origin, directions[i], static_cast<std::uint32_t>(i)));
-    const Window window = wholeFaces(shares_).front();
     std::vector<std::uint32_t> skipped = covered_;
     if (hasTwins(scene_)) {
       const auto away = trianglesFacingAway(scene_, glm::dvec3(faces.front().eye) + scene_.origin, true);
       skipped.clear();
       std::set_union(covered_.begin(), covered_.end(), away.begin(), away.end(), std::back_inserter(skipped));
     }
-    renderer_.draw(faces, skipped, buffers_, [&](std::size_t f) { add(window, buffers_[f]); });
+    renderer_.draw(faces, skipped, buffers_, [&](std::size_t f) { add({0, faces[f].scissor}, buffers_[f]); });
   }
 
   const Scene& scene_;
@@ -198,12 +195,22 @@ glm::dvec3 sumOf(const OutsideFlux& flux) {
   return sum.value();
 }
 
+OutsideViews affordableViews(int directions, std::size_t triangles) {
+  constexpr std::size_t maxDrawn = std::size_t{5} << 24;
+  const auto affordable = static_cast<int>(std::min(maxDrawn / std::max<std::size_t>(triangles, 1), maxDrawn));
+  OutsideViews views;
+  views.directions = std::max(std::min(directions, affordable), minDirections);
+  const double fewer = std::max(static_cast<double>(directions) / views.directions, 1.0);
+  views.pixelsPerElement *= std::sqrt(fewer * std::sqrt(fewer));
+  return views;
+}
+
 OutsideFlux outsideFlux(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
-                        raster::ItemBufferRenderer& renderer, int directions) {
+                        raster::ItemBufferRenderer& renderer, const OutsideViews& drawn) {
   OutsideFlux flux;
   if (!(brightest(scene.outside) > 0)) return flux;
   flux.received.resize(discretization.elements.size());
-  const ParallelViews views = viewsFor(scene, discretization);
+  const ParallelViews views = viewsFor(scene, discretization, drawn.pixelsPerElement);
   const double pixelArea = views.pixelSide() * views.pixelSide();
   const RayTree rays(scene);
   PixelCounts pixels(scene, discretization, layout, renderer, views,
@@ -216,10 +223,10 @@ OutsideFlux outsideFlux(const Scene& scene, const Discretization& discretization
       flux.received[counts.elements[i]] += perPixel * static_cast<double>(counts.shares[i]);
     flux.onBacks += perPixel * static_cast<double>(counts.back);
   };
-  add(skyBeams(scene.outside.sky, directions));
-  for (const Sun& sun : scene.outside.suns) add(sunBeams(sun, std::max(directions / directionsPerSunView, 1)));
-  lightCentres(CentreLight(scene, discretization, rays, std::max(directions / directionsPerRay, 1)), discretization,
-               pixelArea, flux);
+  add(skyBeams(scene.outside.sky, drawn.directions));
+  for (const Sun& sun : scene.outside.suns) add(sunBeams(sun, std::max(drawn.directions / directionsPerSunView, 1)));
+  lightCentres(CentreLight(scene, discretization, rays, std::max(drawn.directions / directionsPerRay, 1)),
+               discretization, pixelArea, flux);
   return flux;
 }
 

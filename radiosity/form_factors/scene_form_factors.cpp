@@ -53,10 +53,8 @@ FormFactorRow SceneFormFactors::corrected(const Patch& patch, FormFactorRow row)
 }
 
 OutsideFlux SceneFormFactors::outsideFlux() {
-  // All views together draw at most about this number of triangles.
-  constexpr std::size_t maxDrawn = std::size_t{1} << 28;
-  const int affordable = std::max(static_cast<int>(maxDrawn / triangleCount(scene_)), minDirections);
-  return radiosity::outsideFlux(scene_, discretization_, layout_, *renderer_, std::min(directions_, affordable));
+  return radiosity::outsideFlux(scene_, discretization_, layout_, *renderer_,
+                                affordableViews(directions_, triangleCount(scene_)));
 }
 
 PatchSplit SceneFormFactors::splits() {

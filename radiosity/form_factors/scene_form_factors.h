@@ -74,7 +74,7 @@ class SceneFormFactors {
   const IdLayout& layout() const { return layout_; }
   ProjectedFormFactors& rows() { return rows_; }
   /// The flux from `scene.outside`, with eight times as many directions as a face has pixels along its side,
-  /// or fewer for scenes of more than 2^17 triangles.
+  /// or fewer for scenes of many triangles (see affordableViews).
   OutsideFlux outsideFlux();
 
  private:

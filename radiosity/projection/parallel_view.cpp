@@ -1,11 +1,13 @@
 #include "radiosity/projection/parallel_view.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numeric>
 
 #include "radiosity/projection/patch_view.h"
+#include "raster/culling/frustum_culling.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -18,6 +20,15 @@ glm::dvec2 shiftOf(std::uint32_t i) {
   return steps - glm::floor(steps) - 0.5;
 }
 
+/// The pixels of a face that may show something inside a box, at least one.
+raster::Scissor partWith(const SpaceBox& box, const glm::dvec3& origin, const raster::Face& face) {
+  // Positions are drawn in binary32. Rounding is monotonic, so that the rounded box holds the rounded positions.
+  const glm::vec3 low(box.low - origin), high(box.high - origin);
+  const raster::Scissor part = raster::ViewBounds(face).placeOf({low, high}).part;
+  const int last = face.resolution - 1;
+  return {std::min(part.column, last), std::min(part.row, last), std::max(part.width, 1), std::max(part.height, 1)};
+}
+
 }  // namespace
 
 BoundingSphere boundingSphere(const Scene& scene) {
@@ -28,7 +39,7 @@ BoundingSphere boundingSphere(const Scene& scene) {
         low = glm::min(low, corner);
         high = glm::max(high, corner);
       }
-  return {0.5 * (low + high), 0.5 * glm::length(high - low)};
+  return {0.5 * (low + high), 0.5 * glm::length(high - low), {low, high}};
 }
 
 raster::Face ParallelViews::face(const glm::dvec3& origin, const glm::dvec3& towards, std::uint32_t number) const {
@@ -46,6 +57,7 @@ raster::Face ParallelViews::face(const glm::dvec3& origin, const glm::dvec3& tow
   face.nearDistance = 0.5F;
   face.resolution = resolution;
   face.scissor = {0, 0, resolution, resolution};
+  face.scissor = partWith(bounds.box, origin, face);
   return face;
 }
 

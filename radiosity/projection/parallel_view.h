@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "radiosity/geometry/nearest_boxes.h"
 #include "radiosity/projection/projection.h"
 #include "radiosity/scene/scene.h"
 #include "raster/interface/face.h"
@@ -18,10 +19,11 @@ namespace hemitex::radiosity {
 /// radii.
 inline constexpr double farDistance = 1024;
 
-/// A sphere around all triangles.
+/// A sphere around all triangles, and the box in it that has the same centre; in units of the file.
 struct BoundingSphere {
-  glm::dvec3 centre{0.0};  ///< in units of the file
+  glm::dvec3 centre{0.0};
   double radius = 0;
+  SpaceBox box;
 };
 BoundingSphere boundingSphere(const Scene& scene);
 
@@ -33,7 +35,8 @@ struct ParallelViews {
   /// The side of a pixel at the centre of the scene, in units of the file. A pixel at each border shows no scene.
   double pixelSide() const { return 2 * bounds.radius / (resolution - 2); }
   /// A view against the light: `towards` is the unit vector to its source. Views of different numbers are rotated about
-  /// this direction and moved by parts of a pixel, so that the samples of many views are spread evenly.
+  /// this direction and moved by parts of a pixel, so that the samples of many views are spread evenly. The scissor
+  /// rectangle holds all pixels that show the scene, of which `origin` is the origin.
   raster::Face face(const glm::dvec3& origin, const glm::dvec3& towards, std::uint32_t number) const;
   /// One face whose pixels have the share 1 each, so that sums count pixels.
   Projection pixelCounts() const;

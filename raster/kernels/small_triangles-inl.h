@@ -359,7 +359,7 @@ std::uint32_t draw(const Strip& strip, const SmallIds& ids, std::uint32_t firstN
     hn::BlendedStore(inverseDepth, taken, doubles, depths);
     hn::BlendedStore(number, takenNumbers, Numbers(), numbers);
     auto id = base;
-    if constexpr (isTextured) {
+    if (isTextured && !hn::AllFalse(doubles, taken)) {
       auto isClear = covered;
       id = hn::Add(base, texels.find(row, hn::Div(all(1.0), inverseDepth), taken, isClear));
       open = hn::Or(open, hn::AndNot(isClear, taken));

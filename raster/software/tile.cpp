@@ -306,10 +306,16 @@ std::vector<Scissor> tilesOf(const Face& face) {
 
 void drawTile(const PreparedDrawList& draws, const Kernels& kernels, const Face& face,
               std::span<const std::uint32_t> skipped, TileMemory& memory, ItemId* ids, std::size_t pitch) {
-  Tile tile(draws, kernels, face, memory, ids, pitch);
   const ViewBounds view(face);
+  const std::vector<PlacedGroup> groups = groupsIn(draws.tree, view);
+  if (groups.empty()) {
+    for (int row = 0; row < face.scissor.height; ++row)
+      std::fill_n(ids + static_cast<std::size_t>(row) * pitch, face.scissor.width, backgroundId(draws.list.format));
+    return;
+  }
+  Tile tile(draws, kernels, face, memory, ids, pitch);
   std::optional<std::uint32_t> awaited;  // the cluster that is being prefetched
-  for (const PlacedGroup& placed : groupsIn(draws.tree, view)) {
+  for (const PlacedGroup& placed : groups) {
     if (tile.hides(placed.place)) continue;
     const ClusterGroup& group = draws.tree.group(placed.number);
     for (std::uint32_t c = group.first; c < group.end; ++c) {

@@ -36,7 +36,7 @@ OutsideLight sun(const glm::dvec3& towards, const glm::dvec3& irradiance) {
 }
 
 OutsideFlux fluxIn(tests::HemicubeWorld& world) {
-  return outsideFlux(world.scene, world.discretization, world.layout, world.renderer, directions);
+  return outsideFlux(world.scene, world.discretization, world.layout, world.renderer, {.directions = directions});
 }
 
 struct Lit {
@@ -71,6 +71,23 @@ std::vector<Surface> blocksOnFloor() {
 }
 
 }  // namespace
+
+TEST_CASE("affordableViews bounds the triangles of all views, and keeps the views of small scenes", "[outside]") {
+  for (const std::size_t triangles : {0, 1, 1000, 40960}) {
+    CHECK(affordableViews(2048, triangles).directions == 2048);
+    CHECK(affordableViews(2048, triangles).pixelsPerElement == 16);
+  }
+  CHECK(affordableViews(minDirections, 1000000000).pixelsPerElement == 16);
+  int directions = 2048;
+  for (std::size_t triangles = 50000; triangles < 10000000; triangles *= 2) {
+    const OutsideViews views = affordableViews(2048, triangles);
+    CHECK((views.directions < directions || views.directions == minDirections));
+    CHECK(static_cast<std::size_t>(views.directions) * triangles <=
+          std::max<std::size_t>(5 << 24, minDirections * triangles));
+    CHECK(views.pixelsPerElement == Approx(16 * std::pow(2048.0 / views.directions, 0.75)));
+    directions = views.directions;
+  }
+}
 
 TEST_CASE("outsideFlux lights an open plane with the irradiance of the sky, and counts its back apart",
           "[outside_flux]") {
@@ -213,7 +230,8 @@ TEST_CASE("outsideFlux has the same bits for any number of threads, and for text
   CHECK(flux.received == again.received);
   CHECK(flux.onBacks == again.onBacks);
   const auto mesh = sceneRenderer(world.scene, world.discretization, world.layout, ElementsBy::Mesh);
-  const OutsideFlux meshed = outsideFlux(world.scene, world.discretization, world.layout, *mesh, directions);
+  const OutsideFlux meshed =
+      outsideFlux(world.scene, world.discretization, world.layout, *mesh, {.directions = directions});
   const glm::dvec3 difference = sumOf(meshed) - sumOf(flux);
   CHECK(std::abs(difference.r) < 1e-3 * sumOf(flux).r);
 }

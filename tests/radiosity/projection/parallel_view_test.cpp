@@ -74,19 +74,30 @@ TEST_CASE("ParallelViews show a triangle in as many pixels as its cross-section 
   const double pixelArea = views.pixelSide() * views.pixelSide();
   raster::SoftwareRenderer renderer(trianglesOf(scene));
   const std::vector<glm::dvec3> directions = sphereDirections(64);
-  double pixels = 0, crossSection = 0;
+  double pixels = 0, crossSection = 0, inScissor = 0;
   for (std::uint32_t i = 0; i < 64; ++i) {
     const raster::Face face = views.face(scene.origin, directions[i], i);
     raster::validate(face);
-    const raster::ItemBuffer buffer = raster::render(renderer, {{face}}).front();
-    const double seen = static_cast<double>(std::count(buffer.ids.begin(), buffer.ids.end(), 0u));
+    raster::Face whole = face;
+    whole.scissor = {0, 0, 512, 512};
+    const std::vector<raster::ItemBuffer> buffers = raster::render(renderer, {{face, whole}});
+    const raster::ItemId background = raster::backgroundId(*raster::formatNamed("r32ui"));
+    const auto shown = [&](const raster::ItemBuffer& buffer) {
+      return static_cast<std::ptrdiff_t>(buffer.ids.size()) -
+             std::count(buffer.ids.begin(), buffer.ids.end(), background);
+    };
+    // The scissor rectangle leaves out no pixel of the scene, and most others.
+    CHECK(shown(buffers[0]) == shown(buffers[1]));
+    inScissor += static_cast<double>(buffers[0].ids.size());
+    const double seen = static_cast<double>(std::count(buffers[1].ids.begin(), buffers[1].ids.end(), 0u));
     const double expected = std::abs(directions[i].z) * area(scene.surfaces[0].triangles[0]) / pixelArea;
     CHECK(std::abs(seen - expected) < 60);
     pixels += seen;
     crossSection += expected;
     // Nothing is cut off at the borders.
-    for (std::size_t k = 0; k < 512; ++k) CHECK(buffer.ids[k] == raster::backgroundId(*raster::formatNamed("r32ui")));
+    for (std::size_t k = 0; k < 512; ++k) CHECK(buffers[1].ids[k] == background);
   }
+  CHECK(inScissor < 0.7 * 64 * 512 * 512);
   CHECK(pixels == Approx(crossSection).epsilon(0.004));
 }
 

@@ -101,7 +101,8 @@ TEST_CASE("ShootingState counts light from outside as emitted, and its account c
   ProjectedFormFactors rows = world.rows(32);
   RowCache cache(std::size_t{1} << 30);
   const RowSource rowOf = rowsOf(rows, cache);
-  const OutsideFlux outside = outsideFlux(world.scene, world.discretization, world.layout, world.renderer, 64);
+  const OutsideFlux outside =
+      outsideFlux(world.scene, world.discretization, world.layout, world.renderer, {.directions = 64});
   const glm::dvec3 entered = sumOf(outside);
   ShootingState state = unlit(world.scene, world.discretization, outside);
   CHECK(state.residual() > 0.5);
