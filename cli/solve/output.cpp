@@ -92,7 +92,7 @@ std::optional<radiosity::LitScene> litScene(const SolvedScene& solved) {
   return radiosity::makeLitScene(
       solved.scene, solved.discretization,
       radiosity::layOutTextures(solved.scene, solved.discretization, magnificationOf(solved.options)),
-      radiosity::displayRadiosity(solved.scene, solved.discretization, solved.solution), exposureOf(solved),
+      radiosity::displayValues(solved.scene, solved.discretization, solved.solution), exposureOf(solved),
       filterOf(solved.options));
 }
 

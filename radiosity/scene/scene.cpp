@@ -26,6 +26,16 @@ glm::dvec3 normal(const Triangle& triangle) {
   return direction / glm::length(direction);
 }
 
+bool hasMaps(const Scene& scene, const Surface& surface) {
+  const Material& material = scene.materials[static_cast<std::size_t>(surface.material)];
+  return material.reflectanceMap || material.emissionMap;
+}
+
+bool hasMaps(const Scene& scene) {
+  return std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
+                     [&](const Surface& surface) { return hasMaps(scene, surface); });
+}
+
 std::size_t triangleCount(const Scene& scene) {
   std::size_t count = 0;
   for (const Surface& surface : scene.surfaces) count += surface.triangles.size();

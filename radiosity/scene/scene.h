@@ -73,6 +73,10 @@ struct Scene {
   std::vector<std::filesystem::path> files = {};  ///< all that were read: the scene, its materials, images and buffers
 };
 
+/// Whether the material of a surface has a reflectance or an emission map; whether that of any surface has one.
+bool hasMaps(const Scene& scene, const Surface& surface);
+bool hasMaps(const Scene& scene);
+
 /// The area of a triangle, and its unit normal on the front side.
 double area(const Triangle& triangle);
 glm::dvec3 normal(const Triangle& triangle);

@@ -64,6 +64,8 @@ struct Continuation {
 
 struct Solution {
   std::vector<glm::dvec3> radiosity;  ///< one per element, W/m^2 per band, without the ambient estimate
+  /// One per element, W/m^2 per band: the flux that it received, over its area. Empty if no surface has a map.
+  std::vector<glm::dvec3> irradiance;
   glm::dvec3 ambient{0.0};  ///< ambient radiosity of the unshot flux; times reflectance it is added only for display
   Energy energy;
   Patches patches;  ///< as split during the solution

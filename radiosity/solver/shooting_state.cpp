@@ -272,6 +272,12 @@ double ShootingState::seenGain(std::uint32_t patch, const FormFactorRow& row, co
   return gain > 0 ? gain / (gain + absorbedBy(seen)) : 0;
 }
 
+std::vector<glm::dvec3> ShootingState::irradiance() const {
+  std::vector<glm::dvec3> irradiance(light_.received);
+  for (std::size_t e = 0; e < irradiance.size(); ++e) irradiance[e] /= discretization_.elements[e].area;
+  return irradiance;
+}
+
 std::vector<glm::dvec3> ShootingState::radiosity() && {
   raster::parallelFor(discretization_.grids.size(), [&](std::size_t s) {
     const auto surface = static_cast<std::uint32_t>(s);

@@ -107,6 +107,8 @@ class ShootingState {
   /// The share of the flux absorbed by seen surfaces that the patch would add directly if it shot along `row`; bands
   /// summed.
   double seenGain(std::uint32_t patch, const FormFactorRow& row, const std::vector<bool>& seen) const;
+  /// Irradiance of the elements, W/m^2 per band: received flux over area.
+  std::vector<glm::dvec3> irradiance() const;
   /// Radiosity of the elements, W/m^2 per band: flux over area. Reuses the memory of the received flux.
   std::vector<glm::dvec3> radiosity() &&;
   /// Moves the patches out. This object must not be used afterwards.

@@ -49,12 +49,15 @@ std::string gouraudMaterial(const TextureLayout& layout) {
 
 /// The display textures with the 256 values per channel that an 8-bit sRGB file holds.
 std::vector<CodedImage> codedTextures(const Scene& scene, const Discretization& discretization,
-                                      const TextureLayout& layout, const std::vector<glm::dvec3>& exposed,
-                                      TextureFilter filter) {
-  const std::vector<std::vector<BorderEdge>> borders = borderEdges(scene, discretization, exposed, filter);
+                                      const TextureLayout& layout, const std::vector<glm::dvec3>& displayed,
+                                      double exposure, TextureFilter filter) {
+  const std::vector<std::vector<BorderEdge>> borders = borderEdges(scene, discretization, displayed, filter);
+  const std::vector<ImageLevels> maps = levelsOfMaps(scene);
   std::vector<CodedImage> textures(layout.textures.size());
   raster::parallelFor(textures.size(), [&](std::size_t t) {
-    textures[t] = encodeSrgb(filteredTexture(scene, discretization, layout, t, exposed, filter, borders));
+    Image texture = filteredTexture(scene, discretization, layout, t, displayed, filter, borders, maps);
+    for (glm::dvec3& pixel : texture.pixels) pixel *= exposure;
+    textures[t] = encodeSrgb(texture);
   });
   return textures;
 }
@@ -114,17 +117,15 @@ std::string mtlText(const Scene& lit) {
 }  // namespace
 
 LitScene makeLitScene(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
-                      std::vector<glm::dvec3> displayed, double exposure, TextureFilter filter) {
-  std::vector<glm::dvec3> exposed = std::move(displayed);
-  for (glm::dvec3& value : exposed) value *= exposure;
-  LitScene lit{{}, layout, codedTextures(scene, discretization, layout, exposed, filter)};
+                      const std::vector<glm::dvec3>& displayed, double exposure, TextureFilter filter) {
+  LitScene lit{{}, layout, codedTextures(scene, discretization, layout, displayed, exposure, filter)};
   lit.scene.surfaces = scene.surfaces;
   lit.scene.materials = litMaterials(layout);
-  const std::vector<std::vector<CornerColours>> corners = cornerRadiosity(scene, discretization, exposed);
+  const std::vector<std::vector<CornerColours>> corners = cornerRadiosity(scene, discretization, displayed);
   const auto mapless = static_cast<int>(layout.names.size());
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     Surface& surface = lit.scene.surfaces[s];
-    const bool isGouraud = areDifferent(corners[s]);
+    const bool isGouraud = !hasMaps(scene, scene.surfaces[s]) && areDifferent(corners[s]);
     surface.material = isGouraud ? mapless : layout.places[s].texture;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
       Triangle& triangle = surface.triangles[t];
@@ -132,7 +133,7 @@ LitScene makeLitScene(const Scene& scene, const Discretization& discretization, 
       if (isGouraud) triangle.cornerColor.emplace();
       for (std::size_t k = 0; k < 3; ++k) {
         triangle.texcoord[k] = textureCoordinate(discretization, layout, s, triangle.chart[k]);
-        if (triangle.cornerColor) (*triangle.cornerColor)[k] = encodedColour(corners[s][t][k]);
+        if (triangle.cornerColor) (*triangle.cornerColor)[k] = encodedColour(exposure * corners[s][t][k]);
       }
     }
   }

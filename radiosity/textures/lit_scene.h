@@ -24,11 +24,12 @@ struct LitScene {
 };
 
 /// The surfaces of a scene, lit. The reflectance map of a surface is its display texture: `displayed` (see
-/// displayRadiosity), in W/m^2 per element, times `exposure`, filtered and magnified as `layout` says, with the 256
-/// values that an 8-bit sRGB file holds. A surface of one texel whose corners differ is Gouraud shaded instead: its
+/// displayValues), in W/m^2 per element, filtered and magnified as `layout` says, with its maps, times `exposure`, with
+/// the 256 values that an 8-bit sRGB file holds. A surface of one texel without maps whose corners differ is Gouraud
+/// shaded instead: its
 /// triangles have corner colours, and its material, the last one, has no map. Throws InputError as filteredTexture.
 LitScene makeLitScene(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
-                      std::vector<glm::dvec3> displayed, double exposure, TextureFilter filter);
+                      const std::vector<glm::dvec3>& displayed, double exposure, TextureFilter filter);
 
 /// The picture that unlitPicture makes of the scene that is read again.
 Image unlitPicture(const LitScene& lit, const Camera& camera, int width, int height);

@@ -12,6 +12,7 @@
 #include "radiosity/images/image.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "radiosity/textures/chart_borders.h"
+#include "radiosity/textures/map_texels.h"
 #include "radiosity/textures/texture_filter.h"
 #include "radiosity/textures/texture_layout.h"
 
@@ -21,12 +22,14 @@ namespace hemitex::radiosity {
 std::vector<Image> radiosityTextures(const Discretization& discretization, const TextureLayout& layout,
                                      const std::vector<glm::dvec3>& radiosity);
 
-/// Display texture t of the layout: filtered and magnified, including the border, from one value per element. `borders`
-/// are the border edges of all surfaces (see chart_borders.h), or empty. Throws InputError if it would have more than
-/// 2^28 texels.
+/// Display texture t of the layout: filtered and magnified, including the border, from one value per element (see
+/// displayValues). `borders` are the border edges of all surfaces (see chart_borders.h), and `maps` the levels of their
+/// maps (see map_texels.h); without them nothing is corrected, and no map applied. Throws InputError if it would have
+/// more than 2^28 texels.
 Image filteredTexture(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
                       std::size_t texture, const std::vector<glm::dvec3>& radiosity, TextureFilter filter,
-                      const std::vector<std::vector<BorderEdge>>& borders = {});
+                      const std::vector<std::vector<BorderEdge>>& borders = {},
+                      const std::vector<ImageLevels>& maps = {});
 
 /// The displayed value of an element in W/m^2: radiosity plus reflectance times the ambient estimate.
 glm::dvec3 displayRadiosity(const Scene& scene, const Discretization& discretization, const Solution& solution,
@@ -34,6 +37,11 @@ glm::dvec3 displayRadiosity(const Scene& scene, const Discretization& discretiza
 /// As above, of all elements.
 std::vector<glm::dvec3> displayRadiosity(const Scene& scene, const Discretization& discretization,
                                          const Solution& solution);
+
+/// One value per element for display textures, in W/m^2: the displayed radiosity; on surfaces with maps the irradiance
+/// plus the ambient estimate, to which the texture applies the maps.
+std::vector<glm::dvec3> displayValues(const Scene& scene, const Discretization& discretization,
+                                      const Solution& solution);
 
 /// The factor that maps the area-weighted mean radiosity (bands averaged) of elements that do not emit to 0.18. If all
 /// emit, uses the mean of all; returns 1 if that is zero.

@@ -6,12 +6,14 @@
 
 #include "radiosity/geometry/rectangle_packing.h"
 #include "radiosity/textures/file_names.h"
+#include "radiosity/textures/map_texels.h"
 
 namespace hemitex::radiosity {
 namespace {
 
 constexpr int border = 1;
 constexpr int smoothSide = 128;
+constexpr int largestDetail = 2048;
 constexpr int largestTexture = 4096;
 constexpr int largestDisplayTexture = 1024;
 
@@ -21,6 +23,15 @@ int smoothMagnification(const Grid& grid) {
   if (grid.elementCount <= 1) return 1;
   int magnification = 1;
   while (magnification * std::max(grid.columns, grid.rows) < smoothSide) magnification *= 2;
+  return magnification;
+}
+
+/// The smallest power of two that gives the display texture as many texels as the surface shows pixels of its maps.
+int detailMagnification(const Grid& grid, const glm::dvec2& pixels) {
+  int magnification = 1;
+  while ((magnification * grid.columns < pixels.x || magnification * grid.rows < pixels.y) &&
+         2 * magnification * std::max(grid.columns, grid.rows) <= largestDetail)
+    magnification *= 2;
   return magnification;
 }
 
@@ -78,9 +89,12 @@ TextureLayout layOutTextures(const Scene& scene, const Discretization& discretiz
                              const Magnification& magnification, std::size_t separateLimit) {
   assert(discretization.grids.size() == scene.surfaces.size());
   std::vector<Size> sizes;
-  for (const Grid& grid : discretization.grids)
-    sizes.push_back({grid.columns + 2 * border, grid.rows + 2 * border,
-                     magnification.factor ? *magnification.factor : smoothMagnification(grid)});
+  for (std::size_t s = 0; s < discretization.grids.size(); ++s) {
+    const Grid& grid = discretization.grids[s];
+    const int smooth =
+        std::max(smoothMagnification(grid), detailMagnification(grid, mapPixels(scene, scene.surfaces[s])));
+    sizes.push_back({grid.columns + 2 * border, grid.rows + 2 * border, magnification.factor.value_or(smooth)});
+  }
   const auto layOut = [&](const auto& largestSide) {
     return sizes.size() <= separateLimit ? separateTextures(scene, sizes) : packTextures(sizes, largestSide);
   };
