@@ -61,6 +61,7 @@ struct ImportedMaterial {
   std::optional<int> baseColorImage = {};  ///< in GltfImport::images
   glm::dvec3 emission{0.0};                ///< the emissive factor times the emissive strength
   std::optional<int> emissionImage = {};   ///< in GltfImport::images
+  std::string transparency = {};           ///< what lets light through, such as `BLEND`; empty if nothing does
 };
 
 struct ImportedImage {

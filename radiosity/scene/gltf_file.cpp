@@ -141,6 +141,7 @@ Material materialOf(const ImportedMaterial& given, DecodedImages& images, const 
     material.reflectanceMap = images.decode(*given.baseColorImage);
     if (!material.reflectanceMap) material.reflectance = glm::dvec3(grey);
   }
+  if (!given.transparency.empty()) warnings.push_back(owner + opaqueWarning(given.transparency));
   material.emission = given.emission * radiosityPerUnit(settings.emission);
   if (std::max({material.emission.r, material.emission.g, material.emission.b}) > largestEmission)
     throw InputError(file.string(), 0, owner + "its emission is above 1e30 W/m^2", "scale the light down");

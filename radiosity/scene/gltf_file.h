@@ -2,7 +2,8 @@
 ///
 /// - A node with a mesh is a group. Its name is that of the group, its transform is applied to the positions.
 /// - The reflectance is the base colour, factor times texture. Metallic and rough surfaces reflect diffusely like all
-///   others: a metal reflects its base colour, too, so that the reflected flux is right. Alpha is ignored.
+///   others: a metal reflects its base colour, too, so that the reflected flux is right. Alpha is ignored, with a
+///   warning.
 /// - The emission is the emissive factor times KHR_materials_emissive_strength times the emissive texture. glTF states
 ///   a luminance in nits. Its number is read as Ke of an MTL file is: as radiosity, or as radiance where the settings
 ///   say so.

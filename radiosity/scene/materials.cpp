@@ -102,6 +102,14 @@ class MapImages {
   std::map<int, int> lowered_;  ///< from images to their copies without values above 1
 };
 
+/// The statement that lets light through a material; null if there is none. Exporters write both `d` and `Tr`, and some
+/// give `Tr` the meaning of `d`, so that `Tr` counts only without `d`.
+const char* wayThrough(const MaterialStatement& statement) {
+  if (statement.hasDissolveMap) return "map_d";
+  if (statement.dissolve) return *statement.dissolve < 1 ? "d below 1" : nullptr;
+  return statement.transparency.value_or(0) > 0 ? "Tr above 0" : nullptr;
+}
+
 Material makeMaterial(const Definition& definition, const SceneSettings& settings, MapImages& images,
                       std::vector<std::string>& warnings) {
   const MaterialStatement& statement = definition.statement;
@@ -120,6 +128,7 @@ Material makeMaterial(const Definition& definition, const SceneSettings& setting
     material.reflectanceMap = images.reflectance(*statement.reflectanceMap, definition);
     if (!material.reflectanceMap) material.reflectance = glm::dvec3(grey);
   }
+  if (const char* way = wayThrough(statement)) warnings.push_back(owner + opaqueWarning(way));
   if (statement.emission) material.emission = *statement.emission;
   if (statement.emissionMap) {
     if (!statement.emission) material.emission = glm::dvec3(1.0);
@@ -150,6 +159,10 @@ std::optional<std::string> lowerReflectance(glm::dvec3& reflectance, double maxR
   }
   if (!isLowered) return std::nullopt;
   return "a reflectance of 1 or more is lowered to " + std::to_string(maxReflectance);
+}
+
+std::string opaqueWarning(const std::string& statement) {
+  return "it lets light through (" + statement + "), but is read as opaque";
 }
 
 MaterialSet findMaterials(const std::vector<std::string>& names, const std::vector<std::filesystem::path>& files,

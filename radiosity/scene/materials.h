@@ -21,6 +21,9 @@ struct MaterialSet {
   std::vector<std::filesystem::path> files = {};  ///< those that were read
 };
 
+/// The warning, without its subject, for a material that lets light through by a statement of its file.
+std::string opaqueWarning(const std::string& statement);
+
 /// Lowers bands of 1 or more to `maxReflectance`. Returns a warning without its subject, or nothing if none is lowered.
 std::optional<std::string> lowerReflectance(glm::dvec3& reflectance, double maxReflectance);
 

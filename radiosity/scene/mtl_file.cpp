@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 #include "radiosity/scene/obj_lines.h"
 
@@ -36,6 +37,14 @@ MapStatement readMap(const TextLine& line) {
   return {image, image != rest};
 }
 
+/// The first number of a statement that has no effect on light here; nothing if it has none.
+std::optional<double> tolerantNumber(const TextLine& line) {
+  const std::string text(line.rest);
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  return end != text.c_str() ? std::optional(number) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::filesystem::path& file,
@@ -51,6 +60,9 @@ std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::
     if (line->keyword == "Ke") material.emission = readEmission(*line, place, unit);
     if (line->keyword == "map_Kd") material.reflectanceMap = readMap(*line);
     if (line->keyword == "map_Ke") material.emissionMap = readMap(*line);
+    if (line->keyword == "d") material.dissolve = tolerantNumber(*line);
+    if (line->keyword == "Tr") material.transparency = tolerantNumber(*line);
+    if (line->keyword == "map_d") material.hasDissolveMap = true;
   }
   return materials;
 }

@@ -29,6 +29,8 @@ struct MaterialStatement {
   std::optional<glm::dvec3> emission = {};     ///< Ke as written; as radiosity 0 to largestEmission
   std::optional<MapStatement> reflectanceMap = {};
   std::optional<MapStatement> emissionMap = {};
+  std::optional<double> dissolve = {}, transparency = {};  ///< `d` and `Tr`
+  bool hasDissolveMap = false;                             ///< `map_d`
 };
 
 /// Parses the text of `file`; returns the materials in its order. Throws InputError with the line for a Kd or Ke that

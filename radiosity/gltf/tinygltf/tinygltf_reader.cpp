@@ -360,6 +360,17 @@ std::optional<int> imageOf(const tinygltf::Model& gltf, int texture, int texcoor
   return image;
 }
 
+/// What lets light through a material: transmission, or alpha where the mode uses it. A factor of 0 transmits nothing.
+std::string transparencyOf(const tinygltf::Material& material) {
+  const auto transmission = material.extensions.find("KHR_materials_transmission");
+  if (transmission != material.extensions.end() && transmission->second.IsObject() &&
+      transmission->second.Has("transmissionFactor")) {
+    const tinygltf::Value& factor = transmission->second.Get("transmissionFactor");
+    if (factor.IsNumber() && factor.GetNumberAsDouble() > 0) return "KHR_materials_transmission";
+  }
+  return material.alphaMode == "BLEND" || material.alphaMode == "MASK" ? "alphaMode " + material.alphaMode : "";
+}
+
 std::vector<ImportedMaterial> materialsOf(const tinygltf::Model& gltf, GltfImport& import) {
   std::vector<ImportedMaterial> materials;
   std::set<std::string> names;
@@ -379,6 +390,7 @@ std::vector<ImportedMaterial> materialsOf(const tinygltf::Model& gltf, GltfImpor
                  glm::dvec3(0.0), owner);
     material.emissionImage =
         imageOf(gltf, given.emissiveTexture.index, given.emissiveTexture.texCoord, material.name, import);
+    material.transparency = transparencyOf(given);
     materials.push_back(std::move(material));
   }
   return materials;

@@ -271,6 +271,19 @@ TEST_CASE("readGltf reads the camera and leaves out point lights with a warning"
   CHECK(!SceneFile("room.glb", roomGltf().glb()).load().camera);
 }
 
+TEST_CASE("loadScene names each glTF material that lets light through", "[gltf]") {
+  const auto [pointer, value, way] = GENERATE(table<std::string, std::string, std::string>({
+      {"/materials/0/alphaMode", "\"BLEND\"", "alphaMode BLEND"},
+      {"/materials/0/alphaMode", "\"MASK\"", "alphaMode MASK"},
+      {"/materials/0/extensions", R"({"KHR_materials_transmission": {"transmissionFactor": 1}})", "transmission"},
+  }));
+  Gltf gltf = roomGltf();
+  gltf.text[json::json_pointer(pointer)] = json::parse(value);
+  const Scene scene = SceneFile("scene.glb", gltf.glb()).load();
+  REQUIRE(scene.warnings.size() == 1);
+  CHECK_THAT(scene.warnings[0], Catch::Contains("'paint'") && Catch::Contains(way) && Catch::Contains("opaque"));
+}
+
 TEST_CASE("readGltf reports each fault with the file and advice", "[gltf]") {
   const auto [pointer, value, problem] = GENERATE(table<std::string, std::string, std::string>({
       {"/asset/version", "[]", "no valid glTF"},

@@ -84,3 +84,13 @@ TEST_CASE("parseMaterials reads the file name of a map behind its options", "[ma
   CHECK(materials[0].reflectanceMap->hasOptions == hasOptions);
   CHECK(materials[0].emissionMap->image == "sky.exr");
 }
+
+TEST_CASE("parseMaterials reads what lets light through", "[material]") {
+  const std::vector<MaterialStatement> read = parseMaterials(
+      "newmtl a\nd 0.3\nnewmtl b\nd 1\nTr 0\nnewmtl c\nTr 0.5\nnewmtl d\nmap_d leaf.png\nd\n", "room.mtl");
+  REQUIRE(read.size() == 4);
+  CHECK(read[0].dissolve == 0.3);
+  CHECK((read[1].dissolve == 1.0 && read[1].transparency == 0.0));
+  CHECK((!read[2].dissolve && read[2].transparency == 0.5));
+  CHECK((read[3].hasDissolveMap && !read[3].dissolve));
+}

@@ -253,6 +253,12 @@ TEST_CASE("loadScene replaces missing values by grey 0.5 with a warning", "[scen
   }
 }
 
+TEST_CASE("loadScene warns of materials that let light through, which it reads as opaque", "[scene]") {
+  for (const char* way : {"d 0.5\n", "Tr 0.5\n", "map_d leaf.png\n"})
+    CHECK_THAT(loadMaterial(std::string("Kd 0 0 0\n") + way).warnings.at(0), Catch::Contains("opaque"));
+  CHECK(loadMaterial("Kd 0 0 0\nd 1\nTr 1\n").warnings.empty());
+}
+
 TEST_CASE("loadScene lowers a reflectance of 1 or more with a warning, and keeps smaller ones", "[scene]") {
   CHECK(loadMaterial("Kd 1 0.5 7\n").materials[0].reflectance == glm::dvec3(0.9999, 0.5, 0.9999));
   CHECK(loadMaterial("Kd 1 0.5 7\n").warnings.size() == 1);
