@@ -117,8 +117,9 @@ Material makeMaterial(const Definition& definition, const SceneSettings& setting
   Material material{.name = statement.name};
   if (statement.reflectance) {
     material.reflectance = *statement.reflectance;
-    if (const auto warning = lowerReflectance(material.reflectance, settings.maxReflectance))
-      warnings.push_back(owner + *warning);
+    const auto warning = lowerReflectance(material.reflectance, settings.maxReflectance);
+    // With a map, 1 only says that the map is the colour.
+    if (warning && !statement.reflectanceMap) warnings.push_back(owner + *warning);
   } else if (statement.reflectanceMap) {
     material.reflectance = glm::dvec3(settings.maxReflectance);
   } else {
