@@ -82,11 +82,16 @@ const line = (label, color, data, more) => ({ label, data, showLine: true, borde
 /// The style of a second kind of curve, with square points so that the legend differs.
 const dashed = { borderDash: [6, 4], pointStyle: "rect" };
 
+/// Curves of at least two points.
+const curves = datasets => datasets.filter(set => set.data.length > 1);
+
 /// Number of points and of painted pixels of each plot, by the id of its canvas.
 const drawn = {};
 
 /// Adds a plot in a new canvas with an id to the element `parent`. `x` and `y` are the arguments of `axis`.
+/// Adds nothing without datasets.
 function plot(parent, id, title, x, y, datasets) {
+  if (datasets.length === 0) return;
   const canvas = element(element(byId(parent), "div", undefined, "plot"), "canvas");
   canvas.id = id;
   const chart = new Chart(canvas, {
