@@ -1,11 +1,16 @@
 #include "cli/common/program.h"
 
+#include <poll.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <boost/algorithm/string.hpp>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <new>
 #include <optional>
+#include <sstream>
 
 #include "cli/common/interruption.h"
 #include "cli/common/launched_rank.h"
@@ -21,10 +26,46 @@ namespace {
 constexpr int comparisonFailed = 1;
 constexpr int badInput = 2;
 constexpr int ourFault = 3;
+constexpr int closedPipe = 128 + SIGPIPE;  // as of a program that the signal ends
 constexpr int maxThreads = 4096;
+
+/// The reader of the standard output, such as `head`, wants no more of it. Thrown and caught in this file.
+struct ClosedPipe {};
+
+bool isClosedPipe(int file) {
+  pollfd asked{file, POLLOUT, 0};
+  return poll(&asked, 1, 0) == 1 && (asked.revents & POLLERR) != 0;
+}
 
 std::string adviceOf(const Program& program) {
   return "Run `" + program.name + " --help` or `" + program.name + " COMMAND --help` for the options.";
+}
+
+/// Says which arguments and options the command needs that are not given; arguments come first. Empty if none.
+std::string missingArguments(const CLI::App& app) {
+  const CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  std::vector<std::string> names, options;
+  for (const CLI::Option* option : command->get_options())
+    if (option->get_required() && option->count() == 0)
+      (option->get_positional() ? names : options).push_back(option->get_name());
+  names.insert(names.end(), options.begin(), options.end());
+  if (names.empty()) return {};
+  return boost::join(names, " and ") + (names.size() > 1 ? " are missing" : " is missing");
+}
+
+/// share/hemitex beside the folder of the program; it may not exist.
+std::filesystem::path folderBesideProgram() {
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
+  return program.parent_path().parent_path() / "share" / "hemitex";
+}
+
+/// The help text, whose examples name the scenes of the sources, with the installed scenes where a person has no
+/// others.
+std::string withInstalledScenes(const std::string& help) {
+  const std::filesystem::path folder = folderBesideProgram();
+  if (std::filesystem::exists("data/cornell-box.obj") || !std::filesystem::exists(folder)) return help;
+  return boost::replace_all_copy(help, " data/", ' ' + folder.string() + '/');
 }
 
 void addGlobalOptions(CLI::App& app, const Program& program, Context& context) {
@@ -62,14 +103,19 @@ int run(const Program& program, int argc, char** argv, Context& context) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& helpOrVersion) {
-    const int code = app.exit(helpOrVersion);
+    std::ostringstream text;
+    const int code = app.exit(helpOrVersion, text);
+    std::cout << withInstalledScenes(text.str());
     requireOutput();
     return code;
   } catch (const CLI::ParseError& error) {
     // An unknown argument often is the reason of other errors, such as a missing option.
     const std::vector<std::string> unknown = app.remaining(true);
-    const std::string problem =
-        unknown.empty() ? error.what() : unknownArgument(commandTree(app), {argv + 1, argv + argc}, unknown.front());
+    std::string problem = error.what();
+    if (!unknown.empty())
+      problem = unknownArgument(commandTree(app), {argv + 1, argv + argc}, unknown.front());
+    else if (const std::string missing = missingArguments(app); !missing.empty())
+      problem = missing;
     context.console.error(problem + '\n' + adviceOf(program));
     return badInput;
   }
@@ -107,13 +153,13 @@ int failed(Context& context, int exitCode, const std::string& text) {
 }  // namespace
 
 void requireOutput(const std::string& state) {
-  if (!std::cout.flush())
-    throw raster::InputError("standard output cannot be written" + state, "check the disk or the pipe that it goes to");
+  if (std::cout.flush()) return;
+  if (isClosedPipe(STDOUT_FILENO)) throw ClosedPipe();
+  throw raster::InputError("standard output cannot be written" + state, "check the disk or the pipe that it goes to");
 }
 
 std::filesystem::path sceneFolder() {
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-  const std::filesystem::path folder = program.parent_path().parent_path() / "share" / "hemitex";
+  const std::filesystem::path folder = folderBesideProgram();
   if (!std::filesystem::is_directory(folder))
     throw raster::InputError(folder.string(), 0, "does not exist, but should hold the scenes of the program",
                              "run the program from the folder into which `cmake --install` puts it");
@@ -128,6 +174,9 @@ int runProgram(const Program& program, int argc, char** argv) {
   Context context;
   try {
     return run(program, argc, argv, context);
+  } catch (const ClosedPipe&) {
+    if (context.ranks) context.ranks->abort(closedPipe);
+    return closedPipe;
   } catch (const raster::InputError& error) {
     return failed(context, badInput, error.what());
   } catch (const std::filesystem::filesystem_error& error) {

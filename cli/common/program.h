@@ -21,14 +21,15 @@ struct Program {
 };
 
 /// Writes what stdout still holds. Throws InputError if that fails; `state` continues its message and may say which
-/// files are complete.
+/// files are complete. If the reader of a pipe has closed it, the program ends without a message.
 void requireOutput(const std::string& state = {});
 
 /// The folder of the scenes that come with the program: share/hemitex beside the folder of the program, in the build
 /// tree and when installed. Throws InputError if it does not exist.
 std::filesystem::path sceneFolder();
 
-/// Returns the exit code: 0 done; 1 a comparison failed; 2 the input or the usage is wrong; 3 internal error.
+/// Returns the exit code: 0 done; 1 a comparison failed; 2 the input or the usage is wrong; 3 internal error; 141 the
+/// reader of stdout has closed its pipe.
 /// In a parallel run, ranks other than 0 print nothing, and the first error ends all ranks with its exit code.
 int runProgram(const Program& program, int argc, char** argv);
 

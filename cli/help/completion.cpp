@@ -54,8 +54,8 @@ std::string completionsFor(const CommandInfo& program, const std::vector<std::st
       return option.isPath() ? fileCompletion + '\n' : completions;
     }
   if (current.starts_with('-')) return namesOf(options);
-  if (std::any_of(command.arguments.begin(), command.arguments.end(), [](const auto& a) { return a.isPath(); }))
-    return fileCompletion + '\n';
+  for (const OptionInfo& argument : command.arguments)
+    if (argument.isPath()) return (hasName(argument, "SCENE") ? sceneCompletion : fileCompletion) + '\n';
   for (const CommandInfo& inner : command.commands) completions += inner.word() + '\t' + inner.help + '\n';
   return completions;
 }

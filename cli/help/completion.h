@@ -9,8 +9,8 @@
 
 namespace hemitex::cli {
 
-/// The only completion where the path of a file is expected.
-inline const std::string fileCompletion = "<files>";
+/// The only completion where the path of a file is expected, and where that of a scene is.
+inline const std::string fileCompletion = "<files>", sceneCompletion = "<scenes>";
 
 /// Offers for the last of `words`, which follow the name of the program; it may be incomplete or empty. One line each,
 /// a text or a text, a tab and its help: the values of the option before it, the options of the command if it begins

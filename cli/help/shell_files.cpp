@@ -14,6 +14,8 @@ _PROGRAM() {
   offers=$("${COMP_WORDS[0]}" --complete "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null | cut -f 1)
   if [[ $offers == '<files>' ]]; then
     mapfile -t COMPREPLY < <(compgen -f -- "$current")
+  elif [[ $offers == '<scenes>' ]]; then
+    mapfile -t COMPREPLY < <(compgen -d -- "$current"; compgen -f -- "$current" | grep -iE '\.(obj|gltf|glb)$')
   else
     mapfile -t COMPREPLY < <(compgen -W "$offers" -- "$current")
   fi
@@ -26,6 +28,8 @@ const char* const zshCompletion = R"(#compdef PROGRAM
 local -a offers=("${(@f)$("${words[1]}" --complete "${(@)words[2,CURRENT]}" 2>/dev/null)}")
 if [[ $offers[1] == '<files>' ]]; then
   _files
+elif [[ $offers[1] == '<scenes>' ]]; then
+  _files -g '(#i)*.(obj|gltf|glb)(-.)'
 else
   local -a described=("${(@)${(@)offers//:/\\:}/$'\t'/:}")
   _describe offer described
@@ -38,6 +42,8 @@ function __PROGRAM_offers
     set -l offers ($words[1] --complete $words[2..] (commandline -ct) 2>/dev/null)
     if test "$offers" = '<files>'
         __fish_complete_path (commandline -ct)
+    else if test "$offers" = '<scenes>'
+        __fish_complete_path (commandline -ct) | string match -ri '.*(?:/|\.obj|\.gltf|\.glb)(?:\t.*)?$'
     else
         printf '%s\n' $offers
     end

@@ -38,9 +38,10 @@ void addColors(Command command, const std::string& option, std::vector<NamedColo
 
 /// Reads an irradiance; throws a usage error.
 glm::dvec3 readIrradiance(const std::string& option, const std::string& text) {
-  const glm::dvec3 irradiance = vectorOption(option, text);
-  if (isNegative(irradiance)) usageError(option, "`" + text + "` has a number below 0");
-  return irradiance;
+  const std::optional<glm::dvec3> irradiance = parseVector(text);
+  if (!irradiance) usageError(option, "`" + text + "` is not R,G,B with three finite numbers, such as 1,1,1");
+  if (isNegative(*irradiance)) usageError(option, "`" + text + "` has a number below 0");
+  return *irradiance;
 }
 
 /// The unit vector along a vector that is not 0, of any length.

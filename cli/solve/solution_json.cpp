@@ -110,8 +110,9 @@ std::string shotsText(const ordered_json& solution, double seconds) {
          percentText(solution["residual"]) + " of the emitted flux unshot\n";
 }
 
+/// Empty without --max-error.
 std::string expectedErrorText(const ordered_json& solution) {
-  if (solution["expected_error"].is_null()) return "expected error: not measured; --max-error measures it\n";
+  if (solution["expected_error"].is_null()) return "";
   return "expected error: " + percentText(solution["expected_error"]) + " of all flux\n                " +
          percentText(solution["expected_error_seen"]) + " of the flux of the surfaces that the camera sees\n";
 }

@@ -1,13 +1,16 @@
 #include "radiosity/scene/load_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
+#include <fstream>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "radiosity/scene/gltf_file.h"
@@ -29,11 +32,42 @@ constexpr double smallestExtent = 1e-18;
 /// Lower bound for the brightest light. The light of weaker ones would leave the range of binary32, which images use.
 constexpr double smallestEmission = 1e-30;
 
-bool isGltf(const std::filesystem::path& file) {
+/// The end of the name, such as `.glb`, in small letters.
+std::string endingOf(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return extension == ".gltf" || extension == ".glb";
+  return extension;
+}
+
+bool isGltf(const std::filesystem::path& file) { return endingOf(file) == ".gltf" || endingOf(file) == ".glb"; }
+
+/// A format that is not read: the end of a file's name, and the bytes with which such files start, if they have any.
+struct ForeignFormat {
+  std::string_view ending, start, name;
+};
+
+constexpr std::array foreignFormats{ForeignFormat{".stl", "solid ", "an STL mesh"},
+                                    ForeignFormat{".ply", "ply", "a PLY mesh"},
+                                    ForeignFormat{".fbx", "Kaydara FBX", "an FBX scene"},
+                                    ForeignFormat{".blend", "BLENDER", "a Blender file"},
+                                    ForeignFormat{".3ds", "", "a 3DS scene"},
+                                    ForeignFormat{".dae", "", "a COLLADA scene"},
+                                    ForeignFormat{".usdz", "", "a USD scene"},
+                                    ForeignFormat{".usdc", "PXR-USDC", "a USD scene"},
+                                    ForeignFormat{".skp", "", "a SketchUp file"}};
+
+/// Throws InputError for a file in another format than OBJ or glTF, by its name or its first bytes.
+void refuseForeignFormat(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return;  // reading it says why
+  std::ifstream stream(file, std::ios::binary);
+  std::array<char, 16> bytes{};
+  stream.read(bytes.data(), bytes.size());
+  const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
+  for (const ForeignFormat& format : foreignFormats)
+    if (endingOf(file) == format.ending || (!format.start.empty() && start.starts_with(format.start)))
+      fail({file}, "is " + std::string(format.name) + ", not OBJ or glTF", "export it as OBJ or glTF");
 }
 
 /// The argument of `mtllib` is one file name with blanks if such a file exists, else one file name per word.
@@ -166,6 +200,7 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
   if (!(settings.maxReflectance >= 0 && settings.maxReflectance < 1)) {
     throw raster::InputError("the largest reflectance must be at least 0 and below 1");
   }
+  refuseForeignFormat(file);
   Scene scene;
   const std::optional<GltfFile> gltf = isGltf(file) ? std::optional(readGltf(file)) : std::nullopt;
   const PolygonMesh mesh = gltf ? gltf->mesh : readObj(file);

@@ -83,12 +83,13 @@ TEST_CASE("hemitex solve says that its result is complete if the summary cannot 
   CHECK(nlohmann::json::parse(readAll(shell.file("o/solution.json"))).contains("shots"));
 }
 
-TEST_CASE("hemitex reports a pipe that closes early", "[faults]") {
+TEST_CASE("hemitex ends without a message when the reader of its output closes the pipe", "[faults]") {
   const Shell shell;
-  shell.execute("{ sleep 1; " + program + "formfactors room.obj --from floor --resolution 32; echo $? >code; } | true");
-  const Outcome outcome = shell.execute("{ sleep 1; " + program + "--help; echo $? >code; } | true");
-  CHECK(readAll(shell.file("code")) == "2\n");
-  CHECK_THAT(outcome.err, Catch::Contains("standard output cannot be written"));
+  const std::string arguments =
+      GENERATE(as<std::string>{}, "--help", "formfactors room.obj --from floor -q", "solve room.obj -o o -q --json");
+  const Outcome outcome = shell.execute("{ sleep 1; " + program + arguments + "; echo $? >code; } | true");
+  CHECK(readAll(shell.file("code")) == "141\n");  // as of a program that SIGPIPE ends
+  CHECK(outcome.err.empty());
 }
 
 TEST_CASE("hemitex leaves nothing behind on a full disk", "[faults]") {

@@ -210,6 +210,7 @@ TEST_CASE("completionsFor gives bash commands, named values and files", "[cli]")
   const ShellFiles shell;
   using Words = std::vector<std::string>;
   fs::create_directory(shell.file("a folder"));
+  for (const char* file : {"hall.glb", "hall.txt"}) writeAll(shell.file(file), "");
   CHECK(shell.completionsOf("hemitex so") == Words{"solve"});
   CHECK(shell.completionsOf("hemitex vector che") == Words{"check"});
   CHECK(shell.completionsOf("hemitex -v solve --max-r") == Words{"--max-reflectance"});
@@ -218,6 +219,9 @@ TEST_CASE("completionsFor gives bash commands, named values and files", "[cli]")
   CHECK(shell.completionsOf("hemitex solve --blend int") == Words{"integer-add"});
   CHECK(shell.completionsOf("hemitex solve room.o") == Words{"room.obj"});
   CHECK(shell.completionsOf("hemitex solve -o 'a f'") == Words{"a folder"});
+  CHECK(shell.completionsOf("hemitex solve hall") == Words{"hall.glb"});  // a scene
+  CHECK(shell.completionsOf("hemitex solve 'a f'") == Words{"a folder"});
+  CHECK(setOf(shell.completionsOf("hemitex view hall")) == std::set<std::string>{"hall.glb", "hall.txt"});
   CHECK(shell.completionsOf("hemitex solve --texels ''") == Words{""});  // a number: no offer
   const Outcome registered =
       shell.execute("bash --norc -c 'source share/bash-completion/completions/hemitex; complete -p hemitex'");
@@ -249,7 +253,7 @@ print -r -- "${${output##*<<}%%>>*}"
   CHECK(completed("hemitex vector che") == "hemitex vector check \n");
   CHECK(completed("hemitex solve --max-r") == "hemitex solve --max-reflectance \n");
   CHECK(completed("hemitex solve --blend int") == "hemitex solve --blend integer-add \n");
-  CHECK(completed("hemitex solve room.o") == "hemitex solve room.obj \n");
+  CHECK(completed("hemitex solve roo") == "hemitex solve room.obj \n");
 }
 
 TEST_CASE("fish completions commands, options, named values and files", "[.fish]") {
@@ -268,11 +272,22 @@ TEST_CASE("fish completions commands, options, named values and files", "[.fish]
   CHECK(completions("hemitex solve --max-r") == Words{"--max-reflectance"});
   CHECK(completions("hemitex solve --blend int") == Words{"integer-add"});
   CHECK(completions("hemitex solve --texels ") == Words{});
-  CHECK(completions("hemitex solve room.o") == Words{"room.obj"});
+  CHECK(completions("hemitex solve roo") == Words{"room.obj"});
+}
+
+TEST_CASE("hemitex --help names scenes that exist, wherever it runs", "[cli]") {
+  const Shell shell;
+  for (const std::string command : {"", "solve ", "formfactors ", "bench ", "tradeoff "}) {
+    const std::vector<std::string> scenes = matches(shell.output(command + "--help"), "(/[^ ]*cornell-box.obj)");
+    INFO(command);
+    REQUIRE(!scenes.empty());
+    CHECK(fs::exists(scenes.front()));
+  }
 }
 
 TEST_CASE("manPage names every option and example of each command's help", "[cli]") {
   const ShellFiles shell;
+  fs::create_directory_symlink(HEMITEX_DATA, shell.file("data"));
   const std::vector<fs::path> pages = shell.pages();
   const std::vector<std::string> commands = shell.commands();
   for (std::size_t i = 0; i < pages.size(); ++i) {

@@ -171,3 +171,16 @@ TEST_CASE("hemitex leaves an old result unchanged if a run fails", "[cli]") {
 TEST_CASE("hemitex fails if it cannot print the result", "[cli]") {
   CHECK(Shell().run("formfactors room.obj --from floor --resolution 32 >/dev/full; (exit $?)").exitCode == 2);
 }
+
+TEST_CASE("hemitex names the arguments that are missing, the scene first", "[cli]") {
+  const auto [arguments, missing] = GENERATE(table<std::string, std::string>({
+      {"solve", "SCENE and --output are missing"},
+      {"solve room.obj", "--output is missing"},
+      {"solve -o out", "SCENE is missing"},
+      {"solve room.obj -o out --sky 1", "`1` is not R,G,B with three finite numbers"},
+  }));
+  const Outcome outcome = Shell().run(arguments);
+  INFO(arguments);
+  CHECK(outcome.exitCode == 2);
+  CHECK_THAT(outcome.err, Catch::Contains(missing));
+}

@@ -454,10 +454,23 @@ std::string sameName(const std::string& name, void*) { return name; }
 /// The first line of a message.
 std::string firstLine(const std::string& text) { return text.substr(0, std::min<std::size_t>(text.find('\n'), 200)); }
 
+/// Throws Fault for a file whose meshes are compressed, before tinygltf misses the buffers that they replace.
+void refuseCompression(const std::string& bytes) {
+  const std::size_t start = std::min(bytes.find("\"extensionsRequired\""), bytes.size());
+  const std::string required = bytes.substr(start, bytes.find(']', start) - start);
+  if (required.find("\"KHR_draco_mesh_compression\"") != std::string::npos)
+    throw Fault{"is compressed with Draco (KHR_draco_mesh_compression), which is not read",
+                "export it without compression (in Blender's glTF export: Data, Compression off)"};
+  if (required.find("\"EXT_meshopt_compression\"") != std::string::npos)
+    throw Fault{"is compressed with meshopt (EXT_meshopt_compression), which is not read",
+                "export it without compression (gltfpack: without -c and -cc)"};
+}
+
 tinygltf::Model parse(const std::string& bytes, const std::string& folder, std::vector<std::string>& files) {
   constexpr const char* advice = "give a glTF 2.0 file; files that it names must lie in its folder or below";
   if (bytes.size() > std::numeric_limits<unsigned int>::max())
     throw Fault{"the file has more than 4 GiB", "divide the scene"};
+  refuseCompression(bytes);
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(keepImage, nullptr);
   SceneFolder opened{folder, files};

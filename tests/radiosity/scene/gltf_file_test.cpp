@@ -313,7 +313,9 @@ TEST_CASE("readGltf reports each fault with the file and advice", "[gltf]") {
       {"/materials/1/emissiveFactor", "[-1, 0, 0]", "negative"},
       {"/materials/1/emissiveFactor", "[1e35, 0, 0]", "1e30"},
       {"/materials/0/pbrMetallicRoughness/baseColorTexture", R"({"index": 0})", "texture 0 does not exist"},
-      {"/extensionsRequired", R"(["KHR_draco_mesh_compression"])", "KHR_draco_mesh_compression"},
+      {"/extensionsRequired", R"(["KHR_texture_basisu"])", "KHR_texture_basisu"},
+      {"/extensionsRequired", R"(["KHR_draco_mesh_compression"])", "compressed with Draco"},
+      {"/extensionsRequired", R"(["KHR_mesh_quantization", "EXT_meshopt_compression"])", "compressed with meshopt"},
       {"/images", R"([{"bufferView": 44}])", "no valid glTF"},
   }));
   Gltf gltf = roomGltf();

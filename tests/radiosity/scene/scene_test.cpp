@@ -387,6 +387,20 @@ TEST_CASE("loadScene says that coordinates are too large for the size of faces",
   CHECK_THROWS_WITH(load("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), Catch::Contains("the scene is empty"));
 }
 
+TEST_CASE("loadScene names a format that it does not read, by the name of the file or its first bytes", "[scene]") {
+  const SceneFiles files("solid cube\nfacet normal 0 0 1\n");
+  CHECK_THROWS_WITH(files.load(), Catch::Contains("scene.obj: is an STL mesh, not OBJ or glTF; export it as OBJ or "));
+  for (const auto& [name, format] : {std::pair("a.STL", "an STL mesh"),
+                                     {"a.blend", "a Blender file"},
+                                     {"a.fbx", "an FBX scene"},
+                                     {"a.3ds", "a 3DS scene"},
+                                     {"a.ply", "a PLY mesh"}}) {
+    files.write(name, "\x01\x02");
+    CHECK_THROWS_WITH(loadScene(files.path(name)), Catch::Contains(std::string(name) + ": is " + format));
+  }
+  CHECK_THROWS_WITH(loadScene(files.path("absent.stl")), Catch::Contains("cannot be read"));
+}
+
 TEST_CASE("findMaterials names at most 8 unknown materials, and at most 200 bytes of each", "[scene]") {
   std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   for (int m = 0; m < 50; ++m) obj += "usemtl " + std::string(1000, 'x') + std::to_string(m) + "\nf 1 2 3\n";
