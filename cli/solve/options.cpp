@@ -84,6 +84,12 @@ void addTextureOptions(Command command, SolveOptions& options) {
              "surface has at least 128 texels along its longer side, and all have at most 2^26)");
 }
 
+void addInsist(Command command, bool& insists) {
+  command.under("Accuracy and memory")
+      .addFlag("--insist", insists,
+               "run with more than 2^24 elements, or with more memory than is free (default: refuse, with the number)");
+}
+
 /// Adds the options that leave out large files.
 void addOmissions(Command command, SolveOptions& options) {
   command = command.under("Output");
@@ -146,6 +152,7 @@ void addSolveOptions(Command command, SolveOptions& options) {
   addIdOptions(command, options.id);
   addSolverOptions(command, options);
   addChosenSettings(command, options);
+  addInsist(command, options.insists);
   addTextureOptions(command, options);
   addOmissions(command, options);
   addCameraOptions(command, options.camera);

@@ -36,6 +36,7 @@ struct SolveOptions {
   bool report = false;                    ///< also write report.html
   bool noElements = false;                ///< do not write elements.csv
   bool noTextures = false;                ///< do not write textures, nor the lit scene, which shows them
+  bool insists = false;                   ///< run whatever the size (see run_size.h)
   LongRunOptions longRun;
   std::filesystem::path output;
 };

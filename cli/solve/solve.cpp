@@ -15,6 +15,7 @@
 #include "cli/solve/options.h"
 #include "cli/solve/output.h"
 #include "cli/solve/run.h"
+#include "cli/solve/run_size.h"
 #include "radiosity/solver/dynamic_solution.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
@@ -203,6 +204,7 @@ void solve(SolveOptions asked, Context& context) {
   const std::vector<Frame> frames =
       asked.edits.empty() ? std::vector<Frame>() : readEdits(asked.edits, scene, asked.scene.settings);
   laps.lap("load_s");
+  if (!asked.insists) requireAffordable(runSize(scene, asked), freeMemory());
   Staging staging(asked.output);
   radiosity::Discretization unsplit = discretizationOf(asked.discretization, scene);
   staging.requirePlaces(outputNames(asked, scene, unsplit, frames.size()), inputFiles(asked, scene, frames));

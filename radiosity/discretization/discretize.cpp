@@ -301,8 +301,7 @@ Discretization discretized(const Scene& scene, const DiscretizationSettings& ask
                            const std::vector<Quadtree>& quadtrees) {
   validate(scene, asked);
   const DiscretizationSettings settings = followingScene(scene, asked);
-  std::vector<GridSize> sizes;
-  for (const Surface& surface : scene.surfaces) sizes.push_back(gridSizeOf(surface, settings));
+  const std::vector<GridSize> sizes = gridSizesOf(scene, settings);
   validateSizes(sizes);
   std::vector<Exposure> exposure(scene.surfaces.size());
   if (!settings.isUnburied) exposure = findExposure(scene, sizes);

@@ -138,6 +138,13 @@ GridSize gridSizeOf(const Surface& surface, const DiscretizationSettings& settin
   return {subdivided(size.columns, settings.subdivision), subdivided(size.rows, settings.subdivision)};
 }
 
+std::vector<GridSize> gridSizesOf(const Scene& scene, const DiscretizationSettings& settings) {
+  const DiscretizationSettings followed = followingScene(scene, settings);
+  std::vector<GridSize> sizes;
+  for (const Surface& surface : scene.surfaces) sizes.push_back(gridSizeOf(surface, followed));
+  return sizes;
+}
+
 DiscretizationSettings settingsForPages(const Scene& scene, int pages, int side, DiscretizationSettings settings) {
   settings.maxTexels = side;
   const auto fits = [&](double texelSize) {

@@ -2,6 +2,8 @@
 /// packed pages.
 #pragma once
 
+#include <vector>
+
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene.h"
 
@@ -21,6 +23,9 @@ DiscretizationSettings followingScene(const Scene& scene, DiscretizationSettings
 /// also longer than S/2. (Proof: L > (n - 1) S, and n - 1 >= n / 2.) A shorter axis has one texel. With powers of two,
 /// n is the one nearest to L / S; then texels differ from S by a factor of at most sqrt(2).
 GridSize gridSizeOf(const Surface& surface, const DiscretizationSettings& settings);
+
+/// The grid of each surface, as `discretize` divides the scene.
+std::vector<GridSize> gridSizesOf(const Scene& scene, const DiscretizationSettings& settings);
 
 /// Returns `settings` with the smallest texel size, to a thousandth, for which all grids fit `pages` packed pages (see
 /// IndexMaps::Packed). Pages have side x side texels, and `side` is a power of two. No grid is longer than a page. For

@@ -30,7 +30,7 @@ def solved(program, generator, work, tiles):
     run([generator, work, '--tiles', str(tiles)])
     scene, folder = f'{work}/tiled-room-{tiles}.obj', f'{work}/solved'
     cpu, memory = run([program, 'solve', scene, '-o', folder, '--texels', '10', '--shots', str(SHOTS),
-                       '--no-elements', '--no-textures', '-q'])
+                       '--no-elements', '--no-textures', '--insist', '-q'])
     os.remove(scene)
     with open(f'{folder}/solution.json') as file:
         solution = json.load(file)

@@ -130,7 +130,8 @@ TEST_CASE("hemitex names a file that cannot be read to its end", "[faults]") {
 TEST_CASE("hemitex says that memory is too small, and leaves nothing behind", "[faults][little_memory]") {
   const Shell shell;
   CHECK_THAT(
-      faultOf(shell, "ulimit -v 600000; " + program + "--threads 1 solve room.obj -o o --texels 2000 --resolution 32",
+      faultOf(shell,
+              "ulimit -v 600000; " + program + "--threads 1 solve room.obj -o o --texels 2000 --resolution 32 --insist",
               3),
       Catch::Contains("out of memory"));
 }

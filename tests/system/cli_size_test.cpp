@@ -86,3 +86,14 @@ TEST_CASE("Commands say that a folder of hemitex solve --no-textures holds no li
   shell.output(quickSolve + "-o small");
   shell.output("render small/scene.obj -o picture.png");
 }
+
+TEST_CASE("hemitex solve refuses more than 2^24 elements before it starts, unless --insist is given", "[cli]") {
+  const Shell shell;
+  const std::string finest = "solve room.obj -o out --texels 4096";
+  const Outcome refused = shell.run(finest);  // 6 surfaces
+  CHECK(refused.exitCode == 2);
+  CHECK(refused.err.find("the scene becomes 100663296 elements") != std::string::npos);
+  CHECK(refused.err.find("--insist") != std::string::npos);
+  CHECK_FALSE(fs::exists(shell.file("out")));
+  CHECK(shell.execute("timeout 1 '" HEMITEX_PROGRAM "' " + finest + " --insist").exitCode == 124);
+}
