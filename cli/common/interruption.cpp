@@ -1,9 +1,11 @@
 #include "cli/common/interruption.h"
 
 #include <pthread.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
+#include <string>
 #include <thread>
 
 #include "cli/common/staging.h"
@@ -33,12 +35,20 @@ sigset_t watchedSignals() {
   return signals;
 }
 
+/// Says that the run ends. The console belongs to another thread; its bar is removed.
+void tellEnd() {
+  std::string text = "hemitex: a signal ended the run at once, without a result\n";
+  if (isatty(STDERR_FILENO) != 0) text.insert(0, "\r\033[K");
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
+}
+
 void waitForSignals(const sigset_t& signals) {
   int number = 0;
   while (sigwait(&signals, &number) == 0) {
     shared().signal = number;
     if (shared().longRuns > 0 && !shared().isStopping.exchange(true)) continue;
     removeTemporaryFolders();
+    tellEnd();
     std::_Exit(*stoppedExitCode());
   }
 }

@@ -1,5 +1,5 @@
-/// What SIGINT and SIGTERM do. Without a long run they end the program at once, and its temporary folders are removed.
-/// A long run is asked to stop by the first signal; the second ends it at once.
+/// What SIGINT and SIGTERM do. Without a long run they end the program at once, with one line, and its temporary
+/// folders are removed. A long run is asked to stop by the first signal; the second ends it at once.
 #pragma once
 
 #include <atomic>

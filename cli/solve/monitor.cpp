@@ -48,6 +48,7 @@ Monitor::Monitor(Console& console, const LongRunOptions& options, const radiosit
 
 radiosity::Progress Monitor::progressOf(const radiosity::SolverSettings& settings, Convergence& convergence) {
   return [this, &settings, &convergence, watch = reference::Stopwatch()](const radiosity::Step& step) {
+    if (!run_) run_.emplace();
     convergence.residual.push_back(step.residual);
     convergence.seconds.push_back(watch.seconds());
     show(settings, step, convergence);

@@ -34,7 +34,7 @@ class Monitor {
   bool isForPrograms_;
   std::chrono::steady_clock::time_point shown_;
   Checkpoint checkpoint_;
-  LongRun run_;
+  std::optional<LongRun> run_;  ///< from the first shot on; before it there is nothing to write after a signal
 };
 
 }  // namespace hemitex::cli

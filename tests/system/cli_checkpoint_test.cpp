@@ -71,6 +71,18 @@ TEST_CASE("A signal ends a solve after its shot, with its result and the way to 
   shell.output("render out/scene.obj -o picture.png --size 40x30");
 }
 
+TEST_CASE("A signal before the first shot ends a solve at once, with one line and no result", "[checkpoint]") {
+  const Shell shell;
+  const auto before = shell.files();
+  // The light of the sky is drawn before the first shot, and takes minutes on one thread.
+  const Outcome outcome =
+      shell.execute("timeout --preserve-status -s TERM 2 " + program +
+                    "--threads 1 solve room.obj --texels 64 --resolution 4096 --sky 1,1,1 --size 40x30 -o out");
+  CHECK(outcome.exitCode == 143);
+  CHECK(outcome.err == "hemitex: a signal ended the run at once, without a result\n");
+  CHECK(shell.files() == before);
+}
+
 TEST_CASE("A checkpoint that does not fit is refused with the reason", "[checkpoint]") {
   const Shell shell;
   const std::string small = "solve room.obj --texels 4 --patch 2 --resolution 32 --size 40x30 -o out ";
