@@ -56,8 +56,18 @@ void addCameraOptions(Command command, CameraOptions& options) {
                   "shows most of it)");
   addVectorOption(command, "--look-at", options.lookAt,
                   "point that is shown in the middle of the picture (default: as for --eye)");
-  addVectorOption(command, "--up", options.up,
-                  "direction that points up in the picture (default: from SCENE.view.json, else the y axis)");
+  const auto readUp = [&options](const std::string& text) {
+    if (text != "y" && text != "z") {
+      options.up = vectorOption("--up", text);
+      return;
+    }
+    options.upAxis = text == "y" ? 1 : 2;
+    options.up = text == "y" ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
+  };
+  command.addText("--up", "y|z|x,y,z",
+                  "the axis that points up in the scene, or a direction that points up in the picture (default: from "
+                  "SCENE.view.json, else the y axis, or the z axis for an OBJ file whose floor faces it)",
+                  readUp);
   addPositive(command, "--fov", options.fov, 180.0,
               "vertical field of view in degrees (default: from SCENE.view.json, else 50)");
   const auto readSize = [&options](const std::string& text) {
@@ -81,10 +91,11 @@ radiosity::Camera cameraOf(const CameraOptions& options, const radiosity::Scene&
   const CameraOptions view = readViewFile(viewFileOf(sceneFile)).value_or(optionsOf(scene.camera));
   const auto eye = options.eye ? options.eye : view.eye;
   const auto lookAt = options.lookAt ? options.lookAt : view.lookAt;
-  radiosity::Camera camera = eye && lookAt ? radiosity::Camera{} : radiosity::defaultCamera(scene);
+  const auto up = options.up ? options.up : view.up;
+  radiosity::Camera camera = eye && lookAt ? radiosity::Camera{} : radiosity::defaultCamera(scene, options.upAxis);
   camera.eye = eye.value_or(camera.eye);
   camera.lookAt = lookAt.value_or(camera.lookAt);
-  camera.up = options.up.value_or(view.up.value_or(camera.up));
+  camera.up = up.value_or(camera.up);
   camera.fov = options.fov.value_or(view.fov.value_or(camera.fov));
   try {
     radiosity::cameraFace(scene, camera, options.width, options.height);  // throws if the camera is invalid

@@ -16,6 +16,7 @@ namespace hemitex::cli {
 
 struct CameraOptions {
   std::optional<glm::dvec3> eye = {}, lookAt = {}, up = {};
+  std::optional<int> upAxis = {};  ///< the axis that points up in the scene: 1 for y, 2 for z
   std::optional<double> fov = {};  ///< degrees, in (0, 180)
   int width = 800, height = 600;   ///< of the picture in pixels
   std::optional<double> exposure = {};

@@ -14,6 +14,17 @@ const Choices<TextureFilter> filterChoices{
     {"bilinear", TextureFilter::Bilinear},   {"bicubic", TextureFilter::Bicubic},
     {"quadtree", TextureFilter::Quadtree},   {"gouraud", TextureFilter::Gouraud}};
 
+/// Adds the options for the unit of lengths, in which fluxes and scene.glb are written.
+void addUnits(Command command, std::optional<double>& metresPerUnit) {
+  command = command.under("Scene");
+  const Option units = addChoice<double>(
+      command, "--units", metresPerUnit, {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}},
+      "unit of lengths in the scene (default m). Fluxes in W follow from it; radiosity does not.");
+  addPositive(command, "--scale", metresPerUnit, std::numeric_limits<double>::infinity(),
+              "metres per unit of length in the scene; 0.001 is the same as --units mm (default 1)")
+      .excludes(units);
+}
+
 /// Adds `--samples`, a power of two: then the share of each ray is an integer.
 void addSamples(Command command, int& samples) {
   const auto read = [&samples](const std::string& text) { samples = powerOfTwoOption("--samples", text, 64, 1 << 24); };
@@ -147,6 +158,7 @@ void addSolveOptions(Command command, SolveOptions& options) {
                                   "also write report.html, which shows the lit scene in 3-D, where the flux went, the "
                                   "convergence, the settings and warnings; it works without a network");
   addSceneOptions(command, options.scene);
+  addUnits(command, options.metresPerUnit);
   addDiscretizationOptions(command, options.discretization);
   addMethodOptions(command, options);
   addIdOptions(command, options.id);
@@ -177,6 +189,11 @@ void completeOptions(Command command, SolveOptions& options) {
 }
 
 bool usesRays(const SolveOptions& options) { return options.method == "rays"; }
+
+double squareMetresPerUnit(const SolveOptions& options) {
+  const double metres = options.metresPerUnit.value_or(1);
+  return metres * metres;
+}
 
 TextureFilter filterOf(const SolveOptions& options) {
   return options.filter.value_or(options.adaptive ? TextureFilter::Quadtree : TextureFilter::Bicubic);

@@ -18,6 +18,7 @@ namespace hemitex::cli {
 
 struct SolveOptions {
   SceneOptions scene;
+  std::optional<double> metresPerUnit;  ///< the unit of the scene's lengths; a metre if not given
   radiosity::DiscretizationSettings discretization;
   std::optional<double> adaptive;
   radiosity::DrawingSettings drawing;
@@ -49,6 +50,9 @@ void addSolveOptions(Command command, SolveOptions& options);
 void completeOptions(Command command, SolveOptions& options);
 
 bool usesRays(const SolveOptions& options);
+
+/// The area of a square unit of the scene in m^2, by which fluxes per square unit become W.
+double squareMetresPerUnit(const SolveOptions& options);
 
 /// The given filter of display textures, or the default: cubic B-splines, for quadtrees their own filter.
 radiosity::TextureFilter filterOf(const SolveOptions& options);

@@ -113,7 +113,8 @@ std::vector<std::string> writeSolved(const std::filesystem::path& folder, const 
 ShownScene shownScene(const std::filesystem::path& folder, const SolvedScene& solved, radiosity::Scene lit,
                       const Convergence& convergence) {
   constexpr std::size_t maxPatches = 256;  // so that the page costs at most some hundred hemicubes
-  const std::vector<glm::dvec3>& absorbed = solved.solution.absorbedByBacks;
+  std::vector<glm::dvec3> absorbed = solved.solution.absorbedByBacks;
+  for (glm::dvec3& flux : absorbed) flux *= squareMetresPerUnit(solved.options);
   const std::size_t surfaces = solved.scene.surfaces.size();
   ShownScene shown{folder / "scene.glb",
                    std::move(lit),

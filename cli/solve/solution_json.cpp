@@ -95,13 +95,15 @@ ordered_json surfacesJson(const SolvedScene& solved, const std::optional<radiosi
   return surfaces;
 }
 
-ordered_json energyJson(const radiosity::Energy& energy, bool isLitFromOutside) {
-  ordered_json text = {{"emitted", toJson(energy.emitted)},
-                       {"absorbed", toJson(energy.absorbed)},
-                       {"unshot", toJson(energy.unshot)},
-                       {"lost", toJson(energy.lost)},
-                       {"lost_to_backs", toJson(energy.lostToBacks)}};
-  if (isLitFromOutside) text["sky_on_backs"] = toJson(energy.skyOnBacks);
+/// Fluxes in W. `squareMetres` is the area of a square unit.
+ordered_json energyJson(const radiosity::Energy& energy, bool isLitFromOutside, double squareMetres) {
+  const auto watts = [squareMetres](const glm::dvec3& flux) { return toJson(flux * squareMetres); };
+  ordered_json text = {{"emitted", watts(energy.emitted)},
+                       {"absorbed", watts(energy.absorbed)},
+                       {"unshot", watts(energy.unshot)},
+                       {"lost", watts(energy.lost)},
+                       {"lost_to_backs", watts(energy.lostToBacks)}};
+  if (isLitFromOutside) text["sky_on_backs"] = watts(energy.skyOnBacks);
   return text;
 }
 
@@ -122,22 +124,46 @@ std::string titleOf(const std::string& flux) {
   return flux == "sky_on_backs" ? "sky on backs" : flux;
 }
 
-/// One line per kind of flux: W in each band, and the share of the emitted flux, summed over bands.
+double sumOf(const ordered_json& bands) {
+  return bands[0].get<double>() + bands[1].get<double>() + bands[2].get<double>();
+}
+
+/// The unit for fluxes up to `flux` W, so that they have few digits before and behind the point.
+struct FluxUnit {
+  const char* name;
+  double watts;
+};
+
+FluxUnit fluxUnitFor(double flux) {
+  if (flux >= 1e7) return {"MW", 1e6};
+  if (flux >= 1e4) return {"kW", 1e3};
+  return flux > 0 && flux < 0.1 ? FluxUnit{"mW", 1e-3} : FluxUnit{"W", 1};
+}
+
+/// One line per kind of flux: in each band, and the share of the emitted flux, summed over bands.
 std::string fluxText(const ordered_json& energy) {
-  const auto sum = [](const ordered_json& bands) {
-    return bands[0].get<double>() + bands[1].get<double>() + bands[2].get<double>();
-  };
-  const double emitted = sum(energy["emitted"]);
+  const double emitted = sumOf(energy["emitted"]);
+  const FluxUnit unit = fluxUnitFor(emitted);
   std::ostringstream text;
-  text << '\n' << std::left << std::setw(16) << "flux in W" << std::right;
+  text << '\n' << std::left << std::setw(16) << "flux in " + std::string(unit.name) << std::right;
   for (const char* title : {"red", "green", "blue", "of emitted"}) text << std::setw(12) << title;
   for (const auto& [name, bands] : energy.items()) {
     text << '\n' << std::left << std::setw(16) << titleOf(name) << std::right;
-    for (const ordered_json& flux : bands) text << std::setw(12) << roundedText(flux);
-    text << std::setw(12) << (emitted > 0 ? percentText(sum(bands) / emitted) : "-");
+    for (const ordered_json& flux : bands) text << std::setw(12) << roundedText(flux.get<double>() / unit.watts);
+    text << std::setw(12) << (emitted > 0 ? percentText(sumOf(bands) / emitted) : "-");
   }
   text << '\n';
   return text.str();
+}
+
+/// How the emission of materials was read; empty for light from outside only.
+std::string emissionText(const ordered_json& solution) {
+  const auto emits = [](const ordered_json& surface) { return sumOf(surface["emission"]) > 0; };
+  if (std::none_of(solution["surfaces"].begin(), solution["surfaces"].end(), emits)) return "";
+  return solution["settings"]["emission"] == "radiance"
+             ? "emission was read as radiance, in W/(m^2 sr)\n"
+             : "emission was read as radiosity, in W/m^2; --emission radiance is for files that state radiance, "
+               "as Blender does\n";
 }
 
 }  // namespace
@@ -166,6 +192,7 @@ ordered_json description(const SolvedScene& solved, const std::optional<radiosit
                    {"camera", toJson(solved.camera)},
                    {"size", {options.camera.width, options.camera.height}},
                    {"exposure", orNull(options.camera.exposure)}});
+  if (options.metresPerUnit) settings["metres_per_unit"] = *options.metresPerUnit;
   const MaterialOptions& materials = options.scene.materials;
   if (materials.changeMaterials()) settings["materials"] = toJson(materials);
   settings.update(toJson(solved.scene.outside));
@@ -181,7 +208,8 @@ ordered_json description(const SolvedScene& solved, const std::optional<radiosit
           {"index_bits", solved.layout.indexBits},
           {"shots", solved.solution.shots},
           {"residual", solved.solution.residual},
-          {"energy", energyJson(solved.solution.energy, radiosity::brightest(solved.scene.outside) > 0)}};
+          {"energy", energyJson(solved.solution.energy, radiosity::brightest(solved.scene.outside) > 0,
+                                squareMetresPerUnit(options))}};
 }
 
 std::string summary(const ordered_json& solution) {
@@ -193,8 +221,17 @@ std::string summary(const ordered_json& solution) {
   if (solution.contains("frames"))
     for (const ordered_json& frame : solution["frames"])
       text << frame["folder"].get<std::string>() << ": " << shotsText(frame, frame["times"]["update_s"]);
-  text << expectedErrorText(solution) << fluxText(solution["energy"]);
+  text << expectedErrorText(solution) << emissionText(solution) << fluxText(solution["energy"]);
   return text.str();
+}
+
+std::vector<std::string> unitWarning(const SolvedScene& solved) {
+  constexpr double largestFlux = 1e6;  // in W; the lamps of a large hall emit less
+  const double emitted = radiosity::bandSum(solved.solution.energy.emitted);
+  const bool isOfMaterials = radiosity::brightest(solved.scene.outside) == 0;
+  if (solved.options.metresPerUnit || !isOfMaterials || emitted < largestFlux) return {};
+  return {"the scene emits " + roundedText(emitted / 1e6) + " MW and is " + roundedText(solved.scene.extent) +
+          " units across; if its lengths are in millimetres, add --units mm, so that fluxes are in W"};
 }
 
 std::vector<std::string> warningsOf(const radiosity::Solution& solution) {

@@ -33,8 +33,12 @@ nlohmann::ordered_json solutionSettings(const SolveOptions& options);
 /// no thread count, so that equal results have equal files. The options hold the exposure.
 nlohmann::ordered_json description(const SolvedScene& solved, const std::optional<radiosity::LitScene>& lit);
 
-/// The summary of solution.json: counts, times, residual, expected error and the balance of flux.
+/// The summary of solution.json: counts, times, residual, expected error, how emission was read, and the balance of
+/// flux.
 std::string summary(const nlohmann::ordered_json& solution);
+
+/// A warning if the emitted flux shows that the scene's unit of length is not the metre, and no unit was given.
+std::vector<std::string> unitWarning(const SolvedScene& solved);
 
 /// The warnings of a solution. Where it advises surfaces for both sides, it names the option.
 std::vector<std::string> warningsOf(const radiosity::Solution& solution);

@@ -149,6 +149,7 @@ ordered_json writeResult(const radiosity::Scene& scene, const radiosity::Camera&
   Console& console = monitor.console();
   SolveOptions& options = result.options;
   const SolvedScene solved{options, camera, scene, result.discretization, result.layout, result.solution};
+  console.warnings(unitWarning(solved));
   options.camera.exposure = exposureOf(solved);  // also that of all frames
   std::optional<radiosity::LitScene> lit = litScene(solved);
   console.warnings(writeSolved(staging.folder(), solved, lit));

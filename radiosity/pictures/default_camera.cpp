@@ -44,6 +44,12 @@ Bounds boundsOf(const Scene& scene) {
 /// The two axes other than `up`.
 std::array<int, 2> levelAxes(int up) { return {0, 3 - up}; }
 
+glm::dvec3 axisVector(int axis) {
+  glm::dvec3 vector(0.0);
+  vector[axis] = 1;
+  return vector;
+}
+
 double crossSection(const Bounds& bounds, int up) {
   const glm::dvec3 size = bounds.high - bounds.low;
   return size[0] * size[3 - up];
@@ -102,8 +108,9 @@ Floor floorAlong(const Scene& scene, const Bounds& bounds, int up) {
   return floor;
 }
 
-/// +y is up, unless little faces up along y and a floor fills the scene along z.
-Floor floorOf(const Scene& scene, const Bounds& bounds) {
+/// The floor along the axis that points up (see upAxis).
+Floor floorOf(const Scene& scene, const Bounds& bounds, std::optional<int> up) {
+  if (const std::optional<int> stated = up ? up : scene.up) return floorAlong(scene, bounds, *stated);
   const Floor y = floorAlong(scene, bounds, 1), z = floorAlong(scene, bounds, 2);
   const double sectionY = crossSection(bounds, 1), sectionZ = crossSection(bounds, 2);
   const bool isFlat = !(sectionY > 0 && sectionZ > 0);
@@ -125,12 +132,6 @@ double freeHeight(const Scene& scene, const Bounds& bounds, const Floor& floor) 
   for (const auto& [height, area] : ceilings)
     if ((covered += area) >= 0.5 * floor.area) return height;
   return top;
-}
-
-glm::dvec3 axisVector(int axis) {
-  glm::dvec3 vector(0.0);
-  vector[axis] = 1;
-  return vector;
 }
 
 /// Views at eye height, from places along the border of the floor towards its middle, slightly downwards.
@@ -292,9 +293,9 @@ Camera turnedRound(const Camera& camera) {
 
 }  // namespace
 
-Camera defaultCamera(const Scene& scene) {
+Camera defaultCamera(const Scene& scene, std::optional<int> up) {
   const Bounds bounds = boundsOf(scene);
-  const Floor floor = floorOf(scene, bounds);
+  const Floor floor = floorOf(scene, bounds, up);
   const double height = freeHeight(scene, bounds, floor);
   ViewScores scoreOf(scene, floor, height);
   Choice best;
@@ -308,5 +309,7 @@ Camera defaultCamera(const Scene& scene) {
   if (best.score == 0) chooseBest(scoreOf, cornerCameras(bounds, floor.up, -1), best);
   return best.score > 0 ? best.camera : cornerCameras(bounds, floor.up, 1).front();
 }
+
+int upAxis(const Scene& scene, std::optional<int> given) { return floorOf(scene, boundsOf(scene), given).up; }
 
 }  // namespace hemitex::radiosity

@@ -212,6 +212,7 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
   MaterialSet found = gltf ? gltfMaterials(choice.names, *gltf, file, settings)
                            : findMaterials(choice.names, materialFiles(mesh, file.parent_path()), settings);
   if (gltf) scene.camera = gltf->camera;
+  if (gltf) scene.up = 1;
   scene.materials = std::move(found.materials);
   scene.images = std::move(found.images);
   scene.files = std::move(found.files);

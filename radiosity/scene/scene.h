@@ -67,6 +67,7 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Image> images;
   std::vector<Surface> surfaces;      ///< in the order of their first faces; backs of two-sided ones behind all fronts
+  std::optional<int> up = {};         ///< the axis that points up, if the file states it: 1, y, in glTF
   OutsideLight outside = {};          ///< not part of the file
   std::vector<std::string> warnings;  ///< one sentence each, for the user
   std::optional<SceneCamera> camera = {};         ///< OBJ files have none

@@ -161,6 +161,36 @@ TEST_CASE("hemitex solve --emission radiance multiplies the emission of scenes, 
   CHECK(shell.run("solve room.obj -o out --emission lumen").exitCode == 2);
 }
 
+TEST_CASE("hemitex solve --units gives fluxes in W, and the same radiosity", "[cli]") {
+  const Shell shell;
+  const std::string solve = "solve room.obj --texels 4 --size 40x30 --resolution 32 --json ";
+  const json metres = json::parse(shell.output(solve + "-o metres")),
+             millimetres = json::parse(shell.output(solve + "-o millimetres --units mm")),
+             scaled = json::parse(shell.output(solve + "-o scaled --scale 0.001"));
+  for (const char* flux : {"emitted", "absorbed", "unshot", "lost", "lost_to_backs"})
+    for (int band = 0; band < 3; ++band) {
+      // A square millimetre is a millionth of a square metre.
+      const double watts = metres["energy"][flux][band];
+      CHECK(millimetres["energy"][flux][band].get<double>() == Approx(1e-6 * watts).epsilon(1e-12));
+    }
+  CHECK(millimetres["energy"] == scaled["energy"]);
+  CHECK(metres["surfaces"] == millimetres["surfaces"]);
+  CHECK(millimetres["settings"]["metres_per_unit"] == 0.001);
+  CHECK(readAll(shell.file("metres/elements.csv")) == readAll(shell.file("millimetres/elements.csv")));
+  CHECK(shell.run("solve room.obj -o both --units mm --scale 2").exitCode == 2);
+}
+
+TEST_CASE("hemitex solve says how emission was read, and that a flux of megawatts may be a matter of units", "[cli]") {
+  const Shell shell;
+  const std::string solve = "solve room.obj --texels 4 --size 40x30 --resolution 32 -o out ";
+  CHECK(shell.output(solve).find("read as radiosity, in W/m^2; --emission radiance") != std::string::npos);
+  CHECK(shell.output(solve + "--emission radiance").find("read as radiance, in W/(m^2 sr)") != std::string::npos);
+  CHECK(shell.run(solve).err.find("--units") == std::string::npos);
+  const std::string bright = "--emit 'lamp=1e9,1e9,1e9'";
+  CHECK(shell.run(solve + bright).err.find("--units mm") != std::string::npos);
+  CHECK(shell.run(solve + bright + " --units mm").err.find("--units") == std::string::npos);
+}
+
 TEST_CASE("hemitex solve --emit, --reflectance and --lights give the bytes of a scene with these materials", "[cli]") {
   const Shell shell;
   shell.output(quickSolve + "-o without");

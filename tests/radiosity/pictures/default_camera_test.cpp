@@ -248,6 +248,17 @@ TEST_CASE("defaultCamera takes +z for up where a floor shows it", "[default_came
   CHECK(camera.eye.z > 30);
 }
 
+TEST_CASE("upAxis is the given axis, else that of the file, else that of the floor", "[default_camera]") {
+  Scene scene = zUpwards(city());
+  CHECK(upAxis(scene) == 2);
+  CHECK(upAxis(sceneOf(city())) == 1);
+  CHECK(upAxis(sceneOf(city()), 2) == 2);
+  scene.up = 1;
+  CHECK(upAxis(scene) == 1);
+  CHECK(upAxis(scene, 2) == 2);
+  CHECK(defaultCamera(scene).up == glm::dvec3(0, 1, 0));
+}
+
 TEST_CASE("defaultCamera sees a single object from outside, from above if that shows a front", "[default_camera]") {
   const Scene quad = sceneOf({parallelogram("floor", {0, 0, 1}, {1, 0, 0}, {0, 0, -1})});
   CHECK(defaultCamera(quad).eye.y > 0);
