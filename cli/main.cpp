@@ -11,6 +11,7 @@ void addCommands(Command program, Context& context) {
   addSolve(program, context);
   addRender(program, context);
   addView(program, context);
+  addWatch(program, context);
   addFormFactors(program, context);
   addTradeoff(program, context);
   addPaper(program, context);

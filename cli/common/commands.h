@@ -9,6 +9,7 @@ namespace hemitex::cli {
 void addSolve(Command program, Context& context);
 void addRender(Command program, Context& context);
 void addView(Command program, Context& context);
+void addWatch(Command program, Context& context);
 void addFormFactors(Command program, Context& context);
 void addTradeoff(Command program, Context& context);
 void addPaper(Command program, Context& context);

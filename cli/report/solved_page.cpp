@@ -96,6 +96,7 @@ std::string solvedPage(const ShownScene& lit, const ordered_json& solution) {
                   {"glb", isShown     ? "shown"
                           : isMissing ? "missing"
                                       : "too large"}};
+  if (!lit.version.empty()) page["version"] = lit.version;
   page["surfaces"] = listOf(listed, [&](std::uint32_t s) { return surfaceJson(surfaces[s]); });
   ordered_json times = {{"solve_s", solution.at("times").at("solve_s")}};
   if (lit.backs) {

@@ -28,6 +28,7 @@ struct ShownScene {
   Convergence convergence = {};
   std::optional<radiosity::BackAbsorption> backs = {};  ///< nothing if the scene was solved earlier
   std::vector<glm::dvec3> lostToBacks = {};             ///< one per surface: flux that it shot and that backs absorbed
+  std::string version = {};  ///< with it the page loads itself again when watch.js names another one
 };
 
 /// `solution` is the object of solution.json. Only the element `times` of the page depends on time. Throws

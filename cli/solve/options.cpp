@@ -183,6 +183,7 @@ void completeOptions(Command command, SolveOptions& options) {
   if (options.adaptive && !options.discretization.texels) options.discretization.texels = 16;
   if (const auto projection = projectionNamed(options.method)) options.drawing.projection = *projection;
   validateFilter(options);
+  options.isContinued = !options.edits.empty();
   if (usesRays(options)) refuseUnused(command, {"--edits"}, options.method);
   if (options.drawing.elementsBy == radiosity::ElementsBy::Mesh && !options.edits.empty())
     usageError("--edits", "is not used with --discretize mesh; omit one of them");

@@ -33,6 +33,7 @@ struct SolveOptions {
   std::optional<int> magnification;                ///< see magnificationOf for the default
   CameraOptions camera;
   std::filesystem::path edits;            ///< empty if there are none
+  bool isContinued = false;               ///< keep what updates of the solution need
   radiosity::Messenger* ranks = nullptr;  ///< the ranks that share rows; null if this process is alone
   bool report = false;                    ///< also write report.html
   bool noElements = false;                ///< do not write elements.csv

@@ -80,7 +80,7 @@ void solve(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor,
                               .outside = drawn.outsideFlux(),
                               .seen = {seen, drawn.scoutRows()},
                               .snapshot = snapshot ? &*snapshot : nullptr,
-                              .isContinued = !options.edits.empty()};
+                              .isContinued = options.isContinued};
   radiosity::RowCache ofViews(options.solver.rowCacheBytes / 2);
   if (input.isContinued)
     input.rowOf = [&](const radiosity::Patch& patch) { return rowByViews(drawn.rows(), ofViews, patch); };

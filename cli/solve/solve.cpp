@@ -196,7 +196,7 @@ void solve(SolveOptions asked, Context& context) {
   asked.ranks = context.ranks.get();
   if (!context.isWriter()) return computeForRankZero(asked, context.console);
   Console& console = context.console;
-  asked.discretization.isUnburied = !asked.edits.empty();
+  asked.discretization.isUnburied = asked.isContinued;
   Laps laps;
   const radiosity::Scene scene = sceneOf(asked.scene, console);
   asked.solver.residual = asked.residual.value_or(radiosity::defaultResidual(scene));

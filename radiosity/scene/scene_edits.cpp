@@ -1,6 +1,7 @@
 #include "radiosity/scene/scene_edits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -78,11 +79,15 @@ std::vector<std::uint32_t> withTwins(const std::vector<Surface>& surfaces, std::
   return {all.begin(), all.end()};
 }
 
+bool isWithinReach(const Scene& scene, const glm::dvec3& corner) {
+  return glm::length(corner - scene.origin) <= farthestEdit * scene.extent;
+}
+
 void move(const Scene& scene, Surface& surface, const glm::dvec3& by) {
   for (Triangle& triangle : surface.triangles)
     for (glm::dvec3& corner : triangle.position) {
       corner += by;
-      if (!(glm::length(corner - scene.origin) <= farthestEdit * scene.extent))
+      if (!isWithinReach(scene, corner))
         throw InputError("an edit puts `" + raster::excerpt(surface.name) + "` farther than " +
                              std::to_string(static_cast<int>(farthestEdit)) + " extents from the scene",
                          "move it less, or solve the scene anew");
@@ -221,7 +226,43 @@ class Editor {
   std::vector<Surface> removed_;
 };
 
+/// How far a surface moved between two readings; nothing if it has another shape, chart, name or twin.
+std::optional<glm::dvec3> shiftOf(const Surface& former, const Surface& next, double tolerance) {
+  if (former.name != next.name || former.family != next.family || former.twin != next.twin ||
+      former.curvedPart != next.curvedPart || former.triangles.size() != next.triangles.size())
+    return std::nullopt;
+  const glm::dvec3 shift = next.triangles.front().position[0] - former.triangles.front().position[0];
+  for (std::size_t t = 0; t < former.triangles.size(); ++t) {
+    if (former.triangles[t].chart != next.triangles[t].chart) return std::nullopt;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (glm::distance(next.triangles[t].position[k], former.triangles[t].position[k] + shift) > tolerance)
+        return std::nullopt;
+  }
+  return shift;
+}
+
 }  // namespace
+
+std::optional<EditedScene> readAgain(const Scene& former, Scene next) {
+  if (former.surfaces.size() != next.surfaces.size()) return std::nullopt;
+  const double tolerance = contactTolerance(former);
+  std::vector<Origin> origins;
+  for (std::uint32_t s = 0; s < next.surfaces.size(); ++s) {
+    const std::optional<glm::dvec3> shift = shiftOf(former.surfaces[s], next.surfaces[s], tolerance);
+    if (!shift) return std::nullopt;
+    origins.push_back({s, glm::length(*shift) > tolerance});
+    for (std::size_t t = 0; t < next.surfaces[s].triangles.size(); ++t) {
+      std::array<glm::dvec3, 3>& corners = next.surfaces[s].triangles[t].position;
+      if (!origins[s].isMoved) corners = former.surfaces[s].triangles[t].position;
+      for (const glm::dvec3& corner : corners)
+        if (!isWithinReach(former, corner)) return std::nullopt;
+    }
+  }
+  next.origin = former.origin;
+  next.extent = former.extent;
+  next.rounding = former.rounding;
+  return EditedScene{std::move(next), std::move(origins), {}};
+}
 
 EditedScene edited(Scene scene, std::vector<Surface> removed, std::span<const Edit> edits) {
   Editor editor(std::move(scene), std::move(removed));

@@ -70,4 +70,9 @@ inline constexpr double farthestEdit = 16;
 /// scene becomes empty, or a vertex exceeds farthestEdit.
 EditedScene edited(Scene scene, std::vector<Surface> removed, std::span<const Edit> edits);
 
+/// `next`, which is `former` read again from a changed file, as an edit. Materials, images and texture coordinates may
+/// differ, and surfaces may have moved, each as a whole. Nothing if the surfaces or their shapes differ by more than
+/// the rounding of a file (see contactTolerance), if charts differ, or if a vertex exceeds farthestEdit.
+std::optional<EditedScene> readAgain(const Scene& former, Scene next);
+
 }  // namespace hemitex::radiosity

@@ -269,7 +269,10 @@ DynamicSolution::DynamicSolution(Scene scene, Discretization discretization, Sol
 }
 
 UpdateCost DynamicSolution::update(std::span<const Edit> edits, const Progress& progress) {
-  EditedScene edit = edited(world_->scene, removed_, edits);
+  return updateTo(edited(world_->scene, removed_, edits), progress);
+}
+
+UpdateCost DynamicSolution::updateTo(EditedScene edit, const Progress& progress) {
   Discretization shooting = carried(discretization(), edit, settings_.discretization);
   auto next = std::make_unique<DrawnScene>(std::move(edit.scene), std::move(shooting), layOut_, settings_.drawing,
                                            makeRenderer_);

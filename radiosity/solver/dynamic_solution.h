@@ -75,6 +75,8 @@ class DynamicSolution {
   /// Edits the scene and updates the solution; counts shots from here. Throws InputError as `edited` and the layout,
   /// and then changes nothing.
   UpdateCost update(std::span<const Edit> edits, const Progress& progress = {});
+  /// As update, for an edit of scene().
+  UpdateCost updateTo(EditedScene edit, const Progress& progress = {});
 
   const Scene& scene() const { return world_->scene; }
   /// Its patches are those of the solution.

@@ -163,6 +163,50 @@ TEST_CASE("edited throws InputError with advice for invalid edits", "[scene_edit
   CHECK(messageOf({Remove{"square*"}}).empty());
 }
 
+TEST_CASE("readAgain finds surfaces that moved as a whole, and takes the materials of the new reading",
+          "[scene_edits]") {
+  const Scene former = squares();
+  Scene next = squares();
+  next.materials = {{.name = "red", .reflectance = {0.8, 0.1, 0.1}}};
+  for (Triangle& triangle : next.surfaces[2].triangles)
+    for (glm::dvec3& corner : triangle.position) corner += glm::dvec3(0, 0.5, 1);
+  next.surfaces[1].triangles[0].texcoord[0] = {0.25, 0.25};
+  next.surfaces[3].triangles[0].position[0].x += 1e-9;  // below the rounding of a file
+  next.origin = {1, 2, 3};
+  const std::optional<EditedScene> edit = readAgain(former, next);
+  REQUIRE(edit);
+  CHECK(edit->scene.materials[0].name == "red");
+  CHECK(edit->scene.origin == former.origin);
+  CHECK(edit->scene.extent == former.extent);
+  for (std::uint32_t s = 0; s < 4; ++s) {
+    CHECK(edit->origins[s].former == s);
+    CHECK(edit->origins[s].isMoved == (s == 2));
+  }
+  CHECK(edit->scene.surfaces[1].triangles[0].texcoord[0] == glm::dvec2(0.25, 0.25));
+  CHECK(edit->scene.surfaces[2].triangles[1].position == next.surfaces[2].triangles[1].position);
+  CHECK(edit->scene.surfaces[3].triangles[0].position == former.surfaces[3].triangles[0].position);
+}
+
+TEST_CASE("readAgain gives nothing for surfaces that came, went, changed their shape or went far", "[scene_edits]") {
+  const auto isEdit = [](const auto& change) {
+    Scene next = squares();
+    change(next);
+    return readAgain(squares(), std::move(next)).has_value();
+  };
+  CHECK(isEdit([](Scene&) {}));
+  CHECK_FALSE(isEdit([](Scene& next) { next.surfaces.pop_back(); }));
+  CHECK_FALSE(isEdit([](Scene& next) { next.surfaces[1].triangles.pop_back(); }));
+  CHECK_FALSE(isEdit([](Scene& next) { next.surfaces[1].triangles[1].position[1].z += 0.1; }));
+  CHECK_FALSE(isEdit([](Scene& next) { next.surfaces[1].triangles[1].chart[1].x += 0.1; }));
+  CHECK_FALSE(isEdit([](Scene& next) { next.surfaces[1].name = "other"; }));
+  CHECK_FALSE(isEdit([](Scene& next) { std::swap(next.surfaces[0], next.surfaces[1]); }));
+  CHECK_FALSE(isEdit([](Scene& next) { next.surfaces[1].twin = 2; }));
+  CHECK_FALSE(isEdit([](Scene& next) {
+    for (Triangle& triangle : next.surfaces[1].triangles)
+      for (glm::dvec3& corner : triangle.position) corner.z += 1000;
+  }));
+}
+
 TEST_CASE("carried keeps elements, patches and rotations of kept surfaces, and discretizes new ones alone",
           "[scene_edits]") {
   const Scene before = squares();

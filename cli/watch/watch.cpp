@@ -1,0 +1,257 @@
+/// `hemitex watch`: solves a scene, and updates the solution whenever its files are saved. The page in the browser
+/// follows.
+///
+/// There is no server. The page loads the small script watch.js from its own folder again and again, which browsers
+/// allow for a page from disk. The script names the version of the page that the folder holds; a page of another
+/// version loads itself again. So no port is opened, and nobody else can reach the scene.
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "cli/common/commands.h"
+#include "cli/common/interruption.h"
+#include "cli/common/json.h"
+#include "cli/common/numbers.h"
+#include "cli/common/staging.h"
+#include "cli/report/solved_page.h"
+#include "cli/scene/sealed_folder.h"
+#include "cli/solve/options.h"
+#include "cli/solve/output.h"
+#include "cli/solve/run.h"
+#include "cli/solve/run_size.h"
+#include "cli/view/browser.h"
+#include "cli/watch/watched_files.h"
+#include "radiosity/scene/load_scene.h"
+#include "radiosity/scene/scene_edits.h"
+#include "radiosity/solver/dynamic_solution.h"
+#include "raster/base/file_io.h"
+#include "raster/base/input_error.h"
+#include "reference/base/hashes/sha256.h"
+#include "reference/base/stopwatch.h"
+
+namespace hemitex::cli {
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+const char* const scriptName = "watch.js";
+const char* const pageName = "report.html";
+
+struct WatchOptions {
+  SolveOptions solve;
+  bool view = false;
+};
+
+bool isStopping() { return LongRun::isStopping(); }
+
+/// What a change of the files led to.
+struct Round {
+  bool isUpdate = false;  ///< else a new solution
+  int shots = 0;
+  double solveSeconds = 0, writeSeconds = 0;
+};
+
+ordered_json toJson(const Round& round) {
+  return {{"updated", round.isUpdate},
+          {"shots", round.shots},
+          {"times", {{"solve_s", round.solveSeconds}, {"write_s", round.writeSeconds}}}};
+}
+
+std::string textOf(const Round& round) {
+  return std::string(round.isUpdate ? "updated" : "solved") + " in " + roundedText(round.solveSeconds) + " s with " +
+         std::to_string(round.shots) + " shots, written in " + roundedText(round.writeSeconds) + " s";
+}
+
+/// The solution of the files as they were read last.
+class WatchedSolution {
+ public:
+  WatchedSolution(const SolveOptions& asked, Console& console) : asked_(asked), options_(asked), console_(console) {}
+
+  /// The files that were read, or that could be, as they were then.
+  const WatchedFiles& files() const { return watched_; }
+
+  /// Reads the scene and updates the folder. Throws InputError if the scene is at fault; then the folder stays as it
+  /// was. Writes nothing after a signal.
+  Round follow() {
+    files_.insert({asked_.scene.file, viewFileOf(asked_.scene.file)});
+    watched_ = WatchedFiles(files_);  // of the last scene, in case that this one cannot be read
+    radiosity::Scene scene = loadedScene(asked_.scene);
+    files_.insert(scene.files.begin(), scene.files.end());
+    watched_ = WatchedFiles(files_);
+    tellNew(scene.warnings);
+    requireLight(scene, asked_.scene.file, ", or --sky 1,1,1 for light from outside");
+    camera_ = cameraOf(asked_.camera, scene, asked_.scene.file);
+    Round round;
+    reference::Stopwatch watch;
+    std::optional<radiosity::EditedScene> edit;
+    if (dynamic_) edit = radiosity::readAgain(dynamic_->scene(), scene);
+    round.isUpdate = edit.has_value();
+    if (edit)
+      update(std::move(*edit));
+    else
+      solve(std::move(scene));
+    round.solveSeconds = watch.seconds();
+    watch = {};
+    if (!isStopping()) write(round);
+    round.writeSeconds = watch.seconds();
+    round.shots = dynamic_->solution().shots;
+    return round;
+  }
+
+ private:
+  void tellNew(const std::vector<std::string>& warnings) {
+    const std::vector<std::string> given = console_.given();
+    for (const std::string& warning : warnings)
+      if (std::find(given.begin(), given.end(), warning) == given.end()) console_.warning(warning);
+  }
+
+  void update(radiosity::EditedScene edit) {
+    convergence_ = {};
+    Monitor monitor(console_, {}, dynamic_->scene(), {});
+    dynamic_->updateTo(std::move(edit), monitor.progressOf(options_.solver, convergence_));
+    console_.endProgress();
+  }
+
+  void solve(radiosity::Scene scene) {
+    SolveOptions options = asked_;
+    options.solver.residual = options.residual.value_or(radiosity::defaultResidual(scene));
+    if (!options.insists) requireAffordable(runSize(scene, options), freeMemory());
+    radiosity::Discretization unsplit = discretizationOf(options.discretization, scene);
+    Staging(options.output).requirePlaces(placesOf(options, scene, unsplit), files_);
+    Monitor monitor(console_, {}, scene, {});
+    SolveResult result = solveScene(options, scene, camera_, std::move(unsplit), monitor);
+    options_ = result.options;
+    convergence_ = std::move(result.convergence);
+    const auto layOut = [this](const radiosity::Discretization& edited) {
+      return layoutOf(options_.id, edited, console_);
+    };
+    dynamic_.emplace(std::move(scene), std::move(result.discretization), std::move(result.solution),
+                     radiosity::DynamicSettings{options_.discretization, options_.drawing, options_.solver}, layOut);
+  }
+
+  static std::set<std::string> placesOf(const SolveOptions& options, const radiosity::Scene& scene,
+                                        const radiosity::Discretization& discretization) {
+    std::set<std::string> names = outputNames(options, scene, discretization, 0);
+    names.insert(scriptName);
+    return names;
+  }
+
+  /// Writes the folder. All updates of a solution are shown with its exposure, so that brighter light looks brighter.
+  void write(const Round& round) {
+    const SolvedScene solved{
+        options_, camera_, dynamic_->scene(), dynamic_->discretization(), dynamic_->layout(), dynamic_->solution()};
+    options_.camera.exposure = exposureOf(solved);
+    std::optional<radiosity::LitScene> lit = litScene(solved);
+    Staging staging(options_.output);
+    tellNew(writeSolved(staging.folder(), solved, lit));
+    tellNew(warningsOf(solved.solution));
+    ordered_json text = description(solved, lit);
+    text["captured"] = nullptr;
+    text["expected_error"] = nullptr;
+    text["expected_error_seen"] = nullptr;
+    text["times"] = {{"solve_s", round.solveSeconds}};
+    text["warnings"] = solved.scene.warnings;
+    std::vector<std::uint32_t> surfaces(solved.scene.surfaces.size());
+    std::iota(surfaces.begin(), surfaces.end(), 0U);
+    const fs::path glb = staging.folder() / "scene.glb";
+    version_ = reference::sha256(toText(text["settings"]) + (fs::exists(glb) ? reference::sha256OfFile(glb) : ""));
+    raster::writeFile(
+        staging.folder() / pageName,
+        solvedPage({.glb = glb, .scene = std::move(lit->scene), .surfaceOf = surfaces, .version = version_}, text));
+    text["files"] = fileHashes(staging.folder());
+    raster::writeFile(staging.folder() / "solution.json", toText(text));
+    staging.commit("solution.json", filesOfSolution(options_.output));
+    tell("shown");
+  }
+
+ public:
+  /// Writes watch.js: the state (`shown`, `solving`, `failed` or `ended`), and what is wrong with the scene.
+  void tell(const std::string& state, const std::string& problem = "") const {
+    const ordered_json news = {{"version", version_}, {"state", state}, {"problem", problem}};
+    Staging staging(asked_.output, FolderUse::SeveralRuns);
+    raster::writeFile(staging.folder() / scriptName, "hemitexWatch(" + news.dump() + ");\n");
+    staging.commit();
+  }
+
+ private:
+  SolveOptions asked_, options_;  ///< as given; and with chosen settings and the exposure of the last new solution
+  Console& console_;
+  std::set<fs::path> files_;
+  WatchedFiles watched_;
+  std::string version_;
+  radiosity::Camera camera_;
+  Convergence convergence_;
+  std::optional<radiosity::DynamicSolution> dynamic_;
+};
+
+void print(const Round& round, const std::string& reason, const Context& context) {
+  if (context.json) {
+    ordered_json line = {{"changed", reason}};
+    line.update(toJson(round));
+    std::cout << line.dump() << std::endl;
+  } else if (context.console.verbosity != Verbosity::Quiet) {
+    std::cout << (reason.empty() ? "" : reason + " changed: ") << textOf(round) << std::endl;
+  }
+}
+
+/// Follows the files after a change; a fault of the scene is told, and the next change may repair it.
+void followChange(WatchedSolution& solution, const fs::path& changed, Context& context) {
+  solution.tell("solving");
+  try {
+    const Round round = solution.follow();
+    if (!isStopping()) print(round, changed.filename().string(), context);
+  } catch (const raster::InputError& error) {
+    context.console.error(error.what());
+    solution.tell("failed", error.what());
+  }
+}
+
+/// Throws a usage error for options that updates of a solution, or the page, do not allow.
+void requireUpdatable(Command command, const SolveOptions& options) {
+  for (const char* name : {"--edits", "--adaptive", "--pixels-per-element", "--checkpoint", "--resume", "--every",
+                           "--progress", "--no-textures"})
+    if (command.isGiven(name)) usageError(name, "is not used by `hemitex watch`; omit it");
+  if (usesRays(options)) usageError("--method", "`rays` cannot update a solution; use hemicubes");
+  if (options.drawing.elementsBy == radiosity::ElementsBy::Mesh)
+    usageError("--discretize", "`mesh` cannot update a solution; use texture");
+}
+
+void watch(const WatchOptions& options, Context& context) {
+  const LongRun untilSignal;
+  WatchedSolution solution(options.solve, context.console);
+  const Round first = solution.follow();
+  if (isStopping()) return;
+  print(first, "", context);
+  const fs::path page = options.solve.output / pageName;
+  if (options.view) openInBrowser(page, context.console);
+  context.console.message("the page is " + page.string() + "; waiting for changes, Ctrl-C ends");
+  while (const std::optional<fs::path> changed = solution.files().awaitChange(isStopping)) {
+    followChange(solution, *changed, context);
+    if (isStopping()) break;
+  }
+  solution.tell("ended");
+}
+
+}  // namespace
+
+void addWatch(Command program, Context& context) {
+  const auto options = std::make_shared<WatchOptions>();
+  const Command command =
+      program.addCommand("watch", "Solve a scene again whenever it is saved, and show it in the browser");
+  addSolveOptions(command, options->solve);
+  command.under("Output").addFlag("--view", options->view, "open the page in the browser ($BROWSER, else xdg-open)");
+  command.addExamples({"house.obj -o lit --view", "data/furnished-room.obj -o lit --view --residual 0.01"});
+  command.onRead([options, command, &context] {
+    completeOptions(command, options->solve);
+    requireUpdatable(command, options->solve);
+    options->solve.isContinued = true;
+    options->solve.discretization.isUnburied = true;
+    context.command = [options, &context] { watch(*options, context); };
+  });
+}
+
+}  // namespace hemitex::cli
