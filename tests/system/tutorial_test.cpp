@@ -81,3 +81,18 @@ TEST_CASE("The exercises of docs/exercises.md fail at their starts as the page s
   for (std::size_t at = 0; (at = page.find("    (exit code 1)\n", at)) != std::string::npos; ++at) failures += 1;
   CHECK(failures == 10);
 }
+
+TEST_CASE("The check of a solved exercise says that it passed", "[documents]") {
+  const TemporaryFolder folder;
+  fs::copy(docs / "exercises", folder.path / "exercises", fs::copy_options::recursive);
+  // Two opposing unit squares at distance 1 (Howell, factor C-11): 2/π (ln √(4/3) + √2 atan(√2 / 2) 2 - π/2).
+  raster::writeFile(folder.path / "exercises/03-opposing-squares/form_factor.py",
+                    "from math import atan, log, pi, sqrt\n"
+                    "print(2 / pi * (log(sqrt(4 / 3)) + 2 * sqrt(2) * atan(1 / sqrt(2)) - pi / 2))\n");
+  const std::string page = withOutputs("    $ sh exercises/03-opposing-squares/check.sh\n", folder.path,
+                                       fs::path(HEMITEX_PROGRAM).parent_path());
+  CHECK(page ==
+        "    $ sh exercises/03-opposing-squares/check.sh\n"
+        "    form factor 0.1998, error 0.00 % (goal: below 0.2 %)\n"
+        "    passed\n");
+}
