@@ -8,6 +8,7 @@
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/index_maps/phantom_indices.h"
 #include "radiosity/pictures/id_pictures.h"
+#include "radiosity/pictures/picture_exposure.h"
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/progressive_solver.h"
@@ -61,14 +62,14 @@ Stage stageOf(const std::filesystem::path& folder, const std::string& name) {
   return stage;
 }
 
-/// A solution for display: one exposed radiosity per element.
+/// A solution for display: one radiosity per element, exposed for a camera.
 struct Shown {
   Discretization discretization;
   std::vector<glm::dvec3> values;
 };
 
 Shown solved(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
-             const radiosity::SolverSettings& settings) {
+             const radiosity::SolverSettings& settings, const Camera& camera) {
   // As in the paper, no patch is split. The test for splits draws each patch once and would take most of the time.
   radiosity::SceneFormFactors drawn(scene, discretization, layout, {.resolution = 128, .split = 1});
   const radiosity::Solution solution = radiosity::solve({.scene = scene,
@@ -77,7 +78,8 @@ Shown solved(const Scene& scene, const Discretization& discretization, const IdL
                                                          .rowOf = drawn.rowOf(),
                                                          .settings = settings});
   Shown shown{discretization, radiosity::displayRadiosity(scene, discretization, solution)};
-  const double exposure = radiosity::defaultExposure(scene, shown.discretization, radiosity::valuesIn(shown.values));
+  const double exposure =
+      radiosity::pictureExposure(scene, discretization, radiosity::valuesIn(shown.values), camera, width, height);
   for (glm::dvec3& value : shown.values) value *= exposure;
   return shown;
 }
@@ -117,14 +119,15 @@ void addFigure2(Album& album, const Stage& stage) {
 void addFigure3(Album& album, const std::filesystem::path& sceneFolder, const reference::PaperScene& simple,
                 const Camera& camera) {
   const reference::PaperLevel& medium = mediumOf(simple);
-  album.add(
-      3, "a",
-      unfiltered(simple.scene, solved(simple.scene, medium.discretization, medium.layout, {.residual = 0.01}), camera),
-      "The scene of Figure 2 at the medium level: one texel per element, without filtering.");
+  album.add(3, "a",
+            unfiltered(simple.scene,
+                       solved(simple.scene, medium.discretization, medium.layout, {.residual = 0.01}, camera), camera),
+            "The scene of Figure 2 at the medium level: one texel per element, without filtering.");
   const auto addScene = [&](const std::string& panel, const std::string& name, int texels, const std::string& caption) {
     const Stage stage = stageOf(sceneFolder, name);
     const Discretization discretization = radiosity::discretize(stage.scene, {.texels = texels, .patch = 4});
-    const Shown shown = solved(stage.scene, discretization, radiosity::layOut(discretization), {.residual = 0.01});
+    const Shown shown =
+        solved(stage.scene, discretization, radiosity::layOut(discretization), {.residual = 0.01}, stage.camera);
     album.add(3, panel, unfiltered(stage.scene, shown, stage.camera), caption);
   };
   addScene("b", "pyramid-room", 16,
@@ -171,7 +174,7 @@ Image sheetOf(const std::vector<Image>& pages) {
 void addFigure4(Album& album, const reference::PaperScene& complex, const Camera& camera) {
   constexpr int shots = 1000;
   const reference::PaperLevel& medium = mediumOf(complex);
-  const Shown shown = solved(complex.scene, medium.discretization, medium.layout, {.shots = shots});
+  const Shown shown = solved(complex.scene, medium.discretization, medium.layout, {.shots = shots}, camera);
   album.add(4, "a", unfiltered(complex.scene, shown, camera),
             "The complex scene of 8088 triangles at the medium level, without filtering: a vaulted hall between a "
             "library and a picture gallery.");
@@ -213,7 +216,8 @@ void addWrongAnswers(Album& album, const Stage& stage, const Discretization& dis
 void addPlant(Album& album, const std::filesystem::path& sceneFolder) {
   const Stage stage = stageOf(sceneFolder, "plant");
   const Discretization discretization = radiosity::discretize(stage.scene, {.texelSize = 0.25, .patch = 4});
-  const Shown shown = solved(stage.scene, discretization, radiosity::layOut(discretization), {.shots = 200});
+  const Shown shown =
+      solved(stage.scene, discretization, radiosity::layOut(discretization), {.shots = 200}, stage.camera);
   album.add(0, "plant", unfiltered(stage.scene, shown, stage.camera),
             "Plants of 1000 leaves, " + std::to_string(radiosity::triangleCount(stage.scene)) +
                 " triangles. Each side of a leaf is a surface with one element, so meshing adds no polygons.");

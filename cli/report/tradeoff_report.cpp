@@ -10,8 +10,8 @@
 #include "cli/report/html_page.h"
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/images/image.h"
+#include "radiosity/pictures/picture_exposure.h"
 #include "radiosity/pictures/pictures.h"
-#include "radiosity/textures/radiosity_texture.h"
 
 namespace hemitex::cli {
 namespace {
@@ -114,9 +114,12 @@ glm::dvec3 falseColour(const glm::dvec3& found, const glm::dvec3& truth) {
           radiosity::decodeSrgb(colour[2] / 255.0)};
 }
 
-std::vector<glm::dvec3> exposedTruth(const Tradeoff& tradeoff) {
+constexpr int pictureWidth = 480, pictureHeight = 360;
+
+std::vector<glm::dvec3> exposedTruth(const Tradeoff& tradeoff, const radiosity::Camera& camera) {
   std::vector<glm::dvec3> colours = tradeoff.truth.radiosity;
-  const double exposure = radiosity::defaultExposure(tradeoff.scene, tradeoff.fine, radiosity::valuesIn(colours));
+  const double exposure = radiosity::pictureExposure(tradeoff.scene, tradeoff.fine, radiosity::valuesIn(colours),
+                                                     camera, pictureWidth, pictureHeight);
   for (glm::dvec3& colour : colours) colour *= exposure;
   return colours;
 }
@@ -143,15 +146,14 @@ std::vector<std::size_t> front(const Tradeoff& tradeoff) {
 
 /// A list of {title, choice, png}.
 ordered_json picturesOf(const Tradeoff& tradeoff, const radiosity::Camera& camera) {
-  constexpr int width = 480, height = 360;
   ordered_json pictures = ordered_json::array();
   const auto add = [&](const std::string& title, const std::vector<glm::dvec3>& colours, const ordered_json& choice) {
-    const radiosity::Image image =
-        radiosity::elementPicture(tradeoff.scene, tradeoff.fine, radiosity::valuesIn(colours), camera, width, height);
+    const radiosity::Image image = radiosity::elementPicture(
+        tradeoff.scene, tradeoff.fine, radiosity::valuesIn(colours), camera, pictureWidth, pictureHeight);
     const std::vector<unsigned char> png = radiosity::encodePng(radiosity::encodeSrgb(image), title);
     pictures.push_back({{"title", title}, {"choice", choice}, {"png", base64({png.begin(), png.end()})}});
   };
-  add("True radiosity", exposedTruth(tradeoff), {});
+  add("True radiosity", exposedTruth(tradeoff, camera), {});
   const std::vector<std::size_t> choices = front(tradeoff);
   const auto addError = [&](const std::string& title, std::size_t choice) {
     add(title, falseColours(tradeoff, tradeoff.measurements[choice]), choice);

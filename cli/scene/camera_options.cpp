@@ -79,7 +79,8 @@ void addCameraOptions(Command command, CameraOptions& options) {
   command.addText("--size", "WxH", "width and height of the picture in pixels (default 800x600)", readSize);
   addPositive(
       command, "--exposure", options.exposure, std::numeric_limits<double>::infinity(),
-      "factor from radiosity to brightness (default: shows the mean radiosity of surfaces without emission as 0.18)");
+      "factor from radiosity to brightness (default: shows the median of what the camera sees as 0.18, and clips at "
+      "most 1 % of the pixels, without lamps)");
 }
 
 std::filesystem::path viewFileOf(const std::filesystem::path& sceneFile) {

@@ -6,6 +6,7 @@
 #include "cli/common/json.h"
 #include "cli/common/table.h"
 #include "radiosity/discretization/patch_points.h"
+#include "radiosity/pictures/picture_exposure.h"
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/file_io.h"
@@ -84,7 +85,8 @@ std::set<std::string> outputNames(const SolveOptions& options, const radiosity::
 
 double exposureOf(const SolvedScene& solved) {
   if (solved.options.camera.exposure) return *solved.options.camera.exposure;
-  return radiosity::defaultExposure(solved.scene, solved.discretization, displayed(solved));
+  return radiosity::pictureExposure(solved.scene, solved.discretization, displayed(solved), solved.camera,
+                                    solved.options.camera.width, solved.options.camera.height);
 }
 
 std::optional<radiosity::LitScene> litScene(const SolvedScene& solved) {

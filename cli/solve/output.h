@@ -17,7 +17,7 @@ namespace hemitex::cli {
 std::set<std::string> outputNames(const SolveOptions& options, const radiosity::Scene& scene,
                                   const radiosity::Discretization& discretization, std::size_t frames);
 
-/// The given exposure, or the default for the solution.
+/// The given exposure, or that of the picture (see pictureExposure).
 double exposureOf(const SolvedScene& solved);
 
 /// The lit scene, with the display textures of the options; nothing with --no-textures.

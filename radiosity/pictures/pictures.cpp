@@ -43,16 +43,6 @@ Value interpolate(const std::array<Value, 3>& corners, const glm::dvec3& weights
   return weights.x * corners[0] + weights.y * corners[1] + weights.z * corners[2];
 }
 
-/// The element that contains the visible point of a sample.
-std::uint32_t elementAt(const Scene& scene, const Discretization& discretization, const Visible& visible) {
-  const Grid& grid = discretization.grids[visible.surface];
-  const glm::dvec2 chart = interpolate(triangleOf(scene, visible).chart, visible.weights);
-  const int column = std::clamp(static_cast<int>(chart.x * grid.columns), 0, grid.columns - 1);
-  const int row = std::clamp(static_cast<int>(chart.y * grid.rows), 0, grid.rows - 1);
-  return grid.elementOfTexel[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) +
-                             static_cast<std::size_t>(column)];
-}
-
 /// A line runs between two samples if these differ.
 struct ShownPiece {
   std::uint32_t surface = 0, polygon = 0, element = 0;
@@ -84,6 +74,15 @@ Image borderPicture(const Scene& scene, const Camera& camera, int width, int hei
 }
 
 }  // namespace
+
+std::uint32_t elementAt(const Scene& scene, const Discretization& discretization, const Visible& visible) {
+  const Grid& grid = discretization.grids[visible.surface];
+  const glm::dvec2 chart = interpolate(triangleOf(scene, visible).chart, visible.weights);
+  const int column = std::clamp(static_cast<int>(chart.x * grid.columns), 0, grid.columns - 1);
+  const int row = std::clamp(static_cast<int>(chart.y * grid.rows), 0, grid.rows - 1);
+  return grid.elementOfTexel[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) +
+                             static_cast<std::size_t>(column)];
+}
 
 Image drawPicture(const Scene& scene, const Camera& camera, int width, int height, const ColourOf& colourOf) {
   std::vector<glm::dvec3> colours;

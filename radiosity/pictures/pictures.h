@@ -2,6 +2,7 @@
 /// height pixels and throw InputError as drawPicture.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
 
@@ -12,6 +13,9 @@
 #include "radiosity/scene/scene.h"
 
 namespace hemitex::radiosity {
+
+/// The element that contains a visible point.
+std::uint32_t elementAt(const Scene& scene, const Discretization& discretization, const Visible& visible);
 
 /// The linear colour of the visible point of a sample.
 using ColourOf = std::function<glm::dvec3(const Visible&)>;

@@ -58,21 +58,6 @@ std::vector<glm::dvec3> unfilteredTexels(const Grid& grid, const std::vector<glm
   return texels;
 }
 
-bool isZero(const glm::dvec3& value) { return value == glm::dvec3(0.0); }
-
-/// The mean over all elements, or only over those that do not emit.
-std::optional<double> meanRadiosity(const Scene& scene, const Discretization& discretization,
-                                    const ElementValues& radiosity, bool withEmitters) {
-  double flux = 0, totalArea = 0;
-  for (std::uint32_t e = 0; e < discretization.elements.size(); ++e) {
-    if (!withEmitters && !isZero(emission(scene, discretization, e))) continue;
-    const glm::dvec3 b = radiosity(e);
-    flux += discretization.elements[e].area * (bandSum(b) / 3);
-    totalArea += discretization.elements[e].area;
-  }
-  return totalArea > 0 ? std::optional(flux / totalArea) : std::nullopt;
-}
-
 }  // namespace
 
 std::vector<Image> radiosityTextures(const Discretization& discretization, const TextureLayout& layout,
@@ -123,12 +108,6 @@ std::vector<glm::dvec3> displayValues(const Scene& scene, const Discretization& 
                          ? solution.irradiance[e] + solution.ambient
                          : displayRadiosity(scene, discretization, solution, e));
   return result;
-}
-
-double defaultExposure(const Scene& scene, const Discretization& discretization, const ElementValues& radiosity) {
-  std::optional<double> mean = meanRadiosity(scene, discretization, radiosity, false);
-  if (!mean) mean = meanRadiosity(scene, discretization, radiosity, true);
-  return mean && *mean > 0 ? 0.18 / *mean : 1;
 }
 
 }  // namespace hemitex::radiosity

@@ -43,8 +43,4 @@ std::vector<glm::dvec3> displayRadiosity(const Scene& scene, const Discretizatio
 std::vector<glm::dvec3> displayValues(const Scene& scene, const Discretization& discretization,
                                       const Solution& solution);
 
-/// The factor that maps the area-weighted mean radiosity (bands averaged) of elements that do not emit to 0.18. If all
-/// emit, uses the mean of all; returns 1 if that is zero.
-double defaultExposure(const Scene& scene, const Discretization& discretization, const ElementValues& radiosity);
-
 }  // namespace hemitex::radiosity

@@ -1,4 +1,4 @@
-/// Radiosity textures: places of charts, the filter, the border, exposure and Gouraud corners.
+/// Radiosity textures: places of charts, the filter, the border and Gouraud corners.
 #include "radiosity/textures/radiosity_texture.h"
 
 #include <array>
@@ -236,20 +236,6 @@ TEST_CASE("displayRadiosity adds the ambient estimate times reflectance", "[text
   solution.ambient = {8, 8, 8};
   CHECK(displayRadiosity(charts.scene, charts.discretization, solution) ==
         std::vector<glm::dvec3>{{5, 4, 3}, {4, 2, 0}});
-}
-
-TEST_CASE("defaultExposure shows the mean of elements that do not emit as 0.18", "[texture]") {
-  ChartScene charts = makeCharts({{2, 1}, {1, 1}});
-  charts.scene.materials = {Material{}, Material{.name = "light", .emission = glm::dvec3(0, 7, 0)}};
-  charts.discretization.elements[1].area = 3;
-  std::vector<glm::dvec3> values{{3, 0, 0}, {0, 6, 0}, {1000, 1000, 1000}};
-  // Without the light: the bands' averages are 1 on area 1 and 2 on area 3, with a mean of 7/4. With the light the mean
-  // is 1007/5.
-  charts.scene.surfaces[1].material = 1;
-  CHECK(defaultExposure(charts.scene, charts.discretization, valuesIn(values)) == Approx(0.18 / 1.75).epsilon(1e-15));
-  charts.scene.surfaces[0].material = 1;
-  CHECK(defaultExposure(charts.scene, charts.discretization, valuesIn(values)) == Approx(0.18 / 201.4).epsilon(1e-15));
-  CHECK(defaultExposure(charts.scene, charts.discretization, [](std::uint32_t) { return glm::dvec3(0); }) == 1);
 }
 
 TEST_CASE("cornerRadiosity averages over smooth neighbours of the same material by area", "[texture]") {
